@@ -1,0 +1,60 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace frond {
+
+/// Weights of a cubic Hermite segment at `t` in 0..1 for: start value, start slope, end value, end slope.
+struct Hermite {
+  double start, start_slope, end, end_slope;
+};
+Hermite hermite(double t);
+
+/// Slopes for a cubic through (x, y) that neither overshoots nor rings (Fritsch and Butland 1984): zero at
+/// every local extreme and, with `flat_ends`, at both ends. `x` strictly increasing, as long as `y`.
+std::vector<double> monotone_slopes(std::span<const double> x, std::span<const double> y, bool flat_ends);
+
+/// An editable curve: a smooth function through control points, constant beyond the first and the last. It stays
+/// between neighbouring points. Points have strictly increasing x; none at all is the constant 1.
+class Curve {
+ public:
+  Curve() = default;
+  explicit Curve(std::vector<Vec2> points);
+
+  double operator()(double x) const;
+  const std::vector<Vec2>& points() const { return points_; }
+
+ private:
+  std::vector<Vec2> points_;
+  std::vector<double> slopes_;
+};
+
+/// A value that may change over the film: a constant, or keyframes at increasing times (seconds), joined by
+/// curves with continuous speed that rest at the first and the last key. `T` is `double` or `Vec3`.
+template <class T>
+class Animated {
+ public:
+  struct Key {
+    double time;
+    T value;
+  };
+
+  Animated(T constant = T{}) : Animated(std::vector<Key>{{0.0, constant}}) {}
+  explicit Animated(std::vector<Key> keys);
+
+  T at(double time) const;
+  bool constant() const { return keys_.size() == 1; }
+  const std::vector<Key>& keys() const { return keys_; }
+
+ private:
+  std::vector<Key> keys_;
+  std::vector<T> slopes_;
+};
+
+extern template class Animated<double>;
+extern template class Animated<Vec3>;
+
+}  // namespace frond

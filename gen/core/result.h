@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace frond {
+
+/// The user's mistake, or the machine's: where it is (`file:line:col: /json/pointer`, or empty) and what was
+/// found and expected. Our own mistakes are asserts.
+struct Error {
+  std::string where;
+  std::string what;
+
+  /// One line, `where: what`.
+  std::string text() const { return where.empty() ? what : where + ": " + what; }
+};
+
+using Errors = std::vector<Error>;
+
+/// A value, or the reasons why there is none (at least one).
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : held_(std::move(value)) {}
+  Result(Error error) : held_(Errors{std::move(error)}) {}
+  Result(Errors errors) : held_(std::move(errors)) { assert(!this->errors().empty()); }
+
+  bool ok() const { return held_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  T& value() { return assert(ok()), std::get<0>(held_); }
+  const T& value() const { return assert(ok()), std::get<0>(held_); }
+  T& operator*() { return value(); }
+  const T& operator*() const { return value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+
+  const Errors& errors() const { return assert(!ok()), std::get<1>(held_); }
+
+ private:
+  std::variant<T, Errors> held_;
+};
+
+}  // namespace frond

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace frond {
+
+/// Appends a number as every text we write has it: at most `decimals` (0 to 9) decimals, rounded half away from
+/// zero, no trailing zeros, no exponent, never "-0", no locale. |value| up to 9e18 / 10^decimals; must be finite.
+void append(std::string& text, double value, int decimals = 5);
+
+/// Appends a whole number.
+void append_integer(std::string& text, long long value);
+
+/// Appends `<x, y, z>`-style lists: the numbers with `,` between them.
+template <class... Numbers>
+void append_list(std::string& text, int decimals, double first, Numbers... rest) {
+  append(text, first, decimals);
+  ((text += ',', append(text, static_cast<double>(rest), decimals)), ...);
+}
+
+/// Fills the named holes `{{name}}` of a template from a lookup `value(name)`, which returns the text of the
+/// hole. What is filled in is not searched for holes again.
+template <class Lookup>
+std::string fill(std::string_view layout, const Lookup& value) {
+  std::string text;
+  for (;;) {
+    std::size_t open = layout.find("{{");
+    std::size_t close = open == layout.npos ? open : layout.find("}}", open);
+    text += layout.substr(0, close == layout.npos ? layout.npos : open);
+    if (close == layout.npos) return text;
+    text += value(layout.substr(open + 2, close - open - 2));
+    layout.remove_prefix(close + 2);
+  }
+}
+
+/// The candidate that is nearest to a misspelt `name` (Damerau-Levenshtein), or empty where none is near
+/// enough to be meant.
+template <class Names>
+std::string_view nearest_name(std::string_view name, const Names& candidates);
+
+/// Edits (insert, delete, replace, swap neighbours) that turn one name into the other, letter case ignored.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+template <class Names>
+std::string_view nearest_name(std::string_view name, const Names& candidates) {
+  std::string_view best;
+  std::size_t best_distance = 2 + name.size() / 4;
+  for (std::string_view candidate : candidates) {
+    std::size_t distance = edit_distance(name, candidate);
+    if (distance < best_distance && distance < candidate.size()) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace frond

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+
+namespace frond {
+
+/// Right-handed, y up; metres. Models are stored in single precision; a turtle walks in double precision.
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using DVec3 = glm::dvec3;
+using Quat = glm::quat;
+
+/// A colour as people pick it: sRGB, each channel 0 to 1.
+struct Color {
+  float red = 1, green = 1, blue = 1;
+  bool operator==(const Color&) const = default;
+};
+
+inline constexpr double kPi = std::numbers::pi;
+
+template <class T>
+constexpr T radians(T degrees) {
+  return degrees * static_cast<T>(kPi / 180.0);
+}
+
+template <class T>
+constexpr T degrees(T radians) {
+  return radians * static_cast<T>(180.0 / kPi);
+}
+
+/// 0 below `low`, 1 above `high`, smooth in value and slope between.
+template <class T>
+constexpr T smooth_step(T low, T high, T x) {
+  if (x <= low) return 0;
+  if (x >= high) return 1;
+  T t = (x - low) / (high - low);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace frond

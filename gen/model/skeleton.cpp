@@ -1,0 +1,52 @@
+#include "model/skeleton.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+void Skeleton::reserve(std::size_t nodes) {
+  position.reserve(nodes);
+  radius.reserve(nodes);
+  parent.reserve(nodes);
+  distance.reserve(nodes);
+  birth.reserve(nodes);
+  order.reserve(nodes);
+}
+
+std::int32_t Skeleton::add(Vec3 at, float thickness, std::int32_t below, std::uint16_t depth) {
+  float along = below == kRoot ? 0.0f : distance[below] + glm::distance(position[below], at);
+  position.push_back(at);
+  radius.push_back(thickness);
+  parent.push_back(below);
+  distance.push_back(along);
+  birth.push_back(0);
+  order.push_back(depth);
+  return static_cast<std::int32_t>(size()) - 1;
+}
+
+float Skeleton::longest() const {
+  return distance.empty() ? 0.0f : *std::max_element(distance.begin(), distance.end());
+}
+
+std::string Skeleton::check() const {
+  std::size_t n = size();
+  if (radius.size() != n || parent.size() != n || distance.size() != n || birth.size() != n || order.size() != n)
+    return "the arrays differ in length";
+  for (std::size_t i = 0; i < n; ++i) {
+    Vec3 p = position[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      return fmt::format("node {} is not at a finite place", i);
+    if (!(radius[i] > 0) || !std::isfinite(radius[i])) return fmt::format("node {} has radius {}", i, radius[i]);
+    if (parent[i] < kRoot || parent[i] >= static_cast<std::int32_t>(i))
+      return fmt::format("node {} has parent {}, which does not precede it", i, parent[i]);
+    if (!(birth[i] >= 0 && birth[i] <= 1)) return fmt::format("node {} is born at {}", i, birth[i]);
+    if (parent[i] != kRoot && birth[i] < birth[parent[i]])
+      return fmt::format("node {} is born before its parent {}", i, parent[i]);
+  }
+  return {};
+}
+
+}  // namespace frond

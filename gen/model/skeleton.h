@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace frond {
+
+/// Branches as a structure of arrays, one entry a node. A segment runs from a node's parent to the node.
+/// Parents precede children, and the nodes of one branch follow each other: a run of nodes whose parent is the
+/// node before them is one chain. Plain data; metres.
+struct Skeleton {
+  static constexpr std::int32_t kRoot = -1;
+
+  std::vector<Vec3> position;
+  std::vector<float> radius;         ///< > 0
+  std::vector<std::int32_t> parent;  ///< index of the parent, or kRoot
+  std::vector<float> distance;       ///< along the branches from the root (C6)
+  std::vector<float> birth;          ///< 0..1: the share of growth after which the node is reached (C9)
+  std::vector<std::uint16_t> order;  ///< brackets deep: 0 on the trunk
+
+  std::size_t size() const { return position.size(); }
+  void reserve(std::size_t nodes);
+
+  /// Appends a node. `distance` follows from the parent; `birth` is 0 until set_birth_by_distance.
+  std::int32_t add(Vec3 at, float thickness, std::int32_t below, std::uint16_t depth);
+
+  /// The longest distance of any node; 0 for an empty skeleton.
+  float longest() const;
+
+  /// Where it is not what it promises: one line for the first fault, empty when all is well.
+  std::string check() const;
+};
+
+}  // namespace frond
