@@ -12,6 +12,7 @@ void Skeleton::reserve(std::size_t nodes) {
   radius.reserve(nodes);
   parent.reserve(nodes);
   distance.reserve(nodes);
+  to_tip.reserve(nodes);
   birth.reserve(nodes);
   order.reserve(nodes);
 }
@@ -22,6 +23,7 @@ std::int32_t Skeleton::add(Vec3 at, float thickness, std::int32_t below, std::ui
   radius.push_back(thickness);
   parent.push_back(below);
   distance.push_back(along);
+  to_tip.push_back(0);
   birth.push_back(0);
   order.push_back(depth);
   return static_cast<std::int32_t>(size()) - 1;
@@ -33,7 +35,8 @@ float Skeleton::longest() const {
 
 std::string Skeleton::check() const {
   std::size_t n = size();
-  if (radius.size() != n || parent.size() != n || distance.size() != n || birth.size() != n || order.size() != n)
+  if (radius.size() != n || parent.size() != n || distance.size() != n || to_tip.size() != n || birth.size() != n ||
+      order.size() != n)
     return "the arrays differ in length";
   for (std::size_t i = 0; i < n; ++i) {
     Vec3 p = position[i];
@@ -47,6 +50,19 @@ std::string Skeleton::check() const {
       return fmt::format("node {} is born before its parent {}", i, parent[i]);
   }
   return {};
+}
+
+void set_tip_distances(Skeleton& s) {
+  std::fill(s.to_tip.begin(), s.to_tip.end(), 0.0f);
+  for (std::size_t i = s.size(); i-- > 0;) {
+    std::int32_t p = s.parent[i];
+    if (p != Skeleton::kRoot) s.to_tip[p] = std::max(s.to_tip[p], s.to_tip[i] + s.distance[i] - s.distance[p]);
+  }
+}
+
+void set_births(Skeleton& s) {
+  float longest = s.longest();
+  for (std::size_t i = 0; i < s.size(); ++i) s.birth[i] = longest > 0 ? std::min(s.distance[i] / longest, 1.0f) : 0.0f;
 }
 
 }  // namespace frond

@@ -19,13 +19,14 @@ struct Skeleton {
   std::vector<float> radius;         ///< > 0
   std::vector<std::int32_t> parent;  ///< index of the parent, or kRoot
   std::vector<float> distance;       ///< along the branches from the root (C6)
+  std::vector<float> to_tip;         ///< along the branches to the farthest tip above; see set_tip_distances
   std::vector<float> birth;          ///< 0..1: the share of growth after which the node is reached (C9)
   std::vector<std::uint16_t> order;  ///< brackets deep: 0 on the trunk
 
   std::size_t size() const { return position.size(); }
   void reserve(std::size_t nodes);
 
-  /// Appends a node. `distance` follows from the parent; `birth` is 0 until set_birth_by_distance.
+  /// Appends a node. `distance` follows from the parent; `to_tip` and `birth` are 0 until they are set.
   std::int32_t add(Vec3 at, float thickness, std::int32_t below, std::uint16_t depth);
 
   /// The longest distance of any node; 0 for an empty skeleton.
@@ -34,5 +35,12 @@ struct Skeleton {
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;
 };
+
+/// Sets `to_tip` of each node from the positions.
+void set_tip_distances(Skeleton& skeleton);
+
+/// Sets each `birth` to the share of the longest way that lies below the node: growth runs along all branches
+/// at one speed.
+void set_births(Skeleton& skeleton);
 
 }  // namespace frond

@@ -1,0 +1,214 @@
+#include "emit/frame.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/text.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kAges = 16;               // textures of each skin, from old to young
+constexpr std::size_t kPartNodes = 50'000;  // of one organism, written by one thread at a time
+
+std::string number(double value, int decimals = 5) {
+  std::string text;
+  append(text, value, decimals);
+  return text;
+}
+
+/// The skins, each once: organisms of the same look but another brightness have one of their own.
+void append_skins(std::string& text, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.branches.size(); ++i) {
+    const Branches& b = scene.branches[i];
+    const Pores& pores = b.skin.pores;
+    const Tint& tint = b.skin.tint;
+    append_comment(text, b.name);
+    text += "#declare Skin";
+    append_integer(text, static_cast<long long>(i));
+    text += " = Coral_Skins(";
+    append_color(text, tint.base);
+    text += ',';
+    append_color(text, tint.secondary);
+    text += ',';
+    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
+                b.brightness, tint.young);
+    text += ")\n";
+  }
+}
+
+void append_stones(std::string& text, const PovSpace& space, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.stones.size(); ++i) {
+    text += "#declare Stone";
+    append_integer(text, static_cast<long long>(i));
+    text += " = ";
+    append_mesh(text, space, scene.stones[i]);
+    text += '\n';
+  }
+  if (scene.stone_instances.empty()) return;
+  text += "union{\n";
+  for (const StoneInstance& stone : scene.stone_instances) {
+    text += "object{Stone";
+    append_integer(text, stone.shape);
+    text += " scale<";
+    append_list(text, 5, stone.size.x, stone.size.y, stone.size.z);
+    text += ">rotate y*";
+    append(text, -degrees(stone.turn), 3);  // the mirror turns the other way round, and so do left-handed turns
+    text += " translate";
+    append_point(text, space, stone.at);
+    text += " texture{Rock_Texture(";
+    append_integer(text, stone.look);
+    text += ")}}\n";
+  }
+  text += "}\n";
+}
+
+std::string camera_text(const PovSpace& space, const Camera& camera, double time) {
+  std::string text = "camera{location";
+  append_point(text, space, camera.location.at(time));
+  text += " right x*image_width/image_height angle ";
+  append(text, camera.angle.at(time), 4);
+  text += " look_at";
+  append_point(text, space, camera.look_at.at(time));
+  text += '}';
+  return text;
+}
+
+std::string setting_text(const Stage& stage) {
+  const Water& water = stage.water;
+  std::string text = "Water_Globals()\nWater_Setting(";
+  append_color(text, water.near);
+  text += ',';
+  append_color(text, water.deep);
+  text += ',';
+  append(text, water.visibility);
+  text += ',';
+  append_direction(text, water.sun);
+  text += ',';
+  append_list(text, 5, water.caustics, water.shafts, water.particles);
+  text += ')';
+  return text;
+}
+
+/// One food object for each place that an organism is drawn to.
+std::string food_text(const PovSpace& space, const Scene& scene, double time) {
+  std::vector<Vec3> places;
+  std::string text;
+  for (const Branches& b : scene.branches) {
+    if (b.motion.food.strength == 0) continue;
+    Vec3 at = b.motion.food.position.at(time);
+    if (std::find(places.begin(), places.end(), at) != places.end()) continue;
+    places.push_back(at);
+    text += "object{Food_Swarm() translate";
+    append_point(text, space, at);
+    text += "}\n";
+  }
+  return text;
+}
+
+/// The sweeps of chunks first..last of one organism.
+void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose, std::size_t index,
+                 std::span<const Chunk> chunks) {
+  for (const Chunk& chunk : chunks) {
+    if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
+    text += " texture{Skin";
+    append_integer(text, static_cast<long long>(index));
+    text += '[';
+    append_integer(text, std::clamp(static_cast<int>(chunk.young * (kAges - 1) + 0.5f), 0, kAges - 1));
+    text += ']';
+    if (chunk.moved()) append_matrix(text, space, chunk.matrix, chunk.shift);
+    text += "}}\n";
+  }
+}
+
+std::string branches_text(const PovSpace& space, const Branches& b, std::size_t index, double time) {
+  Pose pose;
+  pose_skeleton(b.rest, b.motion, time, pose);
+  ChunkOptions options;
+  options.tolerance = static_cast<float>(0.15 * b.skin.pores.cell);
+  options.young_length = static_cast<float>(b.skin.tint.young_length);
+  std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
+
+  std::size_t parts = b.rest.size() / kPartNodes + 1;
+  std::vector<std::string> texts(parts);
+  parallel_for(parts, [&](std::size_t p) {
+    std::span<const Chunk> all(chunks);
+    std::size_t from = chunks.size() * p / parts, to = chunks.size() * (p + 1) / parts;
+    append_part(texts[p], space, b, pose, index, all.subspan(from, to - from));
+  });
+  std::string body;
+  for (const std::string& text : texts) body += text;
+  if (body.empty()) return {};
+  std::string text;
+  append_comment(text, b.name);
+  return text + "union{\n" + body + "}\n";
+}
+
+std::string all_branches_text(const PovSpace& space, const Scene& scene, double time) {
+  std::vector<std::string> texts(scene.branches.size());
+  parallel_for(texts.size(), [&](std::size_t i) { texts[i] = branches_text(space, scene.branches[i], i, time); });
+  std::string text;
+  text.reserve(std::accumulate(texts.begin(), texts.end(), std::size_t{0},
+                               [](std::size_t sum, const std::string& t) { return sum + t.size(); }));
+  for (std::string& part : texts) {
+    text += part;
+    part = {};
+  }
+  return text;
+}
+
+}  // namespace
+
+FrameParts prepare_frames(const Scene& scene) {
+  float thinnest = std::numeric_limits<float>::infinity();
+  for (const Branches& b : scene.branches)
+    for (float radius : b.rest.radius) thinnest = std::min(thinnest, radius);
+  FrameParts parts;
+  parts.space = space_for(thinnest);
+  append_skins(parts.materials, scene);
+  parts.ground = "object{\n";
+  append_mesh(parts.ground, parts.space, scene.floor);
+  parts.ground += "\ntexture{Sand_Texture()}}\n";
+  append_stones(parts.ground, parts.space, scene);
+  return parts;
+}
+
+Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame) {
+  const Film& film = scene.film;
+  double time = film.time(frame);
+  std::string padded = number(frame);
+  padded.insert(0, padded.size() < 4 ? 4 - padded.size() : 0, '0');
+  Errors errors;
+  std::string text = fill(layout, [&](std::string_view hole) -> std::string {
+    if (hole == "title") {
+      std::string title;
+      append_comment(title, scene.title);
+      return title;
+    }
+    if (hole == "frame") return number(frame);
+    if (hole == "frames") return number(film.frames);
+    if (hole == "number") return padded;
+    if (hole == "width") return number(film.width);
+    if (hole == "height") return number(film.height);
+    if (hole == "unit") return number(parts.space.unit);
+    if (hole == "quality") return number(static_cast<int>(film.quality));
+    if (hole == "time") return number(time);
+    if (hole == "loop") return number(film.length());
+    if (hole == "setting") return setting_text(scene.stage);
+    if (hole == "camera") return camera_text(parts.space, scene.stage.camera, time);
+    if (hole == "materials") return parts.materials;
+    if (hole == "ground") return parts.ground;
+    if (hole == "organisms") return all_branches_text(parts.space, scene, time);
+    if (hole == "food") return food_text(parts.space, scene, time);
+    errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
+    return {};
+  });
+  if (!errors.empty()) return errors;
+  return text;
+}
+
+}  // namespace frond

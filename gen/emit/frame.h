@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+#include "emit/pov.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+/// What is the same in each frame of a film, written once.
+struct FrameParts {
+  PovSpace space;
+  std::string materials;  ///< the skins of all organisms
+  std::string ground;     ///< floor and stones
+};
+
+FrameParts prepare_frames(const Scene& scene);
+
+/// The whole .pov text of frame `frame` (1 is the first): the layout with its holes filled. A pure function of
+/// its arguments; `layout` is templates/frame.pov. An unknown hole is an error.
+Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame);
+
+}  // namespace frond

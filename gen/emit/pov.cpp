@@ -1,0 +1,155 @@
+#include "emit/pov.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/text.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kDecimals = 5;
+
+/// The end of a piece of SDL with as many points as it turned out to have. The count comes before the points,
+/// so room is left for it.
+class CountedList {
+ public:
+  CountedList(std::string& text, std::size_t digits) : text_(text), place_(text.size()) { text_.append(digits, ' '); }
+  void close(std::size_t count) {
+    std::string digits;
+    append_integer(digits, static_cast<long long>(count));
+    text_.replace(place_, digits.size(), digits);
+  }
+
+ private:
+  std::string& text_;
+  std::size_t place_;
+};
+
+}  // namespace
+
+PovSpace space_for(double thinnest_radius) {
+  PovSpace space;
+  while (thinnest_radius * space.unit < kThinnest && space.unit < 1000) space.unit *= 10;
+  return space;
+}
+
+void append_point(std::string& text, const PovSpace& space, Vec3 at) {
+  text += '<';
+  append_list(text, kDecimals, at.x * space.unit, at.y * space.unit, -at.z * space.unit);
+  text += '>';
+}
+
+void append_direction(std::string& text, Vec3 direction) {
+  text += '<';
+  append_list(text, kDecimals, direction.x, direction.y, -direction.z);
+  text += '>';
+}
+
+void append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m, Vec3 shift) {
+  // POV-Ray multiplies row vectors: its rows are the images of its axes. The mirror turns both sides.
+  text += "matrix<";
+  for (int axis = 0; axis < 3; ++axis) {
+    float sign = axis == 2 ? -1.0f : 1.0f;
+    append_list(text, 6, sign * m[axis].x, sign * m[axis].y, -sign * m[axis].z);
+    text += ',';
+  }
+  append_list(text, kDecimals, shift.x * space.unit, shift.y * space.unit, -shift.z * space.unit);
+  text += '>';
+}
+
+void append_color(std::string& text, const Color& color) {
+  text += "srgb<";
+  append_list(text, 4, color.red, color.green, color.blue);
+  text += '>';
+}
+
+void append_quoted(std::string& text, std::string_view words) {
+  text += '"';
+  for (char c : words) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  }
+  text += '"';
+}
+
+void append_comment(std::string& text, std::string_view words) {
+  text += "// ";
+  for (char c : words) text += static_cast<unsigned char>(c) < 32 || c == '\x7f' ? ' ' : c;
+  text += '\n';
+}
+
+void append_mesh(std::string& text, const PovSpace& space, const Surface& surface) {
+  auto list = [&](std::string_view name, std::size_t count) {
+    text += name;
+    text += '{';
+    append_integer(text, static_cast<long long>(count));
+  };
+  text += "mesh2{\n";
+  list("vertex_vectors", surface.position.size());
+  for (const Vec3& p : surface.position) text += ",", append_point(text, space, p);
+  text += "}\n";
+  list("normal_vectors", surface.normal.size());
+  for (const Vec3& n : surface.normal) {
+    text += ",<";
+    append_list(text, 3, n.x, n.y, -n.z);
+    text += '>';
+  }
+  text += "}\nface_indices{";
+  CountedList faces(text, 9);
+  std::size_t count = 0;
+  for (auto [a, b, c] : surface.triangle) {
+    const Vec3& p = surface.position[a];
+    Vec3 area = glm::cross(surface.position[b] - p, surface.position[c] - p);
+    if (glm::dot(area, area) < 1e-20f) continue;
+    // The mirror turns the triangle over, and this turns it back.
+    text += ",<";
+    append_list(text, 0, a, c, b);
+    text += '>';
+    ++count;
+  }
+  faces.close(count);
+  text += "}}";
+}
+
+bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose,
+                  const Chunk& chunk) {
+  std::size_t start = text.size();
+  text += "sphere_sweep{linear_spline ";
+  CountedList points(text, 3);
+  std::size_t count = 0;
+  Vec3 last_at{0};
+  float last_radius = 0;
+  auto add = [&](Vec3 at, float radius) {
+    radius = std::max(radius, static_cast<float>(kThinnest / space.unit));
+    if (count > 0) {
+      // A sphere that lies within its neighbour has no cone between them: POV-Ray draws specks there.
+      float step = glm::distance(at, last_at);
+      if (step * space.unit < 2e-4) return;
+      radius = std::clamp(radius, last_radius - 0.9f * step, last_radius + 0.9f * step);
+    }
+    text += ',';
+    append_point(text, space, at);
+    text += ',';
+    append(text, radius * space.unit, kDecimals);
+    last_at = at;
+    last_radius = radius;
+    ++count;
+  };
+  std::int32_t below = rest.parent[chunk.first];
+  // A branch leaves its parent no thicker than it goes on, or the fork would swell.
+  float foot = below == chunk.first - 1 ? pose.radius[below]
+                                        : std::min(pose.radius[below], 1.25f * pose.radius[chunk.first]);
+  add(pose.position[below], foot);
+  for (std::int32_t i = chunk.first; i <= chunk.last; ++i) add(pose.position[i], pose.radius[i]);
+  if (count < 2) {
+    text.resize(start);
+    return false;
+  }
+  points.close(count);
+  return true;
+}
+
+}  // namespace frond

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/vec.h"
+#include "emit/sweep.h"
+#include "model/surface.h"
+
+namespace frond {
+
+/// What we know of POV-Ray's axes, units and quirks. Our world is right-handed, POV-Ray's left-handed: z is
+/// mirrored. A scene's unit is chosen so that its thinnest branch is not too thin for a sphere_sweep.
+struct PovSpace {
+  double unit = 10;  ///< POV-Ray units a metre
+};
+
+inline constexpr double kThinnest = 0.002;  ///< POV-Ray units; sphere_sweeps break down below 0.0008
+
+/// The space for a scene whose thinnest branch has the radius given in metres: 10 units a metre, or more in
+/// powers of ten where that is too coarse (up to 1000).
+PovSpace space_for(double thinnest_radius);
+
+/// Appends `<x,y,z>` of a place in the world.
+void append_point(std::string& text, const PovSpace& space, Vec3 at);
+
+/// Appends `<x,y,z>` of a direction in the world.
+void append_direction(std::string& text, Vec3 direction);
+
+/// Appends a `matrix <...>` that does to POV-Ray's space what `matrix * x + shift` does to the world.
+void append_matrix(std::string& text, const PovSpace& space, const glm::mat3& matrix, Vec3 shift);
+
+/// Appends `srgb <r,g,b>`.
+void append_color(std::string& text, const Color& color);
+
+/// Appends a POV-Ray string literal, with everything escaped that could end it.
+void append_quoted(std::string& text, std::string_view words);
+
+/// Appends a comment that cannot be ended by what is in it.
+void append_comment(std::string& text, std::string_view words);
+
+/// Appends `mesh2 { ... }` without a texture. Triangles that are points after rounding are left out.
+void append_mesh(std::string& text, const PovSpace& space, const Surface& surface);
+
+/// Appends the sphere_sweep of one chunk up to its texture, `sphere_sweep{linear_spline,n,<x,y,z>,r,...`, and
+/// returns true; appends nothing and returns false where fewer than two different points are left of it.
+bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose, const Chunk& chunk);
+
+}  // namespace frond

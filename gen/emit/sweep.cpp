@@ -1,0 +1,124 @@
+#include "emit/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+namespace frond {
+
+namespace {
+
+/// Whether growth has reached the segment that ends at node i.
+bool reached(const Skeleton& rest, const Pose& pose, std::int32_t i) {
+  return rest.birth[rest.parent[i]] < pose.front;
+}
+
+float thickened(const Skeleton& rest, const Pose& pose, std::int32_t i) {
+  return std::max(pose.radius[i] / rest.radius[i], 1e-3f);
+}
+
+/// The pattern's way with the middle node of the chunk.
+void carry(const Skeleton& rest, const Pose& pose, Chunk& chunk) {
+  std::int32_t middle = (chunk.first + chunk.last) / 2;
+  // A growing tip has not come to its node yet: there the pattern goes by the node below.
+  while (middle > chunk.first && rest.birth[middle] > pose.front) --middle;
+  std::int32_t below = rest.parent[middle];
+  std::int32_t anchor = rest.birth[middle] > pose.front ? below : middle;
+  glm::mat3 turn = glm::mat3_cast(pose.turn[middle]);
+  float thick = thickened(rest, pose, anchor);
+  if (turn == glm::mat3(1) && std::abs(thick - 1) < 1e-6f && pose.position[anchor] == rest.position[anchor]) return;
+  Vec3 along = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
+  float length2 = glm::dot(along, along);
+  glm::mat3 stretch(thick);
+  if (length2 > 0) stretch = stretch + glm::outerProduct(along, along) * ((1 - thick) / length2);
+  chunk.matrix = turn * stretch;
+  chunk.shift = pose.position[anchor] - chunk.matrix * rest.position[anchor];
+}
+
+class Cutter {
+ public:
+  Cutter(const Skeleton& rest, const Pose& pose, const ChunkOptions& options, std::vector<Chunk>& out)
+      : rest_(rest), pose_(pose), options_(options), longest_(rest.longest()), out_(out) {}
+
+  /// One chunk of first..last, or halves of it where the pattern would slide too far. `end` is the last node
+  /// that growth has reached; the halving does not depend on it, so that cuts stay where they are.
+  void cut(std::int32_t first, std::int32_t last, std::int32_t end) {
+    if (first > end) return;
+    Chunk chunk{first, last};
+    carry(rest_, pose_, chunk);
+    if (first == last || fits(chunk, std::min(last, end))) {
+      chunk.young = youth((first + last) / 2);
+      chunk.last = std::min(last, end);
+      out_.push_back(chunk);
+      return;
+    }
+    std::int32_t middle = (first + last) / 2;
+    cut(first, middle, end);
+    cut(middle + 1, last, end);
+  }
+
+ private:
+  float youth(std::int32_t i) const { return frond::youth(rest_, pose_, longest_, options_.young_length, i); }
+
+  bool fits(const Chunk& chunk, std::int32_t end) const {
+    if (std::abs(youth(rest_.parent[chunk.first]) - youth(end)) > options_.young_step) return false;
+    for (std::int32_t i = chunk.first; chunk.moved() && i <= end; ++i)
+      if (pattern_drift(rest_, pose_, chunk, i) > options_.tolerance) return false;
+    return true;
+  }
+
+  const Skeleton& rest_;
+  const Pose& pose_;
+  const ChunkOptions& options_;
+  float longest_;
+  std::vector<Chunk>& out_;
+};
+
+}  // namespace
+
+float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, std::int32_t i) {
+  if (rest.birth[i] > pose.front) return 0;  // the tip is new skin
+  Vec3 center = chunk.shift + chunk.matrix * rest.position[i] - pose.position[i];
+  float thick = thickened(rest, pose, i);
+  // Two skin points a quarter round the branch from each other; the others come apart no farther than both.
+  Vec3 along = rest.position[i] - rest.position[rest.parent[i]];
+  Vec3 across = glm::cross(along, std::abs(along.y) < std::abs(along.x) ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
+  Vec3 third = glm::cross(along, across);
+  float skin2 = 0;
+  for (Vec3 offset : {across, third}) {
+    float length = glm::length(offset);
+    if (length == 0) continue;
+    offset = offset * (rest.radius[i] / length);
+    Vec3 apart = chunk.matrix * offset - pose.turn[i] * offset * thick;
+    skin2 += glm::dot(apart, apart);
+  }
+  return (glm::length(center) + std::sqrt(skin2)) / thick;
+}
+
+float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i) {
+  if (young_length <= 0) return 0;
+  float grown_past = std::max(pose.front - rest.birth[i], 0.0f) * longest;
+  return 1 - smooth_step(0.0f, young_length, std::min(rest.to_tip[i], grown_past));
+}
+
+std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options) {
+  std::vector<Chunk> chunks;
+  Cutter cutter(rest, pose, options, chunks);
+  std::int32_t n = static_cast<std::int32_t>(rest.size());
+  for (std::int32_t start = 0; start < n;) {
+    if (rest.parent[start] == Skeleton::kRoot) {
+      ++start;
+      continue;
+    }
+    std::int32_t stop = start + 1;
+    while (stop < n && rest.parent[stop] == stop - 1 && stop - start < options.nodes - 1) ++stop;
+    std::int32_t end = start - 1;
+    while (end + 1 < stop && reached(rest, pose, end + 1)) ++end;
+    cutter.cut(start, stop - 1, end);
+    start = stop;
+  }
+  return chunks;
+}
+
+}  // namespace frond

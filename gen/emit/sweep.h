@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/skeleton.h"
+#include "motion/motion.h"
+
+namespace frond {
+
+/// A stretch of one branch that is written as one sphere_sweep: the nodes first..last of a skeleton, which
+/// follow each other, and the node below `first`. Neighbours share a node.
+struct Chunk {
+  std::int32_t first, last;
+  /// Where the texture of the stretch has gone with the moving skin: a point x of the rest shape's pattern lies
+  /// at shift + matrix * x. The identity while nothing moves.
+  glm::mat3 matrix{1};
+  Vec3 shift{0};
+  float young = 0;  ///< 1 at a growing tip .. 0 farther below than the young length
+
+  bool moved() const { return matrix != glm::mat3(1) || shift != Vec3(0); }
+};
+
+struct ChunkOptions {
+  int nodes = 12;              ///< at most so many in one chunk, 2 or more
+  float tolerance = 0.003f;    ///< metres by which the pattern may slide on the skin
+  float young_length = 0.08f;  ///< metres below a tip in which the skin is young
+  float young_step = 0.12f;    ///< by how much `young` may differ between the ends of a chunk
+};
+
+/// Cuts the branches that growth has reached into chunks as short as the options ask.
+///
+/// Patterns live in space. So that pores stay on a skin that sways and thickens, each chunk carries its
+/// pattern along: turned as its middle node is, and stretched across the branch as the branch has thickened.
+std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options);
+
+/// How young the skin at node `i` is: by its way to the tip, grown or growing.
+float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i);
+
+/// How far the skin at node `i`, in metres of the rest shape, slides under the pattern of a chunk it is in.
+float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, std::int32_t i);
+
+}  // namespace frond

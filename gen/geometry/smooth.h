@@ -1,0 +1,11 @@
+#pragma once
+
+#include "model/skeleton.h"
+
+namespace frond {
+
+/// The same branches with `pieces` (1 or more) nodes for each one, on a Catmull-Rom curve through them
+/// (Catmull and Rom 1974): radii and births follow linearly, a branch leaves its parent in its own direction.
+Skeleton smooth(const Skeleton& coarse, int pieces);
+
+}  // namespace frond

@@ -1,0 +1,39 @@
+#include "model/surface.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace frond {
+
+std::string Surface::check() const {
+  if (normal.size() != position.size()) return "the arrays differ in length";
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    if (!std::isfinite(glm::dot(position[i], position[i]))) return fmt::format("vertex {} is not at a finite place", i);
+    if (std::abs(glm::length(normal[i]) - 1) > 1e-3f) return fmt::format("normal {} is not of length 1", i);
+  }
+  for (std::size_t i = 0; i < triangle.size(); ++i) {
+    auto [a, b, c] = triangle[i];
+    if (a >= position.size() || b >= position.size() || c >= position.size())
+      return fmt::format("triangle {} names a vertex that is not there", i);
+    if (a == b || b == c || c == a) return fmt::format("triangle {} names a vertex twice", i);
+  }
+  return {};
+}
+
+void set_normals(Surface& surface) {
+  surface.normal.assign(surface.position.size(), Vec3(0));
+  for (auto [a, b, c] : surface.triangle) {
+    const Vec3& p = surface.position[a];
+    Vec3 area = glm::cross(surface.position[b] - p, surface.position[c] - p);
+    surface.normal[a] += area;
+    surface.normal[b] += area;
+    surface.normal[c] += area;
+  }
+  for (Vec3& n : surface.normal) {
+    float length = glm::length(n);
+    n = length > 0 ? n / length : Vec3(0, 1, 0);
+  }
+}
+
+}  // namespace frond

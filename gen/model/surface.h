@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace frond {
+
+/// A triangle mesh with a normal at each vertex. Plain data; metres. Triangles run counter-clockwise seen from
+/// outside.
+struct Surface {
+  std::vector<Vec3> position;
+  std::vector<Vec3> normal;
+  std::vector<std::array<std::uint32_t, 3>> triangle;
+
+  /// Where it is not what it promises: one line for the first fault, empty when all is well.
+  std::string check() const;
+};
+
+/// Sets the normals from the triangles, each weighted by its area.
+void set_normals(Surface& surface);
+
+}  // namespace frond

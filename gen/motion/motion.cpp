@@ -1,0 +1,128 @@
+#include "motion/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr float kYoungRadius = 0.42f;  // of a growing tip, as a share of its final radius
+constexpr double kOnset = 0.06;        // the share of growth in which the whole organism comes up from nothing
+
+/// The swing of the current at one time, ready to be asked for each node.
+class Current {
+ public:
+  Current(const Wave& wave, double time, double film_length) {
+    Vec3 flat(wave.direction.x, 0, wave.direction.z);
+    along_ = glm::dot(flat, flat) > 0 ? glm::normalize(flat) : Vec3(1, 0, 0);
+    across_ = Vec3(-along_.z, 0, along_.x);
+    amplitude_ = static_cast<float>(wave.amplitude);
+    wave_number_ = static_cast<float>(2 * kPi / wave.length);
+    // Two swings whose rates are no simple ratio, so that no two strokes look alike; in a loop both are made
+    // to fit a whole number of times.
+    double slow = wave.speed, fast = wave.speed * 1.618;
+    if (wave.loop && film_length > 0) {
+      slow = std::max(1.0, std::round(slow * film_length)) / film_length;
+      fast = std::max(1.0, std::round(fast * film_length)) / film_length;
+    }
+    slow_ = static_cast<float>(std::remainder(2 * kPi * slow * time + wave.phase, 2 * kPi));
+    fast_ = static_cast<float>(std::remainder(2 * kPi * fast * time + 2.4 * wave.phase, 2 * kPi));
+  }
+
+  bool still() const { return amplitude_ == 0; }
+
+  /// The turn at a place `share` (0..1) of the way to the farthest tip.
+  Quat turn(Vec3 place, float share) const {
+    float bend = amplitude_ * share * std::sqrt(share);
+    float lag = wave_number_ * glm::dot(place, along_) + 1.2f * share;
+    float push = bend * (0.25f + 0.75f * std::sin(slow_ - lag));
+    float side = bend * 0.45f * std::sin(fast_ - 1.3f * lag);
+    // Small turns about two level axes at once: one quaternion, exact in its length.
+    Vec3 axis = across_ * -push + along_ * side;
+    float angle = glm::length(axis);
+    if (angle < 1e-7f) return Quat(1, 0, 0, 0);
+    return glm::angleAxis(angle, axis / angle);
+  }
+
+ private:
+  Vec3 along_, across_;
+  float amplitude_, wave_number_, slow_, fast_;
+};
+
+/// The turn that brings a segment of direction `heading` that starts at `base` toward the food, `share` of the
+/// way along its branch and `step` of the way long.
+Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float strength, float share, float step) {
+  Vec3 way = food - base;
+  float distance2 = glm::dot(way, way), reach2 = static_cast<float>(pull.reach * pull.reach);
+  if (distance2 < 1e-12f) return Quat(1, 0, 0, 0);
+  Vec3 axis = glm::cross(heading, way / std::sqrt(distance2));
+  float sine = glm::length(axis);
+  if (sine < 1e-6f) return Quat(1, 0, 0, 0);
+  float supple = smooth_step(0.0f, 0.35f, share);
+  float angle = strength * supple * step * sine * distance2 / (distance2 + reach2);
+  return glm::angleAxis(std::min(angle, std::asin(std::min(sine, 1.0f))), axis / sine);
+}
+
+}  // namespace
+
+double growth_front(const Growth& growth, double time) {
+  double end = 1 + growth.ripen;
+  if (growth.duration <= 0) return time >= growth.start ? end : 0;
+  double t = std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
+  // Fast in youth, slow in age, at rest at both ends.
+  double eased = t * t * (3 - 2 * t);
+  return end * (0.45 * eased + 0.55 * (1 - (1 - eased) * (1 - eased)));
+}
+
+void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose) {
+  std::size_t n = rest.size();
+  pose.position.resize(n);
+  pose.radius.resize(n);
+  pose.turn.resize(n);
+  pose.front = static_cast<float>(growth_front(motion.growth, time));
+
+  Current current(motion.wave, time, motion.film_length);
+  Vec3 food = motion.food.position.at(time);
+  float longest = std::max(rest.longest(), 1e-6f);
+  float grown = std::min(pose.front, 1.0f);
+  float strength = static_cast<float>(motion.food.strength) * grown;
+  float ripen = static_cast<float>(motion.growth.ripen);
+  float onset = smooth_step(0.0f, static_cast<float>(kOnset), pose.front);
+  bool pulled = strength != 0;
+  std::vector<Quat> pull(pulled ? n : 0);
+
+  for (std::size_t i = 0; i < n; ++i) {
+    float share = rest.distance[i] / longest;
+    std::int32_t p = rest.parent[i];
+    Quat swing = current.still() ? Quat(1, 0, 0, 0) : current.turn(rest.position[i], share);
+    float born = std::min(rest.birth[i], pose.front);
+    if (p == Skeleton::kRoot) {
+      if (pulled) pull[i] = Quat(1, 0, 0, 0);
+      pose.turn[i] = swing;
+      pose.position[i] = rest.position[i];
+    } else {
+      Vec3 segment = rest.position[i] - rest.position[p];
+      if (pulled) {
+        Vec3 moved = pull[p] * (swing * segment);
+        float length = glm::length(moved), step = (rest.distance[i] - rest.distance[p]) / longest;
+        Quat more = length > 0 ? toward_food(moved / length, pose.position[p], food, motion.food, strength, share, step)
+                               : Quat(1, 0, 0, 0);
+        pull[i] = glm::normalize(more * pull[p]);
+        swing = pull[i] * swing;
+      }
+      pose.turn[i] = swing;
+      float reached = 1;
+      if (rest.birth[i] > pose.front) {
+        float span = rest.birth[i] - rest.birth[p];
+        reached = span > 0 ? std::clamp((pose.front - rest.birth[p]) / span, 0.0f, 1.0f) : 0.0f;
+        born = std::max(born, rest.birth[p]);
+      }
+      pose.position[i] = pose.position[p] + reached * (swing * segment);
+    }
+    float age = std::max(pose.front - born, 0.0f);
+    pose.radius[i] = rest.radius[i] * onset * (kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age));
+  }
+}
+
+}  // namespace frond

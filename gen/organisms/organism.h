@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/result.h"
+#include "organisms/coral.h"
+
+namespace frond {
+
+/// Where the organisms of one entry stand: at given places, or scattered in a ring round a centre.
+struct Place {
+  std::vector<Vec2> at;        ///< x, z in metres; where there are none they are scattered
+  Vec2 center{0};              ///< x, z of the ring
+  double inner = 0;            ///< metres
+  double radius = 2;           ///< metres, the outer edge
+  double spacing = 0.35;       ///< metres that each keeps free round itself
+  double size_variation = 0.2; ///< random change of the size, as a share of it
+  double lean = radians(6.0);  ///< up to how far each leans, at random
+  double rock = 0.5;           ///< metres, the width of the rock that each stands on; 0: on the bare ground
+};
+
+/// One entry of a preset's `organisms`.
+struct Organism {
+  std::string name;  ///< the user's name for it, for messages and comments
+  int count = 1;
+  Place place;
+  std::variant<CoralParams> body;
+};
+
+/// What an organism is made of at the end of its growth, with its foot at the origin.
+Result<Skeleton> grow(const Organism& organism, Seed seed);
+
+/// The first fault of an organism that only shows when its grammar is compiled.
+Errors check(const Organism& organism);
+
+}  // namespace frond

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/stone.h"
+#include "model/surface.h"
+#include "motion/motion.h"
+#include "scene/preset.h"
+
+namespace frond {
+
+/// One grown organism where it stands.
+struct Branches {
+  std::string name;
+  Skeleton rest;        ///< at its place in the world, fully grown, unmoved
+  Motion motion;
+  Skin skin;
+  double brightness = 1;  ///< factor, its own
+};
+
+/// A stone shape put somewhere in the world.
+struct StoneInstance {
+  int shape = 0;     ///< index into Scene::stones
+  Vec3 at{0};
+  Vec3 size{1};      ///< factors along the stone's own axes, metres
+  double turn = 0;   ///< radians about the vertical
+  int look = 0;      ///< which of the rock textures
+};
+
+/// All that stands before the camera, grown; nothing of it depends on the frame.
+struct Scene {
+  std::string title;
+  Film film;
+  Stage stage;
+  Surface floor;
+  std::vector<Surface> stones;
+  std::vector<StoneInstance> stone_instances;
+  std::vector<Branches> branches;
+
+  /// Nodes of all skeletons.
+  std::size_t nodes() const;
+};
+
+/// Grows and places everything.
+Result<Scene> build_scene(const Preset& preset);
+
+}  // namespace frond

@@ -1,0 +1,17 @@
+{{title}}// Frame {{frame}} of {{frames}}. Render with: povray +Lpovinc +W{{width}} +H{{height}} frame_{{number}}.pov
+#version 3.7;
+#declare Frond_Unit = {{unit}};        // POV-Ray units a metre
+#declare Frond_Quality = {{quality}};      // 0 draft, 1 good, 2 best
+#declare Frond_Time = {{time}};   // seconds
+#declare Frond_Loop = {{loop}};   // seconds, the length of the film
+#include "frond_water.inc"
+#include "frond_sand.inc"
+#include "frond_coral.inc"
+#include "frond_food.inc"
+{{setting}}
+{{camera}}
+// The skins: sixteen ages of each, 0 old .. 15 a growing tip.
+{{materials}}
+{{ground}}
+{{organisms}}
+{{food}}

@@ -1,0 +1,89 @@
+#include "emit/pov.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "shapes.h"
+
+namespace frond {
+namespace {
+
+std::string sweep_of(const Skeleton& s, const Pose& pose) {
+  std::string text;
+  for (const Chunk& chunk : cut_chunks(s, pose, {})) append_sweep(text, {}, s, pose, chunk);
+  return text;
+}
+
+TEST(Point, IsMirroredAndScaled) {
+  std::string text;
+  append_point(text, {10}, Vec3(1, 2, 3));
+  append_direction(text, Vec3(0, 0, 1));
+  EXPECT_EQ(text, "<10,20,-30><0,0,-1>");
+}
+
+TEST(Matrix, DoesInPovSpaceWhatItDoesInTheWorld) {
+  // A quarter turn about x: y goes to z. Mirrored: y goes to -z.
+  glm::mat3 turn = glm::mat3_cast(glm::angleAxis(radians(90.0f), Vec3(1, 0, 0)));
+  std::string text;
+  append_matrix(text, {10}, turn, Vec3(0, 1, 2));
+  EXPECT_EQ(text, "matrix<1,0,0,0,0,-1,0,1,0,0,10,-20>");
+}
+
+TEST(Quoted, CannotBeLeft) {
+  std::string text;
+  append_quoted(text, "a\"b\\c\nd");
+  EXPECT_EQ(text, "\"a\\\"b\\\\c d\"");
+}
+
+TEST(Comment, StaysOneLine) {
+  std::string text;
+  append_comment(text, "a\n#declare x=1;\r b");
+  EXPECT_EQ(text, "// a #declare x=1;  b\n");
+}
+
+TEST(SpaceFor, KeepsThinBranchesThickEnough) {
+  EXPECT_EQ(space_for(0.01).unit, 10);
+  EXPECT_EQ(space_for(0.00015).unit, 100);
+  EXPECT_EQ(space_for(1e-9).unit, 1000);
+}
+
+TEST(Sweep, IsWritten) {
+  Skeleton s = trunk(3);
+  Pose pose;
+  pose_skeleton(s, Motion{}, 0, pose);
+  EXPECT_EQ(sweep_of(s, pose),
+            "sphere_sweep{linear_spline 3  ,<0,0,0>,0.5,<0,5,0>,0.5,<0,10,0>,0.5");
+}
+
+TEST(Sweep, OfAPointIsNotWritten) {
+  Skeleton s;
+  s.add(Vec3(0), 0.1f, Skeleton::kRoot, 0);
+  s.add(Vec3(0), 0.1f, 0, 0);
+  Pose pose;
+  pose_skeleton(s, Motion{}, 0, pose);
+  EXPECT_EQ(sweep_of(s, pose), "");
+}
+
+TEST(Sweep, NeverHoldsASphereInAnother) {
+  Skeleton s = trunk(4);
+  s.radius = {0.5f, 0.01f, 0.4f, 0.4f};
+  Pose pose;
+  pose_skeleton(s, Motion{}, 0, pose);
+  std::string text = sweep_of(s, pose);
+  EXPECT_NE(text.find("<0,0,0>,5,<0,3.33333,0>,2,"), text.npos) << text;
+}
+
+TEST(Mesh, LeavesOutTrianglesThatArePoints) {
+  Surface surface;
+  surface.position = {Vec3(0), Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 0, -1)};
+  surface.triangle = {{0, 1, 2}, {0, 2, 3}};
+  set_normals(surface);
+  std::string text;
+  append_mesh(text, {1}, surface);
+  EXPECT_NE(text.find("face_indices{1"), text.npos);
+  EXPECT_NE(text.find("<0,2,1>"), text.npos);
+}
+
+}  // namespace
+}  // namespace frond

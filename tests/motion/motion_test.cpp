@@ -1,0 +1,172 @@
+#include "motion/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "shapes.h"
+
+namespace frond {
+namespace {
+
+Motion lively() {
+  Motion motion;
+  motion.film_length = 4;
+  motion.growth = {0.5, 3, 0.3};
+  motion.wave.amplitude = radians(14.0);
+  motion.food.strength = 1.2;
+  motion.food.position =
+      Animated<Vec3>(std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
+  return motion;
+}
+
+Pose posed(const Skeleton& s, const Motion& motion, double time) {
+  Pose pose;
+  pose_skeleton(s, motion, time, pose);
+  return pose;
+}
+
+TEST(Pose, WithoutMotionIsTheRestShape) {
+  Skeleton s = candelabrum(7, Seed{1});
+  Pose pose = posed(s, Motion{}, 1);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    EXPECT_LT(glm::distance(pose.position[i], s.position[i]), 1e-5f);
+    EXPECT_FLOAT_EQ(pose.radius[i], s.radius[i]);
+  }
+}
+
+TEST(Pose, KeepsLengthsAndTheFootPlanted) {
+  Skeleton s = candelabrum(12, Seed{2});
+  Motion motion = lively();
+  motion.growth = {};
+  for (double time : {0.0, 0.7, 1.9, 3.3}) {
+    Pose pose = posed(s, motion, time);
+    EXPECT_EQ(pose.position[0], s.position[0]);
+    for (std::size_t i = 1; i < s.size(); ++i) {
+      float rest = glm::distance(s.position[i], s.position[s.parent[i]]);
+      EXPECT_NEAR(glm::distance(pose.position[i], pose.position[s.parent[i]]), rest, 1e-5f) << "node " << i;
+    }
+  }
+}
+
+TEST(Pose, BendsRatherThanShears) {
+  // However strong the pull, a branch turns little from one segment to the next.
+  Skeleton s = trunk(40);
+  Motion motion;
+  motion.food.strength = 3;
+  motion.food.position = Vec3(2, 0.2f, 0);
+  Pose pose = posed(s, motion, 0);
+  for (std::size_t i = 2; i < s.size(); ++i) {
+    Vec3 a = glm::normalize(pose.position[i - 1] - pose.position[i - 2]);
+    Vec3 b = glm::normalize(pose.position[i] - pose.position[i - 1]);
+    EXPECT_GT(glm::dot(a, b), std::cos(radians(7.0f)));
+  }
+}
+
+TEST(Food, IsReachedForMoreTheStrongerAndTheMoreGrown) {
+  Skeleton s = trunk(30);
+  Vec3 food(1.5f, 1, 0);
+  auto distance = [&](double strength, double time) {
+    Motion motion;
+    motion.growth = {0, 2, 0.3};
+    motion.food.strength = strength;
+    motion.food.position = food;
+    return glm::distance(posed(s, motion, time).position.back(), food);
+  };
+  EXPECT_LT(distance(0.5, 2), distance(0, 2) - 0.05f);
+  EXPECT_LT(distance(1.5, 2), distance(0.5, 2) - 0.05f);
+
+  // The bend of the part that is grown grows too.
+  auto lean = [&](double time) {
+    Motion motion;
+    motion.growth = {0, 2, 0.3};
+    motion.food.strength = 1;
+    motion.food.position = food;
+    return posed(s, motion, time).position[10].x;
+  };
+  EXPECT_GT(lean(2), lean(0.7) + 1e-4f);
+}
+
+TEST(Food, IsFollowed) {
+  Skeleton s = trunk(30);
+  Motion motion = lively();
+  motion.growth = {};
+  motion.wave.amplitude = 0;
+  EXPECT_GT(posed(s, motion, 0).position.back().x, 0.1f);
+  EXPECT_GT(posed(s, motion, 2).position.back().z, 0.1f);
+  EXPECT_LT(posed(s, motion, 4).position.back().x, -0.1f);
+}
+
+TEST(Wave, LoopsOverTheFilmAndGrowsTowardTheTips) {
+  Skeleton s = trunk(30);
+  Motion motion;
+  motion.film_length = 3.7;
+  motion.wave.amplitude = radians(15.0);
+  Pose start = posed(s, motion, 0), end = posed(s, motion, 3.7), middle = posed(s, motion, 1.1);
+  for (std::size_t i = 0; i < s.size(); ++i) EXPECT_LT(glm::distance(start.position[i], end.position[i]), 1e-4f);
+  auto moved = [&](std::size_t i) { return glm::distance(start.position[i], middle.position[i]); };
+  EXPECT_GT(moved(29), moved(20));
+  EXPECT_GT(moved(20), moved(10));
+  EXPECT_GT(moved(29), 0.02f);
+}
+
+TEST(Wave, DiffersWithItsPhase) {
+  Skeleton s = trunk(30);
+  Motion a, b;
+  a.wave.amplitude = b.wave.amplitude = radians(15.0);
+  b.wave.phase = 2;
+  EXPECT_GT(glm::distance(posed(s, a, 0).position.back(), posed(s, b, 0).position.back()), 0.02f);
+}
+
+TEST(Growth, ComesFromNothingAndEndsWhole) {
+  Skeleton s = candelabrum(9, Seed{3});
+  Motion motion;
+  motion.growth = {1, 2, 0.3};
+  Pose before = posed(s, motion, 0.5);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    EXPECT_EQ(before.position[i], s.position[0]);
+    EXPECT_EQ(before.radius[i], 0);
+  }
+  Pose after = posed(s, motion, 3);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    EXPECT_LT(glm::distance(after.position[i], s.position[i]), 1e-5f);
+    EXPECT_NEAR(after.radius[i], s.radius[i], 1e-6f);
+  }
+}
+
+TEST(Growth, NeverShrinksNorStops) {
+  Skeleton s = candelabrum(9, Seed{4});
+  Motion motion;
+  motion.growth = {0, 2, 0.3};
+  Pose last = posed(s, motion, 0);
+  for (double time = 0.05; time <= 2; time += 0.05) {
+    Pose now = posed(s, motion, time);
+    EXPECT_GT(now.front, last.front);
+    for (std::size_t i = 0; i < s.size(); ++i) EXPECT_GE(now.radius[i], last.radius[i] - 1e-7f);
+    last = now;
+  }
+}
+
+TEST(Film, HasNoJumps) {
+  // The whole film, 24 frames a second: no node moves in one frame more than 12 times what nodes move on
+  // average over the film.
+  Skeleton s = candelabrum(20, Seed{5});
+  Motion motion = lively();
+  double total = 0, count = 0;
+  float most = 0;
+  Pose last = posed(s, motion, 0);
+  for (int frame = 1; frame < 96; ++frame) {
+    Pose now = posed(s, motion, frame / 24.0);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      float step = glm::distance(now.position[i], last.position[i]);
+      most = std::max(most, step);
+      total += step;
+      count += 1;
+    }
+    last = now;
+  }
+  EXPECT_LT(most, 12 * total / count);
+}
+
+}  // namespace
+}  // namespace frond
