@@ -1,0 +1,146 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace frond {
+
+// How a parameter struct is described
+// ===================================
+// One free function template beside the struct says all: it is used to read the struct from JSON (Reader), to
+// print the schema (SchemaWriter) and so the documentation. The struct's own initial values are the defaults.
+//
+//     struct Wave {
+//       double speed = 1;
+//       float amplitude = 0.2f;   // radians
+//       bool loop = true;
+//     };
+//
+//     template <class Visitor>
+//     void describe(Visitor& v, Wave& w) {
+//       v.number("speed", w.speed, {.min = 0, .max = 10}, "Swings a second");
+//       v.angle("amplitude", w.amplitude, {.min = 0, .max = 90}, "How far a tip leans");
+//       v.boolean("loop", w.loop, "Whether the film can be repeated without a jump");
+//     }
+//
+// It is called with a fresh struct to read into, or with the defaults to print; it does nothing else with them.
+// Names and docs are string literals. Every visitor has:
+//
+//     number(name, x, range, doc)         double, float
+//     angle(name, x, range, doc)          the same; degrees in JSON and in the range, radians in the struct
+//     integer(name, n, range, doc)        any integer type; beyond the type and 2^53 is refused by itself
+//     boolean(name, b, doc)
+//     text(name, s, doc)                  std::string
+//     choice(name, e, table, doc)         an enum by its name in a constexpr array of Choice (below)
+//     vector(name, v, [range,] doc)       Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
+//     size(name, s, range, doc)           std::array<int, 2> from [width, height]
+//     color(name, c, doc)                 Color from "#rrggbb" or [r, g, b], each 0 to 1 (sRGB)
+//     curve(name, c, doc)                 Curve from [[x, y], ...], two or more points, x increasing
+//     animated(name, a, range, doc)       Animated<double> from a number, or keyframes [[seconds, number], ...]
+//     animated_angle(name, a, range, doc) the same in degrees, radians in the struct
+//     animated(name, a, [range,] doc)     Animated<Vec3> from [x, y, z], or keyframes [[seconds, [x, y, z]], ...]
+//     object(name, o, doc)                a struct with a describe() of its own
+//     list(name, l, [count,] doc)         std::vector of: described structs, std::string, double, float, integers,
+//                                         vectors
+//     texts(name, l, doc)                 std::vector<std::string>; the same as list()
+//     pairs(name, p, doc)                 std::vector<std::pair<std::string, std::string>> from an object of numbers
+//                                         and texts, in the order written; a number becomes its shortest text
+//     tagged(name, t, kinds, doc)         an object whose "kind" says how it is read (Kind, below)
+//     tagged_list(name, l, kinds, doc)    a list of such
+//     inheriting_list(names, l, kinds, doc)   a list of such behind which stand defaults (Inheritance, below)
+//     required(name)                      the property must be given; after the line that reads it
+//     shorthand(name)                     first of all: a bare value in place of the object is read as this property
+//                                         of it: "A -> B" for {"rule": "A -> B"}
+//     custom(name, x, read, schema, doc)  everything else: `bool read(Reader&, const Value&, X&)` notes its faults
+//                                         by Reader::fault and says whether x was read; `schema` is JSON text
+//
+// Each of them also takes a std::optional of its type, which stays empty where the property is not given.
+
+/// The numbers that are allowed, ends included. The unit is for the reader of the documentation only.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;  ///< min itself is not allowed
+  std::string_view unit = {};
+
+  bool holds(double x) const { return (above_min ? x > min : x >= min) && x <= max; }
+};
+
+/// How many elements a list may have.
+struct Count {
+  std::size_t min = 0;
+  std::size_t max = std::numeric_limits<std::size_t>::max();
+};
+
+/// A row of the table behind an enum:
+///     inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "quick"}, ...};
+template <class Enum>
+struct Choice {
+  std::string_view name;
+  Enum value;
+  std::string_view doc;
+};
+
+class Reader;
+class SchemaWriter;
+
+/// A row of the table of the kinds that a T may be of. `describe(v, T&)` says what all kinds have in common (it may
+/// be empty), the row what its kind has besides; the same name must not stand in both. The name "kind" is taken.
+template <class T>
+struct Kind {
+  std::string_view name;
+  std::string_view doc;
+  void (*read)(Reader&, T&);
+  void (*schema)(SchemaWriter&);
+};
+
+/// The struct that a pointer to member points into.
+template <class Member>
+struct MemberOf;
+template <class M, class T>
+struct MemberOf<M T::*> {
+  using Owner = T;
+};
+
+/// The usual row: a described struct `Params` that is put into a member of T (a std::variant, std::any, or anything
+/// else that Params can be assigned to):
+///     constexpr Kind<Organism> kKinds[] = {make_kind<CoralParams, &Organism::params>("coral", "A branching coral")};
+template <class Params, auto kMember, class T = typename MemberOf<decltype(kMember)>::Owner>
+constexpr Kind<T> make_kind(std::string_view name, std::string_view doc) {
+  return {name, doc,
+          [](Reader& reader, T& target) {
+            Params params{};
+            describe(reader, params);
+            target.*kMember = std::move(params);
+          },
+          [](SchemaWriter& writer) {
+            Params params{};
+            describe(writer, params);
+          }};
+}
+
+/// The names of the three properties of a list with defaults: each element is merged with the object `defaults`
+/// (merge(): its own wins) except for the properties that `force` lists. `defaults` may hold the properties of any
+/// kind; an element passes over those that its kind does not have.
+struct Inheritance {
+  std::string_view list = "organisms";
+  std::string_view defaults = "defaults";
+  std::string_view force = "force";
+};
+
+/// The type that a property is read as: T itself, or what is in the std::optional.
+template <class T>
+struct HeldType {
+  using type = T;
+};
+template <class T>
+struct HeldType<std::optional<T>> {
+  using type = T;
+};
+template <class T>
+using Held = typename HeldType<T>::type;
+
+}  // namespace frond

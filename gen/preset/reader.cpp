@@ -1,0 +1,78 @@
+#include "preset/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+const Value* Reader::take(std::string_view name) {
+  Frame& frame = frames_.back();
+  frame.names.push_back(name);
+  if (!frame.value->is(Value::Type::object)) return name == frame.bare ? frame.value : nullptr;
+  return frame.value->find(name);
+}
+
+void Reader::shorthand(std::string_view name) { frames_.back().bare = name; }
+
+void Reader::required(std::string_view name) {
+  const Value& object = *frames_.back().value;
+  if (partial_ || !object.is(Value::Type::object) || object.find(name)) return;
+  faults_.add({object.origin, pointer_, fmt::format("no \"{}\"; expected this property to be given", name)});
+}
+
+void Reader::leave() {
+  Frame frame = std::move(frames_.back());
+  frames_.pop_back();
+  if (!frame.value->is(Value::Type::object)) {
+    if (frame.bare.empty()) fault(*frame.value, "an object");
+    return;
+  }
+  for (const Member& member : frame.value->members) {
+    bool known = std::ranges::find(frame.names, member.name) != frame.names.end();
+    // What a default brings that this kind does not have was judged with the defaults.
+    if (known || member.value.inherited) continue;
+    std::vector<std::string_view> names = frame.names;
+    std::erase(names, "$schema");
+    faults_.add({member.origin, pointer_step(pointer_, member.name), "", member.name, std::move(names)});
+  }
+}
+
+bool Reader::check_list(const Value& value, const Count& count) {
+  bool open = count.max == Count{}.max;
+  std::size_t size = value.items.size();
+  if (value.is(Value::Type::list) && size >= count.min && size <= count.max) return true;
+  if (open && count.min == 0) {
+    fault(value, "a list");
+  } else if (open) {
+    fault(value, fmt::format("a list of {} or more", count.min));
+  } else if (count.min == count.max) {
+    fault(value, fmt::format("a list of {}", count.min));
+  } else {
+    fault(value, fmt::format("a list of {} to {}", count.min, count.max));
+  }
+  return false;
+}
+
+bool Reader::check_path(const Value& value, std::string_view path, const Value& schema) {
+  const Value* here = &schema;
+  for (;;) {
+    std::string_view step = path.substr(0, path.find('/'));
+    const Value* properties = here->find("properties");
+    std::vector<std::string_view> names;
+    if (properties) {
+      for (const Member& member : properties->members) names.push_back(member.name);
+    }
+    here = properties ? properties->find(step) : nullptr;
+    if (!here) {
+      std::string what = fmt::format("unknown property {}{}", serialize(make_text(step)), expected_names(step, names));
+      faults_.add({value.origin, pointer_, std::move(what)});
+      return false;
+    }
+    if (step.size() == path.size()) return true;
+    path.remove_prefix(step.size() + 1);
+  }
+}
+
+}  // namespace frond

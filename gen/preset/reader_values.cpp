@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "preset/range_text.h"
+#include "preset/reader.h"
+
+namespace frond {
+namespace {
+
+/// Two keyframes or points must be in order; `before` and `after` as they are stored.
+std::string order_text(std::string_view what, double before) {
+  return fmt::format("{} greater than {} before it", what, serialize(make_number(before)));
+}
+
+}  // namespace
+
+std::optional<double> Reader::number_at(const Value& value, const Range& range) {
+  if (value.is(Value::Type::number) && range.holds(value.number)) return value.number;
+  fault(value, "a number" + range_text(range));
+  return std::nullopt;
+}
+
+std::optional<double> Reader::whole_at(const Value& value, const Range& range) {
+  bool whole = value.is(Value::Type::number) && std::floor(value.number) == value.number;
+  if (whole && range.holds(value.number)) return value.number;
+  fault(value, "a whole number" + range_text(range));
+  return std::nullopt;
+}
+
+std::optional<bool> Reader::boolean_at(const Value& value) {
+  if (value.is(Value::Type::boolean)) return value.boolean;
+  fault(value, "true or false");
+  return std::nullopt;
+}
+
+std::optional<std::string> Reader::text_at(const Value& value) {
+  if (value.is(Value::Type::text)) return value.text;
+  fault(value, "a text");
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Reader::name_at(const Value& value, std::span<const std::string_view> names) {
+  if (value.is(Value::Type::text)) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == value.text) return i;
+    }
+  }
+  std::string_view found = value.text;
+  faults_.add({value.origin, pointer_, "found " + found_text(value) + expected_names(found, names)});
+  return std::nullopt;
+}
+
+bool Reader::numbers_at(const Value& value, const Range& range, std::span<double> out) {
+  if (!value.is(Value::Type::list) || value.items.size() != out.size()) {
+    fault(value, fmt::format("a list of {} numbers{}", out.size(), range_text(range)));
+    return false;
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    auto number = inside(std::to_string(i), [&] { return number_at(value.items[i], range); });
+    if (number) out[i] = *number;
+    good = good && number;
+  }
+  return good;
+}
+
+std::optional<std::array<int, 2>> Reader::size_at(const Value& value, const Range& range) {
+  if (!value.is(Value::Type::list) || value.items.size() != 2) {
+    fault(value, "[width, height]");
+    return std::nullopt;
+  }
+  auto width = inside("0", [&] { return integer_at<int>(value.items[0], range); });
+  auto height = inside("1", [&] { return integer_at<int>(value.items[1], range); });
+  if (!width || !height) return std::nullopt;
+  return std::array<int, 2>{*width, *height};
+}
+
+std::optional<Color> Reader::color_at(const Value& value) {
+  if (value.is(Value::Type::list)) {
+    auto rgb = vector_at<Vec3>(value, {.min = 0, .max = 1});
+    return rgb ? std::optional(Color{rgb->x, rgb->y, rgb->z}) : std::nullopt;
+  }
+  const std::string& text = value.text;
+  if (value.is(Value::Type::text) && text.size() == 7 && text[0] == '#') {
+    unsigned code = 0;
+    auto [end, wrong] = std::from_chars(text.data() + 1, text.data() + 7, code, 16);
+    auto channel = [&](int shift) { return static_cast<float>(code >> shift & 0xff) / 255.0f; };
+    if (wrong == std::errc() && end == text.data() + 7) return Color{channel(16), channel(8), channel(0)};
+  }
+  fault(value, "a color, as \"#rrggbb\" or [red, green, blue] from 0 to 1");
+  return std::nullopt;
+}
+
+std::optional<Curve> Reader::curve_at(const Value& value) {
+  if (!value.is(Value::Type::list) || value.items.size() < 2) {
+    fault(value, "a curve: two or more points [[x, y], ...]");
+    return std::nullopt;
+  }
+  std::vector<Vec2> points;
+  bool good = true;
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    auto point = inside(std::to_string(i), [&] { return vector_at<Vec2>(value.items[i], {}); });
+    if (good && point && !points.empty() && point->x <= points.back().x) {
+      double before = value.items[i - 1].items[0].number;
+      inside(fmt::format("{}/0", i), [&] { fault(value.items[i].items[0], order_text("an x", before)); });
+      good = false;
+    }
+    good = good && point;
+    if (!good) continue;
+    points.push_back(*point);
+  }
+  return good ? std::optional(Curve(std::move(points))) : std::nullopt;
+}
+
+template <class T, class Read>
+std::optional<Animated<T>> Reader::keys_at(const Value& value, bool constant, Read read) {
+  if (constant) {
+    auto still = read(value);
+    return still ? std::optional(Animated<T>(*still)) : std::nullopt;
+  }
+  if (value.items.empty()) {
+    fault(value, "a value, or keyframes [[seconds, value], ...]");
+    return std::nullopt;
+  }
+  std::vector<typename Animated<T>::Key> keys;
+  bool good = true;
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    const Value& item = value.items[i];
+    inside(std::to_string(i), [&] {
+      if (!item.is(Value::Type::list) || item.items.size() != 2) {
+        fault(item, "a keyframe [seconds, value]");
+        good = false;
+        return;
+      }
+      auto time = inside("0", [&] { return number_at(item.items[0], {}); });
+      auto key = inside("1", [&] { return read(item.items[1]); });
+      if (time && !keys.empty() && *time <= keys.back().time) {
+        inside("0", [&] { fault(item.items[0], order_text("a time", keys.back().time)); });
+        good = false;
+      }
+      good = good && time && key;
+      if (time) keys.push_back({*time, key ? *key : T{}});
+    });
+  }
+  return good ? std::optional(Animated<T>(std::move(keys))) : std::nullopt;
+}
+
+std::optional<Animated<double>> Reader::animated_at(const Value& value, const Range& range, const Animated<double>&) {
+  return keys_at<double>(value, !value.is(Value::Type::list), [&](const Value& v) { return number_at(v, range); });
+}
+
+std::optional<Animated<Vec3>> Reader::animated_at(const Value& value, const Range& range, const Animated<Vec3>&) {
+  bool constant = value.items.empty() || !value.items[0].is(Value::Type::list);
+  return keys_at<Vec3>(value, constant, [&](const Value& v) { return vector_at<Vec3>(v, range); });
+}
+
+std::optional<std::vector<std::pair<std::string, std::string>>> Reader::pairs_at(const Value& value) {
+  if (!value.is(Value::Type::object)) {
+    fault(value, "an object of numbers and texts");
+    return std::nullopt;
+  }
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const Member& member : value.members) {
+    const Value& inner = member.value;
+    if (inner.is(Value::Type::text)) {
+      pairs.emplace_back(member.name, inner.text);
+    } else if (inner.is(Value::Type::number)) {
+      pairs.emplace_back(member.name, serialize(inner));
+    } else {
+      inside(member.name, [&] { fault(inner, "a number or a text"); });
+    }
+  }
+  return pairs;
+}
+
+}  // namespace frond

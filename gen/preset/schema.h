@@ -1,0 +1,278 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/curve.h"
+#include "core/vec.h"
+#include "preset/describe.h"
+#include "preset/json.h"
+#include "preset/schema_parts.h"
+
+namespace frond {
+
+/// The visitor that makes the JSON Schema (draft-07) of described structs (describe.h). It can say all that Reader
+/// asks for but the order of keyframes. Use schema_text() below.
+class SchemaWriter {
+ public:
+  /// The schema of a described struct.
+  template <class T>
+  static Value of() {
+    SchemaWriter writer;
+    T sample{};
+    describe(writer, sample);
+    return writer.object_schema();
+  }
+
+  /// The schema of the defaults behind a list of these kinds: whatever any kind has, nothing required.
+  template <class T, class Kinds>
+  static Value defaults_of(const Kinds& kinds);
+
+  // The properties, see describe.h.
+
+  template <class T>
+  void number(std::string_view name, const T& x, const Range& range, std::string_view doc) {
+    add(name, number_schema(range), doc, range.unit, initial(x, [](auto v) { return tidy_number(v); }));
+  }
+  template <class T>
+  void angle(std::string_view name, const T& x, const Range& range, std::string_view doc) {
+    add(name, number_schema(range), doc, angle_unit(range), initial(x, [](auto v) { return tidy_angle(v); }));
+  }
+  template <class T>
+  void integer(std::string_view name, const T& n, const Range& range, std::string_view doc) {
+    add(name, integer_schema(whole_range<Held<T>>(range)), doc, range.unit,
+        initial(n, [](auto v) { return make_number(static_cast<double>(v)); }));
+  }
+  template <class T>
+  void boolean(std::string_view name, const T& b, std::string_view doc) {
+    add(name, type("boolean"), doc, "", initial(b, [](bool v) { return make_boolean(v); }));
+  }
+  template <class T>
+  void text(std::string_view name, const T& s, std::string_view doc) {
+    add(name, type("string"), doc, "", initial(s, [](const std::string& v) { return make_text(v); }));
+  }
+  template <class T, class Table>
+  void choice(std::string_view name, const T& e, const Table& table, std::string_view doc) {
+    std::vector<std::string_view> names;
+    std::vector<std::string_view> docs;
+    for (const auto& row : table) names.push_back(row.name), docs.push_back(row.doc);
+    add(name, choice_schema(names), with_choices(doc, names, docs), "", initial(e, [&](auto v) {
+          Value value;
+          for (const auto& row : table) {
+            if (row.value == v) value = make_text(row.name);
+          }
+          return value;
+        }));
+  }
+  template <class T>
+  void vector(std::string_view name, const T& v, const Range& range, std::string_view doc) {
+    add(name, vector_schema(number_schema(range), Held<T>::length()), doc, range.unit, initial(v, &vector_default<Held<T>>));
+  }
+  template <class T>
+  void vector(std::string_view name, const T& v, std::string_view doc) {
+    vector(name, v, Range{}, doc);
+  }
+  template <class T>
+  void size(std::string_view name, const T& s, const Range& range, std::string_view doc) {
+    add(name, vector_schema(integer_schema(whole_range<int>(range)), 2), doc, range.unit,
+        initial(s, [](const std::array<int, 2>& v) { return make_list({make_number(v[0]), make_number(v[1])}); }));
+  }
+  template <class T>
+  void color(std::string_view name, const T& c, std::string_view doc) {
+    add(name, color_schema(), doc, "", initial(c, &color_default));
+  }
+  template <class T>
+  void curve(std::string_view name, const T& c, std::string_view doc) {
+    add(name, curve_schema(), doc, "", initial(c, &curve_default));
+  }
+  template <class T>
+  void animated(std::string_view name, const T& a, const Range& range, std::string_view doc) {
+    add(name, animated_schema(key_schema(range, Held<T>{})), doc, range.unit,
+        initial(a, [](const auto& v) { return animated_default(v, [](const auto& x) { return key_default(x); }); }));
+  }
+  template <class T>
+  void animated(std::string_view name, const T& a, std::string_view doc) {
+    animated(name, a, Range{}, doc);
+  }
+  template <class T>
+  void animated_angle(std::string_view name, const T& a, const Range& range, std::string_view doc) {
+    add(name, animated_schema(number_schema(range)), doc, angle_unit(range),
+        initial(a, [](const auto& v) { return animated_default(v, &tidy_angle); }));
+  }
+  template <class T>
+  void object(std::string_view name, T& o, std::string_view doc) {
+    add(name, described(o), doc);
+  }
+  template <class T>
+  void list(std::string_view name, const T&, const Count& count, std::string_view doc) {
+    add(name, list_schema(element_schema<typename Held<T>::value_type>(), count), doc);
+  }
+  template <class T>
+  void list(std::string_view name, const T& l, std::string_view doc) {
+    list(name, l, Count{}, doc);
+  }
+  template <class T>
+  void texts(std::string_view name, const T& l, std::string_view doc) {
+    list(name, l, doc);
+  }
+  template <class T>
+  void pairs(std::string_view name, const T&, std::string_view doc) {
+    add(name, pairs_schema(), doc);
+  }
+  template <class T, class Kinds>
+  void tagged(std::string_view name, const T&, const Kinds& kinds, std::string_view doc) {
+    add(name, tagged_schema<Held<T>>(kinds), doc);
+  }
+  template <class T, class Kinds>
+  void tagged_list(std::string_view name, const T&, const Kinds& kinds, std::string_view doc) {
+    add(name, list_schema(tagged_schema<typename Held<T>::value_type>(kinds), {}), doc);
+  }
+  template <class T, class Kinds>
+  void inheriting_list(const Inheritance& names, const std::vector<T>&, const Kinds& kinds, std::string_view doc) {
+    Value all = defaults_of<T>(kinds);
+    add(names.force, forced_schema(all), "Properties for which the defaults count, whatever one element says");
+    add(names.defaults, std::move(all), "Values for every element that does not give its own");
+    Value element = without_required(tagged_schema<T>(kinds));
+    element.set("required", make_list({make_text("kind")}));
+    add(names.list, list_schema(element, {}), doc);
+  }
+  template <class T, class Read>
+  void custom(std::string_view name, const T&, Read, std::string_view schema, std::string_view doc) {
+    add(name, written_schema(schema), doc);
+  }
+  void required(std::string_view name) { required_.push_back(name); }
+  void shorthand(std::string_view name) { bare_ = name; }
+
+  /// What was described so far.
+  Value object_schema() const;
+
+ private:
+  static Value type(std::string_view name) { return make_object().set("type", make_text(name)); }
+  static Value key_schema(const Range& range, const Animated<double>&) { return number_schema(range); }
+  static Value key_schema(const Range& range, const Animated<Vec3>&) { return vector_schema(number_schema(range), 3); }
+  static Value key_default(double x) { return tidy_number(x); }
+  static Value key_default(Vec3 x) { return vector_default(x); }
+  static std::string_view angle_unit(const Range& range) { return range.unit.empty() ? "degrees" : range.unit; }
+  static std::string with_choices(std::string_view doc, const std::vector<std::string_view>& names,
+                                  const std::vector<std::string_view>& docs);
+  static Value forced_schema(const Value& defaults);
+  static Value written_schema(std::string_view json);
+  /// `common` (of all kinds) with the properties that each kind adds where "kind" says so.
+  struct KindSchema {
+    std::string_view name;
+    std::string_view doc;
+    Value schema;
+  };
+  static Value joined_kinds(const Value& common, const std::vector<KindSchema>& kinds);
+
+  template <class V>
+  static Value vector_default(const V& v) {
+    Value list = make_list();
+    for (int i = 0; i < V::length(); ++i) list.items.push_back(tidy_number(v[i]));
+    return list;
+  }
+  template <class T, class Print>
+  static Value animated_default(const Animated<T>& a, Print print) {
+    if (a.constant()) return print(a.keys()[0].value);
+    Value keys = make_list();
+    for (const auto& key : a.keys()) keys.items.push_back(make_list({make_number(key.time), print(key.value)}));
+    return keys;
+  }
+  template <class T>
+  static Range whole_range(Range range);
+
+  /// The default of a property, null where it has none.
+  template <class T, class Print>
+  static Value initial(const T& value, Print print) {
+    return print(value);
+  }
+  template <class T, class Print>
+  static Value initial(const std::optional<T>& value, Print print) {
+    return value ? print(*value) : Value{};
+  }
+  template <class T>
+  static Value described(T& sample) {
+    SchemaWriter writer;
+    describe(writer, sample);
+    return writer.object_schema();
+  }
+  template <class T>
+  static Value described(std::optional<T>&) {
+    return of<T>();
+  }
+  template <class T>
+  static Value element_schema();
+  template <class T, class Kinds>
+  static std::vector<KindSchema> kind_schemas(const Kinds& kinds);
+  template <class T, class Kinds>
+  static Value tagged_schema(const Kinds& kinds) {
+    return joined_kinds(of<T>(), kind_schemas<T>(kinds));
+  }
+
+  void add(std::string_view name, Value schema, std::string_view doc, std::string_view unit = {}, Value initial = {});
+
+  Value properties_ = make_object();
+  std::vector<std::string_view> required_;
+  std::string_view bare_;
+};
+
+template <class T>
+Range SchemaWriter::whole_range(Range range) {
+  if (std::is_unsigned_v<T> && range.min < 0) range.min = 0, range.above_min = false;
+  return range;
+}
+
+template <class T>
+Value SchemaWriter::element_schema() {
+  if constexpr (std::is_same_v<T, std::string>) {
+    return type("string");
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return number_schema({});
+  } else if constexpr (std::is_integral_v<T>) {
+    return integer_schema(whole_range<T>({}));
+  } else if constexpr (std::is_same_v<T, Color>) {
+    return color_schema();
+  } else if constexpr (requires { T::length(); }) {
+    return vector_schema(number_schema({}), T::length());
+  } else {
+    return of<T>();
+  }
+}
+
+template <class T, class Kinds>
+std::vector<SchemaWriter::KindSchema> SchemaWriter::kind_schemas(const Kinds& kinds) {
+  std::vector<KindSchema> schemas;
+  for (const auto& kind : kinds) {
+    SchemaWriter writer;
+    kind.schema(writer);
+    schemas.push_back({kind.name, kind.doc, writer.object_schema()});
+  }
+  return schemas;
+}
+
+template <class T, class Kinds>
+Value SchemaWriter::defaults_of(const Kinds& kinds) {
+  Value all = of<T>();
+  for (const KindSchema& kind : kind_schemas<T>(kinds)) all = either(all, kind.schema);
+  return without_required(std::move(all));
+}
+
+/// The JSON Schema of the presets that a described struct is read from, as a file.
+template <class T>
+std::string schema_text(std::string_view title, std::string_view doc) {
+  Value schema = SchemaWriter::of<T>();
+  Value top = make_object();
+  top.set("$schema", make_text("http://json-schema.org/draft-07/schema#"));
+  top.set("title", make_text(title)).set("description", make_text(doc));
+  for (Member& member : schema.members) top.set(member.name, std::move(member.value));
+  Value& properties = *top.find("properties");
+  properties.members.insert(properties.members.begin(), Member{"$schema", {}, make_object()});
+  properties.members.front().value.set("type", make_text("string"));
+  return serialize_pretty(top);
+}
+
+}  // namespace frond

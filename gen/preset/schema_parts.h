@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/curve.h"
+#include "core/vec.h"
+#include "preset/describe.h"
+#include "preset/value.h"
+
+namespace frond {
+
+// The schemas (JSON Schema draft-07) of the single properties, for SchemaWriter.
+
+Value number_schema(const Range& range);
+Value integer_schema(const Range& range);
+Value vector_schema(const Value& component, std::size_t length);
+Value color_schema();
+Value curve_schema();
+/// A value or keyframes of it.
+Value animated_schema(const Value& value);
+Value list_schema(const Value& element, const Count& count);
+Value pairs_schema();
+Value choice_schema(std::span<const std::string_view> names);
+
+/// A number as a default: in the fewest digits that a float, or six digits, tell apart.
+Value tidy_number(float number);
+Value tidy_number(double number);
+Value tidy_angle(double radians);
+Value curve_default(const Curve& curve);
+Value color_default(const Color& color);
+
+/// What an object with defaults behind it may leave out: everything. Elements of lists are no longer such objects.
+Value without_required(Value schema);
+
+/// The schema of a property that may be either; objects are joined member by member. Titles and defaults differ
+/// from kind to kind and are left out.
+Value either(const Value& a, const Value& b);
+
+/// The paths of all properties: "wave", "wave/amplitude", ...
+std::vector<std::string> paths_of(const Value& object_schema);
+
+}  // namespace frond

@@ -1,0 +1,123 @@
+#include "preset/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/text.h"
+#include "preset/json.h"
+
+namespace frond {
+
+std::string Origin::text() const {
+  std::string name = source ? *source : std::string();
+  return line == 0 ? name : fmt::format("{}:{}:{}", name, line, column);
+}
+
+const Value* Value::find(std::string_view name) const {
+  auto at = std::ranges::find(members, name, &Member::name);
+  return at == members.end() ? nullptr : &at->value;
+}
+
+Value* Value::find(std::string_view name) {
+  return const_cast<Value*>(std::as_const(*this).find(name));
+}
+
+Value& Value::set(std::string_view name, Value value) {
+  if (Value* old = find(name)) {
+    *old = std::move(value);
+  } else {
+    Origin from = value.origin;
+    members.push_back(Member{std::string(name), std::move(from), std::move(value)});
+  }
+  return *this;
+}
+
+void Value::remove(std::string_view name) {
+  std::erase_if(members, [&](const Member& member) { return member.name == name; });
+}
+
+Value make_boolean(bool boolean) {
+  Value value;
+  value.type = Value::Type::boolean;
+  value.boolean = boolean;
+  return value;
+}
+
+Value make_number(double number) {
+  Value value;
+  value.type = Value::Type::number;
+  value.number = number;
+  return value;
+}
+
+Value make_text(std::string_view text) {
+  Value value;
+  value.type = Value::Type::text;
+  value.text = text;
+  return value;
+}
+
+Value make_list(std::vector<Value> items) {
+  Value value;
+  value.type = Value::Type::list;
+  value.items = std::move(items);
+  return value;
+}
+
+Value make_object(std::vector<Member> members) {
+  Value value;
+  value.type = Value::Type::object;
+  value.members = std::move(members);
+  return value;
+}
+
+std::string found_text(const Value& value) {
+  constexpr std::size_t kLongest = 40;
+  switch (value.type) {
+    case Value::Type::text: {
+      std::size_t end = std::min(value.text.size(), kLongest);
+      while (end < value.text.size() && (value.text[end] & 0xc0) == 0x80) --end;
+      std::string shown = serialize(make_text(std::string_view(value.text).substr(0, end)));
+      if (end < value.text.size()) shown.insert(shown.size() - 1, "...");
+      return "the text " + shown;
+    }
+    case Value::Type::list:
+      return value.items.empty() ? "an empty list" : fmt::format("a list of {}", value.items.size());
+    case Value::Type::object: return "an object";
+    case Value::Type::null:
+    case Value::Type::boolean:
+    case Value::Type::number: break;
+  }
+  return serialize(value);
+}
+
+std::string pointer_step(std::string_view pointer, std::string_view name) {
+  std::string text(pointer);
+  text += '/';
+  for (char c : name) {
+    if (c == '~') {
+      text += "~0";
+    } else if (c == '/') {
+      text += "~1";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::string expected_names(std::string_view found, std::span<const std::string_view> names) {
+  constexpr std::size_t kShort = 8;
+  constexpr std::size_t kLong = 24;
+  if (names.empty()) return "; expected none";
+  std::string_view near = nearest_name(found, names);
+  bool listed = names.size() <= (near.empty() ? kLong : kShort);
+  std::string text = listed ? fmt::format("; expected {}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "))
+                            : fmt::format("; expected one of {} known names", names.size());
+  if (!near.empty()) text += fmt::format("; did you mean \"{}\"?", near);
+  return text;
+}
+
+}  // namespace frond

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace frond {
+
+/// Where a value was written: a place in a file (line and column count from 1, columns in characters), or a
+/// source without lines, such as `--set /film/fps`.
+struct Origin {
+  std::shared_ptr<const std::string> source;
+  int line = 0;
+  int column = 0;
+
+  /// `file:line:column`, or the bare name of a source without lines.
+  std::string text() const;
+};
+
+struct Member;
+
+/// A JSON value as it was written: members keep their order, and each value knows where it comes from.
+struct Value {
+  enum class Type { null, boolean, number, text, list, object };
+
+  Type type = Type::null;
+  bool boolean = false;
+  bool integer = false;         ///< of a number: written without fraction and exponent
+  bool inherited = false;       ///< merge() took it from the defaults
+  double number = 0;            ///< always finite
+  std::string text;             ///< UTF-8
+  std::vector<Value> items;     ///< of a list
+  std::vector<Member> members;  ///< of an object; no name twice
+  Origin origin;
+
+  bool is(Type other) const { return type == other; }
+
+  /// The member of that name, or nullptr; also where this is no object.
+  const Value* find(std::string_view name) const;
+  Value* find(std::string_view name);
+
+  /// Gives the object a member, in the place of an earlier one of that name. Returns this.
+  Value& set(std::string_view name, Value value);
+
+  /// Takes the member of that name out, if there is one.
+  void remove(std::string_view name);
+};
+
+struct Member {
+  std::string name;
+  Origin origin;  ///< of the name
+  Value value;
+};
+
+/// Values without an origin.
+Value make_boolean(bool boolean);
+Value make_number(double number);
+Value make_text(std::string_view text);
+Value make_list(std::vector<Value> items = {});
+Value make_object(std::vector<Member> members = {});
+
+/// A list of texts: of anything that a string_view is made from.
+template <class Names>
+Value make_texts(const Names& names) {
+  Value list = make_list();
+  for (const auto& name : names) list.items.push_back(make_text(name));
+  return list;
+}
+
+/// A value as a message names it: `12.5`, `the text "abc"`, `a list of 3`, `an object`.
+std::string found_text(const Value& value);
+
+/// `pointer` with one more step, escaped as in RFC 6901 (`~` becomes `~0`, `/` becomes `~1`).
+std::string pointer_step(std::string_view pointer, std::string_view name);
+
+/// The part of a message that follows what was found: `; expected one of a, b, c; did you mean "b"?`. A long
+/// list is counted, not told.
+std::string expected_names(std::string_view found, std::span<const std::string_view> names);
+
+}  // namespace frond
