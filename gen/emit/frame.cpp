@@ -1,6 +1,7 @@
 #include "emit/frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -21,23 +22,25 @@ std::string number(double value, int decimals = 5) {
   return text;
 }
 
-/// The skins, each once: organisms of the same look but another brightness have one of their own.
+/// The skin of each organism, at all its ages.
 void append_skins(std::string& text, const Scene& scene) {
   for (std::size_t i = 0; i < scene.branches.size(); ++i) {
     const Branches& b = scene.branches[i];
     const Pores& pores = b.skin.pores;
     const Tint& tint = b.skin.tint;
-    append_comment(text, b.name);
-    text += "#declare Skin";
+    text += "Coral_Skins(";
     append_integer(text, static_cast<long long>(i));
-    text += " = Coral_Skins(";
+    text += ',';
+    append_integer(text, static_cast<int>(b.skin.kind));
+    text += ',';
     append_color(text, tint.base);
     text += ',';
     append_color(text, tint.secondary);
     text += ',';
     append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
                 b.brightness, tint.young);
-    text += ")\n";
+    text += ") ";
+    append_comment(text, b.name);
   }
 }
 
@@ -78,20 +81,22 @@ std::string camera_text(const PovSpace& space, const Camera& camera, double time
   return text;
 }
 
-std::string setting_text(const Stage& stage) {
+/// The water as the camera sees it at one time. Its macros take metres, in POV-Ray's axes.
+std::string setting_text(const Stage& stage, double time) {
   const Water& water = stage.water;
-  std::string text = "Water_Globals()\nWater_Setting(";
-  append_color(text, water.near);
-  text += ',';
+  std::string eye, look, near, sun;
+  append_direction(eye, stage.camera.location.at(time));
+  append_direction(look, stage.camera.look_at.at(time));
+  append_color(near, water.near);
+  append_direction(sun, water.sun);
+  std::string text = "Water_Globals()\nWater_Setting(" + eye + "," + near + ",";
   append_color(text, water.deep);
-  text += ',';
-  append(text, water.visibility);
-  text += ',';
-  append_direction(text, water.sun);
-  text += ',';
-  append_list(text, 5, water.caustics, water.shafts, water.particles);
-  text += ')';
-  return text;
+  text += "," + number(water.visibility) + "," + sun + "," + number(water.caustics) + ")\n";
+  if (water.shafts > 0)
+    text += "Water_Shafts(" + eye + "," + look + "," + near + "," + sun + "," + number(water.shafts) + ")\n";
+  if (water.particles > 0)
+    text += "Water_Particles(" + eye + "," + look + "," + number(water.particles) + ")\n";
+  return text + "Water_Surface(" + eye + "," + near + ")";
 }
 
 /// One food object for each place that an organism is drawn to.
@@ -115,9 +120,9 @@ void append_part(std::string& text, const PovSpace& space, const Branches& b, co
                  std::span<const Chunk> chunks) {
   for (const Chunk& chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
-    text += " texture{Skin";
+    text += " texture{Skin[";
     append_integer(text, static_cast<long long>(index));
-    text += '[';
+    text += "][";
     append_integer(text, std::clamp(static_cast<int>(chunk.young * (kAges - 1) + 0.5f), 0, kAges - 1));
     text += ']';
     if (chunk.moved()) append_matrix(text, space, chunk.matrix, chunk.shift);
@@ -169,6 +174,8 @@ FrameParts prepare_frames(const Scene& scene) {
     for (float radius : b.rest.radius) thinnest = std::min(thinnest, radius);
   FrameParts parts;
   parts.space = space_for(thinnest);
+  parts.materials = "#declare Skin = array[" + number(static_cast<double>(std::max<std::size_t>(1, scene.branches.size()))) +
+                    "][" + number(kAges) + "];\n";
   append_skins(parts.materials, scene);
   parts.ground = "object{\n";
   append_mesh(parts.ground, parts.space, scene.floor);
@@ -192,13 +199,13 @@ Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std:
     if (hole == "frame") return number(frame);
     if (hole == "frames") return number(film.frames);
     if (hole == "number") return padded;
-    if (hole == "width") return number(film.width);
-    if (hole == "height") return number(film.height);
+    if (hole == "width") return number(film.size[0]);
+    if (hole == "height") return number(film.size[1]);
     if (hole == "unit") return number(parts.space.unit);
     if (hole == "quality") return number(static_cast<int>(film.quality));
     if (hole == "time") return number(time);
     if (hole == "loop") return number(film.length());
-    if (hole == "setting") return setting_text(scene.stage);
+    if (hole == "setting") return setting_text(scene.stage, time);
     if (hole == "camera") return camera_text(parts.space, scene.stage.camera, time);
     if (hole == "materials") return parts.materials;
     if (hole == "ground") return parts.ground;

@@ -10,9 +10,9 @@
 
 namespace frond {
 
-/// Where the organisms of one entry stand: at given places, or scattered in a ring round a centre.
+/// Where the organisms of one entry stand: the first at given places, the others scattered in a ring round a centre.
 struct Place {
-  std::vector<Vec2> at;        ///< x, z in metres; where there are none they are scattered
+  std::vector<Vec2> at;        ///< x, z in metres
   Vec2 center{0};              ///< x, z of the ring
   double inner = 0;            ///< metres
   double radius = 2;           ///< metres, the outer edge
@@ -25,7 +25,7 @@ struct Place {
 /// One entry of a preset's `organisms`.
 struct Organism {
   std::string name;  ///< the user's name for it, for messages and comments
-  int count = 1;
+  int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
   std::variant<CoralParams> body;
 };

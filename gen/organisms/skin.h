@@ -23,7 +23,14 @@ struct Tint {
   double young_length = 0.08;            ///< metres from a tip over which the paleness fades
 };
 
+enum class SkinKind {
+  stony,  ///< raised cups with a pit in each, walls between
+  fan,    ///< fine and matt, as on sea fans and whips
+  soft    ///< furry with open polyps
+};
+
 struct Skin {
+  SkinKind kind = SkinKind::stony;
   Pores pores;
   Tint tint;
 };

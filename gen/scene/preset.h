@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ enum class Quality { draft, good, best };
 struct Film {
   int frames = 72;  ///< 1: a still
   double fps = 24;
-  int width = 480, height = 270;  ///< pixels
+  std::array<int, 2> size{480, 270};  ///< width and height, pixels
   Quality quality = Quality::draft;
 
   double length() const { return frames / fps; }                    ///< seconds
@@ -37,7 +38,7 @@ struct Water {
   Vec3 sun{0.35f, 1, 0.35f};         ///< towards the sun
   double caustics = 1;               ///< strength of the light's dance, 0 none
   double shafts = 0.5;               ///< strength of the beams of light, 0 none
-  double particles = 0.5;            ///< how much drifts in the water, 0 none
+  int particles = 60;                ///< specks that drift before the camera
 };
 
 struct Floor {
@@ -63,6 +64,8 @@ struct Preset {
   Film film;
   Stage stage;
   std::vector<Organism> organisms;
+
+  std::string text;  ///< what it was read from, overrides included, as canonical JSON; for hashes
 };
 
 /// Reads a preset. `file_name` is for messages; `sets` are `/json/pointer=value` overrides, applied in order.

@@ -40,15 +40,16 @@ std::vector<Planting> plantings(Builder& b) {
     const Organism& organism = b.preset.organisms[o];
     const Place& place = organism.place;
     Seed seed = b.seed.child("organism", o);
-    std::vector<Spot> spots;
     float room = static_cast<float>(place.spacing);
-    if (place.at.empty()) {
-      spots = scatter(place.center, place.inner, place.radius, room, organism.count, b.taken, seed.child("scatter"));
-    } else {
-      for (Vec2 at : place.at) spots.push_back({at, room});
+    std::vector<Spot> spots;
+    for (Vec2 at : place.at) spots.push_back({at, room});
+    b.taken.insert(b.taken.end(), spots.begin(), spots.end());
+    int more = organism.count - static_cast<int>(spots.size());
+    for (const Spot& spot : scatter(place.center, place.inner, place.radius, room, more, b.taken, seed.child("scatter"))) {
+      spots.push_back(spot);
+      b.taken.push_back(spot);
     }
     for (std::size_t i = 0; i < spots.size(); ++i) list.push_back({&organism, seed.child("instance", i), spots[i]});
-    b.taken.insert(b.taken.end(), spots.begin(), spots.end());
   }
   return list;
 }

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <atomic>
+
+#include "app/commands.h"
+#include "app/inputs.h"
+#include "app/progress.h"
+#include "core/files.h"
+#include "core/parallel.h"
+#include "emit/frame.h"
+#include "jobs/jobs.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Written {
+  int frames = 0;  // that changed on disk
+  Errors errors;
+};
+
+/// Writes the frames of a range, several at a time.
+Written write_frames(const Scene& scene, const std::string& layout, const fs::path& out, FrameRange range, bool quiet) {
+  FrameParts parts = prepare_frames(scene);
+  int count = range.last - range.first + 1;
+  Progress progress("frames", count, quiet);
+  std::atomic<int> changed = 0;
+  std::vector<Errors> errors(static_cast<std::size_t>(count));
+  parallel_for(static_cast<std::size_t>(count), [&](std::size_t i) {
+    int frame = range.first + static_cast<int>(i);
+    Result<std::string> text = frame_text(scene, parts, layout, frame);
+    if (!text) {
+      errors[i] = text.errors();
+      return;
+    }
+    Result<bool> written = write_file(out / "frames" / frame_file(frame), *text);
+    if (!written)
+      errors[i] = written.errors();
+    else if (*written)
+      ++changed;
+    progress.step();
+  });
+  Written result{changed, {}};
+  for (const Errors& list : errors) result.errors.insert(result.errors.end(), list.begin(), list.end());
+  return result;
+}
+
+}  // namespace
+
+int generate(const GenerateArguments& arguments) {
+  limit_threads(arguments.threads);
+  Result<Preset> preset = load_preset(arguments.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  FrameRange range{1, preset->film.frames};
+  if (arguments.frames) {
+    Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
+    if (!asked) return fail(asked.errors(), kWrongInput);
+    range = *asked;
+  }
+  Result<fs::path> root = home();
+  if (!root) return fail(root.errors(), kCouldNot);
+  Result<std::string> layout = read_file(*root / "templates" / "frame.pov");
+  if (!layout) return fail(layout.errors(), kCouldNot);
+
+  Result<Scene> scene = build_scene(*preset);
+  if (!scene) return fail(scene.errors(), kWrongInput);
+  fs::path name = fs::path(arguments.preset.path).stem();
+  fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
+  if (!arguments.quiet)
+    fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
+
+  Written written = write_frames(*scene, *layout, out, range, arguments.quiet);
+  if (!written.errors.empty()) return fail(written.errors, kCouldNot);
+  Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
+  if (!job_errors.empty()) return fail(job_errors, kCouldNot);
+  if (!arguments.quiet)
+    fmt::print(stderr, "{}: {} frames, {} of them changed\n", out.string(), range.last - range.first + 1, written.frames);
+  return kDone;
+}
+
+}  // namespace frond

@@ -1,0 +1,72 @@
+#include "app/inputs.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/files.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads a positive whole number off the front of a text; 0 where there is none.
+int read_number(std::string_view& text) {
+  int number = 0;
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || number < 0) return 0;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+}  // namespace
+
+Result<fs::path> home() {
+  const char* given = std::getenv("FROND_HOME");
+  std::error_code error;
+  fs::path path = given ? fs::path(given) : fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  if (fs::exists(path / "templates" / "frame.pov", error)) return path;
+  return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
+}
+
+Result<Preset> load_preset(const PresetArguments& arguments) {
+  Result<std::string> text = read_file(arguments.path);
+  if (!text) return text.errors();
+  std::vector<std::string> sets = arguments.sets;
+  if (arguments.size) {
+    std::string_view rest = *arguments.size;
+    int width = read_number(rest);
+    bool cross = !rest.empty() && rest.front() == 'x';
+    if (cross) rest.remove_prefix(1);
+    int height = read_number(rest);
+    if (!cross || width == 0 || height == 0 || !rest.empty())
+      return Error{"--size", fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", *arguments.size)};
+    sets.push_back(fmt::format("/film/size=[{},{}]", width, height));
+  }
+  if (arguments.quality) sets.push_back("/film/quality=" + *arguments.quality);
+  return read_preset(*text, arguments.path, sets);
+}
+
+Result<FrameRange> read_frames(const std::string& text, int count) {
+  std::string_view rest = text;
+  FrameRange range{};
+  range.first = range.last = read_number(rest);
+  if (!rest.empty() && rest.front() == '-') {
+    rest.remove_prefix(1);
+    range.last = read_number(rest);
+  }
+  if (!rest.empty() || range.first < 1 || range.last < range.first || range.last > count)
+    return Error{"--frames", fmt::format("\"{}\" is no range of frames; expected A-B within 1-{}", text, count)};
+  return range;
+}
+
+int fail(const Errors& errors, ExitCode code) {
+  for (const Error& error : errors) fmt::print(stderr, "{}\n", error.text());
+  return code;
+}
+
+}  // namespace frond

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/commands.h"
+#include "core/result.h"
+#include "scene/preset.h"
+
+namespace frond {
+
+/// The folder that holds templates/, povinc/ and presets/: $FROND_HOME, or the one above the program's own.
+Result<std::filesystem::path> home();
+
+/// Reads the preset that the command line names, with its overrides.
+Result<Preset> load_preset(const PresetArguments& arguments);
+
+/// A range as in `--frames 5-12` or `--frames 7`, within 1..count.
+struct FrameRange {
+  int first, last;
+};
+Result<FrameRange> read_frames(const std::string& text, int count);
+
+/// Prints errors to stderr, one a line; returns the given exit code.
+int fail(const Errors& errors, ExitCode code);
+
+}  // namespace frond

@@ -1,0 +1,86 @@
+// The command line of Frond. Each command is one function in commands.h.
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
+
+using namespace frond;
+
+namespace {
+
+void add_preset(CLI::App* command, PresetArguments& preset) {
+  command->add_option("preset", preset.path, "The preset, a JSON file")->required();
+  command->add_option("--set", preset.sets, "POINTER=VALUE: overrides one value, as in /film/fps=12")
+      ->allow_extra_args(false);
+  command->add_option("--size", preset.size, "WxH: size of the pictures, in pixels");
+  command->add_option("--quality", preset.quality, "draft, good or best");
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", FROND_VERSION);
+
+  int result = kDone;
+
+  GenerateArguments to_generate;
+  auto* generate_command = app.add_subcommand("generate", "Writes the frames of a film, manifest.json and build.ninja");
+  add_preset(generate_command, to_generate.preset);
+  generate_command->add_option("-o,--out", to_generate.out, "Folder to write to (out/<preset name>)");
+  generate_command->add_option("--frames", to_generate.frames, "A-B: only these frames");
+  generate_command->add_option("--threads", to_generate.threads, "How many threads (all)")->check(CLI::NonNegativeNumber);
+  generate_command->add_flag("-q,--quiet", to_generate.quiet, "No progress");
+  generate_command->footer("Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");
+  generate_command->callback([&] { result = generate(to_generate); });
+
+  std::vector<std::string> to_check;
+  auto* check_command = app.add_subcommand("check", "Tells what is wrong in presets");
+  check_command->add_option("presets", to_check, "JSON files")->required();
+  check_command->footer("Example:\n  frond check presets/*.json");
+  check_command->callback([&] { result = check(to_check); });
+
+  PresetArguments to_size;
+  bool info_json = false;
+  auto* info_command = app.add_subcommand("info", "Says how large a preset's scene is");
+  add_preset(info_command, to_size);
+  info_command->add_flag("--json", info_json, "For machines");
+  info_command->footer("Example:\n  frond info presets/reef.json --json");
+  info_command->callback([&] { result = info(to_size, info_json); });
+
+  std::string grammar;
+  std::optional<int> steps;
+  std::optional<std::uint64_t> seed;
+  std::string format = "text";
+  auto add_grammar = [&](CLI::App* command) {
+    command->add_option("grammar", grammar, "A grammar, or a preset whose first organism has one: a JSON file")->required();
+    command->add_option("--steps", steps, "Derivation steps, instead of the grammar's")->check(CLI::NonNegativeNumber);
+    command->add_option("--seed", seed, "For random choices, instead of the grammar's");
+  };
+  auto* derive_command = app.add_subcommand("derive", "Derives the word of a grammar");
+  add_grammar(derive_command);
+  derive_command->add_option("--format", format, "text or counts")->check(CLI::IsMember({"text", "counts"}));
+  derive_command->footer("Example:\n  frond derive koch.json --steps 2");
+  derive_command->callback([&] { result = derive_word(grammar, steps, seed, format == "counts"); });
+
+  auto* turtle_command = app.add_subcommand("turtle", "Walks a grammar's word and measures the way, as JSON");
+  add_grammar(turtle_command);
+  turtle_command->footer("Example:\n  frond turtle koch.json --steps 3");
+  turtle_command->callback([&] { result = walk_turtle(grammar, steps, seed); });
+
+  auto* schema_command = app.add_subcommand("schema", "Prints the JSON Schema of presets");
+  schema_command->callback([&] { result = print_schema(); });
+
+  bool list_json = false;
+  auto* list_command = app.add_subcommand("list", "Lists growers, settings and presets");
+  list_command->add_flag("--json", list_json, "For machines");
+  list_command->callback([&] { result = list_everything(list_json); });
+
+  try {
+    app.parse(count, words);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kWrongInput;
+  }
+  return result;
+}

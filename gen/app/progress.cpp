@@ -1,0 +1,29 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace frond {
+
+Progress::Progress(std::string stage, int total, bool quiet)
+    : stage_(std::move(stage)), total_(total), quiet_(quiet), terminal_(::isatty(2) != 0) {}
+
+void Progress::step() {
+  std::lock_guard lock(mutex_);
+  int before = done_ * 10 / total_;
+  ++done_;
+  if (quiet_) return;
+  if (terminal_) {
+    fmt::print(stderr, "\r{} {}/{}", stage_, done_, total_);
+  } else if (done_ * 10 / total_ > before) {
+    fmt::print(stderr, "{} {}/{}\n", stage_, done_, total_);
+  }
+}
+
+Progress::~Progress() {
+  if (terminal_ && !quiet_ && done_ > 0) fmt::print(stderr, "\n");
+}
+
+}  // namespace frond

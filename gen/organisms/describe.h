@@ -1,0 +1,178 @@
+#pragma once
+
+#include "organisms/organism.h"
+#include "preset/describe.h"
+
+// The properties of organisms as presets spell them; see preset/describe.h.
+
+namespace frond {
+
+inline constexpr Choice<SkinKind> kSkinKinds[] = {
+    {"stony", SkinKind::stony, "raised cups with a pit in each, as on stony corals"},
+    {"fan", SkinKind::fan, "fine and matt, as on sea fans and whips"},
+    {"soft", SkinKind::soft, "furry with open polyps, as on soft corals"}};
+
+inline constexpr Choice<CoralForm> kCoralForms[] = {
+    {"branching", CoralForm::branching, "A -> !\"[B]////[B]////B, B -> &FFFA"},
+    {"tufted", CoralForm::tufted, "A -> \"[&FFFA]////[&FFFA]////[&FFFA]"},
+    {"own", CoralForm::own, "the rules under grammar"}};
+
+inline constexpr Choice<GrammarText::Mode> kGrammarModes[] = {
+    {"parallel", GrammarText::Mode::parallel, "all symbols at once"},
+    {"sequential", GrammarText::Mode::sequential, "the leftmost symbol that has a rule"}};
+
+inline constexpr Choice<GrammarText::Dialect> kDialects[] = {
+    {"abop", GrammarText::Dialect::abop, "as in The Algorithmic Beauty of Plants and cpfg"},
+    {"houdini", GrammarText::Dialect::houdini, "as in Houdini's L-system node"}};
+
+template <class Visitor>
+void describe(Visitor& v, Pores& p) {
+  v.number("cell", p.cell, {.min = 0.0005, .max = 1, .unit = "m"}, "From pore to pore");
+  v.number("warp", p.warp, {.min = 0, .max = 1}, "How far the cells are warped");
+  v.number("depth", p.depth, {.min = 0, .max = 3}, "How deep the pores look");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Tint& t) {
+  v.color("base", t.base, "Colour of the skin");
+  v.color("secondary", t.secondary, "Colour in the pores and grooves");
+  v.angle("hue", t.hue, {.min = -360, .max = 360}, "Turns both colours round the colour wheel");
+  v.number("saturation", t.saturation, {.min = 0, .max = 3}, "Factor");
+  v.number("value", t.value, {.min = 0, .max = 3}, "Factor of the brightness");
+  v.number("variation", t.variation, {.min = 0, .max = 0.9}, "How much single corals differ in brightness");
+  v.number("young", t.young, {.min = 0, .max = 1}, "How much paler growing tips are");
+  v.number("young_length", t.young_length, {.min = 0, .max = 10, .unit = "m"}, "Below a tip, until the paleness is gone");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Thickness& t) {
+  v.number("radius", t.radius, {.min = 0, .max = 5, .above_min = true, .unit = "m"}, "At the base");
+  v.curve("curve", t.curve, "Share of the radius, from 0 at the farthest tip to 1 at the base");
+  v.number("knob", t.knob, {.min = 0.1, .max = 4}, "Factor right at each tip");
+  v.number("flare", t.flare, {.min = 0, .max = 4}, "How much wider the foot is");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Distortion& d) {
+  v.number("strength", d.strength, {.min = 0, .max = 10, .unit = "m"}, "How far noise bends the tips");
+  v.number("scale", d.scale, {.min = 0, .max = 100, .above_min = true, .unit = "m"}, "From bend to bend");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Growth& g) {
+  v.number("start", g.start, {.min = -1e6, .max = 1e6, .unit = "s"}, "When it begins");
+  v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"}, "How long it takes; 0: fully grown from the start");
+  v.number("ripen", g.ripen, {.min = 0.01, .max = 2}, "Share of the growth until a place has its full thickness");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Wave& w) {
+  v.angle("amplitude", w.amplitude, {.min = 0, .max = 120}, "How far the tips are bent");
+  v.number("speed", w.speed, {.min = 0, .max = 20, .unit = "1/s"}, "Swings a second");
+  v.angle("phase", w.phase, {.min = -360, .max = 360}, "Where in the swing the film begins; single corals differ");
+  v.number("length", w.length, {.min = 0.01, .max = 1000, .unit = "m"}, "From crest to crest along the current");
+  v.vector("direction", w.direction, "Of the current; only x and z count");
+  v.boolean("loop", w.loop, "Whole swings over the film, so that it can be repeated");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Food& f) {
+  v.number("strength", f.strength, {.min = 0, .max = 6}, "Angle in radians, about, by which whole branches bend toward it");
+  v.number("reach", f.reach, {.min = 0.001, .max = 100, .unit = "m"}, "Nearer than this the pull fades");
+  v.animated("position", f.position, "Where the food is, or keyframes of it");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Skin& s) {
+  v.choice("kind", s.kind, kSkinKinds, "What it is made of");
+  v.object("pores", s.pores, "Pores");
+  v.object("tint", s.tint, "Colours");
+}
+
+template <class Visitor>
+void describe(Visitor& v, GrammarText::Rule& r) {
+  v.shorthand("rule");
+  v.text("rule", r.text, "left < predecessor(parameters) > right : condition ->(weight) successor");
+  v.required("rule");
+  v.integer("limit", r.limit, {.min = 0, .max = 1e9}, "How often it may be used at all");
+}
+
+template <class Visitor>
+void describe(Visitor& v, GrammarText::Tropism& t) {
+  v.vector("vector", t.vector, "The direction that branches turn toward");
+  v.number("elasticity", t.elasticity, {.min = -10, .max = 10}, "How readily they do");
+}
+
+template <class Visitor>
+void describe(Visitor& v, GrammarText& g) {
+  v.text("axiom", g.axiom, "The word to begin with");
+  v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Derivation steps");
+  v.number("angle", g.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Of a turn that gives none");
+  v.number("length", g.length, {.min = -1e6, .max = 1e6}, "Of an F that gives none");
+  v.number("width", g.width, {.min = 0, .max = 1e6}, "Diameter to begin with");
+  v.number("width_scale", g.width_scale, {.min = 0, .max = 100}, "What ! multiplies the width by");
+  v.number("length_scale", g.length_scale, {.min = 0, .max = 100}, "What \" multiplies lengths by");
+  v.number("angle_jitter", g.angle_jitter, {.min = 0, .max = 180, .unit = "degrees"}, "Random change of each turn, either way");
+  v.number("length_jitter", g.length_jitter, {.min = 0, .max = 1}, "Random change of each length, either way, as a share");
+  v.pairs("constants", g.constants, "Names for numbers and expressions");
+  v.list("rules", g.rules, "Productions, tried in this order");
+  v.list("decomposition", g.decomposition, "Rules that take symbols apart after each step");
+  v.list("interpretation", g.interpretation, "Rules that only the turtle sees");
+  v.integer("interpretation_depth", g.interpretation_depth, {.min = 0, .max = 1000}, "How deep they are applied");
+  v.choice("mode", g.mode, kGrammarModes, "Which symbols a step rewrites");
+  v.choice("dialect", g.dialect, kDialects, "Whose meaning of the symbols counts");
+  v.text("ignore", g.ignore, "Symbols that contexts pass over");
+  v.text("consider", g.consider, "The only symbols that contexts see");
+  v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "For random choices");
+  v.texts("symbols", g.symbols, "Names of more than one character");
+  v.boolean("ring", g.ring, "The word is a circle");
+  v.object("tropism", g.tropism, "What branches turn toward as they grow");
+}
+
+template <class Visitor>
+void describe(Visitor& v, CoralParams& c) {
+  v.choice("form", c.form, kCoralForms, "The rules that it grows by");
+  v.integer("steps", c.steps, {.min = 1, .max = 12}, "How often it forks (own rules have steps of their own)");
+  v.angle("pitch", c.pitch, {.min = -180, .max = 180}, "Of a new branch, &");
+  v.angle("roll", c.roll, {.min = -180, .max = 180}, "Of one of the four / between branches");
+  v.angle("angle_jitter", c.angle_jitter, {.min = 0, .max = 90}, "Random change of each turn, either way");
+  v.number("length_jitter", c.length_jitter, {.min = 0, .max = 0.95}, "Random change of each internode, as a share of it");
+  v.number("internode", c.internode, {.min = 0.0001, .max = 100, .unit = "m"}, "What one F draws");
+  v.number("length_scale", c.length_scale, {.min = 0.2, .max = 3}, "What \" multiplies lengths by");
+  v.number("width_scale", c.width_scale, {.min = 0.2, .max = 2}, "What ! multiplies thickness by");
+  v.number("lift", c.lift, {.min = -1, .max = 1}, "How much each internode turns upward");
+  v.number("height", c.height, {.min = 0, .max = 1000, .unit = "m"}, "What the whole is scaled to; 0: as it grows");
+  v.integer("smoothing", c.smoothing, {.min = 1, .max = 16}, "Nodes for each internode");
+  v.object("grammar", c.grammar, "Rules of your own, for the form own");
+  v.object("thickness", c.thickness, "Thickness along the branches");
+  v.object("distortion", c.distortion, "Noise that bends the shape");
+  v.object("skin", c.skin, "Pores and colours");
+  v.object("wave", c.wave, "Swaying in the current");
+  v.object("food", c.food, "What the branches bend toward");
+  v.object("growth", c.growth, "When it grows");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Place& p) {
+  v.list("at", p.at, "x, z of the first ones; the others are scattered");
+  v.vector("center", p.center, "x, z of the ring to scatter in");
+  v.number("inner", p.inner, {.min = 0, .max = 1000, .unit = "m"}, "Inner edge of the ring");
+  v.number("radius", p.radius, {.min = 0, .max = 1000, .unit = "m"}, "Outer edge of the ring");
+  v.number("spacing", p.spacing, {.min = 0, .max = 100, .unit = "m"}, "What each keeps free round itself");
+  v.number("size_variation", p.size_variation, {.min = 0, .max = 0.9}, "Random change of the size");
+  v.angle("lean", p.lean, {.min = 0, .max = 90}, "Up to how far each leans");
+  v.number("rock", p.rock, {.min = 0, .max = 100, .unit = "m"}, "Width of the rock under each; 0: none");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Organism& o) {
+  v.text("name", o.name, "Your name for it");
+  v.integer("count", o.count, {.min = 0, .max = 100000}, "How many, those at given places included");
+  v.object("place", o.place, "Where they stand");
+}
+
+/// The table of growers: one row a kind.
+inline constexpr Kind<Organism> kOrganismKinds[] = {
+    make_kind<CoralParams, &Organism::body>("coral", "A branching coral from an L-system")};
+
+}  // namespace frond

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "organisms/describe.h"
+#include "scene/preset.h"
+
+// The outline of presets; see preset/describe.h.
+
+namespace frond {
+
+inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "a few seconds a frame"},
+                                                 {"good", Quality::good, "smooth edges, soft shadows"},
+                                                 {"best", Quality::best, "everything, slow"}};
+
+inline constexpr Choice<Setting> kSettings[] = {{"underwater", Setting::underwater, "a sea floor in blue water"}};
+
+template <class Visitor>
+void describe(Visitor& v, Film& f) {
+  v.integer("frames", f.frames, {.min = 1, .max = 100000}, "1: a still");
+  v.number("fps", f.fps, {.min = 0.1, .max = 1000}, "Frames a second");
+  v.size("size", f.size, {.min = 16, .max = 16384, .unit = "pixels"}, "Width and height");
+  v.choice("quality", f.quality, kQualities, "How carefully the pictures are rendered");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Camera& c) {
+  v.animated("location", c.location, "Where it stands");
+  v.animated("look_at", c.look_at, "What it looks at");
+  v.animated("angle", c.angle, {.min = 1, .max = 160, .unit = "degrees"}, "Width of the view");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Water& w) {
+  v.color("near", w.near, "What distance fades to");
+  v.color("deep", w.deep, "Of the depth below the horizon");
+  v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"}, "Until two thirds of a colour are lost");
+  v.vector("sun", w.sun, "Toward the sun");
+  v.number("caustics", w.caustics, {.min = 0, .max = 1.5}, "How strongly waves focus the light");
+  v.number("shafts", w.shafts, {.min = 0, .max = 1}, "Beams of light");
+  v.integer("particles", w.particles, {.min = 0, .max = 1000}, "Specks that drift before the camera");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Floor& f) {
+  v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"}, "Height of the dunes");
+  v.number("scale", f.scale, {.min = 0.1, .max = 100, .unit = "m"}, "From dune to dune");
+  v.integer("stones", f.stones, {.min = 0, .max = 5000}, "Loose stones");
+  v.number("stone_size", f.stone_size, {.min = 0.001, .max = 10, .unit = "m"}, "Of the largest of them");
+  v.number("extent", f.extent, {.min = 0.1, .max = 30, .unit = "m"}, "How far from the middle they lie");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Stage& s) {
+  v.choice("setting", s.setting, kSettings, "The surroundings");
+  v.object("camera", s.camera, "The camera");
+  v.object("water", s.water, "The water");
+  v.object("floor", s.floor, "The ground");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Preset& p) {
+  v.text("title", p.title, "Shown nowhere in the picture");
+  v.integer("seed", p.seed, {.min = 0, .max = 9e15}, "Another number, another reef");
+  v.object("film", p.film, "Length, size and quality");
+  v.object("scene", p.stage, "Everything but the organisms");
+  v.inheriting_list({}, p.organisms, kOrganismKinds, "What grows");
+}
+
+}  // namespace frond

@@ -1,0 +1,51 @@
+#include "emit/frame.h"
+
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/parallel.h"
+
+namespace frond {
+namespace {
+
+Scene scene_at(const std::string& path) { return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {})); }
+
+std::string layout() { return *read_file(FROND_ROOT "/templates/frame.pov"); }
+
+std::string text_of(const Scene& scene, int frame) { return *frame_text(scene, prepare_frames(scene), layout(), frame); }
+
+TEST(Frame, IsTheSameAloneAndAtAnyThreadCount) {
+  limit_threads(1);
+  Scene one = scene_at("tests/presets/tiny_film.json");
+  std::string text = text_of(one, 4);
+  limit_threads(2);
+  Scene two = scene_at("tests/presets/tiny_film.json");
+  for (int frame = 1; frame <= 3; ++frame) EXPECT_NE(text_of(two, frame), text);
+  EXPECT_EQ(text_of(two, 4), text);
+  limit_threads(0);
+}
+
+TEST(Frame, HoldsNoNumberThatPovRayMisreads) {
+  std::string text = text_of(scene_at("tests/presets/tiny_film.json"), 1) + text_of(scene_at("tests/presets/tiny_film.json"), 6);
+  for (const char* bad : {"nan", "inf", "-0,", "-0>", "e-", ",>", ",}"}) EXPECT_EQ(text.find(bad), text.npos) << bad;
+}
+
+TEST(Frame, WritesATitleThatCannotBreakOut) {
+  Scene scene = scene_at("tests/presets/tiny_still.json");
+  scene.title = "x\n#include \"/etc/passwd\"";
+  scene.branches[0].name = "y\r#error \"no\"";
+  std::string text = text_of(scene, 1);
+  EXPECT_EQ(text.find("\n#include \"/etc"), text.npos);
+  EXPECT_EQ(text.find("\r"), text.npos);
+  EXPECT_EQ(text.find("\n#error"), text.npos);
+}
+
+TEST(Frame, RefusesAHoleItDoesNotKnow) {
+  Scene scene = scene_at("tests/presets/tiny_still.json");
+  auto text = frame_text(scene, prepare_frames(scene), "{{frame}} {{fraem}}", 1);
+  ASSERT_FALSE(text.ok());
+  EXPECT_NE(text.errors()[0].text().find("fraem"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frond

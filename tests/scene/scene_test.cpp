@@ -1,0 +1,113 @@
+#include "scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "core/parallel.h"
+
+namespace frond {
+namespace {
+
+Preset preset_of(const std::string& text, const std::vector<std::string>& sets = {}) {
+  Result<Preset> preset = read_preset(text, "test.json", sets);
+  if (!preset) ADD_FAILURE() << preset.errors().front().text();
+  return preset ? *preset : Preset{};
+}
+
+Preset preset_at(const std::string& path) { return preset_of(*read_file(FROND_ROOT "/" + path)); }
+
+const CoralParams& coral(const Preset& preset, std::size_t i) { return std::get<CoralParams>(preset.organisms.at(i).body); }
+
+TEST(Preset, LocalOrGlobal) {
+  // C4: own value over the scene's, unless the scene's is forced.
+  const std::string body = R"(
+    "defaults": {"wave": {"amplitude": 10, "speed": 2}, "thickness": {"radius": 0.2}},
+    "organisms": [{"kind": "coral", "wave": {"amplitude": 30}}, {"kind": "coral", "thickness": {"radius": 0.1}}]})";
+  Preset own = preset_of("{" + body);
+  EXPECT_NEAR(degrees(coral(own, 0).wave.amplitude), 30, 1e-9);
+  EXPECT_NEAR(coral(own, 0).wave.speed, 2, 1e-9);
+  EXPECT_NEAR(degrees(coral(own, 1).wave.amplitude), 10, 1e-9);
+  EXPECT_NEAR(coral(own, 0).thickness.radius, 0.2, 1e-9);
+  EXPECT_NEAR(coral(own, 1).thickness.radius, 0.1, 1e-9);
+
+  Preset forced = preset_of(R"({"force": ["wave"],)" + body);
+  EXPECT_NEAR(degrees(coral(forced, 0).wave.amplitude), 10, 1e-9);
+  EXPECT_NEAR(coral(forced, 1).thickness.radius, 0.1, 1e-9);
+}
+
+TEST(Preset, EveryPropertyCanBeForced) {
+  for (std::string name : {"steps", "pitch", "roll", "angle_jitter", "length_jitter", "internode", "length_scale", "lift",
+                           "width_scale", "height", "smoothing", "thickness", "distortion", "skin", "wave", "food", "growth",
+                           "form", "place", "count", "grammar"})
+    EXPECT_TRUE(read_preset(R"({"force": [")" + name + R"("], "organisms": [{"kind": "coral"}]})", "x", {}).ok()) << name;
+  EXPECT_FALSE(read_preset(R"({"force": ["wav"], "organisms": []})", "x", {}).ok());
+}
+
+TEST(Preset, TellsOfABrokenGrammarWhereItIs) {
+  auto preset = read_preset(R"({"organisms": [{"kind": "coral", "form": "own", "grammar": {"axiom": "F["}}]})", "x.json", {});
+  ASSERT_FALSE(preset.ok());
+  EXPECT_NE(preset.errors()[0].text().find("x.json: /organisms/0/grammar"), std::string::npos);
+}
+
+TEST(Scene, IsTheSameAtAnyThreadCount) {
+  Preset preset = preset_at("tests/presets/tiny_film.json");
+  limit_threads(1);
+  Scene one = *build_scene(preset);
+  limit_threads(2);
+  Scene two = *build_scene(preset);
+  limit_threads(0);
+  ASSERT_EQ(one.branches.size(), two.branches.size());
+  for (std::size_t i = 0; i < one.branches.size(); ++i) EXPECT_EQ(one.branches[i].rest.position, two.branches[i].rest.position);
+}
+
+TEST(Scene, GivesEachCoralAPhaseAndBrightnessOfItsOwn) {
+  Scene scene = *build_scene(preset_at("tests/presets/tiny_film.json"));
+  ASSERT_EQ(scene.branches.size(), 2u);
+  EXPECT_NE(scene.branches[0].motion.wave.phase, scene.branches[1].motion.wave.phase);
+  EXPECT_NE(scene.branches[0].brightness, scene.branches[1].brightness);
+}
+
+TEST(Scene, RootsEveryCoral) {
+  // Nothing floats: the foot of each coral lies inside a stone or under the floor.
+  Scene scene = *build_scene(preset_at("presets/reef.json"));
+  EXPECT_GE(scene.branches.size(), 12u);
+  for (const Branches& b : scene.branches) {
+    Vec3 foot = b.rest.position[0];
+    bool in_stone = false;
+    for (const StoneInstance& stone : scene.stone_instances) {
+      float away = glm::length(Vec2(foot.x - stone.at.x, foot.z - stone.at.z));
+      float top = stone.at.y + 0.7f * stone.size.y;
+      in_stone = in_stone || (away < 1e-3f && foot.y < top && foot.y > stone.at.y);
+    }
+    EXPECT_TRUE(in_stone || foot.y < 0.3f) << b.name;
+  }
+}
+
+TEST(Reef, HasNoJumps) {
+  // Over the whole film: between two frames no node moves more than 16 times the film's mean motion.
+  Scene scene = *build_scene(preset_at("presets/reef.json"));
+  for (const Branches& b : scene.branches) EXPECT_EQ(b.rest.check(), "") << b.name;
+  double total = 0, count = 0;
+  float most = 0;
+  std::string worst;
+  for (const Branches& b : scene.branches) {
+    Pose last, now;
+    pose_skeleton(b.rest, b.motion, 0, last);
+    for (int frame = 2; frame <= scene.film.frames; ++frame) {
+      pose_skeleton(b.rest, b.motion, scene.film.time(frame), now);
+      for (std::size_t i = 0; i < b.rest.size(); ++i) {
+        float step = glm::distance(now.position[i], last.position[i]);
+        total += step;
+        count += 1;
+        if (step > most) most = step, worst = b.name;
+      }
+      std::swap(last, now);
+    }
+  }
+  EXPECT_LT(most, 16 * total / count) << "in " << worst << ", " << most << " m against " << total / count;
+}
+
+TEST(Schema, IsTheOneInDocs) { EXPECT_EQ(*read_file(FROND_ROOT "/docs/preset.schema.json"), preset_schema()); }
+
+}  // namespace
+}  // namespace frond
