@@ -1,0 +1,174 @@
+#include "jobs/jobs.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/text.h"
+#include "jobs/escape.h"
+
+namespace frond {
+
+namespace {
+
+/// Pictures of a contact sheet: 6 columns and 4 rows at most.
+constexpr std::size_t kSheetPictures = 24;
+
+std::string number(double value) {
+  std::string text;
+  append(text, value, 6);
+  return text;
+}
+
+std::string scene_file(int frame) { return "frames/" + frame_name(frame) + ".pov"; }
+std::string picture_file(int frame) { return "frames/" + frame_name(frame) + ".png"; }
+
+std::string size_text(const std::array<int, 2>& size) {
+  return std::to_string(size[0]) + "x" + std::to_string(size[1]);
+}
+
+std::string_view povray_flags(std::string_view quality) {
+  for (const Rendering& rendering : kRenderings)
+    if (rendering.quality == quality) return rendering.flags;
+  assert(!"a quality that is not in kRenderings");
+  return kRenderings[0].flags;
+}
+
+/// At most kSheetPictures of the frames, evenly spaced, the first and the last among them.
+std::vector<int> sheet_frames(const std::vector<int>& frames) {
+  if (frames.size() <= kSheetPictures) return frames;
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < kSheetPictures; ++i)
+    chosen.push_back(frames[(i * (frames.size() - 1) + (kSheetPictures - 1) / 2) / (kSheetPictures - 1)]);
+  return chosen;
+}
+
+/// Columns that make a sheet of wide pictures about as wide as it is high.
+std::size_t sheet_columns(std::size_t pictures) {
+  std::size_t columns = 1;
+  while (2 * columns * columns < 3 * pictures) ++columns;
+  return std::min(columns, pictures);
+}
+
+void append_variable(std::string& text, std::string_view name, std::string_view value) {
+  text += name;
+  text += " = ";
+  text += ninja_escaped(value);
+  text += '\n';
+}
+
+void append_rule(std::string& text, std::string_view name, std::string_view command,
+                 std::string_view description) {
+  text += "\nrule ";
+  text += name;
+  text += "\n  command = ";
+  text += command;
+  text += "\n  description = ";
+  text += description;
+  text += '\n';
+}
+
+/// The command's input list goes through a file: a film may have more frames than a command line has room
+/// for.
+void append_list_rule(std::string& text, std::string_view name, std::string_view command,
+                      std::string_view description) {
+  append_rule(text, name, command, description);
+  text += "  rspfile = $out.list\n  rspfile_content = $in_newline\n";
+}
+
+void append_build(std::string& text, std::string_view output, std::string_view rule,
+                  const std::vector<int>& frames) {
+  text += "\nbuild ";
+  text += output;
+  text += ": ";
+  text += rule;
+  for (int frame : frames) text += " $\n    " + picture_file(frame);
+  text += '\n';
+}
+
+void append_frames(std::string& text, const JobList& jobs) {
+  // Folders stand in variables: a variable may hold any character, a path written out may not hold a `|`.
+  std::string includes;
+  for (const std::string& include : jobs.includes) includes += " $povinc/" + ninja_escaped(include);
+  if (!includes.empty()) text += "\nbuild includes: phony" + includes + "\n";
+  text += '\n';
+  for (int frame : jobs.frames) {
+    text += "build " + picture_file(frame) + ": frame " + scene_file(frame);
+    if (!includes.empty()) text += " | includes";
+    text += "\n  number = " + std::to_string(frame) + "\n";
+  }
+}
+
+}  // namespace
+
+std::string frame_name(int number) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  return "frame_" + digits;
+}
+
+std::string ninja_text(const JobList& jobs) {
+  assert(!jobs.frames.empty());
+  std::string text =
+      "# What is to be rendered, written by `frond generate`. Run `ninja` in this folder; what is up to date "
+      "is not\n"
+      "# made again.\nninja_required_version = 1.7\n\n";
+  append_variable(text, "povinc", jobs.povinc);
+  append_variable(text, "render_frame", shell_quoted(jobs.scripts + "/render_frame.sh"));
+  append_variable(text, "size", size_text(jobs.size));
+  append_variable(text, "flags", povray_flags(jobs.quality));
+
+  append_rule(text, "frame", "exec $render_frame $in $out $size $flags", "frame $number");
+  append_frames(text, jobs);
+
+  if (jobs.still) {
+    append_rule(text, "still", "cp $in $out.part && mv $out.part $out", "still.png");
+    append_build(text, "still.png", "still", {jobs.frames.front()});
+    return text;
+  }
+  text += '\n';
+  append_variable(text, "encode_film", shell_quoted(jobs.scripts + "/encode_film.sh"));
+  append_variable(text, "contact_sheet", shell_quoted(jobs.scripts + "/contact_sheet.sh"));
+  append_variable(text, "fps", number(jobs.fps));
+  append_variable(text, "title", shell_quoted(jobs.title));
+  append_list_rule(text, "film", "exec $encode_film $out.list $out $fps $title", "film.mp4");
+  append_build(text, "film.mp4", "film", jobs.frames);
+
+  std::vector<int> sheet = sheet_frames(jobs.frames);
+  append_variable(text += '\n', "columns", std::to_string(sheet_columns(sheet.size())));
+  append_list_rule(text, "contact", "exec $contact_sheet $out.list $out $columns", "contact.png");
+  append_build(text, "contact.png", "contact", sheet);
+  return text;
+}
+
+std::string manifest_text(const Manifest& manifest) {
+  std::string text = "{\n";
+  auto line = [&](std::string_view key, std::string_view value) {
+    text += "  \"";
+    text += key;
+    text += "\": ";
+    text += value;
+    text += ",\n";
+  };
+  line("tool", "\"frond\"");
+  line("version", json_quoted(manifest.version));
+  line("preset", json_quoted(manifest.preset));
+  line("title", json_quoted(manifest.title));
+  line("preset_hash", json_quoted(manifest.preset_hash));
+  line("seed", std::to_string(manifest.seed));
+  line("fps", number(manifest.fps));
+  line("size", "[" + std::to_string(manifest.size[0]) + ", " + std::to_string(manifest.size[1]) + "]");
+  line("quality", json_quoted(manifest.quality));
+  line("still", manifest.still ? "true" : "false");
+  text += "  \"frames\": [";
+  std::string_view between = "\n    ";
+  for (const Manifest::Frame& frame : manifest.frames) {
+    text += between;
+    text += "{\"number\": " + std::to_string(frame.number) + ", \"time\": " + number(frame.time) +
+            ", \"file\": " + json_quoted(scene_file(frame.number)) + "}";
+    between = ",\n    ";
+  }
+  text += manifest.frames.empty() ? "]\n}\n" : "\n  ]\n}\n";
+  return text;
+}
+
+}  // namespace frond

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The text of the job files of a film: what `ninja` is to do, and what the film is made of. Text only; the
+/// scripts run the processes.
+///
+///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     scripts/render_frame.sh, one a core
+///     all frames                -> DIR/film.mp4                  scripts/encode_film.sh
+///     some frames               -> DIR/contact.png               scripts/contact_sheet.sh
+///     the frame of a still      -> DIR/still.png
+///
+///     write_file(dir / "build.ninja", ninja_text(jobs));
+///     write_file(dir / "manifest.json", manifest_text(manifest));
+namespace frond {
+
+/// How POV-Ray renders a quality. Jitter is off in all, so that equal scenes are equal pixels.
+struct Rendering {
+  std::string_view quality;
+  std::string_view flags;
+};
+
+inline constexpr Rendering kRenderings[] = {
+    {"draft", "+A0.3 +AM1 +R2 -J"},
+    {"good", "+A0.1 +AM2 +R3 -J"},
+    {"best", "+A0.05 +AM2 +R4 -J"},
+};
+
+/// What the name of a frame's files begins with: "frame_0001"; more digits from 10000 on.
+std::string frame_name(int number);
+
+/// What is to be rendered. Two lists that differ in size or quality render all frames again, as both stand in
+/// the commands; a frame is rendered again, too, when its scene or one of the includes is newer than its
+/// picture.
+struct JobList {
+  std::vector<int> frames;             ///< the numbers, ascending, at least one
+  std::array<int, 2> size{480, 270};   ///< width and height, pixels
+  std::string_view quality = "draft";  ///< a name of kRenderings
+  double fps = 24;                     ///< frames a second, above 0
+  bool still = false;                  ///< one picture, no film
+  std::string title;                   ///< goes into the film's metadata
+  std::string povinc = "../povinc";    ///< folder of the includes, as seen from DIR; no line break in it
+  std::vector<std::string> includes;   ///< names of the files there that a frame may read: "frond_water.inc"
+  std::string scripts = "../scripts";  ///< folder of the scripts, as seen from DIR; no line break in it
+};
+
+/// build.ninja. Paths and title may hold any character but a line break (one in a title becomes a blank).
+std::string ninja_text(const JobList& jobs);
+
+/// What the film is made of, for people and machines that come later. It holds no clock and no absolute path:
+/// the same film has the same manifest everywhere.
+struct Manifest {
+  struct Frame {
+    int number = 1;
+    double time = 0;  ///< seconds from the first frame of the preset
+  };
+  std::string version;  ///< of frond
+  std::string preset;   ///< the preset's file name without .json
+  std::string title;
+  std::string preset_hash;  ///< of the preset with all that was set on the command line, hexadecimal
+  std::uint64_t seed = 0;
+  double fps = 24;
+  std::array<int, 2> size{480, 270};
+  std::string_view quality = "draft";
+  bool still = false;
+  std::vector<Frame> frames;
+};
+
+/// manifest.json, one frame a line.
+std::string manifest_text(const Manifest& manifest);
+
+}  // namespace frond

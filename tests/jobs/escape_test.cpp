@@ -1,0 +1,26 @@
+#include "jobs/escape.h"
+
+#include <gtest/gtest.h>
+
+namespace frond {
+namespace {
+
+TEST(ShellQuoted, IsOneWordWhateverStandsInIt) {
+  EXPECT_EQ(shell_quoted(""), "''");
+  EXPECT_EQ(shell_quoted("$(rm -r x) `y` \"z\" *"), "'$(rm -r x) `y` \"z\" *'");
+  EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
+}
+
+TEST(NinjaEscaped, EscapesWhatNinjaReads) {
+  EXPECT_EQ(ninja_escaped("a b:c$d|e"), "a$ b$:c$$d|e");
+  EXPECT_EQ(ninja_escaped("two\nlines\r"), "two$ lines$ ");
+}
+
+TEST(JsonQuoted, EscapesQuotesAndControls) {
+  EXPECT_EQ(json_quoted("a\"b\\c"), "\"a\\\"b\\\\c\"");
+  EXPECT_EQ(json_quoted("line\nbell\a"), "\"line\\nbell\\u0007\"");
+  EXPECT_EQ(json_quoted("Féerie"), "\"Féerie\"");
+}
+
+}  // namespace
+}  // namespace frond

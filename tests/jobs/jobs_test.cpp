@@ -1,0 +1,138 @@
+#include "jobs/jobs.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace frond {
+namespace {
+
+JobList film_of(int frames) {
+  JobList jobs;
+  jobs.frames.resize(static_cast<std::size_t>(frames));
+  std::iota(jobs.frames.begin(), jobs.frames.end(), 1);
+  return jobs;
+}
+
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != text.npos; }
+
+int count(std::string_view text, std::string_view part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++found;
+  return found;
+}
+
+/// What stands from `begin` to the next empty line.
+std::string paragraph(const std::string& text, std::string_view begin) {
+  std::size_t at = text.find(begin);
+  return at == text.npos ? "" : text.substr(at, text.find("\n\n", at) - at);
+}
+
+TEST(FrameName, HasFourDigitsOrMore) {
+  EXPECT_EQ(frame_name(1), "frame_0001");
+  EXPECT_EQ(frame_name(9999), "frame_9999");
+  EXPECT_EQ(frame_name(12345), "frame_12345");
+}
+
+TEST(NinjaText, RendersEachFrameOfTheList) {
+  JobList jobs = film_of(3);
+  jobs.includes = {"frond_sea.inc", "frond_skin.inc"};
+  std::string text = ninja_text(jobs);
+  EXPECT_EQ(count(text, ": frame frames/"), 3);
+  EXPECT_TRUE(
+      contains(text, "build frames/frame_0002.png: frame frames/frame_0002.pov | includes\n  number = 2\n"));
+  EXPECT_TRUE(contains(text, "build includes: phony $povinc/frond_sea.inc $povinc/frond_skin.inc\n"));
+  EXPECT_TRUE(contains(text, "size = 480x270\n"));
+  EXPECT_TRUE(contains(text, "command = exec $render_frame $in $out $size $flags\n"));
+}
+
+TEST(NinjaText, FilmHoldsTheFramesOfTheListOnly) {
+  JobList jobs = film_of(3);
+  jobs.frames = {5, 6};
+  jobs.fps = 12.5;
+  std::string text = ninja_text(jobs);
+  EXPECT_EQ(paragraph(text, "build film.mp4"),
+            "build film.mp4: film $\n    frames/frame_0005.png $\n    frames/frame_0006.png");
+  EXPECT_TRUE(contains(text, "fps = 12.5\n"));
+  EXPECT_FALSE(contains(text, "still.png"));
+  EXPECT_FALSE(contains(text, "includes:"));
+}
+
+TEST(NinjaText, ContactSheetIsEvenlySpaced) {
+  struct Row {
+    int frames, pictures;
+    std::string columns;
+  };
+  for (const Row& row :
+       {Row{1, 1, "1"}, Row{6, 6, "3"}, Row{24, 24, "6"}, Row{72, 24, "6"}, Row{10000, 24, "6"}}) {
+    std::string text = ninja_text(film_of(row.frames));
+    std::string sheet = paragraph(text, "build contact.png");
+    EXPECT_EQ(count(sheet, "frames/frame_"), row.pictures) << row.frames;
+    EXPECT_TRUE(contains(sheet, "frame_0001.png")) << row.frames;
+    EXPECT_TRUE(contains(sheet, frame_name(row.frames) + ".png")) << row.frames;
+    EXPECT_TRUE(contains(text, "columns = " + row.columns + "\n")) << row.frames;
+  }
+}
+
+TEST(NinjaText, StillHasNoFilm) {
+  JobList jobs = film_of(1);
+  jobs.still = true;
+  std::string text = ninja_text(jobs);
+  EXPECT_TRUE(contains(text, "build still.png: still $\n    frames/frame_0001.png\n"));
+  EXPECT_FALSE(contains(text, "film"));
+}
+
+TEST(NinjaText, SizeAndQualityStandInTheCommands) {
+  JobList jobs = film_of(1);
+  std::string before = ninja_text(jobs);
+  jobs.quality = "best";
+  EXPECT_NE(ninja_text(jobs), before);
+  for (const Rendering& rendering : kRenderings) {
+    jobs.quality = rendering.quality;
+    EXPECT_TRUE(contains(ninja_text(jobs), rendering.flags.substr(1, 4)));
+    EXPECT_TRUE(contains(std::string(rendering.flags), "-J")) << "jitter makes pixels depend on luck";
+  }
+}
+
+TEST(NinjaText, OddCharactersAreEscaped) {
+  JobList jobs = film_of(1);
+  jobs.povinc = "../it's $HOME|x/povinc";
+  jobs.scripts = "../it's $HOME/scripts";
+  jobs.includes = {"a b.inc"};
+  jobs.title = "Reef: $(date)\n`id`";
+  std::string text = ninja_text(jobs);
+  EXPECT_TRUE(contains(text, "povinc = ../it's$ $$HOME|x/povinc\n"));
+  EXPECT_TRUE(contains(text, "render_frame = '../it'\\''s$ $$HOME/scripts/render_frame.sh'\n"));
+  EXPECT_TRUE(contains(text, "$povinc/a$ b.inc"));
+  EXPECT_TRUE(contains(text, "title = 'Reef$:$ $$(date)$ `id`'\n"));
+}
+
+TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
+  Manifest manifest;
+  manifest.version = "0.1.0";
+  manifest.preset = "reef";
+  manifest.title = "A \"reef\"";
+  manifest.preset_hash = "0123abcd";
+  manifest.seed = 18446744073709551615ull;
+  manifest.frames = {{1, 0}, {2, 1 / 24.0}};
+  EXPECT_EQ(manifest_text(manifest),
+            "{\n"
+            "  \"tool\": \"frond\",\n"
+            "  \"version\": \"0.1.0\",\n"
+            "  \"preset\": \"reef\",\n"
+            "  \"title\": \"A \\\"reef\\\"\",\n"
+            "  \"preset_hash\": \"0123abcd\",\n"
+            "  \"seed\": 18446744073709551615,\n"
+            "  \"fps\": 24,\n"
+            "  \"size\": [480, 270],\n"
+            "  \"quality\": \"draft\",\n"
+            "  \"still\": false,\n"
+            "  \"frames\": [\n"
+            "    {\"number\": 1, \"time\": 0, \"file\": \"frames/frame_0001.pov\"},\n"
+            "    {\"number\": 2, \"time\": 0.041667, \"file\": \"frames/frame_0002.pov\"}\n"
+            "  ]\n"
+            "}\n");
+}
+
+}  // namespace
+}  // namespace frond
