@@ -26,8 +26,8 @@ namespace frond {
 //       v.boolean("loop", w.loop, "Whether the film can be repeated without a jump");
 //     }
 //
-// It is called with a fresh struct to read into, or with the defaults to print; it does nothing else with them.
-// Names and docs are string literals. Every visitor has:
+// It is called with a fresh struct to read into, or with the defaults to print; it does nothing else with
+// them. Names and docs are string literals. Every visitor has:
 //
 //     number(name, x, range, doc)         double, float
 //     angle(name, x, range, doc)          the same; degrees in JSON and in the range, radians in the struct
@@ -39,22 +39,25 @@ namespace frond {
 //     size(name, s, range, doc)           std::array<int, 2> from [width, height]
 //     color(name, c, doc)                 Color from "#rrggbb" or [r, g, b], each 0 to 1 (sRGB)
 //     curve(name, c, doc)                 Curve from [[x, y], ...], two or more points, x increasing
-//     animated(name, a, range, doc)       Animated<double> from a number, or keyframes [[seconds, number], ...]
-//     animated_angle(name, a, range, doc) the same in degrees, radians in the struct
-//     animated(name, a, [range,] doc)     Animated<Vec3> from [x, y, z], or keyframes [[seconds, [x, y, z]], ...]
-//     object(name, o, doc)                a struct with a describe() of its own
-//     list(name, l, [count,] doc)         std::vector of: described structs, std::string, double, float, integers,
+//     animated(name, a, range, doc)       Animated<double> from a number, or keyframes [[seconds, number],
+//     ...] animated_angle(name, a, range, doc) the same in degrees, radians in the struct animated(name, a,
+//     [range,] doc)     Animated<Vec3> from [x, y, z], or keyframes [[seconds, [x, y, z]], ...] object(name,
+//     o, doc)                a struct with a describe() of its own list(name, l, [count,] doc) std::vector
+//     of: described structs, std::string, double, float, integers,
 //                                         vectors
 //     texts(name, l, doc)                 std::vector<std::string>; the same as list()
-//     pairs(name, p, doc)                 std::vector<std::pair<std::string, std::string>> from an object of numbers
+//     pairs(name, p, doc)                 std::vector<std::pair<std::string, std::string>> from an object of
+//     numbers
 //                                         and texts, in the order written; a number becomes its shortest text
 //     tagged(name, t, kinds, doc)         an object whose "kind" says how it is read (Kind, below)
 //     tagged_list(name, l, kinds, doc)    a list of such
 //     inheriting_list(names, l, kinds, doc)   a list of such behind which stand defaults (Inheritance, below)
 //     required(name)                      the property must be given; after the line that reads it
-//     shorthand(name)                     first of all: a bare value in place of the object is read as this property
+//     shorthand(name)                     first of all: a bare value in place of the object is read as this
+//     property
 //                                         of it: "A -> B" for {"rule": "A -> B"}
-//     custom(name, x, read, schema, doc)  everything else: `bool read(Reader&, const Value&, X&)` notes its faults
+//     custom(name, x, read, schema, doc)  everything else: `bool read(Reader&, const Value&, X&)` notes its
+//     faults
 //                                         by Reader::fault and says whether x was read; `schema` is JSON text
 //
 // Each of them also takes a std::optional of its type, which stays empty where the property is not given.
@@ -87,8 +90,9 @@ struct Choice {
 class Reader;
 class SchemaWriter;
 
-/// A row of the table of the kinds that a T may be of. `describe(v, T&)` says what all kinds have in common (it may
-/// be empty), the row what its kind has besides; the same name must not stand in both. The name "kind" is taken.
+/// A row of the table of the kinds that a T may be of. `describe(v, T&)` says what all kinds have in common
+/// (it may be empty), the row what its kind has besides; the same name must not stand in both. The name
+/// "kind" is taken.
 template <class T>
 struct Kind {
   std::string_view name;
@@ -105,9 +109,10 @@ struct MemberOf<M T::*> {
   using Owner = T;
 };
 
-/// The usual row: a described struct `Params` that is put into a member of T (a std::variant, std::any, or anything
-/// else that Params can be assigned to):
-///     constexpr Kind<Organism> kKinds[] = {make_kind<CoralParams, &Organism::params>("coral", "A branching coral")};
+/// The usual row: a described struct `Params` that is put into a member of T (a std::variant, std::any, or
+/// anything else that Params can be assigned to):
+///     constexpr Kind<Organism> kKinds[] = {make_kind<CoralParams, &Organism::params>("coral", "A branching
+///     coral")};
 template <class Params, auto kMember, class T = typename MemberOf<decltype(kMember)>::Owner>
 constexpr Kind<T> make_kind(std::string_view name, std::string_view doc) {
   return {name, doc,
@@ -122,9 +127,9 @@ constexpr Kind<T> make_kind(std::string_view name, std::string_view doc) {
           }};
 }
 
-/// The names of the three properties of a list with defaults: each element is merged with the object `defaults`
-/// (merge(): its own wins) except for the properties that `force` lists. `defaults` may hold the properties of any
-/// kind; an element passes over those that its kind does not have.
+/// The names of the three properties of a list with defaults: each element is merged with the object
+/// `defaults` (merge(): its own wins) except for the properties that `force` lists. `defaults` may hold the
+/// properties of any kind; an element passes over those that its kind does not have.
 struct Inheritance {
   std::string_view list = "organisms";
   std::string_view defaults = "defaults";

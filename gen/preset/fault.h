@@ -13,10 +13,10 @@ namespace frond {
 /// Something wrong in a preset.
 struct Fault {
   Origin origin;
-  std::string pointer;                        ///< JSON pointer of the value, "" for the whole
-  std::string what;                           ///< `found ...; expected ...`
-  std::string unknown = {};                   ///< of an unknown property: its name; `what` is empty then
-  std::vector<std::string_view> names = {};   ///< and the names that would have been known
+  std::string pointer;                       ///< JSON pointer of the value, "" for the whole
+  std::string what;                          ///< `found ...; expected ...`
+  std::string unknown = {};                  ///< of an unknown property: its name; `what` is empty then
+  std::vector<std::string_view> names = {};  ///< and the names that would have been known
 
   /// `file:line:column: /json/pointer` and what is wrong.
   Error error() const;
@@ -34,8 +34,8 @@ class Faults {
   std::set<std::pair<std::string, std::string>> seen_;
 };
 
-/// What is wrong with a value that several descriptions may read: the faults which every one of them finds, at the
-/// same place or at one that holds it. A name is unknown only where none knows it.
+/// What is wrong with a value that several descriptions may read: the faults which every one of them finds,
+/// at the same place or at one that holds it. A name is unknown only where none knows it.
 std::vector<Fault> common_faults(const std::vector<std::vector<Fault>>& readings);
 
 }  // namespace frond

@@ -11,8 +11,8 @@
 namespace frond {
 namespace {
 
-/// A recursive descent reader over the scanner. Each read_ function returns false after a fault of syntax, which
-/// ends the reading; a name that stands twice is noted and passed over.
+/// A recursive descent reader over the scanner. Each read_ function returns false after a fault of syntax,
+/// which ends the reading; a name that stands twice is noted and passed over.
 class Parser {
  public:
   Parser(std::string_view text, std::string_view file_name)
@@ -57,13 +57,19 @@ class Parser {
     if (!skip()) return false;
     value.origin = origin_here();
     switch (scan_.peek()) {
-      case '{': return read_object(value, depth + 1);
-      case '[': return read_list(value, depth + 1);
-      case '"': value.type = Value::Type::text; return read_text(value.text);
+      case '{':
+        return read_object(value, depth + 1);
+      case '[':
+        return read_list(value, depth + 1);
+      case '"':
+        value.type = Value::Type::text;
+        return read_text(value.text);
       case 't':
       case 'f':
-      case 'n': return read_word(value);
-      default: return read_number(value);
+      case 'n':
+        return read_word(value);
+      default:
+        return read_number(value);
     }
   }
 
@@ -88,7 +94,8 @@ class Parser {
     if (fault == std::errc::result_out_of_range && number.tiny) {
       value.number = 0;
     } else if (fault != std::errc() || stop != end) {
-      return fault_at(scan_.offset(), fmt::format("the number {:.40}; expected one below 1.8e308", number.text));
+      return fault_at(scan_.offset(),
+                      fmt::format("the number {:.40}; expected one below 1.8e308", number.text));
     }
     value.type = Value::Type::number;
     value.integer = number.integer;
@@ -103,7 +110,8 @@ class Parser {
 
   bool deeper(int depth) {
     if (depth <= kDeepestNesting) return true;
-    return fault_at(scan_.offset(), fmt::format("a value {} levels deep; expected at most {}", depth, kDeepestNesting));
+    return fault_at(scan_.offset(),
+                    fmt::format("a value {} levels deep; expected at most {}", depth, kDeepestNesting));
   }
 
   /// Behind an element: true at a comma (passed) with another element behind it, or at the closing bracket.
@@ -115,7 +123,9 @@ class Parser {
     scan_.advance(1);
     if (!skip()) return false;
     if (scan_.peek() != close) return true;
-    return fault_at(comma, fmt::format("a comma before the closing '{}'; expected no comma behind the last {}", close, element));
+    return fault_at(
+        comma,
+        fmt::format("a comma before the closing '{}'; expected no comma behind the last {}", close, element));
   }
 
   bool read_list(Value& list, int depth) {
@@ -159,7 +169,9 @@ class Parser {
     std::size_t parent = pointer_.size();
     pointer_ = pointer_step(pointer_, member.name);
     bool fresh = names.insert(member.name).second;
-    if (!fresh) fault_at(start, fmt::format("the name {} a second time; expected it once", serialize(make_text(member.name))));
+    if (!fresh)
+      fault_at(start,
+               fmt::format("the name {} a second time; expected it once", serialize(make_text(member.name))));
     if (!read_value(member.value, depth)) return false;
     pointer_.resize(parent);
     if (fresh) object.members.push_back(std::move(member));

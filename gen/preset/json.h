@@ -15,14 +15,14 @@ struct Document {
   Value root;
 };
 
-/// Reads JSON (RFC 8259) with `//` and `/* */` comments. Everything else beyond the standard is refused, with its
-/// place: trailing commas, a name twice in an object, text that is not UTF-8, numbers beyond double precision.
-/// `file_name` is what messages call the text. A library is not used because none at hand gives the place of
-/// each name and value.
+/// Reads JSON (RFC 8259) with `//` and `/* */` comments. Everything else beyond the standard is refused, with
+/// its place: trailing commas, a name twice in an object, text that is not UTF-8, numbers beyond double
+/// precision. `file_name` is what messages call the text. A library is not used because none at hand gives
+/// the place of each name and value.
 Result<Document> parse_json(std::string_view text, std::string_view file_name);
 
-/// The value as JSON on one line, the same text for the same value wherever it is made: members in their order,
-/// the shortest digits that read back as the same number.
+/// The value as JSON on one line, the same text for the same value wherever it is made: members in their
+/// order, the shortest digits that read back as the same number.
 std::string serialize(const Value& value);
 
 /// The same for people: indented, what fits on a line of `width` on one line.

@@ -79,9 +79,11 @@ class Walk {
       auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), index);
       bool number = fault == std::errc() && end == name.data() + name.size() && fmt::to_string(index) == name;
       if (!number || index >= size) {
-        std::string indices = size == 0 ? "" : size == 1 ? "the index 0, or " : fmt::format("an index from 0 to {}, or ", size - 1);
-        return fmt::format("found \"{}\" as the index of a list of {} at {}; expected {}- to add to it", name, size,
-                           path_.empty() ? "/" : path_, indices);
+        std::string indices = size == 0   ? ""
+                              : size == 1 ? "the index 0, or "
+                                          : fmt::format("an index from 0 to {}, or ", size - 1);
+        return fmt::format("found \"{}\" as the index of a list of {} at {}; expected {}- to add to it", name,
+                           size, path_.empty() ? "/" : path_, indices);
       }
     }
     if (index == size) here_->items.push_back(fresh(next_is_list));
@@ -100,7 +102,8 @@ Errors apply_set(Document& document, std::string_view assignment) {
   std::size_t equals = assignment.find('=');
   std::string_view pointer = assignment.substr(0, equals);
   std::string where = fmt::format("--set {}", pointer);
-  if (equals == assignment.npos) return {Error{where, "found no '='; expected POINTER=VALUE, as in /film/fps=24"}};
+  if (equals == assignment.npos)
+    return {Error{where, "found no '='; expected POINTER=VALUE, as in /film/fps=24"}};
   if (!pointer.starts_with('/')) {
     return {Error{where, fmt::format("found a pointer without '/' in front; expected /{}", pointer)}};
   }

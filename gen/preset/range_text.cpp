@@ -19,7 +19,8 @@ std::string range_text(const Range& range) {
     return fmt::format(" {} {} {} {}{}", first, digits(range.min), range.above_min ? "up to" : "to",
                        digits(range.max), unit);
   }
-  if (from) return fmt::format(" {} {}{}", range.above_min ? "above" : "of at least", digits(range.min), unit);
+  if (from)
+    return fmt::format(" {} {}{}", range.above_min ? "above" : "of at least", digits(range.min), unit);
   if (to) return fmt::format(" of at most {}{}", digits(range.max), unit);
   return range.unit.empty() ? "" : fmt::format(" ({})", range.unit);
 }

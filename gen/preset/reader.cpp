@@ -39,6 +39,13 @@ void Reader::leave() {
   }
 }
 
+void Reader::fault(const Value& value, std::string_view expected) {
+  bool bare = !frames_.empty() && &value == frames_.back().value && !frames_.back().bare.empty();
+  std::string what =
+      fmt::format("found {}; expected {}{}", found_text(value), expected, bare ? " or an object" : "");
+  faults_.add({value.origin, pointer_, std::move(what)});
+}
+
 bool Reader::check_list(const Value& value, const Count& count) {
   bool open = count.max == Count{}.max;
   std::size_t size = value.items.size();
@@ -66,7 +73,8 @@ bool Reader::check_path(const Value& value, std::string_view path, const Value& 
     }
     here = properties ? properties->find(step) : nullptr;
     if (!here) {
-      std::string what = fmt::format("unknown property {}{}", serialize(make_text(step)), expected_names(step, names));
+      std::string what =
+          fmt::format("unknown property {}{}", serialize(make_text(step)), expected_names(step, names));
       faults_.add({value.origin, pointer_, std::move(what)});
       return false;
     }

@@ -20,8 +20,8 @@
 
 namespace frond {
 
-/// The visitor that reads described structs (describe.h) from JSON values. All faults are collected, none stops
-/// the others; where something is wrong the struct keeps what it had. Use read_preset() below.
+/// The visitor that reads described structs (describe.h) from JSON values. All faults are collected, none
+/// stops the others; where something is wrong the struct keeps what it had. Use read_preset() below.
 class Reader {
  public:
   /// With `partial`, missing properties are no fault: what is read are defaults for something else.
@@ -34,7 +34,8 @@ class Reader {
   void read_root(const Value& root, T& out) {
     pointer_.clear();
     with_object(root, [&] {
-      take("$schema");
+      std::string schema;
+      text("$schema", schema, "");
       describe(*this, out);
     });
   }
@@ -127,7 +128,8 @@ class Reader {
   template <class T>
   void list(std::string_view name, T& out, const Count& count, std::string_view) {
     member(name, [&](const Value& v) {
-      list_at(v, hold(out), count, [&](const Value& item, auto& element) { return element_at(item, element); });
+      list_at(v, hold(out), count,
+              [&](const Value& item, auto& element) { return element_at(item, element); });
     });
   }
   template <class T>
@@ -149,11 +151,13 @@ class Reader {
   template <class T, class Kinds>
   void tagged_list(std::string_view name, T& out, const Kinds& kinds, std::string_view) {
     member(name, [&](const Value& v) {
-      list_at(v, hold(out), {}, [&](const Value& item, auto& element) { return tagged_at(item, element, kinds); });
+      list_at(v, hold(out), {},
+              [&](const Value& item, auto& element) { return tagged_at(item, element, kinds); });
     });
   }
   template <class T, class Kinds>
-  void inheriting_list(const Inheritance& names, std::vector<T>& out, const Kinds& kinds, std::string_view doc);
+  void inheriting_list(const Inheritance& names, std::vector<T>& out, const Kinds& kinds,
+                       std::string_view doc);
 
   template <class T, class Read>
   void custom(std::string_view name, T& out, Read read, std::string_view /*schema*/, std::string_view) {
@@ -168,9 +172,7 @@ class Reader {
   // For custom properties: the parts of the above. Each notes its faults.
 
   /// Notes `found <value>; expected <expected>` at the value being read.
-  void fault(const Value& value, std::string_view expected) {
-    faults_.add({value.origin, pointer_, "found " + found_text(value) + "; expected " + std::string(expected)});
-  }
+  void fault(const Value& value, std::string_view expected);
   /// Does `work` one step deeper: at the element or member of that name.
   template <class Work>
   auto inside(std::string_view step, Work work) {
@@ -193,7 +195,8 @@ class Reader {
   std::optional<Curve> curve_at(const Value& value);
   std::optional<std::vector<std::pair<std::string, std::string>>> pairs_at(const Value& value);
   /// The last argument only chooses the type.
-  std::optional<Animated<double>> animated_at(const Value& value, const Range& range, const Animated<double>&);
+  std::optional<Animated<double>> animated_at(const Value& value, const Range& range,
+                                              const Animated<double>&);
   std::optional<Animated<Vec3>> animated_at(const Value& value, const Range& range, const Animated<Vec3>&);
 
   template <class T>

@@ -71,7 +71,8 @@ bool Reader::tagged_at(const Value& value, T& out, const Kinds& kinds) {
 }
 
 template <class T, class Kinds>
-void Reader::inheriting_list(const Inheritance& names, std::vector<T>& out, const Kinds& kinds, std::string_view) {
+void Reader::inheriting_list(const Inheritance& names, std::vector<T>& out, const Kinds& kinds,
+                             std::string_view) {
   // Defaults may hold what any kind has, so each kind reads them.
   Value nothing = make_object();
   const Value* defaults = &nothing;
@@ -101,7 +102,14 @@ void Reader::inheriting_list(const Inheritance& names, std::vector<T>& out, cons
 
   member(names.list, [&](const Value& value) {
     list_at(value, out, {}, [&](const Value& item, T& element) {
-      return tagged_at(merge(*defaults, item, force), element, kinds);
+      // What is forced out must be right too.
+      T unforced{};
+      bool good = tagged_at(merge(*defaults, item), unforced, kinds);
+      if (force.empty()) {
+        element = std::move(unforced);
+        return good;
+      }
+      return tagged_at(merge(*defaults, item, force), element, kinds) && good;
     });
   });
 }

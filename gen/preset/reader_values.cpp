@@ -2,12 +2,15 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "preset/range_text.h"
 #include "preset/reader.h"
 
 namespace frond {
 namespace {
+
+constexpr std::string_view kKeyframes = "keyframes [[seconds, value], ...]";
 
 /// Two keyframes or points must be in order; `before` and `after` as they are stored.
 std::string order_text(std::string_view what, double before) {
@@ -18,7 +21,8 @@ std::string order_text(std::string_view what, double before) {
 
 std::optional<double> Reader::number_at(const Value& value, const Range& range) {
   if (value.is(Value::Type::number) && range.holds(value.number)) return value.number;
-  fault(value, "a number" + range_text(range));
+  bool large = value.is(Value::Type::number) && std::abs(value.number) > std::numeric_limits<float>::max();
+  fault(value, "a number" + (large ? " within 3.4e38" : range_text(range)));
   return std::nullopt;
 }
 
@@ -104,7 +108,8 @@ std::optional<Curve> Reader::curve_at(const Value& value) {
     auto point = inside(std::to_string(i), [&] { return vector_at<Vec2>(value.items[i], {}); });
     if (good && point && !points.empty() && point->x <= points.back().x) {
       double before = value.items[i - 1].items[0].number;
-      inside(fmt::format("{}/0", i), [&] { fault(value.items[i].items[0], order_text("an x", before)); });
+      const Value& x = value.items[i].items[0];
+      inside(std::to_string(i), [&] { inside("0", [&] { fault(x, order_text("an x", before)); }); });
       good = false;
     }
     good = good && point;
@@ -119,10 +124,6 @@ std::optional<Animated<T>> Reader::keys_at(const Value& value, bool constant, Re
   if (constant) {
     auto still = read(value);
     return still ? std::optional(Animated<T>(*still)) : std::nullopt;
-  }
-  if (value.items.empty()) {
-    fault(value, "a value, or keyframes [[seconds, value], ...]");
-    return std::nullopt;
   }
   std::vector<typename Animated<T>::Key> keys;
   bool good = true;
@@ -147,12 +148,23 @@ std::optional<Animated<T>> Reader::keys_at(const Value& value, bool constant, Re
   return good ? std::optional(Animated<T>(std::move(keys))) : std::nullopt;
 }
 
-std::optional<Animated<double>> Reader::animated_at(const Value& value, const Range& range, const Animated<double>&) {
-  return keys_at<double>(value, !value.is(Value::Type::list), [&](const Value& v) { return number_at(v, range); });
+std::optional<Animated<double>> Reader::animated_at(const Value& value, const Range& range,
+                                                    const Animated<double>&) {
+  bool list = value.is(Value::Type::list) && !value.items.empty();
+  if (!list && !value.is(Value::Type::number)) {
+    fault(value, fmt::format("a number{}, or {}", range_text(range), kKeyframes));
+    return std::nullopt;
+  }
+  return keys_at<double>(value, !list, [&](const Value& v) { return number_at(v, range); });
 }
 
-std::optional<Animated<Vec3>> Reader::animated_at(const Value& value, const Range& range, const Animated<Vec3>&) {
-  bool constant = value.items.empty() || !value.items[0].is(Value::Type::list);
+std::optional<Animated<Vec3>> Reader::animated_at(const Value& value, const Range& range,
+                                                  const Animated<Vec3>&) {
+  if (!value.is(Value::Type::list) || value.items.empty()) {
+    fault(value, fmt::format("a list of 3 numbers{}, or {}", range_text(range), kKeyframes));
+    return std::nullopt;
+  }
+  bool constant = !value.items[0].is(Value::Type::list);
   return keys_at<Vec3>(value, constant, [&](const Value& v) { return vector_at<Vec3>(v, range); });
 }
 

@@ -14,7 +14,9 @@ bool continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x8
 /// Length of the UTF-8 sequence that begins the text, 0 where it is none (table 3-7 of the Unicode standard).
 std::size_t sequence_length(std::string_view text) {
   auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  auto between = [&](std::size_t i, unsigned low, unsigned high) { return byte(i) >= low && byte(i) <= high; };
+  auto between = [&](std::size_t i, unsigned low, unsigned high) {
+    return byte(i) >= low && byte(i) <= high;
+  };
   auto tail = [&](std::size_t i) { return between(i, 0x80, 0xbf); };
   unsigned first = byte(0);
   if (first < 0x80) return 1;
@@ -39,7 +41,8 @@ void append_utf8(std::string& text, unsigned code) {
   } else if (code < 0x10000) {
     put(0xe0 | code >> 12), put(0x80 | (code >> 6 & 0x3f)), put(0x80 | (code & 0x3f));
   } else {
-    put(0xf0 | code >> 18), put(0x80 | (code >> 12 & 0x3f)), put(0x80 | (code >> 6 & 0x3f)), put(0x80 | (code & 0x3f));
+    put(0xf0 | code >> 18), put(0x80 | (code >> 12 & 0x3f)), put(0x80 | (code >> 6 & 0x3f)),
+        put(0x80 | (code & 0x3f));
   }
 }
 

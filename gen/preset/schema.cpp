@@ -56,7 +56,8 @@ Value SchemaWriter::joined_kinds(const Value& common, const std::vector<KindSche
     // What all kinds have is allowed here and said outside.
     Value properties = make_object();
     properties.set("kind", make_boolean(true));
-    for (const Member& member : common.find("properties")->members) properties.set(member.name, make_boolean(true));
+    for (const Member& member : common.find("properties")->members)
+      properties.set(member.name, make_boolean(true));
     for (const Member& member : kind.schema.find("properties")->members) {
       assert(!properties.find(member.name) && "a kind describes what all kinds have");
       properties.set(member.name, member.value);
@@ -65,7 +66,8 @@ Value SchemaWriter::joined_kinds(const Value& common, const std::vector<KindSche
     if (const Value* required = kind.schema.find("required")) then.set("required", *required);
     then.set("additionalProperties", make_boolean(false));
     Value is_kind = make_object().set("kind", make_object().set("const", make_text(kind.name)));
-    Value condition = make_object().set("properties", is_kind).set("required", make_list({make_text("kind")}));
+    Value condition =
+        make_object().set("properties", is_kind).set("required", make_list({make_text("kind")}));
     cases.items.push_back(make_object().set("if", condition).set("then", then));
   }
 

@@ -15,8 +15,8 @@
 
 namespace frond {
 
-/// The visitor that makes the JSON Schema (draft-07) of described structs (describe.h). It can say all that Reader
-/// asks for but the order of keyframes. Use schema_text() below.
+/// The visitor that makes the JSON Schema (draft-07) of described structs (describe.h). It can say all that
+/// Reader asks for but the order of keyframes. Use schema_text() below.
 class SchemaWriter {
  public:
   /// The schema of a described struct.
@@ -70,7 +70,8 @@ class SchemaWriter {
   }
   template <class T>
   void vector(std::string_view name, const T& v, const Range& range, std::string_view doc) {
-    add(name, vector_schema(number_schema(range), Held<T>::length()), doc, range.unit, initial(v, &vector_default<Held<T>>));
+    add(name, vector_schema(number_schema(range), Held<T>::length()), doc, range.unit,
+        initial(v, &vector_default<Held<T>>));
   }
   template <class T>
   void vector(std::string_view name, const T& v, std::string_view doc) {
@@ -79,7 +80,9 @@ class SchemaWriter {
   template <class T>
   void size(std::string_view name, const T& s, const Range& range, std::string_view doc) {
     add(name, vector_schema(integer_schema(whole_range<int>(range)), 2), doc, range.unit,
-        initial(s, [](const std::array<int, 2>& v) { return make_list({make_number(v[0]), make_number(v[1])}); }));
+        initial(s, [](const std::array<int, 2>& v) {
+          return make_list({make_number(v[0]), make_number(v[1])});
+        }));
   }
   template <class T>
   void color(std::string_view name, const T& c, std::string_view doc) {
@@ -91,8 +94,9 @@ class SchemaWriter {
   }
   template <class T>
   void animated(std::string_view name, const T& a, const Range& range, std::string_view doc) {
-    add(name, animated_schema(key_schema(range, Held<T>{})), doc, range.unit,
-        initial(a, [](const auto& v) { return animated_default(v, [](const auto& x) { return key_default(x); }); }));
+    add(name, animated_schema(key_schema(range, Held<T>{})), doc, range.unit, initial(a, [](const auto& v) {
+          return animated_default(v, [](const auto& x) { return key_default(x); });
+        }));
   }
   template <class T>
   void animated(std::string_view name, const T& a, std::string_view doc) {
@@ -132,9 +136,11 @@ class SchemaWriter {
     add(name, list_schema(tagged_schema<typename Held<T>::value_type>(kinds), {}), doc);
   }
   template <class T, class Kinds>
-  void inheriting_list(const Inheritance& names, const std::vector<T>&, const Kinds& kinds, std::string_view doc) {
+  void inheriting_list(const Inheritance& names, const std::vector<T>&, const Kinds& kinds,
+                       std::string_view doc) {
     Value all = defaults_of<T>(kinds);
-    add(names.force, forced_schema(all), "Properties for which the defaults count, whatever one element says");
+    add(names.force, forced_schema(all),
+        "Properties for which the defaults count, whatever one element says");
     add(names.defaults, std::move(all), "Values for every element that does not give its own");
     Value element = without_required(tagged_schema<T>(kinds));
     element.set("required", make_list({make_text("kind")}));
@@ -153,10 +159,14 @@ class SchemaWriter {
  private:
   static Value type(std::string_view name) { return make_object().set("type", make_text(name)); }
   static Value key_schema(const Range& range, const Animated<double>&) { return number_schema(range); }
-  static Value key_schema(const Range& range, const Animated<Vec3>&) { return vector_schema(number_schema(range), 3); }
+  static Value key_schema(const Range& range, const Animated<Vec3>&) {
+    return vector_schema(number_schema(range), 3);
+  }
   static Value key_default(double x) { return tidy_number(x); }
   static Value key_default(Vec3 x) { return vector_default(x); }
-  static std::string_view angle_unit(const Range& range) { return range.unit.empty() ? "degrees" : range.unit; }
+  static std::string_view angle_unit(const Range& range) {
+    return range.unit.empty() ? "degrees" : range.unit;
+  }
   static std::string with_choices(std::string_view doc, const std::vector<std::string_view>& names,
                                   const std::vector<std::string_view>& docs);
   static Value forced_schema(const Value& defaults);
@@ -179,7 +189,8 @@ class SchemaWriter {
   static Value animated_default(const Animated<T>& a, Print print) {
     if (a.constant()) return print(a.keys()[0].value);
     Value keys = make_list();
-    for (const auto& key : a.keys()) keys.items.push_back(make_list({make_number(key.time), print(key.value)}));
+    for (const auto& key : a.keys())
+      keys.items.push_back(make_list({make_number(key.time), print(key.value)}));
     return keys;
   }
   template <class T>
@@ -213,7 +224,8 @@ class SchemaWriter {
     return joined_kinds(of<T>(), kind_schemas<T>(kinds));
   }
 
-  void add(std::string_view name, Value schema, std::string_view doc, std::string_view unit = {}, Value initial = {});
+  void add(std::string_view name, Value schema, std::string_view doc, std::string_view unit = {},
+           Value initial = {});
 
   Value properties_ = make_object();
   std::vector<std::string_view> required_;

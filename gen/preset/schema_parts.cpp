@@ -14,7 +14,8 @@ namespace {
 Value typed(std::string_view type) { return make_object().set("type", make_text(type)); }
 
 Value& bound(Value& schema, const Range& range) {
-  if (std::isfinite(range.min)) schema.set(range.above_min ? "exclusiveMinimum" : "minimum", make_number(range.min));
+  if (std::isfinite(range.min))
+    schema.set(range.above_min ? "exclusiveMinimum" : "minimum", make_number(range.min));
   if (std::isfinite(range.max)) schema.set("maximum", make_number(range.max));
   return schema;
 }
@@ -86,7 +87,9 @@ Value pairs_schema() {
   return typed("object").set("additionalProperties", make_object().set("type", make_texts(types)));
 }
 
-Value choice_schema(std::span<const std::string_view> names) { return typed("string").set("enum", make_texts(names)); }
+Value choice_schema(std::span<const std::string_view> names) {
+  return typed("string").set("enum", make_texts(names));
+}
 
 Value tidy_number(float number) {
   std::array<char, 32> text;

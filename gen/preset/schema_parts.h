@@ -32,11 +32,12 @@ Value tidy_angle(double radians);
 Value curve_default(const Curve& curve);
 Value color_default(const Color& color);
 
-/// What an object with defaults behind it may leave out: everything. Elements of lists are no longer such objects.
+/// What an object with defaults behind it may leave out: everything. Elements of lists are no longer such
+/// objects.
 Value without_required(Value schema);
 
-/// The schema of a property that may be either; objects are joined member by member. Titles and defaults differ
-/// from kind to kind and are left out.
+/// The schema of a property that may be either; objects are joined member by member. Titles and defaults
+/// differ from kind to kind and are left out.
 Value either(const Value& a, const Value& b);
 
 /// The paths of all properties: "wave", "wave/amplitude", ...

@@ -1,5 +1,6 @@
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "preset/json.h"
 
@@ -11,11 +12,21 @@ void append_text(std::string& out, std::string_view text) {
   out += '"';
   for (char c : text) {
     switch (c) {
-      case '"': out += "\\\""; break;
-      case '\\': out += "\\\\"; break;
-      case '\n': out += "\\n"; break;
-      case '\r': out += "\\r"; break;
-      case '\t': out += "\\t"; break;
+      case '"':
+        out += "\\\"";
+        break;
+      case '\\':
+        out += "\\\\";
+        break;
+      case '\n':
+        out += "\\n";
+        break;
+      case '\r':
+        out += "\\r";
+        break;
+      case '\t':
+        out += "\\t";
+        break;
       default:
         if (static_cast<unsigned char>(c) < 0x20) {
           out += "\\u00";
@@ -30,8 +41,13 @@ void append_text(std::string& out, std::string_view text) {
 }
 
 void append_number(std::string& out, double number) {
-  std::array<char, 32> digits;
-  auto [end, fault] = std::to_chars(digits.data(), digits.data() + digits.size(), number == 0 ? 0.0 : number);
+  if (number == 0) number = 0;  // of -0
+  // The shortest form would write 100000 as 1e+05.
+  double size = std::abs(number);
+  std::chars_format format =
+      size == 0 || (size >= 1e-5 && size < 1e17) ? std::chars_format::fixed : std::chars_format::general;
+  std::array<char, 64> digits;
+  auto [end, fault] = std::to_chars(digits.data(), digits.data() + digits.size(), number, format);
   out.append(digits.data(), end);
 }
 
@@ -39,10 +55,18 @@ bool scalar(const Value& value) { return !value.is(Value::Type::list) && !value.
 
 void append_value(std::string& out, const Value& value, std::string_view space) {
   switch (value.type) {
-    case Value::Type::null: out += "null"; break;
-    case Value::Type::boolean: out += value.boolean ? "true" : "false"; break;
-    case Value::Type::number: append_number(out, value.number); break;
-    case Value::Type::text: append_text(out, value.text); break;
+    case Value::Type::null:
+      out += "null";
+      break;
+    case Value::Type::boolean:
+      out += value.boolean ? "true" : "false";
+      break;
+    case Value::Type::number:
+      append_number(out, value.number);
+      break;
+    case Value::Type::text:
+      append_text(out, value.text);
+      break;
     case Value::Type::list:
       out += '[';
       for (const Value& item : value.items) {

@@ -20,9 +20,7 @@ const Value* Value::find(std::string_view name) const {
   return at == members.end() ? nullptr : &at->value;
 }
 
-Value* Value::find(std::string_view name) {
-  return const_cast<Value*>(std::as_const(*this).find(name));
-}
+Value* Value::find(std::string_view name) { return const_cast<Value*>(std::as_const(*this).find(name)); }
 
 Value& Value::set(std::string_view name, Value value) {
   if (Value* old = find(name)) {
@@ -85,10 +83,12 @@ std::string found_text(const Value& value) {
     }
     case Value::Type::list:
       return value.items.empty() ? "an empty list" : fmt::format("a list of {}", value.items.size());
-    case Value::Type::object: return "an object";
+    case Value::Type::object:
+      return "an object";
     case Value::Type::null:
     case Value::Type::boolean:
-    case Value::Type::number: break;
+    case Value::Type::number:
+      break;
   }
   return serialize(value);
 }
@@ -111,11 +111,12 @@ std::string pointer_step(std::string_view pointer, std::string_view name) {
 std::string expected_names(std::string_view found, std::span<const std::string_view> names) {
   constexpr std::size_t kShort = 8;
   constexpr std::size_t kLong = 24;
-  if (names.empty()) return "; expected none";
+  if (names.empty()) return "; expected no further name";
   std::string_view near = nearest_name(found, names);
   bool listed = names.size() <= (near.empty() ? kLong : kShort);
-  std::string text = listed ? fmt::format("; expected {}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "))
-                            : fmt::format("; expected one of {} known names", names.size());
+  std::string text =
+      listed ? fmt::format("; expected {}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "))
+             : fmt::format("; expected one of {} known names", names.size());
   if (!near.empty()) text += fmt::format("; did you mean \"{}\"?", near);
   return text;
 }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <tuple>
+
+#include "preset/faults.h"
 #include "preset/reef.h"
 
 namespace frond {
@@ -63,6 +67,70 @@ TEST(Reader, MissingPropertiesKeepTheirDefaults) {
   EXPECT_EQ(p->film.frames, 1);
   EXPECT_FALSE(p->focus);
   EXPECT_FALSE(p->swell);
+}
+
+TEST(Reader, SaysWhatIsWrongAndWhere) {
+  for (const reef::WrongMember& wrong : reef::kWrongMembers) {
+    Result<Preset> preset = read(reef::preset_with(wrong.member));
+    ASSERT_FALSE(preset) << wrong.member;
+    EXPECT_EQ(preset.errors().size(), 1u) << wrong.member;
+    EXPECT_EQ(preset.errors()[0].text(), "p.json:2:" + std::string(wrong.message)) << wrong.member;
+  }
+}
+
+TEST(Reader, CollectsAllFaults) {
+  Result<Preset> preset = read(R"({
+    "seed": -1,
+    "film": {"frames": 0, "frmes": 1, "size": [1, 2]},
+    "organisms": [{"kind": "rok"}, {"kind": "rock", "count": "many"}],
+    "zoom": [[0, "a"], 5]
+  })");
+  ASSERT_FALSE(preset);
+  std::string all;
+  for (const Error& error : preset.errors()) all += error.where + "\n";
+  EXPECT_EQ(all,
+            "p.json:1:1: /\n"
+            "p.json:2:13: /seed\n"
+            "p.json:3:24: /film/frames\n"
+            "p.json:3:48: /film/size/0\n"
+            "p.json:3:51: /film/size/1\n"
+            "p.json:3:27: /film/frmes\n"
+            "p.json:5:18: /zoom/0/1\n"
+            "p.json:5:24: /zoom/1\n"
+            "p.json:4:28: /organisms/0/kind\n"
+            "p.json:4:62: /organisms/1/count\n");
+  EXPECT_EQ(preset.errors()[0].what, "no \"title\"; expected this property to be given");
+}
+
+TEST(Reader, OneFaultInTheDefaultsIsToldOnce) {
+  Result<Preset> preset = read(R"({"title": "", "defaults": {"wave": {"speed": 99}},
+    "organisms": [{"kind": "rock"}, {"kind": "rock"}, {"kind": "coral", "rules": []}]})");
+  ASSERT_FALSE(preset);
+  ASSERT_EQ(preset.errors().size(), 1u);
+  EXPECT_EQ(preset.errors()[0].text(),
+            "p.json:1:46: /defaults/wave/speed: found 99; expected a number from 0 to 10");
+}
+
+TEST(Reader, DefaultsMayNameWhatOnlyOtherKindsHave) {
+  EXPECT_TRUE(
+      read(R"({"title": "", "defaults": {"weights": [1], "rules": []}, "organisms": [{"kind": "coral"}]})"));
+  EXPECT_FALSE(read(R"({"title": "", "organisms": [{"kind": "coral", "rules": [], "weights": [1]}]})"))
+      << "but an organism may not";
+}
+
+TEST(Reader, WhatIsForcedOutMustBeRightToo) {
+  EXPECT_FALSE(read(R"({"title": "", "force": ["count"], "organisms": [{"kind": "rock", "count": "x"}]})"));
+  EXPECT_FALSE(read(R"({"title": "", "force": ["rules"], "organisms": [{"kind": "coral", "rules": []}]})"))
+      << "nothing is left of a required property";
+}
+
+TEST(Reader, ARootThatIsNoObject) {
+  for (std::string_view text : {"[]", "1", "null", "\"x\"", "true"}) {
+    Result<Preset> preset = read(text);
+    ASSERT_FALSE(preset);
+    EXPECT_EQ(preset.errors().size(), 1u);
+    EXPECT_TRUE(preset.errors()[0].text().starts_with("p.json:1:1: /: found ")) << preset.errors()[0].text();
+  }
 }
 
 }  // namespace

@@ -14,8 +14,9 @@
 namespace frond::reef {
 
 enum class Quality { draft, good, best };
-inline constexpr Choice<Quality> kQualities[] = {
-    {"draft", Quality::draft, "quick"}, {"good", Quality::good, "as it should be"}, {"best", Quality::best, ""}};
+inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "quick"},
+                                                 {"good", Quality::good, "as it should be"},
+                                                 {"best", Quality::best, ""}};
 
 struct Film {
   int frames = 1;
@@ -139,7 +140,8 @@ void describe(Visitor& v, Preset& p) {
   v.animated("location", p.location, "Of the camera");
   v.vector("focus", p.focus, "In the picture");
   v.color("fog", p.fog, "");
-  v.custom("custom", p.custom, &read_turn, R"({"anyOf": [{"type": "number"}, {"const": "left"}]})", "Or left");
+  v.custom("custom", p.custom, &read_turn, R"({"anyOf": [{"type": "number"}, {"const": "left"}]})",
+           "Or left");
   v.texts("tags", p.tags, "");
   v.object("swell", p.swell, "Of the sea");
   v.tagged("ground", p.ground, kKinds, "What all stand on");
