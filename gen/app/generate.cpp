@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "app/commands.h"
@@ -36,7 +37,7 @@ Written write_frames(const Scene& scene, const std::string& layout, const fs::pa
       errors[i] = text.errors();
       return;
     }
-    Result<bool> written = write_file(out / "frames" / frame_file(frame), *text);
+    Result<bool> written = write_file(out / "frames" / (frame_name(frame) + ".pov"), *text);
     if (!written)
       errors[i] = written.errors();
     else if (*written)
@@ -46,6 +47,45 @@ Written write_frames(const Scene& scene, const std::string& layout, const fs::pa
   Written result{changed, {}};
   for (const Errors& list : errors) result.errors.insert(result.errors.end(), list.begin(), list.end());
   return result;
+}
+
+/// Writes build.ninja and manifest.json for the frames of a range.
+Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, const fs::path& out,
+                  const std::string& name) {
+  const Film& film = preset.film;
+  JobList jobs;
+  jobs.size = film.size;
+  jobs.quality = kRenderings[static_cast<std::size_t>(film.quality)].quality;
+  jobs.fps = film.fps;
+  jobs.still = film.frames == 1;
+  jobs.title = preset.title;
+  jobs.povinc = fs::relative(root / "povinc", out).string();
+  jobs.scripts = fs::relative(root / "scripts", out).string();
+  for (const auto& entry : fs::directory_iterator(root / "povinc")) jobs.includes.push_back(entry.path().filename());
+  std::sort(jobs.includes.begin(), jobs.includes.end());
+
+  Manifest manifest;
+  manifest.version = FROND_VERSION;
+  manifest.preset = name;
+  manifest.title = preset.title;
+  manifest.preset_hash = fmt::format("{:016x}", Seed{}.child(preset.text).key);
+  manifest.seed = preset.seed;
+  manifest.fps = film.fps;
+  manifest.size = film.size;
+  manifest.quality = jobs.quality;
+  manifest.still = jobs.still;
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    jobs.frames.push_back(frame);
+    manifest.frames.push_back({frame, film.time(frame)});
+  }
+  Errors errors;
+  auto write = [&](const char* file, const std::string& text) {
+    Result<bool> written = write_file(out / file, text);
+    if (!written) errors = written.errors();
+  };
+  write("manifest.json", manifest_text(manifest));
+  write("build.ninja", ninja_text(jobs));
+  return errors;
 }
 
 }  // namespace

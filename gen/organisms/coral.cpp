@@ -5,7 +5,7 @@
 
 #include "core/noise.h"
 #include "geometry/smooth.h"
-#include "grammar/turtle.h"
+#include "grammar/figure.h"
 
 namespace frond {
 
@@ -17,12 +17,15 @@ GrammarText coral_text(const CoralParams& params) {
     text.axiom = "A";
     text.steps = params.steps;
     text.constants = {{"pitch", std::to_string(degrees(params.pitch))}, {"roll", std::to_string(degrees(params.roll))}};
+    auto rules = [&](std::initializer_list<std::string> list) {
+      for (const std::string& rule : list) text.rules.emplace_back().text = rule;
+    };
     const std::string turn = "/(roll)/(roll)/(roll)/(roll)";
     if (params.form == CoralForm::branching) {
-      text.rules = {{"A -> !\"[B]" + turn + "[B]" + turn + "B"}, {"B -> &(pitch)FFFA"}};
+      rules({"A -> !\"[B]" + turn + "[B]" + turn + "B", "B -> &(pitch)FFFA"});
       text.steps *= 2;  // a whole fork takes both rules
     } else {
-      text.rules = {{"A -> \"[&(pitch)FFFA]" + turn + "[&(pitch)FFFA]" + turn + "[&(pitch)FFFA]"}};
+      rules({"A -> \"[&(pitch)FFFA]" + turn + "[&(pitch)FFFA]" + turn + "[&(pitch)FFFA]"});
     }
     text.length = params.internode;
     text.width = 1;
@@ -30,8 +33,8 @@ GrammarText coral_text(const CoralParams& params) {
     text.length_scale = params.length_scale;
     text.angle_jitter = degrees(params.angle_jitter);
     text.length_jitter = params.length_jitter;
-    text.tropism.vector = DVec3(0, 1, 0);
-    text.tropism.elasticity = params.lift;
+    text.tropism = Vec3(0, 1, 0);
+    text.elasticity = params.lift;
   }
   return text;
 }
@@ -84,7 +87,7 @@ Result<Grammar> coral_grammar(const CoralParams& params) { return compile(coral_
 Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   Result<Grammar> grammar = coral_grammar(params);
   if (!grammar) return grammar.errors();
-  Result<Word> word = derive(*grammar, grammar->steps, seed.child("derive"));
+  Result<Word> word = derive(*grammar, grammar->text.steps, seed.child("derive"));
   if (!word) return word.errors();
   Skeleton coarse = skeleton_of(*grammar, *word, seed.child("turtle"));
   if (coarse.size() == 0) return Error{"", "the grammar draws nothing: its turtle never meets an F"};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "organisms/organism.h"
-#include "preset/describe.h"
+#include "preset/reader.h"
 
 // The properties of organisms as presets spell them; see preset/describe.h.
 
@@ -21,9 +21,9 @@ inline constexpr Choice<GrammarText::Mode> kGrammarModes[] = {
     {"parallel", GrammarText::Mode::parallel, "all symbols at once"},
     {"sequential", GrammarText::Mode::sequential, "the leftmost symbol that has a rule"}};
 
-inline constexpr Choice<GrammarText::Dialect> kDialects[] = {
-    {"abop", GrammarText::Dialect::abop, "as in The Algorithmic Beauty of Plants and cpfg"},
-    {"houdini", GrammarText::Dialect::houdini, "as in Houdini's L-system node"}};
+inline constexpr Choice<Dialect> kDialects[] = {
+    {"abop", Dialect::abop, "as in The Algorithmic Beauty of Plants and cpfg"},
+    {"houdini", Dialect::houdini, "as in Houdini's L-system node"}};
 
 template <class Visitor>
 void describe(Visitor& v, Pores& p) {
@@ -97,8 +97,14 @@ void describe(Visitor& v, GrammarText::Rule& r) {
   v.integer("limit", r.limit, {.min = 0, .max = 1e9}, "How often it may be used at all");
 }
 
+/// A grammar's tropism as presets group it.
+struct Tropism {
+  Vec3 vector;
+  double elasticity;
+};
+
 template <class Visitor>
-void describe(Visitor& v, GrammarText::Tropism& t) {
+void describe(Visitor& v, Tropism& t) {
   v.vector("vector", t.vector, "The direction that branches turn toward");
   v.number("elasticity", t.elasticity, {.min = -10, .max = 10}, "How readily they do");
 }
@@ -126,7 +132,10 @@ void describe(Visitor& v, GrammarText& g) {
   v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "For random choices");
   v.texts("symbols", g.symbols, "Names of more than one character");
   v.boolean("ring", g.ring, "The word is a circle");
-  v.object("tropism", g.tropism, "What branches turn toward as they grow");
+  Tropism tropism{g.tropism, g.elasticity};
+  v.object("tropism", tropism, "What branches turn toward as they grow");
+  g.tropism = tropism.vector;
+  g.elasticity = tropism.elasticity;
 }
 
 template <class Visitor>

@@ -13,7 +13,6 @@ namespace frond {
 namespace {
 
 constexpr int kStoneShapes = 6;
-constexpr int kStoneDetail = 3;
 constexpr int kRockLooks = 3;
 constexpr double kFloorRadius = 32;  // metres; beyond the reach of any sight under water
 
@@ -69,11 +68,14 @@ float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
   return stone.at.y + top;
 }
 
+/// How finely stones are meshed: facets show sooner in careful pictures.
+int stone_detail(Quality quality) { return quality == Quality::draft ? 3 : quality == Quality::good ? 4 : 5; }
+
 void lay_stones(Builder& b) {
   for (int i = 0; i < kStoneShapes; ++i) {
     Seed seed = b.seed.child("stone shape", static_cast<std::uint64_t>(i));
     b.shapes.push_back({seed, seed.child("roughness").range(0.5, 0.9), seed.child("flatness").range(0.2, 0.5)});
-    b.scene.stones.push_back(stone_surface(b.shapes.back(), kStoneDetail));
+    b.scene.stones.push_back(stone_surface(b.shapes.back(), stone_detail(b.preset.film.quality)));
   }
   const Floor& floor = b.preset.stage.floor;
   for (int i = 0; i < floor.stones; ++i) {
