@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "preset/json.h"
 
@@ -32,8 +33,15 @@ void Faults::add(Fault fault) {
 }
 
 Errors Faults::errors() const {
+  std::vector<const Fault*> ordered;
+  for (const Fault& fault : list_) ordered.push_back(&fault);
+  std::ranges::stable_sort(ordered, {}, [](const Fault* fault) {
+    const Origin& origin = fault->origin;
+    std::string_view source = origin.source && origin.line > 0 ? std::string_view(*origin.source) : "";
+    return std::tuple(origin.line == 0, source, origin.line, origin.column);
+  });
   Errors errors;
-  for (const Fault& fault : list_) errors.push_back(fault.error());
+  for (const Fault* fault : ordered) errors.push_back(fault->error());
   return errors;
 }
 

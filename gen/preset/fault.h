@@ -27,6 +27,7 @@ class Faults {
  public:
   void add(Fault fault);
   const std::vector<Fault>& list() const { return list_; }
+  /// In the order of the file, those of no file last.
   Errors errors() const;
 
  private:

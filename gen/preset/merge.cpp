@@ -18,7 +18,7 @@ void force_path(const Value& defaults, Value& own, std::string_view path) {
   const Value* wanted = defaults.find(name);
   if (slash == path.npos) {
     if (wanted) {
-      own.set(name, inherit(*wanted));
+      own.set(name, *wanted);
     } else {
       own.remove(name);
     }
@@ -29,19 +29,25 @@ void force_path(const Value& defaults, Value& own, std::string_view path) {
 
 }  // namespace
 
-Value merge(const Value& defaults, const Value& own, std::span<const std::string> force) {
-  if (!defaults.is(Value::Type::object) || !own.is(Value::Type::object)) return own;
+Value overlay(const Value& below, const Value& own) {
+  if (!below.is(Value::Type::object) || !own.is(Value::Type::object)) return own;
   Value merged = make_object();
   merged.origin = own.origin;
-  for (const Member& member : defaults.members) {
+  for (const Member& member : below.members) {
     const Value* mine = own.find(member.name);
-    Value value = mine ? merge(member.value, *mine) : inherit(member.value);
-    merged.members.push_back(Member{member.name, member.origin, std::move(value)});
+    merged.members.push_back(
+        Member{member.name, member.origin, mine ? overlay(member.value, *mine) : member.value});
   }
   for (const Member& member : own.members) {
-    if (!defaults.find(member.name)) merged.members.push_back(member);
+    if (!below.find(member.name)) merged.members.push_back(member);
   }
-  for (const std::string& path : force) force_path(defaults, merged, path);
+  return merged;
+}
+
+Value merge(const Value& defaults, const Value& own, std::span<const std::string> force) {
+  Value scene = inherit(defaults);
+  Value merged = overlay(scene, own);
+  for (const std::string& path : force) force_path(scene, merged, path);
   return merged;
 }
 

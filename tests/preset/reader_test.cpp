@@ -92,13 +92,13 @@ TEST(Reader, CollectsAllFaults) {
             "p.json:1:1: /\n"
             "p.json:2:13: /seed\n"
             "p.json:3:24: /film/frames\n"
+            "p.json:3:27: /film/frmes\n"
             "p.json:3:48: /film/size/0\n"
             "p.json:3:51: /film/size/1\n"
-            "p.json:3:27: /film/frmes\n"
-            "p.json:5:18: /zoom/0/1\n"
-            "p.json:5:24: /zoom/1\n"
             "p.json:4:28: /organisms/0/kind\n"
-            "p.json:4:62: /organisms/1/count\n");
+            "p.json:4:62: /organisms/1/count\n"
+            "p.json:5:18: /zoom/0/1\n"
+            "p.json:5:24: /zoom/1\n");
   EXPECT_EQ(preset.errors()[0].what, "no \"title\"; expected this property to be given");
 }
 

@@ -1,0 +1,56 @@
+#include "preset/value.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "preset/json.h"
+
+namespace frond {
+namespace {
+
+TEST(Value, MembersKeepTheirOrder) {
+  Value object = make_object().set("b", make_number(1)).set("a", make_number(2)).set("b", make_boolean(true));
+  EXPECT_EQ(serialize(object), R"({"b":true,"a":2})");
+  object.remove("b");
+  object.remove("none");
+  EXPECT_EQ(serialize(object), R"({"a":2})");
+  EXPECT_EQ(object.find("b"), nullptr);
+  EXPECT_EQ(make_number(1).find("a"), nullptr);
+}
+
+TEST(Value, PointersAreEscaped) {
+  EXPECT_EQ(pointer_step("", "a"), "/a");
+  EXPECT_EQ(pointer_step("/a", "b/c~d"), "/a/b~1c~0d");
+  EXPECT_EQ(pointer_step("", ""), "/");
+}
+
+TEST(Value, MessagesNameWhatWasFound) {
+  EXPECT_EQ(found_text(Value{}), "null");
+  EXPECT_EQ(found_text(make_number(-0.5)), "-0.5");
+  EXPECT_EQ(found_text(make_text("a\"b\n")), R"(the text "a\"b\n")");
+  EXPECT_EQ(found_text(make_list()), "an empty list");
+  EXPECT_EQ(found_text(make_list({Value{}, Value{}})), "a list of 2");
+  EXPECT_EQ(found_text(make_text(std::string(50, 'x'))), "the text \"" + std::string(40, 'x') + "...\"");
+  std::string accents;
+  for (int i = 0; i < 30; ++i) accents += "é";
+  EXPECT_EQ(found_text(make_text("x" + accents)).substr(0, 11), "the text \"x");
+  EXPECT_TRUE(parse_json(found_text(make_text("x" + accents)).substr(9), "f")) << "cut between characters";
+}
+
+TEST(Value, MessagesOfferNames) {
+  std::vector<std::string> many;
+  for (int i = 0; i < 30; ++i) many.push_back("property" + std::to_string(i));
+  std::vector<std::string_view> names(many.begin(), many.end());
+  EXPECT_EQ(expected_names("wave", names), "; expected one of 30 known names");
+  EXPECT_EQ(expected_names("propperty7", names),
+            "; expected one of 30 known names; did you mean \"property7\"?");
+  names.resize(2);
+  EXPECT_EQ(expected_names("x", names), "; expected one of property0, property1");
+  names.resize(1);
+  EXPECT_EQ(expected_names("x", names), "; expected property0");
+  EXPECT_EQ(expected_names("x", {}), "; expected no further name");
+}
+
+}  // namespace
+}  // namespace frond
