@@ -27,7 +27,9 @@ void carry(const Skeleton& rest, const Pose& pose, Chunk& chunk) {
   std::int32_t anchor = rest.birth[middle] > pose.front ? below : middle;
   glm::mat3 turn = glm::mat3_cast(pose.turn[middle]);
   float thick = thickened(rest, pose, anchor);
-  if (turn == glm::mat3(1) && std::abs(thick - 1) < 1e-6f && pose.position[anchor] == rest.position[anchor]) return;
+  bool still = turn == glm::mat3(1) && std::abs(thick - 1) < 1e-6f &&
+               glm::distance(pose.position[anchor], rest.position[anchor]) < 1e-5f;
+  if (still) return;
   Vec3 along = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
   float length2 = glm::dot(along, along);
   glm::mat3 stretch(thick);

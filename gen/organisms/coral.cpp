@@ -91,7 +91,7 @@ Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   if (!word) return word.errors();
   Skeleton coarse = skeleton_of(*grammar, *word, seed.child("turtle"));
   if (coarse.size() == 0) return Error{"", "the grammar draws nothing: its turtle never meets an F"};
-  float start_radius = coarse.radius.front();
+  float start_radius = static_cast<float>(grammar->text.width / 2);
   scale_to_height(coarse, params.height);
   measure(coarse);
   distort(coarse, params.distortion, seed.child("distort"));

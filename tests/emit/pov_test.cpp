@@ -11,7 +11,9 @@ namespace {
 
 std::string sweep_of(const Skeleton& s, const Pose& pose) {
   std::string text;
-  for (const Chunk& chunk : cut_chunks(s, pose, {})) append_sweep(text, {}, s, pose, chunk);
+  ChunkOptions whole;
+  whole.young_length = 0;
+  for (const Chunk& chunk : cut_chunks(s, pose, whole)) append_sweep(text, {}, s, pose, chunk);
   return text;
 }
 

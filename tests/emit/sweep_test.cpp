@@ -72,7 +72,7 @@ TEST(Texture, SticksToTheSkin) {
       }
     }
   }
-  EXPECT_GT(followed, 2000);
+  EXPECT_GT(followed, 1500);
 }
 
 TEST(Texture, WouldSlideWithoutBeingCarried) {

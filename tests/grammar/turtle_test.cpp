@@ -1,0 +1,127 @@
+#include "grammar/turtle.h"
+
+#include <gtest/gtest.h>
+
+#include "grammar/corpus.h"
+
+namespace frond {
+namespace {
+
+using nlohmann::json;
+
+GrammarText turtle_grammar(const json& c) {
+  json whole = c.contains("grammar") ? c["grammar"] : json::object();
+  for (const char* key : {"angle_deg", "draw_as", "turtle_options", "start"})
+    if (c.contains(key)) whole[key] = c[key];
+  if (c.contains("string")) whole["axiom"] = c["string"];
+  return grammar_of(whole);
+}
+
+void expect_near(DVec3 got, const json& want, double tolerance, const char* what) {
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(got[i], want[static_cast<std::size_t>(i)].get<double>(), tolerance) << what << " " << i;
+}
+
+struct Polygons {
+  std::vector<std::vector<DVec3>> found;
+  void polygon(std::span<const DVec3> points, const TurtleState&) { found.emplace_back(points.begin(), points.end()); }
+};
+
+TEST(Turtle, KnownAnswers) {
+  int tried = 0;
+  for (const json& c : corpus()) {
+    if (c["group"] != "turtle") continue;
+    SCOPED_TRACE(c["name"].get<std::string>());
+    ++tried;
+    Result<Grammar> grammar = compile(turtle_grammar(c));
+    ASSERT_TRUE(grammar.ok()) << grammar.errors()[0].text();
+    Word word = *derive(*grammar, grammar->text.steps, Seed{1});
+    TurtleStats stats = stats_of(*grammar, word, Seed{1});
+    const json& e = c["expected"];
+    double length = e["total_length"], size = std::max(1.0, length / 100);
+    double tolerance = 1e-6 * size;
+    EXPECT_EQ(stats.segments, e["segments"].get<std::size_t>());
+    EXPECT_EQ(stats.polygons, e["polygons"].get<std::size_t>());
+    EXPECT_EQ(stats.max_stack_depth, e["max_stack_depth"].get<int>());
+    EXPECT_NEAR(stats.total_length, length, tolerance);
+    expect_near(stats.end_position, e["end_position"], tolerance, "position");
+    expect_near(stats.end_heading, e["end_heading"], 1e-6, "heading");
+    expect_near(stats.end_left, e["end_left"], 1e-6, "left");
+    expect_near(stats.end_up, e["end_up"], 1e-6, "up");
+    expect_near(stats.low, e["bbox"][0], tolerance, "low");
+    expect_near(stats.high, e["bbox"][1], tolerance, "high");
+    if (!e.contains("polygon_vertices")) continue;
+    Polygons polygons;
+    walk(*grammar, word, Seed{1}, polygons);
+    ASSERT_EQ(polygons.found.size(), 1u);
+    ASSERT_EQ(polygons.found[0].size(), e["polygon_vertices"].size());
+    for (std::size_t i = 0; i < polygons.found[0].size(); ++i)
+      expect_near(polygons.found[0][i], e["polygon_vertices"][i], 1e-6, "vertex");
+  }
+  EXPECT_EQ(tried, 25);
+}
+
+Grammar grammar_for(const std::string& axiom) {
+  GrammarText text;
+  text.axiom = axiom;
+  text.angle = 90;
+  return std::move(*compile(text));
+}
+
+TEST(Figure, BranchesBecomeChains) {
+  Grammar grammar = grammar_for("FF[+FF]F[-F]F");
+  Skeleton s = skeleton_of(grammar, grammar.axiom, Seed{1});
+  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, 1, 2, 3, 2, 5, 5}));
+  EXPECT_EQ(s.order, (std::vector<std::uint16_t>{0, 0, 0, 1, 1, 0, 1, 0}));
+  EXPECT_FLOAT_EQ(s.radius[3], 0.05f);
+  EXPECT_FLOAT_EQ(s.distance.back(), 4.0f);
+}
+
+TEST(Figure, MovesStartNewRootsAndEmptySegmentsAreLeftOut) {
+  Grammar grammar = grammar_for("F(0)FfF(1,0)[F(0)]");
+  Skeleton s = skeleton_of(grammar, grammar.axiom, Seed{1});
+  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, -1, 2}));
+}
+
+TEST(Figure, OrgansStandOnTheirNode) {
+  Grammar grammar = grammar_for("F[+F~K(2)]{.F.+F.}@O(0.5)");
+  Figure figure = figure_of(grammar, grammar.axiom, Seed{1});
+  ASSERT_EQ(figure.sites.size(), 2u);
+  EXPECT_EQ(figure.sites[0].name, "K");
+  EXPECT_EQ(figure.sites[0].node, 2);
+  EXPECT_FLOAT_EQ(figure.sites[0].scale.x, 2);
+  EXPECT_EQ(figure.sites[1].name, "@O");
+  ASSERT_EQ(figure.outlines.size(), 1u);
+  EXPECT_EQ(figure.outlines[0].points.size(), 3u);
+  EXPECT_EQ(figure.color.size(), figure.skeleton.size());
+}
+
+TEST(Turtle, WidthAndLengthFollowTheDialect) {
+  GrammarText text;
+  text.axiom = "!F!(0.5)\"F";
+  struct Widths {
+    std::vector<double> width, length;
+    void segment(const Segment& s, TurtleState&) {
+      width.push_back(s.width_to), length.push_back(glm::distance(s.from, s.to));
+    }
+  } abop, houdini;
+  Grammar first = std::move(*compile(text));
+  walk(first, first.axiom, Seed{1}, abop);
+  EXPECT_DOUBLE_EQ(abop.width[0], 0.07);
+  EXPECT_DOUBLE_EQ(abop.width[1], 0.5);
+  EXPECT_DOUBLE_EQ(abop.length[1], 1.1);
+  text.dialect = Dialect::houdini;
+  Grammar second = std::move(*compile(text));
+  walk(second, second.axiom, Seed{1}, houdini);
+  EXPECT_DOUBLE_EQ(houdini.width[1], 0.1 * 0.7 * 0.5);
+}
+
+TEST(Turtle, BehindACutNothingIsDrawn) {
+  Grammar grammar = grammar_for("F[+F%F[F]F]F");
+  EXPECT_EQ(stats_of(grammar, grammar.axiom, Seed{1}).segments, 3u);
+}
+
+}  // namespace
+}  // namespace frond
