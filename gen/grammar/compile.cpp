@@ -1,0 +1,315 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammar/read.h"
+
+namespace frond {
+
+namespace {
+
+/// Whether a formula holds an instruction for which `test` is true.
+template <class Test>
+bool holds(const Expression& formula, const Test& test) {
+  return std::any_of(formula.code.begin(), formula.code.end(), [&](const Instruction& i) { return test(i.op); });
+}
+
+bool draws(const Expression& formula) {
+  return holds(formula, [](Op op) { return op == Op::rand || op == Op::nrand; });
+}
+
+/// Compiles one grammar; gathers what is wrong on the way.
+class Compiler {
+ public:
+  explicit Compiler(const GrammarText& text) : modules_(grammar_) { grammar_.text = text; }
+
+  Result<Grammar> compile() {
+    Cursor none;
+    grammar_.open = modules_.id("[", 0, none);
+    grammar_.close = modules_.id("]", 0, none);
+    check_numbers();
+    read_constants();
+    read_axiom();
+    read_rules(grammar_.text.rules, grammar_.rules, "rule");
+    read_rules(grammar_.text.decomposition, grammar_.decomposition, "decomposition rule");
+    read_rules(grammar_.text.interpretation, grammar_.interpretation, "interpretation rule");
+    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation}) find_shadowed(*set);
+    read_visibility();
+    if (!errors_.empty()) return errors_;
+    summarize();
+    find_unmatched();
+    return std::move(grammar_);
+  }
+
+ private:
+  void check_numbers() {
+    const GrammarText& text = grammar_.text;
+    auto need = [&](bool good, std::string_view name, double value, std::string_view range) {
+      if (!good) errors_.push_back({"", fmt::format("`{}` is {}; it must be {}", name, value, range)});
+    };
+    need(text.steps >= 0, "steps", text.steps, "0 or more");
+    need(std::isfinite(text.angle), "angle", text.angle, "finite");
+    need(std::isfinite(text.length), "length", text.length, "finite");
+    need(text.width > 0 && std::isfinite(text.width), "width", text.width, "more than 0");
+    need(text.width_scale > 0 && std::isfinite(text.width_scale), "width_scale", text.width_scale, "more than 0");
+    need(text.length_scale > 0 && std::isfinite(text.length_scale), "length_scale", text.length_scale, "more than 0");
+    need(text.interpretation_depth >= 0 && text.interpretation_depth <= 100, "interpretation_depth",
+         text.interpretation_depth, "from 0 to 100");
+    for (const std::string& symbol : text.symbols)
+      if (symbol.empty() || symbol.find_first_of("()[], \t\n") != symbol.npos)
+        errors_.push_back({"symbols", fmt::format("`{}` cannot be a symbol: no blanks, commas or brackets", symbol)});
+  }
+
+  void note(const Cursor& reader, std::string_view where) {
+    if (reader.failed()) errors_.push_back(complaint(reader, where));
+  }
+
+  /// Constants may use each other in any order: whatever can be read is read until nothing more can.
+  void read_constants() {
+    const auto& texts = grammar_.text.constants;
+    std::vector<bool> done(texts.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      auto same = [&](const auto& other) { return other.first == texts[i].first; };
+      if (!is_identifier(texts[i].first)) {
+        errors_.push_back({"constants", fmt::format("`{}` is not a name; use letters, digits and _", texts[i].first)});
+        done[i] = true;
+      } else if (std::find_if(texts.begin(), texts.end(), same) - texts.begin() < static_cast<std::ptrdiff_t>(i)) {
+        errors_.push_back({"constants", fmt::format("`{}` is given twice; remove one", texts[i].first)});
+        done[i] = true;
+      }
+    }
+    for (bool progress = true; progress;) {
+      progress = false;
+      for (std::size_t i = 0; i < texts.size(); ++i) {
+        Cursor reader{texts[i].second};
+        if (!done[i] && read_constant(texts[i].first, reader)) done[i] = progress = true;
+      }
+    }
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      Cursor reader{texts[i].second};
+      if (!done[i] && !read_constant(texts[i].first, reader)) note(reader, fmt::format("constant `{}`", texts[i].first));
+    }
+  }
+
+  bool read_constant(const std::string& name, Cursor& reader) {
+    Constant constant{name, {}, reader.take("["), 0};
+    do {
+      std::size_t start = reader.at;
+      Expression formula = read_expression(reader, {{}, modules_.constants});
+      if (!reader.failed() && formula.form != Expression::Form::constant)
+        reader.fail("a constant is a number; use random numbers and the step in rules", start);
+      if (!reader.failed() && !std::isfinite(formula.value)) reader.fail("this is not a finite number", start);
+      constant.values.push_back(formula.value);
+    } while (constant.array && !reader.failed() && reader.take(","));
+    if (constant.array && !reader.failed() && !reader.take("]")) reader.fail("a `]` is missing", reader.at);
+    if (!reader.failed() && !reader.at_end()) reader.fail("this does not belong to the formula", reader.at);
+    if (reader.failed()) return false;
+    if (constant.array) {
+      constant.table = static_cast<std::uint16_t>(grammar_.tables.size());
+      grammar_.tables.push_back(constant.values);
+    }
+    modules_.constants.push_back(std::move(constant));
+    return true;
+  }
+
+  void read_axiom() {
+    Cursor reader{grammar_.text.axiom};
+    std::vector<SymbolId> modules;
+    std::vector<Expression> arguments;
+    modules_.read_modules(reader, {}, modules, arguments);
+    note(reader, "axiom");
+    if (reader.failed()) return;
+    grammar_.axiom.symbols.assign(modules.begin(), modules.end());
+    Evaluation at;
+    at.tables = grammar_.tables;
+    at.seed = Seed{grammar_.text.seed}.child("axiom");
+    for (const Expression& argument : arguments) {
+      double value = evaluate(argument, at);
+      if (at.fault || !std::isfinite(value))
+        return errors_.push_back({"axiom", "a parameter is not a finite number: division by zero, or an array element that is not there"});
+      grammar_.axiom.parameters.push_back(value);
+    }
+  }
+
+  void read_rules(const std::vector<GrammarText::Rule>& texts, RuleSet& set, std::string_view kind) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      Production rule;
+      rule.where = texts[i].where.empty() ? fmt::format("{} {}", kind, i + 1) : texts[i].where;
+      rule.text = texts[i].text;
+      rule.limit = texts[i].limit;
+      Cursor reader{texts[i].text};
+      read_rule(reader, rule);
+      if (rule.limit < 1) reader.fail(fmt::format("the limit is {}; it must be 1 or more, or left out", rule.limit), 0);
+      if (&set != &grammar_.rules && !rule.context_free())
+        reader.fail(fmt::format("a {} has no context; remove `<` and `>`", kind), 0);
+      note(reader, rule.where);
+      if (reader.failed()) continue;
+      set.of[rule.predecessor].push_back(static_cast<std::uint16_t>(set.rules.size()));
+      set.rules.push_back(std::move(rule));
+    }
+  }
+
+  /// Reads a part of a rule with `read(part)`, keeping the places of the whole rule.
+  template <class Read>
+  static void within(Cursor& reader, RuleParts::Part part, const Read& read) {
+    if (reader.failed()) return;
+    Cursor inner{reader.text.substr(0, part.end), part.begin, {}, 0};
+    read(inner);
+    if (inner.failed()) reader.fail(inner.mistake, inner.mistake_at);
+  }
+
+  void read_rule(Cursor& reader, Production& rule) {
+    std::optional<RuleParts> parts = split_rule(reader);
+    if (!parts) return;
+    std::vector<std::string> variables;
+    std::vector<SymbolId> predecessor;
+    read_context(reader, parts->left, variables, rule.left);
+    rule.left_variables = static_cast<int>(variables.size());
+    within(reader, parts->predecessor, [&](Cursor& part) { modules_.read_pattern(part, variables, predecessor); });
+    read_context(reader, parts->right, variables, rule.right);
+    if (reader.failed()) return;
+    if (predecessor.size() != 1)
+      return reader.fail("the predecessor is one module; put its neighbours into contexts: `left < one > right`", parts->predecessor.begin);
+    rule.predecessor = predecessor[0];
+    rule.variables = static_cast<int>(variables.size());
+    if (rule.predecessor == grammar_.open || rule.predecessor == grammar_.close)
+      return reader.fail("brackets cannot be rewritten", parts->predecessor.begin);
+    check_contexts(reader, *parts, rule);
+    if (parts->condition.end) read_condition(reader, parts->condition, variables, rule);
+    if (parts->weight.end) read_weight(reader, parts->weight, variables, rule);
+    if (is_empty_word(reader.text.substr(parts->successor.begin))) return;
+    within(reader, parts->successor,
+           [&](Cursor& part) { modules_.read_modules(part, variables, rule.successor, rule.arguments); });
+  }
+
+  static bool is_empty_word(std::string_view text) {
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+    while (!text.empty() && (text[0] == ' ' || text[0] == '\t')) text.remove_prefix(1);
+    return text == "*" || text == "\u03b5";
+  }
+
+  void read_context(Cursor& reader, RuleParts::Part part, std::vector<std::string>& variables, std::vector<SymbolId>& modules) {
+    if (reader.failed() || part.end == 0 || is_empty_word(reader.text.substr(part.begin, part.end - part.begin))) return;
+    within(reader, part, [&](Cursor& inner) { modules_.read_pattern(inner, variables, modules); });
+  }
+
+  void check_contexts(Cursor& reader, const RuleParts& parts, const Production& rule) {
+    for (SymbolId symbol : rule.left)
+      if (symbol == grammar_.open || symbol == grammar_.close)
+        reader.fail("the left context is the path to the root and has no brackets", parts.left.begin);
+    int depth = 0;
+    for (SymbolId symbol : rule.right) {
+      depth += symbol == grammar_.open ? 1 : symbol == grammar_.close ? -1 : 0;
+      if (depth < 0) break;
+    }
+    if (depth != 0) reader.fail("the brackets of the right context do not match", parts.right.begin);
+  }
+
+  void read_condition(Cursor& reader, RuleParts::Part part, const std::vector<std::string>& variables, Production& rule) {
+    if (is_empty_word(reader.text.substr(part.begin, part.end - part.begin))) return;
+    within(reader, part, [&](Cursor& inner) {
+      rule.condition = read_expression(inner, {variables, modules_.constants});
+      if (!inner.failed() && !inner.at_end()) inner.fail("this does not belong to the condition", inner.at);
+      bool fixed = !inner.failed() && rule.condition.form == Expression::Form::constant;
+      if (fixed && !(rule.condition.value != 0)) inner.fail("the condition is never true; remove the rule", part.begin);
+      rule.conditional = !fixed;
+    });
+  }
+
+  void read_weight(Cursor& reader, RuleParts::Part part, const std::vector<std::string>& variables, Production& rule) {
+    within(reader, part, [&](Cursor& inner) {
+      rule.weight = read_expression(inner, {variables, modules_.constants});
+      if (!inner.failed() && !inner.at_end()) inner.fail("this does not belong to the weight", inner.at);
+      bool fixed = rule.weight.form == Expression::Form::constant;
+      if (!inner.failed() && fixed && !(rule.weight.value >= 0 && std::isfinite(rule.weight.value)))
+        inner.fail(fmt::format("the weight is {}; it must be 0 or more", rule.weight.value), part.begin);
+      rule.weighted = true;
+    });
+  }
+
+  /// A rule that an earlier one always takes the place of can never be meant.
+  void find_shadowed(const RuleSet& set) {
+    for (const auto& of : set.of) {
+      for (std::size_t later = 1; later < of.size(); ++later) {
+        const Production& hidden = set.rules[of[later]];
+        for (std::size_t earlier = 0; earlier < later; ++earlier) {
+          const Production& first = set.rules[of[earlier]];
+          bool wider = first.context_free() || (first.left == hidden.left && first.right == hidden.right);
+          bool certain = !first.conditional && first.limit == GrammarText::kUnlimited && !(first.weighted && hidden.weighted);
+          if (!wider || !certain) continue;
+          errors_.push_back({hidden.where, fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
+              "put it before, give both a weight, or remove it", hidden.text, first.text, first.where)});
+          break;
+        }
+      }
+    }
+  }
+
+  void read_visibility() {
+    auto names_of = [&](const std::string& text, std::string_view where) {
+      std::vector<std::string_view> names;
+      Cursor reader{text};
+      while (!reader.at_end() && !reader.failed()) names.push_back(modules_.take_name(reader));
+      note(reader, where);
+      return names;
+    };
+    std::vector<std::string_view> ignore = names_of(grammar_.text.ignore, "ignore");
+    std::vector<std::string_view> consider = names_of(grammar_.text.consider, "consider");
+    auto has = [](const auto& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    if (!ignore.empty() && !consider.empty())
+      errors_.push_back({"consider", "give either `ignore` or `consider`, not both"});
+    for (Symbol& symbol : grammar_.symbols)
+      symbol.context = symbol.name != "[" && symbol.name != "]" && !has(ignore, symbol.name) &&
+                       (consider.empty() || has(consider, symbol.name));
+    for (const Production& rule : grammar_.rules.rules)
+      for (const std::vector<SymbolId>* side : {&rule.left, &rule.right})
+        for (SymbolId id : *side)
+          if (!grammar_.symbols[id].context && id != grammar_.open && id != grammar_.close)
+            errors_.push_back({rule.where, fmt::format("`{}` can never be used: its context has `{}`, which contexts look past; change `ignore` or the rule",
+                rule.text, grammar_.symbols[id].name)});
+  }
+
+  void summarize() {
+    Grammar& g = grammar_;
+    for (const Symbol& symbol : g.symbols) {
+      g.parametric |= symbol.arity > 0;
+      g.cuts |= symbol.act == Act::cut;
+      g.queries |= (symbol.act == Act::query_position || symbol.act == Act::query_heading || symbol.act == Act::query_up ||
+                    symbol.act == Act::query_left || symbol.act == Act::environment) && symbol.arity > 0;
+    }
+    for (const RuleSet* set : {&g.rules, &g.decomposition}) {
+      for (const Production& rule : set->rules) {
+        g.context_free &= rule.context_free();
+        g.limited |= rule.limit != GrammarText::kUnlimited;
+        g.single &= rule.always();
+        g.stochastic |= rule.weighted || draws(rule.condition);
+        for (const Expression& argument : rule.arguments) g.stochastic |= draws(argument);
+      }
+    }
+    for (const auto& of : g.rules.of) g.single &= of.size() <= 1;
+  }
+
+  /// A name that is rewritten with one number of parameters and used with another is most often a slip.
+  void find_unmatched() {
+    for (std::size_t i = 0; i < grammar_.symbols.size(); ++i) {
+      const Symbol& symbol = grammar_.symbols[i];
+      if (!grammar_.rules.of[i].empty()) continue;
+      for (std::size_t j = 0; j < grammar_.symbols.size(); ++j)
+        if (grammar_.symbols[j].name == symbol.name && !grammar_.rules.of[j].empty())
+          grammar_.warnings.push_back({grammar_.rules.rules[grammar_.rules.of[j][0]].where,
+              fmt::format("`{}` is rewritten with {} parameter(s) only; with {} it stays as it is", symbol.name,
+                          grammar_.symbols[j].arity, symbol.arity)});
+    }
+  }
+
+  Grammar grammar_;
+  ModuleReader modules_;
+  Errors errors_;
+};
+
+}  // namespace
+
+Result<Grammar> compile(const GrammarText& text) { return Compiler(text).compile(); }
+
+}  // namespace frond

@@ -1,0 +1,194 @@
+#include "grammar/derive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grammar/match.h"
+#include "grammar/rewrite.h"
+#include "grammar/turtle.h"
+
+namespace frond {
+
+namespace {
+
+/// One step over a word, module by module: every kind of rule, one thread.
+class Rewriter {
+ public:
+  Rewriter(const Grammar& grammar, Derivation& derivation, Seed seed) : grammar_(grammar), state_(derivation) {
+    at_.tables = grammar.tables;
+    at_.step = derivation.steps + 1;
+    seed_ = seed.child("step", static_cast<std::uint64_t>(derivation.steps) + 1);
+  }
+
+  Errors step(Word& out, bool leftmost_only, std::size_t limit) {
+    const Word& in = state_.word;
+    if (!grammar_.context_free) near_.find(grammar_, in);
+    out.clear();
+    out.symbols.reserve(in.symbols.size() * 2);
+    const double* parameters = in.parameters.data();
+    bool done = false;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      SymbolId symbol = in.symbols[i];
+      int arity = grammar_.symbols[symbol].arity;
+      int index = done ? -1 : find_rule(i, symbol, parameters);
+      if (index < 0) {
+        out.symbols.push_back(symbol);
+        out.parameters.insert(out.parameters.end(), parameters, parameters + arity);
+      } else {
+        write(grammar_.rules.rules[static_cast<std::size_t>(index)], out);
+        if (grammar_.limited) ++state_.uses[static_cast<std::size_t>(index)];
+        done = leftmost_only;
+      }
+      if (at_.fault) return {trouble(i, symbol, parameters, index)};
+      if (out.size() > limit)
+        return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state_.steps + 1, limit)}};
+      parameters += arity;
+    }
+    return {};
+  }
+
+ private:
+  int find_rule(std::size_t i, SymbolId symbol, const double* parameters) {
+    if (grammar_.rules.of[symbol].empty()) return -1;
+    at_.seed = seed_.child(i);
+    at_.draws = 0;
+    return choose(grammar_.rules, symbol, at_, [&](const Production& rule, int index) {
+      if (grammar_.limited && state_.uses[static_cast<std::size_t>(index)] >= rule.limit) return false;
+      at_.frame = parameters;
+      if (rule.context_free()) return true;
+      if (!match_contexts(grammar_, state_.word, near_, rule, static_cast<std::uint32_t>(i), frame_)) return false;
+      if (rule.variables > 0) at_.frame = frame_.data();
+      return true;
+    });
+  }
+
+  void write(const Production& rule, Word& out) {
+    out.symbols.insert(out.symbols.end(), rule.successor.begin(), rule.successor.end());
+    for (const Expression& argument : rule.arguments) {
+      double value = evaluate(argument, at_);
+      at_.fault |= !std::isfinite(value);
+      out.parameters.push_back(value);
+    }
+  }
+
+  Error trouble(std::size_t i, SymbolId symbol, const double* parameters, int index) const {
+    Word module;
+    module.symbols.push_back(symbol);
+    module.parameters.assign(parameters, parameters + grammar_.symbols[symbol].arity);
+    const auto& of = grammar_.rules.of[symbol];
+    const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index < 0 ? of[0] : index)];
+    return {rule.where, fmt::format("step {}, module {} (`{}`): division by zero or a number that is not finite in `{}`; "
+                                    "add a condition that keeps the rule away from there",
+                                    state_.steps + 1, i + 1, text(grammar_, module), rule.text)};
+  }
+
+  const Grammar& grammar_;
+  Derivation& state_;
+  Neighbours near_;
+  Evaluation at_;
+  Seed seed_;
+  std::vector<double> frame_;
+};
+
+/// Removes each `%` with the rest of its branch.
+void cut(const Grammar& grammar, Word& word) {
+  std::size_t to = 0, parameters_to = 0, parameter = 0;
+  int skipped = -1;  // brackets open since the cut; -1: nothing is cut
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    SymbolId symbol = word.symbols[i];
+    auto arity = static_cast<std::size_t>(grammar.symbols[symbol].arity);
+    if (skipped >= 0 && symbol == grammar.close && skipped-- == 0) skipped = -1;
+    else if (skipped >= 0 && symbol == grammar.open) ++skipped;
+    else if (skipped < 0 && grammar.symbols[symbol].act == Act::cut) skipped = 0;
+    if (skipped < 0) {
+      word.symbols[to++] = symbol;
+      for (std::size_t k = 0; k < arity; ++k) word.parameters[parameters_to++] = word.parameters[parameter + k];
+    }
+    parameter += arity;
+  }
+  word.symbols.resize(to);
+  word.parameters.resize(parameters_to);
+}
+
+constexpr int kDeepest = 4000;  // levels of decomposition
+
+/// Applies decomposition rules until none applies any more.
+Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Limits& limits) {
+  Word out;
+  Evaluation at;
+  at.tables = grammar.tables;
+  at.step = state.steps + 1;
+  auto emit = [&](SymbolId symbol, const double* parameters) {
+    out.symbols.push_back(symbol);
+    out.parameters.insert(out.parameters.end(), parameters, parameters + grammar.symbols[symbol].arity);
+    return out.size() <= limits.modules;
+  };
+  Seed place = seed.child("decompose", static_cast<std::uint64_t>(state.steps) + 1);
+  const double* parameters = state.word.parameters.data();
+  for (std::size_t i = 0; i < state.word.size(); ++i) {
+    at.seed = place.child(i);
+    if (!expand(grammar, grammar.decomposition, state.word.symbols[i], parameters, kDeepest, at, emit))
+      return {{"decomposition", fmt::format("step {} passes the limit of {} modules", state.steps + 1, limits.modules)}};
+    parameters += grammar.symbols[state.word.symbols[i]].arity;
+  }
+  std::swap(state.word, out);
+  return {};
+}
+
+}  // namespace
+
+Derivation begin(const Grammar& grammar, Seed seed) {
+  Derivation state;
+  state.word = grammar.axiom;
+  if (grammar.limited) state.uses.resize(grammar.rules.rules.size());
+  if (grammar.queries) answer_queries(grammar, state.word, seed);
+  return state;
+}
+
+Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
+  std::size_t most = limits.modules;
+  bool sequential = grammar.text.mode == GrammarText::Mode::sequential;
+  Word next;
+  for (int i = 0; i < steps; ++i) {
+    if (grammar.cuts) cut(grammar, state.word);
+    Errors errors = Rewriter(grammar, state, seed).step(next, sequential, most);
+    if (!errors.empty()) return errors;
+    std::swap(state.word, next);
+    if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits);
+    if (!errors.empty()) return errors;
+    if (grammar.queries) answer_queries(grammar, state.word, seed);
+    ++state.steps;
+    if (state.word.bytes() > limits.bytes)
+      return {{"", fmt::format("step {} passes the limit of {} bytes; use fewer steps", state.steps, limits.bytes)}};
+  }
+  return {};
+}
+
+Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+  Derivation state = begin(grammar, seed);
+  Errors errors = advance(grammar, state, steps, seed, limits);
+  if (!errors.empty()) return errors;
+  return std::move(state.word);
+}
+
+Word interpret(const Grammar& grammar, const Word& word, Seed seed) {
+  Word out;
+  Evaluation at;
+  at.tables = grammar.tables;
+  auto emit = [&](SymbolId symbol, const double* parameters) {
+    out.symbols.push_back(symbol);
+    out.parameters.insert(out.parameters.end(), parameters, parameters + grammar.symbols[symbol].arity);
+    return true;
+  };
+  Seed place = seed.child("interpret");
+  const double* parameters = word.parameters.data();
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    at.seed = place.child(i);
+    expand(grammar, grammar.interpretation, word.symbols[i], parameters, grammar.text.interpretation_depth, at, emit);
+    parameters += grammar.symbols[word.symbols[i]].arity;
+  }
+  return out;
+}
+
+}  // namespace frond

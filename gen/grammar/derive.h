@@ -1,0 +1,34 @@
+#pragma once
+
+#include "grammar/grammar.h"
+
+namespace frond {
+
+/// How large a word may grow before deriving is given up.
+struct Limits {
+  std::size_t modules = 200'000'000;
+  std::size_t bytes = std::size_t{4} << 30;
+};
+
+/// A derivation between two steps: all that the next step depends on.
+struct Derivation {
+  Word word;
+  int steps = 0;          ///< made so far
+  std::vector<int> uses;  ///< of each rule, where the grammar has rules of limited use
+};
+
+/// The derivation before its first step: the axiom, its questions answered.
+Derivation begin(const Grammar& grammar, Seed seed);
+
+/// Makes so many steps more. Random choices depend on the seed, the number of the step and the place in the word,
+/// and so neither on threads nor on how the steps are shared among calls. Empty when all went well; otherwise
+/// what stopped it (a number that is not finite, a word past the limits), and the word is of no use.
+Errors advance(const Grammar& grammar, Derivation& derivation, int steps, Seed seed, const Limits& limits = {});
+
+/// The word after so many steps from the axiom.
+Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
+
+/// The word as the turtle sees it: interpretation rules applied as deep as the grammar says.
+Word interpret(const Grammar& grammar, const Word& word, Seed seed);
+
+}  // namespace frond

@@ -1,0 +1,125 @@
+#include "grammar/figure.h"
+
+#include <algorithm>
+
+namespace frond {
+
+namespace {
+
+struct Measure {
+  TurtleStats stats;
+  bool drawn = false;
+
+  void segment(const Segment& s, TurtleState&) {
+    if (!drawn) stats.low = stats.high = s.from;
+    drawn = true;
+    ++stats.segments;
+    stats.total_length += glm::distance(s.from, s.to);
+    stats.low = glm::min(stats.low, glm::min(s.from, s.to));
+    stats.high = glm::max(stats.high, glm::max(s.from, s.to));
+  }
+  void push(TurtleState& state) { stats.max_stack_depth = std::max(stats.max_stack_depth, state.depth + 1); }
+  void polygon(std::span<const DVec3>, const TurtleState&) { ++stats.polygons; }
+};
+
+constexpr float kThinnest = 1e-6f;
+
+/// Gathers a figure; `mark` of the turtle is the node it stands on.
+struct Builder {
+  const Grammar& grammar;
+  Figure figure;
+
+  void segment(const Segment& s, TurtleState& state) {
+    Vec3 to(s.to);
+    if (state.mark < 0) add(Vec3(s.from), s.width_from, Skeleton::kRoot, state);
+    if (to == figure.skeleton.position[static_cast<std::size_t>(state.mark)]) return;
+    add(to, s.width_to, state.mark, state);
+  }
+
+  void add(Vec3 at, double width, std::int32_t below, TurtleState& state) {
+    float radius = std::max(kThinnest, static_cast<float>(width / 2));
+    auto order = static_cast<std::uint16_t>(std::min(state.depth, 65535));
+    state.mark = figure.skeleton.add(at, radius, below, order);
+    figure.color.push_back(state.color);
+  }
+
+  void polygon(std::span<const DVec3> points, const TurtleState& state) {
+    Outline outline{{}, state.color, state.mark};
+    for (DVec3 point : points)  // `F.` names its end twice
+      if (outline.points.empty() || outline.points.back() != Vec3(point)) outline.points.emplace_back(point);
+    if (outline.points.size() > 3 && outline.points.front() == outline.points.back()) outline.points.pop_back();
+    if (outline.points.size() >= 3) figure.outlines.push_back(std::move(outline));
+  }
+
+  void organ(SymbolId shape, const double* parameters, const TurtleState& state) {
+    const Symbol& symbol = grammar.symbols[shape];
+    Vec3 scale(1);
+    if (symbol.arity >= 3) scale = Vec3(parameters[0], parameters[1], parameters[2]);
+    else if (symbol.arity >= 1) scale = Vec3(static_cast<float>(parameters[0]));
+    place(symbol.name, scale, state);
+  }
+
+  void sign(Act act, std::span<const double> parameters, const TurtleState& state) {
+    if (act != Act::sphere && act != Act::disc) return;
+    double size = parameters.empty() ? state.width : parameters[0];
+    place(act == Act::sphere ? "@O" : "@o", Vec3(static_cast<float>(size)), state);
+  }
+
+  void place(std::string name, Vec3 scale, const TurtleState& s) {
+    figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up), scale, s.color, s.mark});
+  }
+};
+
+/// Writes the answers to the questions into the word that is being walked.
+struct Answers {
+  double* first;
+  double* last;
+
+  void sign(Act act, std::span<const double> parameters, const TurtleState& state) {
+    std::ptrdiff_t place = parameters.data() - first;
+    if (place < 0 || place >= last - first) return;  // the module was made by an interpretation rule
+    const DVec3* answer = act == Act::query_position ? &state.position : act == Act::query_heading ? &state.heading
+                        : act == Act::query_up ? &state.up : act == Act::query_left ? &state.left : nullptr;
+    for (std::size_t i = 0; answer && i < parameters.size() && i < 3; ++i)
+      first[static_cast<std::size_t>(place) + i] = (*answer)[static_cast<int>(i)];
+  }
+};
+
+}  // namespace
+
+TurtleState start_of(const Grammar& grammar) {
+  TurtleState start;
+  start.length = grammar.text.length;
+  start.width = grammar.text.width;
+  start.angle = grammar.text.angle;
+  start.elasticity = grammar.text.elasticity;
+  return start;
+}
+
+TurtleStats stats_of(const Grammar& grammar, const Word& word, Seed seed) {
+  Measure measure;
+  TurtleState end = walk(grammar, word, seed, measure);
+  TurtleStats& stats = measure.stats;
+  stats.end_position = end.position;
+  stats.end_heading = end.heading;
+  stats.end_left = end.left;
+  stats.end_up = end.up;
+  return stats;
+}
+
+Figure figure_of(const Grammar& grammar, const Word& word, Seed seed) {
+  Builder builder{grammar, {}};
+  walk(grammar, word, seed, builder);
+  return std::move(builder.figure);
+}
+
+Skeleton skeleton_of(const Grammar& grammar, const Word& word, Seed seed) {
+  return std::move(figure_of(grammar, word, seed).skeleton);
+}
+
+void answer_queries(const Grammar& grammar, Word& word, Seed seed) {
+  Answers answers{word.parameters.data(), word.parameters.data() + word.parameters.size()};
+  walk(grammar, word, seed, answers);
+}
+
+}  // namespace frond

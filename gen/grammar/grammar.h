@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/result.h"
+#include "core/vec.h"
+#include "grammar/expression.h"
+#include "grammar/symbols.h"
+#include "grammar/word.h"
+
+namespace frond {
+
+/// A grammar as its author writes it.
+struct GrammarText {
+  enum class Mode { parallel, sequential };
+
+  static constexpr int kUnlimited = std::numeric_limits<int>::max();
+
+  /// `left < predecessor > right : condition ->(weight) successor`
+  struct Rule {
+    std::string text;
+    int limit = kUnlimited;  ///< how often the rule may be used in a derivation
+    std::string where;       ///< for messages: where the rule stands; empty: "rule 3"
+  };
+
+  std::string axiom = "F";
+  int steps = 1;
+  double angle = 45;          ///< degrees, of a turn that has no parameter
+  double length = 1;          ///< of a segment that has no parameter
+  double width = 0.1;         ///< diameter to begin with
+  double width_scale = 0.7;   ///< what a bare `!` multiplies the width by
+  double length_scale = 1.1;  ///< what a bare `"` multiplies the length by
+  double angle_jitter = 0;    ///< degrees: every turn is off by up to so much either way
+  double length_jitter = 0;   ///< share: every segment is longer or shorter by up to so much
+  Vec3 tropism{0, -1, 0};     ///< the pull on every segment, used as it is given
+  double elasticity = 0;      ///< how much a segment gives way to the pull: turned by e|H x T| radians
+  std::vector<std::pair<std::string, std::string>> constants;  ///< name, formula or `[a, b, …]`
+  std::vector<Rule> rules, decomposition, interpretation;
+  int interpretation_depth = 1;  ///< how deep interpretation rules are applied to their own outcome
+  Mode mode = Mode::parallel;
+  std::string ignore;    ///< symbols that contexts look past
+  std::string consider;  ///< if not empty: the only symbols that contexts see
+  std::vector<std::string> symbols;  ///< names of more than one letter
+  bool ring = false;                 ///< the word is a circle: its ends are neighbours
+  std::uint64_t seed = 1;
+  Dialect dialect = Dialect::abop;
+};
+
+/// A name with its number of parameters: F and F(l) are two symbols.
+struct Symbol {
+  std::string name;
+  int arity = 0;
+  Act act = Act::none;
+  bool context = true;  ///< whether contexts see it
+};
+
+/// One rule, compiled. The variables of its formulas are the parameters of the left context, the predecessor and
+/// the right context, in the order written.
+struct Production {
+  SymbolId predecessor = 0;
+  std::vector<SymbolId> left, right;  ///< right may hold brackets
+  int left_variables = 0;             ///< parameters of the left context
+  int variables = 0;                  ///< parameters in all
+  bool conditional = false, weighted = false;
+  Expression condition, weight;
+  int limit = GrammarText::kUnlimited;
+  std::vector<SymbolId> successor;
+  std::vector<Expression> arguments;  ///< of all modules of the successor, one after the other
+  std::string where, text;            ///< for messages
+
+  bool context_free() const { return left.empty() && right.empty(); }
+  bool always() const { return context_free() && !conditional && !weighted && limit == GrammarText::kUnlimited; }
+};
+
+/// Rules in the order written, and for each symbol which of them have it as predecessor.
+struct RuleSet {
+  std::vector<Production> rules;
+  std::array<std::vector<std::uint16_t>, 256> of;
+
+  bool empty() const { return rules.empty(); }
+};
+
+/// A grammar ready to derive. Plain data; made by compile().
+struct Grammar {
+  GrammarText text;
+  std::vector<Symbol> symbols;  ///< at most 256
+  std::vector<std::vector<double>> tables;
+  RuleSet rules, decomposition, interpretation;
+  Word axiom;
+  Errors warnings;
+
+  bool context_free = true;  ///< no rule has a context
+  bool single = true;        ///< at most one rule a symbol, and it always applies
+  bool stochastic = false;   ///< random numbers are drawn while deriving
+  bool parametric = false;
+  bool limited = false;      ///< some rule may be used a limited number of times
+  bool cuts = false;         ///< `%` occurs
+  bool queries = false;      ///< the turtle answers questions between steps
+
+  SymbolId open = 0, close = 0;  ///< the brackets
+};
+
+/// Checks and compiles a grammar. All mistakes are reported, each naming the rule, the place in it and what to do.
+Result<Grammar> compile(const GrammarText& text);
+
+/// `name(p1,p2)name…`, numbers with ten significant digits.
+std::string text(const Grammar& grammar, const Word& word);
+
+/// How often each name occurs, in the order of the symbols; names that differ in parameters only are one.
+std::vector<std::pair<std::string, std::size_t>> counts(const Grammar& grammar, const Word& word);
+
+}  // namespace frond

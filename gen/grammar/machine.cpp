@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/vec.h"
+#include "grammar/expression.h"
+
+namespace frond {
+
+double sine(double angle) {
+  double turns = std::fmod(angle, 360.0);
+  if (std::fmod(turns, 90.0) == 0) {
+    static constexpr double kQuarter[4] = {0, 1, 0, -1};
+    return kQuarter[(static_cast<int>(turns / 90.0) + 4) % 4];
+  }
+  return std::sin(radians(turns));
+}
+
+namespace {
+
+double sign_of(double x) { return static_cast<double>(x > 0) - static_cast<double>(x < 0); }
+
+double element_of(const std::vector<double>& table, double index, bool& fault) {
+  if (!(index >= 0 && index < static_cast<double>(table.size()))) return fault = true, 0.0;
+  return table[static_cast<std::size_t>(index)];
+}
+
+double ramp_of(const std::vector<double>& table, double at) {
+  if (!(at > 0)) return table.front();
+  if (at >= 1) return table.back();
+  double place = at * static_cast<double>(table.size() - 1);
+  auto i = static_cast<std::size_t>(place);
+  double share = place - static_cast<double>(i);
+  return i + 1 < table.size() ? table[i] + (table[i + 1] - table[i]) * share : table.back();
+}
+
+double unary(Op op, double x) {
+  switch (op) {
+    case Op::negate: return -x;
+    case Op::logical_not: return x == 0;
+    case Op::truth: return x != 0;
+    case Op::floor: return std::floor(x);
+    case Op::ceil: return std::ceil(x);
+    case Op::round: return std::round(x);
+    case Op::abs: return std::abs(x);
+    case Op::sign: return sign_of(x);
+    case Op::sqrt: return std::sqrt(x);
+    case Op::exp: return std::exp(x);
+    case Op::log: return std::log(x);
+    case Op::sin: return sine(x);
+    case Op::cos: return sine(x + 90.0);
+    case Op::tan: return std::tan(radians(x));
+    case Op::asin: return degrees(std::asin(x));
+    case Op::acos: return degrees(std::acos(x));
+    case Op::atan: return degrees(std::atan(x));
+    default: return 0;
+  }
+}
+
+double binary(Op op, double a, double b, Evaluation& at) {
+  switch (op) {
+    case Op::add: return a + b;
+    case Op::subtract: return a - b;
+    case Op::multiply: return a * b;
+    case Op::divide: return b == 0 ? (at.fault = true, 0.0) : a / b;
+    case Op::modulo: return b == 0 ? (at.fault = true, 0.0) : std::fmod(a, b);
+    case Op::power: return std::pow(a, b);
+    case Op::less: return a < b;
+    case Op::less_equal: return a <= b;
+    case Op::greater: return a > b;
+    case Op::greater_equal: return a >= b;
+    case Op::equal: return a == b;
+    case Op::not_equal: return a != b;
+    case Op::min: return std::min(a, b);
+    case Op::max: return std::max(a, b);
+    case Op::atan2: return degrees(std::atan2(a, b));
+    case Op::rand: return at.seed.child(++at.draws).range(a, b);
+    case Op::nrand: return a + b * at.seed.child(++at.draws).normal();
+    default: return 0;
+  }
+}
+
+}  // namespace
+
+double run(const Expression& formula, Evaluation& at) {
+  double stack[64];
+  double* top = stack - 1;  // the parser holds nesting, and so the height, below 64
+  const Instruction* code = formula.code.data();
+  for (std::size_t i = 0, n = formula.code.size(); i < n; ++i) {
+    const Instruction& now = code[i];
+    switch (now.op) {
+      case Op::constant: *++top = now.value; break;
+      case Op::variable: *++top = at.frame[now.index]; break;
+      case Op::step_number: *++top = at.step; break;
+      case Op::element: *top = element_of(at.tables[now.index], *top, at.fault); break;
+      case Op::ramp: *top = ramp_of(at.tables[now.index], *top); break;
+      case Op::add: --top, top[0] += top[1]; break;
+      case Op::subtract: --top, top[0] -= top[1]; break;
+      case Op::multiply: --top, top[0] *= top[1]; break;
+      case Op::jump_if_false:
+      case Op::jump_if_true:
+        *top = *top != 0;
+        if ((*top != 0) == (now.op == Op::jump_if_true)) i = now.index - std::size_t{1};
+        else --top;
+        break;
+      case Op::negate: case Op::logical_not: case Op::truth: case Op::floor: case Op::ceil: case Op::round:
+      case Op::abs: case Op::sign: case Op::sqrt: case Op::exp: case Op::log: case Op::sin: case Op::cos:
+      case Op::tan: case Op::asin: case Op::acos: case Op::atan: *top = unary(now.op, *top); break;
+      case Op::divide: case Op::modulo: case Op::power: case Op::less: case Op::less_equal: case Op::greater:
+      case Op::greater_equal: case Op::equal: case Op::not_equal: case Op::min: case Op::max: case Op::atan2:
+      case Op::rand: case Op::nrand: --top, top[0] = binary(now.op, top[0], top[1], at); break;
+    }
+  }
+  return *top;
+}
+
+}  // namespace frond
