@@ -13,11 +13,21 @@ std::string shell_quoted(std::string_view text) {
   return quoted += '\'';
 }
 
-std::string ninja_escaped(std::string_view text) {
+std::string ninja_path(std::string_view text) {
   std::string escaped;
   for (char c : text) {
     if (c == '\n' || c == '\r' || c == '\0') c = ' ';
     if (c == '$' || c == ' ' || c == ':') escaped += '$';
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string ninja_value(std::string_view text) {
+  std::string escaped;
+  for (char c : text) {
+    if (c == '\n' || c == '\r' || c == '\0') c = ' ';
+    if (c == '$' || (c == ' ' && escaped.empty())) escaped += '$';  // blanks in front are skipped
     escaped += c;
   }
   return escaped;

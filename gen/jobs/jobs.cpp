@@ -52,7 +52,7 @@ std::size_t sheet_columns(std::size_t pictures) {
 void append_variable(std::string& text, std::string_view name, std::string_view value) {
   text += name;
   text += " = ";
-  text += ninja_escaped(value);
+  text += ninja_value(value);
   text += '\n';
 }
 
@@ -88,7 +88,7 @@ void append_build(std::string& text, std::string_view output, std::string_view r
 void append_frames(std::string& text, const JobList& jobs) {
   // Folders stand in variables: a variable may hold any character, a path written out may not hold a `|`.
   std::string includes;
-  for (const std::string& include : jobs.includes) includes += " $povinc/" + ninja_escaped(include);
+  for (const std::string& include : jobs.includes) includes += " $povinc/" + ninja_path(include);
   if (!includes.empty()) text += "\nbuild includes: phony" + includes + "\n";
   text += '\n';
   for (int frame : jobs.frames) {

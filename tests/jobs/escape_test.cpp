@@ -11,9 +11,15 @@ TEST(ShellQuoted, IsOneWordWhateverStandsInIt) {
   EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
 }
 
-TEST(NinjaEscaped, EscapesWhatNinjaReads) {
-  EXPECT_EQ(ninja_escaped("a b:c$d|e"), "a$ b$:c$$d|e");
-  EXPECT_EQ(ninja_escaped("two\nlines\r"), "two$ lines$ ");
+TEST(NinjaPath, EscapesWhatEndsAPath) {
+  EXPECT_EQ(ninja_path("a b:c$d"), "a$ b$:c$$d");
+  EXPECT_EQ(ninja_path("two\nlines\r"), "two$ lines$ ");
+}
+
+TEST(NinjaValue, EscapesDollarsAndABlankInFront) {
+  EXPECT_EQ(ninja_value("a b:c$d|e"), "a b:c$$d|e");
+  EXPECT_EQ(ninja_value("  a"), "$  a");
+  EXPECT_EQ(ninja_value("two\nlines\r"), "two lines ");
 }
 
 TEST(JsonQuoted, EscapesQuotesAndControls) {

@@ -101,10 +101,10 @@ TEST(NinjaText, OddCharactersAreEscaped) {
   jobs.includes = {"a b.inc"};
   jobs.title = "Reef: $(date)\n`id`";
   std::string text = ninja_text(jobs);
-  EXPECT_TRUE(contains(text, "povinc = ../it's$ $$HOME|x/povinc\n"));
-  EXPECT_TRUE(contains(text, "render_frame = '../it'\\''s$ $$HOME/scripts/render_frame.sh'\n"));
+  EXPECT_TRUE(contains(text, "povinc = ../it's $$HOME|x/povinc\n"));
+  EXPECT_TRUE(contains(text, "render_frame = '../it'\\''s $$HOME/scripts/render_frame.sh'\n"));
   EXPECT_TRUE(contains(text, "$povinc/a$ b.inc"));
-  EXPECT_TRUE(contains(text, "title = 'Reef$:$ $$(date)$ `id`'\n"));
+  EXPECT_TRUE(contains(text, "title = 'Reef: $$(date) `id`'\n"));
 }
 
 TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Builds build/frond; quick where nothing changed.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+
+usage() {
+  cat <<TEXT
+Usage: scripts/build.sh [--tests] [TARGET...]
+
+Configures and builds in build/ (by default the target frond), with the log in build/build.log.
+
+  --tests   configures the tests, too, and builds all targets
+  --help    this text
+
+Exit codes: 0 built, 1 not, 2 wrong option.
+TEXT
+}
+
+targets=()
+tests=''
+for argument in "$@"; do
+  case $argument in
+    -h | --help) usage; exit 0 ;;
+    --tests) tests=yes ;;
+    -*) bad_usage "unknown option '$argument'" ;;
+    *) targets+=("$argument") ;;
+  esac
+done
+if ((${#targets[@]} == 0)); then
+  if [[ -n $tests ]]; then targets=(all); else targets=(frond); fi
+fi
+
+cd -- "$root"
+mkdir -p build
+log=build/build.log
+exec {lock}>build/.lock
+flock "$lock"
+: >"$log"
+
+give_up() {
+  end_bar
+  tail -n 40 -- "$log" >&2
+  fail 1 "could not $1; the whole log is $root/$log"
+}
+
+if [[ ! -f build/build.ninja ]] || { [[ -n $tests ]] && ! grep -qx 'FROND_TESTS:BOOL=ON' build/CMakeCache.txt; }; then
+  say "Configuring the build"
+  cmake --preset release "-DFROND_TESTS=$([[ -n $tests ]] && echo ON || echo OFF)" >>"$log" 2>&1 || give_up "configure the build"
+fi
+
+quarter=-1
+step() {
+  printf '[%s/%s] %s\n' "$1" "$2" "$4" >>"$log"
+  if on_terminal; then
+    draw_bar "$1" "$2" "building, $1 of $2"
+  elif ((4 * $1 / $2 != quarter)); then
+    quarter=$((4 * $1 / $2))
+    say "Building: $1 of $2"
+  fi
+}
+tell() { printf '%s\n' "$1" >>"$log"; }
+
+start_ninja -C build -j "$(nproc)" -- "${targets[@]}"
+follow_ninja step tell || give_up "build"

@@ -1,0 +1,153 @@
+#!/usr/bin/env bash
+# From a preset to a film: installs what is missing, builds, generates the scenes, renders and encodes them.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+
+usage() {
+  cat <<'TEXT'
+Usage: scripts/render.sh PRESET [options]
+
+Leaves DIR/film.mp4 and DIR/contact.png, or DIR/still.png where the preset is a still. Renders only what changed:
+interrupted and run again it goes on where it stopped.
+
+  -o DIR                      where to (out/<preset name>)
+  --frames A-B                only these frames
+  --size WxH                  size of the pictures, in pixels
+  --quality draft|good|best   how well they are rendered
+  --set POINTER=VALUE         overrides one value of the preset; may be given again
+  --jobs N                    how many frames are rendered at once (as many as there are processors)
+  --threads N                 how many threads generate the scenes (as many)
+  -h, --help                  this text
+
+Examples:
+  scripts/render.sh presets/reef.json
+  scripts/render.sh presets/reef.json --frames 1-48 --size 320x180 --quality draft -o out/check
+  scripts/render.sh presets/reef.json --size 1280x720 --quality best --set /seed=8 -o out/reef-8
+
+Exit codes: 0 done, 1 could not (disk, POV-Ray), 2 wrong input, 130 interrupted.
+NO_COLOR=1 keeps messages plain. FROND_BIN, FROND_POVRAY and FROND_FFMPEG name other programs than build/frond,
+povray and ffmpeg.
+TEXT
+}
+
+preset='' out='' jobs='' pass=()
+set_preset() {
+  [[ -z $preset ]] || bad_usage "one preset at a time: '$preset', and then '$1'"
+  [[ -n $1 ]] || bad_usage "the preset's name is empty"
+  preset=$1
+}
+while (($# > 0)); do
+  case $1 in
+    -h | --help) usage; exit 0 ;;
+    --) shift; for argument in "$@"; do set_preset "$argument"; done; break ;;
+    -o | --out | --frames | --size | --quality | --set | --jobs | --threads)
+      (($# > 1)) || bad_usage "$1 needs a value"
+      option=$1 value=$2
+      shift 2
+      ;;
+    --out=* | --frames=* | --size=* | --quality=* | --set=* | --jobs=* | --threads=*)
+      option=${1%%=*} value=${1#*=}
+      shift
+      ;;
+    -?*) bad_usage "unknown option '$1'" ;;
+    *) set_preset "$1"; shift; continue ;;
+  esac
+  case $option in
+    -o | --out)
+      [[ -n $value ]] || bad_usage "$option needs a folder"
+      out=$value
+      ;;
+    --jobs)
+      [[ $value =~ ^[1-9][0-9]{0,3}$ ]] || bad_usage "--jobs needs a number from 1 on, not '$value'"
+      jobs=$value
+      ;;
+    *) pass+=("$option=$value") ;;  # frond knows what is right
+  esac
+done
+
+[[ -n $preset ]] || bad_usage "which preset?"
+if [[ ! -f $preset ]]; then
+  hint=''
+  if [[ -f $root/presets/$(basename -- "$preset" .json).json ]]; then
+    hint="; there is $root/presets/$(basename -- "$preset" .json).json"
+  fi
+  fail 2 "$preset: no such preset$hint"
+fi
+if [[ -z $out ]]; then out=out/$(basename -- "$preset" .json); fi
+# A name that begins with a dash is a path, not an option.
+[[ $preset == -* ]] && preset=./$preset
+[[ $out == -* ]] && out=./$out
+
+"$root/scripts/setup.sh" --quiet
+if [[ -z ${FROND_BIN:-} ]]; then "$root/scripts/build.sh"; fi
+
+mkdir -p -- "$out" 2>/dev/null || fail 1 "$out: the folder cannot be made"
+{ exec {lock}>"$out/.lock"; } 2>/dev/null || fail 1 "$out: cannot be written to"
+if ! flock --nonblock "$lock"; then
+  say "Another run is at work in $out; waiting for it"
+  flock "$lock"
+fi
+
+ninja_pid=''
+interrupted() {
+  if [[ -n $ninja_pid ]]; then
+    kill -TERM "$ninja_pid" 2>/dev/null || true
+    wait "$ninja_pid" 2>/dev/null || true
+  fi
+  say "Interrupted. The frames that are finished are kept: the same command goes on with the others."
+  exit 130
+}
+trap interrupted INT TERM HUP
+
+export FROND_HOME=${FROND_HOME:-$root}  # templates and includes, wherever the program lies
+say "Generating $out"
+status=0
+"${FROND_BIN:-$root/build/frond}" generate "$preset" "--out=$out" ${pass[@]+"${pass[@]}"} || status=$?
+case $status in
+  0) ;;
+  1 | 2) exit "$status" ;;
+  130 | 143) interrupted ;;
+  *) fail 1 "frond ended with exit code $status" ;;
+esac
+cd -- "$out"
+
+# What an earlier run left and is no part of this one.
+find frames -maxdepth 1 -name '.frame_*.part.*' -delete
+targets() { ninja -t targets rule "$1" 2>/dev/null || true; }
+still=$(targets still)
+if [[ -n $still ]]; then rm -f film.mp4 contact.png; else rm -f still.png; fi
+
+frames=$(targets frame | grep -c '' || true)
+to_do=$(NINJA_STATUS='' ninja -n | grep -c '^frame ' || true)
+if ((to_do == 0)); then
+  say "Nothing to render: all $frames frames are up to date."
+elif ((to_do < frames)); then
+  say "Rendering $to_do of $frames frames; the others are up to date."
+else
+  say "Rendering $frames frames."
+fi
+
+done_now=0 said=0
+step() {  # FINISHED ALL SECONDS WHAT
+  local seconds=$3 what=$4 left text
+  if [[ $what != frame\ * ]]; then return; fi
+  done_now=$((done_now + 1))
+  left=$(((seconds * (to_do - done_now) + done_now - 1) / done_now))
+  text="frame $((frames - to_do + done_now)) of $frames"
+  if ((done_now < to_do)); then text+=", about $(clock "$left") left"; else text+=", rendered in $(clock "$seconds")"; fi
+  if on_terminal; then
+    draw_bar "$((frames - to_do + done_now))" "$frames" "$text"
+  elif ((done_now == to_do || to_do <= 200 || seconds >= said + 5)); then
+    said=$seconds
+    say "$text"
+  fi
+  if ((done_now == to_do)) && [[ -z $still ]]; then say "Encoding the film"; fi
+}
+
+start_ninja -j "${jobs:-$(nproc)}"
+follow_ninja step say || fail 1 "not all frames of $out could be rendered; those that are finished are kept"
+
+results=(film.mp4 contact.png)
+if [[ -n $still ]]; then results=(still.png); fi
+for result in "${results[@]}"; do say "$out/$result"; done

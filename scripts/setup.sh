@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# Installs what building, rendering and testing need (Debian 12, apt).
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+
+build_packages=(g++ cmake ninja-build ccache libglm-dev nlohmann-json3-dev libfmt-dev libtbb-dev libcli11-dev)
+run_packages=(povray ffmpeg)
+test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev bats clang-format shellcheck python3)
+
+usage() {
+  cat <<TEXT
+Usage: scripts/setup.sh [--tests] [--quiet]
+
+Installs the Debian packages that are missing, as root or through sudo. Where nothing is missing it does nothing
+and needs neither root nor network.
+
+  --tests   also what scripts/test.sh needs
+  --quiet   one line only, and none where nothing is missing; apt's own words are shown if it fails
+  --help    this text
+
+to build:  ${build_packages[*]}
+to render: ${run_packages[*]}
+to test:   ${test_packages[*]}
+TEXT
+}
+
+tests='' quiet=''
+for argument in "$@"; do
+  case $argument in
+    --tests) tests=yes ;;
+    --quiet) quiet=yes ;;
+    -h | --help) usage; exit 0 ;;
+    *) bad_usage "unknown argument '$argument'" ;;
+  esac
+done
+
+packages=("${build_packages[@]}" "${run_packages[@]}")
+if [[ -n $tests ]]; then packages+=("${test_packages[@]}"); fi
+
+command -v dpkg-query >/dev/null || fail 1 "dpkg-query is missing: only Debian is known here. Needed: ${packages[*]}"
+
+# Installed is what has the state "i" (install or hold, and then installed).
+installed=$(dpkg-query -W -f='${db:Status-Abbrev} ${Package}\n' "${packages[@]}" 2>/dev/null || true)
+missing=()
+for package in "${packages[@]}"; do
+  if ! grep -qxE ".i +$(printf %s "$package" | sed 's/[+.]/\\&/g')" <<<"$installed"; then missing+=("$package"); fi
+done
+
+if ((${#missing[@]} == 0)); then
+  if [[ -z $quiet ]]; then say "Nothing to install: all ${#packages[@]} packages are there."; fi
+  exit 0
+fi
+
+as_root=()
+if [[ $(id -u) != 0 ]]; then
+  command -v sudo >/dev/null ||
+    fail 1 "packages are missing and there is neither root nor sudo. As root: apt-get install ${missing[*]}"
+  as_root=(sudo)
+fi
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y
+  -o DPkg::Lock::Timeout=500 -o Acquire::Retries=3 -o Dpkg::Use-Pty=0)
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+run() {
+  if [[ -n $quiet ]]; then "$@" >>"$log" 2>&1 </dev/null; else "$@" </dev/null; fi
+}
+install() { run "${apt[@]}" install --no-install-recommends "${missing[@]}"; }
+# The lists of packages are only fetched where they are missing or too old to install from.
+known() { "${apt[@]}" --simulate install --no-install-recommends "${missing[@]}" >/dev/null 2>&1; }
+
+say "Installing ${#missing[@]} packages: ${missing[*]}"
+if ! { known && install; }; then
+  if ! { run "${apt[@]}" update && install; }; then
+    tail -n 20 "$log" >&2
+    fail 1 "apt-get could not install: ${missing[*]}"
+  fi
+fi
+say "Installed in $(clock "$SECONDS")."
