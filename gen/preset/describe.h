@@ -29,38 +29,35 @@ namespace frond {
 // It is called with a fresh struct to read into, or with the defaults to print; it does nothing else with
 // them. Names and docs are string literals. Every visitor has:
 //
-//     number(name, x, range, doc)         double, float
-//     angle(name, x, range, doc)          the same; degrees in JSON and in the range, radians in the struct
-//     integer(name, n, range, doc)        any integer type; beyond the type and 2^53 is refused by itself
+//     number(name, x, range, doc)          double, float
+//     angle(name, x, range, doc)           the same; degrees in JSON and in the range, radians in the struct
+//     integer(name, n, range, doc)         any integer type; beyond the type and 2^53 is refused by itself
 //     boolean(name, b, doc)
-//     text(name, s, doc)                  std::string
-//     choice(name, e, table, doc)         an enum by its name in a constexpr array of Choice (below)
-//     vector(name, v, [range,] doc)       Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
-//     size(name, s, range, doc)           std::array<int, 2> from [width, height]
-//     color(name, c, doc)                 Color from "#rrggbb" or [r, g, b], each 0 to 1 (sRGB)
-//     curve(name, c, doc)                 Curve from [[x, y], ...], two or more points, x increasing
-//     animated(name, a, range, doc)       Animated<double> from a number, or keyframes [[seconds, number],
-//     ...] animated_angle(name, a, range, doc) the same in degrees, radians in the struct animated(name, a,
-//     [range,] doc)     Animated<Vec3> from [x, y, z], or keyframes [[seconds, [x, y, z]], ...] object(name,
-//     o, doc)                a struct with a describe() of its own list(name, l, [count,] doc) std::vector
-//     of: described structs, std::string, double, float, integers,
-//                                         vectors
-//     texts(name, l, doc)                 std::vector<std::string>; the same as list()
-//     pairs(name, p, doc)                 std::vector<std::pair<std::string, std::string>> from an object of
-//     numbers
-//                                         and texts, in the order written; a number becomes its shortest text
-//     tagged(name, t, kinds, doc)         an object whose "kind" says how it is read (Kind, below)
-//     tagged_list(name, l, kinds, doc)    a list of such
-//     inheriting_list(names, l, kinds, doc)   a list of such behind which stand defaults (Inheritance, below)
-//     required(name)                      the property must be given; after the line that reads it
-//     shorthand(name)                     first of all: a bare value in place of the object is read as this
-//     property
-//                                         of it: "A -> B" for {"rule": "A -> B"}
-//     custom(name, x, read, schema, doc)  everything else: `bool read(Reader&, const Value&, X&)` notes its
-//     faults
-//                                         by Reader::fault and says whether x was read; `schema` is JSON text
+//     text(name, s, doc)                   std::string
+//     choice(name, e, table, doc)          an enum by its name in a constexpr array of Choice (below)
+//     vector(name, v, [range,] doc)        Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
+//     size(name, s, range, doc)            std::array<int, 2> from [width, height]
+//     color(name, c, doc)                  Color from "#rrggbb" or [r, g, b], each 0 to 1 (sRGB)
+//     curve(name, c, doc)                  Curve from [[x, y], ...], two or more points, x increasing
+//     animated(name, a, range, doc)        Animated<double>: a number, or keyframes [[seconds, number], ...]
+//     animated(name, a, [range,] doc)      Animated<Vec3>: [x, y, z] or keyframes [[seconds, [x, y, z]], ...]
+//     animated_angle(name, a, range, doc)  Animated<double> in degrees, radians in the struct
+//     object(name, o, doc)                 a struct with a describe() of its own
+//     list(name, l, [count,] doc)          std::vector of described structs, texts, numbers, vectors, Color
+//     texts(name, l, doc)                  std::vector<std::string>; the same as list()
+//     pairs(name, p, doc)                  std::vector<std::pair<std::string, std::string>>, in the order
+//                                          written, from an object of numbers (as shortest text) and texts
+//     tagged(name, t, kinds, doc)          an object whose "kind" says how it is read (Kind, below)
+//     tagged_list(name, l, kinds, doc)     a list of such
+//     inheriting_list(names, l, kinds, doc)  a list of such, with defaults behind it (Inheritance, below)
+//     required(name)                       that property must be given; after the line that reads it
+//     shorthand(name)                      first of all: a bare value in place of the object is read as this
+//                                          property of it, so "A -> B" as {"rule": "A -> B"}. Not for a Kind.
+//     custom(name, x, read, schema, doc)   all else: `bool read(Reader&, const Value&, X&)` notes faults by
+//                                          Reader::fault and says whether x was read; `schema` is JSON text
 //
-// Each of them also takes a std::optional of its type, which stays empty where the property is not given.
+// Each that reads a property also takes a std::optional of its type, which stays empty where it is not given.
+// The doc says what a property is, range.unit in which unit; both stand in the schema.
 
 /// The numbers that are allowed, ends included. The unit is for the reader of the documentation only.
 struct Range {

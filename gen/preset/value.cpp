@@ -108,6 +108,24 @@ std::string pointer_step(std::string_view pointer, std::string_view name) {
   return text;
 }
 
+Origin origin_at(const Value& root, std::string_view pointer) {
+  const Value* here = &root;
+  while (pointer.starts_with('/')) {
+    std::string_view step = pointer.substr(0, pointer.find('/', 1));
+    const Value* next = nullptr;
+    for (const Member& member : here->members) {
+      if (pointer_step("", member.name) == step) next = &member.value;
+    }
+    for (std::size_t i = 0; i < here->items.size(); ++i) {
+      if (fmt::format("/{}", i) == step) next = &here->items[i];
+    }
+    if (!next) break;
+    here = next;
+    pointer.remove_prefix(step.size());
+  }
+  return here->origin;
+}
+
 std::string expected_names(std::string_view found, std::span<const std::string_view> names) {
   constexpr std::size_t kShort = 8;
   constexpr std::size_t kLong = 24;

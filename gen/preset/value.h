@@ -78,6 +78,10 @@ std::string found_text(const Value& value);
 /// `pointer` with one more step, escaped as in RFC 6901 (`~` becomes `~0`, `/` becomes `~1`).
 std::string pointer_step(std::string_view pointer, std::string_view name);
 
+/// Where the value at the pointer was written; where there is none, the innermost that would hold it. For
+/// faults that are found only after reading.
+Origin origin_at(const Value& root, std::string_view pointer);
+
 /// The part of a message that follows what was found: `; expected one of a, b, c; did you mean "b"?`. A long
 /// list is counted, not told.
 std::string expected_names(std::string_view found, std::span<const std::string_view> names);

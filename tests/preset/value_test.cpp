@@ -25,6 +25,14 @@ TEST(Value, PointersAreEscaped) {
   EXPECT_EQ(pointer_step("", ""), "/");
 }
 
+TEST(Value, PlacesAreFoundByPointer) {
+  Value root = parse_json("{\"a\": [1,\n 2],\n \"b/c\": {\"d\": 3}}", "f")->root;
+  EXPECT_EQ(origin_at(root, "").text(), "f:1:1");
+  EXPECT_EQ(origin_at(root, "/a/1").text(), "f:2:2");
+  EXPECT_EQ(origin_at(root, "/b~1c/d").text(), "f:3:15");
+  EXPECT_EQ(origin_at(root, "/a/7/x").text(), "f:1:7") << "the list that has no such element";
+}
+
 TEST(Value, MessagesNameWhatWasFound) {
   EXPECT_EQ(found_text(Value{}), "null");
   EXPECT_EQ(found_text(make_number(-0.5)), "-0.5");
