@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "grammar/forecast.h"
 #include "grammar/match.h"
 #include "grammar/rewrite.h"
 #include "grammar/turtle.h"
@@ -166,8 +167,11 @@ Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, 
 }
 
 Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+  Errors errors;
+  if (has_growth_matrix(grammar)) errors = refuse(forecast(grammar, steps, seed, limits), limits);
+  if (!errors.empty()) return errors;
   Derivation state = begin(grammar, seed);
-  Errors errors = advance(grammar, state, steps, seed, limits);
+  errors = advance(grammar, state, steps, seed, limits);
   if (!errors.empty()) return errors;
   return std::move(state.word);
 }

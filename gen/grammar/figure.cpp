@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grammar/stream.h"
+
 namespace frond {
 
 namespace {
@@ -20,6 +22,14 @@ struct Measure {
   }
   void push(TurtleState& state) { stats.max_stack_depth = std::max(stats.max_stack_depth, state.depth + 1); }
   void polygon(std::span<const DVec3>, const TurtleState&) { ++stats.polygons; }
+
+  TurtleStats finish(const TurtleState& end) {
+    stats.end_position = end.position;
+    stats.end_heading = end.heading;
+    stats.end_left = end.left;
+    stats.end_up = end.up;
+    return stats;
+  }
 };
 
 constexpr float kThinnest = 1e-6f;
@@ -99,17 +109,26 @@ TurtleState start_of(const Grammar& grammar) {
 TurtleStats stats_of(const Grammar& grammar, const Word& word, Seed seed) {
   Measure measure;
   TurtleState end = walk(grammar, word, seed, measure);
-  TurtleStats& stats = measure.stats;
-  stats.end_position = end.position;
-  stats.end_heading = end.heading;
-  stats.end_left = end.left;
-  stats.end_up = end.up;
-  return stats;
+  return measure.finish(end);
+}
+
+Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+  Measure measure;
+  Result<TurtleState> end = draw(grammar, steps, seed, measure, limits);
+  if (!end) return end.errors();
+  return measure.finish(*end);
 }
 
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed) {
   Builder builder{grammar, {}};
   walk(grammar, word, seed, builder);
+  return std::move(builder.figure);
+}
+
+Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+  Builder builder{grammar, {}};
+  Result<TurtleState> end = draw(grammar, steps, seed, builder, limits);
+  if (!end) return end.errors();
   return std::move(builder.figure);
 }
 

@@ -15,6 +15,9 @@ struct TurtleStats {
 
 TurtleStats stats_of(const Grammar& grammar, const Word& word, Seed seed);
 
+/// The same for the word after so many steps, which is not stored where it need not be.
+Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
+
 /// A filled outline: a leaf, a petal.
 struct Outline {
   std::vector<Vec3> points;
@@ -42,6 +45,9 @@ struct Figure {
 };
 
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
+
+/// The same for the word after so many steps, which is not stored where it need not be.
+Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 
 /// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the order
 /// of the word; the order of a node is the number of brackets around it. Segments without length are left out.

@@ -22,9 +22,9 @@ struct GrammarText {
 
   /// `left < predecessor > right : condition ->(weight) successor`
   struct Rule {
-    std::string text;
+    std::string text = {};
     int limit = kUnlimited;  ///< how often the rule may be used in a derivation
-    std::string where;       ///< for messages: where the rule stands; empty: "rule 3"
+    std::string where = {};  ///< for messages: where the rule stands; empty: "rule 3"
   };
 
   std::string axiom = "F";

@@ -1,0 +1,180 @@
+#include "grammar/forecast.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammar/stream.h"
+
+namespace frond {
+
+namespace {
+
+/// What one module of a symbol becomes in a step: how many of each symbol, on average.
+using Row = std::vector<std::pair<SymbolId, double>>;
+
+void add_successor(Row& row, const Production& rule, double share) {
+  for (SymbolId symbol : rule.successor) {
+    auto same = std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == symbol; });
+    if (same != row.end()) same->second += share;
+    else row.emplace_back(symbol, share);
+  }
+}
+
+/// Whether all rules of a symbol are weighted by numbers and apply everywhere, or the first applies always.
+bool has_row(const RuleSet& set, SymbolId symbol) {
+  const auto& of = set.of[symbol];
+  auto fixed = [&](std::uint16_t index) {
+    const Production& rule = set.rules[index];
+    return rule.context_free() && !rule.conditional && rule.limit == GrammarText::kUnlimited &&
+           (!rule.weighted || rule.weight.form == Expression::Form::constant);
+  };
+  return std::all_of(of.begin(), of.end(), fixed);
+}
+
+Row row_of(const RuleSet& set, SymbolId symbol) {
+  Row row;
+  const auto& of = set.of[symbol];
+  double total = 0;
+  for (std::uint16_t index : of) total += set.rules[index].weighted ? set.rules[index].weight.value : 0;
+  for (std::uint16_t index : of) {
+    const Production& rule = set.rules[index];
+    if (!rule.weighted) return add_successor(row, rule, 1), row;
+    if (total > 0) add_successor(row, rule, rule.weight.value / total);
+  }
+  if (of.empty() || total <= 0) row.emplace_back(symbol, 1);
+  return row;
+}
+
+/// Segments that one module of each symbol draws, interpretation included.
+std::vector<double> segments_of_symbols(const Grammar& grammar) {
+  std::vector<double> plain(grammar.symbols.size());
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    plain[i] = grammar.symbols[i].act == Act::draw || grammar.symbols[i].act == Act::draw_free;
+  std::vector<double> now = plain;
+  for (int depth = 0; depth < grammar.text.interpretation_depth && !grammar.interpretation.empty(); ++depth) {
+    std::vector<double> next = plain;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      if (grammar.interpretation.of[i].empty()) continue;
+      next[i] = 0;
+      for (auto [symbol, count] : row_of(grammar.interpretation, static_cast<SymbolId>(i))) next[i] += count * now[symbol];
+    }
+    now = next;
+  }
+  return now;
+}
+
+/// Size of a word known by how often each symbol occurs.
+struct Sizes {
+  double modules = 0, bytes = 0, segments = 0;
+};
+
+Sizes sizes_of(const Grammar& grammar, const std::vector<double>& times, const std::vector<double>& segments) {
+  Sizes sizes;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    sizes.modules += times[i];
+    sizes.bytes += times[i] * (sizeof(SymbolId) + sizeof(double) * static_cast<double>(grammar.symbols[i].arity));
+    sizes.segments += times[i] * segments[i];
+  }
+  return sizes;
+}
+
+std::vector<double> times_in(const Grammar& grammar, const Word& word) {
+  std::vector<double> times(grammar.symbols.size());
+  for (SymbolId symbol : word.symbols) times[symbol] += 1;
+  return times;
+}
+
+void note(Forecast& forecast, const Sizes& sizes, int step, const Limits& limits) {
+  forecast.modules = sizes.modules;
+  forecast.bytes = sizes.bytes;
+  forecast.segments = sizes.segments;
+  bool passes = sizes.modules > static_cast<double>(limits.modules) || sizes.bytes > static_cast<double>(limits.bytes);
+  if (!passes || forecast.passes_at >= 0) return;
+  forecast.passes_at = step;
+  forecast.passes_with = sizes.modules;
+}
+
+void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast& forecast) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < grammar.symbols.size(); ++i) {
+    rows.push_back(row_of(grammar.rules, static_cast<SymbolId>(i)));
+    for (std::uint16_t index : grammar.rules.of[i])
+      if (grammar.rules.rules[index].weighted) forecast.kind = Forecast::Kind::expected;
+  }
+  std::vector<double> segments = segments_of_symbols(grammar), times = times_in(grammar, grammar.axiom);
+  note(forecast, sizes_of(grammar, times, segments), 0, limits);
+  for (int step = 1; step <= steps; ++step) {
+    std::vector<double> next(times.size());
+    for (std::size_t i = 0; i < times.size(); ++i)
+      if (times[i] > 0) for (auto [symbol, count] : rows[i]) next[symbol] += times[i] * count;
+    if (next == times) break;
+    times = std::move(next);
+    note(forecast, sizes_of(grammar, times, segments), step, limits);
+    if (!std::isfinite(forecast.modules) || forecast.modules > 1e300) break;
+  }
+}
+
+/// Grows the word a little and goes on at the rate of its last steps.
+void by_dry_run(const Grammar& grammar, int steps, Seed seed, const Limits& limits, Forecast& forecast) {
+  std::vector<double> segments = segments_of_symbols(grammar);
+  Derivation state = begin(grammar, seed);
+  Limits small{std::min<std::size_t>(limits.modules, 2'000'000), std::min<std::size_t>(limits.bytes, 64u << 20)};
+  Sizes now = sizes_of(grammar, times_in(grammar, state.word), segments), before = now, earlier = now;
+  note(forecast, now, 0, limits);
+  int step = 0;
+  std::size_t work = 0;
+  while (step < steps && now.modules < 1e5 && work < 4'000'000) {
+    if (!advance(grammar, state, 1, seed, small).empty()) break;
+    ++step;
+    work += state.word.size() + 1;
+    earlier = before, before = now;
+    now = sizes_of(grammar, times_in(grammar, state.word), segments);
+    note(forecast, now, step, limits);
+  }
+  if (step == steps) return;
+  forecast.kind = Forecast::Kind::extrapolated;
+  // Two steps back, as many grammars grow in one step and rest in the next.
+  double rate = std::sqrt(std::max(1.0, now.modules / std::max(1.0, earlier.modules)));
+  double added = std::max(0.0, (now.modules - earlier.modules) / 2);
+  bool linear = rate < 1.01;
+  for (; step < steps; ++step) {
+    double factor = linear ? (now.modules + added) / std::max(1.0, now.modules) : rate;
+    now = {now.modules * factor, now.bytes * factor, now.segments * factor};
+    note(forecast, now, step + 1, limits);
+    if (now.modules > 1e300) return;
+  }
+}
+
+}  // namespace
+
+bool can_stream(const Grammar& grammar, int steps) {
+  return grammar.context_free && !grammar.limited && !grammar.cuts && !grammar.queries && grammar.decomposition.empty() &&
+         grammar.text.mode == GrammarText::Mode::parallel && steps <= 2000;
+}
+
+bool has_growth_matrix(const Grammar& grammar) {
+  if (grammar.text.mode == GrammarText::Mode::sequential || grammar.cuts || !grammar.decomposition.empty()) return false;
+  for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
+    if (!has_row(grammar.rules, static_cast<SymbolId>(i))) return false;
+  return true;
+}
+
+Forecast forecast(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+  Forecast forecast;
+  if (has_growth_matrix(grammar)) by_matrix(grammar, steps, limits, forecast);
+  else by_dry_run(grammar, steps, seed, limits, forecast);
+  return forecast;
+}
+
+Errors refuse(const Forecast& forecast, const Limits& limits) {
+  if (forecast.passes_at < 0) return {};
+  std::string_view how = forecast.kind == Forecast::Kind::exact ? "would have" : forecast.kind == Forecast::Kind::expected
+                       ? "would have on average" : "would have about";
+  return {{"", fmt::format("step {} {} {:.4g} modules, past the limit of {} modules and {} bytes; the last step {} {:.4g} "
+                           "({:.3g} bytes): use at most {} steps, or raise `limits`", forecast.passes_at, how, forecast.passes_with,
+                           limits.modules, limits.bytes, how, forecast.modules, forecast.bytes, std::max(0, forecast.passes_at - 1))}};
+}
+
+}  // namespace frond

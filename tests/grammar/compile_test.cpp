@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include "grammar/derive.h"
+
+namespace frond {
+namespace {
+
+/// All messages for a grammar with these rules, one a line.
+std::string messages(const std::vector<std::string>& rules, const std::string& axiom = "A") {
+  GrammarText text;
+  text.axiom = axiom;
+  text.constants = {{"r", "2"}};
+  for (const std::string& rule : rules) text.rules.push_back({rule});
+  Result<Grammar> grammar = compile(text);
+  std::string all;
+  if (grammar) return all;
+  for (const Error& error : grammar.errors()) all += error.text() + "\n";
+  return all;
+}
+
+struct Mistake {
+  const char* rule;
+  const char* says;
+};
+
+TEST(Compile, MistakesNameRuleAndPlace) {
+  const Mistake mistakes[] = {
+      {"A -> F[+F", "column 7: this `[` is not closed"},
+      {"A -> F]", "column 7: this `]` closes no `[`"},
+      {"A -> F(sine(3))", "column 8: there is no function `sine`; did you mean `sin`?"},
+      {"A -> F(sin(3,4))", "`sin` takes 1 parameter, 2 given"},
+      {"A -> F(max(3))", "`max` takes 2 parameters, 1 given"},
+      {"A ->(-0.5) F", "the weight is -0.5; it must be 0 or more"},
+      {"A(x) -> F(y)", "`y` is not a parameter of the rule, nor a constant"},
+      {"A(x,x) -> F", "the parameter `x` is named twice"},
+      {"A(3) -> F", "a parameter of the left side is a name"},
+      {"AB -> F", "the predecessor is one module"},
+      {"A F", "no arrow"},
+      {"-> F", "there is no predecessor"},
+      {"A -> F(1", "the parameters of `F` are not closed"},
+      {"A -> F(1+)", "a number, a name or `(` is expected"},
+      {"A -> (3", "the weight is not closed"},
+      {"A : 0 -> F", "the condition is never true"},
+      {"A : r > -> F", "a number, a name or `(` is expected"},
+      {"A -> F(1/0)", "division by zero"},
+      {"B[C] < A -> F", "the left context is the path to the root"},
+      {"A > [B -> F", "the brackets of the right context do not match"},
+      {"[ -> F", "brackets cannot be rewritten"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    std::string all = messages({"B -> B", mistake.rule});
+    EXPECT_NE(all.find(mistake.says), std::string::npos) << mistake.rule << " gives: " << all;
+    EXPECT_NE(all.find("rule 2"), std::string::npos) << all;
+  }
+}
+
+TEST(Compile, AllMistakesAreReported) {
+  std::string all = messages({"A -> F[", "B -> F(q)", "C F"}, "A]");
+  for (const char* part : {"rule 1", "rule 2", "rule 3", "axiom"}) EXPECT_NE(all.find(part), std::string::npos) << all;
+}
+
+TEST(Compile, RulesThatCanNeverMatchAreRefused) {
+  EXPECT_NE(messages({"A -> B", "A -> C"}).find("can never be used"), std::string::npos);
+  EXPECT_NE(messages({"A -> B", "X < A -> C"}).find("rule 2: `X < A -> C` can never be used: `A -> B` (rule 1)"), std::string::npos);
+  EXPECT_NE(messages({"X < A -> B", "X < A : r > 1 -> C"}).find("can never be used"), std::string::npos);
+  EXPECT_EQ(messages({"A ->(1) B", "A ->(2) C"}), "");
+  EXPECT_EQ(messages({"X < A -> B", "A -> C"}), "");
+  GrammarText limited;
+  limited.rules = {{"A -> B", 2}, {"A -> C"}};
+  EXPECT_TRUE(compile(limited).ok());
+  limited.rules = {{"A -> B", -1}};
+  ASSERT_FALSE(compile(limited).ok());
+  EXPECT_NE(compile(limited).errors()[0].what.find("the limit is -1; it must be 1 or more"), std::string::npos);
+}
+
+TEST(Compile, ConstantsMayUseEachOther) {
+  GrammarText text;
+  text.axiom = "A(1)";
+  text.constants = {{"q", "1-r"}, {"r", "p*2"}, {"p", "0.25"}, {"w", "[1, 2, q*10]"}};
+  text.rules = {{"A(i) -> F(q)G(w[i],ramp(w,0.25))"}};
+  Result<Grammar> grammar = compile(text);
+  ASSERT_TRUE(grammar.ok()) << grammar.errors()[0].text();
+  EXPECT_EQ(frond::text(*grammar, *derive(*grammar, 1, Seed{1})), "F(0.5)G(2,1.5)");
+  text.constants = {{"a", "b"}, {"b", "a"}};
+  EXPECT_EQ(compile(text).errors().size() >= 2, true);
+}
+
+std::string value(const std::string& formula) {
+  GrammarText text;
+  text.axiom = "A(3,-2)";
+  text.rules = {{"A(x,y) -> V(" + formula + ")"}};
+  Result<Grammar> grammar = compile(text);
+  if (!grammar) return grammar.errors()[0].what;
+  Result<Word> word = derive(*grammar, 1, Seed{1});
+  return word ? frond::text(*grammar, *word) : word.errors()[0].text();
+}
+
+TEST(Expression, FollowsTheUsualOrder) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"x+2*y", "V(-1)"}, {"(x+2)*y", "V(-10)"}, {"-x^2", "V(-9)"}, {"2^3^2", "V(512)"}, {"x%2", "V(1)"},
+      {"7-2-1", "V(4)"}, {"x>2 && y<0", "V(1)"}, {"x>2 and not y<0", "V(0)"}, {"x=3", "V(1)"}, {"x==3||1/0>2", "division"},
+      {"x!=3", "V(0)"}, {"min(x,y,-7)", "V(-7)"}, {"max(x,y)", "V(3)"}, {"floor(-1.5)", "V(-2)"}, {"ceil(x/2)", "V(2)"},
+      {"abs(y)", "V(2)"}, {"sign(y)", "V(-1)"}, {"sqrt(x+1)", "V(2)"}, {"exp(0)", "V(1)"}, {"log(1)", "V(0)"},
+      {"sin(30)", "V(0.5)"}, {"cos(60)", "V(0.5)"}, {"tan(45)", "V(1)"}, {"asin(1)", "V(90)"}, {"acos(0)", "V(90)"},
+      {"atan(1)", "V(45)"}, {"atan2(1,-1)", "V(135)"}, {"step", "V(1)"}, {"!(x>2)", "V(0)"}, {"x-y*x", "V(9)"},
+      {"x*1e3", "V(3000)"}, {".5*x", "V(1.5)"}, {"y*x*0", "V(0)"}, {"x<>y", "V(1)"}, {"x>=3 or 1/(x-3)>0", "V(1)"}};
+  for (const auto& [formula, want] : cases) EXPECT_NE(value(formula).find(want), std::string::npos) << formula << ": " << value(formula);
+  EXPECT_NE(value("1/(x-3)").find("step 1, module 1 (`A(3,-2)`): division by zero"), std::string::npos);
+  EXPECT_NE(value("log(y)").find("not finite"), std::string::npos);
+}
+
+TEST(Compile, SymbolsMayBeWordsAndForeignLetters) {
+  GrammarText text;
+  text.axiom = "Leaf\u00e4L";
+  text.symbols = {"Leaf"};
+  text.rules = {{"\u00e4 \u2192 Leaf(1)\u00e4"}, {"Leaf -> L"}, {"- -> +"}};
+  Grammar grammar = std::move(*compile(text));
+  EXPECT_EQ(grammar.axiom.size(), 3u);
+  EXPECT_EQ(frond::text(grammar, *derive(grammar, 1, Seed{1})), "LLeaf(1)\u00e4L");
+  ASSERT_EQ(grammar.warnings.size(), 1u);
+}
+
+}  // namespace
+}  // namespace frond
