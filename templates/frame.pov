@@ -10,7 +10,7 @@
 #include "frond_food.inc"
 {{setting}}
 {{camera}}
-// The skins: sixteen ages of each, 0 old .. 15 a growing tip.
+// The skins, old and young.
 {{materials}}
 {{ground}}
 {{organisms}}

@@ -13,7 +13,6 @@ namespace frond {
 
 namespace {
 
-constexpr int kAges = 16;               // textures of each skin, from old to young
 constexpr std::size_t kPartNodes = 50'000;  // of one organism, written by one thread at a time
 
 std::string number(double value, int decimals = 5) {
@@ -28,7 +27,7 @@ void append_skins(std::string& text, const Scene& scene) {
     const Branches& b = scene.branches[i];
     const Pores& pores = b.skin.pores;
     const Tint& tint = b.skin.tint;
-    text += "Coral_Skins(";
+    text += "Coral_Skin(";
     append_integer(text, static_cast<long long>(i));
     text += ',';
     append_integer(text, static_cast<int>(b.skin.kind));
@@ -115,16 +114,40 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   return text;
 }
 
+/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the chunk.
+void append_skin(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose, const Chunk& chunk,
+                 std::size_t index) {
+  Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
+  if (rest.birth[chunk.last] > pose.front) {
+    // Where the growing tip is on its way from the node below.
+    std::int32_t below = rest.parent[chunk.last];
+    float way = (pose.front - rest.birth[below]) / (rest.birth[chunk.last] - rest.birth[below]);
+    to = glm::mix(rest.position[below], to, way);
+  }
+  Vec3 way = to - from;
+  float length2 = glm::dot(way, way);
+  if (std::max(chunk.young_from, chunk.young_to) < 0.01f || length2 < 1e-10f) {
+    text += "Skin[";
+    append_integer(text, static_cast<long long>(index));
+    text += ']';
+    return;
+  }
+  Vec3 slope = way * ((chunk.young_to - chunk.young_from) / length2);
+  double at_zero = chunk.young_from - glm::dot(slope, from), unit = space.unit;
+  text += "Coral_Tip(";
+  append_integer(text, static_cast<long long>(index));
+  text += ',';
+  append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
+  text += ')';
+}
+
 /// The sweeps of chunks first..last of one organism.
 void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose, std::size_t index,
                  std::span<const Chunk> chunks) {
   for (const Chunk& chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
-    text += " texture{Skin[";
-    append_integer(text, static_cast<long long>(index));
-    text += "][";
-    append_integer(text, std::clamp(static_cast<int>(chunk.young * (kAges - 1) + 0.5f), 0, kAges - 1));
-    text += ']';
+    text += " texture{";
+    append_skin(text, space, b.rest, pose, chunk, index);
     if (chunk.moved()) append_matrix(text, space, chunk.matrix, chunk.shift);
     text += "}}\n";
   }
@@ -174,8 +197,8 @@ FrameParts prepare_frames(const Scene& scene) {
     for (float radius : b.rest.radius) thinnest = std::min(thinnest, radius);
   FrameParts parts;
   parts.space = space_for(thinnest);
-  parts.materials = "#declare Skin = array[" + number(static_cast<double>(std::max<std::size_t>(1, scene.branches.size()))) +
-                    "][" + number(kAges) + "];\n";
+  std::string count = number(static_cast<double>(std::max<std::size_t>(1, scene.branches.size())));
+  parts.materials = "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene);
   parts.ground = "object{\n";
   append_mesh(parts.ground, parts.space, scene.floor);

@@ -50,8 +50,9 @@ class Cutter {
     Chunk chunk{first, last};
     carry(rest_, pose_, chunk);
     if (first == last || fits(chunk, std::min(last, end))) {
-      chunk.young = youth((first + last) / 2);
       chunk.last = std::min(last, end);
+      chunk.young_from = youth(rest_.parent[first]);
+      chunk.young_to = youth(chunk.last);
       out_.push_back(chunk);
       return;
     }
@@ -64,7 +65,6 @@ class Cutter {
   float youth(std::int32_t i) const { return frond::youth(rest_, pose_, longest_, options_.young_length, i); }
 
   bool fits(const Chunk& chunk, std::int32_t end) const {
-    if (std::abs(youth(rest_.parent[chunk.first]) - youth(end)) > options_.young_step) return false;
     for (std::int32_t i = chunk.first; chunk.moved() && i <= end; ++i)
       if (pattern_drift(rest_, pose_, chunk, i) > options_.tolerance) return false;
     return true;

@@ -16,7 +16,9 @@ struct Chunk {
   /// at shift + matrix * x. The identity while nothing moves.
   glm::mat3 matrix{1};
   Vec3 shift{0};
-  float young = 0;  ///< 1 at a growing tip .. 0 farther below than the young length
+  /// How young the skin is at the node below `first` and at the end: 1 at a growing tip .. 0 farther below than
+  /// the young length.
+  float young_from = 0, young_to = 0;
 
   bool moved() const { return matrix != glm::mat3(1) || shift != Vec3(0); }
 };
@@ -25,7 +27,6 @@ struct ChunkOptions {
   int nodes = 12;              ///< at most so many in one chunk, 2 or more
   float tolerance = 0.003f;    ///< metres by which the pattern may slide on the skin
   float young_length = 0.08f;  ///< metres below a tip in which the skin is young
-  float young_step = 0.12f;    ///< by how much `young` may differ between the ends of a chunk
 };
 
 /// Cuts the branches that growth has reached into chunks as short as the options ask.
