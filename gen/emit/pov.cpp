@@ -10,7 +10,7 @@ namespace frond {
 
 namespace {
 
-constexpr int kDecimals = 5;
+constexpr int kDecimals = 4;
 
 /// The end of a piece of SDL with as many points as it turned out to have. The count comes before the points,
 /// so room is left for it.

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Renders small frames with POV-Ray and measures them: usage images_test.py FROND SOURCE_DIR."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+frond, source = sys.argv[1], pathlib.Path(sys.argv[2])
+WIDTH, HEIGHT = 64, 48
+
+
+def render(preset, frames, folder, quality="+A0.3"):
+    """The frames of a preset as lists of (red, green, blue)."""
+    subprocess.run([frond, "generate", source / preset, "-o", folder, "-q"], check=True)
+    pictures = {}
+    for frame in frames:
+        scene = folder / "frames" / f"frame_{frame:04}.pov"
+        picture = folder / f"{frame}.ppm"
+        run = subprocess.run(
+            ["povray", f"+L{source / 'povinc'}", f"+I{scene}", f"+O{picture}", f"+W{WIDTH}", f"+H{HEIGHT}", quality,
+             "+FP8", "-D", "-GA", "+WT1"], capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr[-2000:]
+        assert "Warning" not in run.stderr.replace("Warning Stream", ""), run.stderr[-2000:]
+        data = picture.read_bytes()[-3 * WIDTH * HEIGHT:]
+        pictures[frame] = [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
+    return pictures
+
+
+def mean(picture):
+    return sum(map(sum, picture)) / (3 * len(picture))
+
+
+def deviation(picture):
+    middle = mean(picture)
+    return (sum((sum(p) / 3 - middle) ** 2 for p in picture) / len(picture)) ** 0.5
+
+
+def difference(a, b):
+    return sum(abs(x - y) for p, q in zip(a, b) for x, y in zip(p, q)) / (3 * len(a))
+
+
+def check(name, holds, figure):
+    print(f"{'ok  ' if holds else 'FAIL'} {name}: {figure}")
+    return holds
+
+
+def main():
+    good = True
+    with tempfile.TemporaryDirectory() as where:
+        folder = pathlib.Path(where)
+        film = render("tests/presets/tiny_film.json", [1, 2, 4, 6], folder / "film")
+        for frame, picture in film.items():
+            good &= check(f"frame {frame} is not blank", deviation(picture) > 12, f"{deviation(picture):.1f}")
+            good &= check(f"frame {frame} is neither dark nor burnt out", 40 < mean(picture) < 200, f"{mean(picture):.1f}")
+        for a, b in [(1, 2), (2, 4), (4, 6)]:
+            moved = difference(film[a], film[b])
+            good &= check(f"frames {a} and {b} differ", 0.5 < moved < 60, f"{moved:.2f}")
+        # Water is blue: above the reef there is more blue than red, and it fades toward the light.
+        sky = film[6][:WIDTH * 8]
+        blue, red = (sum(p[c] for p in sky) / len(sky) for c in (2, 0))
+        good &= check("the water is blue", blue > red + 30, f"{blue:.0f} against {red:.0f}")
+
+        # The coral stands out: the still without it is another picture.
+        still = render("tests/presets/tiny_still.json", [1], folder / "still")[1]
+        black = sum(1 for p in still if max(p) < 6)
+        good &= check("no black specks", black == 0, f"{black} pixels")
+        red = [p for p in still if p[0] > p[2] + 40]
+        good &= check("the coral stands out from the water and the sand", len(red) > 60, f"{len(red)} pixels")
+    return 0 if good else 1
+
+
+sys.exit(main())
