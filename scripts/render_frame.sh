@@ -44,7 +44,10 @@ fi
 {
   printf '%s could not be rendered:\n' "$scene"
   # What matters of POV-Ray's many lines: the file, the line and what was wrong.
-  if ! sed "s|$library|povinc|g" "$log" | grep -i 'error' | grep -v -e 'Cannot parse input' -e 'Possible' | head -n 5; then
+  errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
+  if [[ -n $errors ]]; then
+    printf '%s\n' "$errors"
+  else
     if ((status > 128)); then printf 'povray was ended by signal %d (out of memory?)\n' $((status - 128)); fi
     tail -n 5 "$log"
   fi

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Holds gen/ to the layers of gen/CMakeLists.txt and to what is banned there.
+
+    tests/layers.py [ROOT]
+
+Prints one line a fault; exit code 1 where there is one.
+"""
+import pathlib
+import re
+import sys
+
+MAX_LINES = 400
+
+# What only some files may include: header -> who may.
+RESERVED = {
+    "nlohmann/": lambda path: path.parent.name == "preset" and path.suffix == ".cpp",
+    "tbb/": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
+    "oneapi/tbb": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
+    "CLI/": lambda path: path.parent.name == "app",
+}
+
+BANNED = {
+    r"(?<![\w.>:])(?:std::)?s?rand\s*\(": "rand(): randomness comes from a Seed",
+    r"\brandom_device\b": "random_device: randomness comes from a Seed",
+    r"\bstd::(?:mt19937\w*|default_random_engine)\b": "an engine of std: randomness comes from a Seed",
+    r"\bstd::\w+_distribution\b": "a distribution of std differs from one library to the next: Seed has its own",
+    r"\b(?:system|steady|high_resolution)_clock\b": "a clock: the same input must give the same output",
+    r"(?<![\w.>:])(?:std::)?(?:time|clock)\s*\(\s*(?:NULL|nullptr|0|&\w+)?\s*\)": "a clock: the same input must give the same output",
+    r"\bunordered_(?:multi)?(?:map|set)\b": "an unordered container: its order differs from one library to the next",
+}
+# Looked for in comments, too.
+LEFT_BEHIND = {r"\b(?:TODO|FIXME|XXX)\b": "left behind: do it, or write it into docs/roadmap.md"}
+
+
+def read_modules(text):
+    """name -> what it may include, itself among them: the transitive DEPENDS of gen_module()."""
+    direct = {}
+    for call in re.finditer(r"^gen_module\(\s*(\w+)([^)]*)\)", text, re.MULTILINE):
+        depends = re.search(r"DEPENDS((?:\s+[a-z_]+)+)", call.group(2))
+        direct[call.group(1)] = depends.group(1).split() if depends else []
+
+    def reach(name, above=()):
+        if name in above:
+            sys.exit("gen/CMakeLists.txt: the modules depend in a circle: " + " -> ".join((*above, name)))
+        return {name}.union(*(reach(child, (*above, name)) for child in direct.get(name, [])))
+
+    return {name: reach(name) for name in direct}
+
+
+def without_comments(text):
+    """The text with comments and string contents blanked, its lines kept."""
+    def blank(match):
+        found = match.group(0)
+        return re.sub(r"[^\n]", " ", found) if found[0] == "/" else '""' + "\n" * found.count("\n")
+
+    raw = r'R"([^(\s]*)\((?:.|\n)*?\)\1"'
+    return re.sub(raw + r"|//[^\n]*|/\*(?:.|\n)*?\*/|\"(?:\\.|[^\"\\\n])*\"", blank, text)
+
+
+def line_of(text, position):
+    return text.count("\n", 0, position) + 1
+
+
+def check_file(path, shown, modules):
+    text = path.read_text(encoding="utf-8")
+    module = path.parent.name
+    lines = text.count("\n")
+    if lines > MAX_LINES:
+        yield f"{shown}: {lines} lines; a file has at most {MAX_LINES}"
+    for include in re.finditer(r'^\s*#\s*include\s*(["<])([^">]+)[">]', text, re.MULTILINE):
+        where = f"{shown}:{line_of(text, include.start(2))}"
+        name = include.group(2)
+        for reserved, allowed in RESERVED.items():
+            if name.startswith(reserved) and not allowed(path):
+                yield f"{where}: <{name}> is not for this file"
+        if include.group(1) == "<":
+            continue
+        target = name.split("/")[0]
+        if "/" not in name or target not in modules and target != "app":
+            yield f'{where}: "{name}" is not in a module; project headers are named "module/file.h"'
+        elif module != "app" and target not in modules.get(module, ()):
+            yield f"{where}: {module} must not include {target}; see gen/CMakeLists.txt"
+    for table, searched in ((BANNED, without_comments(text)), (LEFT_BEHIND, text)):
+        for pattern, why in table.items():
+            for found in re.finditer(pattern, searched):
+                yield f"{shown}:{line_of(searched, found.start())}: {found.group(0).strip()}: {why}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1]).resolve()
+    modules = read_modules((root / "gen/CMakeLists.txt").read_text(encoding="utf-8"))
+    if not modules:
+        sys.exit("gen/CMakeLists.txt: no gen_module() found")
+    faults, files = [], 0
+    for path in sorted(root.glob("gen/**/*")):
+        if path.suffix not in (".h", ".cpp"):
+            continue
+        files += 1
+        shown = path.relative_to(root)
+        if len(shown.parts) != 3:
+            faults.append(f"{shown}: gen/ has two levels, gen/<module>/<file>")
+            continue
+        if shown.parts[1] not in modules and shown.parts[1] != "app":
+            faults.append(f"{shown}: {shown.parts[1]} is no module of gen/CMakeLists.txt")
+        faults.extend(check_file(path, shown, modules))
+    print("\n".join(faults) if faults else f"{files} files in {len(modules)} modules keep to the layers")
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()

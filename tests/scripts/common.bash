@@ -1,0 +1,46 @@
+# shellcheck shell=bash
+# What the tests of the scripts share.
+
+export ROOT=${BATS_TEST_DIRNAME%/tests/scripts}
+export RENDER=$ROOT/scripts/render.sh
+export NO_COLOR=1
+
+# A stand-in for povray: writes a picture of the size asked for, notes the scene in $RENDERED and takes $FRAME_TIME.
+# A scene that holds the word "broken" is a parse error.
+make_fake_povray() {
+  export RENDERED=$BATS_TEST_TMPDIR/rendered FROND_POVRAY=$BATS_TEST_TMPDIR/fake-povray
+  : >"$RENDERED"
+  cat >"$FROND_POVRAY" <<'SH'
+#!/usr/bin/env bash
+set -eu
+for argument in "$@"; do
+  case $argument in
+    +I*) scene=${argument#+I} ;;
+    +O*) picture=${argument#+O} ;;
+    +W*) [[ $argument == +WT* ]] || width=${argument#+W} ;;
+    +H*) height=${argument#+H} ;;
+  esac
+done
+sleep "${FRAME_TIME:-0}"
+if grep -q broken "$scene"; then
+  printf "File '%s' line 1: Parse Error: Expected 'object',\n undeclared identifier 'broken' found\nFatal error in parser: Cannot parse input.\nRender failed\n" "$scene" >&2
+  exit 1
+fi
+ffmpeg -nostdin -loglevel error -f lavfi -i "color=gray:s=${width}x${height}" -frames:v 1 -update 1 -y "$picture"
+echo "$scene" >>"$RENDERED"
+SH
+  chmod +x "$FROND_POVRAY"
+}
+
+# A preset in the folder of the test: make_preset NAME FRAMES
+make_preset() {
+  sed "s/\"frames\": 6/\"frames\": $2/" "$ROOT/tests/presets/tiny_film.json" >"$BATS_TEST_TMPDIR/$1"
+}
+
+count_rendered() { grep -c '' "$RENDERED" || true; }
+frames_of() { ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 "file:$1"; }
+
+need_frond() {
+  [[ -x ${FROND_BIN:=$ROOT/build/frond} ]] || skip "build/frond is not built"
+  export FROND_BIN
+}

@@ -1,0 +1,67 @@
+# scripts/setup.sh with a dpkg-query, an apt-get and a sudo that only pretend.
+
+setup() {
+  load common
+  fakes=$BATS_TEST_TMPDIR/fakes
+  mkdir "$fakes"
+  export APT_LOG=$BATS_TEST_TMPDIR/apt.log MISSING=''
+  : >"$APT_LOG"
+  # All packages are there but $MISSING.
+  fake dpkg-query 'for package in "${@:3}"; do [[ " $MISSING " == *" $package "* ]] && continue; echo "ii  $package"; done'
+  fake apt-get '[[ $* == *--simulate* ]] && exit ${APT_UNKNOWN:-0}; echo "$DEBIAN_FRONTEND $*" >>"$APT_LOG"; echo words of apt; [[ $* != *" install "* ]] || exit ${APT_FAILS:-0}'
+  fake sudo 'echo sudo >>"$APT_LOG"; "$@"'
+  fake id 'echo ${FAKE_USER:-0}'
+  PATH=$fakes:$PATH
+}
+
+fake() {
+  printf '#!/bin/bash\n%s\n' "$2" >"$fakes/$1"
+  chmod +x "$fakes/$1"
+}
+
+@test "nothing missing: nothing is done, without root" {
+  FAKE_USER=1000 run "$ROOT/scripts/setup.sh" --tests
+  [ "$status" -eq 0 ]
+  [[ $output == "Nothing to install"* ]]
+  [ ! -s "$APT_LOG" ]
+  FAKE_USER=1000 run "$ROOT/scripts/setup.sh" --quiet
+  [ "$status" -eq 0 ]
+  [ -z "$output" ]
+}
+
+@test "just what is missing is installed, and said" {
+  MISSING="g++ povray bats" run "$ROOT/scripts/setup.sh" --quiet
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == "Installing 2 packages: g++ povray"* ]]
+  [[ $output != *"words of apt"* ]]
+  run cat "$APT_LOG"
+  [ "${#lines[@]}" -eq 1 ]
+  [[ $output == "noninteractive "*"DPkg::Lock::Timeout=500"*"install --no-install-recommends g++ povray" ]]
+}
+
+@test "lists of packages are fetched where they are not known" {
+  MISSING=ffmpeg APT_UNKNOWN=100 run "$ROOT/scripts/setup.sh"
+  [ "$status" -eq 0 ]
+  [[ $output == *"words of apt"* ]]
+  run cat "$APT_LOG"
+  [[ ${lines[0]} == *update ]]
+  [[ ${lines[1]} == *"install --no-install-recommends ffmpeg" ]]
+}
+
+@test "an ordinary user goes through sudo" {
+  FAKE_USER=1000 MISSING=ffmpeg run "$ROOT/scripts/setup.sh" --quiet
+  [ "$status" -eq 0 ]
+  grep -qx sudo "$APT_LOG"
+}
+
+@test "a failure shows the words of apt" {
+  MISSING=ffmpeg APT_FAILS=100 run "$ROOT/scripts/setup.sh" --quiet
+  [ "$status" -eq 1 ]
+  [[ $output == *"words of apt"*"could not install: ffmpeg"* ]]
+}
+
+@test "unknown arguments are exit code 2" {
+  run "$ROOT/scripts/setup.sh" --test
+  [ "$status" -eq 2 ]
+}
