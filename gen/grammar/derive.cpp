@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "grammar/fast.h"
 #include "grammar/forecast.h"
 #include "grammar/match.h"
 #include "grammar/rewrite.h"
@@ -147,13 +148,19 @@ Derivation begin(const Grammar& grammar, Seed seed) {
   return state;
 }
 
-Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
-  std::size_t most = limits.modules;
+namespace {
+
+Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits, bool plainly) {
   bool sequential = grammar.text.mode == GrammarText::Mode::sequential;
+  std::optional<NeighbourTable> table;
+  if (!plainly) table.emplace(grammar);
   Word next;
   for (int i = 0; i < steps; ++i) {
     if (grammar.cuts) cut(grammar, state.word);
-    Errors errors = Rewriter(grammar, state, seed).step(next, sequential, most);
+    std::optional<Errors> done;
+    if (table && table->fits()) done = table->step(state.word, next, limits);
+    else if (!plainly && !sequential) done = step_free(grammar, state, next, seed, limits);
+    Errors errors = done ? *done : Rewriter(grammar, state, seed).step(next, sequential, limits.modules);
     if (!errors.empty()) return errors;
     std::swap(state.word, next);
     if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits);
@@ -164,6 +171,17 @@ Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, 
       return {{"", fmt::format("step {} passes the limit of {} bytes; use fewer steps", state.steps, limits.bytes)}};
   }
   return {};
+}
+
+}  // namespace
+
+Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
+  if (is_fixed(grammar)) return advance_fixed(grammar, state, steps, limits);
+  return advance_stepwise(grammar, state, steps, seed, limits, false);
+}
+
+Errors advance_plainly(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
+  return advance_stepwise(grammar, state, steps, seed, limits, true);
 }
 
 Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {

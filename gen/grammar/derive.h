@@ -25,6 +25,9 @@ Derivation begin(const Grammar& grammar, Seed seed);
 /// what stopped it (a number that is not finite, a word past the limits), and the word is of no use.
 Errors advance(const Grammar& grammar, Derivation& derivation, int steps, Seed seed, const Limits& limits = {});
 
+/// The same by the general way alone, module by module: slow, and what the faster ways are held to.
+Errors advance_plainly(const Grammar& grammar, Derivation& derivation, int steps, Seed seed, const Limits& limits = {});
+
 /// The word after so many steps from the axiom.
 Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 

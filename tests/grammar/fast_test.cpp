@@ -1,0 +1,76 @@
+#include "grammar/fast.h"
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "grammar/corpus.h"
+
+namespace frond {
+namespace {
+
+Word plainly(const Grammar& grammar, int steps, Seed seed) {
+  Derivation state = begin(grammar, seed);
+  EXPECT_TRUE(advance_plainly(grammar, state, steps, seed).empty());
+  return state.word;
+}
+
+TEST(Fast, SameWordAsTheGeneralWay) {
+  for (const auto& c : corpus()) {
+    if (!c.contains("rules") || c["group"] == "turtle") continue;
+    SCOPED_TRACE(c["name"].get<std::string>());
+    Grammar grammar = std::move(*compile(grammar_of(c)));
+    for (int steps = 0; steps <= c["n"].get<int>(); steps += 1 + steps / 4)
+      EXPECT_TRUE(plainly(grammar, steps, Seed{3}) == *derive(grammar, steps, Seed{3})) << steps;
+  }
+}
+
+TEST(Fast, EveryWayIsTheOneMeant) {
+  auto named = [](std::string_view name) {
+    for (const auto& c : corpus())
+      if (c["name"] == name) return std::move(*compile(grammar_of(c)));
+    return Grammar{};
+  };
+  EXPECT_TRUE(is_fixed(named("algae")));
+  Grammar hogeweg = named("abop-1.31b-hogeweg-hesper");
+  EXPECT_TRUE(NeighbourTable(hogeweg).fits());
+  Word out;
+  for (const char* name : {"abop-1.27", "abop-2.6a-honda", "seed-bush"}) {
+    Grammar grammar = named(name);
+    EXPECT_TRUE(step_free(grammar, begin(grammar, Seed{1}), out, Seed{1}, {}).has_value()) << name;
+  }
+}
+
+GrammarText large(int which) {
+  GrammarText text;
+  text.axiom = which == 2 ? "A(1,2)" : "AB";
+  if (which == 0) text.rules = {{"A -> A[+B]BA"}, {"B -> AB"}, {"+ -> *"}};
+  if (which == 1) text.rules = {{"A ->(1) A[+B]BA"}, {"A ->(2) BABABABABA"}, {"B ->(0.3) AB"}, {"B ->(1) B"}};
+  if (which == 2) text.rules = {{"A(x,y) -> B(x*0.9,rand(0,y))[+(y)A(y,x)]A(x,y/2)"}, {"B(x,y) -> B(x+y,x)F(x)"}};
+  return text;
+}
+
+TEST(Fast, SameWordOnOneThreadAndMany) {
+  for (int which = 0; which < 3; ++which) {
+    Grammar grammar = std::move(*compile(large(which)));
+    int steps = which == 0 ? 14 : which == 1 ? 9 : 15;
+    limit_threads(1);
+    Word one = *derive(grammar, steps, Seed{4});
+    limit_threads(0);
+    EXPECT_GT(one.size(), 100'000u);
+    EXPECT_TRUE(one == *derive(grammar, steps, Seed{4})) << which;
+    EXPECT_TRUE(one == plainly(grammar, steps, Seed{4})) << which;
+  }
+}
+
+TEST(Fast, TroubleIsNamedAllTheSame) {
+  GrammarText text;
+  text.axiom = "FFA(2)";
+  text.rules = {{"A(x) -> A(1/(x-1))B(x)"}, {"B(x) -> B(1/(x-2))"}};
+  Grammar grammar = std::move(*compile(text));
+  Result<Word> word = derive(grammar, 2, Seed{1});
+  ASSERT_FALSE(word.ok());
+  EXPECT_NE(word.errors()[0].text().find("rule 1: step 2, module 3 (`A(1)`)"), std::string::npos) << word.errors()[0].text();
+}
+
+}  // namespace
+}  // namespace frond
