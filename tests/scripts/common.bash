@@ -26,7 +26,7 @@ if grep -q broken "$scene"; then
   printf "File '%s' line 1: Parse Error: Expected 'object',\n undeclared identifier 'broken' found\nFatal error in parser: Cannot parse input.\nRender failed\n" "$scene" >&2
   exit 1
 fi
-ffmpeg -nostdin -loglevel error -f lavfi -i "color=gray:s=${width}x${height}" -frames:v 1 -update 1 -y "$picture"
+ffmpeg -nostdin -loglevel error -f lavfi -i "color=gray:s=64x64,format=rgb24,scale=$width:$height" -frames:v 1 -update 1 -y "$picture"
 echo "$scene" >>"$RENDERED"
 SH
   chmod +x "$FROND_POVRAY"

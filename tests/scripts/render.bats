@@ -33,6 +33,7 @@ setup() {
 @test "the film is BT.709, 4:2:0, of even size, with its header in front" {
   "$RENDER" film.json --size 63x47 --frames 1-2
   run ffprobe -v error -show_entries stream=width,height,pix_fmt,color_space,color_range -of csv=p=0 out/film/film.mp4
+  echo "$output"
   [ "$output" = "64,48,yuv420p,tv,bt709" ]
   [ "$(grep -abo moov out/film/film.mp4 | head -n 1 | cut -d: -f1)" -lt "$(grep -abo mdat out/film/film.mp4 | head -n 1 | cut -d: -f1)" ]
 }
@@ -186,6 +187,7 @@ SH
   FRAME_TIME=0.2 "$RENDER" film.json >log2 2>&1 3>&- &
   wait "$first"
   wait $!
+  cat log1 log2 "$RENDERED"
   [ "$(count_rendered)" -eq 6 ]
   cat log1 log2 | grep -q "waiting for it"
 }
