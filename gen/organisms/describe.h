@@ -169,6 +169,8 @@ void describe(Visitor& v, Place& p) {
   v.number("radius", p.radius, {.min = 0, .max = 1000, .unit = "m"}, "Outer edge of the ring");
   v.number("spacing", p.spacing, {.min = 0, .max = 100, .unit = "m"}, "What each keeps free round itself");
   v.number("size_variation", p.size_variation, {.min = 0, .max = 0.9}, "Random change of the size");
+  v.angle("turn", p.turn, {.min = -360, .max = 360}, "About the vertical");
+  v.angle("turn_variation", p.turn_variation, {.min = 0, .max = 180}, "Random change of the turn, either way");
   v.angle("lean", p.lean, {.min = 0, .max = 90}, "Up to how far each leans");
   v.number("rock", p.rock, {.min = 0, .max = 100, .unit = "m"}, "Width of the rock under each; 0: none");
 }

@@ -18,6 +18,8 @@ struct Place {
   double radius = 2;           ///< metres, the outer edge
   double spacing = 0.35;       ///< metres that each keeps free round itself
   double size_variation = 0.2; ///< random change of the size, as a share of it
+  double turn = 0;             ///< about the vertical
+  double turn_variation = kPi; ///< random change of the turn, either way
   double lean = radians(6.0);  ///< up to how far each leans, at random
   double rock = 0.5;           ///< metres, the width of the rock that each stands on; 0: on the bare ground
 };

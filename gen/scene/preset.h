@@ -32,12 +32,12 @@ struct Camera {
 
 /// The water round a reef.
 struct Water {
-  Color near{0.05f, 0.40f, 0.55f};   ///< what distance fades to
-  Color deep{0.02f, 0.16f, 0.30f};   ///< looking down into the depth
+  Color near{0.06f, 0.46f, 0.62f};   ///< what distance fades to
+  Color deep{0.02f, 0.22f, 0.38f};   ///< looking down into the depth
   double visibility = 11;            ///< metres in which two thirds of the light are lost
   Vec3 sun{0.35f, 1, 0.35f};         ///< towards the sun
   double caustics = 1;               ///< strength of the light's dance, 0 none
-  double shafts = 0.5;               ///< strength of the beams of light, 0 none
+  double shafts = 0.8;               ///< strength of the beams of light, 0 none
   int particles = 60;                ///< specks that drift before the camera
 };
 

@@ -12,7 +12,7 @@ namespace frond {
 
 namespace {
 
-constexpr int kStoneShapes = 6;
+constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
 constexpr double kFloorRadius = 32;  // metres; beyond the reach of any sight under water
 
@@ -69,12 +69,12 @@ float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
 }
 
 /// How finely stones are meshed: facets show sooner in careful pictures.
-int stone_detail(Quality quality) { return quality == Quality::draft ? 3 : quality == Quality::good ? 4 : 5; }
+int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
 
 void lay_stones(Builder& b) {
   for (int i = 0; i < kStoneShapes; ++i) {
     Seed seed = b.seed.child("stone shape", static_cast<std::uint64_t>(i));
-    b.shapes.push_back({seed, seed.child("roughness").range(0.5, 0.9), seed.child("flatness").range(0.2, 0.5)});
+    b.shapes.push_back({seed, seed.child("roughness").range(0.3, 0.6), seed.child("flatness").range(0.2, 0.45)});
     b.scene.stones.push_back(stone_surface(b.shapes.back(), stone_detail(b.preset.film.quality)));
   }
   const Floor& floor = b.preset.stage.floor;
@@ -108,11 +108,12 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
 
   const auto& params = std::get<CoralParams>(organism.body);
   Branches branches{organism.name, std::move(*grown), {}, params.skin, 1};
-  double vary = organism.place.size_variation;
-  float size = static_cast<float>(seed.child("size").range(1 - vary, 1 + vary));
-  Quat yaw = glm::angleAxis(static_cast<float>(seed.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0));
+  const Place& place = organism.place;
+  float size = static_cast<float>(1 + place.size_variation * seed.child("size").range(-1, 1));
+  double turn = place.turn + place.turn_variation * seed.child("turn").range(-1, 1);
+  Quat yaw = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0));
   double toward = seed.child("toward").range(0, 2 * kPi);
-  Quat lean = glm::angleAxis(static_cast<float>(organism.place.lean * seed.child("lean").unit()),
+  Quat lean = glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
                              Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
   put(branches.rest, Vec3(planting.spot.at.x, foot_height, planting.spot.at.y), lean * yaw, size);
   branches.motion = {params.growth, params.wave, params.food, preset.film.length()};
