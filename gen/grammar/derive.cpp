@@ -23,7 +23,8 @@ class Rewriter {
     seed_ = seed.child("step", static_cast<std::uint64_t>(derivation.steps) + 1);
   }
 
-  Errors step(Word& out, bool leftmost_only, std::size_t limit) {
+  /// Makes the step; `parents`, where given, receives the place each module of the outcome comes from.
+  Errors step(Word& out, bool leftmost_only, std::size_t limit, std::vector<std::uint32_t>* parents = nullptr) {
     const Word& in = state_.word;
     if (!grammar_.context_free) near_.find(grammar_, in);
     out.clear();
@@ -42,6 +43,7 @@ class Rewriter {
         if (grammar_.limited) ++state_.uses[static_cast<std::size_t>(index)];
         done = leftmost_only;
       }
+      if (parents) parents->resize(out.size(), static_cast<std::uint32_t>(i));
       if (at_.fault) return {trouble(i, symbol, parameters, index)};
       if (out.size() > limit)
         return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state_.steps + 1, limit)}};
@@ -93,8 +95,8 @@ class Rewriter {
   std::vector<double> frame_;
 };
 
-/// Removes each `%` with the rest of its branch.
-void cut(const Grammar& grammar, Word& word) {
+/// Removes each `%` with the rest of its branch; `kept`, where given, receives the places of what is left.
+void cut(const Grammar& grammar, Word& word, std::vector<std::uint32_t>* kept = nullptr) {
   std::size_t to = 0, parameters_to = 0, parameter = 0;
   int skipped = -1;  // brackets open since the cut; -1: nothing is cut
   for (std::size_t i = 0; i < word.size(); ++i) {
@@ -105,6 +107,7 @@ void cut(const Grammar& grammar, Word& word) {
     else if (skipped < 0 && grammar.symbols[symbol].act == Act::cut) skipped = 0;
     if (skipped < 0) {
       word.symbols[to++] = symbol;
+      if (kept) kept->push_back(static_cast<std::uint32_t>(i));
       for (std::size_t k = 0; k < arity; ++k) word.parameters[parameters_to++] = word.parameters[parameter + k];
     }
     parameter += arity;
@@ -115,8 +118,10 @@ void cut(const Grammar& grammar, Word& word) {
 
 constexpr int kDeepest = 4000;  // levels of decomposition
 
-/// Applies decomposition rules until none applies any more.
-Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Limits& limits) {
+/// Applies decomposition rules until none applies any more; `parents`, where given, follow.
+Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Limits& limits,
+                 std::vector<std::uint32_t>* parents = nullptr) {
+  std::vector<std::uint32_t> from;
   Word out;
   Evaluation at;
   at.tables = grammar.tables;
@@ -133,8 +138,10 @@ Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Lim
     if (!expand(grammar, grammar.decomposition, state.word.symbols[i], parameters, kDeepest, at, emit))
       return {{"decomposition", fmt::format("step {} passes the limit of {} modules", state.steps + 1, limits.modules)}};
     parameters += grammar.symbols[state.word.symbols[i]].arity;
+    if (parents) from.resize(out.size(), (*parents)[i]);
   }
   std::swap(state.word, out);
+  if (parents) *parents = std::move(from);
   return {};
 }
 
@@ -182,6 +189,23 @@ Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, 
 
 Errors advance_plainly(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
   return advance_stepwise(grammar, state, steps, seed, limits, true);
+}
+
+Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed, std::vector<std::uint32_t>& parents) {
+  Limits limits;
+  std::vector<std::uint32_t> kept;
+  Word next;
+  parents.clear();
+  if (grammar.cuts) cut(grammar, state.word, &kept);
+  bool sequential = grammar.text.mode == GrammarText::Mode::sequential;
+  Errors errors = Rewriter(grammar, state, seed).step(next, sequential, limits.modules, &parents);
+  if (!errors.empty()) return errors;
+  std::swap(state.word, next);
+  if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits, &parents);
+  if (grammar.queries) answer_queries(grammar, state.word, seed);
+  if (grammar.cuts) std::transform(parents.begin(), parents.end(), parents.begin(), [&](std::uint32_t i) { return kept[i]; });
+  ++state.steps;
+  return errors;
 }
 
 Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {

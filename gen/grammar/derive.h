@@ -28,6 +28,9 @@ Errors advance(const Grammar& grammar, Derivation& derivation, int steps, Seed s
 /// The same by the general way alone, module by module: slow, and what the faster ways are held to.
 Errors advance_plainly(const Grammar& grammar, Derivation& derivation, int steps, Seed seed, const Limits& limits = {});
 
+/// Makes one step and tells for each module of the new word which of the old it came from.
+Errors advance_tracked(const Grammar& grammar, Derivation& derivation, Seed seed, std::vector<std::uint32_t>& parents);
+
 /// The word after so many steps from the axiom.
 Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 
