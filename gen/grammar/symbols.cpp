@@ -38,6 +38,8 @@ constexpr std::array kSymbols{
     TurtleSymbol{"~", Act::organ, Act::random_turn, "an organ: the shape named by the module that follows (Houdini: random turn)"},
     TurtleSymbol{"@", Act::none, Act::divide_angle, "Houdini: divides the angle"},
     TurtleSymbol{"@~", Act::random_turn, Act::none, "turn, pitch and roll at random: @~(most degrees), 180 without"},
+    TurtleSymbol{"@w", Act::scale_width, Act::none, "width times the parameter: @w(s)"},
+    TurtleSymbol{"@a", Act::scale_angle, Act::none, "the angle of bare turns times the parameter: @a(s)"},
     TurtleSymbol{"@O", Act::sphere, Act::none, "a sphere: @O(diameter), the width without"},
     TurtleSymbol{"@o", Act::disc, Act::none, "a disc across the heading: @o(diameter)"},
     TurtleSymbol{"@Gs", Act::tube_start, Act::none, "a generalized cylinder starts here"},

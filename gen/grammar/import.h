@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+
+#include "grammar/grammar.h"
+
+namespace frond {
+
+/// A grammar read from the form of another tool, and what of it means nothing here.
+struct Import {
+  GrammarText grammar;
+  std::vector<std::string> notes;
+};
+
+/// cpfg and vlab, `.l`: `derivation length`, `axiom`, `ignore`, `consider`, `ring L-system`, `seed`, productions with
+/// weights, decomposition, homomorphism, `#define` of numbers and formulas.
+Result<Import> import_cpfg(std::string_view text);
+
+/// LParser, `.ls`: depth, angle, thickness, axiom, rules `A=…` up to `@`.
+Result<Import> import_lparser(std::string_view text);
+
+/// A rule list as typed into Houdini, one a line: `name: value` lines (`premise`, `angle`, `generations`, `stepsize`,
+/// `thickness`, `ignore`, constants) and rules `left<A(i)>right:condition=successor:probability`.
+Result<Import> import_houdini(std::string_view text);
+
+/// By the ending of the file name: `.l`, `.ls`, anything else a Houdini list.
+Result<Import> import_grammar(std::string_view file_name, std::string_view text);
+
+}  // namespace frond
