@@ -147,11 +147,12 @@ Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Lim
 
 }  // namespace
 
-Derivation begin(const Grammar& grammar, Seed seed) {
+Derivation begin(const Grammar& grammar, Seed seed, Environment environment) {
   Derivation state;
+  state.environment = std::move(environment);
   state.word = grammar.axiom;
   if (grammar.limited) state.uses.resize(grammar.rules.rules.size());
-  if (grammar.queries) answer_queries(grammar, state.word, seed);
+  if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
   return state;
 }
 
@@ -172,7 +173,7 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
     std::swap(state.word, next);
     if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits);
     if (!errors.empty()) return errors;
-    if (grammar.queries) answer_queries(grammar, state.word, seed);
+    if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
     ++state.steps;
     if (state.word.bytes() > limits.bytes)
       return {{"", fmt::format("step {} passes the limit of {} bytes; use fewer steps", state.steps, limits.bytes)}};
@@ -202,17 +203,17 @@ Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed, std
   if (!errors.empty()) return errors;
   std::swap(state.word, next);
   if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits, &parents);
-  if (grammar.queries) answer_queries(grammar, state.word, seed);
+  if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
   if (grammar.cuts) std::transform(parents.begin(), parents.end(), parents.begin(), [&](std::uint32_t i) { return kept[i]; });
   ++state.steps;
   return errors;
 }
 
-Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits, const Environment& environment) {
   Errors errors;
   if (has_growth_matrix(grammar)) errors = refuse(forecast(grammar, steps, seed, limits), limits);
   if (!errors.empty()) return errors;
-  Derivation state = begin(grammar, seed);
+  Derivation state = begin(grammar, seed, environment);
   errors = advance(grammar, state, steps, seed, limits);
   if (!errors.empty()) return errors;
   return std::move(state.word);

@@ -84,10 +84,12 @@ struct Builder {
 struct Answers {
   double* first;
   double* last;
+  const Environment& environment;
 
   void sign(Act act, std::span<const double> parameters, const TurtleState& state) {
     std::ptrdiff_t place = parameters.data() - first;
     if (place < 0 || place >= last - first) return;  // the module was made by an interpretation rule
+    if (act == Act::environment && environment) environment(state, {first + place, parameters.size()});
     const DVec3* answer = act == Act::query_position ? &state.position : act == Act::query_heading ? &state.heading
                         : act == Act::query_up ? &state.up : act == Act::query_left ? &state.left : nullptr;
     for (std::size_t i = 0; answer && i < parameters.size() && i < 3; ++i)
@@ -136,8 +138,8 @@ Skeleton skeleton_of(const Grammar& grammar, const Word& word, Seed seed) {
   return std::move(figure_of(grammar, word, seed).skeleton);
 }
 
-void answer_queries(const Grammar& grammar, Word& word, Seed seed) {
-  Answers answers{word.parameters.data(), word.parameters.data() + word.parameters.size()};
+void answer_queries(const Grammar& grammar, Word& word, Seed seed, const Environment& environment) {
+  Answers answers{word.parameters.data(), word.parameters.data() + word.parameters.size(), environment};
   walk(grammar, word, seed, answers);
 }
 

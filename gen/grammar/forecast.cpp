@@ -90,10 +90,11 @@ void note(Forecast& forecast, const Sizes& sizes, int step, const Limits& limits
   forecast.modules = sizes.modules;
   forecast.bytes = sizes.bytes;
   forecast.segments = sizes.segments;
-  bool passes = sizes.modules > static_cast<double>(limits.modules) || sizes.bytes > static_cast<double>(limits.bytes);
+  auto most = static_cast<double>(limits.modules);
+  bool passes = sizes.modules > most || sizes.segments > most || sizes.bytes > static_cast<double>(limits.bytes);
   if (!passes || forecast.passes_at >= 0) return;
   forecast.passes_at = step;
-  forecast.passes_with = sizes.modules;
+  forecast.passes_with = std::max(sizes.modules, sizes.segments);
 }
 
 void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast& forecast) {
@@ -172,7 +173,7 @@ Errors refuse(const Forecast& forecast, const Limits& limits) {
   if (forecast.passes_at < 0) return {};
   std::string_view how = forecast.kind == Forecast::Kind::exact ? "would have" : forecast.kind == Forecast::Kind::expected
                        ? "would have on average" : "would have about";
-  return {{"", fmt::format("step {} {} {:.4g} modules, past the limit of {} modules and {} bytes; the last step {} {:.4g} "
+  return {{"", fmt::format("step {} {} {:.4g} modules or segments, past the limit of {} modules and {} bytes; the last step {} {:.4g} "
                            "({:.3g} bytes): use at most {} steps, or raise `limits`", forecast.passes_at, how, forecast.passes_with,
                            limits.modules, limits.bytes, how, forecast.modules, forecast.bytes, std::max(0, forecast.passes_at - 1))}};
 }

@@ -13,7 +13,7 @@ struct Forecast {
   double segments = 0;  ///< that the turtle draws for it
   double bytes = 0;     ///< of the last word
   int passes_at = -1;   ///< first step whose word passes the limits; -1: none
-  double passes_with = 0;  ///< modules at that step
+  double passes_with = 0;  ///< modules at that step, or segments where they are more
 };
 
 /// Predicts a derivation: exactly by the growth matrix where each symbol has one rule that always applies, as

@@ -60,7 +60,7 @@ class Turtle {
     bool given = info.arity > 0;
     ++acted_;
     switch (info.act) {
-      case Act::none: case Act::environment: return;
+      case Act::none: return;
       case Act::draw: case Act::draw_free: return forward(info.act == Act::draw, true, info.arity, parameters);
       case Act::move: case Act::move_free: return forward(info.act == Act::move, false, info.arity, parameters);
       case Act::yaw_left: return turn(now_.heading, now_.left, given, parameters, 1);
@@ -80,6 +80,7 @@ class Turtle {
       case Act::cut: skipped_ = 0; return;
       case Act::sphere: case Act::disc: case Act::tube_start: case Act::tube_point: case Act::tube_end:
       case Act::guide: case Act::query_position: case Act::query_heading: case Act::query_up: case Act::query_left:
+      case Act::environment:
         if constexpr (requires { sink_.sign(info.act, std::span<const double>(), now_); })
           sink_.sign(info.act, std::span<const double>(parameters, static_cast<std::size_t>(info.arity)), now_);
         return;
@@ -260,7 +261,8 @@ TurtleState walk(const Grammar& grammar, const Word& word, Seed seed, Sink& sink
   return turtle.state();
 }
 
-/// Fills the parameters of the questions `?P` `?H` `?U` `?L` of a word with what the turtle finds there.
-void answer_queries(const Grammar& grammar, Word& word, Seed seed);
+/// Fills the parameters of the questions `?P` `?H` `?U` `?L` of a word with what the turtle finds there, and those
+/// of `?E` with what the environment answers.
+void answer_queries(const Grammar& grammar, Word& word, Seed seed, const Environment& environment);
 
 }  // namespace frond
