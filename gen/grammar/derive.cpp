@@ -185,6 +185,7 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
 
 Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
   if (is_fixed(grammar)) return advance_fixed(grammar, state, steps, limits);
+  if (is_leftmost(grammar)) return advance_leftmost(grammar, state, steps, seed, limits);
   return advance_stepwise(grammar, state, steps, seed, limits, false);
 }
 

@@ -13,6 +13,12 @@ bool is_fixed(const Grammar& grammar);
 /// Makes so many steps of a fixed grammar.
 Errors advance_fixed(const Grammar& grammar, Derivation& state, int steps, const Limits& limits);
 
+/// Whether words are rewritten one module a step from the left and what has been passed over stays so.
+bool is_leftmost(const Grammar& grammar);
+
+/// Makes so many steps of such a grammar, each in time that does not depend on the length of the word.
+Errors advance_leftmost(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits);
+
 /// One step of a grammar without contexts whose rules apply always, alone or by lot: the outcome of a module needs
 /// no look at others, so that chunks of the word are counted and then written side by side. The same word as the
 /// general way makes. Nothing where the grammar is not of this kind, or where a number is not finite: then the

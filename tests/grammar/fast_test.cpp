@@ -62,6 +62,18 @@ TEST(Fast, SameWordOnOneThreadAndMany) {
   }
 }
 
+TEST(Fast, LeftmostStepsDoNotDependOnTheLength) {
+  GrammarText text;
+  text.mode = GrammarText::Mode::sequential;
+  text.axiom = "xS(1)y";
+  text.rules = {{"S(k) ->(1) aS(k+1)b"}, {"S(k) ->(2) a(k)S(k)"}};
+  Grammar grammar = std::move(*compile(text));
+  ASSERT_TRUE(is_leftmost(grammar));
+  EXPECT_TRUE(plainly(grammar, 500, Seed{1}) == *derive(grammar, 500, Seed{1}));
+  EXPECT_EQ(plainly(grammar, 500, Seed{1}).size(), derive(grammar, 500, Seed{1})->size());
+  EXPECT_GT(derive(grammar, 500'000, Seed{1})->size(), 500'000u);
+}
+
 TEST(Fast, TroubleIsNamedAllTheSame) {
   GrammarText text;
   text.axiom = "FFA(2)";
