@@ -59,7 +59,8 @@ void append_stones(std::string& text, const PovSpace& space, const Scene& scene)
     text += " scale<";
     append_list(text, 5, stone.size.x, stone.size.y, stone.size.z);
     text += ">rotate y*";
-    append(text, -degrees(stone.turn), 3);  // the mirror turns the other way round, and so do left-handed turns
+    append(text, -degrees(stone.turn),
+           3);  // the mirror turns the other way round, and so do left-handed turns
     text += " translate";
     append_point(text, space, stone.at);
     text += " texture{Rock_Texture(";
@@ -114,9 +115,10 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   return text;
 }
 
-/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the chunk.
-void append_skin(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose, const Chunk& chunk,
-                 std::size_t index) {
+/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
+/// chunk.
+void append_skin(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose,
+                 const Chunk& chunk, std::size_t index) {
   Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
   if (rest.birth[chunk.last] > pose.front) {
     // Where the growing tip is on its way from the node below.
@@ -142,8 +144,8 @@ void append_skin(std::string& text, const PovSpace& space, const Skeleton& rest,
 }
 
 /// The sweeps of chunks first..last of one organism.
-void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose, std::size_t index,
-                 std::span<const Chunk> chunks) {
+void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+                 std::size_t index, std::span<const Chunk> chunks) {
   for (const Chunk& chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
     text += " texture{";
@@ -178,7 +180,8 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
 
 std::string all_branches_text(const PovSpace& space, const Scene& scene, double time) {
   std::vector<std::string> texts(scene.branches.size());
-  parallel_for(texts.size(), [&](std::size_t i) { texts[i] = branches_text(space, scene.branches[i], i, time); });
+  parallel_for(texts.size(),
+               [&](std::size_t i) { texts[i] = branches_text(space, scene.branches[i], i, time); });
   std::string text;
   text.reserve(std::accumulate(texts.begin(), texts.end(), std::size_t{0},
                                [](std::size_t sum, const std::string& t) { return sum + t.size(); }));
@@ -198,7 +201,8 @@ FrameParts prepare_frames(const Scene& scene) {
   FrameParts parts;
   parts.space = space_for(thinnest);
   std::string count = number(static_cast<double>(std::max<std::size_t>(1, scene.branches.size())));
-  parts.materials = "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
+  parts.materials =
+      "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene);
   parts.ground = "object{\n";
   append_mesh(parts.ground, parts.space, scene.floor);
@@ -207,7 +211,8 @@ FrameParts prepare_frames(const Scene& scene) {
   return parts;
 }
 
-Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame) {
+Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
+                               int frame) {
   const Film& film = scene.film;
   double time = film.time(frame);
   std::string padded = number(frame);

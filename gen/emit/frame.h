@@ -18,8 +18,9 @@ struct FrameParts {
 
 FrameParts prepare_frames(const Scene& scene);
 
-/// The whole .pov text of frame `frame` (1 is the first): the layout with its holes filled. A pure function of
-/// its arguments; `layout` is templates/frame.pov. An unknown hole is an error.
-Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame);
+/// The whole .pov text of frame `frame` (1 is the first): the layout with its holes filled. A pure function
+/// of its arguments; `layout` is templates/frame.pov. An unknown hole is an error.
+Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
+                               int frame);
 
 }  // namespace frond

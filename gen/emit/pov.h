@@ -45,6 +45,7 @@ void append_mesh(std::string& text, const PovSpace& space, const Surface& surfac
 
 /// Appends the sphere_sweep of one chunk up to its texture, `sphere_sweep{linear_spline,n,<x,y,z>,r,...`, and
 /// returns true; appends nothing and returns false where fewer than two different points are left of it.
-bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose, const Chunk& chunk);
+bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose,
+                  const Chunk& chunk);
 
 }  // namespace frond

@@ -12,12 +12,12 @@ namespace frond {
 /// follow each other, and the node below `first`. Neighbours share a node.
 struct Chunk {
   std::int32_t first, last;
-  /// Where the texture of the stretch has gone with the moving skin: a point x of the rest shape's pattern lies
-  /// at shift + matrix * x. The identity while nothing moves.
+  /// Where the texture of the stretch has gone with the moving skin: a point x of the rest shape's pattern
+  /// lies at shift + matrix * x. The identity while nothing moves.
   glm::mat3 matrix{1};
   Vec3 shift{0};
-  /// How young the skin is at the node below `first` and at the end: 1 at a growing tip .. 0 farther below than
-  /// the young length.
+  /// How young the skin is at the node below `first` and at the end: 1 at a growing tip .. 0 farther below
+  /// than the young length.
   float young_from = 0, young_to = 0;
 
   bool moved() const { return matrix != glm::mat3(1) || shift != Vec3(0); }

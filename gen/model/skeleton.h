@@ -10,8 +10,8 @@
 namespace frond {
 
 /// Branches as a structure of arrays, one entry a node. A segment runs from a node's parent to the node.
-/// Parents precede children, and the nodes of one branch follow each other: a run of nodes whose parent is the
-/// node before them is one chain. Plain data; metres.
+/// Parents precede children, and the nodes of one branch follow each other: a run of nodes whose parent is
+/// the node before them is one chain. Plain data; metres.
 struct Skeleton {
   static constexpr std::int32_t kRoot = -1;
 

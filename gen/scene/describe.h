@@ -11,7 +11,8 @@ inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "a fe
                                                  {"good", Quality::good, "smooth edges, soft shadows"},
                                                  {"best", Quality::best, "everything, slow"}};
 
-inline constexpr Choice<Setting> kSettings[] = {{"underwater", Setting::underwater, "a sea floor in blue water"}};
+inline constexpr Choice<Setting> kSettings[] = {
+    {"underwater", Setting::underwater, "a sea floor in blue water"}};
 
 template <class Visitor>
 void describe(Visitor& v, Film& f) {
@@ -32,7 +33,8 @@ template <class Visitor>
 void describe(Visitor& v, Water& w) {
   v.color("near", w.near, "What distance fades to");
   v.color("deep", w.deep, "Of the depth below the horizon");
-  v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"}, "Until two thirds of a colour are lost");
+  v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
+           "Until two thirds of a colour are lost");
   v.vector("sun", w.sun, "Toward the sun");
   v.number("caustics", w.caustics, {.min = 0, .max = 1.5}, "How strongly waves focus the light");
   v.number("shafts", w.shafts, {.min = 0, .max = 1}, "Beams of light");

@@ -20,8 +20,8 @@ struct Film {
   std::array<int, 2> size{480, 270};  ///< width and height, pixels
   Quality quality = Quality::draft;
 
-  double length() const { return frames / fps; }                    ///< seconds
-  double time(int frame) const { return (frame - 1) / fps; }        ///< of a frame, the first being 1
+  double length() const { return frames / fps; }              ///< seconds
+  double time(int frame) const { return (frame - 1) / fps; }  ///< of a frame, the first being 1
 };
 
 struct Camera {
@@ -32,13 +32,13 @@ struct Camera {
 
 /// The water round a reef.
 struct Water {
-  Color near{0.06f, 0.46f, 0.62f};   ///< what distance fades to
-  Color deep{0.02f, 0.22f, 0.38f};   ///< looking down into the depth
-  double visibility = 11;            ///< metres in which two thirds of the light are lost
-  Vec3 sun{0.35f, 1, 0.35f};         ///< towards the sun
-  double caustics = 1;               ///< strength of the light's dance, 0 none
-  double shafts = 0.8;               ///< strength of the beams of light, 0 none
-  int particles = 60;                ///< specks that drift before the camera
+  Color near{0.06f, 0.46f, 0.62f};  ///< what distance fades to
+  Color deep{0.02f, 0.22f, 0.38f};  ///< looking down into the depth
+  double visibility = 11;           ///< metres in which two thirds of the light are lost
+  Vec3 sun{0.35f, 1, 0.35f};        ///< towards the sun
+  double caustics = 1;              ///< strength of the light's dance, 0 none
+  double shafts = 0.8;              ///< strength of the beams of light, 0 none
+  int particles = 60;               ///< specks that drift before the camera
 };
 
 struct Floor {
@@ -70,7 +70,8 @@ struct Preset {
 
 /// Reads a preset. `file_name` is for messages; `sets` are `/json/pointer=value` overrides, applied in order.
 /// All faults are reported.
-Result<Preset> read_preset(std::string_view text, const std::string& file_name, const std::vector<std::string>& sets);
+Result<Preset> read_preset(std::string_view text, const std::string& file_name,
+                           const std::vector<std::string>& sets);
 
 /// The JSON Schema (draft-07) of presets.
 std::string preset_schema();

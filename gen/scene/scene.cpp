@@ -44,16 +44,19 @@ std::vector<Planting> plantings(Builder& b) {
     for (Vec2 at : place.at) spots.push_back({at, room});
     b.taken.insert(b.taken.end(), spots.begin(), spots.end());
     int more = organism.count - static_cast<int>(spots.size());
-    for (const Spot& spot : scatter(place.center, place.inner, place.radius, room, more, b.taken, seed.child("scatter"))) {
+    for (const Spot& spot :
+         scatter(place.center, place.inner, place.radius, room, more, b.taken, seed.child("scatter"))) {
       spots.push_back(spot);
       b.taken.push_back(spot);
     }
-    for (std::size_t i = 0; i < spots.size(); ++i) list.push_back({&organism, seed.child("instance", i), spots[i]});
+    for (std::size_t i = 0; i < spots.size(); ++i)
+      list.push_back({&organism, seed.child("instance", i), spots[i]});
   }
   return list;
 }
 
-/// Lays a stone so that `sunk` of its height is in the ground, and returns how high its top is above the place.
+/// Lays a stone so that `sunk` of its height is in the ground, and returns how high its top is above the
+/// place.
 float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
   StoneInstance stone;
   stone.shape = static_cast<int>(seed.child("shape").bits() % kStoneShapes);
@@ -61,7 +64,8 @@ float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
   stone.turn = seed.child("turn").range(0, 2 * kPi);
   stone.size = Vec3(width, width * static_cast<float>(seed.child("height").range(0.75, 1.05)),
                     width * static_cast<float>(seed.child("depth").range(0.75, 1.1)));
-  float top = stone_surface_point(b.shapes[static_cast<std::size_t>(stone.shape)], Vec3(0, 1, 0)).y * stone.size.y;
+  float top =
+      stone_surface_point(b.shapes[static_cast<std::size_t>(stone.shape)], Vec3(0, 1, 0)).y * stone.size.y;
   float ground = static_cast<float>(ground_height(b.ground, at.x, at.y));
   stone.at = Vec3(at.x, ground + top * (1 - 2 * sunk), at.y);
   b.scene.stone_instances.push_back(stone);
@@ -74,7 +78,8 @@ int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
 void lay_stones(Builder& b) {
   for (int i = 0; i < kStoneShapes; ++i) {
     Seed seed = b.seed.child("stone shape", static_cast<std::uint64_t>(i));
-    b.shapes.push_back({seed, seed.child("roughness").range(0.3, 0.6), seed.child("flatness").range(0.2, 0.45)});
+    b.shapes.push_back(
+        {seed, seed.child("roughness").range(0.3, 0.6), seed.child("flatness").range(0.2, 0.45)});
     b.scene.stones.push_back(stone_surface(b.shapes.back(), stone_detail(b.preset.film.quality)));
   }
   const Floor& floor = b.preset.stage.floor;
@@ -82,7 +87,8 @@ void lay_stones(Builder& b) {
     Seed seed = b.seed.child("stone", static_cast<std::uint64_t>(i));
     // Many small ones, few large ones.
     double width = floor.stone_size * (0.12 + 0.88 * std::pow(seed.child("width").unit(), 4.0));
-    auto spots = scatter(Vec2(0), 0, floor.extent, static_cast<float>(width / 2), 1, b.taken, seed.child("scatter"));
+    auto spots =
+        scatter(Vec2(0), 0, floor.extent, static_cast<float>(width / 2), 1, b.taken, seed.child("scatter"));
     for (const Spot& spot : spots) {
       lay_stone(b, spot.at, static_cast<float>(width), 0.35f, seed);
       b.taken.push_back(spot);
@@ -113,8 +119,9 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   double turn = place.turn + place.turn_variation * seed.child("turn").range(-1, 1);
   Quat yaw = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0));
   double toward = seed.child("toward").range(0, 2 * kPi);
-  Quat lean = glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
-                             Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
+  Quat lean =
+      glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
+                     Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
   put(branches.rest, Vec3(planting.spot.at.x, foot_height, planting.spot.at.y), lean * yaw, size);
   branches.motion = {params.growth, params.wave, params.food, preset.film.length()};
   branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
@@ -147,7 +154,7 @@ Result<Scene> build_scene(const Preset& preset) {
     float top = rock > 0 ? lay_stone(b, p.spot.at, rock, 0.3f, p.seed.child("rock")) : ground;
     feet.push_back(top - 0.01f - 0.03f * rock);
   }
-  b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 72);
+  b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
 
   std::vector<std::optional<Result<Branches>>> grown(list.size());
   parallel_for(list.size(), [&](std::size_t i) { grown[i] = plant(preset, list[i], feet[i]); });
