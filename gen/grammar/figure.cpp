@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grammar/between.h"
 #include "grammar/stream.h"
 
 namespace frond {
@@ -57,15 +58,18 @@ struct Builder {
     Outline outline{{}, state.color, state.mark};
     for (DVec3 point : points)  // `F.` names its end twice
       if (outline.points.empty() || outline.points.back() != Vec3(point)) outline.points.emplace_back(point);
-    if (outline.points.size() > 3 && outline.points.front() == outline.points.back()) outline.points.pop_back();
+    if (outline.points.size() > 3 && outline.points.front() == outline.points.back())
+      outline.points.pop_back();
     if (outline.points.size() >= 3) figure.outlines.push_back(std::move(outline));
   }
 
   void organ(SymbolId shape, const double* parameters, const TurtleState& state) {
     const Symbol& symbol = grammar.symbols[shape];
     Vec3 scale(1);
-    if (symbol.arity >= 3) scale = Vec3(parameters[0], parameters[1], parameters[2]);
-    else if (symbol.arity >= 1) scale = Vec3(static_cast<float>(parameters[0]));
+    if (symbol.arity >= 3)
+      scale = Vec3(parameters[0], parameters[1], parameters[2]);
+    else if (symbol.arity >= 1)
+      scale = Vec3(static_cast<float>(parameters[0]));
     place(symbol.name, scale, state);
   }
 
@@ -76,7 +80,9 @@ struct Builder {
   }
 
   void place(std::string name, Vec3 scale, const TurtleState& s) {
-    figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up), scale, s.color, s.mark});
+    scale *= static_cast<float>(s.grown);
+    figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up),
+                            scale, s.color, s.mark});
   }
 };
 
@@ -90,8 +96,11 @@ struct Answers {
     std::ptrdiff_t place = parameters.data() - first;
     if (place < 0 || place >= last - first) return;  // the module was made by an interpretation rule
     if (act == Act::environment && environment) environment(state, {first + place, parameters.size()});
-    const DVec3* answer = act == Act::query_position ? &state.position : act == Act::query_heading ? &state.heading
-                        : act == Act::query_up ? &state.up : act == Act::query_left ? &state.left : nullptr;
+    const DVec3* answer = act == Act::query_position  ? &state.position
+                          : act == Act::query_heading ? &state.heading
+                          : act == Act::query_up      ? &state.up
+                          : act == Act::query_left    ? &state.left
+                                                      : nullptr;
     for (std::size_t i = 0; answer && i < parameters.size() && i < 3; ++i)
       first[static_cast<std::size_t>(place) + i] = (*answer)[static_cast<int>(i)];
   }
@@ -130,6 +139,13 @@ Figure figure_of(const Grammar& grammar, const Word& word, Seed seed) {
 Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
   Builder builder{grammar, {}};
   Result<TurtleState> end = draw(grammar, steps, seed, builder, limits);
+  if (!end) return end.errors();
+  return std::move(builder.figure);
+}
+
+Result<Figure> figure_between(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
+  Builder builder{grammar, {}};
+  Result<TurtleState> end = draw_between(grammar, steps, seed, builder, limits);
   if (!end) return end.errors();
   return std::move(builder.figure);
 }

@@ -35,8 +35,8 @@ struct Site {
   std::int32_t node = Skeleton::kRoot;
 };
 
-/// All that a word draws: branches with a colour a node, outlines, organs. A sphere `@O` is an organ named so,
-/// scaled to its diameter.
+/// All that a word draws: branches with a colour a node, outlines, organs. A sphere `@O` is an organ named
+/// so, scaled to its diameter.
 struct Figure {
   Skeleton skeleton;
   std::vector<std::int32_t> color;
@@ -49,8 +49,12 @@ Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 /// The same for the word after so many steps, which is not stored where it need not be.
 Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 
-/// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the order
-/// of the word; the order of a node is the number of brackets around it. Segments without length are left out.
+/// The same after a number of steps that need not be whole: the shape on its way from one step to the next.
+Result<Figure> figure_between(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {});
+
+/// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the
+/// order of the word; the order of a node is the number of brackets around it. Segments without length are
+/// left out.
 Skeleton skeleton_of(const Grammar& grammar, const Word& word, Seed seed);
 
 }  // namespace frond

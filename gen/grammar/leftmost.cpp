@@ -16,18 +16,22 @@ bool asks_step(const Expression& formula) {
   });
 }
 
-/// The word around the place that is rewritten: what lies left of it has no rule any more, what lies right of it is
-/// kept from its end to its start, so that both are changed at their ends only.
+/// The word around the place that is rewritten: what lies left of it has no rule any more, what lies right of
+/// it is kept from its end to its start, so that both are changed at their ends only.
 class LeftmostRewriter {
  public:
-  LeftmostRewriter(const Grammar& grammar, Derivation& state, Seed seed) : grammar_(grammar), state_(state), seed_(seed) {
+  LeftmostRewriter(const Grammar& grammar, Derivation& state, Seed seed)
+      : grammar_(grammar), state_(state), seed_(seed) {
     at_.tables = grammar.tables;
-    std::reverse_copy(state.word.symbols.begin(), state.word.symbols.end(), std::back_inserter(right_.symbols));
-    std::reverse_copy(state.word.parameters.begin(), state.word.parameters.end(), std::back_inserter(right_.parameters));
+    std::reverse_copy(state.word.symbols.begin(), state.word.symbols.end(),
+                      std::back_inserter(right_.symbols));
+    std::reverse_copy(state.word.parameters.begin(), state.word.parameters.end(),
+                      std::back_inserter(right_.parameters));
     state.word.clear();
   }
 
-  /// Rewrites the leftmost module that has a rule. False when something is wrong or there is none; then `error`.
+  /// Rewrites the leftmost module that has a rule. False when something is wrong or there is none; then
+  /// `error`.
   bool step() {
     at_.step = state_.steps + 1;
     Seed seed = seed_.child("step", static_cast<std::uint64_t>(state_.steps) + 1);
@@ -35,7 +39,8 @@ class LeftmostRewriter {
       SymbolId symbol = right_.symbols.back();
       if (grammar_.rules.of[symbol].empty()) continue;
       auto arity = static_cast<std::size_t>(grammar_.symbols[symbol].arity);
-      frame_.assign(right_.parameters.rbegin(), right_.parameters.rbegin() + static_cast<std::ptrdiff_t>(arity));
+      frame_.assign(right_.parameters.rbegin(),
+                    right_.parameters.rbegin() + static_cast<std::ptrdiff_t>(arity));
       at_.seed = seed.child(state_.word.size());
       at_.draws = 0;
       at_.frame = frame_.data();
@@ -53,7 +58,8 @@ class LeftmostRewriter {
   /// Puts the word together again.
   void finish() {
     state_.word.symbols.insert(state_.word.symbols.end(), right_.symbols.rbegin(), right_.symbols.rend());
-    state_.word.parameters.insert(state_.word.parameters.end(), right_.parameters.rbegin(), right_.parameters.rend());
+    state_.word.parameters.insert(state_.word.parameters.end(), right_.parameters.rbegin(),
+                                  right_.parameters.rend());
   }
 
  private:
@@ -94,16 +100,18 @@ class LeftmostRewriter {
 }  // namespace
 
 bool is_leftmost(const Grammar& grammar) {
-  if (grammar.text.mode != GrammarText::Mode::sequential || !grammar.context_free || grammar.cuts || grammar.queries ||
-      !grammar.decomposition.empty())
+  if (grammar.text.mode != GrammarText::Mode::sequential || !grammar.context_free || grammar.cuts ||
+      grammar.queries || !grammar.decomposition.empty())
     return false;
   // A module that has no rule now must have none later.
   return std::none_of(grammar.rules.rules.begin(), grammar.rules.rules.end(), [](const Production& rule) {
-    return asks_step(rule.condition) || (rule.weighted && !(rule.weight.form == Expression::Form::constant && rule.weight.value > 0));
+    return asks_step(rule.condition) ||
+           (rule.weighted && !(rule.weight.form == Expression::Form::constant && rule.weight.value > 0));
   });
 }
 
-Errors advance_leftmost(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
+Errors advance_leftmost(const Grammar& grammar, Derivation& state, int steps, Seed seed,
+                        const Limits& limits) {
   Derivation before = state;
   LeftmostRewriter cursor(grammar, state, seed);
   for (int i = 0; i < steps; ++i) {
@@ -114,7 +122,8 @@ Errors advance_leftmost(const Grammar& grammar, Derivation& state, int steps, Se
     }
     ++state.steps;
     if (cursor.size() > limits.modules)
-      return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state.steps, limits.modules)}};
+      return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state.steps,
+                               limits.modules)}};
   }
   cursor.finish();
   return {};

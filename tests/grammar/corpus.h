@@ -49,8 +49,7 @@ inline GrammarText grammar_of(const nlohmann::json& c) {
   for (const auto& [name, symbol] : drawn.items())
     g.interpretation.push_back({name + " -> " + symbol.get<std::string>(), GrammarText::kUnlimited, ""});
   const nlohmann::json constants = c.value("constants", nlohmann::json::object());
-  for (const auto& [name, value] : constants.items())
-    g.constants.emplace_back(name, formula(value));
+  for (const auto& [name, value] : constants.items()) g.constants.emplace_back(name, formula(value));
   g.ignore = c.value("ignore", "");
   g.consider = c.value("consider", "");
   g.ring = c.value("ring", false);

@@ -45,7 +45,9 @@ TEST(Match, Table) {
       {"AxyB", {{"A < B -> Z"}}, 1, "AxyZ", "", false, "AB"},
       // Parameters of both sides.
       {"A(1)B(2)C(4)", {{"A(x) < B(y) > C(z) : x < y -> B(x+10*y+100*z)"}}, 1, "A(1)B(421)C(4)"},
-      {"A(1)A(2)[X(9)]B(3)C(4)D(5,6)", {{"A(a)A(b) < B(c) > C(d)D(e,f) -> B(a,b,c,d,e,f)"}}, 1,
+      {"A(1)A(2)[X(9)]B(3)C(4)D(5,6)",
+       {{"A(a)A(b) < B(c) > C(d)D(e,f) -> B(a,b,c,d,e,f)"}},
+       1,
        "A(1)A(2)[X(9)]B(1,2,3,4,5,6)C(4)D(5,6)"},
       {"B(1)[C(2)D(3)]E(4)", {{"B(a) > [C(c)]E(e) -> Z(a,c,e)"}}, 1, "Z(1,2,4)[C(2)D(3)]E(4)"},
   };
@@ -70,7 +72,9 @@ TEST(Match, TheEnvironmentAnswersQuestions) {
   text.rules = {{"A -> F?E(0,0)A"}, {"?E(k,x) : x > 1.5 -> B"}};
   text.symbols = {"?E"};
   Grammar grammar = std::move(*compile(text));
-  Environment light = [](const TurtleState& turtle, std::span<double> answer) { answer[1] = turtle.position.y; };
+  Environment light = [](const TurtleState& turtle, std::span<double> answer) {
+    answer[1] = turtle.position.y;
+  };
   Result<Word> word = derive(grammar, 3, Seed{1}, {}, light);
   EXPECT_EQ(frond::text(grammar, *word), "F?E(0,1)FBF?E(0,3)A");
   EXPECT_EQ(frond::text(grammar, *derive(grammar, 2, Seed{1})), "F?E(0,0)F?E(0,0)A");

@@ -21,23 +21,36 @@ GrammarText grammar_file(const std::filesystem::path& path) {
     return texts;
   };
   for (const auto& [key, value] : all.items()) {
-    if (key == "axiom") g.axiom = value;
-    else if (key == "steps") g.steps = value;
-    else if (key == "angle") g.angle = value;
-    else if (key == "length") g.length = value;
-    else if (key == "width") g.width = value;
-    else if (key == "width_scale") g.width_scale = value;
-    else if (key == "length_scale") g.length_scale = value;
-    else if (key == "ignore") g.ignore = value;
-    else if (key == "interpretation_depth") g.interpretation_depth = value;
-    else if (key == "rules") g.rules = rules(value);
-    else if (key == "interpretation") g.interpretation = rules(value);
-    else if (key == "constants") for (const auto& [name, constant] : value.items()) g.constants.emplace_back(name, formula(constant));
+    if (key == "axiom")
+      g.axiom = value;
+    else if (key == "steps")
+      g.steps = value;
+    else if (key == "angle")
+      g.angle = value;
+    else if (key == "length")
+      g.length = value;
+    else if (key == "width")
+      g.width = value;
+    else if (key == "width_scale")
+      g.width_scale = value;
+    else if (key == "length_scale")
+      g.length_scale = value;
+    else if (key == "ignore")
+      g.ignore = value;
+    else if (key == "interpretation_depth")
+      g.interpretation_depth = value;
+    else if (key == "rules")
+      g.rules = rules(value);
+    else if (key == "interpretation")
+      g.interpretation = rules(value);
+    else if (key == "constants")
+      for (const auto& [name, constant] : value.items()) g.constants.emplace_back(name, formula(constant));
     else if (key == "tropism") {
       const json& v = value["vector"];
       g.tropism = Vec3(v[0].get<float>(), v[1].get<float>(), v[2].get<float>());
       g.elasticity = value["elasticity"];
-    } else ADD_FAILURE() << path << ": " << key;
+    } else
+      ADD_FAILURE() << path << ": " << key;
   }
   return g;
 }
