@@ -7,7 +7,6 @@
 #include "core/files.h"
 #include "preset/json.h"
 #include "scene/describe.h"
-#include "scene/scene.h"
 
 // What there is and how large it is: check, info, list, schema.
 
@@ -17,7 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kBytesANode = 85;  // of a frame's text, as measured over the presets
+// As measured over the presets.
+constexpr double kBytesANode = 85;           // of a frame's text
+constexpr double kBytesANodeInMemory = 130;  // the skeleton and its pose
+constexpr double kBytesOfGround = 1.4e6;     // floor and stones in a frame's text
 
 /// One thing that can be named in a preset.
 struct Entry {
@@ -55,16 +57,27 @@ int check(const std::vector<std::string>& paths) {
 }
 
 int info(const PresetArguments& arguments, bool json) {
+  if (is_grammar(arguments.path)) return info_grammar(arguments.path, json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  Result<Scene> scene = build_scene(*preset);
-  if (!scene) return fail(scene.errors(), kWrongInput);
-  auto bytes = static_cast<std::size_t>(kBytesANode * static_cast<double>(scene->nodes())) + 700'000;
+  double organisms = 0, nodes = 0, modules = 0, word_bytes = 0;
+  for (const Organism& organism : preset->organisms) {
+    Result<Foresight> foresight = foresee(organism, Seed{preset->seed});
+    if (!foresight) return fail(foresight.errors(), kWrongInput);
+    double count = std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
+    organisms += count;
+    nodes += count * foresight->nodes;
+    modules += count * foresight->word.modules;
+    word_bytes = std::max(word_bytes, foresight->word.bytes);
+  }
+  double memory = word_bytes + nodes * kBytesANodeInMemory, frame = nodes * kBytesANode + kBytesOfGround;
   std::string_view form =
-      json ? "{{\"organisms\": {}, \"nodes\": {}, \"stones\": {}, \"frames\": {}, \"bytes_a_frame\": {}}}\n"
-           : "{} organisms, {} nodes, {} stones, {} frames of about {} bytes\n";
-  fmt::print(fmt::runtime(form), scene->branches.size(), scene->nodes(), scene->stone_instances.size(),
-             preset->film.frames, bytes);
+      json ? "{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"memory_bytes\": {:.0f}, "
+             "\"frames\": {}, \"bytes_a_frame\": {:.0f}}}\n"
+           : "up to {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.3g} bytes of memory; {} frames of "
+             "about "
+             "{:.3g} bytes\n";
+  fmt::print(fmt::runtime(form), organisms, modules, nodes, memory, preset->film.frames, frame);
   return kDone;
 }
 
