@@ -8,7 +8,7 @@ setup() {
   frond=${FROND_BIN:-$BATS_TEST_DIRNAME/../../build/frond}
   root=$(cd -- "$BATS_TEST_DIRNAME/../.." && pwd)
   export FROND_HOME=$root
-  cd "$BATS_TEST_TMPDIR"
+  cd "$BATS_TEST_TMPDIR" || return
   echo '{"axiom": "F", "angle": 90, "steps": 2, "rules": ["F -> F+F-F-F+F"]}' > koch.json
 }
 
