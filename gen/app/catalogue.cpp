@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "core/files.h"
+#include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
 
@@ -33,15 +34,17 @@ std::vector<Entry> entries(const fs::path& root) {
   for (const auto& row : kSettings) list.push_back({"settings", std::string(row.name), std::string(row.doc)});
   std::vector<fs::path> files;
   std::error_code error;
-  for (const auto& file : fs::directory_iterator(root / "presets", error))
-    if (file.path().extension() == ".json") files.push_back(file.path());
+  for (const auto& file : fs::recursive_directory_iterator(root / "presets", error))
+    if (file.path().extension() == ".json" && !is_grammar(file.path().string())) files.push_back(file.path());
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
     Result<std::string> text = read_file(file);
     Result<Preset> preset = text ? read_preset(*text, file.string(), {}) : text.errors();
     list.push_back(
-        {"presets", "presets/" + file.filename().string(), preset ? preset->title : "(has faults)"});
+        {"presets", file.lexically_relative(root).string(), preset ? preset->title : "(has faults)"});
   }
+  for (const TurtleSymbol& symbol : turtle_symbols())
+    list.push_back({"symbols", std::string(symbol.name), std::string(symbol.doc)});
   return list;
 }
 

@@ -90,3 +90,14 @@ setup() {
   "$frond" list --json | python3 -c 'import json, sys; assert any(r["name"] == "coral" for r in json.load(sys.stdin))'
   "$frond" schema | cmp - "$root/docs/preset.schema.json"
 }
+
+@test "the manual of the turtle is that of its table" {
+  "$frond" list --json | python3 -c '
+import json, sys
+manual = open(sys.argv[1]).read()
+for row in json.load(sys.stdin):
+    if row["group"] == "symbols":
+        line = "| `%s` | %s |" % tuple(row[key].replace("|", "\\|") for key in ("name", "doc"))
+        assert line in manual, line
+' "$root/docs/grammars.md"
+}
