@@ -116,6 +116,12 @@ void describe(Visitor& v, Tropism& t) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Limits& l) {
+  v.integer("modules", l.modules, {.min = 1, .max = 1e12}, "Symbols of a word");
+  v.integer("bytes", l.bytes, {.min = 1, .max = 1e15}, "Memory of a word");
+}
+
+template <class Visitor>
 void describe(Visitor& v, GrammarText& g) {
   v.text("axiom", g.axiom, "The word to begin with");
   v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Derivation steps");
@@ -139,6 +145,7 @@ void describe(Visitor& v, GrammarText& g) {
   v.text("ignore", g.ignore, "Symbols that contexts pass over");
   v.text("consider", g.consider, "The only symbols that contexts see");
   v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "For random choices");
+  v.object("limits", g.limits, "What passes them is refused before it is derived");
   v.texts("symbols", g.symbols, "Names of more than one character");
   v.boolean("ring", g.ring, "The word is a circle");
   Tropism tropism{g.tropism, g.elasticity};
