@@ -64,6 +64,8 @@ void describe(Visitor& v, Growth& g) {
   v.number("start", g.start, {.min = -1e6, .max = 1e6, .unit = "s"}, "When it begins");
   v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"},
            "How long it takes; 0: fully grown from the start");
+  v.number("stagger", g.stagger, {.min = 0, .max = 1e6, .unit = "s"},
+           "Single ones begin up to so much later");
   v.number("ripen", g.ripen, {.min = 0.01, .max = 2},
            "Share of the growth until a place has its full thickness");
 }

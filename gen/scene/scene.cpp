@@ -124,6 +124,7 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
                      Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
   put(branches.rest, Vec3(planting.spot.at.x, foot_height, planting.spot.at.y), lean * yaw, size);
   branches.motion = {params.growth, params.wave, params.food, preset.film.length()};
+  branches.motion.growth.start += params.growth.stagger * seed.child("start").unit();
   branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
   branches.brightness = 1 + params.skin.tint.variation * seed.child("brightness").range(-1, 1);
   return branches;
