@@ -13,8 +13,9 @@ namespace fs = std::filesystem;
 Result<std::string> read_file(const fs::path& path) {
   std::error_code error;
   auto size = fs::file_size(path, error);
+  if (error) return Error{path.string(), "cannot be read: " + error.message()};
   std::ifstream in(path, std::ios::binary);
-  if (error || !in) return Error{path.string(), "cannot be read: " + std::string(std::strerror(errno))};
+  if (!in) return Error{path.string(), "cannot be read: " + std::string(std::strerror(errno))};
   std::string text(size, '\0');
   in.read(text.data(), static_cast<std::streamsize>(size));
   text.resize(static_cast<std::size_t>(in.gcount()));
@@ -36,6 +37,7 @@ Result<bool> write_file(const fs::path& path, std::string_view text) {
   if (holds(path, text)) return false;
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  if (error) return Error{path.parent_path().string(), "cannot be made: " + error.message()};
   fs::path temporary = path;
   temporary += ".tmp" + std::to_string(::getpid());
   auto failed = [&](std::string_view what) {

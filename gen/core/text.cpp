@@ -12,10 +12,12 @@ namespace frond {
 void append(std::string& text, double value, int decimals) {
   static constexpr std::array<long long, 10> kPower{
       1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
-  assert(std::isfinite(value) && decimals >= 0 && decimals <= 9);
+  assert(decimals >= 0 && decimals <= 9);
   // As one whole number of the last decimal: integers convert several times faster than floating point.
   long long power = kPower[static_cast<std::size_t>(decimals)];
-  long long scaled = std::llround(value * static_cast<double>(power));
+  double product = value * static_cast<double>(power);
+  if (!(std::abs(product) < 9e18)) product = std::isnan(value) ? 0 : std::copysign(9e18, value);
+  long long scaled = std::llround(product);
   char buffer[32];
   char* out = buffer;
   if (scaled < 0) {

@@ -6,8 +6,8 @@
 namespace frond {
 
 /// Appends a number as every text we write has it: at most `decimals` (0 to 9) decimals, rounded half away
-/// from zero, no trailing zeros, no exponent, never "-0", no locale. |value| up to 9e18 / 10^decimals; must
-/// be finite.
+/// from zero, no trailing zeros, no exponent, never "-0", no locale. Beyond 9e18 / 10^decimals that bound is
+/// written, and 0 for what is no number: models hold neither.
 void append(std::string& text, double value, int decimals = 5);
 
 /// Appends a whole number.

@@ -68,15 +68,6 @@ void append_color(std::string& text, const Color& color) {
   text += '>';
 }
 
-void append_quoted(std::string& text, std::string_view words) {
-  text += '"';
-  for (char c : words) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-  }
-  text += '"';
-}
-
 void append_comment(std::string& text, std::string_view words) {
   text += "// ";
   for (char c : words) text += static_cast<unsigned char>(c) < 32 || c == '\x7f' ? ' ' : c;
@@ -123,27 +114,25 @@ bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest
   CountedList points(text, 3);
   std::size_t count = 0;
   Vec3 last_at{0};
-  float last_radius = 0;
   auto add = [&](Vec3 at, float radius) {
     radius = std::max(radius, static_cast<float>(kThinnest / space.unit));
-    if (count > 0) {
-      // A sphere that lies within its neighbour has no cone between them: POV-Ray draws specks there.
-      float step = glm::distance(at, last_at);
-      if (step * space.unit < 2e-4) return;
-      radius = std::clamp(radius, last_radius - 0.9f * step, last_radius + 0.9f * step);
-    }
+    if (count > 0 && glm::distance(at, last_at) * space.unit < 2e-4) return;
     text += ',';
     append_point(text, space, at);
     text += ',';
     append(text, radius * space.unit, kDecimals);
     last_at = at;
-    last_radius = radius;
     ++count;
   };
   std::int32_t below = rest.parent[chunk.first];
-  // A branch leaves its parent no thicker than it goes on, or the fork would swell.
-  float foot = below == chunk.first - 1 ? pose.radius[below]
-                                        : std::min(pose.radius[below], 1.25f * pose.radius[chunk.first]);
+  float foot = pose.radius[below];
+  if (below != chunk.first - 1) {
+    // A branch leaves its parent little thicker than it goes on, or the fork would swell; and its foot does
+    // not hold its first node, which would leave no cone between them and specks in the picture.
+    float first = pose.radius[chunk.first];
+    float most = 0.9f * glm::distance(pose.position[below], pose.position[chunk.first]);
+    foot = std::clamp(std::min(foot, 1.25f * first), first - most, first + most);
+  }
   add(pose.position[below], foot);
   for (std::int32_t i = chunk.first; i <= chunk.last; ++i) add(pose.position[i], pose.radius[i]);
   if (count < 2) {

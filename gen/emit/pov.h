@@ -34,9 +34,6 @@ void append_matrix(std::string& text, const PovSpace& space, const glm::mat3& ma
 /// Appends `srgb <r,g,b>`.
 void append_color(std::string& text, const Color& color);
 
-/// Appends a POV-Ray string literal, with everything escaped that could end it.
-void append_quoted(std::string& text, std::string_view words);
-
 /// Appends a comment that cannot be ended by what is in it.
 void append_comment(std::string& text, std::string_view words);
 

@@ -23,19 +23,18 @@ void carry(const Skeleton& rest, const Pose& pose, Chunk& chunk) {
   std::int32_t middle = (chunk.first + chunk.last) / 2;
   // A growing tip has not come to its node yet: there the pattern goes by the node below.
   while (middle > chunk.first && rest.birth[middle] > pose.front) --middle;
-  std::int32_t below = rest.parent[middle];
-  std::int32_t anchor = rest.birth[middle] > pose.front ? below : middle;
-  glm::mat3 turn = glm::mat3_cast(pose.turn[middle]);
-  float thick = thickened(rest, pose, anchor);
-  bool still = turn == glm::mat3(1) && std::abs(thick - 1) < 1e-6f &&
-               glm::distance(pose.position[anchor], rest.position[anchor]) < 1e-5f;
+  chunk.anchor = rest.birth[middle] > pose.front ? rest.parent[middle] : middle;
+  chunk.turn = pose.turn[middle];
+  float thick = thickened(rest, pose, chunk.anchor);
+  bool still = chunk.turn == Quat(1, 0, 0, 0) && std::abs(thick - 1) < 1e-6f &&
+               glm::distance(pose.position[chunk.anchor], rest.position[chunk.anchor]) < 1e-5f;
   if (still) return;
   Vec3 along = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
   float length2 = glm::dot(along, along);
   glm::mat3 stretch(thick);
   if (length2 > 0) stretch = stretch + glm::outerProduct(along, along) * ((1 - thick) / length2);
-  chunk.matrix = turn * stretch;
-  chunk.shift = pose.position[anchor] - chunk.matrix * rest.position[anchor];
+  chunk.matrix = glm::mat3_cast(chunk.turn) * stretch;
+  chunk.shift = pose.position[chunk.anchor] - chunk.matrix * rest.position[chunk.anchor];
 }
 
 class Cutter {
@@ -65,7 +64,9 @@ class Cutter {
   float youth(std::int32_t i) const { return frond::youth(rest_, pose_, longest_, options_.young_length, i); }
 
   bool fits(const Chunk& chunk, std::int32_t end) const {
-    for (std::int32_t i = chunk.first; chunk.moved() && i <= end; ++i)
+    if (!chunk.moved()) return true;
+    if (pattern_drift(rest_, pose_, chunk, rest_.parent[chunk.first]) > options_.tolerance) return false;
+    for (std::int32_t i = chunk.first; i <= end; ++i)
       if (pattern_drift(rest_, pose_, chunk, i) > options_.tolerance) return false;
     return true;
   }
@@ -81,21 +82,12 @@ class Cutter {
 
 float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, std::int32_t i) {
   if (rest.birth[i] > pose.front) return 0;  // the tip is new skin
-  Vec3 center = chunk.shift + chunk.matrix * rest.position[i] - pose.position[i];
-  float thick = thickened(rest, pose, i);
-  // Two skin points a quarter round the branch from each other; the others come apart no farther than both.
-  Vec3 along = rest.position[i] - rest.position[rest.parent[i]];
-  Vec3 across = glm::cross(along, std::abs(along.y) < std::abs(along.x) ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
-  Vec3 third = glm::cross(along, across);
-  float skin2 = 0;
-  for (Vec3 offset : {across, third}) {
-    float length = glm::length(offset);
-    if (length == 0) continue;
-    offset = offset * (rest.radius[i] / length);
-    Vec3 apart = chunk.matrix * offset - pose.turn[i] * offset * thick;
-    skin2 += glm::dot(apart, apart);
-  }
-  return (glm::length(center) + std::sqrt(skin2)) / thick;
+  Vec3 rested = rest.position[i] - rest.position[chunk.anchor];
+  Vec3 center = pose.position[chunk.anchor] + chunk.turn * rested - pose.position[i];
+  // The angle between the two turns; a skin point comes away by no more than its radius times that.
+  Quat apart = chunk.turn * glm::conjugate(pose.turn[i]);
+  float angle = 2 * std::asin(std::min(glm::length(Vec3(apart.x, apart.y, apart.z)), 1.0f));
+  return glm::length(center) + angle * pose.radius[i];
 }
 
 float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i) {

@@ -16,6 +16,8 @@ struct Chunk {
   /// lies at shift + matrix * x. The identity while nothing moves.
   glm::mat3 matrix{1};
   Vec3 shift{0};
+  Quat turn{1, 0, 0, 0};     ///< the part of the matrix that is motion; the rest is the branch thickening
+  std::int32_t anchor = -1;  ///< the node that the pattern goes by
   /// How young the skin is at the node below `first` and at the end: 1 at a growing tip .. 0 farther below
   /// than the young length.
   float young_from = 0, young_to = 0;
@@ -38,7 +40,8 @@ std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const Chun
 /// How young the skin at node `i` is: by its way to the tip, grown or growing.
 float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i);
 
-/// How far the skin at node `i`, in metres of the rest shape, slides under the pattern of a chunk it is in.
+/// How far the skin at node `i` slides under the pattern of a chunk it is in, or at the foot of, as the
+/// branch moves; metres. Thickening stretches the pattern with the skin at the anchor, and is not counted.
 float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, std::int32_t i);
 
 }  // namespace frond

@@ -22,9 +22,9 @@ class Current {
     // Two swings whose rates are no simple ratio, so that no two strokes look alike; in a loop both are made
     // to fit a whole number of times.
     double slow = wave.speed, fast = wave.speed * 1.618;
-    if (wave.loop && film_length > 0) {
-      slow = std::max(1.0, std::round(slow * film_length)) / film_length;
-      fast = std::max(1.0, std::round(fast * film_length)) / film_length;
+    if (wave.loop && slow * film_length >= 0.5) {
+      slow = std::round(slow * film_length) / film_length;
+      fast = std::round(fast * film_length) / film_length;
     }
     slow_ = static_cast<float>(std::remainder(2 * kPi * slow * time + wave.phase, 2 * kPi));
     fast_ = static_cast<float>(std::remainder(2 * kPi * fast * time + 2.4 * wave.phase, 2 * kPi));
@@ -61,7 +61,9 @@ Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float str
   float sine = glm::length(axis);
   if (sine < 1e-6f) return Quat(1, 0, 0, 0);
   float supple = smooth_step(0.0f, 0.35f, share);
-  float angle = strength * supple * step * sine * distance2 / (distance2 + reach2);
+  // Food right behind pulls nowhere: else the least step of it would swing the branch from side to side.
+  float before = 0.5f + 0.5f * glm::dot(heading, way) / std::sqrt(distance2);
+  float angle = strength * supple * step * sine * before * distance2 / (distance2 + reach2);
   return glm::angleAxis(std::min(angle, std::asin(std::min(sine, 1.0f))), axis / sine);
 }
 
@@ -125,6 +127,12 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
     float age = std::max(pose.front - born, 0.0f);
     pose.radius[i] =
         rest.radius[i] * onset * (kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age));
+    // A sphere that holds its neighbour has no cone between them: along a branch radii change more slowly
+    // than its length does.
+    if (p != Skeleton::kRoot && p == static_cast<std::int32_t>(i) - 1) {
+      float most = 0.9f * glm::distance(pose.position[i], pose.position[p]);
+      pose.radius[i] = std::clamp(pose.radius[i], pose.radius[p] - most, pose.radius[p] + most);
+    }
   }
 }
 

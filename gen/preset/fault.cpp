@@ -19,9 +19,9 @@ bool holds(std::string_view outer, std::string_view inner) {
 
 Error Fault::error() const {
   std::string where = fmt::format("{}: {}", origin.text(), pointer.empty() ? "/" : pointer);
-  if (unknown.empty()) return {where, what};
-  return {where, fmt::format("unknown property {}{}", serialize(make_text(unknown)),
-                             expected_names(unknown, names))};
+  if (!unknown) return {where, what};
+  return {where, fmt::format("unknown property {}{}", serialize(make_text(*unknown)),
+                             expected_names(*unknown, names))};
 }
 
 void Faults::add(Fault fault) {

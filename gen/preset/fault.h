@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@ struct Fault {
   Origin origin;
   std::string pointer;                       ///< JSON pointer of the value, "" for the whole
   std::string what;                          ///< `found ...; expected ...`
-  std::string unknown = {};                  ///< of an unknown property: its name; `what` is empty then
+  std::optional<std::string> unknown = {};   ///< of an unknown property: its name; `what` is empty then
   std::vector<std::string_view> names = {};  ///< and the names that would have been known
 
   /// `file:line:column: /json/pointer` and what is wrong.

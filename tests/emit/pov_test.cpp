@@ -32,12 +32,6 @@ TEST(Matrix, DoesInPovSpaceWhatItDoesInTheWorld) {
   EXPECT_EQ(text, "matrix<1,0,0,0,0,-1,0,1,0,0,10,-20>");
 }
 
-TEST(Quoted, CannotBeLeft) {
-  std::string text;
-  append_quoted(text, "a\"b\\c\nd");
-  EXPECT_EQ(text, "\"a\\\"b\\\\c d\"");
-}
-
 TEST(Comment, StaysOneLine) {
   std::string text;
   append_comment(text, "a\n#declare x=1;\r b");

@@ -97,6 +97,45 @@ TEST(Food, IsFollowed) {
   EXPECT_LT(posed(s, motion, 4).position.back().x, -0.1f);
 }
 
+TEST(Food, PassesBehindWithoutAJump) {
+  // Straight below and behind a branch there is no way to turn: the pull fades there.
+  Skeleton s = trunk(60);
+  Motion motion;
+  motion.film_length = 4;
+  motion.food.strength = 3;
+  motion.food.position = Animated<Vec3>(
+      std::vector<Animated<Vec3>::Key>{{0, Vec3(2, -0.5f, 0.01f)}, {4, Vec3(-2, -0.5f, 0.01f)}});
+  double total = 0;
+  float most = 0;
+  Pose last = posed(s, motion, 0);
+  for (int frame = 1; frame < 96; ++frame) {
+    Pose now = posed(s, motion, frame / 24.0);
+    float step = glm::distance(now.position.back(), last.position.back());
+    most = std::max(most, step);
+    total += step;
+    last = now;
+  }
+  EXPECT_LT(most, 5 * total / 95);
+}
+
+TEST(Wave, OfNoSpeedStandsStill) {
+  Skeleton s = trunk(10);
+  Motion motion;
+  motion.film_length = 4;
+  motion.wave.amplitude = 0.3;
+  motion.wave.speed = 0;
+  EXPECT_EQ(posed(s, motion, 0).position, posed(s, motion, 1.3).position);
+}
+
+TEST(Pose, KeepsNoSphereInsideItsNeighbour) {
+  Skeleton s = trunk(10);
+  s.radius[3] = 0.9f;
+  Pose pose = posed(s, Motion{}, 0);
+  for (std::size_t i = 1; i < s.size(); ++i)
+    EXPECT_LT(std::abs(pose.radius[i] - pose.radius[i - 1]),
+              glm::distance(pose.position[i], pose.position[i - 1]));
+}
+
 TEST(Wave, LoopsOverTheFilmAndGrowsTowardTheTips) {
   Skeleton s = trunk(30);
   Motion motion;
@@ -143,7 +182,10 @@ TEST(Growth, NeverShrinksNorStops) {
   for (double time = 0.05; time <= 2; time += 0.05) {
     Pose now = posed(s, motion, time);
     EXPECT_GT(now.front, last.front);
-    for (std::size_t i = 0; i < s.size(); ++i) EXPECT_GE(now.radius[i], last.radius[i] - 1e-7f);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (s.birth[i] > last.front) continue;
+      EXPECT_GE(now.radius[i], last.radius[i] - 1e-7f);
+    }
     last = now;
   }
 }
