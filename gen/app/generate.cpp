@@ -60,10 +60,14 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   jobs.fps = film.fps;
   jobs.still = film.frames == 1;
   jobs.title = preset.title;
-  jobs.povinc = fs::relative(root / "povinc", out).string();
-  jobs.scripts = fs::relative(root / "scripts", out).string();
-  for (const auto& entry : fs::directory_iterator(root / "povinc"))
-    jobs.includes.push_back(entry.path().filename());
+  std::error_code error;
+  jobs.povinc = fs::relative(root / "povinc", out, error).string();
+  jobs.scripts = fs::relative(root / "scripts", out, error).string();
+  for (const auto& entry : fs::directory_iterator(root / "povinc", error))
+    if (entry.path().extension() == ".inc" && entry.is_regular_file(error))
+      jobs.includes.push_back(entry.path().filename());
+  if (error || jobs.includes.empty())
+    return {{(root / "povinc").string(), "holds no .inc files; set FROND_HOME to the folder of Frond"}};
   std::sort(jobs.includes.begin(), jobs.includes.end());
 
   Manifest manifest;
@@ -111,6 +115,7 @@ int generate(const GenerateArguments& arguments) {
   if (!scene) return fail(scene.errors(), kWrongInput);
   fs::path name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
+  for (const std::string& note : scene->notes) fmt::print(stderr, "note: {}\n", note);
   if (!arguments.quiet)
     fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
 

@@ -23,7 +23,7 @@ void add_grammar(CLI::App* command, GrammarArguments& grammar) {
           "A grammar or a preset in JSON, or a grammar of cpfg (.l), LParser (.ls) or Houdini (.txt)")
       ->required();
   command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1'000'000));
   command->add_option("--seed", grammar.seed, "For random choices, instead of the grammar's");
 }
 
@@ -43,7 +43,7 @@ int main(int count, char** words) {
   generate_command->add_option("-o,--out", to_generate.out, "Folder to write to (out/<preset name>)");
   generate_command->add_option("--frames", to_generate.frames, "A-B: only these frames");
   generate_command->add_option("--threads", to_generate.threads, "How many threads (all)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1024));
   generate_command->add_flag("-q,--quiet", to_generate.quiet, "No progress");
   generate_command->footer(
       "Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");

@@ -51,8 +51,6 @@ void append_stones(std::string& text, const PovSpace& space, const Scene& scene)
     append_mesh(text, space, scene.stones[i]);
     text += '\n';
   }
-  if (scene.stone_instances.empty()) return;
-  text += "union{\n";
   for (const StoneInstance& stone : scene.stone_instances) {
     text += "object{Stone";
     append_integer(text, stone.shape);
@@ -67,12 +65,14 @@ void append_stones(std::string& text, const PovSpace& space, const Scene& scene)
     append_integer(text, stone.look);
     text += ")}}\n";
   }
-  text += "}\n";
 }
 
 std::string camera_text(const PovSpace& space, const Camera& camera, double time) {
+  Vec3 location = camera.location.at(time), view = camera.look_at.at(time) - location;
+  bool upright = std::abs(view.y) > 0.999f * glm::length(view);
   std::string text = "camera{location";
-  append_point(text, space, camera.location.at(time));
+  append_point(text, space, location);
+  if (upright) text += " sky z";
   text += " right x*image_width/image_height angle ";
   append(text, camera.angle.at(time), 4);
   text += " look_at";
@@ -175,7 +175,9 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   if (body.empty()) return {};
   std::string text;
   append_comment(text, b.name);
-  return text + "union{\n" + body + "}\n";
+  // A union of one is a warning.
+  bool several = std::count(body.begin(), body.end(), '\n') > 1;
+  return text + (several ? "union{\n" + body + "}\n" : body);
 }
 
 std::string all_branches_text(const PovSpace& space, const Scene& scene, double time) {
@@ -219,11 +221,6 @@ Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std:
   padded.insert(0, padded.size() < 4 ? 4 - padded.size() : 0, '0');
   Errors errors;
   std::string text = fill(layout, [&](std::string_view hole) -> std::string {
-    if (hole == "title") {
-      std::string title;
-      append_comment(title, scene.title);
-      return title;
-    }
     if (hole == "frame") return number(frame);
     if (hole == "frames") return number(film.frames);
     if (hole == "number") return padded;

@@ -57,4 +57,16 @@ Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rin
   return surface;
 }
 
+double surface_height(const Surface& surface, double x, double z) {
+  for (auto [a, b, c] : surface.triangle) {
+    const Vec3 &p = surface.position[a], &q = surface.position[b], &r = surface.position[c];
+    double qx = q.x - p.x, qz = q.z - p.z, rx = r.x - p.x, rz = r.z - p.z, dx = x - p.x, dz = z - p.z;
+    double area = qx * rz - qz * rx;
+    if (area == 0) continue;
+    double s = (dx * rz - dz * rx) / area, t = (qx * dz - qz * dx) / area;
+    if (s >= -1e-9 && t >= -1e-9 && s + t <= 1 + 1e-9) return p.y + s * (q.y - p.y) + t * (r.y - p.y);
+  }
+  return 0;
+}
+
 }  // namespace frond

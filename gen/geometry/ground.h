@@ -19,4 +19,7 @@ double ground_height(const Ground& ground, double x, double z);
 /// relief is gone. `rings` (at least 2) sets how fine.
 Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rings);
 
+/// How high a mesh without overhangs lies at (x, z); 0 beside it.
+double surface_height(const Surface& surface, double x, double z);
+
 }  // namespace frond

@@ -84,10 +84,11 @@ void describe(Visitor& v, Wave& w) {
 
 template <class Visitor>
 void describe(Visitor& v, Food& f) {
-  v.number("strength", f.strength, {.min = 0, .max = 6},
+  v.number("strength", f.strength, {.min = 0, .max = 3},
            "Angle in radians, about, by which whole branches bend toward it");
-  v.number("reach", f.reach, {.min = 0.001, .max = 100, .unit = "m"}, "Nearer than this the pull fades");
-  v.animated("position", f.position, "Where the food is, or keyframes of it");
+  v.number("reach", f.reach, {.min = 0.02, .max = 100, .unit = "m"}, "Nearer than this the pull fades");
+  v.animated("position", f.position, {.min = -1000, .max = 1000, .unit = "m"},
+             "Where the food is, or keyframes of it");
 }
 
 template <class Visitor>
@@ -185,9 +186,9 @@ void describe(Visitor& v, CoralParams& c) {
 template <class Visitor>
 void describe(Visitor& v, Place& p) {
   v.list("at", p.at, "x, z of the first ones; the others are scattered");
-  v.vector("center", p.center, "x, z of the ring to scatter in");
-  v.number("inner", p.inner, {.min = 0, .max = 1000, .unit = "m"}, "Inner edge of the ring");
-  v.number("radius", p.radius, {.min = 0, .max = 1000, .unit = "m"}, "Outer edge of the ring");
+  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"}, "x, z of the ring to scatter in");
+  v.number("inner", p.inner, {.min = 0, .max = 28, .unit = "m"}, "Inner edge of the ring");
+  v.number("radius", p.radius, {.min = 0, .max = 28, .unit = "m"}, "Outer edge of the ring");
   v.number("spacing", p.spacing, {.min = 0, .max = 100, .unit = "m"}, "What each keeps free round itself");
   v.number("size_variation", p.size_variation, {.min = 0, .max = 0.9}, "Random change of the size");
   v.angle("turn", p.turn, {.min = -360, .max = 360}, "About the vertical");

@@ -12,7 +12,9 @@ struct Grow {
 struct Check {
   Errors operator()(const CoralParams& params) const {
     Result<Grammar> grammar = coral_grammar(params);
-    return grammar ? Errors{} : grammar.errors();
+    if (!grammar) return grammar.errors();
+    return refuse(forecast(*grammar, grammar->text.steps, Seed{1}, grammar->text.limits),
+                  grammar->text.limits);
   }
 };
 

@@ -24,8 +24,8 @@ void describe(Visitor& v, Film& f) {
 
 template <class Visitor>
 void describe(Visitor& v, Camera& c) {
-  v.animated("location", c.location, "Where it stands");
-  v.animated("look_at", c.look_at, "What it looks at");
+  v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where it stands");
+  v.animated("look_at", c.look_at, {.min = -1000, .max = 1000, .unit = "m"}, "What it looks at");
   v.animated("angle", c.angle, {.min = 1, .max = 160, .unit = "degrees"}, "Width of the view");
 }
 
@@ -35,7 +35,7 @@ void describe(Visitor& v, Water& w) {
   v.color("deep", w.deep, "Of the depth below the horizon");
   v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
            "Until two thirds of a colour are lost");
-  v.vector("sun", w.sun, "Toward the sun");
+  v.vector("sun", w.sun, {.min = -100, .max = 100}, "Toward the sun");
   v.number("caustics", w.caustics, {.min = 0, .max = 1.5}, "How strongly waves focus the light");
   v.number("shafts", w.shafts, {.min = 0, .max = 1}, "Beams of light");
   v.integer("particles", w.particles, {.min = 0, .max = 1000}, "Specks that drift before the camera");

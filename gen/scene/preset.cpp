@@ -72,10 +72,29 @@ void check_grammar(Organism& organism, const Value& written, std::size_t index, 
       }
     }
   }
+  for (std::size_t i = 0; i < organism.place.at.size(); ++i)
+    if (glm::length(organism.place.at[i]) > 30)
+      faults.add(organism_fault(written, index, fmt::format("/place/at/{}", i),
+                                "lies off the ground; expected a place within 30 m of the middle"));
   for (const Error& error : check(organism)) {
     std::string pointer = own ? "/grammar" + grammar_pointer(coral->grammar, error) : "";
     faults.add(organism_fault(written, index, pointer, error.what));
   }
+}
+
+/// What no picture can be made of although each value is one that may be.
+void check_stage(const Stage& stage, const Value& root, Faults& faults) {
+  auto fault = [&](const char* pointer, const char* what) {
+    faults.add({origin_at(root, pointer), pointer, what});
+  };
+  if (stage.water.sun == Vec3(0))
+    fault("/scene/water/sun", "found a vector of length 0; expected the direction toward the sun");
+  std::vector<double> times;
+  for (const auto& key : stage.camera.location.keys()) times.push_back(key.time);
+  for (const auto& key : stage.camera.look_at.keys()) times.push_back(key.time);
+  for (double time : times)
+    if (glm::distance(stage.camera.location.at(time), stage.camera.look_at.at(time)) < 1e-4f)
+      return fault("/scene/camera/look_at", "is where the camera stands; expected another place to look at");
 }
 
 }  // namespace
@@ -95,6 +114,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Faults faults;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i)
     check_grammar(preset->organisms[i], merged_organism(document->root, i), i, faults);
+  check_stage(preset->stage, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
   return preset;
 }

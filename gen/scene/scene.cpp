@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,7 +16,7 @@ namespace {
 
 constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
-constexpr double kFloorRadius = 32;  // metres; beyond the reach of any sight under water
+constexpr double kFloorRadius = 32;  // metres, as far as the water lets one see
 
 /// A place for one organism to be grown at.
 struct Planting {
@@ -27,10 +29,11 @@ struct Planting {
 struct Builder {
   const Preset& preset;
   Seed seed;
-  Ground ground;
   std::vector<Spot> taken;  // by organisms and stones
   std::vector<Stone> shapes;
   Scene scene;
+
+  float ground(Vec2 at) const { return static_cast<float>(surface_height(scene.floor, at.x, at.y)); }
 };
 
 std::vector<Planting> plantings(Builder& b) {
@@ -39,7 +42,8 @@ std::vector<Planting> plantings(Builder& b) {
     const Organism& organism = b.preset.organisms[o];
     const Place& place = organism.place;
     Seed seed = b.seed.child("organism", o);
-    float room = static_cast<float>(place.spacing);
+    if (organism.count == 0) continue;
+    float room = static_cast<float>(std::max(place.spacing, place.rock / 2));
     std::vector<Spot> spots;
     for (Vec2 at : place.at) spots.push_back({at, room});
     b.taken.insert(b.taken.end(), spots.begin(), spots.end());
@@ -49,6 +53,11 @@ std::vector<Planting> plantings(Builder& b) {
       spots.push_back(spot);
       b.taken.push_back(spot);
     }
+    if (spots.size() < static_cast<std::size_t>(organism.count))
+      b.scene.notes.push_back(
+          fmt::format("{}: only {} of {} found room; place.radius larger or place.spacing less?",
+                      organism.name.empty() ? fmt::format("organism {}", o) : organism.name, spots.size(),
+                      organism.count));
     for (std::size_t i = 0; i < spots.size(); ++i)
       list.push_back({&organism, seed.child("instance", i), spots[i]});
   }
@@ -66,8 +75,7 @@ float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
                     width * static_cast<float>(seed.child("depth").range(0.75, 1.1)));
   float top =
       stone_surface_point(b.shapes[static_cast<std::size_t>(stone.shape)], Vec3(0, 1, 0)).y * stone.size.y;
-  float ground = static_cast<float>(ground_height(b.ground, at.x, at.y));
-  stone.at = Vec3(at.x, ground + top * (1 - 2 * sunk), at.y);
+  stone.at = Vec3(at.x, b.ground(at) + top * (1 - 2 * sunk), at.y);
   b.scene.stone_instances.push_back(stone);
   return stone.at.y + top;
 }
@@ -122,7 +130,9 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   Quat lean =
       glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
                      Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
-  put(branches.rest, Vec3(planting.spot.at.x, foot_height, planting.spot.at.y), lean * yaw, size);
+  // The foot stands a little in the ground, as deep as it is thick or as a small coral bears.
+  float sunk = std::min(branches.rest.radius[0], 0.1f * branches.rest.longest()) * size;
+  put(branches.rest, Vec3(planting.spot.at.x, foot_height - sunk, planting.spot.at.y), lean * yaw, size);
   branches.motion = {params.growth, params.wave, params.food, preset.film.length()};
   branches.motion.growth.start += params.growth.stagger * seed.child("start").unit();
   branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
@@ -141,21 +151,21 @@ std::size_t Scene::nodes() const {
 Result<Scene> build_scene(const Preset& preset) {
   Seed seed{preset.seed};
   const Floor& floor = preset.stage.floor;
-  Builder b{preset, seed, {seed.child("ground"), floor.relief, floor.scale}, {}, {}, {}};
+  Builder b{preset, seed, {}, {}, {}};
   b.scene.title = preset.title;
   b.scene.film = preset.film;
   b.scene.stage = preset.stage;
+  Ground ground{seed.child("ground"), floor.relief, floor.scale};
+  b.scene.floor = ground_surface(ground, Vec2(0), kFloorRadius, 60);
 
   std::vector<Planting> list = plantings(b);
   lay_stones(b);
   std::vector<float> feet;
   for (const Planting& p : list) {
     float rock = static_cast<float>(p.organism->place.rock);
-    float ground = static_cast<float>(ground_height(b.ground, p.spot.at.x, p.spot.at.y));
-    float top = rock > 0 ? lay_stone(b, p.spot.at, rock, 0.3f, p.seed.child("rock")) : ground;
-    feet.push_back(top - 0.01f - 0.03f * rock);
+    float top = rock > 0 ? lay_stone(b, p.spot.at, rock, 0.3f, p.seed.child("rock")) : b.ground(p.spot.at);
+    feet.push_back(top);
   }
-  b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
 
   std::vector<std::optional<Result<Branches>>> grown(list.size());
   parallel_for(list.size(), [&](std::size_t i) { grown[i] = plant(preset, list[i], feet[i]); });

@@ -37,6 +37,7 @@ struct Scene {
   std::vector<Surface> stones;
   std::vector<StoneInstance> stone_instances;
   std::vector<Branches> branches;
+  std::vector<std::string> notes;  ///< what the user should know of how it was built
 
   /// Nodes of all skeletons.
   std::size_t nodes() const;

@@ -194,7 +194,7 @@ const WrongPreset kWrongValues[] = {
  "organisms": [{"kind": "coral", "place": {"at": [[0, 0], [1]]}}]})",
      {},
      {"1:35: /scene/camera/location: found a list of 2; expected a list of 3 numbers",
-      R"(1:54: /scene/camera/look_at: found the text "reef"; expected a list of 3 numbers, or keyframes [[seconds, value], ...])",
+      R"(1:54: /scene/camera/look_at: found the text "reef"; expected a list of 3 numbers from -1000 to 1000 m, or keyframes [[seconds, value], ...])",
       "2:59: /organisms/0/place/at/1: found a list of 1; expected a list of 2 numbers"}},
     {"Keyframes in disorder",
      R"({"scene": {"camera": {"location": [[1, [0, 1, 2]], [0, [0, 1, 3]]],

@@ -1,4 +1,3 @@
-// Six frames with everything that moves
 // Frame 1 of 6. Render with: povray +Lpovinc +W64 +H48 frame_0001.pov
 #version 3.7;
 #declare Frond_Unit = 10;        // POV-Ray units a metre
@@ -46,12 +45,10 @@ face_indices{5120     ,<0,644,642>,<642,643,162>,<644,164,643>,<642,644,643>,<16
 vertex_vectors{2562,<-2.5739,-2.5009,0>,<0,-1.4529,3.9146>,<-3.7962,0,2.3462>,<-1.9414,1.8864,0>,<0,-1.9139,-5.1568>,<3.... (60852 characters, e419087c81684da2)
 normal_vectors{2562,<-0.708,-0.581,-0.402>,<0.311,0.079,0.947>,<-0.583,-0.786,0.205>,<-0.036,0.992,0.118>,<-0.122,-0.927... (54187 characters, 38719a4cb910b2f4)
 face_indices{5120     ,<0,644,642>,<642,643,162>,<644,164,643>,<642,644,643>,<162,647,645>,<645,646,42>,<647,163,646>,<6... (80438 characters, 5cfdaaac000902ab)
-union{
-object{Stone1 scale<0.06834,0.06307,0.06701>rotate y*-120.232 translate<0.0269,-0.2854,7.8948> texture{Rock_Texture(2)}}
-object{Stone0 scale<0.02694,0.025,0.02639>rotate y*-152.896 translate<-21.5928,0.1617,47.3878> texture{Rock_Texture(1)}}
-object{Stone1 scale<0.2,0.20795,0.16803>rotate y*-326.597 translate<4.1363,-0.1753,-0.8038> texture{Rock_Texture(1)}}
-object{Stone0 scale<0.2,0.16368,0.19711>rotate y*-193.872 translate<-1.9899,0.1318,3.8778> texture{Rock_Texture(0)}}
-}
+object{Stone1 scale<0.06834,0.06307,0.06701>rotate y*-120.232 translate<0.0269,-0.266,7.8948> texture{Rock_Texture(2)}}
+object{Stone0 scale<0.02694,0.025,0.02639>rotate y*-152.896 translate<-21.5928,0.136,47.3878> texture{Rock_Texture(1)}}
+object{Stone1 scale<0.2,0.20795,0.16803>rotate y*-326.597 translate<4.1363,-0.1722,-0.8038> texture{Rock_Texture(1)}}
+object{Stone0 scale<0.2,0.16368,0.19711>rotate y*-193.872 translate<-1.9899,0.1322,3.8778> texture{Rock_Texture(0)}}
 
 
 object{Food_Swarm() translate<10,6,0>}
