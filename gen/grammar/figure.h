@@ -22,7 +22,7 @@ Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const
 struct Outline {
   std::vector<Vec3> points;
   int color = 0;
-  std::int32_t node = Skeleton::kRoot;  ///< of the skeleton, where it grows
+  std::int32_t node = Skeleton::kRoot;  ///< of the skeleton, where it grows; kRoot where nothing was drawn before
 };
 
 /// A place where a shape belongs: an organ named in the grammar.
@@ -46,8 +46,10 @@ struct Figure {
 
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 
-/// The same for the word after so many steps, which is not stored where it need not be.
-Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
+/// The same for the word after so many steps, which is not stored where it need not be. The symbols named in
+/// `organs` are sites also where no `~` stands before them.
+Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {},
+                         std::span<const std::string> organs = {});
 
 /// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the order
 /// of the word; the order of a node is the number of brackets around it. Segments without length are left out.

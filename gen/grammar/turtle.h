@@ -16,6 +16,7 @@ struct TurtleState {
   int color = 0;
   int depth = 0;            ///< brackets open
   std::int32_t mark = -1;   ///< the sink's own: a bracket keeps and restores it; -1 after a move
+  std::int32_t base = -1;   ///< the sink's own: as mark, but a move leaves it alone
 };
 
 /// A line that the turtle drew, before it moves on; widths are diameters.
@@ -31,6 +32,7 @@ struct Segment {
 ///     void push(TurtleState&);  void pop(TurtleState&); // the state that is kept; the state it is back in
 ///     void polygon(std::span<const DVec3>, const TurtleState&);
 ///     void organ(SymbolId shape, const double* parameters, const TurtleState&);
+///     void bare(SymbolId, const double* parameters, const TurtleState&);        // a symbol that means nothing to it
 ///     void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes, questions, guides
 template <class Sink>
 class Turtle {
@@ -60,7 +62,10 @@ class Turtle {
     bool given = info.arity > 0;
     ++acted_;
     switch (info.act) {
-      case Act::none: case Act::environment: return;
+      case Act::none:
+        if constexpr (requires { sink_.bare(symbol, parameters, now_); }) sink_.bare(symbol, parameters, now_);
+        return;
+      case Act::environment: return;
       case Act::draw: case Act::draw_free: return forward(info.act == Act::draw, true, info.arity, parameters);
       case Act::move: case Act::move_free: return forward(info.act == Act::move, false, info.arity, parameters);
       case Act::yaw_left: return turn(now_.heading, now_.left, given, parameters, 1);

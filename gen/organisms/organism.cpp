@@ -6,7 +6,14 @@ namespace {
 
 struct Grow {
   Seed seed;
-  Result<Skeleton> operator()(const CoralParams& params) const { return grow_coral(params, seed); }
+  Result<Model> operator()(const CoralParams& params) const {
+    Result<Skeleton> skeleton = grow_coral(params, seed);
+    if (!skeleton) return skeleton.errors();
+    Model model;
+    model.skeleton = std::move(*skeleton);
+    return model;
+  }
+  Result<Model> operator()(const PlantParams& params) const { return grow_plant(params, seed); }
 };
 
 struct Check {
@@ -14,11 +21,15 @@ struct Check {
     Result<Grammar> grammar = coral_grammar(params);
     return grammar ? Errors{} : grammar.errors();
   }
+  Errors operator()(const PlantParams& params) const {
+    Result<Grammar> grammar = plant_grammar(params);
+    return grammar ? Errors{} : grammar.errors();
+  }
 };
 
 }  // namespace
 
-Result<Skeleton> grow(const Organism& organism, Seed seed) { return std::visit(Grow{seed}, organism.body); }
+Result<Model> grow(const Organism& organism, Seed seed) { return std::visit(Grow{seed}, organism.body); }
 
 Errors check(const Organism& organism) { return std::visit(Check{}, organism.body); }
 
