@@ -22,15 +22,26 @@ const Job kKochLong{"F-F-F-F", 8, {{"F -> F-F+F+FF-F-F+F"}}};
 const Job kPlant{"X", 8, {{"X -> F-[[X]+X]+F[+FX]-X"}, {"F -> FF"}}};
 const Job kAlgae{"A", 27, {{"A -> AB"}, {"B -> A"}}};
 const Job kChance{"F", 11, {{"F ->(0.33) F[+F]F[-F]F"}, {"F ->(0.33) F[+F]F"}, {"F ->(0.34) F[-F]F"}}};
-const Job kHogeweg{"F1F1F1", 40,
-                   {{"0 < 0 > 0 -> 1"}, {"0 < 0 > 1 -> 1[-F1F1]"}, {"0 < 1 > 0 -> 1"}, {"0 < 1 > 1 -> 1"},
-                    {"1 < 0 > 0 -> 0"}, {"1 < 0 > 1 -> 1F1"}, {"1 < 1 > 0 -> 1"}, {"1 < 1 > 1 -> 0"}, {"+ -> -"}, {"- -> +"}},
+const Job kHogeweg{"F1F1F1",
+                   40,
+                   {{"0 < 0 > 0 -> 1"},
+                    {"0 < 0 > 1 -> 1[-F1F1]"},
+                    {"0 < 1 > 0 -> 1"},
+                    {"0 < 1 > 1 -> 1"},
+                    {"1 < 0 > 0 -> 0"},
+                    {"1 < 0 > 1 -> 1F1"},
+                    {"1 < 1 > 0 -> 1"},
+                    {"1 < 1 > 1 -> 0"},
+                    {"+ -> -"},
+                    {"- -> +"}},
                    "+-F"};
-const Job kHonda{"A(1,10)", 20,
+const Job kHonda{"A(1,10)",
+                 20,
                  {{"A(l,w) -> !(w)F(l)[&(a0)B(l*r2,w*wr)]/(d)A(l*r1,w*wr)"},
                   {"B(l,w) -> !(w)F(l)[-(a2)$C(l*r2,w*wr)]C(l*r1,w*wr)"},
                   {"C(l,w) -> !(w)F(l)[+(a2)$B(l*r2,w*wr)]B(l*r1,w*wr)"}},
-                 "", {{"r1", "0.9"}, {"r2", "0.6"}, {"a0", "45"}, {"a2", "45"}, {"d", "137.5"}, {"wr", "0.707"}}};
+                 "",
+                 {{"r1", "0.9"}, {"r2", "0.6"}, {"a0", "45"}, {"a2", "45"}, {"d", "137.5"}, {"wr", "0.707"}}};
 
 Grammar grammar_of(const Job& job) {
   GrammarText text;
@@ -55,15 +66,18 @@ void derive_job(benchmark::State& state, const Job& job) {
   limit_threads(0);
   state.counters["modules"] = static_cast<double>(modules);
   state.counters["bytes/module"] = static_cast<double>(bytes) / static_cast<double>(modules);
-  state.counters["Mmod/s"] = benchmark::Counter(static_cast<double>(modules) * static_cast<double>(state.iterations()) / 1e6, benchmark::Counter::kIsRate);
+  state.counters["Mmod/s"] =
+      benchmark::Counter(static_cast<double>(modules) * static_cast<double>(state.iterations()) / 1e6,
+                         benchmark::Counter::kIsRate);
 }
 
-/// What a tight loop can do: one letter a byte, no parameters, every step in turn, successors stored in blocks of
-/// 16 bytes into one of two buffers.
+/// What a tight loop can do: one letter a byte, no parameters, every step in turn, successors stored in
+/// blocks of 16 bytes into one of two buffers.
 void tight_job(benchmark::State& state, const Job& job) {
   std::array<std::string, 256> successor;
   for (int c = 0; c < 256; ++c) successor[static_cast<std::size_t>(c)] = std::string(1, static_cast<char>(c));
-  for (const auto& rule : job.rules) successor[static_cast<unsigned char>(rule.text[0])] = rule.text.substr(5);
+  for (const auto& rule : job.rules)
+    successor[static_cast<unsigned char>(rule.text[0])] = rule.text.substr(5);
   std::array<std::array<char, 32>, 256> block{};
   std::array<std::uint8_t, 256> length{};
   for (std::size_t c = 0; c < 256; ++c) {
@@ -91,7 +105,9 @@ void tight_job(benchmark::State& state, const Job& job) {
     modules = word.size();
     benchmark::DoNotOptimize(word.data());
   }
-  state.counters["Mmod/s"] = benchmark::Counter(static_cast<double>(modules) * static_cast<double>(state.iterations()) / 1e6, benchmark::Counter::kIsRate);
+  state.counters["Mmod/s"] =
+      benchmark::Counter(static_cast<double>(modules) * static_cast<double>(state.iterations()) / 1e6,
+                         benchmark::Counter::kIsRate);
 }
 
 struct Count {
@@ -105,16 +121,21 @@ void walk_job(benchmark::State& state, const Job& job, bool streamed) {
   Word word = *derive(grammar, job.steps, Seed{1});
   Count count;
   for (auto _ : state) {
-    if (streamed) benchmark::DoNotOptimize(draw(grammar, job.steps, Seed{1}, count).ok());
-    else walk(grammar, word, Seed{1}, count);
+    if (streamed)
+      benchmark::DoNotOptimize(draw(grammar, job.steps, Seed{1}, count).ok());
+    else
+      walk(grammar, word, Seed{1}, count);
   }
   benchmark::DoNotOptimize(count.sum);
   double all = static_cast<double>(state.iterations()) / 1e6;
-  state.counters["Mseg/s"] = benchmark::Counter(static_cast<double>(count.segments) / 1e6, benchmark::Counter::kIsRate);
-  state.counters["Mmod/s"] = benchmark::Counter(static_cast<double>(word.size()) * all, benchmark::Counter::kIsRate);
+  state.counters["Mseg/s"] =
+      benchmark::Counter(static_cast<double>(count.segments) / 1e6, benchmark::Counter::kIsRate);
+  state.counters["Mmod/s"] =
+      benchmark::Counter(static_cast<double>(word.size()) * all, benchmark::Counter::kIsRate);
 }
 
-#define FROND_DERIVE(name, job) BENCHMARK_CAPTURE(derive_job, name, job)->Arg(1)->MinTime(0.3)->MeasureProcessCPUTime()
+#define FROND_DERIVE(name, job) \
+  BENCHMARK_CAPTURE(derive_job, name, job)->Arg(1)->MinTime(0.3)->MeasureProcessCPUTime()
 
 FROND_DERIVE(koch_6, kKoch);
 BENCHMARK_CAPTURE(tight_job, koch_6, kKoch)->MinTime(0.3);

@@ -52,6 +52,7 @@ fi
 quarter=-1
 step() {
   printf '[%s/%s] %s\n' "$1" "$2" "$4" >>"$log"
+  if (($1 == 0)); then return; fi  # only a look at which files there are
   if on_terminal; then
     draw_bar "$1" "$2" "building, $1 of $2"
   elif ((4 * $1 / $2 != quarter)); then

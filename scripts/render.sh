@@ -25,6 +25,7 @@ Examples:
   scripts/render.sh presets/reef.json --frames 1-48 --size 320x180 --quality draft -o out/check
   scripts/render.sh presets/reef.json --size 1280x720 --quality best --set /seed=8 -o out/reef-8
 
+The files made are named on stdout, all else goes to stderr.
 Exit codes: 0 done, 1 could not (disk, POV-Ray), 2 wrong input, 130 interrupted.
 NO_COLOR=1 keeps messages plain. FROND_BIN, FROND_POVRAY and FROND_FFMPEG name other programs than build/frond,
 povray and ffmpeg.
@@ -145,9 +146,10 @@ step() {  # FINISHED ALL SECONDS WHAT
   if ((done_now == to_do)) && [[ -z $still ]]; then say "Encoding the film"; fi
 }
 
+if on_terminal && ((to_do > 0)); then draw_bar "$((frames - to_do))" "$frames" "frame $((frames - to_do)) of $frames"; fi
 start_ninja -j "${jobs:-$(nproc)}"
 follow_ninja step say || fail 1 "not all frames of $out could be rendered; those that are finished are kept"
 
 results=(film.mp4 contact.png)
 if [[ -n $still ]]; then results=(still.png); fi
-for result in "${results[@]}"; do say "$out/$result"; done
+for result in "${results[@]}"; do printf '%s\n' "$out/$result"; done

@@ -26,7 +26,8 @@ struct Entry {
 
 std::vector<Entry> entries(const fs::path& root) {
   std::vector<Entry> list;
-  for (const auto& row : kOrganismKinds) list.push_back({"growers", std::string(row.name), std::string(row.doc)});
+  for (const auto& row : kOrganismKinds)
+    list.push_back({"growers", std::string(row.name), std::string(row.doc)});
   for (const auto& row : kSettings) list.push_back({"settings", std::string(row.name), std::string(row.doc)});
   std::vector<fs::path> files;
   std::error_code error;
@@ -36,7 +37,8 @@ std::vector<Entry> entries(const fs::path& root) {
   for (const fs::path& file : files) {
     Result<std::string> text = read_file(file);
     Result<Preset> preset = text ? read_preset(*text, file.string(), {}) : text.errors();
-    list.push_back({"presets", "presets/" + file.filename().string(), preset ? preset->title : "(has faults)"});
+    list.push_back(
+        {"presets", "presets/" + file.filename().string(), preset ? preset->title : "(has faults)"});
   }
   return list;
 }
@@ -58,8 +60,9 @@ int info(const PresetArguments& arguments, bool json) {
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
   auto bytes = static_cast<std::size_t>(kBytesANode * static_cast<double>(scene->nodes())) + 700'000;
-  std::string_view form = json ? "{{\"organisms\": {}, \"nodes\": {}, \"stones\": {}, \"frames\": {}, \"bytes_a_frame\": {}}}\n"
-                               : "{} organisms, {} nodes, {} stones, {} frames of about {} bytes\n";
+  std::string_view form =
+      json ? "{{\"organisms\": {}, \"nodes\": {}, \"stones\": {}, \"frames\": {}, \"bytes_a_frame\": {}}}\n"
+           : "{} organisms, {} nodes, {} stones, {} frames of about {} bytes\n";
   fmt::print(fmt::runtime(form), scene->branches.size(), scene->nodes(), scene->stone_instances.size(),
              preset->film.frames, bytes);
   return kDone;
@@ -73,7 +76,9 @@ int list_everything(bool json) {
   for (const Entry& entry : entries(*root)) {
     if (json) {
       Value row = make_object();
-      row.set("group", make_text(entry.group)).set("name", make_text(entry.name)).set("doc", make_text(entry.doc));
+      row.set("group", make_text(entry.group))
+          .set("name", make_text(entry.name))
+          .set("doc", make_text(entry.doc));
       all.items.push_back(std::move(row));
       continue;
     }

@@ -12,16 +12,16 @@ enum ExitCode { kDone = 0, kCouldNot = 1, kWrongInput = 2 };
 /// What the command line says about a preset.
 struct PresetArguments {
   std::string path;
-  std::vector<std::string> sets;         ///< `/json/pointer=value`
-  std::optional<std::string> size;       ///< WxH
-  std::optional<std::string> quality;    ///< draft, good or best
+  std::vector<std::string> sets;       ///< `/json/pointer=value`
+  std::optional<std::string> size;     ///< WxH
+  std::optional<std::string> quality;  ///< draft, good or best
 };
 
 struct GenerateArguments {
   PresetArguments preset;
-  std::string out;                       ///< folder; empty: out/<preset name>
-  std::optional<std::string> frames;     ///< A-B
-  int threads = 0;                       ///< 0: all
+  std::string out;                    ///< folder; empty: out/<preset name>
+  std::optional<std::string> frames;  ///< A-B
+  int threads = 0;                    ///< 0: all
   bool quiet = false;
 };
 
@@ -29,7 +29,8 @@ struct GenerateArguments {
 int generate(const GenerateArguments& arguments);
 int check(const std::vector<std::string>& paths);
 int info(const PresetArguments& arguments, bool json);
-int derive_word(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed, bool counts);
+int derive_word(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed,
+                bool counts);
 int walk_turtle(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed);
 int list_everything(bool json);
 int print_schema();

@@ -24,7 +24,8 @@ struct Written {
 };
 
 /// Writes the frames of a range, several at a time.
-Written write_frames(const Scene& scene, const std::string& layout, const fs::path& out, FrameRange range, bool quiet) {
+Written write_frames(const Scene& scene, const std::string& layout, const fs::path& out, FrameRange range,
+                     bool quiet) {
   FrameParts parts = prepare_frames(scene);
   int count = range.last - range.first + 1;
   Progress progress("frames", count, quiet);
@@ -61,7 +62,8 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   jobs.title = preset.title;
   jobs.povinc = fs::relative(root / "povinc", out).string();
   jobs.scripts = fs::relative(root / "scripts", out).string();
-  for (const auto& entry : fs::directory_iterator(root / "povinc")) jobs.includes.push_back(entry.path().filename());
+  for (const auto& entry : fs::directory_iterator(root / "povinc"))
+    jobs.includes.push_back(entry.path().filename());
   std::sort(jobs.includes.begin(), jobs.includes.end());
 
   Manifest manifest;
@@ -117,7 +119,8 @@ int generate(const GenerateArguments& arguments) {
   Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   if (!arguments.quiet)
-    fmt::print(stderr, "{}: {} frames, {} of them changed\n", out.string(), range.last - range.first + 1, written.frames);
+    fmt::print(stderr, "{}: {} frames, {} of them changed\n", out.string(), range.last - range.first + 1,
+               written.frames);
   return kDone;
 }
 

@@ -40,10 +40,12 @@ Result<Grammar> load_grammar(const std::string& path) {
   return Error{path, "the preset has no organism that grows by a grammar"};
 }
 
-Result<Derived> derive_file(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed) {
+Result<Derived> derive_file(const std::string& path, std::optional<int> steps,
+                            std::optional<std::uint64_t> seed) {
   Result<Grammar> grammar = load_grammar(path);
   if (!grammar) return grammar.errors();
-  for (const Error& warning : grammar->warnings) fmt::print(stderr, "{}: warning: {}\n", path, warning.text());
+  for (const Error& warning : grammar->warnings)
+    fmt::print(stderr, "{}: warning: {}\n", path, warning.text());
   Seed random{seed.value_or(grammar->text.seed)};
   Result<Word> word = derive(*grammar, steps.value_or(grammar->text.steps), random);
   if (!word) return word.errors();
@@ -58,11 +60,13 @@ std::string list(DVec3 v) {
 
 }  // namespace
 
-int derive_word(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed, bool as_counts) {
+int derive_word(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed,
+                bool as_counts) {
   Result<Derived> derived = derive_file(path, steps, seed);
   if (!derived) return fail(derived.errors(), kWrongInput);
   if (as_counts) {
-    for (const auto& [name, count] : counts(derived->grammar, derived->word)) fmt::print("{} {}\n", name, count);
+    for (const auto& [name, count] : counts(derived->grammar, derived->word))
+      fmt::print("{} {}\n", name, count);
   } else {
     fmt::print("{}\n", text(derived->grammar, derived->word));
   }
@@ -75,10 +79,12 @@ int walk_turtle(const std::string& path, std::optional<int> steps, std::optional
   TurtleStats stats = stats_of(derived->grammar, derived->word, derived->seed.child("turtle"));
   std::string length;
   append(length, stats.total_length, 9);
-  fmt::print("{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": {}, "
-             "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}}}\n",
-             stats.segments, length, list(stats.end_position), list(stats.end_heading), list(stats.end_left),
-             list(stats.end_up), list(stats.low), list(stats.high), stats.max_stack_depth, stats.polygons);
+  fmt::print(
+      "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
+      "{}, "
+      "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}}}\n",
+      stats.segments, length, list(stats.end_position), list(stats.end_heading), list(stats.end_left),
+      list(stats.end_up), list(stats.low), list(stats.high), stats.max_stack_depth, stats.polygons);
   return kDone;
 }
 

@@ -28,7 +28,8 @@ int read_number(std::string_view& text) {
 Result<fs::path> home() {
   const char* given = std::getenv("FROND_HOME");
   std::error_code error;
-  fs::path path = given ? fs::path(given) : fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  fs::path path =
+      given ? fs::path(given) : fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
   if (fs::exists(path / "templates" / "frame.pov", error)) return path;
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
 }
@@ -44,7 +45,8 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
     if (cross) rest.remove_prefix(1);
     int height = read_number(rest);
     if (!cross || width == 0 || height == 0 || !rest.empty())
-      return Error{"--size", fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", *arguments.size)};
+      return Error{"--size",
+                   fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", *arguments.size)};
     sets.push_back(fmt::format("/film/size=[{},{}]", width, height));
   }
   if (arguments.quality) sets.push_back("/film/quality=" + *arguments.quality);
@@ -60,7 +62,8 @@ Result<FrameRange> read_frames(const std::string& text, int count) {
     range.last = read_number(rest);
   }
   if (!rest.empty() || range.first < 1 || range.last < range.first || range.last > count)
-    return Error{"--frames", fmt::format("\"{}\" is no range of frames; expected A-B within 1-{}", text, count)};
+    return Error{"--frames",
+                 fmt::format("\"{}\" is no range of frames; expected A-B within 1-{}", text, count)};
   return range;
 }
 

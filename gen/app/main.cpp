@@ -26,13 +26,16 @@ int main(int count, char** words) {
   int result = kDone;
 
   GenerateArguments to_generate;
-  auto* generate_command = app.add_subcommand("generate", "Writes the frames of a film, manifest.json and build.ninja");
+  auto* generate_command =
+      app.add_subcommand("generate", "Writes the frames of a film, manifest.json and build.ninja");
   add_preset(generate_command, to_generate.preset);
   generate_command->add_option("-o,--out", to_generate.out, "Folder to write to (out/<preset name>)");
   generate_command->add_option("--frames", to_generate.frames, "A-B: only these frames");
-  generate_command->add_option("--threads", to_generate.threads, "How many threads (all)")->check(CLI::NonNegativeNumber);
+  generate_command->add_option("--threads", to_generate.threads, "How many threads (all)")
+      ->check(CLI::NonNegativeNumber);
   generate_command->add_flag("-q,--quiet", to_generate.quiet, "No progress");
-  generate_command->footer("Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");
+  generate_command->footer(
+      "Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");
   generate_command->callback([&] { result = generate(to_generate); });
 
   std::vector<std::string> to_check;
@@ -54,8 +57,11 @@ int main(int count, char** words) {
   std::optional<std::uint64_t> seed;
   std::string format = "text";
   auto add_grammar = [&](CLI::App* command) {
-    command->add_option("grammar", grammar, "A grammar, or a preset whose first organism has one: a JSON file")->required();
-    command->add_option("--steps", steps, "Derivation steps, instead of the grammar's")->check(CLI::NonNegativeNumber);
+    command
+        ->add_option("grammar", grammar, "A grammar, or a preset whose first organism has one: a JSON file")
+        ->required();
+    command->add_option("--steps", steps, "Derivation steps, instead of the grammar's")
+        ->check(CLI::NonNegativeNumber);
     command->add_option("--seed", seed, "For random choices, instead of the grammar's");
   };
   auto* derive_command = app.add_subcommand("derive", "Derives the word of a grammar");

@@ -17,8 +17,8 @@ Hermite hermite(double t);
 /// every local extreme and, with `flat_ends`, at both ends. `x` strictly increasing, as long as `y`.
 std::vector<double> monotone_slopes(std::span<const double> x, std::span<const double> y, bool flat_ends);
 
-/// An editable curve: a smooth function through control points, constant beyond the first and the last. It stays
-/// between neighbouring points. Points have strictly increasing x; none at all is the constant 1.
+/// An editable curve: a smooth function through control points, constant beyond the first and the last. It
+/// stays between neighbouring points. Points have strictly increasing x; none at all is the constant 1.
 class Curve {
  public:
   Curve() = default;

@@ -5,8 +5,8 @@
 
 namespace frond {
 
-/// A place in a tree of random numbers. There is no stream and no state: the number at a place depends only on
-/// the path that leads there, so that adding a branch, a thread or a frame changes no other number.
+/// A place in a tree of random numbers. There is no stream and no state: the number at a place depends only
+/// on the path that leads there, so that adding a branch, a thread or a frame changes no other number.
 ///
 ///     Seed coral = scene.child("organism", 3);
 ///     double lean = coral.child("lean").range(-0.1, 0.1);
@@ -21,7 +21,9 @@ struct Seed {
   }
 
   /// The place of the given index below this one; cheaper than a name, for inner loops.
-  constexpr Seed child(std::uint64_t index) const { return Seed{mix(key + 0x9e3779b97f4a7c15ull * (index + 1))}; }
+  constexpr Seed child(std::uint64_t index) const {
+    return Seed{mix(key + 0x9e3779b97f4a7c15ull * (index + 1))};
+  }
 
   /// 64 random bits.
   constexpr std::uint64_t bits() const { return mix(key ^ 0x2545f4914f6cdd1dull); }

@@ -10,8 +10,8 @@
 namespace frond {
 
 void append(std::string& text, double value, int decimals) {
-  static constexpr std::array<long long, 10> kPower{1,       10,       100,       1'000,       10'000,
-                                                    100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
+  static constexpr std::array<long long, 10> kPower{
+      1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
   assert(std::isfinite(value) && decimals >= 0 && decimals <= 9);
   // As one whole number of the last decimal: integers convert several times faster than floating point.
   long long power = kPower[static_cast<std::size_t>(decimals)];
@@ -46,7 +46,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
       std::size_t change = lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1;
       row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + change});
-      bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      bool swapped =
+          i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
       if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
     }
     before = last;

@@ -5,8 +5,9 @@
 
 namespace frond {
 
-/// Appends a number as every text we write has it: at most `decimals` (0 to 9) decimals, rounded half away from
-/// zero, no trailing zeros, no exponent, never "-0", no locale. |value| up to 9e18 / 10^decimals; must be finite.
+/// Appends a number as every text we write has it: at most `decimals` (0 to 9) decimals, rounded half away
+/// from zero, no trailing zeros, no exponent, never "-0", no locale. |value| up to 9e18 / 10^decimals; must
+/// be finite.
 void append(std::string& text, double value, int decimals = 5);
 
 /// Appends a whole number.

@@ -76,9 +76,10 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   return text;
 }
 
-/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the chunk.
-void append_skin(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose, const Chunk& chunk,
-                 std::size_t index) {
+/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
+/// chunk.
+void append_skin(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+                 const Chunk& chunk, std::size_t index) {
   const Skeleton& rest = b.rest;
   if (b.bark) index += bark_color(b, chunk.first);
   Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
@@ -106,8 +107,8 @@ void append_skin(std::string& text, const PovSpace& space, const Branches& b, co
 }
 
 /// The sweeps of chunks first..last of one organism.
-void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose, std::size_t index,
-                 std::span<const Chunk> chunks) {
+void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+                 std::size_t index, std::span<const Chunk> chunks) {
   bool plain = b.bark && !patterned(*b.bark), whole = one_texture(b);
   for (const Chunk& chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
@@ -129,7 +130,8 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   options.tolerance = static_cast<float>(0.15 * b.skin.pores.cell);
   options.young_length = static_cast<float>(b.skin.tint.young_length);
   if (b.bark) {
-    options.tolerance = patterned(*b.bark) ? static_cast<float>(0.15 * b.bark->scale) : std::numeric_limits<float>::infinity();
+    options.tolerance = patterned(*b.bark) ? static_cast<float>(0.15 * b.bark->scale)
+                                           : std::numeric_limits<float>::infinity();
     options.young_length = static_cast<float>(b.bark->young_length);
     options.color = b.color;
   }
@@ -186,14 +188,16 @@ FrameParts prepare_frames(const Scene& scene) {
     skins += b.bark ? b.bark->colors.size() : 1;
   }
   std::string count = number(static_cast<double>(std::max<std::size_t>(1, skins)));
-  parts.materials = "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
+  parts.materials =
+      "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene);
   parts.ground = ground_text(parts.space, scene);
   return parts;
 }
 
-Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame) {
+Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
+                               int frame) {
   const Film& film = scene.film;
   double time = film.time(frame);
   std::string padded = number(frame);

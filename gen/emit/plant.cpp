@@ -11,12 +11,15 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kShades = 3;          // of each colour, so that leaves differ
-constexpr float kSmallest = 0.02f;          // share of its size below which an organ is not shown yet
+constexpr std::size_t kShades = 3;  // of each colour, so that leaves differ
+constexpr float kSmallest = 0.02f;  // share of its size below which an organ is not shown yet
 
-constexpr const char* kTissueMacros[] = {"Plant_Leaf", "Plant_Petal", "Plant_Heart", "Plant_Fruit", "Plant_Fruit"};
+constexpr const char* kTissueMacros[] = {"Plant_Leaf", "Plant_Petal", "Plant_Heart", "Plant_Fruit",
+                                         "Plant_Fruit"};
 
-void append_index(std::string& text, std::size_t index) { append_integer(text, static_cast<long long>(index)); }
+void append_index(std::string& text, std::size_t index) {
+  append_integer(text, static_cast<long long>(index));
+}
 
 /// `Organ2_0_1`: the shape of a part of an organ of an entry of the preset.
 void append_organ_name(std::string& text, std::size_t entry, std::size_t prototype, std::size_t part) {
@@ -34,7 +37,8 @@ std::size_t wrapped(std::int32_t color, std::size_t count) {
 }
 
 /// `texture{Plant_Leaf(color, second, shade)}`
-void append_tissue(std::string& text, Tissue tissue, const Color& color, const Color& second, std::size_t shade) {
+void append_tissue(std::string& text, Tissue tissue, const Color& color, const Color& second,
+                   std::size_t shade) {
   text += "texture{";
   text += kTissueMacros[static_cast<std::size_t>(tissue)];
   text += '(';
@@ -48,8 +52,8 @@ void append_tissue(std::string& text, Tissue tissue, const Color& color, const C
 
 std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
 
-void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose, std::size_t i,
-                      float size) {
+void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+                      std::size_t i, float size) {
   const Organs& o = b.organs;
   glm::mat3 frame = glm::mat3_cast(carried_turn(pose, o.node[i]) * o.turn[i]);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
@@ -89,7 +93,8 @@ std::string organs_text(const PovSpace& space, const Branches& b, const Pose& po
           text.append(lines, from, to - from);
           from = to;
         }
-        append_tissue(text, prototype.parts[part].tissue, prototype.colors[k / kShades], prototype.second, k % kShades);
+        append_tissue(text, prototype.parts[part].tissue, prototype.colors[k / kShades], prototype.second,
+                      k % kShades);
         text += "}\n";
       }
     }
@@ -105,7 +110,8 @@ Surface posed_blades(const Branches& b, const Pose& pose, std::size_t color, std
   for (std::size_t i = 0; i < all.size(); ++i) {
     // The triangles follow each other as the blades do.
     std::size_t first = triangle;
-    while (triangle < all.surface.triangle.size() && all.surface.triangle[triangle][0] < all.first[i + 1]) ++triangle;
+    while (triangle < all.surface.triangle.size() && all.surface.triangle[triangle][0] < all.first[i + 1])
+      ++triangle;
     if (wrapped(all.color[i], b.blade_look.colors.size()) != color || shade_of(i) != shade) continue;
     float size = unfolded(all.birth[i], pose.front, b.motion.growth.ripen);
     if (size < kSmallest) continue;

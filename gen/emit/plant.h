@@ -10,7 +10,8 @@ namespace frond {
 /// Whether the bark has a pattern, which must move with the branch.
 bool patterned(const Bark& bark);
 
-/// Whether all branches of a plant have one and the same texture in the whole film, which then stands on their union.
+/// Whether all branches of a plant have one and the same texture in the whole film, which then stands on
+/// their union.
 bool one_texture(const Branches& plant);
 
 /// Which of the colours of its bark a node has.

@@ -16,7 +16,9 @@ constexpr int kDecimals = 4;
 /// so room is left for it.
 class CountedList {
  public:
-  CountedList(std::string& text, std::size_t digits) : text_(text), place_(text.size()) { text_.append(digits, ' '); }
+  CountedList(std::string& text, std::size_t digits) : text_(text), place_(text.size()) {
+    text_.append(digits, ' ');
+  }
   void close(std::size_t count) {
     std::string digits;
     append_integer(digits, static_cast<long long>(count));

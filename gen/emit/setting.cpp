@@ -30,7 +30,8 @@ std::string color(const Color& c) {
 /// The water as the camera sees it at one time. Its macros take metres, in POV-Ray's axes.
 std::string water_text(const Stage& stage, double time) {
   const Water& water = stage.water;
-  std::string eye = direction(stage.camera.location.at(time)), look = direction(stage.camera.look_at.at(time));
+  std::string eye = direction(stage.camera.location.at(time)),
+              look = direction(stage.camera.look_at.at(time));
   std::string near = color(water.near), sun = direction(water.sun);
   std::string text = "Water_Globals()\nWater_Setting(" + eye + "," + near + "," + color(water.deep) + "," +
                      number(water.visibility) + "," + sun + "," + number(water.caustics) + ")\n";
@@ -44,15 +45,15 @@ std::string water_text(const Stage& stage, double time) {
 std::string studio_text(const Stage& stage, double time) {
   const Studio& studio = stage.studio;
   return "Studio_Globals()\nStudio_Setting(" + direction(stage.camera.location.at(time)) + "," +
-         direction(stage.camera.look_at.at(time)) + "," + color(studio.wall) + "," + number(studio.distance) + "," +
-         direction(studio.key) + "," + number(studio.softness) + ")";
+         direction(stage.camera.look_at.at(time)) + "," + color(studio.wall) + "," + number(studio.distance) +
+         "," + direction(studio.key) + "," + number(studio.softness) + ")";
 }
 
 std::string meadow_text(const Stage& stage, double time) {
   const Meadow& meadow = stage.meadow;
-  return "Meadow_Globals()\nMeadow_Setting(" + direction(stage.camera.location.at(time)) + "," + color(meadow.zenith) +
-         "," + color(meadow.horizon) + "," + color(meadow.grass) + "," + direction(meadow.sun) + "," +
-         number(meadow.haze) + "," + number(meadow.clouds) + ")";
+  return "Meadow_Globals()\nMeadow_Setting(" + direction(stage.camera.location.at(time)) + "," +
+         color(meadow.zenith) + "," + color(meadow.horizon) + "," + color(meadow.grass) + "," +
+         direction(meadow.sun) + "," + number(meadow.haze) + "," + number(meadow.clouds) + ")";
 }
 
 void append_name(std::string& text, std::string_view name, std::size_t index) {
@@ -74,7 +75,8 @@ void append_stones(std::string& text, const PovSpace& space, const Scene& scene)
     text += " scale<";
     append_list(text, 5, stone.size.x, stone.size.y, stone.size.z);
     text += ">rotate y*";
-    append(text, -degrees(stone.turn), 3);  // the mirror turns the other way round, and so do left-handed turns
+    append(text, -degrees(stone.turn),
+           3);  // the mirror turns the other way round, and so do left-handed turns
     text += " translate";
     append_point(text, space, stone.at);
     text += " texture{Rock_Texture(";
@@ -96,7 +98,8 @@ void append_patches(std::string& text, const PovSpace& space, const Scene& scene
     text += ' ';
     // Turned, then sheared along the slope of the ground.
     float c = static_cast<float>(std::cos(patch.turn)), s = static_cast<float>(std::sin(patch.turn));
-    glm::mat3 turn(c, patch.slope.x * c + patch.slope.y * s, s, 0, 1, 0, -s, -patch.slope.x * s + patch.slope.y * c, c);
+    glm::mat3 turn(c, patch.slope.x * c + patch.slope.y * s, s, 0, 1, 0, -s,
+                   -patch.slope.x * s + patch.slope.y * c, c);
     append_matrix(text, space, turn, patch.at);
     text += "}\n";
   }
@@ -119,15 +122,18 @@ void append_turf(std::string& text, const PovSpace& space, const Scene& scene) {
     append_mesh(text, space, scene.turf[i].flowers);
     text += "\n";
   }
-  append_patches(text, space, scene, "Turf", "texture{Meadow_Blade(" + color(scene.stage.meadow.grass) + ")}");
+  append_patches(text, space, scene, "Turf",
+                 "texture{Meadow_Blade(" + color(scene.stage.meadow.grass) + ")}");
   if (blooms) append_patches(text, space, scene, "Bloom", "texture{Meadow_Bloom()}");
 }
 
 }  // namespace
 
 std::string includes_text(const Scene& scene) {
-  bool plants = std::any_of(scene.branches.begin(), scene.branches.end(), [](const Branches& b) { return b.bark.has_value(); });
-  bool corals = std::any_of(scene.branches.begin(), scene.branches.end(), [](const Branches& b) { return !b.bark; });
+  bool plants = std::any_of(scene.branches.begin(), scene.branches.end(),
+                            [](const Branches& b) { return b.bark.has_value(); });
+  bool corals =
+      std::any_of(scene.branches.begin(), scene.branches.end(), [](const Branches& b) { return !b.bark; });
   bool water = scene.stage.setting == Setting::underwater;
   std::string text;
   auto include = [&](std::string_view name) {
@@ -135,9 +141,15 @@ std::string includes_text(const Scene& scene) {
     text += "#include \"frond_" + std::string(name) + ".inc\"";
   };
   switch (scene.stage.setting) {
-    case Setting::underwater: include("water"), include("sand"); break;
-    case Setting::studio: include("studio"); break;
-    case Setting::meadow: include("meadow"); break;
+    case Setting::underwater:
+      include("water"), include("sand");
+      break;
+    case Setting::studio:
+      include("studio");
+      break;
+    case Setting::meadow:
+      include("meadow");
+      break;
   }
   if (water || corals) include("coral"), include("food");
   if (plants) include("plant");
@@ -146,9 +158,12 @@ std::string includes_text(const Scene& scene) {
 
 std::string setting_text(const Stage& stage, double time) {
   switch (stage.setting) {
-    case Setting::underwater: return water_text(stage, time);
-    case Setting::studio: return studio_text(stage, time);
-    case Setting::meadow: return meadow_text(stage, time);
+    case Setting::underwater:
+      return water_text(stage, time);
+    case Setting::studio:
+      return studio_text(stage, time);
+    case Setting::meadow:
+      return meadow_text(stage, time);
   }
   return {};
 }

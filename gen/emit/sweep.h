@@ -13,12 +13,12 @@ namespace frond {
 /// follow each other, and the node below `first`. Neighbours share a node.
 struct Chunk {
   std::int32_t first, last;
-  /// Where the texture of the stretch has gone with the moving skin: a point x of the rest shape's pattern lies
-  /// at shift + matrix * x. The identity while nothing moves.
+  /// Where the texture of the stretch has gone with the moving skin: a point x of the rest shape's pattern
+  /// lies at shift + matrix * x. The identity while nothing moves.
   glm::mat3 matrix{1};
   Vec3 shift{0};
-  /// How young the skin is at the node below `first` and at the end: 1 at a growing tip .. 0 farther below than
-  /// the young length.
+  /// How young the skin is at the node below `first` and at the end: 1 at a growing tip .. 0 farther below
+  /// than the young length.
   float young_from = 0, young_to = 0;
 
   bool moved() const { return matrix != glm::mat3(1) || shift != Vec3(0); }
@@ -28,7 +28,8 @@ struct ChunkOptions {
   int nodes = 12;              ///< at most so many in one chunk, 2 or more
   float tolerance = 0.003f;    ///< metres by which the pattern may slide on the skin
   float young_length = 0.08f;  ///< metres below a tip in which the skin is young
-  std::span<const std::int32_t> color = {};  ///< of each node; a chunk has one colour; empty: all have the same
+  std::span<const std::int32_t> color =
+      {};  ///< of each node; a chunk has one colour; empty: all have the same
 };
 
 /// Cuts the branches that growth has reached into chunks as short as the options ask.

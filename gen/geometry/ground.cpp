@@ -33,7 +33,8 @@ Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rin
     }
   }
   auto vertex = [&](int ring, int sector) {
-    return ring == 0 ? 0u : static_cast<std::uint32_t>(1 + (ring - 1) * sectors + (sector + sectors) % sectors);
+    return ring == 0 ? 0u
+                     : static_cast<std::uint32_t>(1 + (ring - 1) * sectors + (sector + sectors) % sectors);
   };
   for (int sector = 0; sector < sectors; ++sector)
     surface.triangle.push_back({vertex(0, 0), vertex(1, sector + 1), vertex(1, sector)});

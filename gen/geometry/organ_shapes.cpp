@@ -65,7 +65,8 @@ Surface blade_surface(const BladeShape& shape) {
         double share = static_cast<double>(side < 0 ? kAcross - k : k) / kAcross;
         double rise = half * share * std::sin(shape.fold) * (1 - 0.45 * share);
         rise += 0.06 * shape.wave * share * share * std::sin(t * 17 + side);
-        Vec3 at(static_cast<float>(side * half * share * std::cos(shape.fold)), static_cast<float>(y), static_cast<float>(z));
+        Vec3 at(static_cast<float>(side * half * share * std::cos(shape.fold)), static_cast<float>(y),
+                static_cast<float>(z));
         s.position.push_back(at + up * static_cast<float>(rise));
         s.uv.emplace_back(static_cast<float>(along), static_cast<float>(0.5 + 0.5 * side * share));
       }
@@ -83,7 +84,8 @@ Surface corolla_surface(const BladeShape& petal, int count, double open) {
     // A second whorl stands behind the first one, between its petals.
     bool behind = count > 8 && i % 2 == 1;
     double turn = 2 * kPi * i / count, lean = open + (behind ? 0.16 : 0.0) + 0.07 * std::sin(i * 5.3);
-    Quat way = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0)) * glm::angleAxis(static_cast<float>(lean), Vec3(1, 0, 0));
+    Quat way = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0)) *
+               glm::angleAxis(static_cast<float>(lean), Vec3(1, 0, 0));
     // The upper side of a petal looks to the heart.
     Quat inward = glm::angleAxis(static_cast<float>(kPi), Vec3(0, 1, 0));
     append(flower, blade, glm::mat3_cast(way * inward), Vec3(0, behind ? -0.015f : 0.0f, 0));
@@ -94,14 +96,17 @@ Surface corolla_surface(const BladeShape& petal, int count, double open) {
 Surface heart_surface(double radius, double flatness, int florets) {
   Surface s, seed = ball_surface();
   float dome = static_cast<float>(1 - flatness);
-  append(s, seed, glm::mat3(static_cast<float>(1.96 * radius), 0, 0, 0, static_cast<float>(1.7 * radius) * dome, 0, 0, 0,
-                            static_cast<float>(1.96 * radius)), Vec3(0));
+  append(s, seed,
+         glm::mat3(static_cast<float>(1.96 * radius), 0, 0, 0, static_cast<float>(1.7 * radius) * dome, 0, 0,
+                   0, static_cast<float>(1.96 * radius)),
+         Vec3(0));
   for (int i = 0; i < florets; ++i) {
     double share = std::sqrt((i + 0.5) / florets), angle = i * kGoldenAngle, r = radius * share;
     float size = static_cast<float>(2.1 * radius / std::sqrt(static_cast<double>(florets)));
     double height = radius * 0.85 * dome * std::sqrt(std::max(0.0, 1 - share * share));
-    append(s, seed, glm::mat3(size), Vec3(static_cast<float>(r * std::cos(angle)), static_cast<float>(height),
-                                          static_cast<float>(r * std::sin(angle))));
+    append(s, seed, glm::mat3(size),
+           Vec3(static_cast<float>(r * std::cos(angle)), static_cast<float>(height),
+                static_cast<float>(r * std::sin(angle))));
   }
   s.uv.clear();
   set_normals(s);
@@ -115,7 +120,8 @@ Surface turned_surface(std::span<const float> profile, int sides) {
     float y = static_cast<float>(i) / static_cast<float>(rows - 1), r = profile[static_cast<std::size_t>(i)];
     for (int k = 0; k <= sides; ++k) {
       double angle = -2 * kPi * k / sides;
-      s.position.emplace_back(r * static_cast<float>(std::cos(angle)), y, r * static_cast<float>(std::sin(angle)));
+      s.position.emplace_back(r * static_cast<float>(std::cos(angle)), y,
+                              r * static_cast<float>(std::sin(angle)));
     }
   }
   stitch(s, 0, rows, sides + 1);
@@ -136,7 +142,8 @@ Surface ball_surface() {
   constexpr int kRows = 9;
   std::array<float, kRows> profile;
   Surface s;
-  for (int i = 0; i < kRows; ++i) profile[static_cast<std::size_t>(i)] = static_cast<float>(0.5 * std::sin(kPi * i / (kRows - 1)));
+  for (int i = 0; i < kRows; ++i)
+    profile[static_cast<std::size_t>(i)] = static_cast<float>(0.5 * std::sin(kPi * i / (kRows - 1)));
   profile.front() = profile.back() = 0;
   s = turned_surface(profile, 14);
   for (std::size_t i = 0; i < s.position.size(); ++i) {

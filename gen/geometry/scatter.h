@@ -13,9 +13,9 @@ struct Spot {
   float radius = 0;
 };
 
-/// Up to `count` places in the ring of `inner` to `outer` metres about `centre`, none nearer to another, or to one
-/// of `taken`, than the sum of their radii (Poisson disk by throwing darts). Where the room runs out there are
-/// fewer.
+/// Up to `count` places in the ring of `inner` to `outer` metres about `centre`, none nearer to another, or
+/// to one of `taken`, than the sum of their radii (Poisson disk by throwing darts). Where the room runs out
+/// there are fewer.
 std::vector<Spot> scatter(Vec2 centre, double inner, double outer, float radius, int count,
                           const std::vector<Spot>& taken, Seed seed);
 

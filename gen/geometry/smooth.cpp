@@ -37,8 +37,9 @@ Skeleton smooth(const Skeleton& coarse, int pieces) {
     }
     Vec3 from = coarse.position[p], to = coarse.position[i];
     std::int32_t next = next_in_chain(coarse, i);
-    Vec3 leave = continues(coarse, static_cast<std::int32_t>(i)) ? (to - coarse.position[coarse.parent[p]]) * 0.5f
-                                                               : to - from;
+    Vec3 leave = continues(coarse, static_cast<std::int32_t>(i))
+                     ? (to - coarse.position[coarse.parent[p]]) * 0.5f
+                     : to - from;
     Vec3 arrive = next == Skeleton::kRoot ? to - from : (coarse.position[next] - from) * 0.5f;
     std::int32_t below = index[p];
     for (int k = 1; k <= pieces; ++k) {

@@ -1,7 +1,7 @@
 #include "geometry/stone.h"
 
-#include <cassert>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -21,7 +21,9 @@ Surface icosphere(int detail) {
       for (Vec3 p : {Vec3(a, b, 0), Vec3(0, a, b), Vec3(b, 0, a)}) s.position.push_back(glm::normalize(p));
   // The twenty faces are the triples of corners that are one edge apart; outward by their sum.
   float edge = 2 / std::sqrt(g * g + 1) * 1.01f;
-  auto near = [&](std::uint32_t a, std::uint32_t b) { return glm::distance(s.position[a], s.position[b]) < edge; };
+  auto near = [&](std::uint32_t a, std::uint32_t b) {
+    return glm::distance(s.position[a], s.position[b]) < edge;
+  };
   for (std::uint32_t a = 0; a < 12; ++a)
     for (std::uint32_t b = a + 1; b < 12; ++b)
       for (std::uint32_t c = b + 1; c < 12; ++c) {

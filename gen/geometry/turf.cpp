@@ -7,8 +7,8 @@ namespace frond {
 
 namespace {
 
-constexpr int kJoints = 3;   // of a blade, below its tip
-constexpr int kRays = 10;    // of a flower head
+constexpr int kJoints = 3;  // of a blade, below its tip
+constexpr int kRays = 10;   // of a flower head
 
 struct BladeOfGrass {
   Vec3 root;
@@ -58,9 +58,12 @@ void add_flower(Surface& s, const BladeOfGrass& b, float radius) {
   for (int i = 0; i < 2 * kRays; ++i) {
     double angle = kPi * i / kRays;
     float r = radius * (i % 2 ? 0.72f : 1.0f);
-    add(centre + (x * static_cast<float>(std::cos(angle)) + y * static_cast<float>(std::sin(angle))) * r + up * (r * 0.12f), 1);
+    add(centre + (x * static_cast<float>(std::cos(angle)) + y * static_cast<float>(std::sin(angle))) * r +
+            up * (r * 0.12f),
+        1);
   }
-  for (std::uint32_t i = 0; i < 2 * kRays; ++i) s.triangle.push_back({start, start + 1 + i, start + 1 + (i + 1) % (2 * kRays)});
+  for (std::uint32_t i = 0; i < 2 * kRays; ++i)
+    s.triangle.push_back({start, start + 1 + i, start + 1 + (i + 1) % (2 * kRays)});
 }
 
 }  // namespace
@@ -70,7 +73,9 @@ Turf turf_surface(const TurfShape& shape, Seed seed) {
   auto count = static_cast<std::uint64_t>(std::max(0.0, shape.density * shape.side * shape.side));
   for (std::uint64_t i = 0; i < count; ++i) {
     Seed own = seed.child(i);
-    auto number = [&](std::uint64_t k, double low, double high) { return static_cast<float>(own.child(k).range(low, high)); };
+    auto number = [&](std::uint64_t k, double low, double high) {
+      return static_cast<float>(own.child(k).range(low, high));
+    };
     float angle = number(0, 0, 2 * kPi), side = static_cast<float>(shape.side / 2);
     BladeOfGrass blade;
     blade.root = Vec3(number(1, -side, side), 0, number(2, -side, side));

@@ -12,7 +12,8 @@ namespace {
 /// Whether a formula holds an instruction for which `test` is true.
 template <class Test>
 bool holds(const Expression& formula, const Test& test) {
-  return std::any_of(formula.code.begin(), formula.code.end(), [&](const Instruction& i) { return test(i.op); });
+  return std::any_of(formula.code.begin(), formula.code.end(),
+                     [&](const Instruction& i) { return test(i.op); });
 }
 
 bool draws(const Expression& formula) {
@@ -34,7 +35,8 @@ class Compiler {
     read_rules(grammar_.text.rules, grammar_.rules, "rule");
     read_rules(grammar_.text.decomposition, grammar_.decomposition, "decomposition rule");
     read_rules(grammar_.text.interpretation, grammar_.interpretation, "interpretation rule");
-    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation}) find_shadowed(*set);
+    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
+      find_shadowed(*set);
     read_visibility();
     if (!errors_.empty()) return errors_;
     summarize();
@@ -52,13 +54,16 @@ class Compiler {
     need(std::isfinite(text.angle), "angle", text.angle, "finite");
     need(std::isfinite(text.length), "length", text.length, "finite");
     need(text.width > 0 && std::isfinite(text.width), "width", text.width, "more than 0");
-    need(text.width_scale > 0 && std::isfinite(text.width_scale), "width_scale", text.width_scale, "more than 0");
-    need(text.length_scale > 0 && std::isfinite(text.length_scale), "length_scale", text.length_scale, "more than 0");
+    need(text.width_scale > 0 && std::isfinite(text.width_scale), "width_scale", text.width_scale,
+         "more than 0");
+    need(text.length_scale > 0 && std::isfinite(text.length_scale), "length_scale", text.length_scale,
+         "more than 0");
     need(text.interpretation_depth >= 0 && text.interpretation_depth <= 100, "interpretation_depth",
          text.interpretation_depth, "from 0 to 100");
     for (const std::string& symbol : text.symbols)
       if (symbol.empty() || symbol.find_first_of("()[], \t\n") != symbol.npos)
-        errors_.push_back({"symbols", fmt::format("`{}` cannot be a symbol: no blanks, commas or brackets", symbol)});
+        errors_.push_back(
+            {"symbols", fmt::format("`{}` cannot be a symbol: no blanks, commas or brackets", symbol)});
   }
 
   void note(const Cursor& reader, std::string_view where) {
@@ -72,9 +77,11 @@ class Compiler {
     for (std::size_t i = 0; i < texts.size(); ++i) {
       auto same = [&](const auto& other) { return other.first == texts[i].first; };
       if (!is_identifier(texts[i].first)) {
-        errors_.push_back({"constants", fmt::format("`{}` is not a name; use letters, digits and _", texts[i].first)});
+        errors_.push_back(
+            {"constants", fmt::format("`{}` is not a name; use letters, digits and _", texts[i].first)});
         done[i] = true;
-      } else if (std::find_if(texts.begin(), texts.end(), same) - texts.begin() < static_cast<std::ptrdiff_t>(i)) {
+      } else if (std::find_if(texts.begin(), texts.end(), same) - texts.begin() <
+                 static_cast<std::ptrdiff_t>(i)) {
         errors_.push_back({"constants", fmt::format("`{}` is given twice; remove one", texts[i].first)});
         done[i] = true;
       }
@@ -88,7 +95,8 @@ class Compiler {
     }
     for (std::size_t i = 0; i < texts.size(); ++i) {
       Cursor reader{texts[i].second};
-      if (!done[i] && !read_constant(texts[i].first, reader)) note(reader, fmt::format("constant `{}`", texts[i].first));
+      if (!done[i] && !read_constant(texts[i].first, reader))
+        note(reader, fmt::format("constant `{}`", texts[i].first));
     }
   }
 
@@ -99,7 +107,8 @@ class Compiler {
       Expression formula = read_expression(reader, {{}, modules_.constants});
       if (!reader.failed() && formula.form != Expression::Form::constant)
         reader.fail("a constant is a number; use random numbers and the step in rules", start);
-      if (!reader.failed() && !std::isfinite(formula.value)) reader.fail("this is not a finite number", start);
+      if (!reader.failed() && !std::isfinite(formula.value))
+        reader.fail("this is not a finite number", start);
       constant.values.push_back(formula.value);
     } while (constant.array && !reader.failed() && reader.take(","));
     if (constant.array && !reader.failed() && !reader.take("]")) reader.fail("a `]` is missing", reader.at);
@@ -127,7 +136,9 @@ class Compiler {
     for (const Expression& argument : arguments) {
       double value = evaluate(argument, at);
       if (at.fault || !std::isfinite(value))
-        return errors_.push_back({"axiom", "a parameter is not a finite number: division by zero, or an array element that is not there"});
+        return errors_.push_back(
+            {"axiom",
+             "a parameter is not a finite number: division by zero, or an array element that is not there"});
       grammar_.axiom.parameters.push_back(value);
     }
   }
@@ -140,7 +151,8 @@ class Compiler {
       rule.limit = texts[i].limit;
       Cursor reader{texts[i].text};
       read_rule(reader, rule);
-      if (rule.limit < 1) reader.fail(fmt::format("the limit is {}; it must be 1 or more, or left out", rule.limit), 0);
+      if (rule.limit < 1)
+        reader.fail(fmt::format("the limit is {}; it must be 1 or more, or left out", rule.limit), 0);
       if (&set != &grammar_.rules && !rule.context_free())
         reader.fail(fmt::format("a {} has no context; remove `<` and `>`", kind), 0);
       note(reader, rule.where);
@@ -166,11 +178,14 @@ class Compiler {
     std::vector<SymbolId> predecessor;
     read_context(reader, parts->left, variables, rule.left);
     rule.left_variables = static_cast<int>(variables.size());
-    within(reader, parts->predecessor, [&](Cursor& part) { modules_.read_pattern(part, variables, predecessor); });
+    within(reader, parts->predecessor,
+           [&](Cursor& part) { modules_.read_pattern(part, variables, predecessor); });
     read_context(reader, parts->right, variables, rule.right);
     if (reader.failed()) return;
     if (predecessor.size() != 1)
-      return reader.fail("the predecessor is one module; put its neighbours into contexts: `left < one > right`", parts->predecessor.begin);
+      return reader.fail(
+          "the predecessor is one module; put its neighbours into contexts: `left < one > right`",
+          parts->predecessor.begin);
     rule.predecessor = predecessor[0];
     rule.variables = static_cast<int>(variables.size());
     if (rule.predecessor == grammar_.open || rule.predecessor == grammar_.close)
@@ -189,8 +204,11 @@ class Compiler {
     return text == "*" || text == "\u03b5";
   }
 
-  void read_context(Cursor& reader, RuleParts::Part part, std::vector<std::string>& variables, std::vector<SymbolId>& modules) {
-    if (reader.failed() || part.end == 0 || is_empty_word(reader.text.substr(part.begin, part.end - part.begin))) return;
+  void read_context(Cursor& reader, RuleParts::Part part, std::vector<std::string>& variables,
+                    std::vector<SymbolId>& modules) {
+    if (reader.failed() || part.end == 0 ||
+        is_empty_word(reader.text.substr(part.begin, part.end - part.begin)))
+      return;
     within(reader, part, [&](Cursor& inner) { modules_.read_pattern(inner, variables, modules); });
   }
 
@@ -206,18 +224,21 @@ class Compiler {
     if (depth != 0) reader.fail("the brackets of the right context do not match", parts.right.begin);
   }
 
-  void read_condition(Cursor& reader, RuleParts::Part part, const std::vector<std::string>& variables, Production& rule) {
+  void read_condition(Cursor& reader, RuleParts::Part part, const std::vector<std::string>& variables,
+                      Production& rule) {
     if (is_empty_word(reader.text.substr(part.begin, part.end - part.begin))) return;
     within(reader, part, [&](Cursor& inner) {
       rule.condition = read_expression(inner, {variables, modules_.constants});
       if (!inner.failed() && !inner.at_end()) inner.fail("this does not belong to the condition", inner.at);
       bool fixed = !inner.failed() && rule.condition.form == Expression::Form::constant;
-      if (fixed && !(rule.condition.value != 0)) inner.fail("the condition is never true; remove the rule", part.begin);
+      if (fixed && !(rule.condition.value != 0))
+        inner.fail("the condition is never true; remove the rule", part.begin);
       rule.conditional = !fixed;
     });
   }
 
-  void read_weight(Cursor& reader, RuleParts::Part part, const std::vector<std::string>& variables, Production& rule) {
+  void read_weight(Cursor& reader, RuleParts::Part part, const std::vector<std::string>& variables,
+                   Production& rule) {
     within(reader, part, [&](Cursor& inner) {
       rule.weight = read_expression(inner, {variables, modules_.constants});
       if (!inner.failed() && !inner.at_end()) inner.fail("this does not belong to the weight", inner.at);
@@ -236,10 +257,13 @@ class Compiler {
         for (std::size_t earlier = 0; earlier < later; ++earlier) {
           const Production& first = set.rules[of[earlier]];
           bool wider = first.context_free() || (first.left == hidden.left && first.right == hidden.right);
-          bool certain = !first.conditional && first.limit == GrammarText::kUnlimited && !(first.weighted && hidden.weighted);
+          bool certain = !first.conditional && first.limit == GrammarText::kUnlimited &&
+                         !(first.weighted && hidden.weighted);
           if (!wider || !certain) continue;
-          errors_.push_back({hidden.where, fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
-              "put it before, give both a weight, or remove it", hidden.text, first.text, first.where)});
+          errors_.push_back(
+              {hidden.where, fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
+                                         "put it before, give both a weight, or remove it",
+                                         hidden.text, first.text, first.where)});
           break;
         }
       }
@@ -256,7 +280,9 @@ class Compiler {
     };
     std::vector<std::string_view> ignore = names_of(grammar_.text.ignore, "ignore");
     std::vector<std::string_view> consider = names_of(grammar_.text.consider, "consider");
-    auto has = [](const auto& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    auto has = [](const auto& names, std::string_view name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
     if (!ignore.empty() && !consider.empty())
       errors_.push_back({"consider", "give either `ignore` or `consider`, not both"});
     for (Symbol& symbol : grammar_.symbols)
@@ -266,8 +292,9 @@ class Compiler {
       for (const std::vector<SymbolId>* side : {&rule.left, &rule.right})
         for (SymbolId id : *side)
           if (!grammar_.symbols[id].context && id != grammar_.open && id != grammar_.close)
-            errors_.push_back({rule.where, fmt::format("`{}` can never be used: its context has `{}`, which contexts look past; change `ignore` or the rule",
-                rule.text, grammar_.symbols[id].name)});
+            errors_.push_back({rule.where, fmt::format("`{}` can never be used: its context has `{}`, which "
+                                                       "contexts look past; change `ignore` or the rule",
+                                                       rule.text, grammar_.symbols[id].name)});
   }
 
   void summarize() {
@@ -275,8 +302,10 @@ class Compiler {
     for (const Symbol& symbol : g.symbols) {
       g.parametric |= symbol.arity > 0;
       g.cuts |= symbol.act == Act::cut;
-      g.queries |= (symbol.act == Act::query_position || symbol.act == Act::query_heading || symbol.act == Act::query_up ||
-                    symbol.act == Act::query_left || symbol.act == Act::environment) && symbol.arity > 0;
+      g.queries |=
+          (symbol.act == Act::query_position || symbol.act == Act::query_heading ||
+           symbol.act == Act::query_up || symbol.act == Act::query_left || symbol.act == Act::environment) &&
+          symbol.arity > 0;
     }
     for (const RuleSet* set : {&g.rules, &g.decomposition}) {
       for (const Production& rule : set->rules) {
@@ -297,9 +326,10 @@ class Compiler {
       if (!grammar_.rules.of[i].empty()) continue;
       for (std::size_t j = 0; j < grammar_.symbols.size(); ++j)
         if (grammar_.symbols[j].name == symbol.name && !grammar_.rules.of[j].empty())
-          grammar_.warnings.push_back({grammar_.rules.rules[grammar_.rules.of[j][0]].where,
-              fmt::format("`{}` is rewritten with {} parameter(s) only; with {} it stays as it is", symbol.name,
-                          grammar_.symbols[j].arity, symbol.arity)});
+          grammar_.warnings.push_back(
+              {grammar_.rules.rules[grammar_.rules.of[j][0]].where,
+               fmt::format("`{}` is rewritten with {} parameter(s) only; with {} it stays as it is",
+                           symbol.name, grammar_.symbols[j].arity, symbol.arity)});
     }
   }
 

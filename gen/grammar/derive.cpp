@@ -17,14 +17,16 @@ namespace {
 /// One step over a word, module by module: every kind of rule, one thread.
 class Rewriter {
  public:
-  Rewriter(const Grammar& grammar, Derivation& derivation, Seed seed) : grammar_(grammar), state_(derivation) {
+  Rewriter(const Grammar& grammar, Derivation& derivation, Seed seed)
+      : grammar_(grammar), state_(derivation) {
     at_.tables = grammar.tables;
     at_.step = derivation.steps + 1;
     seed_ = seed.child("step", static_cast<std::uint64_t>(derivation.steps) + 1);
   }
 
   /// Makes the step; `parents`, where given, receives the place each module of the outcome comes from.
-  Errors step(Word& out, bool leftmost_only, std::size_t limit, std::vector<std::uint32_t>* parents = nullptr) {
+  Errors step(Word& out, bool leftmost_only, std::size_t limit,
+              std::vector<std::uint32_t>* parents = nullptr) {
     const Word& in = state_.word;
     if (!grammar_.context_free) near_.find(grammar_, in);
     out.clear();
@@ -46,7 +48,8 @@ class Rewriter {
       if (parents) parents->resize(out.size(), static_cast<std::uint32_t>(i));
       if (at_.fault) return {trouble(i, symbol, parameters, index)};
       if (out.size() > limit)
-        return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state_.steps + 1, limit)}};
+        return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state_.steps + 1,
+                                 limit)}};
       parameters += arity;
     }
     return {};
@@ -61,7 +64,8 @@ class Rewriter {
       if (grammar_.limited && state_.uses[static_cast<std::size_t>(index)] >= rule.limit) return false;
       at_.frame = parameters;
       if (rule.context_free()) return true;
-      if (!match_contexts(grammar_, state_.word, near_, rule, static_cast<std::uint32_t>(i), frame_)) return false;
+      if (!match_contexts(grammar_, state_.word, near_, rule, static_cast<std::uint32_t>(i), frame_))
+        return false;
       if (rule.variables > 0) at_.frame = frame_.data();
       return true;
     });
@@ -82,9 +86,10 @@ class Rewriter {
     module.parameters.assign(parameters, parameters + grammar_.symbols[symbol].arity);
     const auto& of = grammar_.rules.of[symbol];
     const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index < 0 ? of[0] : index)];
-    return {rule.where, fmt::format("step {}, module {} (`{}`): division by zero or a number that is not finite in `{}`; "
-                                    "add a condition that keeps the rule away from there",
-                                    state_.steps + 1, i + 1, text(grammar_, module), rule.text)};
+    return {rule.where,
+            fmt::format("step {}, module {} (`{}`): division by zero or a number that is not finite in `{}`; "
+                        "add a condition that keeps the rule away from there",
+                        state_.steps + 1, i + 1, text(grammar_, module), rule.text)};
   }
 
   const Grammar& grammar_;
@@ -102,13 +107,17 @@ void cut(const Grammar& grammar, Word& word, std::vector<std::uint32_t>* kept = 
   for (std::size_t i = 0; i < word.size(); ++i) {
     SymbolId symbol = word.symbols[i];
     auto arity = static_cast<std::size_t>(grammar.symbols[symbol].arity);
-    if (skipped >= 0 && symbol == grammar.close && skipped-- == 0) skipped = -1;
-    else if (skipped >= 0 && symbol == grammar.open) ++skipped;
-    else if (skipped < 0 && grammar.symbols[symbol].act == Act::cut) skipped = 0;
+    if (skipped >= 0 && symbol == grammar.close && skipped-- == 0)
+      skipped = -1;
+    else if (skipped >= 0 && symbol == grammar.open)
+      ++skipped;
+    else if (skipped < 0 && grammar.symbols[symbol].act == Act::cut)
+      skipped = 0;
     if (skipped < 0) {
       word.symbols[to++] = symbol;
       if (kept) kept->push_back(static_cast<std::uint32_t>(i));
-      for (std::size_t k = 0; k < arity; ++k) word.parameters[parameters_to++] = word.parameters[parameter + k];
+      for (std::size_t k = 0; k < arity; ++k)
+        word.parameters[parameters_to++] = word.parameters[parameter + k];
     }
     parameter += arity;
   }
@@ -136,7 +145,8 @@ Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Lim
   for (std::size_t i = 0; i < state.word.size(); ++i) {
     at.seed = place.child(i);
     if (!expand(grammar, grammar.decomposition, state.word.symbols[i], parameters, kDeepest, at, emit))
-      return {{"decomposition", fmt::format("step {} passes the limit of {} modules", state.steps + 1, limits.modules)}};
+      return {{"decomposition",
+               fmt::format("step {} passes the limit of {} modules", state.steps + 1, limits.modules)}};
     parameters += grammar.symbols[state.word.symbols[i]].arity;
     if (parents) from.resize(out.size(), (*parents)[i]);
   }
@@ -147,17 +157,19 @@ Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Lim
 
 }  // namespace
 
-Derivation begin(const Grammar& grammar, Seed seed) {
+Derivation begin(const Grammar& grammar, Seed seed, Environment environment) {
   Derivation state;
+  state.environment = std::move(environment);
   state.word = grammar.axiom;
   if (grammar.limited) state.uses.resize(grammar.rules.rules.size());
-  if (grammar.queries) answer_queries(grammar, state.word, seed);
+  if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
   return state;
 }
 
 namespace {
 
-Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits, bool plainly) {
+Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits,
+                        bool plainly) {
   bool sequential = grammar.text.mode == GrammarText::Mode::sequential;
   std::optional<NeighbourTable> table;
   if (!plainly) table.emplace(grammar);
@@ -165,17 +177,20 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
   for (int i = 0; i < steps; ++i) {
     if (grammar.cuts) cut(grammar, state.word);
     std::optional<Errors> done;
-    if (table && table->fits()) done = table->step(state.word, next, limits);
-    else if (!plainly && !sequential) done = step_free(grammar, state, next, seed, limits);
+    if (table && table->fits())
+      done = table->step(state.word, next, limits);
+    else if (!plainly && !sequential)
+      done = step_free(grammar, state, next, seed, limits);
     Errors errors = done ? *done : Rewriter(grammar, state, seed).step(next, sequential, limits.modules);
     if (!errors.empty()) return errors;
     std::swap(state.word, next);
     if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits);
     if (!errors.empty()) return errors;
-    if (grammar.queries) answer_queries(grammar, state.word, seed);
+    if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
     ++state.steps;
     if (state.word.bytes() > limits.bytes)
-      return {{"", fmt::format("step {} passes the limit of {} bytes; use fewer steps", state.steps, limits.bytes)}};
+      return {{"", fmt::format("step {} passes the limit of {} bytes; use fewer steps", state.steps,
+                               limits.bytes)}};
   }
   return {};
 }
@@ -184,14 +199,17 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
 
 Errors advance(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
   if (is_fixed(grammar)) return advance_fixed(grammar, state, steps, limits);
+  if (is_leftmost(grammar)) return advance_leftmost(grammar, state, steps, seed, limits);
   return advance_stepwise(grammar, state, steps, seed, limits, false);
 }
 
-Errors advance_plainly(const Grammar& grammar, Derivation& state, int steps, Seed seed, const Limits& limits) {
+Errors advance_plainly(const Grammar& grammar, Derivation& state, int steps, Seed seed,
+                       const Limits& limits) {
   return advance_stepwise(grammar, state, steps, seed, limits, true);
 }
 
-Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed, std::vector<std::uint32_t>& parents) {
+Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed,
+                       std::vector<std::uint32_t>& parents) {
   Limits limits;
   std::vector<std::uint32_t> kept;
   Word next;
@@ -202,17 +220,19 @@ Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed, std
   if (!errors.empty()) return errors;
   std::swap(state.word, next);
   if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits, &parents);
-  if (grammar.queries) answer_queries(grammar, state.word, seed);
-  if (grammar.cuts) std::transform(parents.begin(), parents.end(), parents.begin(), [&](std::uint32_t i) { return kept[i]; });
+  if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
+  if (grammar.cuts)
+    std::transform(parents.begin(), parents.end(), parents.begin(), [&](std::uint32_t i) { return kept[i]; });
   ++state.steps;
   return errors;
 }
 
-Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits,
+                    const Environment& environment) {
   Errors errors;
   if (has_growth_matrix(grammar)) errors = refuse(forecast(grammar, steps, seed, limits), limits);
   if (!errors.empty()) return errors;
-  Derivation state = begin(grammar, seed);
+  Derivation state = begin(grammar, seed, environment);
   errors = advance(grammar, state, steps, seed, limits);
   if (!errors.empty()) return errors;
   return std::move(state.word);
@@ -231,7 +251,8 @@ Word interpret(const Grammar& grammar, const Word& word, Seed seed) {
   const double* parameters = word.parameters.data();
   for (std::size_t i = 0; i < word.size(); ++i) {
     at.seed = place.child(i);
-    expand(grammar, grammar.interpretation, word.symbols[i], parameters, grammar.text.interpretation_depth, at, emit);
+    expand(grammar, grammar.interpretation, word.symbols[i], parameters, grammar.text.interpretation_depth,
+           at, emit);
     parameters += grammar.symbols[word.symbols[i]].arity;
   }
   return out;

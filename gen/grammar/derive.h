@@ -1,8 +1,17 @@
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "grammar/grammar.h"
 
 namespace frond {
+
+struct TurtleState;
+
+/// What surrounds a plant: answers a question `?E(what, …)` asked from where the turtle is, by writing into
+/// its parameters. Light, the distance of a surface, food and guides come to a grammar in this way.
+using Environment = std::function<void(const TurtleState&, std::span<double> parameters)>;
 
 /// How large a word may grow before deriving is given up.
 struct Limits {
@@ -13,26 +22,32 @@ struct Limits {
 /// A derivation between two steps: all that the next step depends on.
 struct Derivation {
   Word word;
-  int steps = 0;          ///< made so far
-  std::vector<int> uses;  ///< of each rule, where the grammar has rules of limited use
+  int steps = 0;            ///< made so far
+  std::vector<int> uses;    ///< of each rule, where the grammar has rules of limited use
+  Environment environment;  ///< may be empty: `?E` then keeps its parameters
 };
 
 /// The derivation before its first step: the axiom, its questions answered.
-Derivation begin(const Grammar& grammar, Seed seed);
+Derivation begin(const Grammar& grammar, Seed seed, Environment environment = {});
 
-/// Makes so many steps more. Random choices depend on the seed, the number of the step and the place in the word,
-/// and so neither on threads nor on how the steps are shared among calls. Empty when all went well; otherwise
-/// what stopped it (a number that is not finite, a word past the limits), and the word is of no use.
-Errors advance(const Grammar& grammar, Derivation& derivation, int steps, Seed seed, const Limits& limits = {});
+/// Makes so many steps more. Random choices depend on the seed, the number of the step and the place in the
+/// word, and so neither on threads nor on how the steps are shared among calls. Empty when all went well;
+/// otherwise what stopped it (a number that is not finite, a word past the limits), and the word is of no
+/// use.
+Errors advance(const Grammar& grammar, Derivation& derivation, int steps, Seed seed,
+               const Limits& limits = {});
 
 /// The same by the general way alone, module by module: slow, and what the faster ways are held to.
-Errors advance_plainly(const Grammar& grammar, Derivation& derivation, int steps, Seed seed, const Limits& limits = {});
+Errors advance_plainly(const Grammar& grammar, Derivation& derivation, int steps, Seed seed,
+                       const Limits& limits = {});
 
 /// Makes one step and tells for each module of the new word which of the old it came from.
-Errors advance_tracked(const Grammar& grammar, Derivation& derivation, Seed seed, std::vector<std::uint32_t>& parents);
+Errors advance_tracked(const Grammar& grammar, Derivation& derivation, Seed seed,
+                       std::vector<std::uint32_t>& parents);
 
 /// The word after so many steps from the axiom.
-Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
+Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {},
+                    const Environment& environment = {});
 
 /// The word as the turtle sees it: interpretation rules applied as deep as the grammar says.
 Word interpret(const Grammar& grammar, const Word& word, Seed seed);

@@ -21,13 +21,13 @@ struct Function {
 };
 
 constexpr std::array kFunctions{
-    Function{"min", Op::min, 2, 8},     Function{"max", Op::max, 2, 8},     Function{"floor", Op::floor, 1, 1},
-    Function{"ceil", Op::ceil, 1, 1},   Function{"round", Op::round, 1, 1}, Function{"abs", Op::abs, 1, 1},
-    Function{"fabs", Op::abs, 1, 1},    Function{"sign", Op::sign, 1, 1},   Function{"sqrt", Op::sqrt, 1, 1},
-    Function{"exp", Op::exp, 1, 1},     Function{"log", Op::log, 1, 1},     Function{"sin", Op::sin, 1, 1},
-    Function{"cos", Op::cos, 1, 1},     Function{"tan", Op::tan, 1, 1},     Function{"asin", Op::asin, 1, 1},
-    Function{"acos", Op::acos, 1, 1},   Function{"atan", Op::atan, 1, 1},   Function{"atan2", Op::atan2, 2, 2},
-    Function{"pow", Op::power, 2, 2},   Function{"rand", Op::rand, 2, 2},   Function{"nrand", Op::nrand, 2, 2},
+    Function{"min", Op::min, 2, 8},   Function{"max", Op::max, 2, 8},     Function{"floor", Op::floor, 1, 1},
+    Function{"ceil", Op::ceil, 1, 1}, Function{"round", Op::round, 1, 1}, Function{"abs", Op::abs, 1, 1},
+    Function{"fabs", Op::abs, 1, 1},  Function{"sign", Op::sign, 1, 1},   Function{"sqrt", Op::sqrt, 1, 1},
+    Function{"exp", Op::exp, 1, 1},   Function{"log", Op::log, 1, 1},     Function{"sin", Op::sin, 1, 1},
+    Function{"cos", Op::cos, 1, 1},   Function{"tan", Op::tan, 1, 1},     Function{"asin", Op::asin, 1, 1},
+    Function{"acos", Op::acos, 1, 1}, Function{"atan", Op::atan, 1, 1},   Function{"atan2", Op::atan2, 2, 2},
+    Function{"pow", Op::power, 2, 2}, Function{"rand", Op::rand, 2, 2},   Function{"nrand", Op::nrand, 2, 2},
 };
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -36,14 +36,50 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// How many values an operation takes off the stack.
 std::size_t operands(Op op) {
   switch (op) {
-    case Op::constant: case Op::variable: case Op::step_number: return 0;
-    case Op::element: case Op::ramp: case Op::negate: case Op::logical_not: case Op::truth:
-    case Op::jump_if_false: case Op::jump_if_true: case Op::floor: case Op::ceil: case Op::round: case Op::abs:
-    case Op::sign: case Op::sqrt: case Op::exp: case Op::log: case Op::sin: case Op::cos: case Op::tan:
-    case Op::asin: case Op::acos: case Op::atan: return 1;
-    case Op::add: case Op::subtract: case Op::multiply: case Op::divide: case Op::modulo: case Op::power:
-    case Op::less: case Op::less_equal: case Op::greater: case Op::greater_equal: case Op::equal:
-    case Op::not_equal: case Op::min: case Op::max: case Op::atan2: case Op::rand: case Op::nrand: return 2;
+    case Op::constant:
+    case Op::variable:
+    case Op::step_number:
+      return 0;
+    case Op::element:
+    case Op::ramp:
+    case Op::negate:
+    case Op::logical_not:
+    case Op::truth:
+    case Op::jump_if_false:
+    case Op::jump_if_true:
+    case Op::floor:
+    case Op::ceil:
+    case Op::round:
+    case Op::abs:
+    case Op::sign:
+    case Op::sqrt:
+    case Op::exp:
+    case Op::log:
+    case Op::sin:
+    case Op::cos:
+    case Op::tan:
+    case Op::asin:
+    case Op::acos:
+    case Op::atan:
+      return 1;
+    case Op::add:
+    case Op::subtract:
+    case Op::multiply:
+    case Op::divide:
+    case Op::modulo:
+    case Op::power:
+    case Op::less:
+    case Op::less_equal:
+    case Op::greater:
+    case Op::greater_equal:
+    case Op::equal:
+    case Op::not_equal:
+    case Op::min:
+    case Op::max:
+    case Op::atan2:
+    case Op::rand:
+    case Op::nrand:
+      return 2;
   }
   return 0;
 }
@@ -80,8 +116,9 @@ class Parser {
   void emit(Instruction instruction) {
     std::size_t n = operands(instruction.op);
     code_.push_back(instruction);
-    bool pure = n > 0 && instruction.op != Op::rand && instruction.op != Op::nrand && instruction.op != Op::element &&
-                instruction.op != Op::ramp && code_.size() > std::max(n, barrier_);
+    bool pure = n > 0 && instruction.op != Op::rand && instruction.op != Op::nrand &&
+                instruction.op != Op::element && instruction.op != Op::ramp &&
+                code_.size() > std::max(n, barrier_);
     for (std::size_t i = 0; pure && i < n; ++i) pure = code_[code_.size() - 2 - i].op == Op::constant;
     if (pure && code_.size() - n - 1 >= barrier_) fold(n);
   }
@@ -111,7 +148,8 @@ class Parser {
   /// `a or b` is 1 as soon as a is true; `a and b` 0 as soon as a is false: the rest is not evaluated.
   void read_or() {
     read_and();
-    while (!in_.failed() && (in_.take("||") || take_word("or"))) read_second(Op::jump_if_true, &Parser::read_and);
+    while (!in_.failed() && (in_.take("||") || take_word("or")))
+      read_second(Op::jump_if_true, &Parser::read_and);
   }
 
   void read_and() {
@@ -132,10 +170,18 @@ class Parser {
 
   void read_comparison() {
     read_sum();
-    struct Sign { std::string_view text; Op op; };
-    static constexpr std::array<Sign, 8> kSigns{{{"<=", Op::less_equal}, {">=", Op::greater_equal},
-        {"==", Op::equal}, {"!=", Op::not_equal}, {"<>", Op::not_equal}, {"<", Op::less}, {">", Op::greater},
-        {"=", Op::equal}}};
+    struct Sign {
+      std::string_view text;
+      Op op;
+    };
+    static constexpr std::array<Sign, 8> kSigns{{{"<=", Op::less_equal},
+                                                 {">=", Op::greater_equal},
+                                                 {"==", Op::equal},
+                                                 {"!=", Op::not_equal},
+                                                 {"<>", Op::not_equal},
+                                                 {"<", Op::less},
+                                                 {">", Op::greater},
+                                                 {"=", Op::equal}}};
     for (bool more = true; more && !in_.failed();) {
       more = false;
       for (const Sign& sign : kSigns) {
@@ -151,29 +197,40 @@ class Parser {
   void read_sum() {
     read_product();
     while (!in_.failed()) {
-      if (in_.take("+")) read_product(), emit({Op::add});
-      else if (in_.take("-")) read_product(), emit({Op::subtract});
-      else return;
+      if (in_.take("+"))
+        read_product(), emit({Op::add});
+      else if (in_.take("-"))
+        read_product(), emit({Op::subtract});
+      else
+        return;
     }
   }
 
   void read_product() {
     read_sign();
     while (!in_.failed()) {
-      if (in_.take("*")) read_sign(), emit({Op::multiply});
-      else if (in_.take("/")) read_sign(), emit({Op::divide});
-      else if (in_.take("%")) read_sign(), emit({Op::modulo});
-      else return;
+      if (in_.take("*"))
+        read_sign(), emit({Op::multiply});
+      else if (in_.take("/"))
+        read_sign(), emit({Op::divide});
+      else if (in_.take("%"))
+        read_sign(), emit({Op::modulo});
+      else
+        return;
     }
   }
 
   void read_sign() {
     if (++depth_ > 40) in_.fail("the formula is nested too deeply; split it with constants", in_.at);
     if (!in_.failed()) {
-      if (in_.take("-")) read_sign(), emit({Op::negate});
-      else if (in_.take("+")) read_sign();
-      else if (in_.take("!") || take_word("not")) read_sign(), emit({Op::logical_not});
-      else read_power();
+      if (in_.take("-"))
+        read_sign(), emit({Op::negate});
+      else if (in_.take("+"))
+        read_sign();
+      else if (in_.take("!") || take_word("not"))
+        read_sign(), emit({Op::logical_not});
+      else
+        read_power();
     }
     --depth_;
   }
@@ -213,7 +270,8 @@ class Parser {
     for (std::size_t i = scope_.variables.size(); i-- > 0;)
       if (scope_.variables[i] == name) return emit({Op::variable, static_cast<std::uint16_t>(i)});
     if (const Constant* constant = find(name)) {
-      if (constant->array) return in_.fail(fmt::format("`{0}` is an array; write {0}[i] or ramp({0}, t)", name), start);
+      if (constant->array)
+        return in_.fail(fmt::format("`{0}` is an array; write {0}[i] or ramp({0}, t)", name), start);
       return emit({Op::constant, 0, constant->values[0]});
     }
     if (name == "step") return emit({Op::step_number});
@@ -221,7 +279,8 @@ class Parser {
     std::vector<std::string_view> known(scope_.variables.begin(), scope_.variables.end());
     for (const Constant& constant : scope_.constants) known.push_back(constant.name);
     std::string_view near = nearest_name(name, known);
-    std::string hint = near.empty() ? known.empty() ? "declare it in `constants`" : fmt::format("known are {}", fmt::join(known, ", "))
+    std::string hint = near.empty() ? known.empty() ? "declare it in `constants`"
+                                                    : fmt::format("known are {}", fmt::join(known, ", "))
                                     : fmt::format("did you mean `{}`?", near);
     in_.fail(fmt::format("`{}` is not a parameter of the rule, nor a constant; {}", name, hint), start);
   }
@@ -244,7 +303,8 @@ class Parser {
   void read_ramp(std::size_t start) {
     std::string_view name = take_identifier(in_);
     const Constant* constant = find(name);
-    if (!constant || !constant->array) return in_.fail("ramp(array, position from 0 to 1) needs an array among the constants", start);
+    if (!constant || !constant->array)
+      return in_.fail("ramp(array, position from 0 to 1) needs an array among the constants", start);
     if (!in_.take(",")) return in_.fail("ramp(array, position from 0 to 1) takes 2 parameters", start);
     read_or();
     if (!in_.failed() && !in_.take(")")) return in_.fail("a `)` is missing", in_.at);
@@ -254,12 +314,14 @@ class Parser {
   void read_call(std::string_view name, std::size_t start) {
     in_.take("(");
     if (name == "ramp") return read_ramp(start);
-    const Function* function = std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == name; });
+    const Function* function =
+        std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == name; });
     if (function == kFunctions.end()) {
       std::vector<std::string_view> names{"ramp"};
       for (const Function& f : kFunctions) names.push_back(f.name);
       std::string_view near = nearest_name(name, names);
-      std::string hint = near.empty() ? fmt::format("known are {}", fmt::join(names, ", ")) : fmt::format("did you mean `{}`?", near);
+      std::string hint = near.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
+                                      : fmt::format("did you mean `{}`?", near);
       return in_.fail(fmt::format("there is no function `{}`; {}", name, hint), start);
     }
     std::size_t count = 0;
@@ -272,7 +334,9 @@ class Parser {
     }
     if (in_.failed()) return;
     if (count < function->least || count > function->most)
-      return in_.fail(fmt::format("`{}` takes {} parameter{}, {} given", name, function->least, function->least == 1 ? "" : "s", count), start);
+      return in_.fail(fmt::format("`{}` takes {} parameter{}, {} given", name, function->least,
+                                  function->least == 1 ? "" : "s", count),
+                      start);
     emit({function->op});
   }
 
@@ -295,7 +359,8 @@ class Parser {
 }  // namespace
 
 void Cursor::skip_blanks() {
-  while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '\n' || text[at] == '\r')) ++at;
+  while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '\n' || text[at] == '\r'))
+    ++at;
 }
 
 bool Cursor::take(std::string_view word) {
@@ -319,7 +384,9 @@ bool is_identifier(std::string_view name) {
 std::string_view take_identifier(Cursor& reader) {
   reader.skip_blanks();
   std::size_t end = reader.at;
-  while (end < reader.text.size() && (is_letter(reader.text[end]) || (end > reader.at && is_digit(reader.text[end])))) ++end;
+  while (end < reader.text.size() &&
+         (is_letter(reader.text[end]) || (end > reader.at && is_digit(reader.text[end]))))
+    ++end;
   std::string_view name = reader.text.substr(reader.at, end - reader.at);
   reader.at = end;
   return name;

@@ -12,12 +12,47 @@ namespace frond {
 
 /// The operations of the expression machine. Angles are in degrees; truth is 1, falsehood 0.
 enum class Op : std::uint8_t {
-  constant, variable, step_number, element, ramp,
-  add, subtract, multiply, divide, modulo, power, negate,
-  less, less_equal, greater, greater_equal, equal, not_equal, logical_not, truth,
-  jump_if_false, jump_if_true,
-  min, max, floor, ceil, round, abs, sign, sqrt, exp, log, sin, cos, tan, asin, acos, atan, atan2,
-  rand, nrand,
+  constant,
+  variable,
+  step_number,
+  element,
+  ramp,
+  add,
+  subtract,
+  multiply,
+  divide,
+  modulo,
+  power,
+  negate,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  not_equal,
+  logical_not,
+  truth,
+  jump_if_false,
+  jump_if_true,
+  min,
+  max,
+  floor,
+  ceil,
+  round,
+  abs,
+  sign,
+  sqrt,
+  exp,
+  log,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  atan2,
+  rand,
+  nrand,
 };
 
 struct Instruction {
@@ -39,12 +74,12 @@ struct Expression {
 
 /// What a formula is evaluated against.
 struct Evaluation {
-  const double* frame = nullptr;               ///< the parameters of the rule, in the order of their variables
+  const double* frame = nullptr;  ///< the parameters of the rule, in the order of their variables
   std::span<const std::vector<double>> tables;  ///< the arrays among the constants
-  Seed seed;                                   ///< place of the module in the derivation
-  double step = 0;                             ///< number of the step being made, from 1
-  std::uint32_t draws = 0;                     ///< random numbers taken so far
-  bool fault = false;                          ///< set by a division by zero or an element that is not there
+  Seed seed;                                    ///< place of the module in the derivation
+  double step = 0;                              ///< number of the step being made, from 1
+  std::uint32_t draws = 0;                      ///< random numbers taken so far
+  bool fault = false;                           ///< set by a division by zero or an element that is not there
 };
 
 /// Sine of degrees, exact where it is a whole number.
@@ -56,10 +91,14 @@ double run(const Expression& formula, Evaluation& at);
 /// The value of a formula. Never stops: what went wrong is in `at.fault`, or the value is not finite.
 inline double evaluate(const Expression& formula, Evaluation& at) {
   switch (formula.form) {
-    case Expression::Form::constant: return formula.value;
-    case Expression::Form::variable: return at.frame[formula.variable];
-    case Expression::Form::scaled: return at.frame[formula.variable] * formula.value;
-    case Expression::Form::code: return run(formula, at);
+    case Expression::Form::constant:
+      return formula.value;
+    case Expression::Form::variable:
+      return at.frame[formula.variable];
+    case Expression::Form::scaled:
+      return at.frame[formula.variable] * formula.value;
+    case Expression::Form::code:
+      return run(formula, at);
   }
   return 0;
 }
@@ -69,7 +108,7 @@ struct Constant {
   std::string name;
   std::vector<double> values;  ///< one for a number
   bool array = false;
-  std::uint16_t table = 0;     ///< which of the tables, for an array
+  std::uint16_t table = 0;  ///< which of the tables, for an array
 };
 
 /// The names that a formula may use.
@@ -78,7 +117,8 @@ struct Scope {
   std::span<const Constant> constants;
 };
 
-/// A place in a text being read, and the first mistake met there. Once there is a mistake nothing more is read.
+/// A place in a text being read, and the first mistake met there. Once there is a mistake nothing more is
+/// read.
 struct Cursor {
   std::string_view text;
   std::size_t at = 0;

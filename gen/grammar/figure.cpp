@@ -63,15 +63,18 @@ struct Builder {
     Outline outline{{}, state.color, state.base};
     for (DVec3 point : points)  // `F.` names its end twice
       if (outline.points.empty() || outline.points.back() != Vec3(point)) outline.points.emplace_back(point);
-    if (outline.points.size() > 3 && outline.points.front() == outline.points.back()) outline.points.pop_back();
+    if (outline.points.size() > 3 && outline.points.front() == outline.points.back())
+      outline.points.pop_back();
     if (outline.points.size() >= 3) figure.outlines.push_back(std::move(outline));
   }
 
   void organ(SymbolId shape, const double* parameters, const TurtleState& state) {
     const Symbol& symbol = grammar.symbols[shape];
     Vec3 scale(1);
-    if (symbol.arity >= 3) scale = Vec3(parameters[0], parameters[1], parameters[2]);
-    else if (symbol.arity >= 1) scale = Vec3(static_cast<float>(parameters[0]));
+    if (symbol.arity >= 3)
+      scale = Vec3(parameters[0], parameters[1], parameters[2]);
+    else if (symbol.arity >= 1)
+      scale = Vec3(static_cast<float>(parameters[0]));
     place(symbol.name, scale, state);
   }
 
@@ -82,7 +85,8 @@ struct Builder {
   }
 
   void place(std::string name, Vec3 scale, const TurtleState& s) {
-    figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up), scale, s.color, s.base});
+    figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up),
+                            scale, s.color, s.base});
   }
 };
 
@@ -90,12 +94,17 @@ struct Builder {
 struct Answers {
   double* first;
   double* last;
+  const Environment& environment;
 
   void sign(Act act, std::span<const double> parameters, const TurtleState& state) {
     std::ptrdiff_t place = parameters.data() - first;
     if (place < 0 || place >= last - first) return;  // the module was made by an interpretation rule
-    const DVec3* answer = act == Act::query_position ? &state.position : act == Act::query_heading ? &state.heading
-                        : act == Act::query_up ? &state.up : act == Act::query_left ? &state.left : nullptr;
+    if (act == Act::environment && environment) environment(state, {first + place, parameters.size()});
+    const DVec3* answer = act == Act::query_position  ? &state.position
+                          : act == Act::query_heading ? &state.heading
+                          : act == Act::query_up      ? &state.up
+                          : act == Act::query_left    ? &state.left
+                                                      : nullptr;
     for (std::size_t i = 0; answer && i < parameters.size() && i < 3; ++i)
       first[static_cast<std::size_t>(place) + i] = (*answer)[static_cast<int>(i)];
   }
@@ -145,8 +154,8 @@ Skeleton skeleton_of(const Grammar& grammar, const Word& word, Seed seed) {
   return std::move(figure_of(grammar, word, seed).skeleton);
 }
 
-void answer_queries(const Grammar& grammar, Word& word, Seed seed) {
-  Answers answers{word.parameters.data(), word.parameters.data() + word.parameters.size()};
+void answer_queries(const Grammar& grammar, Word& word, Seed seed, const Environment& environment) {
+  Answers answers{word.parameters.data(), word.parameters.data() + word.parameters.size(), environment};
   walk(grammar, word, seed, answers);
 }
 

@@ -22,7 +22,8 @@ Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const
 struct Outline {
   std::vector<Vec3> points;
   int color = 0;
-  std::int32_t node = Skeleton::kRoot;  ///< of the skeleton, where it grows; kRoot where nothing was drawn before
+  std::int32_t node =
+      Skeleton::kRoot;  ///< of the skeleton, where it grows; kRoot where nothing was drawn before
 };
 
 /// A place where a shape belongs: an organ named in the grammar.
@@ -35,8 +36,8 @@ struct Site {
   std::int32_t node = Skeleton::kRoot;
 };
 
-/// All that a word draws: branches with a colour a node, outlines, organs. A sphere `@O` is an organ named so,
-/// scaled to its diameter.
+/// All that a word draws: branches with a colour a node, outlines, organs. A sphere `@O` is an organ named
+/// so, scaled to its diameter.
 struct Figure {
   Skeleton skeleton;
   std::vector<std::int32_t> color;
@@ -51,8 +52,9 @@ Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {},
                          std::span<const std::string> organs = {});
 
-/// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the order
-/// of the word; the order of a node is the number of brackets around it. Segments without length are left out.
+/// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the
+/// order of the word; the order of a node is the number of brackets around it. Segments without length are
+/// left out.
 Skeleton skeleton_of(const Grammar& grammar, const Word& word, Seed seed);
 
 }  // namespace frond

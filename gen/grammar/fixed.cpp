@@ -34,8 +34,11 @@ Image one_step(const Grammar& grammar) {
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i) {
     auto symbol = static_cast<SymbolId>(i);
     const auto& of = grammar.rules.of[i];
-    if (of.empty()) image.add(symbol, &symbol, 1);
-    else image.add(symbol, grammar.rules.rules[of[0]].successor.data(), grammar.rules.rules[of[0]].successor.size());
+    if (of.empty())
+      image.add(symbol, &symbol, 1);
+    else
+      image.add(symbol, grammar.rules.rules[of[0]].successor.data(),
+                grammar.rules.rules[of[0]].successor.size());
   }
   image.close();
   return image;
@@ -72,7 +75,8 @@ std::vector<Image> images_of(const Grammar& grammar, int most) {
 
 /// Writes the images of the symbols from `first` on, to exactly `end`. Blocks are copied whole while there is
 /// room behind them, which is faster than copying the right number of bytes.
-void write(const Image& image, const SymbolId* first, const SymbolId* last, SymbolId* out, const SymbolId* end) {
+void write(const Image& image, const SymbolId* first, const SymbolId* last, SymbolId* out,
+           const SymbolId* end) {
   const SymbolId* words = image.words.data();
   std::ptrdiff_t room = static_cast<std::ptrdiff_t>(image.longest + kBlock);
   while (first != last && end - out >= room) {
@@ -97,7 +101,9 @@ void write(const Image& image, const SymbolId* first, const SymbolId* last, Symb
 bool apply(const Image& image, const Buffer<SymbolId>& in, Buffer<SymbolId>& out, std::size_t limit) {
   std::size_t chunks = (in.size() + kChunk - 1) / kChunk;
   std::vector<std::size_t> begin(chunks + 1);
-  auto range = [&](std::size_t i) { return std::pair{in.data() + i * kChunk, in.data() + std::min(in.size(), (i + 1) * kChunk)}; };
+  auto range = [&](std::size_t i) {
+    return std::pair{in.data() + i * kChunk, in.data() + std::min(in.size(), (i + 1) * kChunk)};
+  };
   parallel_for(chunks, [&](std::size_t i) {
     auto [first, last] = range(i);
     std::size_t sum = 0;
@@ -131,8 +137,10 @@ Errors advance_fixed(const Grammar& grammar, Derivation& state, int steps, const
     auto at_once = static_cast<int>(images.size());
     if (left % at_once != 0) at_once = left % at_once;
     left -= at_once;
-    if (!apply(images[static_cast<std::size_t>(at_once) - 1], state.word.symbols, next.symbols, std::min(limits.modules, limits.bytes)))
-      return {{"", fmt::format("by step {} the word passes the limit of {} modules; use fewer steps", state.steps + at_once, limits.modules)}};
+    if (!apply(images[static_cast<std::size_t>(at_once) - 1], state.word.symbols, next.symbols,
+               std::min(limits.modules, limits.bytes)))
+      return {{"", fmt::format("by step {} the word passes the limit of {} modules; use fewer steps",
+                               state.steps + at_once, limits.modules)}};
     std::swap(state.word, next);
     state.steps += at_once;
   }

@@ -16,9 +16,12 @@ using Row = std::vector<std::pair<SymbolId, double>>;
 
 void add_successor(Row& row, const Production& rule, double share) {
   for (SymbolId symbol : rule.successor) {
-    auto same = std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == symbol; });
-    if (same != row.end()) same->second += share;
-    else row.emplace_back(symbol, share);
+    auto same =
+        std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == symbol; });
+    if (same != row.end())
+      same->second += share;
+    else
+      row.emplace_back(symbol, share);
   }
 }
 
@@ -58,7 +61,8 @@ std::vector<double> segments_of_symbols(const Grammar& grammar) {
     for (std::size_t i = 0; i < plain.size(); ++i) {
       if (grammar.interpretation.of[i].empty()) continue;
       next[i] = 0;
-      for (auto [symbol, count] : row_of(grammar.interpretation, static_cast<SymbolId>(i))) next[i] += count * now[symbol];
+      for (auto [symbol, count] : row_of(grammar.interpretation, static_cast<SymbolId>(i)))
+        next[i] += count * now[symbol];
     }
     now = next;
   }
@@ -70,11 +74,13 @@ struct Sizes {
   double modules = 0, bytes = 0, segments = 0;
 };
 
-Sizes sizes_of(const Grammar& grammar, const std::vector<double>& times, const std::vector<double>& segments) {
+Sizes sizes_of(const Grammar& grammar, const std::vector<double>& times,
+               const std::vector<double>& segments) {
   Sizes sizes;
   for (std::size_t i = 0; i < times.size(); ++i) {
     sizes.modules += times[i];
-    sizes.bytes += times[i] * (sizeof(SymbolId) + sizeof(double) * static_cast<double>(grammar.symbols[i].arity));
+    sizes.bytes +=
+        times[i] * (sizeof(SymbolId) + sizeof(double) * static_cast<double>(grammar.symbols[i].arity));
     sizes.segments += times[i] * segments[i];
   }
   return sizes;
@@ -90,10 +96,12 @@ void note(Forecast& forecast, const Sizes& sizes, int step, const Limits& limits
   forecast.modules = sizes.modules;
   forecast.bytes = sizes.bytes;
   forecast.segments = sizes.segments;
-  bool passes = sizes.modules > static_cast<double>(limits.modules) || sizes.bytes > static_cast<double>(limits.bytes);
+  auto most = static_cast<double>(limits.modules);
+  bool passes =
+      sizes.modules > most || sizes.segments > most || sizes.bytes > static_cast<double>(limits.bytes);
   if (!passes || forecast.passes_at >= 0) return;
   forecast.passes_at = step;
-  forecast.passes_with = sizes.modules;
+  forecast.passes_with = std::max(sizes.modules, sizes.segments);
 }
 
 void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast& forecast) {
@@ -108,7 +116,8 @@ void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast
   for (int step = 1; step <= steps; ++step) {
     std::vector<double> next(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
-      if (times[i] > 0) for (auto [symbol, count] : rows[i]) next[symbol] += times[i] * count;
+      if (times[i] > 0)
+        for (auto [symbol, count] : rows[i]) next[symbol] += times[i] * count;
     if (next == times) break;
     times = std::move(next);
     note(forecast, sizes_of(grammar, times, segments), step, limits);
@@ -120,7 +129,8 @@ void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast
 void by_dry_run(const Grammar& grammar, int steps, Seed seed, const Limits& limits, Forecast& forecast) {
   std::vector<double> segments = segments_of_symbols(grammar);
   Derivation state = begin(grammar, seed);
-  Limits small{std::min<std::size_t>(limits.modules, 2'000'000), std::min<std::size_t>(limits.bytes, 64u << 20)};
+  Limits small{std::min<std::size_t>(limits.modules, 2'000'000),
+               std::min<std::size_t>(limits.bytes, 64u << 20)};
   Sizes now = sizes_of(grammar, times_in(grammar, state.word), segments), before = now, earlier = now;
   note(forecast, now, 0, limits);
   int step = 0;
@@ -150,12 +160,13 @@ void by_dry_run(const Grammar& grammar, int steps, Seed seed, const Limits& limi
 }  // namespace
 
 bool can_stream(const Grammar& grammar, int steps) {
-  return grammar.context_free && !grammar.limited && !grammar.cuts && !grammar.queries && grammar.decomposition.empty() &&
-         grammar.text.mode == GrammarText::Mode::parallel && steps <= 2000;
+  return grammar.context_free && !grammar.limited && !grammar.cuts && !grammar.queries &&
+         grammar.decomposition.empty() && grammar.text.mode == GrammarText::Mode::parallel && steps <= 2000;
 }
 
 bool has_growth_matrix(const Grammar& grammar) {
-  if (grammar.text.mode == GrammarText::Mode::sequential || grammar.cuts || !grammar.decomposition.empty()) return false;
+  if (grammar.text.mode == GrammarText::Mode::sequential || grammar.cuts || !grammar.decomposition.empty())
+    return false;
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
     if (!has_row(grammar.rules, static_cast<SymbolId>(i))) return false;
   return true;
@@ -163,18 +174,23 @@ bool has_growth_matrix(const Grammar& grammar) {
 
 Forecast forecast(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
   Forecast forecast;
-  if (has_growth_matrix(grammar)) by_matrix(grammar, steps, limits, forecast);
-  else by_dry_run(grammar, steps, seed, limits, forecast);
+  if (has_growth_matrix(grammar))
+    by_matrix(grammar, steps, limits, forecast);
+  else
+    by_dry_run(grammar, steps, seed, limits, forecast);
   return forecast;
 }
 
 Errors refuse(const Forecast& forecast, const Limits& limits) {
   if (forecast.passes_at < 0) return {};
-  std::string_view how = forecast.kind == Forecast::Kind::exact ? "would have" : forecast.kind == Forecast::Kind::expected
-                       ? "would have on average" : "would have about";
-  return {{"", fmt::format("step {} {} {:.4g} modules, past the limit of {} modules and {} bytes; the last step {} {:.4g} "
-                           "({:.3g} bytes): use at most {} steps, or raise `limits`", forecast.passes_at, how, forecast.passes_with,
-                           limits.modules, limits.bytes, how, forecast.modules, forecast.bytes, std::max(0, forecast.passes_at - 1))}};
+  std::string_view how = forecast.kind == Forecast::Kind::exact      ? "would have"
+                         : forecast.kind == Forecast::Kind::expected ? "would have on average"
+                                                                     : "would have about";
+  return {{"", fmt::format("step {} {} {:.4g} modules or segments, past the limit of {} modules and {} "
+                           "bytes; the last step {} {:.4g} "
+                           "({:.3g} bytes): use at most {} steps, or raise `limits`",
+                           forecast.passes_at, how, forecast.passes_with, limits.modules, limits.bytes, how,
+                           forecast.modules, forecast.bytes, std::max(0, forecast.passes_at - 1))}};
 }
 
 }  // namespace frond

@@ -9,18 +9,20 @@ struct Forecast {
   enum class Kind { exact, expected, extrapolated };
 
   Kind kind = Kind::exact;
-  double modules = 0;   ///< of the last word
-  double segments = 0;  ///< that the turtle draws for it
-  double bytes = 0;     ///< of the last word
-  int passes_at = -1;   ///< first step whose word passes the limits; -1: none
-  double passes_with = 0;  ///< modules at that step
+  double modules = 0;      ///< of the last word
+  double segments = 0;     ///< that the turtle draws for it
+  double bytes = 0;        ///< of the last word
+  int passes_at = -1;      ///< first step whose word passes the limits; -1: none
+  double passes_with = 0;  ///< modules at that step, or segments where they are more
 };
 
 /// Predicts a derivation: exactly by the growth matrix where each symbol has one rule that always applies, as
-/// the mean where rules draw lots with fixed weights, and otherwise from a dry run of at most 100,000 modules.
+/// the mean where rules draw lots with fixed weights, and otherwise from a dry run of at most 100,000
+/// modules.
 Forecast forecast(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 
-/// Why the derivation is refused: the figure and the step at which it passes the limits. Empty when it is not.
+/// Why the derivation is refused: the figure and the step at which it passes the limits. Empty when it is
+/// not.
 Errors refuse(const Forecast& forecast, const Limits& limits);
 
 /// Whether the growth matrix holds for the grammar, which makes a forecast cheap.

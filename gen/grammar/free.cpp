@@ -65,7 +65,8 @@ class Table {
     // Behind each successor there is room to read a block too far.
     padded_.push_back(rule.successor);
     padded_.back().resize(rule.successor.size() + kBlock);
-    outcomes_.push_back({padded_.back().data(), rule.arguments.data(), static_cast<std::uint32_t>(rule.successor.size()),
+    outcomes_.push_back({padded_.back().data(), rule.arguments.data(),
+                         static_cast<std::uint32_t>(rule.successor.size()),
                          static_cast<std::uint32_t>(rule.arguments.size())});
   }
 
@@ -154,7 +155,8 @@ struct Step {
       return;
     }
     std::memcpy(to, outcome.symbols, kBlock);
-    for (std::size_t k = kBlock; k < outcome.length; k += kBlock) std::memcpy(to + k, outcome.symbols + k, kBlock);
+    for (std::size_t k = kBlock; k < outcome.length; k += kBlock)
+      std::memcpy(to + k, outcome.symbols + k, kBlock);
   }
 };
 
@@ -167,12 +169,18 @@ void make_room(Buffer<T>& buffer, std::size_t size) {
 
 }  // namespace
 
-std::optional<Errors> step_free(const Grammar& grammar, const Derivation& state, Word& out, Seed seed, const Limits& limits) {
+std::optional<Errors> step_free(const Grammar& grammar, const Derivation& state, Word& out, Seed seed,
+                                const Limits& limits) {
   if (!grammar.context_free || grammar.limited) return std::nullopt;
   Table table(grammar);
   if (!table.fits()) return std::nullopt;
   int number = state.steps + 1;
-  Step step{grammar, table, state.word, out, seed.child("step", static_cast<std::uint64_t>(number)), static_cast<double>(number)};
+  Step step{grammar,
+            table,
+            state.word,
+            out,
+            seed.child("step", static_cast<std::uint64_t>(number)),
+            static_cast<double>(number)};
   std::size_t size = state.word.size(), chunks = (size + kChunk - 1) / kChunk;
   std::vector<Place> places(chunks + 1);
   auto end_of = [&](std::size_t i) { return std::min(size, (i + 1) * kChunk); };
@@ -182,14 +190,20 @@ std::optional<Errors> step_free(const Grammar& grammar, const Derivation& state,
     places[i + 1].symbols_out += places[i].symbols_out;
     places[i + 1].parameters_out += places[i].parameters_out;
   }
-  std::size_t modules = places[chunks].symbols_out, bytes = modules + places[chunks].parameters_out * sizeof(double);
+  std::size_t modules = places[chunks].symbols_out,
+              bytes = modules + places[chunks].parameters_out * sizeof(double);
   if (modules > limits.modules || bytes > limits.bytes)
-    return Errors{{"", fmt::format("step {} has {} modules ({} bytes), past the limit of {} modules and {} bytes; use fewer steps",
-                                   number, modules, bytes, limits.modules, limits.bytes)}};
+    return Errors{
+        {"",
+         fmt::format(
+             "step {} has {} modules ({} bytes), past the limit of {} modules and {} bytes; use fewer steps",
+             number, modules, bytes, limits.modules, limits.bytes)}};
   make_room(out.symbols, modules);
   make_room(out.parameters, places[chunks].parameters_out);
   std::vector<char> good(chunks);
-  parallel_for(chunks, [&](std::size_t i) { good[i] = step.write(i * kChunk, end_of(i), places[i], places[i + 1].symbols_out); });
+  parallel_for(chunks, [&](std::size_t i) {
+    good[i] = step.write(i * kChunk, end_of(i), places[i], places[i + 1].symbols_out);
+  });
   if (std::find(good.begin(), good.end(), 0) != good.end()) return std::nullopt;
   return Errors{};
 }

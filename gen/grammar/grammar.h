@@ -42,8 +42,8 @@ struct GrammarText {
   std::vector<Rule> rules, decomposition, interpretation;
   int interpretation_depth = 1;  ///< how deep interpretation rules are applied to their own outcome
   Mode mode = Mode::parallel;
-  std::string ignore;    ///< symbols that contexts look past
-  std::string consider;  ///< if not empty: the only symbols that contexts see
+  std::string ignore;                ///< symbols that contexts look past
+  std::string consider;              ///< if not empty: the only symbols that contexts see
   std::vector<std::string> symbols;  ///< names of more than one letter
   bool ring = false;                 ///< the word is a circle: its ends are neighbours
   std::uint64_t seed = 1;
@@ -58,8 +58,8 @@ struct Symbol {
   bool context = true;  ///< whether contexts see it
 };
 
-/// One rule, compiled. The variables of its formulas are the parameters of the left context, the predecessor and
-/// the right context, in the order written.
+/// One rule, compiled. The variables of its formulas are the parameters of the left context, the predecessor
+/// and the right context, in the order written.
 struct Production {
   SymbolId predecessor = 0;
   std::vector<SymbolId> left, right;  ///< right may hold brackets
@@ -73,7 +73,9 @@ struct Production {
   std::string where, text;            ///< for messages
 
   bool context_free() const { return left.empty() && right.empty(); }
-  bool always() const { return context_free() && !conditional && !weighted && limit == GrammarText::kUnlimited; }
+  bool always() const {
+    return context_free() && !conditional && !weighted && limit == GrammarText::kUnlimited;
+  }
 };
 
 /// Rules in the order written, and for each symbol which of them have it as predecessor.
@@ -97,14 +99,15 @@ struct Grammar {
   bool single = true;        ///< at most one rule a symbol, and it always applies
   bool stochastic = false;   ///< random numbers are drawn while deriving
   bool parametric = false;
-  bool limited = false;      ///< some rule may be used a limited number of times
-  bool cuts = false;         ///< `%` occurs
-  bool queries = false;      ///< the turtle answers questions between steps
+  bool limited = false;  ///< some rule may be used a limited number of times
+  bool cuts = false;     ///< `%` occurs
+  bool queries = false;  ///< the turtle answers questions between steps
 
   SymbolId open = 0, close = 0;  ///< the brackets
 };
 
-/// Checks and compiles a grammar. All mistakes are reported, each naming the rule, the place in it and what to do.
+/// Checks and compiles a grammar. All mistakes are reported, each naming the rule, the place in it and what
+/// to do.
 Result<Grammar> compile(const GrammarText& text);
 
 /// `name(p1,p2)name…`, numbers with ten significant digits.

@@ -126,20 +126,32 @@ class CpfgReader {
     std::string_view name = trim(line.substr(0, colon));
     std::string_view value = colon == line.npos ? std::string_view() : trim(line.substr(colon + 1));
     std::vector<GrammarText::Rule>* before = rules_;
-    if (name == "axiom" || name == "Axiom") g.axiom = formula(value), has_axiom_ = true;
-    else if (name == "derivation length") g.steps = static_cast<int>(value_of(value).value_or(1));
-    else if (name == "seed") g.seed = static_cast<std::uint64_t>(value_of(value).value_or(1));
-    else if (name == "ignore") g.ignore = value;
-    else if (name == "consider") g.consider = value;
-    else if (name == "ring L-system") g.ring = value_of(value).value_or(0) != 0;
-    else if (name == "decomposition") rules_ = &g.decomposition;
-    else if (name == "homomorphism" || name == "interpretation") rules_ = &g.interpretation;
-    else if (name == "production" || name == "productions") rules_ = &g.rules;
+    if (name == "axiom" || name == "Axiom")
+      g.axiom = formula(value), has_axiom_ = true;
+    else if (name == "derivation length")
+      g.steps = static_cast<int>(value_of(value).value_or(1));
+    else if (name == "seed")
+      g.seed = static_cast<std::uint64_t>(value_of(value).value_or(1));
+    else if (name == "ignore")
+      g.ignore = value;
+    else if (name == "consider")
+      g.consider = value;
+    else if (name == "ring L-system")
+      g.ring = value_of(value).value_or(0) != 0;
+    else if (name == "decomposition")
+      rules_ = &g.decomposition;
+    else if (name == "homomorphism" || name == "interpretation")
+      rules_ = &g.interpretation;
+    else if (name == "production" || name == "productions")
+      rules_ = &g.rules;
     else if (name == "maximum depth") {
       if (rules_ == &g.interpretation) g.interpretation_depth = static_cast<int>(value_of(value).value_or(1));
-    } else if (name != "lsystem" && name != "endlsystem" && name != "Lsystem" && !name.starts_with("warnings") && !name.starts_with("no warnings")) {
+    } else if (name != "lsystem" && name != "endlsystem" && name != "Lsystem" &&
+               !name.starts_with("warnings") && !name.starts_with("no warnings")) {
       for (std::string_view block : {"Start", "StartEach", "EndEach", "End"})
-        if (name == block) return note(fmt::format("the block `{}` is left out: nothing is computed between steps", name)), true;
+        if (name == block)
+          return note(fmt::format("the block `{}` is left out: nothing is computed between steps", name)),
+                 true;
       return false;
     }
     if (before != rules_ && rules_ == &g.interpretation) g.interpretation_depth = 1;
@@ -149,9 +161,11 @@ class CpfgReader {
   /// `left < A > right : condition --> successor : weight`
   void read_rule(const Line& line) {
     std::size_t arrow = line.text.find("-->");
-    if (arrow == line.text.npos) return note(fmt::format("line {}: `{}` is left out", line.number, line.text));
+    if (arrow == line.text.npos)
+      return note(fmt::format("line {}: `{}` is left out", line.number, line.text));
     std::string_view head = trim(line.text.substr(0, arrow)), successor = trim(line.text.substr(arrow + 3));
-    if (head.find('{') != head.npos) return note(fmt::format("line {}: `{}` is left out: it computes in `{{ }}`", line.number, line.text));
+    if (head.find('{') != head.npos)
+      return note(fmt::format("line {}: `{}` is left out: it computes in `{{ }}`", line.number, line.text));
     std::string weight;
     std::size_t colon = last_outside(successor, ':');
     if (colon != successor.npos) {
@@ -161,7 +175,8 @@ class CpfgReader {
     std::string rule = fmt::format("{} ->{} {}", formula(head), weight, formula(successor));
     rules_->push_back({rule, GrammarText::kUnlimited, fmt::format("line {}", line.number)});
     for (std::string_view sign : {"@P", "@D", "@S", "@T", "@#", "@!", "@;"})
-      if (successor.find(sign) != successor.npos) note(fmt::format("line {}: `{}…` means nothing here", line.number, sign));
+      if (successor.find(sign) != successor.npos)
+        note(fmt::format("line {}: `{}…` means nothing here", line.number, sign));
   }
 
   Import import_;
@@ -177,7 +192,8 @@ std::optional<std::string> houdini_rule(std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '(') ++depth;
     if (line[i] == ')') --depth;
-    bool doubled = line.substr(i, 2) == "==" || (i > 0 && std::string_view("=<>!").find(line[i - 1]) != std::string_view::npos);
+    bool doubled = line.substr(i, 2) == "==" ||
+                   (i > 0 && std::string_view("=<>!").find(line[i - 1]) != std::string_view::npos);
     if (depth == 0 && line[i] == '=' && !doubled) equals = i;
   }
   if (equals == line.npos) return std::nullopt;
@@ -196,21 +212,34 @@ std::optional<std::string> houdini_rule(std::string_view line) {
 /// Takes a line `name: value` or `name = value`; false where it is none.
 bool houdini_setting(std::string_view line, Import& import) {
   std::size_t colon = line.find(':');
-  std::string_view name = trim(line.substr(0, colon)), value = colon == line.npos ? "" : trim(line.substr(colon + 1));
+  std::string_view name = trim(line.substr(0, colon)),
+                   value = colon == line.npos ? "" : trim(line.substr(colon + 1));
   GrammarText& g = import.grammar;
   std::optional<double> given = number(value);
-  if (name == "premise" || name == "Premise" || name == "axiom") g.axiom = value;
-  else if (name == "ignore" || name == "Context Ignore") g.ignore = value;
-  else if (!given) return false;
-  else if (name == "angle" || name == "Angle") g.angle = *given;
-  else if (name == "generations" || name == "Generations") g.steps = static_cast<int>(*given);
-  else if (name == "stepsize" || name == "Step Size") g.length = *given;
-  else if (name == "thickness" || name == "Thickness") g.width = *given;
-  else if (name == "stepscale" || name == "Step Size Scale") g.length_scale = *given;
-  else if (name == "thickscale" || name == "Thickness Scale") g.width_scale = *given;
-  else if (name == "seed" || name == "Random Seed") g.seed = static_cast<std::uint64_t>(*given);
-  else if (is_identifier(name) && name.size() == 1) g.constants.emplace_back(name, value);
-  else return false;
+  if (name == "premise" || name == "Premise" || name == "axiom")
+    g.axiom = value;
+  else if (name == "ignore" || name == "Context Ignore")
+    g.ignore = value;
+  else if (!given)
+    return false;
+  else if (name == "angle" || name == "Angle")
+    g.angle = *given;
+  else if (name == "generations" || name == "Generations")
+    g.steps = static_cast<int>(*given);
+  else if (name == "stepsize" || name == "Step Size")
+    g.length = *given;
+  else if (name == "thickness" || name == "Thickness")
+    g.width = *given;
+  else if (name == "stepscale" || name == "Step Size Scale")
+    g.length_scale = *given;
+  else if (name == "thickscale" || name == "Thickness Scale")
+    g.width_scale = *given;
+  else if (name == "seed" || name == "Random Seed")
+    g.seed = static_cast<std::uint64_t>(*given);
+  else if (is_identifier(name) && name.size() == 1)
+    g.constants.emplace_back(name, value);
+  else
+    return false;
   return true;
 }
 
@@ -227,13 +256,15 @@ Result<Import> import_houdini(std::string_view text) {
       import.grammar.rules.push_back({*rule, GrammarText::kUnlimited, fmt::format("line {}", line.number)});
       for (char sign : {'J', 'K', 'M', 'T'})
         if (rule->find(sign) != rule->npos)
-          import.notes.push_back(fmt::format("line {}: `{}` is a symbol of its own here; Houdini {}", line.number, sign,
-                                             sign == 'T' ? "applies gravity: use `tropism`" : "puts input geometry there: use `~`"));
+          import.notes.push_back(fmt::format(
+              "line {}: `{}` is a symbol of its own here; Houdini {}", line.number, sign,
+              sign == 'T' ? "applies gravity: use `tropism`" : "puts input geometry there: use `~`"));
     } else {
       import.notes.push_back(fmt::format("line {}: `{}` is left out", line.number, line.text));
     }
   }
-  if (import.grammar.rules.empty()) return Error{"", "there is no rule `A=…`; this is not a Houdini rule list"};
+  if (import.grammar.rules.empty())
+    return Error{"", "there is no rule `A=…`; this is not a Houdini rule list"};
   return import;
 }
 

@@ -12,15 +12,15 @@ struct Import {
   std::vector<std::string> notes;
 };
 
-/// cpfg and vlab, `.l`: `derivation length`, `axiom`, `ignore`, `consider`, `ring L-system`, `seed`, productions with
-/// weights, decomposition, homomorphism, `#define` of numbers and formulas.
+/// cpfg and vlab, `.l`: `derivation length`, `axiom`, `ignore`, `consider`, `ring L-system`, `seed`,
+/// productions with weights, decomposition, homomorphism, `#define` of numbers and formulas.
 Result<Import> import_cpfg(std::string_view text);
 
 /// LParser, `.ls`: depth, angle, thickness, axiom, rules `A=…` up to `@`.
 Result<Import> import_lparser(std::string_view text);
 
-/// A rule list as typed into Houdini, one a line: `name: value` lines (`premise`, `angle`, `generations`, `stepsize`,
-/// `thickness`, `ignore`, constants) and rules `left<A(i)>right:condition=successor:probability`.
+/// A rule list as typed into Houdini, one a line: `name: value` lines (`premise`, `angle`, `generations`,
+/// `stepsize`, `thickness`, `ignore`, constants) and rules `left<A(i)>right:condition=successor:probability`.
 Result<Import> import_houdini(std::string_view text);
 
 /// By the ending of the file name: `.l`, `.ls`, anything else a Houdini list.

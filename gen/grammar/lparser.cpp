@@ -16,8 +16,9 @@ struct Sign {
 };
 
 constexpr Sign kSigns[] = {
-    {'<', "\\", "\\"}, {'>', "/", "/"}, {'%', "/(180)", "/(180)"}, {'~', "@~", "@~"}, {'"', "\"(1.1)", "\""},
-    {'\'', "\"(0.9)", "\""}, {';', "@a(1.1)", "@a"}, {':', "@a(0.9)", "@a"}, {'?', "@w(1.4)", "@w"}, {'!', "@w(0.7)", "@w"},
+    {'<', "\\", "\\"},      {'>', "/", "/"},         {'%', "/(180)", "/(180)"}, {'~', "@~", "@~"},
+    {'"', "\"(1.1)", "\""}, {'\'', "\"(0.9)", "\""}, {';', "@a(1.1)", "@a"},    {':', "@a(0.9)", "@a"},
+    {'?', "@w(1.4)", "@w"}, {'!', "@w(0.7)", "@w"},
 };
 
 /// A word of LParser in our alphabet. Letters stay and are given their meaning by interpretation.
@@ -28,8 +29,10 @@ std::string word_of(std::string_view text) {
     const Sign* found = nullptr;
     for (const Sign& sign : kSigns)
       if (sign.sign == text[i]) found = &sign;
-    if (found) out += given ? found->given : found->bare;
-    else out += text[i];
+    if (found)
+      out += given ? found->given : found->bare;
+    else
+      out += text[i];
     if (!given || !found) continue;
     std::size_t close = std::min(text.find(')', i), text.size() - 1);
     if (text[i] != '%') out += text.substr(i + 1, close - i);
@@ -53,9 +56,12 @@ std::vector<Line> data_of(std::string_view text) {
 
 Result<Import> import_lparser(std::string_view text) {
   std::vector<Line> data = data_of(text);
-  if (data.size() < 5) return Error{"", "an LParser file has depth, angle, thickness, axiom and rules; some are missing"};
-  std::optional<double> depth = number(data[0].text), angle = number(data[1].text), thickness = number(data[2].text);
-  if (!depth || !angle || !thickness) return Error{fmt::format("line {}", data[0].number), "depth, angle and thickness are numbers"};
+  if (data.size() < 5)
+    return Error{"", "an LParser file has depth, angle, thickness, axiom and rules; some are missing"};
+  std::optional<double> depth = number(data[0].text), angle = number(data[1].text),
+                        thickness = number(data[2].text);
+  if (!depth || !angle || !thickness)
+    return Error{fmt::format("line {}", data[0].number), "depth, angle and thickness are numbers"};
   Import import;
   GrammarText& g = import.grammar;
   g.steps = static_cast<int>(*depth);
@@ -69,12 +75,16 @@ Result<Import> import_lparser(std::string_view text) {
       import.notes.push_back(fmt::format("line {}: `{}` is left out: no rule", data[i].number, line));
       continue;
     }
-    g.rules.push_back({fmt::format("{} -> {}", word_of(trim(line.substr(0, equals))), word_of(trim(line.substr(equals + 1)))),
+    g.rules.push_back({fmt::format("{} -> {}", word_of(trim(line.substr(0, equals))),
+                                   word_of(trim(line.substr(equals + 1)))),
                        GrammarText::kUnlimited, fmt::format("line {}", data[i].number)});
     if (line.substr(equals).find('t') != line.npos)
-      import.notes.push_back(fmt::format("line {}: `t` bends by gravity there; here `tropism` and `elasticity` hold for every segment", data[i].number));
+      import.notes.push_back(fmt::format(
+          "line {}: `t` bends by gravity there; here `tropism` and `elasticity` hold for every segment",
+          data[i].number));
   }
-  for (std::string_view rule : {"Z -> \"(0.5)F\"(2)", "z -> \"(0.5)f\"(2)", "Z(l) -> F(l)", "z(l) -> f(l)", "c -> '", "c(n) -> '(n)"})
+  for (std::string_view rule :
+       {"Z -> \"(0.5)F\"(2)", "z -> \"(0.5)f\"(2)", "Z(l) -> F(l)", "z(l) -> f(l)", "c -> '", "c(n) -> '(n)"})
     g.interpretation.push_back({std::string(rule), GrammarText::kUnlimited, "the alphabet of LParser"});
   return import;
 }

@@ -35,47 +35,83 @@ double ramp_of(const std::vector<double>& table, double at) {
 
 double unary(Op op, double x) {
   switch (op) {
-    case Op::negate: return -x;
-    case Op::logical_not: return x == 0;
-    case Op::truth: return x != 0;
-    case Op::floor: return std::floor(x);
-    case Op::ceil: return std::ceil(x);
-    case Op::round: return std::round(x);
-    case Op::abs: return std::abs(x);
-    case Op::sign: return sign_of(x);
-    case Op::sqrt: return std::sqrt(x);
-    case Op::exp: return std::exp(x);
-    case Op::log: return std::log(x);
-    case Op::sin: return sine(x);
-    case Op::cos: return sine(x + 90.0);
-    case Op::tan: return std::tan(radians(x));
-    case Op::asin: return degrees(std::asin(x));
-    case Op::acos: return degrees(std::acos(x));
-    case Op::atan: return degrees(std::atan(x));
-    default: return 0;
+    case Op::negate:
+      return -x;
+    case Op::logical_not:
+      return x == 0;
+    case Op::truth:
+      return x != 0;
+    case Op::floor:
+      return std::floor(x);
+    case Op::ceil:
+      return std::ceil(x);
+    case Op::round:
+      return std::round(x);
+    case Op::abs:
+      return std::abs(x);
+    case Op::sign:
+      return sign_of(x);
+    case Op::sqrt:
+      return std::sqrt(x);
+    case Op::exp:
+      return std::exp(x);
+    case Op::log:
+      return std::log(x);
+    case Op::sin:
+      return sine(x);
+    case Op::cos:
+      return sine(x + 90.0);
+    case Op::tan:
+      return std::tan(radians(x));
+    case Op::asin:
+      return degrees(std::asin(x));
+    case Op::acos:
+      return degrees(std::acos(x));
+    case Op::atan:
+      return degrees(std::atan(x));
+    default:
+      return 0;
   }
 }
 
 double binary(Op op, double a, double b, Evaluation& at) {
   switch (op) {
-    case Op::add: return a + b;
-    case Op::subtract: return a - b;
-    case Op::multiply: return a * b;
-    case Op::divide: return b == 0 ? (at.fault = true, 0.0) : a / b;
-    case Op::modulo: return b == 0 ? (at.fault = true, 0.0) : std::fmod(a, b);
-    case Op::power: return std::pow(a, b);
-    case Op::less: return a < b;
-    case Op::less_equal: return a <= b;
-    case Op::greater: return a > b;
-    case Op::greater_equal: return a >= b;
-    case Op::equal: return a == b;
-    case Op::not_equal: return a != b;
-    case Op::min: return std::min(a, b);
-    case Op::max: return std::max(a, b);
-    case Op::atan2: return degrees(std::atan2(a, b));
-    case Op::rand: return at.seed.child(++at.draws).range(a, b);
-    case Op::nrand: return a + b * at.seed.child(++at.draws).normal();
-    default: return 0;
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
+    case Op::divide:
+      return b == 0 ? (at.fault = true, 0.0) : a / b;
+    case Op::modulo:
+      return b == 0 ? (at.fault = true, 0.0) : std::fmod(a, b);
+    case Op::power:
+      return std::pow(a, b);
+    case Op::less:
+      return a < b;
+    case Op::less_equal:
+      return a <= b;
+    case Op::greater:
+      return a > b;
+    case Op::greater_equal:
+      return a >= b;
+    case Op::equal:
+      return a == b;
+    case Op::not_equal:
+      return a != b;
+    case Op::min:
+      return std::min(a, b);
+    case Op::max:
+      return std::max(a, b);
+    case Op::atan2:
+      return degrees(std::atan2(a, b));
+    case Op::rand:
+      return at.seed.child(++at.draws).range(a, b);
+    case Op::nrand:
+      return a + b * at.seed.child(++at.draws).normal();
+    default:
+      return 0;
   }
 }
 
@@ -88,26 +124,73 @@ double run(const Expression& formula, Evaluation& at) {
   for (std::size_t i = 0, n = formula.code.size(); i < n; ++i) {
     const Instruction& now = code[i];
     switch (now.op) {
-      case Op::constant: *++top = now.value; break;
-      case Op::variable: *++top = at.frame[now.index]; break;
-      case Op::step_number: *++top = at.step; break;
-      case Op::element: *top = element_of(at.tables[now.index], *top, at.fault); break;
-      case Op::ramp: *top = ramp_of(at.tables[now.index], *top); break;
-      case Op::add: --top, top[0] += top[1]; break;
-      case Op::subtract: --top, top[0] -= top[1]; break;
-      case Op::multiply: --top, top[0] *= top[1]; break;
+      case Op::constant:
+        *++top = now.value;
+        break;
+      case Op::variable:
+        *++top = at.frame[now.index];
+        break;
+      case Op::step_number:
+        *++top = at.step;
+        break;
+      case Op::element:
+        *top = element_of(at.tables[now.index], *top, at.fault);
+        break;
+      case Op::ramp:
+        *top = ramp_of(at.tables[now.index], *top);
+        break;
+      case Op::add:
+        --top, top[0] += top[1];
+        break;
+      case Op::subtract:
+        --top, top[0] -= top[1];
+        break;
+      case Op::multiply:
+        --top, top[0] *= top[1];
+        break;
       case Op::jump_if_false:
       case Op::jump_if_true:
         *top = *top != 0;
-        if ((*top != 0) == (now.op == Op::jump_if_true)) i = now.index - std::size_t{1};
-        else --top;
+        if ((*top != 0) == (now.op == Op::jump_if_true))
+          i = now.index - std::size_t{1};
+        else
+          --top;
         break;
-      case Op::negate: case Op::logical_not: case Op::truth: case Op::floor: case Op::ceil: case Op::round:
-      case Op::abs: case Op::sign: case Op::sqrt: case Op::exp: case Op::log: case Op::sin: case Op::cos:
-      case Op::tan: case Op::asin: case Op::acos: case Op::atan: *top = unary(now.op, *top); break;
-      case Op::divide: case Op::modulo: case Op::power: case Op::less: case Op::less_equal: case Op::greater:
-      case Op::greater_equal: case Op::equal: case Op::not_equal: case Op::min: case Op::max: case Op::atan2:
-      case Op::rand: case Op::nrand: --top, top[0] = binary(now.op, top[0], top[1], at); break;
+      case Op::negate:
+      case Op::logical_not:
+      case Op::truth:
+      case Op::floor:
+      case Op::ceil:
+      case Op::round:
+      case Op::abs:
+      case Op::sign:
+      case Op::sqrt:
+      case Op::exp:
+      case Op::log:
+      case Op::sin:
+      case Op::cos:
+      case Op::tan:
+      case Op::asin:
+      case Op::acos:
+      case Op::atan:
+        *top = unary(now.op, *top);
+        break;
+      case Op::divide:
+      case Op::modulo:
+      case Op::power:
+      case Op::less:
+      case Op::less_equal:
+      case Op::greater:
+      case Op::greater_equal:
+      case Op::equal:
+      case Op::not_equal:
+      case Op::min:
+      case Op::max:
+      case Op::atan2:
+      case Op::rand:
+      case Op::nrand:
+        --top, top[0] = binary(now.op, top[0], top[1], at);
+        break;
     }
   }
   return *top;

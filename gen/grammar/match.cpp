@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::uint32_t kNone = Neighbours::kNone;
 
-/// The last module that contexts see on the outermost level, from the given end of the word: where a ring closes.
+/// The last module that contexts see on the outermost level, from the given end of the word: where a ring
+/// closes.
 template <bool kFromRight>
 std::uint32_t outermost(const Grammar& grammar, const Word& word) {
   int depth = 0;
@@ -16,9 +17,12 @@ std::uint32_t outermost(const Grammar& grammar, const Word& word) {
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t i = kFromRight ? n - 1 - k : k;
     SymbolId symbol = word.symbols[i];
-    if (symbol == grammar.open) ++depth;
-    else if (symbol == grammar.close) --depth;
-    else if (depth == 0 && grammar.symbols[symbol].context) return static_cast<std::uint32_t>(i);
+    if (symbol == grammar.open)
+      ++depth;
+    else if (symbol == grammar.close)
+      --depth;
+    else if (depth == 0 && grammar.symbols[symbol].context)
+      return static_cast<std::uint32_t>(i);
   }
   return kNone;
 }
@@ -29,8 +33,8 @@ struct RightMatcher {
   const Word& word;
   const Neighbours& near;
   const std::vector<SymbolId>& pattern;
-  std::vector<std::uint32_t> found;   // where each module of the pattern was found
-  std::vector<std::uint32_t> outer;   // branches entered: the bracket that opens each
+  std::vector<std::uint32_t> found;  // where each module of the pattern was found
+  std::vector<std::uint32_t> outer;  // branches entered: the bracket that opens each
 
   /// The closing bracket that belongs to the opening one.
   std::uint32_t closing(std::uint32_t open) const {
@@ -103,8 +107,8 @@ void add_parameters(const Grammar& grammar, const Word& word, const Neighbours& 
   frame.insert(frame.end(), first, first + arity);
 }
 
-void add_left_parameters(const Grammar& grammar, const Word& word, const Neighbours& near, const Production& rule,
-                         std::uint32_t place, std::vector<double>& frame) {
+void add_left_parameters(const Grammar& grammar, const Word& word, const Neighbours& near,
+                         const Production& rule, std::uint32_t place, std::vector<double>& frame) {
   std::vector<std::uint32_t> places;
   for (std::size_t k = rule.left.size(); k-- > 0;) places.push_back(place = near.left[place]);
   for (std::size_t k = places.size(); k-- > 0;) add_parameters(grammar, word, near, places[k], frame);

@@ -4,8 +4,8 @@
 
 namespace frond {
 
-/// For each module of a word who is next to it, as contexts see it: past what they look past, on the path to the
-/// root on the left, on the module's own axis on the right.
+/// For each module of a word who is next to it, as contexts see it: past what they look past, on the path to
+/// the root on the left, on the module's own axis on the right.
 struct Neighbours {
   static constexpr std::uint32_t kNone = 0xffffffffu;
 

@@ -6,8 +6,11 @@
 
 namespace frond {
 
-NeighbourTable::NeighbourTable(const Grammar& grammar) : grammar_(grammar), size_(grammar.symbols.size() + 1) {
-  if (grammar.context_free || grammar.parametric || grammar.limited || grammar.stochastic || grammar.text.ring || size_ > 48) return;
+NeighbourTable::NeighbourTable(const Grammar& grammar)
+    : grammar_(grammar), size_(grammar.symbols.size() + 1) {
+  if (grammar.context_free || grammar.parametric || grammar.limited || grammar.stochastic ||
+      grammar.text.ring || size_ > 48)
+    return;
   if (grammar.text.mode == GrammarText::Mode::sequential) return;
   for (const Production& rule : grammar.rules.rules) {
     bool bracket = std::find(rule.right.begin(), rule.right.end(), grammar.open) != rule.right.end();
@@ -19,7 +22,8 @@ NeighbourTable::NeighbourTable(const Grammar& grammar) : grammar_(grammar), size
       for (std::size_t right = 0; right < size_; ++right) {
         for (std::uint16_t index : grammar.rules.of[symbol]) {
           const Production& rule = grammar.rules.rules[index];
-          if ((!rule.left.empty() && rule.left[0] != left) || (!rule.right.empty() && rule.right[0] != right)) continue;
+          if ((!rule.left.empty() && rule.left[0] != left) || (!rule.right.empty() && rule.right[0] != right))
+            continue;
           choice_[(left * size_ + symbol) * size_ + right] = static_cast<std::int16_t>(index);
           break;
         }
@@ -77,9 +81,12 @@ Errors NeighbourTable::step(const Word& in, Word& out, const Limits& limits) {
       const auto& successor = grammar_.rules.rules[static_cast<std::size_t>(index)].successor;
       for (SymbolId next : successor) *to++ = next;
     }
-    if (symbol == grammar_.open) stack_.push_back(left);
-    else if (symbol == grammar_.close) left = stack_.back(), stack_.pop_back();
-    else if (seen[symbol]) left = symbol;
+    if (symbol == grammar_.open)
+      stack_.push_back(left);
+    else if (symbol == grammar_.close)
+      left = stack_.back(), stack_.pop_back();
+    else if (seen[symbol])
+      left = symbol;
   }
   out.symbols.resize(static_cast<std::size_t>(to - out.symbols.data()));
   if (out.size() > limits.modules)

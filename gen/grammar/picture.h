@@ -7,11 +7,12 @@
 namespace frond {
 
 /// Which symbol came from which (L7) as SVG: one level a row from the axiom down, a line from each module to
-/// every one of its successors. A parent stands above the middle of its children. Words of more than 2000 modules
-/// are refused: they cannot be read.
+/// every one of its successors. A parent stands above the middle of its children. Words of more than 2000
+/// modules are refused: they cannot be read.
 Result<std::string> derivation_tree_svg(const Grammar& grammar, int steps, Seed seed);
 
-/// What a word draws, seen along the z axis, as SVG: lines as wide as branches, filled polygons, colours by index.
+/// What a word draws, seen along the z axis, as SVG: lines as wide as branches, filled polygons, colours by
+/// index.
 std::string turtle_svg(const Grammar& grammar, const Word& word, Seed seed);
 
 }  // namespace frond

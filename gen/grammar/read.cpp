@@ -31,8 +31,8 @@ bool blank(std::string_view text, std::size_t begin, std::size_t end) {
   return text.substr(begin, end - begin).find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-/// The arrow of a rule: `->`, `-->` or the arrow letter. A `-` before `->` belongs to the arrow unless it is all
-/// that could be the predecessor.
+/// The arrow of a rule: `->`, `-->` or the arrow letter. A `-` before `->` belongs to the arrow unless it is
+/// all that could be the predecessor.
 std::optional<RuleParts::Part> find_arrow(std::string_view text) {
   constexpr std::string_view kLetter = "\u2192";
   std::size_t letter = find_outside(text, kLetter, 0, text.size());
@@ -50,11 +50,16 @@ std::optional<RuleParts::Part> find_arrow(std::string_view text) {
 
 SymbolId ModuleReader::id(std::string_view name, int arity, Cursor& reader) {
   std::vector<Symbol>& symbols = grammar_.symbols;
-  if (arity > kMostParameters) reader.fail(fmt::format("`{}` has {} parameters; {} are the most", name, arity, kMostParameters), reader.at);
+  if (arity > kMostParameters)
+    reader.fail(fmt::format("`{}` has {} parameters; {} are the most", name, arity, kMostParameters),
+                reader.at);
   for (std::size_t i = 0; i < symbols.size(); ++i)
     if (symbols[i].name == name && symbols[i].arity == arity) return static_cast<SymbolId>(i);
   if (symbols.size() == 256) {
-    reader.fail("more than 256 different symbols (a name with another number of parameters counts as another); use fewer", reader.at);
+    reader.fail(
+        "more than 256 different symbols (a name with another number of parameters counts as another); use "
+        "fewer",
+        reader.at);
     return 0;
   }
   symbols.push_back({std::string(name), arity, act_of(name, grammar_.text.dialect), true});
@@ -94,14 +99,16 @@ void ModuleReader::read_modules(Cursor& reader, std::span<const std::string> var
         ++arity;
       } while (!reader.failed() && reader.take(","));
       if (!reader.failed() && !reader.take(")"))
-        reader.fail(fmt::format("the parameters of `{}` are not closed; a `,` or `)` is expected", name), reader.at);
+        reader.fail(fmt::format("the parameters of `{}` are not closed; a `,` or `)` is expected", name),
+                    reader.at);
     }
     if (!reader.failed()) modules.push_back(id(name, arity, reader));
   }
   if (!open.empty()) reader.fail("this `[` is not closed; add a `]`", open.back());
 }
 
-void ModuleReader::read_pattern(Cursor& reader, std::vector<std::string>& variables, std::vector<SymbolId>& modules) {
+void ModuleReader::read_pattern(Cursor& reader, std::vector<std::string>& variables,
+                                std::vector<SymbolId>& modules) {
   while (!reader.at_end() && !reader.failed()) {
     std::string_view name = take_name(reader);
     int arity = 0;
@@ -135,14 +142,16 @@ std::optional<RuleParts> split_rule(Cursor& reader) {
   std::size_t greater = std::min(find_outside(text, ">", start, colon), colon);
   if (greater < colon) parts.right = {greater + 1, colon};
   parts.predecessor = {start, greater};
-  if (blank(text, start, greater)) return reader.fail("there is no predecessor; a rule is `predecessor -> successor`", start), std::nullopt;
+  if (blank(text, start, greater))
+    return reader.fail("there is no predecessor; a rule is `predecessor -> successor`", start), std::nullopt;
 
   std::size_t after = arrow->end;
   while (after < text.size() && (text[after] == ' ' || text[after] == '\t')) ++after;
   parts.successor = {after, text.size()};
   if (after < text.size() && text[after] == '(') {
     std::size_t close = find_outside(text, ")", after, text.size());
-    if (close == text.npos) return reader.fail("the weight is not closed; a `)` is missing", after), std::nullopt;
+    if (close == text.npos)
+      return reader.fail("the weight is not closed; a `)` is missing", after), std::nullopt;
     parts.weight = {after + 1, close};
     parts.successor.begin = close + 1;
   }
@@ -150,7 +159,8 @@ std::optional<RuleParts> split_rule(Cursor& reader) {
 }
 
 Error complaint(const Cursor& reader, std::string_view where) {
-  return Error{std::string(where), fmt::format("column {}: {}; in `{}`", reader.mistake_at + 1, reader.mistake, reader.text)};
+  return Error{std::string(where),
+               fmt::format("column {}: {}; in `{}`", reader.mistake_at + 1, reader.mistake, reader.text)};
 }
 
 }  // namespace frond

@@ -17,7 +17,8 @@ class ModuleReader {
   /// The constants as far as they are known.
   std::vector<Constant> constants;
 
-  /// Id of a name with so many parameters; a new one where it is not known yet. Fails when there are 256 of them.
+  /// Id of a name with so many parameters; a new one where it is not known yet. Fails when there are 256 of
+  /// them.
   SymbolId id(std::string_view name, int arity, Cursor& reader);
 
   /// Modules with formulas as parameters, to the end of the text: an axiom or a successor.

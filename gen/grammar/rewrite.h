@@ -7,9 +7,9 @@
 
 namespace frond {
 
-/// The rule that rewrites a module: the first that matches or, where that one carries a weight, one drawn from
-/// all that match and carry one. `match(rule, index)` tells whether contexts and limits allow a rule and sets
-/// `at.frame`. Index into the set, or -1 where the module stays as it is.
+/// The rule that rewrites a module: the first that matches or, where that one carries a weight, one drawn
+/// from all that match and carry one. `match(rule, index)` tells whether contexts and limits allow a rule and
+/// sets `at.frame`. Index into the set, or -1 where the module stays as it is.
 template <class Match>
 int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& match) {
   auto applies = [&](int index) {

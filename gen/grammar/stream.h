@@ -8,12 +8,12 @@
 namespace frond {
 
 /// Whether a derivation can go to the turtle module by module without its words being stored: rules without
-/// contexts or limits, made in parallel, and no cuts, questions or decomposition. Many steps would need a deep
-/// stack and are stored.
+/// contexts or limits, made in parallel, and no cuts, questions or decomposition. Many steps would need a
+/// deep stack and are stored.
 bool can_stream(const Grammar& grammar, int steps);
 
-/// A derivation made depth first: the first module of the axiom grows to its end before the second one starts.
-/// Keeps a path of one module a step; gives the turtle the very modules that derive() stores.
+/// A derivation made depth first: the first module of the axiom grows to its end before the second one
+/// starts. Keeps a path of one module a step; gives the turtle the very modules that derive() stores.
 template <class Sink>
 class Stream {
  public:
@@ -22,8 +22,8 @@ class Stream {
     for (int i = 1; i <= steps; ++i) seeds_.push_back(seed.child("step", static_cast<std::uint64_t>(i)));
   }
 
-  /// Lets one module of the word after `level` steps grow to the last step. False when a number is not finite or
-  /// there are more modules than the limit allows.
+  /// Lets one module of the word after `level` steps grow to the last step. False when a number is not finite
+  /// or there are more modules than the limit allows.
   bool grow(SymbolId symbol, const double* parameters, std::size_t level) {
     if (level < seeds_.size() && grammar_.rules.of[symbol].empty()) {
       if (grammar_.stochastic)
@@ -46,7 +46,8 @@ class Stream {
     at.tables = grammar_.tables;
     at.step = static_cast<double>(level) + 1;
     at.seed = seeds_[level].child(places_[level]++);
-    int index = choose(grammar_.rules, symbol, at, [&](const Production&, int) { return at.frame = parameters, true; });
+    int index = choose(grammar_.rules, symbol, at,
+                       [&](const Production&, int) { return at.frame = parameters, true; });
     if (at.fault) return fail(grammar_.rules.rules[grammar_.rules.of[symbol][0]], level);
     if (index < 0) return grow(symbol, parameters, level + 1);
     const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index)];
@@ -65,29 +66,33 @@ class Stream {
   }
 
   bool fail(const Production& rule, std::size_t level) {
-    trouble_ = {rule.where, fmt::format("step {}: division by zero or a number that is not finite in `{}`; add a "
-                                        "condition that keeps the rule away from there", level + 1, rule.text)};
+    trouble_ = {rule.where,
+                fmt::format("step {}: division by zero or a number that is not finite in `{}`; add a "
+                            "condition that keeps the rule away from there",
+                            level + 1, rule.text)};
     return false;
   }
 
   const Grammar& grammar_;
   Turtle<Sink>& turtle_;
-  std::vector<Seed> seeds_;             // of each step
-  std::vector<std::uint64_t> places_;   // modules so far of the word before each step
-  std::size_t left_;                    // modules that may still come
+  std::vector<Seed> seeds_;            // of each step
+  std::vector<std::uint64_t> places_;  // modules so far of the word before each step
+  std::size_t left_;                   // modules that may still come
   Error trouble_;
 };
 
 /// Derives and walks; streams where that is possible, and stores the word otherwise. The state at the end.
 template <class Sink>
-Result<TurtleState> draw(const Grammar& grammar, int steps, Seed seed, Sink& sink, const Limits& limits = {}) {
+Result<TurtleState> draw(const Grammar& grammar, int steps, Seed seed, Sink& sink,
+                         const Limits& limits = {}) {
   if (!can_stream(grammar, steps)) {
     Result<Word> word = derive(grammar, steps, seed, limits);
     if (!word) return word.errors();
     return walk(grammar, *word, seed, sink);
   }
   if (has_growth_matrix(grammar))
-    if (Errors errors = refuse(forecast(grammar, steps, seed, limits), limits); !errors.empty()) return errors;
+    if (Errors errors = refuse(forecast(grammar, steps, seed, limits), limits); !errors.empty())
+      return errors;
   Turtle<Sink> turtle(grammar, seed, sink, start_of(grammar));
   Stream<Sink> stream(grammar, steps, seed, turtle, limits);
   const double* parameters = grammar.axiom.parameters.data();

@@ -6,17 +6,58 @@
 
 namespace frond {
 
-/// Where tools of the field read a symbol differently: as *The Algorithmic Beauty of Plants* and cpfg do, or as
-/// Houdini does (turns mirrored; `!` `"` `;` scale width, length and angle).
+/// Where tools of the field read a symbol differently: as *The Algorithmic Beauty of Plants* and cpfg do, or
+/// as Houdini does (turns mirrored; `!` `"` `;` scale width, length and angle).
 enum class Dialect { abop, houdini };
 
 /// What the turtle does at a symbol.
 enum class Act : std::uint8_t {
-  none, draw, move, draw_free, move_free, yaw_left, yaw_right, pitch_down, pitch_up, roll_left, roll_right,
-  turn_back, roll_back, level, push, pop, open_polygon, close_polygon, vertex, narrow, widen, scale_width, divide_width,
-  scale_length, divide_length, scale_angle, divide_angle, next_color, previous_color, organ, random_turn, sphere,
-  disc, tube_start, tube_point, tube_end, set_heading, set_position, set_elasticity, cut, query_position,
-  query_heading, query_up, query_left, environment, guide,
+  none,
+  draw,
+  move,
+  draw_free,
+  move_free,
+  yaw_left,
+  yaw_right,
+  pitch_down,
+  pitch_up,
+  roll_left,
+  roll_right,
+  turn_back,
+  roll_back,
+  level,
+  push,
+  pop,
+  open_polygon,
+  close_polygon,
+  vertex,
+  narrow,
+  widen,
+  scale_width,
+  divide_width,
+  scale_length,
+  divide_length,
+  scale_angle,
+  divide_angle,
+  next_color,
+  previous_color,
+  organ,
+  random_turn,
+  sphere,
+  disc,
+  tube_start,
+  tube_point,
+  tube_end,
+  set_heading,
+  set_position,
+  set_elasticity,
+  cut,
+  query_position,
+  query_heading,
+  query_up,
+  query_left,
+  environment,
+  guide,
 };
 
 /// A symbol that means something to the turtle; every other symbol is silent.

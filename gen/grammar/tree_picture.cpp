@@ -23,11 +23,16 @@ using Row = std::vector<Node>;
 std::string escaped(std::string_view text) {
   std::string out;
   for (char c : text) {
-    if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '&') out += "&amp;";
-    else if (c == '"') out += "&quot;";
-    else out += c;
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
   }
   return out;
 }
@@ -48,7 +53,8 @@ Row row_of(const Grammar& grammar, const Word& word, const std::vector<std::uint
 
 double width_of(const Node& node) {
   // A letter is about 7 wide; UTF-8 continuation bytes are no letters.
-  auto letters = std::count_if(node.label.begin(), node.label.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  auto letters =
+      std::count_if(node.label.begin(), node.label.end(), [](char c) { return (c & 0xC0) != 0x80; });
   return 12.0 + 7.0 * static_cast<double>(letters);
 }
 
@@ -86,7 +92,9 @@ std::string draw_rows(const std::vector<Row>& rows, double width) {
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
   put(out, width + 56), out += ' ', put(out, height);
   out += "\" width=\"", put(out, width + 56), out += "\" height=\"", put(out, height);
-  out += "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke=\"#7a8f6a\" stroke-width=\"1\" fill=\"none\">\n";
+  out +=
+      "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke=\"#7a8f6a\" stroke-width=\"1\" "
+      "fill=\"none\">\n";
   for (std::size_t level = 1; level < rows.size(); ++level) {
     for (const Node& node : rows[level]) {
       const Node& parent = rows[level - 1][static_cast<std::size_t>(node.parent)];
@@ -115,7 +123,8 @@ Result<std::string> derivation_tree_svg(const Grammar& grammar, int steps, Seed 
   std::vector<std::uint32_t> parents;
   for (int step = 0;; ++step) {
     if (state.word.size() > kMostModules)
-      return Error{"", fmt::format("the word has {} modules after {} steps; a derivation tree is drawn for {} at most: use fewer steps",
+      return Error{"", fmt::format("the word has {} modules after {} steps; a derivation tree is drawn for "
+                                   "{} at most: use fewer steps",
                                    state.word.size(), step, kMostModules)};
     rows.push_back(row_of(grammar, state.word, parents));
     if (step == steps) break;

@@ -14,9 +14,9 @@ struct TurtleState {
   DVec3 heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, 1};
   double length = 1, width = 0.1, angle = 45, elasticity = 0;
   int color = 0;
-  int depth = 0;            ///< brackets open
-  std::int32_t mark = -1;   ///< the sink's own: a bracket keeps and restores it; -1 after a move
-  std::int32_t base = -1;   ///< the sink's own: as mark, but a move leaves it alone
+  int depth = 0;           ///< brackets open
+  std::int32_t mark = -1;  ///< the sink's own: a bracket keeps and restores it; -1 after a move
+  std::int32_t base = -1;  ///< the sink's own: as mark, but a move leaves it alone
 };
 
 /// A line that the turtle drew, before it moves on; widths are diameters.
@@ -25,15 +25,16 @@ struct Segment {
   double width_from, width_to;
 };
 
-/// A turtle that is fed modules one by one and tells a sink what it does. Of these members of the sink those are
-/// called that it has:
+/// A turtle that is fed modules one by one and tells a sink what it does. Of these members of the sink those
+/// are called that it has:
 ///
 ///     void segment(const Segment&, TurtleState&);       // the state is that at the start but for `mark`
 ///     void push(TurtleState&);  void pop(TurtleState&); // the state that is kept; the state it is back in
 ///     void polygon(std::span<const DVec3>, const TurtleState&);
 ///     void organ(SymbolId shape, const double* parameters, const TurtleState&);
-///     void bare(SymbolId, const double* parameters, const TurtleState&);        // a symbol that means nothing to it
-///     void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes, questions, guides
+///     void bare(SymbolId, const double* parameters, const TurtleState&);        // a symbol that means
+///     nothing to it void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres,
+///     tubes, questions, guides
 template <class Sink>
 class Turtle {
  public:
@@ -46,7 +47,8 @@ class Turtle {
 
   /// The next module. Interpretation rules are applied first.
   void feed(SymbolId symbol, const double* parameters) {
-    if (grammar_.interpretation.of[symbol].empty() || wants_organ_) return act(symbol, parameters), void(++fed_);
+    if (grammar_.interpretation.of[symbol].empty() || wants_organ_)
+      return act(symbol, parameters), void(++fed_);
     at_.seed = seed_.child("interpret").child(fed_++);
     auto emit = [&](SymbolId s, const double* p) { return act(s, p), true; };
     expand(grammar_, grammar_.interpretation, symbol, parameters, text_.interpretation_depth, at_, emit);
@@ -62,37 +64,91 @@ class Turtle {
     bool given = info.arity > 0;
     ++acted_;
     switch (info.act) {
+<<<<<<< HEAD
       case Act::none:
-        if constexpr (requires { sink_.bare(symbol, parameters, now_); }) sink_.bare(symbol, parameters, now_);
+        if constexpr (requires { sink_.bare(symbol, parameters, now_); })
+          sink_.bare(symbol, parameters, now_);
         return;
-      case Act::environment: return;
-      case Act::draw: case Act::draw_free: return forward(info.act == Act::draw, true, info.arity, parameters);
-      case Act::move: case Act::move_free: return forward(info.act == Act::move, false, info.arity, parameters);
-      case Act::yaw_left: return turn(now_.heading, now_.left, given, parameters, 1);
-      case Act::yaw_right: return turn(now_.heading, now_.left, given, parameters, -1);
-      case Act::pitch_down: return turn(now_.heading, now_.up, given, parameters, -1);
-      case Act::pitch_up: return turn(now_.heading, now_.up, given, parameters, 1);
-      case Act::roll_left: return turn(now_.left, now_.up, given, parameters, -1);
-      case Act::roll_right: return turn(now_.left, now_.up, given, parameters, 1);
-      case Act::turn_back: now_.heading = -now_.heading, now_.left = -now_.left; return;
-      case Act::roll_back: now_.left = -now_.left, now_.up = -now_.up; return;
-      case Act::push: return push();
-      case Act::pop: return pop();
-      case Act::open_polygon: polygons_.push_back(vertices_.size()); return;
-      case Act::close_polygon: return close_polygon();
-      case Act::vertex: if (!polygons_.empty()) vertices_.push_back(now_.position); return;
-      case Act::organ: wants_organ_ = true; return;
-      case Act::cut: skipped_ = 0; return;
-      case Act::sphere: case Act::disc: case Act::tube_start: case Act::tube_point: case Act::tube_end:
-      case Act::guide: case Act::query_position: case Act::query_heading: case Act::query_up: case Act::query_left:
+      case Act::environment:
+        return;
+=======
+      case Act::none:
+        return;
+>>>>>>> 6949162^
+      case Act::draw:
+      case Act::draw_free:
+        return forward(info.act == Act::draw, true, info.arity, parameters);
+      case Act::move:
+      case Act::move_free:
+        return forward(info.act == Act::move, false, info.arity, parameters);
+      case Act::yaw_left:
+        return turn(now_.heading, now_.left, given, parameters, 1);
+      case Act::yaw_right:
+        return turn(now_.heading, now_.left, given, parameters, -1);
+      case Act::pitch_down:
+        return turn(now_.heading, now_.up, given, parameters, -1);
+      case Act::pitch_up:
+        return turn(now_.heading, now_.up, given, parameters, 1);
+      case Act::roll_left:
+        return turn(now_.left, now_.up, given, parameters, -1);
+      case Act::roll_right:
+        return turn(now_.left, now_.up, given, parameters, 1);
+      case Act::turn_back:
+        now_.heading = -now_.heading, now_.left = -now_.left;
+        return;
+      case Act::roll_back:
+        now_.left = -now_.left, now_.up = -now_.up;
+        return;
+      case Act::push:
+        return push();
+      case Act::pop:
+        return pop();
+      case Act::open_polygon:
+        polygons_.push_back(vertices_.size());
+        return;
+      case Act::close_polygon:
+        return close_polygon();
+      case Act::vertex:
+        if (!polygons_.empty()) vertices_.push_back(now_.position);
+        return;
+      case Act::organ:
+        wants_organ_ = true;
+        return;
+      case Act::cut:
+        skipped_ = 0;
+        return;
+      case Act::sphere:
+      case Act::disc:
+      case Act::tube_start:
+      case Act::tube_point:
+      case Act::tube_end:
+      case Act::guide:
+      case Act::query_position:
+      case Act::query_heading:
+      case Act::query_up:
+      case Act::query_left:
+      case Act::environment:
         if constexpr (requires { sink_.sign(info.act, std::span<const double>(), now_); })
-          sink_.sign(info.act, std::span<const double>(parameters, static_cast<std::size_t>(info.arity)), now_);
+          sink_.sign(info.act, std::span<const double>(parameters, static_cast<std::size_t>(info.arity)),
+                     now_);
         return;
-      case Act::level: case Act::random_turn: case Act::set_heading: case Act::set_position:
+      case Act::level:
+      case Act::random_turn:
+      case Act::set_heading:
+      case Act::set_position:
         return place(info.act, info.arity, parameters);
-      case Act::narrow: case Act::widen: case Act::scale_width: case Act::divide_width: case Act::scale_length:
-      case Act::divide_length: case Act::scale_angle: case Act::divide_angle: case Act::next_color:
-      case Act::previous_color: case Act::set_elasticity: return style(info.act, given, given ? parameters[0] : 0);
+      case Act::narrow:
+      case Act::widen:
+      case Act::scale_width:
+      case Act::divide_width:
+      case Act::scale_length:
+      case Act::divide_length:
+      case Act::scale_angle:
+      case Act::divide_angle:
+      case Act::next_color:
+      case Act::previous_color:
+      case Act::set_elasticity:
+        return style(info.act, given, given ? parameters[0] : 0);
     }
   }
 
@@ -168,7 +224,8 @@ class Turtle {
     std::size_t first = polygons_.back();
     polygons_.pop_back();
     if constexpr (requires { sink_.polygon(std::span<const DVec3>(), now_); })
-      if (vertices_.size() - first >= 3) sink_.polygon(std::span<const DVec3>(vertices_).subspan(first), now_);
+      if (vertices_.size() - first >= 3)
+        sink_.polygon(std::span<const DVec3>(vertices_).subspan(first), now_);
     vertices_.resize(first);
   }
 
@@ -184,7 +241,8 @@ class Turtle {
     } else if (act == Act::random_turn) {
       double most = arity > 0 ? parameters[0] : 180.0;
       Seed seed = seed_.child("turn").child(acted_);
-      double angles[3] = {seed.child(0).range(-most, most), seed.child(1).range(-most, most), seed.child(2).range(-most, most)};
+      double angles[3] = {seed.child(0).range(-most, most), seed.child(1).range(-most, most),
+                          seed.child(2).range(-most, most)};
       turn(now_.heading, now_.left, true, angles, 1);
       turn(now_.heading, now_.up, true, angles + 1, 1);
       turn(now_.left, now_.up, true, angles + 2, 1);
@@ -220,18 +278,41 @@ class Turtle {
   void style(Act act, bool given, double value) {
     auto width_by = given ? value : text_.width_scale;
     switch (act) {
-      case Act::narrow: now_.width = given ? value : now_.width * text_.width_scale; return;
-      case Act::widen: now_.width = given ? value : now_.width / text_.width_scale; return;
-      case Act::scale_width: now_.width *= width_by; return;
-      case Act::divide_width: now_.width /= width_by; return;
-      case Act::scale_length: now_.length *= given ? value : text_.length_scale; return;
-      case Act::divide_length: now_.length /= given ? value : text_.length_scale; return;
-      case Act::scale_angle: now_.angle *= given ? value : 0.9; return;
-      case Act::divide_angle: now_.angle /= given ? value : 0.9; return;
-      case Act::next_color: now_.color = given ? static_cast<int>(value) : now_.color + 1; return;
-      case Act::previous_color: now_.color = given ? static_cast<int>(value) : now_.color - 1; return;
-      case Act::set_elasticity: if (given) now_.elasticity = value; return;
-      default: return;
+      case Act::narrow:
+        now_.width = given ? value : now_.width * text_.width_scale;
+        return;
+      case Act::widen:
+        now_.width = given ? value : now_.width / text_.width_scale;
+        return;
+      case Act::scale_width:
+        now_.width *= width_by;
+        return;
+      case Act::divide_width:
+        now_.width /= width_by;
+        return;
+      case Act::scale_length:
+        now_.length *= given ? value : text_.length_scale;
+        return;
+      case Act::divide_length:
+        now_.length /= given ? value : text_.length_scale;
+        return;
+      case Act::scale_angle:
+        now_.angle *= given ? value : 0.9;
+        return;
+      case Act::divide_angle:
+        now_.angle /= given ? value : 0.9;
+        return;
+      case Act::next_color:
+        now_.color = given ? static_cast<int>(value) : now_.color + 1;
+        return;
+      case Act::previous_color:
+        now_.color = given ? static_cast<int>(value) : now_.color - 1;
+        return;
+      case Act::set_elasticity:
+        if (given) now_.elasticity = value;
+        return;
+      default:
+        return;
     }
   }
 
@@ -242,8 +323,8 @@ class Turtle {
   Evaluation at_;
   TurtleState now_;
   std::vector<TurtleState> stack_;
-  std::vector<DVec3> vertices_;         // of all polygons open
-  std::vector<std::size_t> polygons_;   // the first vertex of each
+  std::vector<DVec3> vertices_;        // of all polygons open
+  std::vector<std::size_t> polygons_;  // the first vertex of each
   std::uint64_t fed_ = 0, acted_ = 0;
   double turn_angle_ = 0, turn_sine_ = 0, turn_cosine_ = 1;
   int skipped_ = -1;  // brackets open since a cut; -1: not behind one
@@ -265,7 +346,8 @@ TurtleState walk(const Grammar& grammar, const Word& word, Seed seed, Sink& sink
   return turtle.state();
 }
 
-/// Fills the parameters of the questions `?P` `?H` `?U` `?L` of a word with what the turtle finds there.
-void answer_queries(const Grammar& grammar, Word& word, Seed seed);
+/// Fills the parameters of the questions `?P` `?H` `?U` `?L` of a word with what the turtle finds there, and
+/// those of `?E` with what the environment answers.
+void answer_queries(const Grammar& grammar, Word& word, Seed seed, const Environment& environment);
 
 }  // namespace frond

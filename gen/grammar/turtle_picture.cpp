@@ -9,7 +9,8 @@ namespace frond {
 namespace {
 
 const char* color_of(int index) {
-  static constexpr std::array<const char*, 8> kColors{"#4a6b35", "#6f9a3e", "#8fbf4d", "#c9b458", "#b3763c", "#a8455a", "#7a5a9e", "#3f7d9a"};
+  static constexpr std::array<const char*, 8> kColors{"#4a6b35", "#6f9a3e", "#8fbf4d", "#c9b458",
+                                                      "#b3763c", "#a8455a", "#7a5a9e", "#3f7d9a"};
   return kColors[static_cast<std::size_t>(((index % 8) + 8) % 8)];
 }
 
@@ -50,18 +51,23 @@ std::string turtle_svg(const Grammar& grammar, const Word& word, Seed seed) {
   walk(grammar, word, seed, canvas);
   if (canvas.low.x > canvas.high.x) canvas.low = canvas.high = DVec3(0);
   // The picture is 1000 units along its longer side, whatever the plant measures.
-  double size = std::max({canvas.high.x - canvas.low.x, canvas.high.y - canvas.low.y, 1e-9}), scale = 1000 / size;
+  double size = std::max({canvas.high.x - canvas.low.x, canvas.high.y - canvas.low.y, 1e-9}),
+         scale = 1000 / size;
   auto x = [&](DVec3 p) { return (p.x - canvas.low.x) * scale + 20; };
   auto y = [&](DVec3 p) { return (canvas.high.y - p.y) * scale + 20; };
-  double width = (canvas.high.x - canvas.low.x) * scale + 40, height = (canvas.high.y - canvas.low.y) * scale + 40;
+  double width = (canvas.high.x - canvas.low.x) * scale + 40,
+         height = (canvas.high.y - canvas.low.y) * scale + 40;
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
   put(out, width), out += ' ', put(out, height);
-  out += "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke-linecap=\"round\" fill=\"none\">\n";
+  out +=
+      "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke-linecap=\"round\" "
+      "fill=\"none\">\n";
   for (std::size_t i = 0; i < canvas.lines.size();) {
     // Lines that join and look alike share one path.
     const Line& first = canvas.lines[i];
     double stroke = std::clamp(first.width * scale, 0.5, 60.0);
-    out += "<path stroke=\"", out += color_of(first.color), out += "\" stroke-width=\"", put(out, stroke), out += "\" d=\"";
+    out += "<path stroke=\"", out += color_of(first.color), out += "\" stroke-width=\"", put(out, stroke),
+        out += "\" d=\"";
     DVec3 pen(1e300);
     for (; i < canvas.lines.size(); ++i) {
       const Line& line = canvas.lines[i];

@@ -34,9 +34,12 @@ std::vector<std::pair<std::string, std::size_t>> counts(const Grammar& grammar, 
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i) {
     if (times[i] == 0) continue;
     const std::string& name = grammar.symbols[i].name;
-    auto same = std::find_if(found.begin(), found.end(), [&](const auto& entry) { return entry.first == name; });
-    if (same != found.end()) same->second += times[i];
-    else found.emplace_back(name, times[i]);
+    auto same =
+        std::find_if(found.begin(), found.end(), [&](const auto& entry) { return entry.first == name; });
+    if (same != found.end())
+      same->second += times[i];
+    else
+      found.emplace_back(name, times[i]);
   }
   return found;
 }

@@ -31,8 +31,8 @@ using Buffer = std::vector<T, Uncleared<T>>;
 /// Stands for a name together with its number of parameters; an index into Grammar::symbols.
 using SymbolId = std::uint8_t;
 
-/// A word of modules: one byte each, and their parameters one after the other in a pool of their own. How many
-/// belong to a module is a matter of its symbol.
+/// A word of modules: one byte each, and their parameters one after the other in a pool of their own. How
+/// many belong to a module is a matter of its symbol.
 struct Word {
   Buffer<SymbolId> symbols;
   Buffer<double> parameters;

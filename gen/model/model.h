@@ -14,8 +14,8 @@ struct OrganPart {
   Surface surface;
 };
 
-/// The shape of an organ, held once however often it occurs: its foot at the origin, growing along +y, its upper
-/// side toward +z, about one unit long.
+/// The shape of an organ, held once however often it occurs: its foot at the origin, growing along +y, its
+/// upper side toward +z, about one unit long.
 struct Prototype {
   std::string name;
   std::vector<OrganPart> parts;
@@ -44,8 +44,8 @@ struct Blades {
   std::vector<std::int32_t> node;  ///< that it rides on, or Skeleton::kRoot
   std::vector<float> birth;
   std::vector<std::int32_t> color;
-  std::vector<Vec3> foot;          ///< from where it unfolds
-  Surface surface;                 ///< of all of them, with places on the leaf as `uv`
+  std::vector<Vec3> foot;  ///< from where it unfolds
+  Surface surface;         ///< of all of them, with places on the leaf as `uv`
 
   std::size_t size() const { return node.size(); }
 };

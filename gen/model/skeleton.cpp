@@ -35,14 +35,15 @@ float Skeleton::longest() const {
 
 std::string Skeleton::check() const {
   std::size_t n = size();
-  if (radius.size() != n || parent.size() != n || distance.size() != n || to_tip.size() != n || birth.size() != n ||
-      order.size() != n)
+  if (radius.size() != n || parent.size() != n || distance.size() != n || to_tip.size() != n ||
+      birth.size() != n || order.size() != n)
     return "the arrays differ in length";
   for (std::size_t i = 0; i < n; ++i) {
     Vec3 p = position[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       return fmt::format("node {} is not at a finite place", i);
-    if (!(radius[i] > 0) || !std::isfinite(radius[i])) return fmt::format("node {} has radius {}", i, radius[i]);
+    if (!(radius[i] > 0) || !std::isfinite(radius[i]))
+      return fmt::format("node {} has radius {}", i, radius[i]);
     if (parent[i] < kRoot || parent[i] >= static_cast<std::int32_t>(i))
       return fmt::format("node {} has parent {}, which does not precede it", i, parent[i]);
     if (!(birth[i] >= 0 && birth[i] <= 1)) return fmt::format("node {} is born at {}", i, birth[i]);
@@ -56,7 +57,8 @@ void set_tip_distances(Skeleton& s) {
   std::fill(s.to_tip.begin(), s.to_tip.end(), 0.0f);
   for (std::size_t i = s.size(); i-- > 0;) {
     std::int32_t p = s.parent[i];
-    if (p != Skeleton::kRoot) s.to_tip[p] = std::max(s.to_tip[p], s.to_tip[i] + s.distance[i] - s.distance[p]);
+    if (p != Skeleton::kRoot)
+      s.to_tip[p] = std::max(s.to_tip[p], s.to_tip[i] + s.distance[i] - s.distance[p]);
   }
 }
 
@@ -98,7 +100,8 @@ std::vector<std::int32_t> order_branches(Skeleton& s) {
 
 void set_births(Skeleton& s) {
   float longest = s.longest();
-  for (std::size_t i = 0; i < s.size(); ++i) s.birth[i] = longest > 0 ? std::min(s.distance[i] / longest, 1.0f) : 0.0f;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    s.birth[i] = longest > 0 ? std::min(s.distance[i] / longest, 1.0f) : 0.0f;
 }
 
 }  // namespace frond

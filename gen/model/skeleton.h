@@ -10,8 +10,8 @@
 namespace frond {
 
 /// Branches as a structure of arrays, one entry a node. A segment runs from a node's parent to the node.
-/// Parents precede children, and the nodes of one branch follow each other: a run of nodes whose parent is the
-/// node before them is one chain. Plain data; metres.
+/// Parents precede children, and the nodes of one branch follow each other: a run of nodes whose parent is
+/// the node before them is one chain. Plain data; metres.
 struct Skeleton {
   static constexpr std::int32_t kRoot = -1;
 
@@ -39,8 +39,9 @@ struct Skeleton {
 /// Sets `to_tip` of each node from the positions.
 void set_tip_distances(Skeleton& skeleton);
 
-/// Orders the nodes so that each branch goes on through the forks it makes: of the children of a node, the first of
-/// those with the fewest brackets around it follows it, then come the others. Returns the new index of each node.
+/// Orders the nodes so that each branch goes on through the forks it makes: of the children of a node, the
+/// first of those with the fewest brackets around it follows it, then come the others. Returns the new index
+/// of each node.
 std::vector<std::int32_t> order_branches(Skeleton& skeleton);
 
 /// Sets each `birth` to the share of the longest way that lies below the node: growth runs along all branches

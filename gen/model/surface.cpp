@@ -10,7 +10,8 @@ std::string Surface::check() const {
   if (normal.size() != position.size()) return "the arrays differ in length";
   if (!uv.empty() && uv.size() != position.size()) return "not every vertex has a place on the texture";
   for (std::size_t i = 0; i < position.size(); ++i) {
-    if (!std::isfinite(glm::dot(position[i], position[i]))) return fmt::format("vertex {} is not at a finite place", i);
+    if (!std::isfinite(glm::dot(position[i], position[i])))
+      return fmt::format("vertex {} is not at a finite place", i);
     if (std::abs(glm::length(normal[i]) - 1) > 1e-3f) return fmt::format("normal {} is not of length 1", i);
   }
   for (std::size_t i = 0; i < triangle.size(); ++i) {

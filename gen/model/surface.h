@@ -9,8 +9,8 @@
 
 namespace frond {
 
-/// A triangle mesh with a normal at each vertex. Plain data; metres. Triangles run counter-clockwise seen from
-/// outside.
+/// A triangle mesh with a normal at each vertex. Plain data; metres. Triangles run counter-clockwise seen
+/// from outside.
 struct Surface {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;

@@ -8,7 +8,7 @@ namespace frond {
 namespace {
 
 constexpr float kYoungRadius = 0.42f;  // of a growing tip, as a share of its final radius
-constexpr double kOnset = 0.06;        // the share of growth in which the whole organism comes up from nothing
+constexpr double kOnset = 0.06;  // the share of growth in which the whole organism comes up from nothing
 
 /// The swing of the current at one time, ready to be asked for each node.
 class Current {
@@ -50,9 +50,10 @@ class Current {
   float amplitude_, wave_number_, slow_, fast_;
 };
 
-/// The turn that brings a segment of direction `heading` that starts at `base` toward the food, `share` of the
-/// way along its branch and `step` of the way long.
-Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float strength, float share, float step) {
+/// The turn that brings a segment of direction `heading` that starts at `base` toward the food, `share` of
+/// the way along its branch and `step` of the way long.
+Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float strength, float share,
+                 float step) {
   Vec3 way = food - base;
   float distance2 = glm::dot(way, way), reach2 = static_cast<float>(pull.reach * pull.reach);
   if (distance2 < 1e-12f) return Quat(1, 0, 0, 0);
@@ -106,7 +107,8 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
       if (pulled) {
         Vec3 moved = pull[p] * (swing * segment);
         float length = glm::length(moved), step = (rest.distance[i] - rest.distance[p]) / longest;
-        Quat more = length > 0 ? toward_food(moved / length, pose.position[p], food, motion.food, strength, share, step)
+        Quat more = length > 0 ? toward_food(moved / length, pose.position[p], food, motion.food, strength,
+                                             share, step)
                                : Quat(1, 0, 0, 0);
         pull[i] = glm::normalize(more * pull[p]);
         swing = pull[i] * swing;
@@ -121,7 +123,8 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
       pose.position[i] = pose.position[p] + reached * (swing * segment);
     }
     float age = std::max(pose.front - born, 0.0f);
-    pose.radius[i] = rest.radius[i] * onset * (kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age));
+    pose.radius[i] =
+        rest.radius[i] * onset * (kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age));
   }
 }
 

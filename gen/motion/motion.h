@@ -18,18 +18,18 @@ struct Growth {
 
 /// Swaying in a current (C5): a bend that grows toward the tips and travels through the water.
 struct Wave {
-  double amplitude = 0;       ///< radians at the tips
-  double speed = 0.25;        ///< swings a second
-  double phase = 0;           ///< radians
-  double length = 3;          ///< metres from crest to crest along the current
-  Vec3 direction{1, 0, 0.3f}; ///< of the current; its vertical part is ignored
-  bool loop = true;           ///< whole swings over the film, so that its end meets its start
+  double amplitude = 0;        ///< radians at the tips
+  double speed = 0.25;         ///< swings a second
+  double phase = 0;            ///< radians
+  double length = 3;           ///< metres from crest to crest along the current
+  Vec3 direction{1, 0, 0.3f};  ///< of the current; its vertical part is ignored
+  bool loop = true;            ///< whole swings over the film, so that its end meets its start
 };
 
 /// A pull toward food (C3).
 struct Food {
-  double strength = 0;   ///< about the angle in radians by which a whole branch may bend
-  double reach = 0.25;   ///< metres; the pull fades nearer than this, so that tips do not whirl round the food
+  double strength = 0;  ///< about the angle in radians by which a whole branch may bend
+  double reach = 0.25;  ///< metres; the pull fades nearer than this, so that tips do not whirl round the food
   Animated<Vec3> position{Vec3(0, 1, 0)};
 };
 
@@ -45,17 +45,18 @@ struct Motion {
 struct Pose {
   std::vector<Vec3> position;
   std::vector<float> radius;
-  /// What turns the rest shape round a node into the posed shape: skin point x of the rest shape near node i is
-  /// at position[i] + turn[i] * (x - rest.position[i]). Textures follow it.
+  /// What turns the rest shape round a node into the posed shape: skin point x of the rest shape near node i
+  /// is at position[i] + turn[i] * (x - rest.position[i]). Textures follow it.
   std::vector<Quat> turn;
   float front = 0;  ///< nodes born before this have been reached; above 1 all of them
 };
 
-/// The share of growth that is reached at a time: 0 before the start, 1 + ripen in the end, smooth in between.
+/// The share of growth that is reached at a time: 0 before the start, 1 + ripen in the end, smooth in
+/// between.
 double growth_front(const Growth& growth, double time);
 
-/// Poses a skeleton; a pure function of its arguments. Segments keep their lengths and the root stays where it
-/// is. `pose` is overwritten; handing the same one in again saves its allocations.
+/// Poses a skeleton; a pure function of its arguments. Segments keep their lengths and the root stays where
+/// it is. `pose` is overwritten; handing the same one in again saves its allocations.
 void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose);
 
 }  // namespace frond

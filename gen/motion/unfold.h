@@ -5,8 +5,8 @@
 
 namespace frond {
 
-/// How large an organ is at a pose, as a share of its final size: 0 before growth has reached its birth, then eased to
-/// 1 over `ripen` of the growth.
+/// How large an organ is at a pose, as a share of its final size: 0 before growth has reached its birth, then
+/// eased to 1 over `ripen` of the growth.
 float unfolded(float birth, float front, double ripen);
 
 /// A place on the rest shape that rides on a node, where the pose has taken it.

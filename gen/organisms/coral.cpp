@@ -16,7 +16,8 @@ GrammarText coral_text(const CoralParams& params) {
   if (params.form != CoralForm::own) {
     text.axiom = "A";
     text.steps = params.steps;
-    text.constants = {{"pitch", std::to_string(degrees(params.pitch))}, {"roll", std::to_string(degrees(params.roll))}};
+    text.constants = {{"pitch", std::to_string(degrees(params.pitch))},
+                      {"roll", std::to_string(degrees(params.roll))}};
     auto rules = [&](std::initializer_list<std::string> list) {
       for (const std::string& rule : list) text.rules.emplace_back().text = rule;
     };
@@ -50,12 +51,14 @@ void scale_to_height(Skeleton& s, double height) {
 /// C8: the noise counts more the farther along the branch, so that the foot stays planted.
 void distort(Skeleton& s, const Distortion& distortion, Seed seed) {
   if (distortion.strength <= 0) return;
-  Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)), static_cast<float>(seed.child("y").range(-99, 99)),
+  Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
+             static_cast<float>(seed.child("y").range(-99, 99)),
              static_cast<float>(seed.child("z").range(-99, 99)));
   float longest = std::max(s.longest(), 1e-6f), frequency = static_cast<float>(1 / distortion.scale);
   for (std::size_t i = 0; i < s.size(); ++i) {
     float share = s.distance[i] / longest;
-    s.position[i] += noise3(s.position[i] * frequency + shift) * (static_cast<float>(distortion.strength) * share);
+    s.position[i] +=
+        noise3(s.position[i] * frequency + shift) * (static_cast<float>(distortion.strength) * share);
   }
 }
 

@@ -42,7 +42,8 @@ void describe(Visitor& v, Tint& t) {
   v.number("value", t.value, {.min = 0, .max = 3}, "Factor of the brightness");
   v.number("variation", t.variation, {.min = 0, .max = 0.9}, "How much single corals differ in brightness");
   v.number("young", t.young, {.min = 0, .max = 1}, "How much paler growing tips are");
-  v.number("young_length", t.young_length, {.min = 0, .max = 10, .unit = "m"}, "Below a tip, until the paleness is gone");
+  v.number("young_length", t.young_length, {.min = 0, .max = 10, .unit = "m"},
+           "Below a tip, until the paleness is gone");
 }
 
 template <class Visitor>
@@ -62,23 +63,28 @@ void describe(Visitor& v, Distortion& d) {
 template <class Visitor>
 void describe(Visitor& v, Growth& g) {
   v.number("start", g.start, {.min = -1e6, .max = 1e6, .unit = "s"}, "When it begins");
-  v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"}, "How long it takes; 0: fully grown from the start");
-  v.number("ripen", g.ripen, {.min = 0.01, .max = 2}, "Share of the growth until a place has its full thickness");
+  v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"},
+           "How long it takes; 0: fully grown from the start");
+  v.number("ripen", g.ripen, {.min = 0.01, .max = 2},
+           "Share of the growth until a place has its full thickness");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Wave& w) {
   v.angle("amplitude", w.amplitude, {.min = 0, .max = 120}, "How far the tips are bent");
   v.number("speed", w.speed, {.min = 0, .max = 20, .unit = "1/s"}, "Swings a second");
-  v.angle("phase", w.phase, {.min = -360, .max = 360}, "Where in the swing the film begins; single corals differ");
-  v.number("length", w.length, {.min = 0.01, .max = 1000, .unit = "m"}, "From crest to crest along the current");
+  v.angle("phase", w.phase, {.min = -360, .max = 360},
+          "Where in the swing the film begins; single corals differ");
+  v.number("length", w.length, {.min = 0.01, .max = 1000, .unit = "m"},
+           "From crest to crest along the current");
   v.vector("direction", w.direction, "Of the current; only x and z count");
   v.boolean("loop", w.loop, "Whole swings over the film, so that it can be repeated");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Food& f) {
-  v.number("strength", f.strength, {.min = 0, .max = 6}, "Angle in radians, about, by which whole branches bend toward it");
+  v.number("strength", f.strength, {.min = 0, .max = 6},
+           "Angle in radians, about, by which whole branches bend toward it");
   v.number("reach", f.reach, {.min = 0.001, .max = 100, .unit = "m"}, "Nearer than this the pull fades");
   v.animated("position", f.position, "Where the food is, or keyframes of it");
 }
@@ -119,13 +125,16 @@ void describe(Visitor& v, GrammarText& g) {
   v.number("width", g.width, {.min = 0, .max = 1e6}, "Diameter to begin with");
   v.number("width_scale", g.width_scale, {.min = 0, .max = 100}, "What ! multiplies the width by");
   v.number("length_scale", g.length_scale, {.min = 0, .max = 100}, "What \" multiplies lengths by");
-  v.number("angle_jitter", g.angle_jitter, {.min = 0, .max = 180, .unit = "degrees"}, "Random change of each turn, either way");
-  v.number("length_jitter", g.length_jitter, {.min = 0, .max = 1}, "Random change of each length, either way, as a share");
+  v.number("angle_jitter", g.angle_jitter, {.min = 0, .max = 180, .unit = "degrees"},
+           "Random change of each turn, either way");
+  v.number("length_jitter", g.length_jitter, {.min = 0, .max = 1},
+           "Random change of each length, either way, as a share");
   v.pairs("constants", g.constants, "Names for numbers and expressions");
   v.list("rules", g.rules, "Productions, tried in this order");
   v.list("decomposition", g.decomposition, "Rules that take symbols apart after each step");
   v.list("interpretation", g.interpretation, "Rules that only the turtle sees");
-  v.integer("interpretation_depth", g.interpretation_depth, {.min = 0, .max = 1000}, "How deep they are applied");
+  v.integer("interpretation_depth", g.interpretation_depth, {.min = 0, .max = 1000},
+            "How deep they are applied");
   v.choice("mode", g.mode, kGrammarModes, "Which symbols a step rewrites");
   v.choice("dialect", g.dialect, kDialects, "Whose meaning of the symbols counts");
   v.text("ignore", g.ignore, "Symbols that contexts pass over");
@@ -142,16 +151,19 @@ void describe(Visitor& v, GrammarText& g) {
 template <class Visitor>
 void describe(Visitor& v, CoralParams& c) {
   v.choice("form", c.form, kCoralForms, "The rules that it grows by");
-  v.integer("steps", c.steps, {.min = 1, .max = 12}, "How often it forks (own rules have steps of their own)");
+  v.integer("steps", c.steps, {.min = 1, .max = 12},
+            "How often it forks (own rules have steps of their own)");
   v.angle("pitch", c.pitch, {.min = -180, .max = 180}, "Of a new branch, &");
   v.angle("roll", c.roll, {.min = -180, .max = 180}, "Of one of the four / between branches");
   v.angle("angle_jitter", c.angle_jitter, {.min = 0, .max = 90}, "Random change of each turn, either way");
-  v.number("length_jitter", c.length_jitter, {.min = 0, .max = 0.95}, "Random change of each internode, as a share of it");
+  v.number("length_jitter", c.length_jitter, {.min = 0, .max = 0.95},
+           "Random change of each internode, as a share of it");
   v.number("internode", c.internode, {.min = 0.0001, .max = 100, .unit = "m"}, "What one F draws");
   v.number("length_scale", c.length_scale, {.min = 0.2, .max = 3}, "What \" multiplies lengths by");
   v.number("width_scale", c.width_scale, {.min = 0.2, .max = 2}, "What ! multiplies thickness by");
   v.number("lift", c.lift, {.min = -1, .max = 1}, "How much each internode turns upward");
-  v.number("height", c.height, {.min = 0, .max = 1000, .unit = "m"}, "What the whole is scaled to; 0: as it grows");
+  v.number("height", c.height, {.min = 0, .max = 1000, .unit = "m"},
+           "What the whole is scaled to; 0: as it grows");
   v.integer("smoothing", c.smoothing, {.min = 1, .max = 16}, "Nodes for each internode");
   v.object("grammar", c.grammar, "Rules of your own, for the form own");
   v.object("thickness", c.thickness, "Thickness along the branches");
@@ -171,7 +183,8 @@ void describe(Visitor& v, Place& p) {
   v.number("spacing", p.spacing, {.min = 0, .max = 100, .unit = "m"}, "What each keeps free round itself");
   v.number("size_variation", p.size_variation, {.min = 0, .max = 0.9}, "Random change of the size");
   v.angle("turn", p.turn, {.min = -360, .max = 360}, "About the vertical");
-  v.angle("turn_variation", p.turn_variation, {.min = 0, .max = 180}, "Random change of the turn, either way");
+  v.angle("turn_variation", p.turn_variation, {.min = 0, .max = 180},
+          "Random change of the turn, either way");
   v.angle("lean", p.lean, {.min = 0, .max = 90}, "Up to how far each leans");
   v.number("raise", p.raise, {.min = -100, .max = 1000, .unit = "m"}, "Above the ground");
   v.number("rock", p.rock, {.min = 0, .max = 100, .unit = "m"}, "Width of the rock under each; 0: none");
@@ -187,6 +200,7 @@ void describe(Visitor& v, Organism& o) {
 /// The table of growers: one row a kind.
 inline constexpr Kind<Organism> kOrganismKinds[] = {
     make_kind<CoralParams, &Organism::body>("coral", "A branching coral from an L-system"),
-    make_kind<PlantParams, &Organism::body>("plant", "Anything that an L-system draws: herbs, trees, curves")};
+    make_kind<PlantParams, &Organism::body>("plant",
+                                            "Anything that an L-system draws: herbs, trees, curves")};
 
 }  // namespace frond

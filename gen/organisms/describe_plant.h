@@ -10,12 +10,15 @@ namespace frond {
 inline constexpr Choice<GirthFrom> kGirths[] = {
     {"turtle", GirthFrom::turtle, "the turtle's widths, as diameters"},
     {"distance", GirthFrom::distance, "the way from a place to the farthest tip above it, through the curve"},
-    {"pipe", GirthFrom::pipe, "what a branch carries: its radius to the power n is the sum of those it parts into"}};
+    {"pipe", GirthFrom::pipe,
+     "what a branch carries: its radius to the power n is the sum of those it parts into"}};
 
-inline constexpr Choice<BarkKind> kBarks[] = {
-    {"bark", BarkKind::bark, "furrowed along the branch"},   {"birch", BarkKind::birch, "smooth with dark bands"},
-    {"stem", BarkKind::stem, "green stems of herbs"},        {"ink", BarkKind::ink, "one matt colour"},
-    {"metal", BarkKind::metal, "polished wire"},             {"wax", BarkKind::wax, "smooth with soft highlights"}};
+inline constexpr Choice<BarkKind> kBarks[] = {{"bark", BarkKind::bark, "furrowed along the branch"},
+                                              {"birch", BarkKind::birch, "smooth with dark bands"},
+                                              {"stem", BarkKind::stem, "green stems of herbs"},
+                                              {"ink", BarkKind::ink, "one matt colour"},
+                                              {"metal", BarkKind::metal, "polished wire"},
+                                              {"wax", BarkKind::wax, "smooth with soft highlights"}};
 
 inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"leaf", OrganShape::leaf, "folded along its midrib and bent"},
@@ -50,16 +53,19 @@ void describe(Visitor& v, Bark& b) {
   v.number("scale", b.scale, {.min = 0.0005, .max = 10, .unit = "m"}, "Width of a furrow");
   v.number("depth", b.depth, {.min = 0, .max = 3}, "Of the relief");
   v.color("young", b.young, "Of shoots");
-  v.number("young_length", b.young_length, {.min = 0, .max = 10, .unit = "m"}, "Below a tip, until a shoot is wood");
+  v.number("young_length", b.young_length, {.min = 0, .max = 10, .unit = "m"},
+           "Below a tip, until a shoot is wood");
   v.number("variation", b.variation, {.min = 0, .max = 0.9}, "How much single plants differ in brightness");
 }
 
 template <class Visitor>
 void describe(Visitor& v, OrganParams& o) {
-  v.text("symbol", o.symbol, "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
+  v.text("symbol", o.symbol,
+         "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
   v.required("symbol");
   v.choice("shape", o.shape, kOrganShapes, "What it is");
-  v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"}, "Length; a parameter in the grammar multiplies it");
+  v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
+           "Length; a parameter in the grammar multiplies it");
   v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
   v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud");
   v.number("width", o.width, {.min = 0.02, .max = 3}, "Share of the length");
@@ -69,7 +75,8 @@ void describe(Visitor& v, OrganParams& o) {
   v.integer("petals", o.petals, {.min = 1, .max = 200}, "Of a flower");
   v.angle("open", o.open, {.min = 0, .max = 150}, "Between petals and heading");
   v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
-  v.number("size_variation", o.size_variation, {.min = 0, .max = 0.9}, "Random change of the size, as a share");
+  v.number("size_variation", o.size_variation, {.min = 0, .max = 0.9},
+           "Random change of the size, as a share");
   v.angle("turn_variation", o.turn_variation, {.min = 0, .max = 180}, "Random tilt, either way");
 }
 
@@ -84,7 +91,8 @@ template <class Visitor>
 void describe(Visitor& v, PlantParams& p) {
   v.object("grammar", p.grammar, "The rules that it grows by");
   v.required("grammar");
-  v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"}, "What the whole is scaled to; 0: as the turtle draws");
+  v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
+           "What the whole is scaled to; 0: as the turtle draws");
   v.choice("stand", p.stand, kStands, "What is put at its place");
   v.integer("smoothing", p.smoothing, {.min = 1, .max = 16}, "Nodes for each segment; 1: straight lines");
   v.object("thickness", p.thickness, "Thickness of the branches");

@@ -50,7 +50,8 @@ void add_bud(Prototype& bud, const OrganParams& p) {
   std::array<float, 9> profile;
   for (int i = 0; i < 9; ++i) {
     double t = i / 8.0;
-    profile[static_cast<std::size_t>(i)] = static_cast<float>(0.5 * p.width * std::sin(kPi * std::pow(t, 0.75)) * (1 - 0.3 * t));
+    profile[static_cast<std::size_t>(i)] =
+        static_cast<float>(0.5 * p.width * std::sin(kPi * std::pow(t, 0.75)) * (1 - 0.3 * t));
   }
   profile.front() = profile.back() = 0;
   bud.parts.push_back({Tissue::petal, turned_surface(profile, 12)});
@@ -65,16 +66,25 @@ void add_bud(Prototype& bud, const OrganParams& p) {
 Prototype prototype(const OrganParams& p) {
   Prototype made{p.symbol, {}, p.colors, p.second};
   switch (p.shape) {
-    case OrganShape::leaf: made.parts.push_back({Tissue::leaf, blade_surface(leaf_shape(p))}); break;
-    case OrganShape::petal: made.parts.push_back({Tissue::petal, blade_surface(petal_shape(p))}); break;
-    case OrganShape::flower: add_flower(made, p); break;
-    case OrganShape::bud: add_bud(made, p); break;
+    case OrganShape::leaf:
+      made.parts.push_back({Tissue::leaf, blade_surface(leaf_shape(p))});
+      break;
+    case OrganShape::petal:
+      made.parts.push_back({Tissue::petal, blade_surface(petal_shape(p))});
+      break;
+    case OrganShape::flower:
+      add_flower(made, p);
+      break;
+    case OrganShape::bud:
+      add_bud(made, p);
+      break;
     case OrganShape::berry:
     case OrganShape::ball: {
       Surface ball = ball_surface();
       float middle = p.shape == OrganShape::berry ? 0.5f : 0.0f, width = static_cast<float>(p.width);
       for (std::size_t i = 0; i < ball.position.size(); ++i) {
-        ball.position[i] = Vec3(ball.position[i].x * width, ball.position[i].y + middle, ball.position[i].z * width);
+        ball.position[i] =
+            Vec3(ball.position[i].x * width, ball.position[i].y + middle, ball.position[i].z * width);
         ball.normal[i] = glm::normalize(ball.normal[i] * Vec3(1, width, 1));
       }
       made.parts.push_back({Tissue::fruit, std::move(ball)});

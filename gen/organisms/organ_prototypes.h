@@ -6,8 +6,8 @@
 
 namespace frond {
 
-/// The shapes of a plant's organs: one for each of `organs`, and last the ball and the disc that `@O` and `@o` of any
-/// grammar draw.
+/// The shapes of a plant's organs: one for each of `organs`, and last the ball and the disc that `@O` and
+/// `@o` of any grammar draw.
 std::vector<Prototype> organ_prototypes(const PlantParams& params);
 
 /// Which of them stands at a site of that name; -1: none.

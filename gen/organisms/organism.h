@@ -12,19 +12,20 @@
 
 namespace frond {
 
-/// Where the organisms of one entry stand: the first at given places, the others scattered in a ring round a centre.
+/// Where the organisms of one entry stand: the first at given places, the others scattered in a ring round a
+/// centre.
 struct Place {
-  std::vector<Vec2> at;        ///< x, z in metres
-  Vec2 center{0};              ///< x, z of the ring
-  double inner = 0;            ///< metres
-  double radius = 2;           ///< metres, the outer edge
-  double spacing = 0.35;       ///< metres that each keeps free round itself
-  double size_variation = 0.2; ///< random change of the size, as a share of it
-  double turn = 0;             ///< about the vertical
-  double turn_variation = kPi; ///< random change of the turn, either way
-  double lean = radians(6.0);  ///< up to how far each leans, at random
-  double raise = 0;            ///< metres above the ground
-  double rock = 0.5;           ///< metres, the width of the rock that each stands on; 0: on the bare ground
+  std::vector<Vec2> at;         ///< x, z in metres
+  Vec2 center{0};               ///< x, z of the ring
+  double inner = 0;             ///< metres
+  double radius = 2;            ///< metres, the outer edge
+  double spacing = 0.35;        ///< metres that each keeps free round itself
+  double size_variation = 0.2;  ///< random change of the size, as a share of it
+  double turn = 0;              ///< about the vertical
+  double turn_variation = kPi;  ///< random change of the turn, either way
+  double lean = radians(6.0);   ///< up to how far each leans, at random
+  double raise = 0;             ///< metres above the ground
+  double rock = 0.5;            ///< metres, the width of the rock that each stands on; 0: on the bare ground
 };
 
 /// One entry of a preset's `organisms`.

@@ -38,7 +38,9 @@ float fit(Figure& f, const PlantParams& params) {
   Box box = box_of(f);
   float high = params.stand == Stand::turtle ? box.high.y : box.high.y - box.low.y;
   float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
-  Vec3 foot = params.stand == Stand::turtle ? Vec3(0) : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
+  Vec3 foot = params.stand == Stand::turtle
+                  ? Vec3(0)
+                  : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
   auto move = [&](Vec3& p) { p = (p - foot) * factor; };
   for (Vec3& p : f.skeleton.position) move(p);
   for (float& radius : f.skeleton.radius) radius *= factor;
@@ -77,10 +79,12 @@ std::vector<std::int32_t> smoothed_index(const Skeleton& coarse, int pieces) {
 }
 
 /// Colours of the smoothed nodes: those of a segment are that of its end.
-std::vector<std::int32_t> smoothed_colors(const std::vector<std::int32_t>& index, const std::vector<std::int32_t>& color) {
+std::vector<std::int32_t> smoothed_colors(const std::vector<std::int32_t>& index,
+                                          const std::vector<std::int32_t>& color) {
   if (std::all_of(color.begin(), color.end(), [](std::int32_t c) { return c == 0; })) return {};
   std::vector<std::int32_t> fine;
-  for (std::size_t i = 0; i < index.size(); ++i) fine.resize(static_cast<std::size_t>(index[i]) + 1, color[i]);
+  for (std::size_t i = 0; i < index.size(); ++i)
+    fine.resize(static_cast<std::size_t>(index[i]) + 1, color[i]);
   return fine;
 }
 
@@ -115,7 +119,8 @@ void add_blades(Model& model, const std::vector<Outline>& outlines) {
     for (const Vec3& p : outline.points) {
       b.surface.position.push_back(p);
       b.surface.normal.push_back(normal);
-      b.surface.uv.emplace_back(glm::dot(p - foot, along) / length2, 0.5f - glm::dot(p - foot, across) / length2);
+      b.surface.uv.emplace_back(glm::dot(p - foot, along) / length2,
+                                0.5f - glm::dot(p - foot, across) / length2);
     }
     b.first.push_back(static_cast<std::uint32_t>(b.surface.position.size()));
     b.node.push_back(outline.node);
@@ -125,14 +130,16 @@ void add_blades(Model& model, const std::vector<Outline>& outlines) {
   }
 }
 
-Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParams& params, float factor, Seed seed) {
+Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParams& params, float factor,
+                  Seed seed) {
   Organs& o = model.organs;
   o.reserve(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const Site& site = sites[i];
     bool round = site.name == "@O" || site.name == "@o";
     int which = prototype_of(params, site.name);
-    if (which < 0) return {{"", "the grammar places an organ \"" + site.name + "\"; organs has none with that symbol"}};
+    if (which < 0)
+      return {{"", "the grammar places an organ \"" + site.name + "\"; organs has none with that symbol"}};
     Seed own = seed.child(i);
     Vec3 scale = site.scale;
     Quat turn = glm::normalize(glm::quat_cast(glm::mat3(-site.left, site.heading, site.up)));
@@ -190,7 +197,8 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
   for (const OrganParams& organ : params.organs) {
     bool known = std::any_of(grammar->symbols.begin(), grammar->symbols.end(),
                              [&](const Symbol& symbol) { return symbol.name == organ.symbol; });
-    if (!known) errors.push_back({"", "the grammar has no symbol \"" + organ.symbol + "\" for an organ to stand at"});
+    if (!known)
+      errors.push_back({"", "the grammar has no symbol \"" + organ.symbol + "\" for an organ to stand at"});
   }
   if (!errors.empty()) return errors;
   return grammar;
@@ -213,7 +221,8 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed) {
   measure(figure->skeleton);
   std::vector<std::int32_t> index = smoothed_index(figure->skeleton, params.smoothing);
   auto moved = [&](std::int32_t& node) {
-    if (node != Skeleton::kRoot) node = index[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
+    if (node != Skeleton::kRoot)
+      node = index[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
   };
   for (Outline& outline : figure->outlines) moved(outline.node);
   for (Site& site : figure->sites) moved(site.node);
@@ -224,10 +233,12 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed) {
   set_tip_distances(model.skeleton);
   set_births(model.skeleton);
   float start_radius = static_cast<float>(grammar->text.width / 2) * factor;
-  set_girth(model.skeleton, params.thickness, model.skeleton.size() ? std::max(model.skeleton.radius[0], 1e-6f) : start_radius);
+  set_girth(model.skeleton, params.thickness,
+            model.skeleton.size() ? std::max(model.skeleton.radius[0], 1e-6f) : start_radius);
   add_blades(model, figure->outlines);
   model.prototypes = organ_prototypes(params);
-  if (Errors errors = add_organs(model, figure->sites, params, factor, seed.child("organ")); !errors.empty()) return errors;
+  if (Errors errors = add_organs(model, figure->sites, params, factor, seed.child("organ")); !errors.empty())
+    return errors;
   return model;
 }
 

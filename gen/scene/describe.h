@@ -11,9 +11,10 @@ inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "a fe
                                                  {"good", Quality::good, "smooth edges, soft shadows"},
                                                  {"best", Quality::best, "everything, slow"}};
 
-inline constexpr Choice<Setting> kSettings[] = {{"underwater", Setting::underwater, "a sea floor in blue water"},
-                                                {"studio", Setting::studio, "soft light before a plain wall"},
-                                                {"meadow", Setting::meadow, "grass under a summer sky"}};
+inline constexpr Choice<Setting> kSettings[] = {
+    {"underwater", Setting::underwater, "a sea floor in blue water"},
+    {"studio", Setting::studio, "soft light before a plain wall"},
+    {"meadow", Setting::meadow, "grass under a summer sky"}};
 
 template <class Visitor>
 void describe(Visitor& v, Film& f) {
@@ -34,7 +35,8 @@ template <class Visitor>
 void describe(Visitor& v, Water& w) {
   v.color("near", w.near, "What distance fades to");
   v.color("deep", w.deep, "Of the depth below the horizon");
-  v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"}, "Until two thirds of a colour are lost");
+  v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
+           "Until two thirds of a colour are lost");
   v.vector("sun", w.sun, "Toward the sun");
   v.number("caustics", w.caustics, {.min = 0, .max = 1.5}, "How strongly waves focus the light");
   v.number("shafts", w.shafts, {.min = 0, .max = 1}, "Beams of light");
@@ -44,7 +46,8 @@ void describe(Visitor& v, Water& w) {
 template <class Visitor>
 void describe(Visitor& v, Studio& s) {
   v.color("wall", s.wall, "Of wall and floor");
-  v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"}, "From the middle to the wall behind it");
+  v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"},
+           "From the middle to the wall behind it");
   v.vector("key", s.key, "Toward the main light");
   v.number("softness", s.softness, {.min = 0, .max = 3}, "Of shadows");
 }
@@ -59,7 +62,8 @@ void describe(Visitor& v, Meadow& m) {
   v.number("clouds", m.clouds, {.min = 0, .max = 1}, "How much of the sky they cover");
   v.number("blade", m.blade, {.min = 0, .max = 5, .unit = "m"}, "Length of the grass; 0: none stands");
   v.number("blades", m.blades, {.min = 0, .max = 20000, .unit = "1/m2"}, "How dense the grass is");
-  v.number("extent", m.extent, {.min = 0.1, .max = 200, .unit = "m"}, "How far from the middle single blades stand");
+  v.number("extent", m.extent, {.min = 0.1, .max = 200, .unit = "m"},
+           "How far from the middle single blades stand");
   v.number("flowers", m.flowers, {.min = 0, .max = 0.2}, "Share of the blades that bear a flower");
 }
 

@@ -10,7 +10,8 @@
 
 namespace frond {
 
-Result<Preset> read_preset(std::string_view text, const std::string& file_name, const std::vector<std::string>& sets) {
+Result<Preset> read_preset(std::string_view text, const std::string& file_name,
+                           const std::vector<std::string>& sets) {
   Result<Document> document = parse_json(text, file_name);
   if (!document) return document.errors();
   Errors errors;

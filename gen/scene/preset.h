@@ -20,8 +20,8 @@ struct Film {
   std::array<int, 2> size{480, 270};  ///< width and height, pixels
   Quality quality = Quality::draft;
 
-  double length() const { return frames / fps; }                    ///< seconds
-  double time(int frame) const { return (frame - 1) / fps; }        ///< of a frame, the first being 1
+  double length() const { return frames / fps; }              ///< seconds
+  double time(int frame) const { return (frame - 1) / fps; }  ///< of a frame, the first being 1
 };
 
 struct Camera {
@@ -32,13 +32,13 @@ struct Camera {
 
 /// The water round a reef.
 struct Water {
-  Color near{0.06f, 0.46f, 0.62f};   ///< what distance fades to
-  Color deep{0.02f, 0.22f, 0.38f};   ///< looking down into the depth
-  double visibility = 11;            ///< metres in which two thirds of the light are lost
-  Vec3 sun{0.35f, 1, 0.35f};         ///< towards the sun
-  double caustics = 1;               ///< strength of the light's dance, 0 none
-  double shafts = 0.8;               ///< strength of the beams of light, 0 none
-  int particles = 60;                ///< specks that drift before the camera
+  Color near{0.06f, 0.46f, 0.62f};  ///< what distance fades to
+  Color deep{0.02f, 0.22f, 0.38f};  ///< looking down into the depth
+  double visibility = 11;           ///< metres in which two thirds of the light are lost
+  Vec3 sun{0.35f, 1, 0.35f};        ///< towards the sun
+  double caustics = 1;              ///< strength of the light's dance, 0 none
+  double shafts = 0.8;              ///< strength of the beams of light, 0 none
+  int particles = 60;               ///< specks that drift before the camera
 };
 
 struct Floor {
@@ -61,13 +61,13 @@ struct Meadow {
   Color zenith{0.22f, 0.45f, 0.78f};   ///< of the sky above
   Color horizon{0.80f, 0.88f, 0.93f};  ///< of the sky far off, and of the haze
   Color grass{0.38f, 0.50f, 0.16f};
-  Vec3 sun{0.5f, 0.75f, 0.6f};         ///< toward the sun
-  double haze = 60;                    ///< metres in which two thirds of a colour are lost
-  double clouds = 0.45;                ///< 0 none .. 1 overcast
-  double blade = 0.10;                 ///< metres, length of the grass; 0: none stands
-  double blades = 900;                 ///< of grass on a square metre
-  double extent = 9;                   ///< metres round the middle in which single blades stand
-  double flowers = 0.004;              ///< share of blades that bear a flower
+  Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun
+  double haze = 60;             ///< metres in which two thirds of a colour are lost
+  double clouds = 0.45;         ///< 0 none .. 1 overcast
+  double blade = 0.10;          ///< metres, length of the grass; 0: none stands
+  double blades = 900;          ///< of grass on a square metre
+  double extent = 9;            ///< metres round the middle in which single blades stand
+  double flowers = 0.004;       ///< share of blades that bear a flower
 };
 
 enum class Setting { underwater, studio, meadow };
@@ -94,7 +94,8 @@ struct Preset {
 
 /// Reads a preset. `file_name` is for messages; `sets` are `/json/pointer=value` overrides, applied in order.
 /// All faults are reported.
-Result<Preset> read_preset(std::string_view text, const std::string& file_name, const std::vector<std::string>& sets);
+Result<Preset> read_preset(std::string_view text, const std::string& file_name,
+                           const std::vector<std::string>& sets);
 
 /// The JSON Schema (draft-07) of presets.
 std::string preset_schema();

@@ -47,16 +47,19 @@ std::vector<Planting> plantings(Builder& b) {
     for (Vec2 at : place.at) spots.push_back({at, room});
     b.taken.insert(b.taken.end(), spots.begin(), spots.end());
     int more = organism.count - static_cast<int>(spots.size());
-    for (const Spot& spot : scatter(place.center, place.inner, place.radius, room, more, b.taken, seed.child("scatter"))) {
+    for (const Spot& spot :
+         scatter(place.center, place.inner, place.radius, room, more, b.taken, seed.child("scatter"))) {
       spots.push_back(spot);
       b.taken.push_back(spot);
     }
-    for (std::size_t i = 0; i < spots.size(); ++i) list.push_back({&organism, seed.child("instance", i), spots[i]});
+    for (std::size_t i = 0; i < spots.size(); ++i)
+      list.push_back({&organism, seed.child("instance", i), spots[i]});
   }
   return list;
 }
 
-/// Lays a stone so that `sunk` of its height is in the ground, and returns how high its top is above the place.
+/// Lays a stone so that `sunk` of its height is in the ground, and returns how high its top is above the
+/// place.
 float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
   StoneInstance stone;
   stone.shape = static_cast<int>(seed.child("shape").bits() % kStoneShapes);
@@ -64,7 +67,8 @@ float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
   stone.turn = seed.child("turn").range(0, 2 * kPi);
   stone.size = Vec3(width, width * static_cast<float>(seed.child("height").range(0.75, 1.05)),
                     width * static_cast<float>(seed.child("depth").range(0.75, 1.1)));
-  float top = stone_surface_point(b.shapes[static_cast<std::size_t>(stone.shape)], Vec3(0, 1, 0)).y * stone.size.y;
+  float top =
+      stone_surface_point(b.shapes[static_cast<std::size_t>(stone.shape)], Vec3(0, 1, 0)).y * stone.size.y;
   float ground = static_cast<float>(ground_height(b.ground, at.x, at.y));
   stone.at = Vec3(at.x, ground + top * (1 - 2 * sunk), at.y);
   b.scene.stone_instances.push_back(stone);
@@ -77,7 +81,8 @@ int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
 void lay_stones(Builder& b) {
   for (int i = 0; i < kStoneShapes; ++i) {
     Seed seed = b.seed.child("stone shape", static_cast<std::uint64_t>(i));
-    b.shapes.push_back({seed, seed.child("roughness").range(0.3, 0.6), seed.child("flatness").range(0.2, 0.45)});
+    b.shapes.push_back(
+        {seed, seed.child("roughness").range(0.3, 0.6), seed.child("flatness").range(0.2, 0.45)});
     b.scene.stones.push_back(stone_surface(b.shapes.back(), stone_detail(b.preset.film.quality)));
   }
   const Floor& floor = b.preset.stage.floor;
@@ -85,7 +90,8 @@ void lay_stones(Builder& b) {
     Seed seed = b.seed.child("stone", static_cast<std::uint64_t>(i));
     // Many small ones, few large ones.
     double width = floor.stone_size * (0.12 + 0.88 * std::pow(seed.child("width").unit(), 4.0));
-    auto spots = scatter(Vec2(0), 0, floor.extent, static_cast<float>(width / 2), 1, b.taken, seed.child("scatter"));
+    auto spots =
+        scatter(Vec2(0), 0, floor.extent, static_cast<float>(width / 2), 1, b.taken, seed.child("scatter"));
     for (const Spot& spot : spots) {
       lay_stone(b, spot.at, static_cast<float>(width), 0.35f, seed);
       b.taken.push_back(spot);
@@ -153,8 +159,9 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   double turn = place.turn + place.turn_variation * seed.child("turn").range(-1, 1);
   Quat yaw = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0));
   double toward = seed.child("toward").range(0, 2 * kPi);
-  Quat lean = glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
-                             Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
+  Quat lean =
+      glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
+                     Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
   Vec3 foot(planting.spot.at.x, foot_height, planting.spot.at.y);
   put(branches.rest, foot, lean * yaw, size);
   put_organs(branches, foot, lean * yaw, size);
@@ -179,13 +186,15 @@ void sow(Builder& b) {
     for (int column = -reach; column <= reach; ++column) {
       double x = column * side, z = row * side, step = side / 2;
       if (x * x + z * z > meadow.extent * meadow.extent) continue;
-      Seed own = seed.child("patch").child(static_cast<std::uint64_t>((row + reach) * (2 * reach + 1) + column + reach));
+      Seed own = seed.child("patch").child(
+          static_cast<std::uint64_t>((row + reach) * (2 * reach + 1) + column + reach));
       auto height = [&](double at_x, double at_z) { return ground_height(b.ground, at_x, at_z); };
       Vec2 slope(static_cast<float>((height(x + step, z) - height(x - step, z)) / side),
                  static_cast<float>((height(x, z + step) - height(x, z - step)) / side));
       Vec3 at(static_cast<float>(x), static_cast<float>(height(x, z)), static_cast<float>(z));
       int shape = static_cast<int>(own.child(0).bits() % kTurfShapes);
-      b.scene.turf_instances.push_back({shape, at, kPi / 2 * static_cast<double>(own.child(1).bits() % 4), slope});
+      b.scene.turf_instances.push_back(
+          {shape, at, kPi / 2 * static_cast<double>(own.child(1).bits() % 4), slope});
     }
   }
 }
@@ -193,7 +202,8 @@ void sow(Builder& b) {
 /// How high the foot of an organism stands.
 float foot_of(Builder& b, const Planting& p) {
   const Place& place = p.organism->place;
-  float ground = static_cast<float>(ground_height(b.ground, p.spot.at.x, p.spot.at.y)), raise = static_cast<float>(place.raise);
+  float ground = static_cast<float>(ground_height(b.ground, p.spot.at.x, p.spot.at.y)),
+        raise = static_cast<float>(place.raise);
   if (b.preset.stage.setting == Setting::studio) return raise;
   if (b.preset.stage.setting == Setting::meadow) return ground + raise;
   float rock = static_cast<float>(place.rock);
@@ -222,8 +232,10 @@ Result<Scene> build_scene(const Preset& preset) {
   if (preset.stage.setting == Setting::meadow) sow(b);
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
-  if (preset.stage.setting == Setting::underwater) b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 72);
-  if (preset.stage.setting == Setting::meadow) b.scene.floor = ground_surface(b.ground, Vec2(0), kMeadowRadius, 110);
+  if (preset.stage.setting == Setting::underwater)
+    b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 72);
+  if (preset.stage.setting == Setting::meadow)
+    b.scene.floor = ground_surface(b.ground, Vec2(0), kMeadowRadius, 110);
 
   std::vector<std::optional<Result<Branches>>> grown(list.size());
   parallel_for(list.size(), [&](std::size_t i) { grown[i] = plant(preset, list[i], feet[i]); });

@@ -15,7 +15,7 @@ namespace frond {
 /// One grown organism where it stands.
 struct Branches {
   std::string name;
-  Skeleton rest;        ///< at its place in the world, fully grown, unmoved
+  Skeleton rest;  ///< at its place in the world, fully grown, unmoved
   Motion motion;
   Skin skin;
   double brightness = 1;  ///< factor, its own
@@ -31,19 +31,19 @@ struct Branches {
 
 /// A patch of grass put somewhere on the ground.
 struct TurfInstance {
-  int shape = 0;       ///< index into Scene::turf
+  int shape = 0;  ///< index into Scene::turf
   Vec3 at{0};
-  double turn = 0;     ///< radians about the vertical
-  Vec2 slope{0};       ///< of the ground, along x and z
+  double turn = 0;  ///< radians about the vertical
+  Vec2 slope{0};    ///< of the ground, along x and z
 };
 
 /// A stone shape put somewhere in the world.
 struct StoneInstance {
-  int shape = 0;     ///< index into Scene::stones
+  int shape = 0;  ///< index into Scene::stones
   Vec3 at{0};
-  Vec3 size{1};      ///< factors along the stone's own axes, metres
-  double turn = 0;   ///< radians about the vertical
-  int look = 0;      ///< which of the rock textures
+  Vec3 size{1};     ///< factors along the stone's own axes, metres
+  double turn = 0;  ///< radians about the vertical
+  int look = 0;     ///< which of the rock textures
 };
 
 /// All that stands before the camera, grown; nothing of it depends on the frame.

@@ -8,11 +8,15 @@
 namespace frond {
 namespace {
 
-Scene scene_at(const std::string& path) { return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {})); }
+Scene scene_at(const std::string& path) {
+  return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {}));
+}
 
 std::string layout() { return *read_file(FROND_ROOT "/templates/frame.pov"); }
 
-std::string text_of(const Scene& scene, int frame) { return *frame_text(scene, prepare_frames(scene), layout(), frame); }
+std::string text_of(const Scene& scene, int frame) {
+  return *frame_text(scene, prepare_frames(scene), layout(), frame);
+}
 
 TEST(Frame, IsTheSameAloneAndAtAnyThreadCount) {
   limit_threads(1);
@@ -26,8 +30,10 @@ TEST(Frame, IsTheSameAloneAndAtAnyThreadCount) {
 }
 
 TEST(Frame, HoldsNoNumberThatPovRayMisreads) {
-  std::string text = text_of(scene_at("tests/presets/tiny_film.json"), 1) + text_of(scene_at("tests/presets/tiny_film.json"), 6);
-  for (const char* bad : {"nan", "inf", "-0,", "-0>", "e-", ",>", ",}"}) EXPECT_EQ(text.find(bad), text.npos) << bad;
+  std::string text = text_of(scene_at("tests/presets/tiny_film.json"), 1) +
+                     text_of(scene_at("tests/presets/tiny_film.json"), 6);
+  for (const char* bad : {"nan", "inf", "-0,", "-0>", "e-", ",>", ",}"})
+    EXPECT_EQ(text.find(bad), text.npos) << bad;
 }
 
 TEST(Frame, WritesATitleThatCannotBreakOut) {

@@ -54,8 +54,7 @@ TEST(Sweep, IsWritten) {
   Skeleton s = trunk(3);
   Pose pose;
   pose_skeleton(s, Motion{}, 0, pose);
-  EXPECT_EQ(sweep_of(s, pose),
-            "sphere_sweep{linear_spline 3  ,<0,0,0>,0.5,<0,5,0>,0.5,<0,10,0>,0.5");
+  EXPECT_EQ(sweep_of(s, pose), "sphere_sweep{linear_spline 3  ,<0,0,0>,0.5,<0,5,0>,0.5,<0,10,0>,0.5");
 }
 
 TEST(Sweep, OfAPointIsNotWritten) {

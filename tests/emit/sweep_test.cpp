@@ -16,8 +16,8 @@ Motion lively() {
   motion.growth = {0, 2, 0.3};
   motion.wave.amplitude = radians(16.0);
   motion.food.strength = 1.4;
-  motion.food.position =
-      Animated<Vec3>(std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
+  motion.food.position = Animated<Vec3>(
+      std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
   return motion;
 }
 
@@ -81,7 +81,8 @@ TEST(Texture, WouldSlideWithoutBeingCarried) {
   Pose pose;
   pose_skeleton(s, lively(), 3, pose);
   float most = 0;
-  for (std::size_t i = 0; i < s.size(); ++i) most = std::max(most, glm::distance(pose.position[i], s.position[i]));
+  for (std::size_t i = 0; i < s.size(); ++i)
+    most = std::max(most, glm::distance(pose.position[i], s.position[i]));
   EXPECT_GT(most, 0.1f);
 }
 

@@ -23,7 +23,8 @@ TEST(Smooth, KeepsTheNodesAndAddsBetween) {
 
 TEST(Smooth, HasNoKinksInsideABranch) {
   Skeleton coarse;
-  for (int i = 0; i < 6; ++i) coarse.add(Vec3(0.1f * static_cast<float>(i % 2), 0.2f * static_cast<float>(i), 0), 0.1f, i - 1, 0);
+  for (int i = 0; i < 6; ++i)
+    coarse.add(Vec3(0.1f * static_cast<float>(i % 2), 0.2f * static_cast<float>(i), 0), 0.1f, i - 1, 0);
   Skeleton fine = smooth(coarse, 8);
   for (std::size_t i = 2; i < fine.size(); ++i) {
     Vec3 a = glm::normalize(fine.position[i - 1] - fine.position[i - 2]);
@@ -46,7 +47,8 @@ TEST(Stone, IsClosedAndWellFormed) {
     }
     // Outward: its volume is positive.
     double volume = 0;
-    for (auto [a, b, c] : s.triangle) volume += glm::dot(s.position[a], glm::cross(s.position[b], s.position[c])) / 6;
+    for (auto [a, b, c] : s.triangle)
+      volume += glm::dot(s.position[a], glm::cross(s.position[b], s.position[c])) / 6;
     EXPECT_GT(volume, 0.05);
   }
 }
@@ -75,7 +77,9 @@ TEST(Scatter, KeepsItsDistances) {
   }
 }
 
-TEST(Scatter, GivesUpWhereThereIsNoRoom) { EXPECT_LT(scatter(Vec2(0), 0, 1, 0.5f, 100, {}, Seed{1}).size(), 8u); }
+TEST(Scatter, GivesUpWhereThereIsNoRoom) {
+  EXPECT_LT(scatter(Vec2(0), 0, 1, 0.5f, 100, {}, Seed{1}).size(), 8u);
+}
 
 }  // namespace
 }  // namespace frond

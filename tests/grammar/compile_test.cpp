@@ -56,12 +56,15 @@ TEST(Compile, MistakesNameRuleAndPlace) {
 
 TEST(Compile, AllMistakesAreReported) {
   std::string all = messages({"A -> F[", "B -> F(q)", "C F"}, "A]");
-  for (const char* part : {"rule 1", "rule 2", "rule 3", "axiom"}) EXPECT_NE(all.find(part), std::string::npos) << all;
+  for (const char* part : {"rule 1", "rule 2", "rule 3", "axiom"})
+    EXPECT_NE(all.find(part), std::string::npos) << all;
 }
 
 TEST(Compile, RulesThatCanNeverMatchAreRefused) {
   EXPECT_NE(messages({"A -> B", "A -> C"}).find("can never be used"), std::string::npos);
-  EXPECT_NE(messages({"A -> B", "X < A -> C"}).find("rule 2: `X < A -> C` can never be used: `A -> B` (rule 1)"), std::string::npos);
+  EXPECT_NE(
+      messages({"A -> B", "X < A -> C"}).find("rule 2: `X < A -> C` can never be used: `A -> B` (rule 1)"),
+      std::string::npos);
   EXPECT_NE(messages({"X < A -> B", "X < A : r > 1 -> C"}).find("can never be used"), std::string::npos);
   EXPECT_EQ(messages({"A ->(1) B", "A ->(2) C"}), "");
   EXPECT_EQ(messages({"X < A -> B", "A -> C"}), "");
@@ -70,7 +73,8 @@ TEST(Compile, RulesThatCanNeverMatchAreRefused) {
   EXPECT_TRUE(compile(limited).ok());
   limited.rules = {{"A -> B", -1}};
   ASSERT_FALSE(compile(limited).ok());
-  EXPECT_NE(compile(limited).errors()[0].what.find("the limit is -1; it must be 1 or more"), std::string::npos);
+  EXPECT_NE(compile(limited).errors()[0].what.find("the limit is -1; it must be 1 or more"),
+            std::string::npos);
 }
 
 TEST(Compile, ConstantsMayUseEachOther) {
@@ -96,15 +100,43 @@ std::string value(const std::string& formula) {
 }
 
 TEST(Expression, FollowsTheUsualOrder) {
-  const std::pair<const char*, const char*> cases[] = {
-      {"x+2*y", "V(-1)"}, {"(x+2)*y", "V(-10)"}, {"-x^2", "V(-9)"}, {"2^3^2", "V(512)"}, {"x%2", "V(1)"},
-      {"7-2-1", "V(4)"}, {"x>2 && y<0", "V(1)"}, {"x>2 and not y<0", "V(0)"}, {"x=3", "V(1)"}, {"x==3||1/0>2", "division"},
-      {"x!=3", "V(0)"}, {"min(x,y,-7)", "V(-7)"}, {"max(x,y)", "V(3)"}, {"floor(-1.5)", "V(-2)"}, {"ceil(x/2)", "V(2)"},
-      {"abs(y)", "V(2)"}, {"sign(y)", "V(-1)"}, {"sqrt(x+1)", "V(2)"}, {"exp(0)", "V(1)"}, {"log(1)", "V(0)"},
-      {"sin(30)", "V(0.5)"}, {"cos(60)", "V(0.5)"}, {"tan(45)", "V(1)"}, {"asin(1)", "V(90)"}, {"acos(0)", "V(90)"},
-      {"atan(1)", "V(45)"}, {"atan2(1,-1)", "V(135)"}, {"step", "V(1)"}, {"!(x>2)", "V(0)"}, {"x-y*x", "V(9)"},
-      {"x*1e3", "V(3000)"}, {".5*x", "V(1.5)"}, {"y*x*0", "V(0)"}, {"x<>y", "V(1)"}, {"x>=3 or 1/(x-3)>0", "V(1)"}};
-  for (const auto& [formula, want] : cases) EXPECT_NE(value(formula).find(want), std::string::npos) << formula << ": " << value(formula);
+  const std::pair<const char*, const char*> cases[] = {{"x+2*y", "V(-1)"},
+                                                       {"(x+2)*y", "V(-10)"},
+                                                       {"-x^2", "V(-9)"},
+                                                       {"2^3^2", "V(512)"},
+                                                       {"x%2", "V(1)"},
+                                                       {"7-2-1", "V(4)"},
+                                                       {"x>2 && y<0", "V(1)"},
+                                                       {"x>2 and not y<0", "V(0)"},
+                                                       {"x=3", "V(1)"},
+                                                       {"x==3||1/0>2", "division"},
+                                                       {"x!=3", "V(0)"},
+                                                       {"min(x,y,-7)", "V(-7)"},
+                                                       {"max(x,y)", "V(3)"},
+                                                       {"floor(-1.5)", "V(-2)"},
+                                                       {"ceil(x/2)", "V(2)"},
+                                                       {"abs(y)", "V(2)"},
+                                                       {"sign(y)", "V(-1)"},
+                                                       {"sqrt(x+1)", "V(2)"},
+                                                       {"exp(0)", "V(1)"},
+                                                       {"log(1)", "V(0)"},
+                                                       {"sin(30)", "V(0.5)"},
+                                                       {"cos(60)", "V(0.5)"},
+                                                       {"tan(45)", "V(1)"},
+                                                       {"asin(1)", "V(90)"},
+                                                       {"acos(0)", "V(90)"},
+                                                       {"atan(1)", "V(45)"},
+                                                       {"atan2(1,-1)", "V(135)"},
+                                                       {"step", "V(1)"},
+                                                       {"!(x>2)", "V(0)"},
+                                                       {"x-y*x", "V(9)"},
+                                                       {"x*1e3", "V(3000)"},
+                                                       {".5*x", "V(1.5)"},
+                                                       {"y*x*0", "V(0)"},
+                                                       {"x<>y", "V(1)"},
+                                                       {"x>=3 or 1/(x-3)>0", "V(1)"}};
+  for (const auto& [formula, want] : cases)
+    EXPECT_NE(value(formula).find(want), std::string::npos) << formula << ": " << value(formula);
   EXPECT_NE(value("1/(x-3)").find("step 1, module 1 (`A(3,-2)`): division by zero"), std::string::npos);
   EXPECT_NE(value("log(y)").find("not finite"), std::string::npos);
 }

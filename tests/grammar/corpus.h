@@ -49,8 +49,7 @@ inline GrammarText grammar_of(const nlohmann::json& c) {
   for (const auto& [name, symbol] : drawn.items())
     g.interpretation.push_back({name + " -> " + symbol.get<std::string>(), GrammarText::kUnlimited, ""});
   const nlohmann::json constants = c.value("constants", nlohmann::json::object());
-  for (const auto& [name, value] : constants.items())
-    g.constants.emplace_back(name, formula(value));
+  for (const auto& [name, value] : constants.items()) g.constants.emplace_back(name, formula(value));
   g.ignore = c.value("ignore", "");
   g.consider = c.value("consider", "");
   g.ring = c.value("ring", false);
@@ -58,7 +57,8 @@ inline GrammarText grammar_of(const nlohmann::json& c) {
   if (c.value("mode", "parallel") == "sequential") g.mode = GrammarText::Mode::sequential;
   const nlohmann::json pull = c.value("turtle_options", nlohmann::json::object());
   if (pull.contains("tropism")) {
-    g.tropism = Vec3(pull["tropism"][0].get<float>(), pull["tropism"][1].get<float>(), pull["tropism"][2].get<float>());
+    g.tropism = Vec3(pull["tropism"][0].get<float>(), pull["tropism"][1].get<float>(),
+                     pull["tropism"][2].get<float>());
     g.elasticity = pull["e"];
   }
   if (c.contains("start")) g.length = c["start"].value("step", 1.0);

@@ -82,7 +82,9 @@ TEST(Derive, KnownAnswers) {
   int tried = 0;
   for (const json& c : corpus()) {
     std::string group = c["group"];
-    if (!c.contains("rules") || group == "stochastic" || group == "turtle" || c["name"] == "query-result-shape") continue;
+    if (!c.contains("rules") || group == "stochastic" || group == "turtle" ||
+        c["name"] == "query-result-shape")
+      continue;
     SCOPED_TRACE(c["name"].get<std::string>());
     ++tried;
     Grammar grammar = must_compile(grammar_of(c));
@@ -90,7 +92,8 @@ TEST(Derive, KnownAnswers) {
     ASSERT_TRUE(word.ok()) << word.errors()[0].text();
     const json& expected = c["expected"];
     check_word(grammar, *word, expected);
-    if (expected.contains("interpreted")) check_word(grammar, interpret(grammar, *word, Seed{1}), expected["interpreted"]);
+    if (expected.contains("interpreted"))
+      check_word(grammar, interpret(grammar, *word, Seed{1}), expected["interpreted"]);
     const json earlier = expected.value("earlier_steps", json::object());
     for (const auto& [step, string] : earlier.items())
       expect_same(text(grammar, *derive(grammar, std::stoi(step), Seed{1})), string, 1e-9);
@@ -122,7 +125,9 @@ TEST(Derive, ChanceKeepsTheMeans) {
       for (const auto& [name, times] : counts(grammar, *derive(grammar, c["n"], Seed{7}.child(run))))
         sums[name] += static_cast<double>(times);
     for (const auto& [name, stat] : expected["per_symbol_counts"].items())
-      EXPECT_NEAR(sums[name] / runs, stat["mean"].get<double>(), stat["tolerance_5sigma_mean_of_runs"].get<double>()) << name;
+      EXPECT_NEAR(sums[name] / runs, stat["mean"].get<double>(),
+                  stat["tolerance_5sigma_mean_of_runs"].get<double>())
+          << name;
   }
 }
 

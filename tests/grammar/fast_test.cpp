@@ -45,7 +45,8 @@ GrammarText large(int which) {
   text.axiom = which == 2 ? "A(1,2)" : "AB";
   if (which == 0) text.rules = {{"A -> A[+B]BA"}, {"B -> AB"}, {"+ -> *"}};
   if (which == 1) text.rules = {{"A ->(1) A[+B]BA"}, {"A ->(2) BABABABABA"}, {"B ->(0.3) AB"}, {"B ->(1) B"}};
-  if (which == 2) text.rules = {{"A(x,y) -> B(x*0.9,rand(0,y))[+(y)A(y,x)]A(x,y/2)"}, {"B(x,y) -> B(x+y,x)F(x)"}};
+  if (which == 2)
+    text.rules = {{"A(x,y) -> B(x*0.9,rand(0,y))[+(y)A(y,x)]A(x,y/2)"}, {"B(x,y) -> B(x+y,x)F(x)"}};
   return text;
 }
 
@@ -62,6 +63,18 @@ TEST(Fast, SameWordOnOneThreadAndMany) {
   }
 }
 
+TEST(Fast, LeftmostStepsDoNotDependOnTheLength) {
+  GrammarText text;
+  text.mode = GrammarText::Mode::sequential;
+  text.axiom = "xS(1)y";
+  text.rules = {{"S(k) ->(1) aS(k+1)b"}, {"S(k) ->(2) a(k)S(k)"}};
+  Grammar grammar = std::move(*compile(text));
+  ASSERT_TRUE(is_leftmost(grammar));
+  EXPECT_TRUE(plainly(grammar, 500, Seed{1}) == *derive(grammar, 500, Seed{1}));
+  EXPECT_EQ(plainly(grammar, 500, Seed{1}).size(), derive(grammar, 500, Seed{1})->size());
+  EXPECT_GT(derive(grammar, 500'000, Seed{1})->size(), 500'000u);
+}
+
 TEST(Fast, TroubleIsNamedAllTheSame) {
   GrammarText text;
   text.axiom = "FFA(2)";
@@ -69,7 +82,8 @@ TEST(Fast, TroubleIsNamedAllTheSame) {
   Grammar grammar = std::move(*compile(text));
   Result<Word> word = derive(grammar, 2, Seed{1});
   ASSERT_FALSE(word.ok());
-  EXPECT_NE(word.errors()[0].text().find("rule 1: step 2, module 3 (`A(1)`)"), std::string::npos) << word.errors()[0].text();
+  EXPECT_NE(word.errors()[0].text().find("rule 1: step 2, module 3 (`A(1)`)"), std::string::npos)
+      << word.errors()[0].text();
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ std::string derived(const Import& import) {
 
 TEST(Import, CpfgProductionsAndSettings) {
   Result<Import> import = import_cpfg(
-      "#define N 2\n#define R (1/2)\n/* a comment\n over lines */\nlsystem: 1\nseed: 7\nderivation length: N\n"
+      "#define N 2\n#define R (1/2)\n/* a comment\n over lines */\nlsystem: 1\nseed: 7\nderivation length: "
+      "N\n"
       "ignore: +-\naxiom: A(4)\nA(x) : x > 1 --> F(x)[+A(x*R)]A(x*R)\nF(x) --> G(x) : 1\nB < C > D --> *\n"
       "homomorphism\nmaximum depth: 2\nG(x) --> F(x)\nendlsystem\n");
   ASSERT_TRUE(import.ok()) << import.errors()[0].text();
@@ -29,7 +30,8 @@ TEST(Import, CpfgProductionsAndSettings) {
 }
 
 TEST(Import, CpfgSaysWhatIsLeftOut) {
-  Result<Import> import = import_cpfg("lsystem: 1\nStart: {x = 1;}\naxiom: A\nA : {y = 2;} 1 --> B\nA --> @PS(1)F(ran(2)) : 3\n");
+  Result<Import> import =
+      import_cpfg("lsystem: 1\nStart: {x = 1;}\naxiom: A\nA : {y = 2;} 1 --> B\nA --> @PS(1)F(ran(2)) : 3\n");
   ASSERT_TRUE(import.ok());
   EXPECT_EQ(import->notes.size(), 4u);
   ASSERT_EQ(import->grammar.rules.size(), 1u);
@@ -48,7 +50,8 @@ TEST(Import, LParserAlphabet) {
 
 TEST(Import, HoudiniRules) {
   Result<Import> import = import_houdini(
-      "premise: A(0)\nangle: 28\ngenerations: 3\nb: 2\nA(i):i<2=F(i*b)[+A(i+1)]:0.5\nA(i):i==2=K\nF(l)=F(l+1)\nnonsense\n");
+      "premise: A(0)\nangle: 28\ngenerations: 3\nb: "
+      "2\nA(i):i<2=F(i*b)[+A(i+1)]:0.5\nA(i):i==2=K\nF(l)=F(l+1)\nnonsense\n");
   ASSERT_TRUE(import.ok()) << import.errors()[0].text();
   EXPECT_EQ(import->grammar.dialect, Dialect::houdini);
   EXPECT_EQ(derived(*import), "F(2)[+F(3)[+K]]");

@@ -32,7 +32,8 @@ TEST(Picture, TreeHasALineFromEachModuleToItsParent) {
 
 TEST(Picture, TrackedStepsMakeTheSameWord) {
   for (const auto& c : corpus()) {
-    if (!c.contains("rules") || c["group"] == "turtle" || c["expected"].value("modules", 100000) > 10000) continue;
+    if (!c.contains("rules") || c["group"] == "turtle" || c["expected"].value("modules", 100000) > 10000)
+      continue;
     SCOPED_TRACE(c["name"].get<std::string>());
     Grammar grammar = std::move(*compile(grammar_of(c)));
     Derivation state = begin(grammar, Seed{2});

@@ -18,8 +18,10 @@ inline std::string sha256(std::string_view text) {
     unsigned __int128 bound = static_cast<unsigned __int128>(prime) << (power * 32);
     while (high - low > 1) {
       unsigned __int128 middle = (low + high) / 2;
-      if (raised(middle) <= bound) low = middle;
-      else high = middle;
+      if (raised(middle) <= bound)
+        low = middle;
+      else
+        high = middle;
     }
     return static_cast<std::uint32_t>(low);
   };
@@ -43,7 +45,8 @@ inline std::string sha256(std::string_view text) {
       w[i / 4 % 16] = w[i / 4 % 16] << 8 | static_cast<unsigned char>(data[block + i]);
     for (std::size_t i = 16; i < 64; ++i) {
       std::uint32_t a = w[i - 15], b = w[i - 2];
-      w[i] = w[i - 16] + w[i - 7] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ a >> 3) + (std::rotr(b, 17) ^ std::rotr(b, 19) ^ b >> 10);
+      w[i] = w[i - 16] + w[i - 7] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ a >> 3) +
+             (std::rotr(b, 17) ^ std::rotr(b, 19) ^ b >> 10);
     }
     std::array<std::uint32_t, 8> v = h;
     for (std::size_t i = 0; i < 64; ++i) {

@@ -12,10 +12,14 @@ namespace {
 struct Events {
   std::vector<double> log;
   void add(DVec3 v) { log.insert(log.end(), {v.x, v.y, v.z}); }
-  void segment(const Segment& s, TurtleState& t) { add(s.from), add(s.to), log.push_back(s.width_to), log.push_back(t.color); }
+  void segment(const Segment& s, TurtleState& t) {
+    add(s.from), add(s.to), log.push_back(s.width_to), log.push_back(t.color);
+  }
   void push(TurtleState& t) { log.push_back(t.depth); }
   void pop(TurtleState& t) { add(t.position); }
-  void polygon(std::span<const DVec3> points, const TurtleState&) { for (DVec3 p : points) add(p); }
+  void polygon(std::span<const DVec3> points, const TurtleState&) {
+    for (DVec3 p : points) add(p);
+  }
 };
 
 /// A random grammar without contexts: some rules draw lots, some have parameters and conditions.
@@ -26,9 +30,12 @@ GrammarText random_grammar(Seed seed) {
     int open = 0;
     for (std::uint64_t i = 0; i < 2 + s.bits() % 5; ++i) {
       std::uint64_t pick = s.child(i).bits() % (pieces.size() + 2);
-      if (pick == pieces.size()) out += "[", ++open;
-      else if (pick == pieces.size() + 1 && open > 0) out += "]", --open;
-      else if (pick < pieces.size()) out += inner && pieces[pick] == "C(1)" ? "C(x/2+rand(0,1))" : pieces[pick];
+      if (pick == pieces.size())
+        out += "[", ++open;
+      else if (pick == pieces.size() + 1 && open > 0)
+        out += "]", --open;
+      else if (pick < pieces.size())
+        out += inner && pieces[pick] == "C(1)" ? "C(x/2+rand(0,1))" : pieces[pick];
     }
     while (open-- > 0) out += "]";
     return out;
@@ -36,8 +43,10 @@ GrammarText random_grammar(Seed seed) {
   GrammarText g;
   g.axiom = "AB" + word(seed.child("axiom"), false);
   g.angle_jitter = seed.child("jitter").bits() % 2 ? 5 : 0;
-  g.rules = {{"A -> " + word(seed.child(1), false)}, {"B ->(0.5) " + word(seed.child(2), false)},
-             {"B ->(1) " + word(seed.child(3), false)}, {"C(x) : x > 0.6 -> " + word(seed.child(4), true)}};
+  g.rules = {{"A -> " + word(seed.child(1), false)},
+             {"B ->(0.5) " + word(seed.child(2), false)},
+             {"B ->(1) " + word(seed.child(3), false)},
+             {"C(x) : x > 0.6 -> " + word(seed.child(4), true)}};
   if (seed.child(9).bits() % 2) g.interpretation = {{"B -> ~F+(3)"}, {"A ->(1) F"}, {"A ->(2) FF"}};
   return g;
 }

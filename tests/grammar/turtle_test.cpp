@@ -24,7 +24,9 @@ void expect_near(DVec3 got, const json& want, double tolerance, const char* what
 
 struct Polygons {
   std::vector<std::vector<DVec3>> found;
-  void polygon(std::span<const DVec3> points, const TurtleState&) { found.emplace_back(points.begin(), points.end()); }
+  void polygon(std::span<const DVec3> points, const TurtleState&) {
+    found.emplace_back(points.begin(), points.end());
+  }
 };
 
 TEST(Turtle, KnownAnswers) {

@@ -15,8 +15,8 @@ Motion lively() {
   motion.growth = {0.5, 3, 0.3};
   motion.wave.amplitude = radians(14.0);
   motion.food.strength = 1.2;
-  motion.food.position =
-      Animated<Vec3>(std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
+  motion.food.position = Animated<Vec3>(
+      std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
   return motion;
 }
 
@@ -103,7 +103,8 @@ TEST(Wave, LoopsOverTheFilmAndGrowsTowardTheTips) {
   motion.film_length = 3.7;
   motion.wave.amplitude = radians(15.0);
   Pose start = posed(s, motion, 0), end = posed(s, motion, 3.7), middle = posed(s, motion, 1.1);
-  for (std::size_t i = 0; i < s.size(); ++i) EXPECT_LT(glm::distance(start.position[i], end.position[i]), 1e-4f);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    EXPECT_LT(glm::distance(start.position[i], end.position[i]), 1e-4f);
   auto moved = [&](std::size_t i) { return glm::distance(start.position[i], middle.position[i]); };
   EXPECT_GT(moved(29), moved(20));
   EXPECT_GT(moved(20), moved(10));

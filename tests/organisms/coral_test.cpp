@@ -44,10 +44,13 @@ TEST(Coral, TurnsByPitchAndRoll) {
   params.roll = radians(45.0);
   Skeleton s = grown(params);
   // The first branch pitches by 25 degrees, the second is rolled by 180 and leans the other way.
-  auto lean = [&](std::size_t node) { return std::atan2(std::hypot(s.position[node].x, s.position[node].z), s.position[node].y); };
+  auto lean = [&](std::size_t node) {
+    return std::atan2(std::hypot(s.position[node].x, s.position[node].z), s.position[node].y);
+  };
   EXPECT_NEAR(degrees(lean(1)), 25, 0.01);
   EXPECT_NEAR(degrees(lean(5)), 25, 0.01);
-  EXPECT_LT(glm::dot(Vec3(s.position[1].x, 0, s.position[1].z), Vec3(s.position[5].x, 0, s.position[5].z)), 0);
+  EXPECT_LT(glm::dot(Vec3(s.position[1].x, 0, s.position[1].z), Vec3(s.position[5].x, 0, s.position[5].z)),
+            0);
 }
 
 TEST(Coral, LongerAndThinnerFromHereOn) {

@@ -16,7 +16,9 @@ Preset preset_of(const std::string& text, const std::vector<std::string>& sets =
 
 Preset preset_at(const std::string& path) { return preset_of(*read_file(FROND_ROOT "/" + path)); }
 
-const CoralParams& coral(const Preset& preset, std::size_t i) { return std::get<CoralParams>(preset.organisms.at(i).body); }
+const CoralParams& coral(const Preset& preset, std::size_t i) {
+  return std::get<CoralParams>(preset.organisms.at(i).body);
+}
 
 TEST(Preset, LocalOrGlobal) {
   // C4: own value over the scene's, unless the scene's is forced.
@@ -36,15 +38,19 @@ TEST(Preset, LocalOrGlobal) {
 }
 
 TEST(Preset, EveryPropertyCanBeForced) {
-  for (std::string name : {"steps", "pitch", "roll", "angle_jitter", "length_jitter", "internode", "length_scale", "lift",
-                           "width_scale", "height", "smoothing", "thickness", "distortion", "skin", "wave", "food", "growth",
-                           "form", "place", "count", "grammar"})
-    EXPECT_TRUE(read_preset(R"({"force": [")" + name + R"("], "organisms": [{"kind": "coral"}]})", "x", {}).ok()) << name;
+  for (std::string name :
+       {"steps", "pitch",       "roll",   "angle_jitter", "length_jitter", "internode",  "length_scale",
+        "lift",  "width_scale", "height", "smoothing",    "thickness",     "distortion", "skin",
+        "wave",  "food",        "growth", "form",         "place",         "count",      "grammar"})
+    EXPECT_TRUE(
+        read_preset(R"({"force": [")" + name + R"("], "organisms": [{"kind": "coral"}]})", "x", {}).ok())
+        << name;
   EXPECT_FALSE(read_preset(R"({"force": ["wav"], "organisms": []})", "x", {}).ok());
 }
 
 TEST(Preset, TellsOfABrokenGrammarWhereItIs) {
-  auto preset = read_preset(R"({"organisms": [{"kind": "coral", "form": "own", "grammar": {"axiom": "F["}}]})", "x.json", {});
+  auto preset = read_preset(
+      R"({"organisms": [{"kind": "coral", "form": "own", "grammar": {"axiom": "F["}}]})", "x.json", {});
   ASSERT_FALSE(preset.ok());
   EXPECT_NE(preset.errors()[0].text().find("x.json: /organisms/0/grammar"), std::string::npos);
 }
@@ -57,7 +63,8 @@ TEST(Scene, IsTheSameAtAnyThreadCount) {
   Scene two = *build_scene(preset);
   limit_threads(0);
   ASSERT_EQ(one.branches.size(), two.branches.size());
-  for (std::size_t i = 0; i < one.branches.size(); ++i) EXPECT_EQ(one.branches[i].rest.position, two.branches[i].rest.position);
+  for (std::size_t i = 0; i < one.branches.size(); ++i)
+    EXPECT_EQ(one.branches[i].rest.position, two.branches[i].rest.position);
 }
 
 TEST(Scene, GivesEachCoralAPhaseAndBrightnessOfItsOwn) {
@@ -107,7 +114,9 @@ TEST(Reef, HasNoJumps) {
   EXPECT_LT(most, 16 * total / count) << "in " << worst << ", " << most << " m against " << total / count;
 }
 
-TEST(Schema, IsTheOneInDocs) { EXPECT_EQ(*read_file(FROND_ROOT "/docs/preset.schema.json"), preset_schema()); }
+TEST(Schema, IsTheOneInDocs) {
+  EXPECT_EQ(*read_file(FROND_ROOT "/docs/preset.schema.json"), preset_schema());
+}
 
 }  // namespace
 }  // namespace frond

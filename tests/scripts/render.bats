@@ -13,6 +13,7 @@ setup() {
   echo "$output"
   [ "$status" -eq 0 ]
   [[ $output == *"frame 6 of 6"* ]]
+  [[ $output == *$'\nout/film/film.mp4\nout/film/contact.png' ]]
   [ "$(count_rendered)" -eq 6 ]
   [ "$(frames_of out/film/film.mp4)" -eq 6 ]
   [ -s out/film/contact.png ]
