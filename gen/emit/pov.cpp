@@ -55,7 +55,7 @@ void append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m,
   text += "matrix<";
   for (int axis = 0; axis < 3; ++axis) {
     float sign = axis == 2 ? -1.0f : 1.0f;
-    append_list(text, 6, sign * m[axis].x, sign * m[axis].y, -sign * m[axis].z);
+    append_list(text, 5, sign * m[axis].x, sign * m[axis].y, -sign * m[axis].z);
     text += ',';
   }
   append_list(text, kDecimals, shift.x * space.unit, shift.y * space.unit, -shift.z * space.unit);

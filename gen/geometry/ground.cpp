@@ -24,7 +24,7 @@ Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rin
   surface.position.push_back(Vec3(centre.x, height(centre, 0), centre.y));
   for (int ring = 1; ring <= rings; ++ring) {
     double share = static_cast<double>(ring) / rings;
-    double distance = radius * std::pow(share, 2.5);
+    double distance = radius * share * share;
     for (int sector = 0; sector < sectors; ++sector) {
       double angle = 2 * kPi * (sector + 0.5 * (ring % 2)) / sectors;
       Vec2 at = centre + Vec2(static_cast<float>(distance * std::cos(angle)),

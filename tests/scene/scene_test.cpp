@@ -52,7 +52,16 @@ TEST(Preset, TellsOfABrokenGrammarWhereItIs) {
   auto preset = read_preset(
       R"({"organisms": [{"kind": "coral", "form": "own", "grammar": {"axiom": "F["}}]})", "x.json", {});
   ASSERT_FALSE(preset.ok());
-  EXPECT_NE(preset.errors()[0].text().find("x.json: /organisms/0/grammar"), std::string::npos);
+  EXPECT_EQ(preset.errors()[0].text(),
+            "x.json:1:70: /organisms/0/grammar/axiom: column 2: this `[` is not closed; add a `]`; in `F[`");
+}
+
+TEST(Preset, RulesKnowWhereTheyStand) {
+  Preset preset = preset_of(R"({"defaults": {"grammar": {"rules": ["F -> FF"]}},
+ "organisms": [{"kind": "coral", "form": "own", "grammar": {"interpretation": [{"rule": "A -> F"}]}}]})");
+  const GrammarText& grammar = coral(preset, 0).grammar;
+  EXPECT_EQ(grammar.rules.at(0).where, "test.json:1:37: /organisms/0/grammar/rules/0");
+  EXPECT_EQ(grammar.interpretation.at(0).where, "test.json:2:79: /organisms/0/grammar/interpretation/0");
 }
 
 TEST(Scene, IsTheSameAtAnyThreadCount) {
