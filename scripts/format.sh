@@ -13,13 +13,21 @@ where a file is not formatted, 0 otherwise.
 TEXT
 }
 
-how=(-i)
+check=''
 case ${1:-} in
   '') ;;
-  --check) how=(--dry-run --Werror) ;;
+  --check) check=yes ;;
   -h | --help) usage; exit 0 ;;
   *) bad_usage "unknown argument '$1'" ;;
 esac
 cd -- "$root"
-find gen tests bench \( -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0 -r clang-format "${how[@]}" ||
-  fail 1 "not formatted as .clang-format says; scripts/format.sh does it"
+sources() { find gen tests bench \( -name '*.cpp' -o -name '*.h' \) -print0; }
+if [[ -z $check ]]; then
+  sources | xargs -0 -r clang-format -i
+  exit 0
+fi
+# One line a file.
+if ! faults=$(sources | xargs -0 -r clang-format --dry-run -Werror 2>&1); then
+  sed -nE 's/^(.+\.(cpp|h)):[0-9]+:[0-9]+: error:.*/\1/p' <<<"$faults" | sort -u >&2
+  fail 1 "these are not formatted as .clang-format says; scripts/format.sh does it"
+fi

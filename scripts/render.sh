@@ -126,7 +126,7 @@ if ((to_do == 0)); then
 elif ((to_do < frames)); then
   say "Rendering $to_do of $frames frames; the others are up to date."
 else
-  say "Rendering $frames frames."
+  say "Rendering $frames frame$( ((frames == 1)) || echo s)."
 fi
 
 done_now=0 said=0

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,13 +26,20 @@ struct GenerateArguments {
   bool quiet = false;
 };
 
+struct GrammarArguments {
+  std::string path;                    ///< a grammar, or a preset with one
+  std::optional<int> steps;            ///< instead of the grammar's own
+  std::optional<std::uint64_t> seed;   ///< the same
+  bool counts = false;                 ///< how often each symbol occurs, instead of the word
+  std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws
+};
+
 /// Each is one command of the program; all return an ExitCode. Data goes to stdout, messages to stderr.
 int generate(const GenerateArguments& arguments);
 int check(const std::vector<std::string>& paths);
 int info(const PresetArguments& arguments, bool json);
-int derive_word(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed,
-                bool counts);
-int walk_turtle(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed);
+int derive_word(const GrammarArguments& arguments);
+int walk_turtle(const GrammarArguments& arguments);
 int list_everything(bool json);
 int print_schema();
 

@@ -3,8 +3,9 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "core/files.h"
-#include "core/text.h"
 #include "grammar/figure.h"
+#include "grammar/import.h"
+#include "grammar/picture.h"
 #include "preset/json.h"
 #include "preset/reader.h"
 #include "scene/describe.h"
@@ -13,17 +14,26 @@ namespace frond {
 
 namespace {
 
-/// A word that was derived, and the grammar it is a word of.
-struct Derived {
+/// A compiled grammar with the steps and the seed that the command line asks for.
+struct Loaded {
   Grammar grammar;
-  Word word;
+  int steps;
   Seed seed;
 };
+
+/// A grammar in another tool's form. What of it means nothing here is told.
+Result<Grammar> import_file(const std::string& path, const std::string& text) {
+  Result<Import> import = import_grammar(path, text);
+  if (!import) return import.errors();
+  for (const std::string& note : import->notes) fmt::print(stderr, "{}: note: {}\n", path, note);
+  return compile(import->grammar);
+}
 
 /// The grammar of a file: a grammar itself, or that of the first organism of a preset that has one.
 Result<Grammar> load_grammar(const std::string& path) {
   Result<std::string> text = read_file(path);
   if (!text) return text.errors();
+  if (!path.ends_with(".json")) return import_file(path, *text);
   Result<Document> document = parse_json(*text, path);
   if (!document) return document.errors();
   if (!document->root.find("organisms")) {
@@ -40,51 +50,67 @@ Result<Grammar> load_grammar(const std::string& path) {
   return Error{path, "the preset has no organism that grows by a grammar"};
 }
 
-Result<Derived> derive_file(const std::string& path, std::optional<int> steps,
-                            std::optional<std::uint64_t> seed) {
-  Result<Grammar> grammar = load_grammar(path);
-  if (!grammar) return grammar.errors();
+Result<Loaded> load(const GrammarArguments& arguments) {
+  Result<Grammar> grammar = load_grammar(arguments.path);
+  if (!grammar) {
+    // A mistake in a rule knows the rule; here it learns the file.
+    Errors errors = grammar.errors();
+    for (Error& error : errors)
+      if (!error.where.starts_with(arguments.path))
+        error.where = arguments.path + (error.where.empty() ? "" : ": " + error.where);
+    return errors;
+  }
   for (const Error& warning : grammar->warnings)
-    fmt::print(stderr, "{}: warning: {}\n", path, warning.text());
-  Seed random{seed.value_or(grammar->text.seed)};
-  Result<Word> word = derive(*grammar, steps.value_or(grammar->text.steps), random);
-  if (!word) return word.errors();
-  return Derived{std::move(*grammar), std::move(*word), random};
+    fmt::print(stderr, "{}: warning: {}\n", arguments.path, warning.text());
+  int steps = arguments.steps.value_or(grammar->text.steps);
+  Seed seed{arguments.seed.value_or(grammar->text.seed)};
+  return Loaded{std::move(*grammar), steps, seed};
 }
 
-std::string list(DVec3 v) {
-  std::string text = "[";
-  append_list(text, 9, v.x, v.y, v.z);
-  return text + "]";
+/// Writes a picture, if one was asked for.
+int write_picture(const std::optional<std::string>& path, const Result<std::string>& svg) {
+  if (!svg) return fail(svg.errors(), kWrongInput);
+  Result<bool> written = write_file(*path, *svg);
+  return written ? kDone : fail(written.errors(), kCouldNot);
 }
+
+std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 }  // namespace
 
-int derive_word(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed,
-                bool as_counts) {
-  Result<Derived> derived = derive_file(path, steps, seed);
-  if (!derived) return fail(derived.errors(), kWrongInput);
-  if (as_counts) {
-    for (const auto& [name, count] : counts(derived->grammar, derived->word))
-      fmt::print("{} {}\n", name, count);
+int derive_word(const GrammarArguments& arguments) {
+  Result<Loaded> loaded = load(arguments);
+  if (!loaded) return fail(loaded.errors(), kWrongInput);
+  const auto& [grammar, steps, seed] = *loaded;
+  if (arguments.picture) return write_picture(arguments.picture, derivation_tree_svg(grammar, steps, seed));
+  Result<Word> word = derive(grammar, steps, seed);
+  if (!word) return fail(word.errors(), kWrongInput);
+  if (arguments.counts) {
+    for (const auto& [name, count] : counts(grammar, *word)) fmt::print("{} {}\n", name, count);
   } else {
-    fmt::print("{}\n", text(derived->grammar, derived->word));
+    fmt::print("{}\n", text(grammar, *word));
   }
   return kDone;
 }
 
-int walk_turtle(const std::string& path, std::optional<int> steps, std::optional<std::uint64_t> seed) {
-  Result<Derived> derived = derive_file(path, steps, seed);
-  if (!derived) return fail(derived.errors(), kWrongInput);
-  TurtleStats stats = stats_of(derived->grammar, derived->word, derived->seed.child("turtle"));
-  std::string length;
-  append(length, stats.total_length, 9);
+int walk_turtle(const GrammarArguments& arguments) {
+  Result<Loaded> loaded = load(arguments);
+  if (!loaded) return fail(loaded.errors(), kWrongInput);
+  const auto& [grammar, steps, seed] = *loaded;
+  if (arguments.picture) {
+    Result<Word> word = derive(grammar, steps, seed);
+    if (!word) return fail(word.errors(), kWrongInput);
+    return write_picture(arguments.picture, turtle_svg(grammar, *word, seed));
+  }
+  Result<TurtleStats> stats = stats_of(grammar, steps, seed);
+  if (!stats) return fail(stats.errors(), kWrongInput);
   fmt::print(
       "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
       "{}, "
       "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}}}\n",
-      stats.segments, length, list(stats.end_position), list(stats.end_heading), list(stats.end_left),
-      list(stats.end_up), list(stats.low), list(stats.high), stats.max_stack_depth, stats.polygons);
+      stats->segments, stats->total_length, list(stats->end_position), list(stats->end_heading),
+      list(stats->end_left), list(stats->end_up), list(stats->low), list(stats->high), stats->max_stack_depth,
+      stats->polygons);
   return kDone;
 }
 

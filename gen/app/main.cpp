@@ -16,6 +16,17 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("--quality", preset.quality, "draft, good or best");
 }
 
+void add_grammar(CLI::App* command, GrammarArguments& grammar) {
+  command
+      ->add_option(
+          "grammar", grammar.path,
+          "A grammar or a preset in JSON, or a grammar of cpfg (.l), LParser (.ls) or Houdini (.txt)")
+      ->required();
+  command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", grammar.seed, "For random choices, instead of the grammar's");
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -52,28 +63,24 @@ int main(int count, char** words) {
   info_command->footer("Example:\n  frond info presets/reef.json --json");
   info_command->callback([&] { result = info(to_size, info_json); });
 
-  std::string grammar;
-  std::optional<int> steps;
-  std::optional<std::uint64_t> seed;
+  GrammarArguments to_derive, to_walk;
   std::string format = "text";
-  auto add_grammar = [&](CLI::App* command) {
-    command
-        ->add_option("grammar", grammar, "A grammar, or a preset whose first organism has one: a JSON file")
-        ->required();
-    command->add_option("--steps", steps, "Derivation steps, instead of the grammar's")
-        ->check(CLI::NonNegativeNumber);
-    command->add_option("--seed", seed, "For random choices, instead of the grammar's");
-  };
   auto* derive_command = app.add_subcommand("derive", "Derives the word of a grammar");
-  add_grammar(derive_command);
+  add_grammar(derive_command, to_derive);
   derive_command->add_option("--format", format, "text or counts")->check(CLI::IsMember({"text", "counts"}));
-  derive_command->footer("Example:\n  frond derive koch.json --steps 2");
-  derive_command->callback([&] { result = derive_word(grammar, steps, seed, format == "counts"); });
+  derive_command->add_option("--tree", to_derive.picture, "SVG file: which symbol came from which");
+  derive_command->footer("Example:\n  frond derive koch.json --steps 2 --tree koch.svg");
+  derive_command->callback([&] {
+    to_derive.counts = format == "counts";
+    result = derive_word(to_derive);
+  });
 
   auto* turtle_command = app.add_subcommand("turtle", "Walks a grammar's word and measures the way, as JSON");
-  add_grammar(turtle_command);
-  turtle_command->footer("Example:\n  frond turtle koch.json --steps 3");
-  turtle_command->callback([&] { result = walk_turtle(grammar, steps, seed); });
+  add_grammar(turtle_command, to_walk);
+  turtle_command->add_option("--svg", to_walk.picture,
+                             "SVG file: what the turtle draws, seen from the front");
+  turtle_command->footer("Example:\n  frond turtle koch.json --steps 3 --svg koch.svg");
+  turtle_command->callback([&] { result = walk_turtle(to_walk); });
 
   auto* schema_command = app.add_subcommand("schema", "Prints the JSON Schema of presets");
   schema_command->callback([&] { result = print_schema(); });

@@ -59,8 +59,8 @@ Vec3 stone_surface_point(const Stone& stone, Vec3 direction) {
   Vec3 shift(static_cast<float>(stone.seed.child("x").range(-99, 99)),
              static_cast<float>(stone.seed.child("y").range(-99, 99)),
              static_cast<float>(stone.seed.child("z").range(-99, 99)));
-  double lumps = fractal_noise(d * 0.8f + shift, 2), grain = fractal_noise(d * 3.1f + shift * 1.7f, 3);
-  double radius = 0.5 * (1 + stone.roughness * (0.55 * lumps + 0.22 * grain));
+  double lumps = fractal_noise(d * 0.8f + shift, 2), grain = fractal_noise(d * 2.7f + shift * 1.7f, 2);
+  double radius = 0.5 * (1 + stone.roughness * (0.55 * lumps + 0.17 * grain));
   return d * static_cast<float>(radius) * Vec3(1, static_cast<float>(1 - stone.flatness), 1);
 }
 

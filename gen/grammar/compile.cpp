@@ -321,9 +321,14 @@ class Compiler {
 
   /// A name that is rewritten with one number of parameters and used with another is most often a slip.
   void find_unmatched() {
+    std::array<bool, 256> made{};  // by the axiom or a rule, and so ever rewritten
+    for (SymbolId id : grammar_.axiom.symbols) made[id] = true;
+    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition})
+      for (const Production& rule : set->rules)
+        for (SymbolId id : rule.successor) made[id] = true;
     for (std::size_t i = 0; i < grammar_.symbols.size(); ++i) {
       const Symbol& symbol = grammar_.symbols[i];
-      if (!grammar_.rules.of[i].empty()) continue;
+      if (!made[i] || !grammar_.rules.of[i].empty()) continue;
       for (std::size_t j = 0; j < grammar_.symbols.size(); ++j)
         if (grammar_.symbols[j].name == symbol.name && !grammar_.rules.of[j].empty())
           grammar_.warnings.push_back(

@@ -229,6 +229,7 @@ Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed,
 
 Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits,
                     const Environment& environment) {
+  if (steps < 0) return Error{"steps", "the number of steps must be 0 or more"};
   Errors errors;
   if (has_growth_matrix(grammar)) errors = refuse(forecast(grammar, steps, seed, limits), limits);
   if (!errors.empty()) return errors;

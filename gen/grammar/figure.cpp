@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "grammar/between.h"
 #include "grammar/stream.h"
 
 namespace frond {
@@ -85,6 +86,7 @@ struct Builder {
   }
 
   void place(std::string name, Vec3 scale, const TurtleState& s) {
+    scale *= static_cast<float>(s.grown);
     figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up),
                             scale, s.color, s.base});
   }
@@ -146,6 +148,13 @@ Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Lim
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
     builder.sites[i] = std::find(organs.begin(), organs.end(), grammar.symbols[i].name) != organs.end();
   Result<TurtleState> end = draw(grammar, steps, seed, builder, limits);
+  if (!end) return end.errors();
+  return std::move(builder.figure);
+}
+
+Result<Figure> figure_between(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
+  Builder builder{grammar, {}, {}};
+  Result<TurtleState> end = draw_between(grammar, steps, seed, builder, limits);
   if (!end) return end.errors();
   return std::move(builder.figure);
 }

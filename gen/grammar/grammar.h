@@ -36,7 +36,7 @@ struct GrammarText {
   double length_scale = 1.1;  ///< what a bare `"` multiplies the length by
   double angle_jitter = 0;    ///< degrees: every turn is off by up to so much either way
   double length_jitter = 0;   ///< share: every segment is longer or shorter by up to so much
-  Vec3 tropism{0, -1, 0};     ///< the pull on every segment, used as it is given
+  DVec3 tropism{0, -1, 0};    ///< the pull on every segment, used as it is given
   double elasticity = 0;      ///< how much a segment gives way to the pull: turned by e|H x T| radians
   std::vector<std::pair<std::string, std::string>> constants;  ///< name, formula or `[a, b, …]`
   std::vector<Rule> rules, decomposition, interpretation;

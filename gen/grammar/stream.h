@@ -85,7 +85,7 @@ class Stream {
 template <class Sink>
 Result<TurtleState> draw(const Grammar& grammar, int steps, Seed seed, Sink& sink,
                          const Limits& limits = {}) {
-  if (!can_stream(grammar, steps)) {
+  if (steps < 0 || !can_stream(grammar, steps)) {
     Result<Word> word = derive(grammar, steps, seed, limits);
     if (!word) return word.errors();
     return walk(grammar, *word, seed, sink);

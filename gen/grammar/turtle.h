@@ -15,6 +15,7 @@ struct TurtleState {
   double length = 1, width = 0.1, angle = 45, elasticity = 0;
   int color = 0;
   int depth = 0;           ///< brackets open
+  double grown = 1;        ///< 0..1: how far the module at hand has grown, in between two steps
   std::int32_t mark = -1;  ///< the sink's own: a bracket keeps and restores it; -1 after a move
   std::int32_t base = -1;  ///< the sink's own: as mark, but a move leaves it alone
 };
@@ -25,6 +26,14 @@ struct Segment {
   double width_from, width_to;
 };
 
+/// A module in between two steps, on its way from what its parent was to what it will be.
+struct Growth {
+  double age = 1;      ///< 0..1: turns, widths and organs have grown so far
+  double stretch = 1;  ///< what lengths are multiplied by
+  double from = 0;     ///< where its first parameter comes from, if `has_from`
+  bool has_from = false;
+};
+
 /// A turtle that is fed modules one by one and tells a sink what it does. Of these members of the sink those
 /// are called that it has:
 ///
@@ -32,9 +41,9 @@ struct Segment {
 ///     void push(TurtleState&);  void pop(TurtleState&); // the state that is kept; the state it is back in
 ///     void polygon(std::span<const DVec3>, const TurtleState&);
 ///     void organ(SymbolId shape, const double* parameters, const TurtleState&);
-///     void bare(SymbolId, const double* parameters, const TurtleState&);        // a symbol that means
-///     nothing to it void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres,
-///     tubes, questions, guides
+///     void bare(SymbolId, const double* parameters, const TurtleState&);  // a symbol that means nothing to
+///     it void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes,
+///     questions, guides
 template <class Sink>
 class Turtle {
  public:
@@ -54,6 +63,9 @@ class Turtle {
     expand(grammar_, grammar_.interpretation, symbol, parameters, text_.interpretation_depth, at_, emit);
   }
 
+  /// How far the modules fed from now on have grown.
+  void set_growth(const Growth& growth) { growth_ = growth, now_.grown = growth.age; }
+
   const TurtleState& state() const { return now_; }
 
  private:
@@ -64,17 +76,11 @@ class Turtle {
     bool given = info.arity > 0;
     ++acted_;
     switch (info.act) {
-<<<<<<< HEAD
       case Act::none:
         if constexpr (requires { sink_.bare(symbol, parameters, now_); })
           sink_.bare(symbol, parameters, now_);
         return;
-      case Act::environment:
         return;
-=======
-      case Act::none:
-        return;
->>>>>>> 6949162^
       case Act::draw:
       case Act::draw_free:
         return forward(info.act == Act::draw, true, info.arity, parameters);
@@ -94,6 +100,7 @@ class Turtle {
       case Act::roll_right:
         return turn(now_.left, now_.up, given, parameters, 1);
       case Act::turn_back:
+        if (growth_.age < 1) return turn(now_.heading, now_.left, true, &kHalfTurn, 1);
         now_.heading = -now_.heading, now_.left = -now_.left;
         return;
       case Act::roll_back:
@@ -165,6 +172,7 @@ class Turtle {
   void turn(DVec3& a, DVec3& b, bool given, const double* parameters, double way) {
     double angle = given ? parameters[0] : now_.angle;
     if (jitters_ && text_.angle_jitter != 0) angle += text_.angle_jitter * chance();
+    if (growth_.age < 1) angle = growth_.from + (angle - growth_.from) * growth_.age;
     if (angle != turn_angle_) set_turn(angle);
     double c = turn_cosine_, s = turn_sine_ * way;
     DVec3 turned = a * c + b * s;
@@ -181,6 +189,7 @@ class Turtle {
   void forward(bool vertex, bool draws, int arity, const double* parameters) {
     double length = arity > 0 ? parameters[0] : now_.length;
     if (jitters_ && text_.length_jitter != 0) length *= 1 + text_.length_jitter * chance();
+    if (growth_.age < 1) length *= growth_.stretch;
     DVec3 to = now_.position + now_.heading * length;
     if (draws) {
       double width = arity > 1 ? parameters[1] : now_.width;
@@ -215,6 +224,7 @@ class Turtle {
   void pop() {
     if (stack_.empty()) return;
     now_ = stack_.back();
+    now_.grown = growth_.age;
     stack_.pop_back();
     if constexpr (requires { sink_.pop(now_); }) sink_.pop(now_);
   }
@@ -271,37 +281,42 @@ class Turtle {
     DVec3 left = glm::cross(DVec3(0, 1, 0), now_.heading);
     double length = glm::length(left);
     if (length < 1e-9) return;
-    now_.left = left / length;
+    left /= length;
+    if (growth_.age < 1) {  // the part of the roll that is done
+      double roll = std::atan2(glm::dot(left, now_.up), glm::dot(left, now_.left)) * growth_.age;
+      left = now_.left * std::cos(roll) + now_.up * std::sin(roll);
+    }
+    now_.left = left;
     now_.up = glm::cross(now_.heading, now_.left);
   }
 
+  /// Sets or scales a quantity, as far as the module has grown.
+  void set(double& quantity, double to) {
+    double from = growth_.has_from ? growth_.from : quantity;
+    quantity = growth_.age < 1 ? from + (to - from) * growth_.age : to;
+  }
+  void scale(double& quantity, double by) { quantity *= growth_.age < 1 ? 1 + (by - 1) * growth_.age : by; }
+
   void style(Act act, bool given, double value) {
-    auto width_by = given ? value : text_.width_scale;
+    double width_by = given ? value : text_.width_scale, length_by = given ? value : text_.length_scale;
+    double angle_by = given ? value : 0.9;
     switch (act) {
       case Act::narrow:
-        now_.width = given ? value : now_.width * text_.width_scale;
-        return;
+        return given ? set(now_.width, value) : scale(now_.width, text_.width_scale);
       case Act::widen:
-        now_.width = given ? value : now_.width / text_.width_scale;
-        return;
+        return given ? set(now_.width, value) : scale(now_.width, 1 / text_.width_scale);
       case Act::scale_width:
-        now_.width *= width_by;
-        return;
+        return scale(now_.width, width_by);
       case Act::divide_width:
-        now_.width /= width_by;
-        return;
+        return scale(now_.width, 1 / width_by);
       case Act::scale_length:
-        now_.length *= given ? value : text_.length_scale;
-        return;
+        return scale(now_.length, length_by);
       case Act::divide_length:
-        now_.length /= given ? value : text_.length_scale;
-        return;
+        return scale(now_.length, 1 / length_by);
       case Act::scale_angle:
-        now_.angle *= given ? value : 0.9;
-        return;
+        return scale(now_.angle, angle_by);
       case Act::divide_angle:
-        now_.angle /= given ? value : 0.9;
-        return;
+        return scale(now_.angle, 1 / angle_by);
       case Act::next_color:
         now_.color = given ? static_cast<int>(value) : now_.color + 1;
         return;
@@ -309,12 +324,14 @@ class Turtle {
         now_.color = given ? static_cast<int>(value) : now_.color - 1;
         return;
       case Act::set_elasticity:
-        if (given) now_.elasticity = value;
+        if (given) set(now_.elasticity, value);
         return;
       default:
         return;
     }
   }
+
+  static constexpr double kHalfTurn = 180;
 
   const Grammar& grammar_;
   const GrammarText& text_;
@@ -326,6 +343,7 @@ class Turtle {
   std::vector<DVec3> vertices_;        // of all polygons open
   std::vector<std::size_t> polygons_;  // the first vertex of each
   std::uint64_t fed_ = 0, acted_ = 0;
+  Growth growth_;
   double turn_angle_ = 0, turn_sine_ = 0, turn_cosine_ = 1;
   int skipped_ = -1;  // brackets open since a cut; -1: not behind one
   bool wants_organ_ = false, jitters_ = false;

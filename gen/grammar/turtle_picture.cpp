@@ -25,10 +25,17 @@ struct Fill {
   int color;
 };
 
+struct Ball {
+  DVec3 center;
+  double radius;
+  int color;
+};
+
 /// Keeps what is drawn, and the box around it.
 struct Canvas {
   std::vector<Line> lines;
   std::vector<Fill> fills;
+  std::vector<Ball> balls;
   DVec3 low{1e300}, high{-1e300};
 
   void reach(DVec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
@@ -39,6 +46,12 @@ struct Canvas {
   void polygon(std::span<const DVec3> points, const TurtleState& state) {
     fills.push_back({{points.begin(), points.end()}, state.color});
     for (DVec3 p : points) reach(p);
+  }
+  void sign(Act act, std::span<const double> parameters, const TurtleState& state) {
+    if (act != Act::sphere && act != Act::disc) return;
+    double radius = (parameters.empty() ? state.width : parameters[0]) / 2;
+    balls.push_back({state.position, radius, state.color});
+    reach(state.position - radius), reach(state.position + radius);
   }
 };
 
@@ -83,6 +96,11 @@ std::string turtle_svg(const Grammar& grammar, const Word& word, Seed seed) {
     out += "<polygon fill=\"", out += color_of(fill.color + 1), out += "\" points=\"";
     for (DVec3 p : fill.points) put(out, x(p)), out += ',', put(out, y(p)), out += ' ';
     out += "\"/>\n";
+  }
+  for (const Ball& ball : canvas.balls) {
+    out += "<circle fill=\"", out += color_of(ball.color), out += "\" cx=\"", put(out, x(ball.center));
+    out += "\" cy=\"", put(out, y(ball.center)), out += "\" r=\"", put(out, ball.radius * scale),
+        out += "\"/>\n";
   }
   return out + "</g>\n</svg>\n";
 }

@@ -34,7 +34,7 @@ GrammarText coral_text(const CoralParams& params) {
     text.length_scale = params.length_scale;
     text.angle_jitter = degrees(params.angle_jitter);
     text.length_jitter = params.length_jitter;
-    text.tropism = Vec3(0, 1, 0);
+    text.tropism = DVec3(0, 1, 0);
     text.elasticity = params.lift;
   }
   return text;

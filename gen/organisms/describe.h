@@ -106,7 +106,7 @@ void describe(Visitor& v, GrammarText::Rule& r) {
 
 /// A grammar's tropism as presets group it.
 struct Tropism {
-  Vec3 vector;
+  DVec3 vector;
   double elasticity;
 };
 

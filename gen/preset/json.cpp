@@ -2,192 +2,234 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <cstdint>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "preset/scanner.h"
+#include "preset/syntax.h"
+#include "preset/utf8.h"
 
 namespace frond {
 namespace {
 
-/// A recursive descent reader over the scanner. Each read_ function returns false after a fault of syntax,
-/// which ends the reading; a name that stands twice is noted and passed over.
-class Parser {
- public:
-  Parser(std::string_view text, std::string_view file_name)
-      : scan_(text), source_(std::make_shared<const std::string>(file_name)) {}
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-  Result<Document> parse() {
-    if (std::optional<std::size_t> bad = invalid_utf8(scan_.text())) {
-      fault_at(*bad, "bytes that are not UTF-8; expected UTF-8");
-      return errors_;
+/// Gives the library its bytes and counts them.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, std::size_t* count) : at_(at), count_(count) {}
+
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    ++at_;
+    ++*count_;
+    return *this;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* count_;
+};
+
+/// Turns offsets into lines and columns; cheap for offsets that grow from call to call.
+class Places {
+ public:
+  Places(std::string_view text, std::size_t first, std::string_view file_name)
+      : text_(text), first_(first), source_(std::make_shared<const std::string>(file_name)), offset_(first) {}
+
+  Origin at(std::size_t offset) {
+    if (offset < offset_) offset_ = first_, line_ = column_ = 1;
+    for (; offset_ < offset; ++offset_) {
+      bool continues = (static_cast<unsigned char>(text_[offset_]) & 0xc0) == 0x80;
+      if (text_[offset_] == '\n') {
+        ++line_;
+        column_ = 1;
+      } else if (!continues) {
+        ++column_;
+      }
     }
-    Document document;
-    if (read_value(document.root, 0) && read_end() && errors_.empty()) return document;
-    return errors_;
+    return Origin{source_, line_, column_};
   }
 
  private:
-  bool fault_at(std::size_t offset, std::string_view what) {
-    Scanner::Place place = scan_.place(offset);
-    std::string where = Origin{source_, place.line, place.column}.text();
-    errors_.push_back(Error{where + ": " + (pointer_.empty() ? "/" : pointer_), std::string(what)});
+  std::string_view text_;
+  std::size_t first_;
+  std::shared_ptr<const std::string> source_;
+  std::size_t offset_;
+  int line_ = 1;
+  int column_ = 1;
+};
+
+/// What the library calls (its SAX interface) as it reads the text, each time with a token just behind it. To
+/// return false ends the reading. A name that stands twice is noted and the reading goes on.
+class TreeBuilder {
+ public:
+  TreeBuilder(std::string_view text, std::string_view file_name)
+      : text_(text), end_(text.starts_with(kByteOrderMark) ? 3 : 0), places_(text, end_, file_name) {}
+
+  Result<Document> build() {
+    if (std::optional<std::size_t> bad = invalid_utf8(text_)) {
+      note(*bad, "", "bytes that are not UTF-8; expected UTF-8");
+    } else if (std::size_t zero = text_.find('\0'); zero != text_.npos) {
+      // The library would take it for the end.
+      note(zero, "", "a zero byte; expected a text");
+    } else {
+      // It throws nothing: what is wrong comes to parse_error().
+      CountingIterator begin(text_.data(), &read_);
+      CountingIterator end(text_.data() + text_.size(), nullptr);
+      nlohmann::json::sax_parse(begin, end, this, nlohmann::json::input_format_t::json, true, true);
+    }
+    if (!errors_.empty()) return errors_;
+    return std::move(document_);
+  }
+
+  bool null() { return add(Value::Type::null), true; }
+  bool boolean(bool boolean) { return add(Value::Type::boolean).boolean = boolean, true; }
+  bool string(std::string& text) { return add(Value::Type::text).text = std::move(text), true; }
+  bool number_unsigned(std::uint64_t number) {
+    return add_number(static_cast<double>(number), true, fmt::formatted_size("{}", number));
+  }
+  bool number_integer(std::int64_t number) {
+    // Zero comes here as -0.
+    return add_number(static_cast<double>(number), true, number == 0 ? 2 : fmt::formatted_size("{}", number));
+  }
+  bool number_float(double number, const std::string& text) {
+    return add_number(number, text.find_first_not_of("-0123456789") == text.npos, text.size());
+  }
+  bool binary(nlohmann::json::binary_t&) { return false; }  // not in JSON
+
+  bool start_object(std::size_t) { return open(Value::Type::object); }
+  bool start_array(std::size_t) { return open(Value::Type::list); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    Frame& frame = frames_.back();
+    std::size_t start = next_token();
+    end_ = read_;
+    bool fresh = frame.names.insert(name).second;
+    frame.value->members.push_back({std::move(name), places_.at(start), {}});
+    frame.at_value = true;
+    if (fresh) return true;
+    std::string shown = serialize(make_text(frame.value->members.back().name));
+    note(start, pointer(true), fmt::format("the name {} a second time; expected it once", shown));
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& exception) {
+    SyntaxFault fault = find_fault(text_, end_, expected(), position, exception.what());
+    note(fault.offset, pointer(fault.inside), std::move(fault.what));
     return false;
   }
 
-  bool unexpected(std::string_view expected) {
-    return fault_at(scan_.offset(), fmt::format("{}; expected {}", scan_.next_text(), expected));
+ private:
+  /// A list or object that is being read.
+  struct Frame {
+    Value* value;
+    std::set<std::string> names = {};
+    bool at_value = false;  ///< of an object: behind a name
+  };
+
+  /// Where the token begins that was just read.
+  std::size_t next_token() const {
+    std::size_t start = skip_blanks(text_, end_);
+    bool separator = start < text_.size() && (text_[start] == ',' || text_[start] == ':');
+    return separator ? skip_blanks(text_, start + 1) : start;
   }
 
-  Origin origin_here() {
-    Scanner::Place place = scan_.place(scan_.offset());
-    return Origin{source_, place.line, place.column};
-  }
-
-  /// Goes to the next token, over blanks and comments.
-  bool skip() {
-    std::size_t comment = scan_.skip_blanks();
-    return comment == Scanner::kNone || fault_at(comment, "a comment without end; expected */");
-  }
-
-  bool read_end() { return skip() && (scan_.at_end() || unexpected("the end of the text")); }
-
-  bool read_value(Value& value, int depth) {
-    if (!skip()) return false;
-    value.origin = origin_here();
-    switch (scan_.peek()) {
-      case '{':
-        return read_object(value, depth + 1);
-      case '[':
-        return read_list(value, depth + 1);
-      case '"':
-        value.type = Value::Type::text;
-        return read_text(value.text);
-      case 't':
-      case 'f':
-      case 'n':
-        return read_word(value);
-      default:
-        return read_number(value);
+  Value& add(Value::Type type) {
+    Value* value = &document_.root;
+    if (frames_.empty()) {
+      whole_ = true;
+    } else if (Frame& frame = frames_.back(); frame.value->is(Value::Type::list)) {
+      value = &frame.value->items.emplace_back();
+    } else {
+      value = &frame.value->members.back().value;
+      frame.at_value = false;
     }
+    value->type = type;
+    value->origin = places_.at(next_token());
+    end_ = read_;
+    return *value;
   }
 
-  bool read_word(Value& value) {
-    std::string_view word = scan_.word();
-    if (word == "true" || word == "false") {
-      value.type = Value::Type::boolean;
-      value.boolean = word == "true";
-    } else if (word != "null") {
-      return unexpected("a value");
-    }
-    scan_.advance(word.size());
+  /// The library may have read one byte more to see that the number ends; `length` is how long it is.
+  bool add_number(double number, bool integer, std::size_t length) {
+    std::size_t start = next_token();
+    Value& value = add(Value::Type::number);
+    value.number = number;
+    value.integer = integer;
+    end_ = start + length;
     return true;
   }
 
-  bool read_number(Value& value) {
-    Scanner::Number number = scan_.number();
-    if (number.text.empty()) return unexpected("a value");
-    const char* end = number.text.data() + number.text.size();
-    auto [stop, fault] = std::from_chars(number.text.data(), end, value.number);
-    // Too small a number is zero; from_chars gives the same fault for too large a one.
-    if (fault == std::errc::result_out_of_range && number.tiny) {
-      value.number = 0;
-    } else if (fault != std::errc() || stop != end) {
-      return fault_at(scan_.offset(),
-                      fmt::format("the number {:.40}; expected one below 1.8e308", number.text));
+  bool open(Value::Type type) {
+    if (frames_.size() == kDeepestNesting) {
+      note(next_token(), pointer(true),
+           fmt::format("a value {} levels deep; expected at most {}", kDeepestNesting + 1, kDeepestNesting));
+      return false;
     }
-    value.type = Value::Type::number;
-    value.integer = number.integer;
-    scan_.advance(number.text.size());
+    frames_.push_back({&add(type)});
     return true;
   }
 
-  bool read_text(std::string& text) {
-    Scanner::TextFault fault = scan_.read_text(text);
-    return fault.what.empty() || fault_at(fault.offset, fault.what);
+  bool close() {
+    frames_.pop_back();
+    end_ = read_;
+    return true;
   }
 
-  bool deeper(int depth) {
-    if (depth <= kDeepestNesting) return true;
-    return fault_at(scan_.offset(),
-                    fmt::format("a value {} levels deep; expected at most {}", depth, kDeepestNesting));
+  Expected expected() const {
+    if (frames_.empty()) return whole_ ? Expected::end : Expected::value;
+    const Frame& frame = frames_.back();
+    if (frame.value->is(Value::Type::list))
+      return frame.value->items.empty() ? Expected::value : Expected::comma_or_bracket;
+    if (frame.at_value) return Expected::colon;
+    return frame.value->members.empty() ? Expected::first_name : Expected::comma_or_brace;
   }
 
-  /// Behind an element: true at a comma (passed) with another element behind it, or at the closing bracket.
-  bool read_separator(char close, std::string_view element) {
-    if (!skip()) return false;
-    if (scan_.peek() == close) return true;
-    if (scan_.peek() != ',') return unexpected(fmt::format("',' or '{}'", close));
-    std::size_t comma = scan_.offset();
-    scan_.advance(1);
-    if (!skip()) return false;
-    if (scan_.peek() != close) return true;
-    return fault_at(
-        comma,
-        fmt::format("a comma before the closing '{}'; expected no comma behind the last {}", close, element));
-  }
-
-  bool read_list(Value& list, int depth) {
-    if (!deeper(depth)) return false;
-    list.type = Value::Type::list;
-    scan_.advance(1);
-    if (!skip()) return false;
-    while (scan_.peek() != ']') {
-      std::size_t parent = pointer_.size();
-      pointer_ += fmt::format("/{}", list.items.size());
-      if (!read_value(list.items.emplace_back(), depth)) return false;
-      pointer_.resize(parent);
-      if (!read_separator(']', "element")) return false;
+  /// Of the innermost list or object, or of the next value inside it.
+  std::string pointer(bool inside) const {
+    std::string text;
+    for (const Frame& frame : frames_) {
+      bool last = &frame == &frames_.back();
+      const Value& value = *frame.value;
+      if (last && !inside) break;
+      text = value.is(Value::Type::list) ? fmt::format("{}/{}", text, value.items.size() - (last ? 0 : 1))
+                                         : pointer_step(text, value.members.back().name);
     }
-    scan_.advance(1);
-    return true;
+    return text;
   }
 
-  bool read_object(Value& object, int depth) {
-    if (!deeper(depth)) return false;
-    object.type = Value::Type::object;
-    scan_.advance(1);
-    if (!skip()) return false;
-    std::set<std::string> names;
-    while (scan_.peek() != '}') {
-      if (!read_member(object, names, depth) || !read_separator('}', "member")) return false;
-    }
-    scan_.advance(1);
-    return true;
+  void note(std::size_t offset, std::string_view pointer, std::string what) {
+    std::string where = fmt::format("{}: {}", places_.at(offset).text(), pointer.empty() ? "/" : pointer);
+    errors_.push_back({std::move(where), std::move(what)});
   }
 
-  bool read_member(Value& object, std::set<std::string>& names, int depth) {
-    if (scan_.peek() != '"') return unexpected("a name in double quotes");
-    Member member;
-    member.origin = origin_here();
-    std::size_t start = scan_.offset();
-    if (!read_text(member.name) || !skip()) return false;
-    if (scan_.peek() != ':') return unexpected("':' behind the name");
-    scan_.advance(1);
-
-    std::size_t parent = pointer_.size();
-    pointer_ = pointer_step(pointer_, member.name);
-    bool fresh = names.insert(member.name).second;
-    if (!fresh)
-      fault_at(start,
-               fmt::format("the name {} a second time; expected it once", serialize(make_text(member.name))));
-    if (!read_value(member.value, depth)) return false;
-    pointer_.resize(parent);
-    if (fresh) object.members.push_back(std::move(member));
-    return true;
-  }
-
-  Scanner scan_;
-  std::shared_ptr<const std::string> source_;
-  std::string pointer_;
+  std::string_view text_;
+  std::size_t read_ = 0;  ///< bytes that the library has read
+  std::size_t end_;       ///< of the last token
+  Places places_;
+  Document document_;
+  std::vector<Frame> frames_;
+  bool whole_ = false;  ///< the outermost value has begun
   Errors errors_;
 };
 
 }  // namespace
 
 Result<Document> parse_json(std::string_view text, std::string_view file_name) {
-  return Parser(text, file_name).parse();
+  return TreeBuilder(text, file_name).build();
 }
 
 }  // namespace frond

@@ -17,8 +17,7 @@ struct Document {
 
 /// Reads JSON (RFC 8259) with `//` and `/* */` comments. Everything else beyond the standard is refused, with
 /// its place: trailing commas, a name twice in an object, text that is not UTF-8, numbers beyond double
-/// precision. `file_name` is what messages call the text. A library is not used because none at hand gives
-/// the place of each name and value.
+/// precision. A byte order mark is passed over. `file_name` is what messages call the text.
 Result<Document> parse_json(std::string_view text, std::string_view file_name);
 
 /// The value as JSON on one line, the same text for the same value wherever it is made: members in their

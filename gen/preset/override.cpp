@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "preset/scanner.h"
+#include "preset/utf8.h"
 
 namespace frond {
 namespace {

@@ -2,13 +2,83 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "preset/fault.h"
 #include "preset/json.h"
+#include "preset/merge.h"
 #include "preset/override.h"
 #include "preset/reader.h"
 #include "preset/schema.h"
 #include "scene/describe.h"
 
 namespace frond {
+namespace {
+
+struct RuleList {
+  std::string_view name;
+  std::vector<GrammarText::Rule> GrammarText::*rules;
+};
+
+constexpr RuleList kRuleLists[] = {{"rules", &GrammarText::rules},
+                                   {"decomposition", &GrammarText::decomposition},
+                                   {"interpretation", &GrammarText::interpretation}};
+
+/// An organism with the defaults behind it, as it was read.
+Value merged_organism(const Value& root, std::size_t index) {
+  std::vector<std::string> force;
+  if (const Value* names = root.find("force"))
+    for (const Value& name : names->items) force.push_back(name.text);
+  const Value* defaults = root.find("defaults");
+  return merge(defaults ? *defaults : make_object(), root.find("organisms")->items[index], force);
+}
+
+/// A fault at the pointer inside of an organism.
+Fault organism_fault(const Value& organism, std::size_t index, std::string_view pointer, std::string what) {
+  return {origin_at(organism, pointer), fmt::format("/organisms/{}{}", index, pointer), std::move(what)};
+}
+
+/// What stands between the first backquotes of a text.
+std::string_view quoted(std::string_view text) {
+  std::size_t begin = std::min(text.find('`'), text.size());
+  text.remove_prefix(std::min(begin + 1, text.size()));
+  return text.substr(0, text.find('`'));
+}
+
+/// The property of a grammar that an error of compile() is about: "/rules/2", "/axiom", or "" where it does
+/// not say. Rules must have been placed.
+std::string grammar_pointer(const GrammarText& grammar, const Error& error) {
+  for (const RuleList& list : kRuleLists) {
+    const std::vector<GrammarText::Rule>& rules = grammar.*list.rules;
+    auto rule = std::ranges::find(rules, error.where, &GrammarText::Rule::where);
+    if (rule != rules.end()) return fmt::format("/{}/{}", list.name, rule - rules.begin());
+  }
+  if (error.where.starts_with("constant `")) return pointer_step("/constants", quoted(error.where));
+  if (!error.where.empty()) return pointer_step("", error.where);
+  // A number that is out of range is named first of all.
+  return error.what.starts_with('`') ? pointer_step("", quoted(error.what)) : "";
+}
+
+/// Tells the rules where they stand and finds what is wrong with them.
+void check_grammar(Organism& organism, const Value& written, std::size_t index, Faults& faults) {
+  auto* coral = std::get_if<CoralParams>(&organism.body);
+  bool own = coral && coral->form == CoralForm::own;
+  if (own) {
+    for (const RuleList& list : kRuleLists) {
+      std::size_t i = 0;
+      for (GrammarText::Rule& rule : coral->grammar.*list.rules) {
+        std::string pointer = fmt::format("/grammar/{}/{}", list.name, i++);
+        rule.where = organism_fault(written, index, pointer, "").error().where;
+      }
+    }
+  }
+  for (const Error& error : check(organism)) {
+    std::string pointer = own ? "/grammar" + grammar_pointer(coral->grammar, error) : "";
+    faults.add(organism_fault(written, index, pointer, error.what));
+  }
+}
+
+}  // namespace
 
 Result<Preset> read_preset(std::string_view text, const std::string& file_name,
                            const std::vector<std::string>& sets) {
@@ -22,13 +92,10 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Result<Preset> preset = read_preset<Preset>(*document);
   if (!preset) return preset;
   preset->text = serialize(document->root);
-  for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
-    for (Error& error : check(preset->organisms[i])) {
-      std::string where = fmt::format("{}: /organisms/{}/grammar", file_name, i);
-      errors.push_back({error.where.empty() ? where : where + ": " + error.where, error.what});
-    }
-  }
-  if (!errors.empty()) return errors;
+  Faults faults;
+  for (std::size_t i = 0; i < preset->organisms.size(); ++i)
+    check_grammar(preset->organisms[i], merged_organism(document->root, i), i, faults);
+  if (!faults.list().empty()) return faults.errors();
   return preset;
 }
 

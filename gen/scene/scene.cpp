@@ -233,7 +233,7 @@ Result<Scene> build_scene(const Preset& preset) {
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
   if (preset.stage.setting == Setting::underwater)
-    b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 72);
+    b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
   if (preset.stage.setting == Setting::meadow)
     b.scene.floor = ground_surface(b.ground, Vec2(0), kMeadowRadius, 110);
 

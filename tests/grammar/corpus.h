@@ -57,8 +57,7 @@ inline GrammarText grammar_of(const nlohmann::json& c) {
   if (c.value("mode", "parallel") == "sequential") g.mode = GrammarText::Mode::sequential;
   const nlohmann::json pull = c.value("turtle_options", nlohmann::json::object());
   if (pull.contains("tropism")) {
-    g.tropism = Vec3(pull["tropism"][0].get<float>(), pull["tropism"][1].get<float>(),
-                     pull["tropism"][2].get<float>());
+    for (int i = 0; i < 3; ++i) g.tropism[i] = pull["tropism"][static_cast<std::size_t>(i)];
     g.elasticity = pull["e"];
   }
   if (c.contains("start")) g.length = c["start"].value("step", 1.0);

@@ -41,13 +41,29 @@ TEST(Json, SaysWhatIsWrong) {
       {"\"\\ud800\"",
        "f:1:2: /: half a surrogate pair; expected \\uD800 to \\uDBFF and then \\uDC00 to \\uDFFF"},
       {"01", "f:1:2: /: '1'; expected the end of the text"},
-      {"[-]", "f:1:2: /0: '-'; expected a value"},
-      {"[1.]", "f:1:2: /0: '1'; expected a value"},
+      {"[-]", "f:1:2: /0: an unfinished number; expected a digit behind its '-', '.' or 'e'"},
+      {"[1.]", "f:1:2: /0: an unfinished number; expected a digit behind its '-', '.' or 'e'"},
+      {"[2, 1e+]", "f:1:5: /1: an unfinished number; expected a digit behind its '-', '.' or 'e'"},
       {"[.5]", "f:1:2: /0: '.'; expected a value"},
       {"[1e999]", "f:1:2: /0: the number 1e999; expected one below 1.8e308"},
       {"[NaN]", "f:1:2: /0: 'N'; expected a value"},
       {"[\"\xff\"]", "f:1:3: /: bytes that are not UTF-8; expected UTF-8"},
       {"[\"\xed\xa0\x80\"]", "f:1:3: /: bytes that are not UTF-8; expected UTF-8"},
+      {"[\"a\\\"\", \"surrogate \\q\"]",
+       "f:1:20: /1: an unknown escape; expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX"},
+      {"{\"a\": 1, \"b\tc\": 2}",
+       "f:1:12: /: a line break or control character inside a text; expected an escape such as \\n"},
+      {"[1 \"a", "f:1:4: /: '\"'; expected ',' or ']'"},
+      {"[1, /* , */ // ]\n", "f:2:1: /1: the end of the text; expected a value"},
+      {"[1, /* , */]", "f:1:3: /: a comma before the closing ']'; expected no comma behind the last element"},
+      {"{\"a\" /* : */ 1}", "f:1:14: /: '1'; expected ':' behind the name"},
+      {"{\"a\": 0 /* open}", "f:1:9: /: a comment without end; expected */"},
+      {"[0, 1e400, 2]", "f:1:5: /1: the number 1e400; expected one below 1.8e308"},
+      {"{}]", "f:1:3: /: ']'; expected the end of the text"},
+      {"\"é\" é", "f:1:5: /: 'é'; expected the end of the text"},
+      {"Ａ", "f:1:1: /: 'Ａ'; expected a value"},
+      {{"{} \0 {", 6}, "f:1:4: /: a zero byte; expected a text"},
+      {"// \xff\n{}", "f:1:4: /: bytes that are not UTF-8; expected UTF-8"},
       {"{\"a/b~c\": x}", "f:1:11: /a~1b~0c: 'x'; expected a value"},
   };
   for (const auto& c : cases) EXPECT_EQ(message(c.text), c.message) << c.text;
@@ -73,6 +89,23 @@ TEST(Json, PlacesCountCharactersFromOne) {
   EXPECT_EQ(root.members[1].value.origin.text(), "f:4:5");
 }
 
+TEST(Json, PlacesDoNotTakeCommentsForTokens) {
+  Result<Document> document = parse_json(
+      "/* { */ [ // [\"a\",\r\n 10/**/,-0/*,*/,\t/* // */0 , \"/*\",true,{\"//\"/*:*/:/**//**/ "
+      "{\"a\":1.5e3}}]//",
+      "f");
+  ASSERT_TRUE(document);
+  const Value& list = document->root;
+  std::vector<std::string> places{list.origin.text()};
+  for (const Value& item : list.items) places.push_back(item.origin.text());
+  EXPECT_EQ(places,
+            (std::vector<std::string>{"f:1:9", "f:2:2", "f:2:9", "f:2:26", "f:2:30", "f:2:35", "f:2:40"}));
+  const Member& inner = list.items[5].members[0];
+  EXPECT_EQ(inner.origin.text(), "f:2:41");
+  EXPECT_EQ(inner.value.origin.text(), "f:2:60");
+  EXPECT_EQ(inner.value.members[0].value.origin.text(), "f:2:65");
+}
+
 TEST(Json, ReadsValues) {
   EXPECT_EQ(message(R"( [true, false, null, "a\"\\\/\b\f\n\r\t\u0041\u00e9\u20ac\ud83d\ude00", {}, []] )"),
             "good: [true,false,null,\"a\\\"\\\\/\\u0008\\u000c\\n\\r\\tAé€😀\",{},[]]");
@@ -82,11 +115,11 @@ TEST(Json, ReadsValues) {
 }
 
 TEST(Json, KnowsWholeNumbers) {
-  Result<Document> document = parse_json("[1, 1.0, 1e2, -3]", "f");
+  Result<Document> document = parse_json("[1, 1.0, 1e2, -3, -0, 18446744073709551616]", "f");
   ASSERT_TRUE(document);
   std::vector<bool> integer;
   for (const Value& item : document->root.items) integer.push_back(item.integer);
-  EXPECT_EQ(integer, (std::vector<bool>{true, false, false, true}));
+  EXPECT_EQ(integer, (std::vector<bool>{true, false, false, true, true, true}));
 }
 
 TEST(Json, DepthHasALimit) {

@@ -61,7 +61,7 @@ TEST(Preset, RulesKnowWhereTheyStand) {
  "organisms": [{"kind": "coral", "form": "own", "grammar": {"interpretation": [{"rule": "A -> F"}]}}]})");
   const GrammarText& grammar = coral(preset, 0).grammar;
   EXPECT_EQ(grammar.rules.at(0).where, "test.json:1:37: /organisms/0/grammar/rules/0");
-  EXPECT_EQ(grammar.interpretation.at(0).where, "test.json:2:79: /organisms/0/grammar/interpretation/0");
+  EXPECT_EQ(grammar.interpretation.at(0).where, "test.json:2:80: /organisms/0/grammar/interpretation/0");
 }
 
 TEST(Scene, IsTheSameAtAnyThreadCount) {

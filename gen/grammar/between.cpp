@@ -1,0 +1,103 @@
+#include "grammar/between.h"
+
+#include <algorithm>
+
+namespace frond {
+
+namespace {
+
+/// Where the parameters of each module begin, and of one behind the last.
+std::vector<std::size_t> offsets_of(const Grammar& grammar, const Word& word) {
+  std::vector<std::size_t> offsets{0};
+  for (SymbolId symbol : word.symbols)
+    offsets.push_back(offsets.back() + static_cast<std::size_t>(grammar.symbols[symbol].arity));
+  return offsets;
+}
+
+/// How far a module takes the turtle, what its interpretation puts into brackets left out.
+double reach_of(const Grammar& grammar, SymbolId symbol, const double* parameters) {
+  double reach = 0;
+  int depth = 0;
+  auto emit = [&](SymbolId id, const double* values) {
+    const Symbol& info = grammar.symbols[id];
+    if (info.act == Act::push) ++depth;
+    if (info.act == Act::pop) --depth;
+    bool goes = info.act == Act::draw || info.act == Act::move || info.act == Act::draw_free ||
+                info.act == Act::move_free;
+    if (goes && depth == 0) reach += std::abs(info.arity > 0 ? values[0] : grammar.text.length);
+    return true;
+  };
+  Evaluation at;
+  at.tables = grammar.tables;
+  expand(grammar, grammar.interpretation, symbol, parameters, grammar.text.interpretation_depth, at, emit);
+  return reach;
+}
+
+/// One parent and the run of modules that it became.
+struct Family {
+  const Grammar& grammar;
+  const Word& before;
+  const Word& after;
+  const std::vector<std::size_t>& before_at;
+  const std::vector<std::size_t>& after_at;
+  double age;
+
+  bool unchanged(std::size_t parent, std::size_t first, std::size_t last) const {
+    if (last - first != 1 || before.symbols[parent] != after.symbols[first]) return false;
+    const double* a = before.parameters.data() + before_at[parent];
+    return std::equal(a, a + (before_at[parent + 1] - before_at[parent]),
+                      after.parameters.data() + after_at[first]);
+  }
+
+  void grow(std::size_t parent, std::size_t first, std::size_t last, std::vector<Growth>& growth) const {
+    if (unchanged(parent, first, last)) return;
+    double was = reach_of(grammar, before.symbols[parent], before.parameters.data() + before_at[parent]),
+           is = 0;
+    int depth = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      depth += after.symbols[i] == grammar.open ? 1 : after.symbols[i] == grammar.close ? -1 : 0;
+      if (depth == 0) is += reach_of(grammar, after.symbols[i], after.parameters.data() + after_at[i]);
+    }
+    double axis = is > 0 ? age + (1 - age) * was / is : age;
+    const Symbol& old = grammar.symbols[before.symbols[parent]];
+    for (std::size_t i = first; i < last; ++i) {
+      const Symbol& now = grammar.symbols[after.symbols[i]];
+      depth += after.symbols[i] == grammar.open ? 1 : after.symbols[i] == grammar.close ? -1 : 0;
+      growth[i] = {age, depth == 0 ? axis : age, 0, false};
+      if (last - first == 1 && now.act == old.act && now.arity > 0 && old.arity > 0) {
+        growth[i].from = before.parameters[before_at[parent]];
+        growth[i].has_from = true;
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Result<Between> between(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
+  if (!(steps >= 0)) return Error{"steps", "the number of steps must be 0 or more"};
+  int whole = static_cast<int>(steps);
+  Errors errors;
+  if (has_growth_matrix(grammar)) errors = refuse(forecast(grammar, whole + 1, seed, limits), limits);
+  if (!errors.empty()) return errors;
+  Derivation state = begin(grammar, seed);
+  errors = advance(grammar, state, whole, seed, limits);
+  if (!errors.empty()) return errors;
+  Word before = state.word;
+  std::vector<std::uint32_t> parents;
+  errors = advance_tracked(grammar, state, seed, parents);
+  if (!errors.empty()) return errors;
+  Between result{std::move(state.word), {}};
+  result.growth.resize(result.word.size());
+  std::vector<std::size_t> before_at = offsets_of(grammar, before),
+                           after_at = offsets_of(grammar, result.word);
+  double share = steps - whole;
+  Family family{grammar, before, result.word, before_at, after_at, smooth_step(0.0, 1.0, share)};
+  for (std::size_t first = 0, last = 0; first < parents.size(); first = last) {
+    while (last < parents.size() && parents[last] == parents[first]) ++last;
+    family.grow(parents[first], first, last, result.growth);
+  }
+  return result;
+}
+
+}  // namespace frond

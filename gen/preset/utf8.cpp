@@ -1,0 +1,36 @@
+#include "preset/utf8.h"
+
+namespace frond {
+
+// Table 3-7 of the Unicode standard.
+std::size_t character_size(std::string_view text) {
+  auto between = [&](std::size_t i, unsigned low, unsigned high) {
+    unsigned byte = i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+    return byte >= low && byte <= high;
+  };
+  auto tail = [&](std::size_t i) { return between(i, 0x80, 0xbf); };
+  if (text.empty()) return 0;
+  unsigned first = static_cast<unsigned char>(text[0]);
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return tail(1) ? 2 : 0;
+  if (first >= 0xe0 && first <= 0xef) {
+    bool second = between(1, first == 0xe0 ? 0xa0 : 0x80, first == 0xed ? 0x9f : 0xbf);
+    return second && tail(2) ? 3 : 0;
+  }
+  if (first >= 0xf0 && first <= 0xf4) {
+    bool second = between(1, first == 0xf0 ? 0x90 : 0x80, first == 0xf4 ? 0x8f : 0xbf);
+    return second && tail(2) && tail(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+std::optional<std::size_t> invalid_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t size = character_size(text.substr(i, 4));
+    if (size == 0) return i;
+    i += size;
+  }
+  return std::nullopt;
+}
+
+}  // namespace frond
