@@ -8,7 +8,7 @@ namespace frond {
 /// grown.
 struct Between {
   Word word;                   ///< the later one
-  std::vector<Growth> growth;  ///< of each of its modules
+  std::vector<ModuleGrowth> growth;  ///< of each of its modules
 };
 
 /// The shape after `steps` steps, a number that need not be whole. What a module becomes takes its place at

@@ -27,7 +27,7 @@ struct Segment {
 };
 
 /// A module in between two steps, on its way from what its parent was to what it will be.
-struct Growth {
+struct ModuleGrowth {
   double age = 1;      ///< 0..1: turns, widths and organs have grown so far
   double stretch = 1;  ///< what lengths are multiplied by
   double from = 0;     ///< where its first parameter comes from, if `has_from`
@@ -64,7 +64,7 @@ class Turtle {
   }
 
   /// How far the modules fed from now on have grown.
-  void set_growth(const Growth& growth) { growth_ = growth, now_.grown = growth.age; }
+  void set_growth(const ModuleGrowth& growth) { growth_ = growth, now_.grown = growth.age; }
 
   const TurtleState& state() const { return now_; }
 
@@ -79,7 +79,6 @@ class Turtle {
       case Act::none:
         if constexpr (requires { sink_.bare(symbol, parameters, now_); })
           sink_.bare(symbol, parameters, now_);
-        return;
         return;
       case Act::draw:
       case Act::draw_free:
@@ -343,7 +342,7 @@ class Turtle {
   std::vector<DVec3> vertices_;        // of all polygons open
   std::vector<std::size_t> polygons_;  // the first vertex of each
   std::uint64_t fed_ = 0, acted_ = 0;
-  Growth growth_;
+  ModuleGrowth growth_;
   double turn_angle_ = 0, turn_sine_ = 0, turn_cosine_ = 1;
   int skipped_ = -1;  // brackets open since a cut; -1: not behind one
   bool wants_organ_ = false, jitters_ = false;
