@@ -5,9 +5,9 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "core/files.h"
+#include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
-#include "scene/scene.h"
 
 // What there is and how large it is: check, info, list, schema.
 
@@ -17,7 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kBytesANode = 85;  // of a frame's text, as measured over the presets
+// As measured over the presets.
+constexpr double kBytesANode = 85;           // of a frame's text
+constexpr double kBytesANodeInMemory = 130;  // the skeleton and its pose
+constexpr double kBytesOfGround = 1.4e6;     // floor and stones in a frame's text
 
 /// One thing that can be named in a preset.
 struct Entry {
@@ -31,15 +34,17 @@ std::vector<Entry> entries(const fs::path& root) {
   for (const auto& row : kSettings) list.push_back({"settings", std::string(row.name), std::string(row.doc)});
   std::vector<fs::path> files;
   std::error_code error;
-  for (const auto& file : fs::directory_iterator(root / "presets", error))
-    if (file.path().extension() == ".json") files.push_back(file.path());
+  for (const auto& file : fs::recursive_directory_iterator(root / "presets", error))
+    if (file.path().extension() == ".json" && !is_grammar(file.path().string())) files.push_back(file.path());
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
     Result<std::string> text = read_file(file);
     Result<Preset> preset = text ? read_preset(*text, file.string(), {}) : text.errors();
     list.push_back(
-        {"presets", "presets/" + file.filename().string(), preset ? preset->title : "(has faults)"});
+        {"presets", file.lexically_relative(root).string(), preset ? preset->title : "(has faults)"});
   }
+  for (const TurtleSymbol& symbol : turtle_symbols())
+    list.push_back({"symbols", std::string(symbol.name), std::string(symbol.doc)});
   return list;
 }
 
@@ -55,16 +60,27 @@ int check(const std::vector<std::string>& paths) {
 }
 
 int info(const PresetArguments& arguments, bool json) {
+  if (is_grammar(arguments.path)) return info_grammar(arguments.path, json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  Result<Scene> scene = build_scene(*preset);
-  if (!scene) return fail(scene.errors(), kWrongInput);
-  auto bytes = static_cast<std::size_t>(kBytesANode * static_cast<double>(scene->nodes())) + 700'000;
+  double organisms = 0, nodes = 0, modules = 0, word_bytes = 0;
+  for (const Organism& organism : preset->organisms) {
+    Result<Foresight> foresight = foresee(organism, Seed{preset->seed});
+    if (!foresight) return fail(foresight.errors(), kWrongInput);
+    double count = std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
+    organisms += count;
+    nodes += count * foresight->nodes;
+    modules += count * foresight->word.modules;
+    word_bytes = std::max(word_bytes, foresight->word.bytes);
+  }
+  double memory = word_bytes + nodes * kBytesANodeInMemory, frame = nodes * kBytesANode + kBytesOfGround;
   std::string_view form =
-      json ? "{{\"organisms\": {}, \"nodes\": {}, \"stones\": {}, \"frames\": {}, \"bytes_a_frame\": {}}}\n"
-           : "{} organisms, {} nodes, {} stones, {} frames of about {} bytes\n";
-  fmt::print(fmt::runtime(form), scene->branches.size(), scene->nodes(), scene->stone_instances.size(),
-             preset->film.frames, bytes);
+      json ? "{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"memory_bytes\": {:.0f}, "
+             "\"frames\": {}, \"bytes_a_frame\": {:.0f}}}\n"
+           : "up to {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.3g} bytes of memory; {} frames of "
+             "about "
+             "{:.3g} bytes\n";
+  fmt::print(fmt::runtime(form), organisms, modules, nodes, memory, preset->film.frames, frame);
   return kDone;
 }
 

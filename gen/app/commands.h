@@ -38,6 +38,7 @@ struct GrammarArguments {
 int generate(const GenerateArguments& arguments);
 int check(const std::vector<std::string>& paths);
 int info(const PresetArguments& arguments, bool json);
+int info_grammar(const std::string& path, bool json);
 int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int list_everything(bool json);

@@ -4,6 +4,7 @@
 #include "app/inputs.h"
 #include "core/files.h"
 #include "grammar/figure.h"
+#include "grammar/forecast.h"
 #include "grammar/import.h"
 #include "grammar/picture.h"
 #include "preset/json.h"
@@ -34,9 +35,9 @@ Result<Grammar> load_grammar(const std::string& path) {
   Result<std::string> text = read_file(path);
   if (!text) return text.errors();
   if (!path.ends_with(".json")) return import_file(path, *text);
-  Result<Document> document = parse_json(*text, path);
-  if (!document) return document.errors();
-  if (!document->root.find("organisms")) {
+  if (is_grammar(path)) {
+    Result<Document> document = parse_json(*text, path);
+    if (!document) return document.errors();
     Result<GrammarText> grammar = read_preset<GrammarText>(*document);
     if (!grammar) return grammar.errors();
     return compile(*grammar);
@@ -77,6 +78,22 @@ int write_picture(const std::optional<std::string>& path, const Result<std::stri
 std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 }  // namespace
+
+int info_grammar(const std::string& path, bool json) {
+  Result<Loaded> loaded = load({path, {}, {}, false, {}});
+  if (!loaded) return fail(loaded.errors(), kWrongInput);
+  const auto& [grammar, steps, seed] = *loaded;
+  Forecast size = forecast(grammar, steps, seed);
+  constexpr const char* kKinds[] = {"exact", "expected", "extrapolated"};
+  std::string_view form =
+      json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.0f}, \"segments\": {:.0f}, \"bytes\": "
+             "{:.0f}}}\n"
+           : "{}: after {} steps {:.0f} modules, {:.0f} segments, {:.0f} bytes\n";
+  fmt::print(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
+             size.bytes);
+  Errors errors = refuse(size, {});
+  return errors.empty() ? kDone : fail(errors, kWrongInput);
+}
 
 int derive_word(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);

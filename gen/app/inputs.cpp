@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/files.h"
+#include "preset/json.h"
 
 namespace frond {
 
@@ -51,6 +52,13 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   }
   if (arguments.quality) sets.push_back("/film/quality=" + *arguments.quality);
   return read_preset(*text, arguments.path, sets);
+}
+
+bool is_grammar(const std::string& path) {
+  if (!path.ends_with(".json")) return true;
+  Result<std::string> text = read_file(path);
+  Result<Document> document = text ? parse_json(*text, path) : text.errors();
+  return document && document->root.find("axiom") && !document->root.find("organisms");
 }
 
 Result<FrameRange> read_frames(const std::string& text, int count) {

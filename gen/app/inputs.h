@@ -14,6 +14,9 @@ Result<std::filesystem::path> home();
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
 
+/// Whether a file holds a grammar rather than a preset: one of another tool, or JSON without organisms.
+bool is_grammar(const std::string& path);
+
 /// A range as in `--frames 5-12` or `--frames 7`, within 1..count.
 struct FrameRange {
   int first, last;

@@ -86,7 +86,7 @@ int main(int count, char** words) {
   schema_command->callback([&] { result = print_schema(); });
 
   bool list_json = false;
-  auto* list_command = app.add_subcommand("list", "Lists growers, settings and presets");
+  auto* list_command = app.add_subcommand("list", "Lists growers, settings, presets and turtle symbols");
   list_command->add_flag("--json", list_json, "For machines");
   list_command->callback([&] { result = list_everything(list_json); });
 

@@ -139,15 +139,15 @@ Surface turned_surface(std::span<const float> profile, int sides) {
 }
 
 Surface ball_surface() {
-  constexpr int kRows = 9;
+  constexpr int kRows = 12, kSides = 20;
   std::array<float, kRows> profile;
   Surface s;
   for (int i = 0; i < kRows; ++i)
     profile[static_cast<std::size_t>(i)] = static_cast<float>(0.5 * std::sin(kPi * i / (kRows - 1)));
   profile.front() = profile.back() = 0;
-  s = turned_surface(profile, 14);
+  s = turned_surface(profile, kSides);
   for (std::size_t i = 0; i < s.position.size(); ++i) {
-    auto row = static_cast<double>(i / 15);
+    auto row = static_cast<double>(i / (kSides + 1));
     s.position[i].y = static_cast<float>(-0.5 * std::cos(kPi * row / (kRows - 1)));
     s.normal[i] = glm::normalize(s.position[i]);
   }

@@ -49,7 +49,7 @@ struct Family {
                       after.parameters.data() + after_at[first]);
   }
 
-  void grow(std::size_t parent, std::size_t first, std::size_t last, std::vector<ModuleGrowth>& growth) const {
+  void grow(std::size_t parent, std::size_t first, std::size_t last, std::vector<Unfolding>& growth) const {
     if (unchanged(parent, first, last)) return;
     double was = reach_of(grammar, before.symbols[parent], before.parameters.data() + before_at[parent]),
            is = 0;

@@ -7,8 +7,8 @@ namespace frond {
 /// The last step of a derivation in the making: both words, and how far each module of the later one has
 /// grown.
 struct Between {
-  Word word;                   ///< the later one
-  std::vector<ModuleGrowth> growth;  ///< of each of its modules
+  Word word;                      ///< the later one
+  std::vector<Unfolding> growth;  ///< of each of its modules
 };
 
 /// The shape after `steps` steps, a number that need not be whole. What a module becomes takes its place at

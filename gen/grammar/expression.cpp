@@ -33,59 +33,6 @@ constexpr std::array kFunctions{
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// How many values an operation takes off the stack.
-std::size_t operands(Op op) {
-  switch (op) {
-    case Op::constant:
-    case Op::variable:
-    case Op::step_number:
-      return 0;
-    case Op::element:
-    case Op::ramp:
-    case Op::negate:
-    case Op::logical_not:
-    case Op::truth:
-    case Op::jump_if_false:
-    case Op::jump_if_true:
-    case Op::floor:
-    case Op::ceil:
-    case Op::round:
-    case Op::abs:
-    case Op::sign:
-    case Op::sqrt:
-    case Op::exp:
-    case Op::log:
-    case Op::sin:
-    case Op::cos:
-    case Op::tan:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-      return 1;
-    case Op::add:
-    case Op::subtract:
-    case Op::multiply:
-    case Op::divide:
-    case Op::modulo:
-    case Op::power:
-    case Op::less:
-    case Op::less_equal:
-    case Op::greater:
-    case Op::greater_equal:
-    case Op::equal:
-    case Op::not_equal:
-    case Op::min:
-    case Op::max:
-    case Op::atan2:
-    case Op::rand:
-    case Op::nrand:
-      return 2;
-  }
-  return 0;
-}
-
-constexpr std::size_t kStack = 64;
-
 /// Precedence climbing, writing code as it reads; constants are folded on the way.
 class Parser {
  public:
@@ -94,7 +41,7 @@ class Parser {
   Expression read() {
     read_or();
     Expression formula;
-    if (!in_.failed() && (code_.size() > 60000 || height() > kStack))
+    if (!in_.failed() && (code_.size() > 60000 || height() > kHighestStack))
       in_.fail("the formula is too long; split it with constants", in_.at);
     if (in_.failed()) return formula;
     using Form = Expression::Form;

@@ -11,49 +11,24 @@
 namespace frond {
 
 /// The operations of the expression machine. Angles are in degrees; truth is 1, falsehood 0.
+// clang-format off
 enum class Op : std::uint8_t {
-  constant,
-  variable,
-  step_number,
-  element,
-  ramp,
-  add,
-  subtract,
-  multiply,
-  divide,
-  modulo,
-  power,
-  negate,
-  less,
-  less_equal,
-  greater,
-  greater_equal,
-  equal,
-  not_equal,
-  logical_not,
-  truth,
-  jump_if_false,
-  jump_if_true,
-  min,
-  max,
-  floor,
-  ceil,
-  round,
-  abs,
-  sign,
-  sqrt,
-  exp,
-  log,
-  sin,
-  cos,
-  tan,
-  asin,
-  acos,
-  atan,
-  atan2,
-  rand,
-  nrand,
+  // without operands
+  constant, variable, step_number,
+  // of one value
+  element, ramp, jump_if_false, jump_if_true, negate, logical_not, truth, floor, ceil, round, abs, sign, sqrt, exp,
+  log, sin, cos, tan, asin, acos, atan,
+  // of two values
+  add, subtract, multiply, divide, modulo, power, less, less_equal, greater, greater_equal, equal, not_equal, min,
+  max, atan2, rand, nrand,
 };
+// clang-format on
+
+/// How many values an operation takes off the stack.
+constexpr std::size_t operands(Op op) { return op < Op::element ? 0 : op < Op::add ? 1 : 2; }
+
+/// The most values that a formula may need at a time.
+inline constexpr std::size_t kHighestStack = 64;
 
 struct Instruction {
   Op op = Op::constant;

@@ -118,8 +118,8 @@ double binary(Op op, double a, double b, Evaluation& at) {
 }  // namespace
 
 double run(const Expression& formula, Evaluation& at) {
-  double stack[64];
-  double* top = stack - 1;  // the parser holds nesting, and so the height, below 64
+  double stack[kHighestStack + 1];
+  double* top = stack;  // the first place stays empty
   const Instruction* code = formula.code.data();
   for (std::size_t i = 0, n = formula.code.size(); i < n; ++i) {
     const Instruction& now = code[i];
@@ -156,41 +156,13 @@ double run(const Expression& formula, Evaluation& at) {
         else
           --top;
         break;
-      case Op::negate:
-      case Op::logical_not:
-      case Op::truth:
-      case Op::floor:
-      case Op::ceil:
-      case Op::round:
-      case Op::abs:
-      case Op::sign:
-      case Op::sqrt:
-      case Op::exp:
-      case Op::log:
-      case Op::sin:
-      case Op::cos:
-      case Op::tan:
-      case Op::asin:
-      case Op::acos:
-      case Op::atan:
-        *top = unary(now.op, *top);
-        break;
-      case Op::divide:
-      case Op::modulo:
-      case Op::power:
-      case Op::less:
-      case Op::less_equal:
-      case Op::greater:
-      case Op::greater_equal:
-      case Op::equal:
-      case Op::not_equal:
-      case Op::min:
-      case Op::max:
-      case Op::atan2:
-      case Op::rand:
-      case Op::nrand:
-        --top, top[0] = binary(now.op, top[0], top[1], at);
-        break;
+      default:
+        if (operands(now.op) == 1) {
+          *top = unary(now.op, *top);
+        } else {
+          --top;
+          top[0] = binary(now.op, top[0], top[1], at);
+        }
     }
   }
   return *top;

@@ -11,54 +11,21 @@ namespace frond {
 enum class Dialect { abop, houdini };
 
 /// What the turtle does at a symbol.
+// clang-format off
 enum class Act : std::uint8_t {
-  none,
-  draw,
-  move,
-  draw_free,
-  move_free,
-  yaw_left,
-  yaw_right,
-  pitch_down,
-  pitch_up,
-  roll_left,
-  roll_right,
-  turn_back,
-  roll_back,
-  level,
-  push,
-  pop,
-  open_polygon,
-  close_polygon,
-  vertex,
-  narrow,
-  widen,
-  scale_width,
-  divide_width,
-  scale_length,
-  divide_length,
-  scale_angle,
-  divide_angle,
-  next_color,
-  previous_color,
-  organ,
-  random_turn,
-  sphere,
-  disc,
-  tube_start,
-  tube_point,
-  tube_end,
-  set_heading,
+  none, draw, move, draw_free, move_free, yaw_left, yaw_right, pitch_down, pitch_up, roll_left, roll_right, push, pop,
+  turn_back, roll_back, open_polygon, close_polygon, vertex, organ, cut, level, random_turn, set_heading,
   set_position,
-  set_elasticity,
-  cut,
-  query_position,
-  query_heading,
-  query_up,
-  query_left,
-  environment,
+  // how it draws from here on
+  narrow, widen, scale_width, divide_width, scale_length, divide_length, scale_angle, divide_angle, next_color,
+  previous_color, set_elasticity,
+  // what is left to the sink
+  sphere, disc, tube_start, tube_point, tube_end, query_position, query_heading, query_up, query_left, environment,
   guide,
 };
+// clang-format on
+
+constexpr bool changes_style(Act act) { return act >= Act::narrow && act <= Act::set_elasticity; }
 
 /// A symbol that means something to the turtle; every other symbol is silent.
 struct TurtleSymbol {

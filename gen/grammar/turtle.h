@@ -27,7 +27,7 @@ struct Segment {
 };
 
 /// A module in between two steps, on its way from what its parent was to what it will be.
-struct ModuleGrowth {
+struct Unfolding {
   double age = 1;      ///< 0..1: turns, widths and organs have grown so far
   double stretch = 1;  ///< what lengths are multiplied by
   double from = 0;     ///< where its first parameter comes from, if `has_from`
@@ -41,8 +41,8 @@ struct ModuleGrowth {
 ///     void push(TurtleState&);  void pop(TurtleState&); // the state that is kept; the state it is back in
 ///     void polygon(std::span<const DVec3>, const TurtleState&);
 ///     void organ(SymbolId shape, const double* parameters, const TurtleState&);
-///     void bare(SymbolId, const double* parameters, const TurtleState&);  // a symbol that means nothing to
-///     it void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes,
+///     void bare(SymbolId, const double* parameters, const TurtleState&);  // a symbol without meaning
+///     void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes,
 ///     questions, guides
 template <class Sink>
 class Turtle {
@@ -64,7 +64,7 @@ class Turtle {
   }
 
   /// How far the modules fed from now on have grown.
-  void set_growth(const ModuleGrowth& growth) { growth_ = growth, now_.grown = growth.age; }
+  void set_growth(const Unfolding& growth) { growth_ = growth, now_.grown = growth.age; }
 
   const TurtleState& state() const { return now_; }
 
@@ -98,6 +98,18 @@ class Turtle {
         return turn(now_.left, now_.up, given, parameters, -1);
       case Act::roll_right:
         return turn(now_.left, now_.up, given, parameters, 1);
+      case Act::push:
+        return push();
+      case Act::pop:
+        return pop();
+      default:
+        return act_seldom(info, parameters);
+    }
+  }
+
+  void act_seldom(const Symbol& info, const double* parameters) {
+    bool given = info.arity > 0;
+    switch (info.act) {
       case Act::turn_back:
         if (growth_.age < 1) return turn(now_.heading, now_.left, true, &kHalfTurn, 1);
         now_.heading = -now_.heading, now_.left = -now_.left;
@@ -105,10 +117,6 @@ class Turtle {
       case Act::roll_back:
         now_.left = -now_.left, now_.up = -now_.up;
         return;
-      case Act::push:
-        return push();
-      case Act::pop:
-        return pop();
       case Act::open_polygon:
         polygons_.push_back(vertices_.size());
         return;
@@ -123,38 +131,16 @@ class Turtle {
       case Act::cut:
         skipped_ = 0;
         return;
-      case Act::sphere:
-      case Act::disc:
-      case Act::tube_start:
-      case Act::tube_point:
-      case Act::tube_end:
-      case Act::guide:
-      case Act::query_position:
-      case Act::query_heading:
-      case Act::query_up:
-      case Act::query_left:
-      case Act::environment:
-        if constexpr (requires { sink_.sign(info.act, std::span<const double>(), now_); })
-          sink_.sign(info.act, std::span<const double>(parameters, static_cast<std::size_t>(info.arity)),
-                     now_);
-        return;
       case Act::level:
       case Act::random_turn:
       case Act::set_heading:
       case Act::set_position:
         return place(info.act, info.arity, parameters);
-      case Act::narrow:
-      case Act::widen:
-      case Act::scale_width:
-      case Act::divide_width:
-      case Act::scale_length:
-      case Act::divide_length:
-      case Act::scale_angle:
-      case Act::divide_angle:
-      case Act::next_color:
-      case Act::previous_color:
-      case Act::set_elasticity:
-        return style(info.act, given, given ? parameters[0] : 0);
+      default:
+        if (changes_style(info.act)) return style(info.act, given, given ? parameters[0] : 0);
+        if constexpr (requires { sink_.sign(info.act, std::span<const double>(), now_); })
+          sink_.sign(info.act, std::span<const double>(parameters, static_cast<std::size_t>(info.arity)),
+                     now_);
     }
   }
 
@@ -342,7 +328,7 @@ class Turtle {
   std::vector<DVec3> vertices_;        // of all polygons open
   std::vector<std::size_t> polygons_;  // the first vertex of each
   std::uint64_t fed_ = 0, acted_ = 0;
-  ModuleGrowth growth_;
+  Unfolding growth_;
   double turn_angle_ = 0, turn_sine_ = 0, turn_cosine_ = 1;
   int skipped_ = -1;  // brackets open since a cut; -1: not behind one
   bool wants_organ_ = false, jitters_ = false;

@@ -3,10 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 #include "grammar/grammar.h"
 
 namespace frond {
+
+void* allocate_pages(std::size_t bytes) {
+  constexpr std::size_t kPage = std::size_t{2} << 20;
+  void* memory = nullptr;
+  if (bytes < 4 * kPage) {
+    memory = std::malloc(bytes);
+  } else {
+    std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
+    memory = std::aligned_alloc(kPage, whole);
+#ifdef __linux__
+    if (memory) madvise(memory, whole, MADV_HUGEPAGE);
+#endif
+  }
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+void release_pages(void* memory) { std::free(memory); }
 
 std::string text(const Grammar& grammar, const Word& word) {
   std::string out;

@@ -2,19 +2,27 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace frond {
 
+/// Memory for long words. Much of it comes in large pages where the system has them: getting small ones costs
+/// more than writing the words.
+void* allocate_pages(std::size_t bytes);
+void release_pages(void* memory);
+
 /// An allocator whose vectors do not clear what resize() adds: a word is written once, right after.
 template <class T>
-struct Uncleared : std::allocator<T> {
+struct Uncleared {
+  using value_type = T;
+  Uncleared() = default;
   template <class U>
-  struct rebind {
-    using other = Uncleared<U>;
-  };
-  using std::allocator<T>::allocator;
+  Uncleared(const Uncleared<U>&) {}
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_pages(count * sizeof(T))); }
+  void deallocate(T* memory, std::size_t) { release_pages(memory); }
+  bool operator==(const Uncleared&) const { return true; }
   template <class U>
   void construct(U* at) noexcept {
     ::new (static_cast<void*>(at)) U;

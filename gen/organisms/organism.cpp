@@ -27,9 +27,31 @@ struct Check {
   }
 };
 
+struct Foresee {
+  Seed seed;
+  Result<Foresight> operator()(const PlantParams& params) const {
+    Result<Grammar> grammar = plant_grammar(params);
+    if (!grammar) return grammar.errors();
+    Forecast word = forecast(*grammar, grammar->text.steps, seed);
+    if (Errors errors = refuse(word, {}); !errors.empty()) return errors;
+    return Foresight{word, 1 + word.segments * params.smoothing};
+  }
+  Result<Foresight> operator()(const CoralParams& params) const {
+    Result<Grammar> grammar = coral_grammar(params);
+    if (!grammar) return grammar.errors();
+    Forecast word = forecast(*grammar, grammar->text.steps, seed);
+    if (Errors errors = refuse(word, {}); !errors.empty()) return errors;
+    return Foresight{word, 1 + word.segments * params.smoothing};
+  }
+};
+
 }  // namespace
 
 Result<Model> grow(const Organism& organism, Seed seed) { return std::visit(Grow{seed}, organism.body); }
+
+Result<Foresight> foresee(const Organism& organism, Seed seed) {
+  return std::visit(Foresee{seed}, organism.body);
+}
 
 Errors check(const Organism& organism) { return std::visit(Check{}, organism.body); }
 

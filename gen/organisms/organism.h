@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "grammar/forecast.h"
 #include "model/model.h"
 #include "organisms/coral.h"
 #include "organisms/plant.h"
@@ -38,6 +39,15 @@ struct Organism {
 
 /// What an organism is made of at the end of its growth, with its foot at the origin.
 Result<Model> grow(const Organism& organism, Seed seed);
+
+/// How large one of them will be.
+struct Foresight {
+  Forecast word;     ///< of its grammar
+  double nodes = 0;  ///< of its skeleton
+};
+
+/// Foresees the size without growing; a derivation past its limits is refused with the figure and the step.
+Result<Foresight> foresee(const Organism& organism, Seed seed);
 
 /// The first fault of an organism that only shows when its grammar is compiled.
 Errors check(const Organism& organism);

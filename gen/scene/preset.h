@@ -60,9 +60,9 @@ struct Studio {
 struct Meadow {
   Color zenith{0.22f, 0.45f, 0.78f};   ///< of the sky above
   Color horizon{0.80f, 0.88f, 0.93f};  ///< of the sky far off, and of the haze
-  Color grass{0.38f, 0.50f, 0.16f};
+  Color grass{0.43f, 0.53f, 0.17f};
   Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun
-  double haze = 60;             ///< metres in which two thirds of a colour are lost
+  double haze = 200;            ///< metres in which two thirds of a colour are lost
   double clouds = 0.45;         ///< 0 none .. 1 overcast
   double blade = 0.10;          ///< metres, length of the grass; 0: none stands
   double blades = 900;          ///< of grass on a square metre

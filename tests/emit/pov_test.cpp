@@ -72,7 +72,7 @@ TEST(Sweep, NeverHoldsASphereInAnother) {
   Pose pose;
   pose_skeleton(s, Motion{}, 0, pose);
   std::string text = sweep_of(s, pose);
-  EXPECT_NE(text.find("<0,0,0>,5,<0,3.33333,0>,2,"), text.npos) << text;
+  EXPECT_NE(text.find("<0,0,0>,5,<0,3.3333,0>,2,"), text.npos) << text;
 }
 
 TEST(Mesh, LeavesOutTrianglesThatArePoints) {

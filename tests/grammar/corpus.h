@@ -64,8 +64,4 @@ inline GrammarText grammar_of(const nlohmann::json& c) {
   return g;
 }
 
-inline std::size_t stats_segments(const Grammar& grammar, const Word& word) {
-  return stats_of(grammar, word, Seed{1}).segments;
-}
-
 }  // namespace frond

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "grammar/corpus.h"
-#include "grammar/forecast.h"
 
 namespace frond {
 namespace {
@@ -74,53 +73,6 @@ TEST(Stream, KeepsBracketsBalanced) {
       ASSERT_GE(depth, 0);
     }
     EXPECT_EQ(depth, 0);
-  }
-}
-
-TEST(Forecast, IsExactWhereEachSymbolHasOneRule) {
-  int tried = 0;
-  for (const auto& c : corpus()) {
-    if (c["group"] != "D0L" && c["group"] != "parametric") continue;
-    Grammar grammar = std::move(*compile(grammar_of(c)));
-    if (!has_growth_matrix(grammar)) continue;
-    SCOPED_TRACE(c["name"].get<std::string>());
-    Forecast predicted = forecast(grammar, c["n"], Seed{1});
-    Word word = *derive(grammar, c["n"], Seed{1});
-    EXPECT_EQ(predicted.modules, static_cast<double>(word.size()));
-    EXPECT_EQ(predicted.bytes, static_cast<double>(word.bytes()));
-    EXPECT_EQ(predicted.segments, static_cast<double>(stats_segments(grammar, word)));
-    ++tried;
-  }
-  EXPECT_GT(tried, 35);
-}
-
-TEST(Forecast, RefusesRunawaysWithFigureAndStep) {
-  GrammarText text;
-  text.rules = {{"F -> FFFFFFFFFF"}};
-  Grammar grammar = std::move(*compile(text));
-  Result<Word> word = derive(grammar, 50, Seed{1});
-  ASSERT_FALSE(word.ok());
-  EXPECT_NE(word.errors()[0].what.find("step 9"), std::string::npos) << word.errors()[0].what;
-  EXPECT_NE(word.errors()[0].what.find("1e+09"), std::string::npos);
-  EXPECT_TRUE(derive(grammar, 5, Seed{1}).ok());
-  text.rules = {{"F(x) : x < 100 -> F(x)F(x)F(x)"}};
-  text.axiom = "F(1)";
-  grammar = std::move(*compile(text));
-  Forecast guess = forecast(grammar, 30, Seed{1});
-  EXPECT_EQ(guess.kind, Forecast::Kind::extrapolated);
-  EXPECT_EQ(guess.passes_at, 18);
-  EXPECT_FALSE(derive(grammar, 30, Seed{1}, {1000, 100000}).ok());
-  EXPECT_FALSE(stats_of(grammar, 30, Seed{1}, {1000, 100000}).ok());
-  EXPECT_EQ(stats_of(grammar, 4, Seed{1})->segments, 81u);
-}
-
-TEST(Forecast, GivesTheMeanWhereLotsAreDrawn) {
-  for (const auto& c : corpus()) {
-    if (c["name"] != "abop-1.27") continue;
-    Grammar grammar = std::move(*compile(grammar_of(c)));
-    Forecast predicted = forecast(grammar, 5, Seed{1});
-    EXPECT_EQ(predicted.kind, Forecast::Kind::expected);
-    EXPECT_NEAR(predicted.segments, 656.7580836576001, 1e-6);
   }
 }
 

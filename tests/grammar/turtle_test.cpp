@@ -70,36 +70,6 @@ Grammar grammar_for(const std::string& axiom) {
   return std::move(*compile(text));
 }
 
-TEST(Figure, BranchesBecomeChains) {
-  Grammar grammar = grammar_for("FF[+FF]F[-F]F");
-  Skeleton s = skeleton_of(grammar, grammar.axiom, Seed{1});
-  EXPECT_EQ(s.check(), "");
-  EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, 1, 2, 3, 2, 5, 5}));
-  EXPECT_EQ(s.order, (std::vector<std::uint16_t>{0, 0, 0, 1, 1, 0, 1, 0}));
-  EXPECT_FLOAT_EQ(s.radius[3], 0.05f);
-  EXPECT_FLOAT_EQ(s.distance.back(), 4.0f);
-}
-
-TEST(Figure, MovesStartNewRootsAndEmptySegmentsAreLeftOut) {
-  Grammar grammar = grammar_for("F(0)FfF(1,0)[F(0)]");
-  Skeleton s = skeleton_of(grammar, grammar.axiom, Seed{1});
-  EXPECT_EQ(s.check(), "");
-  EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, -1, 2}));
-}
-
-TEST(Figure, OrgansStandOnTheirNode) {
-  Grammar grammar = grammar_for("F[+F~K(2)]{.F.+F.}@O(0.5)");
-  Figure figure = figure_of(grammar, grammar.axiom, Seed{1});
-  ASSERT_EQ(figure.sites.size(), 2u);
-  EXPECT_EQ(figure.sites[0].name, "K");
-  EXPECT_EQ(figure.sites[0].node, 2);
-  EXPECT_FLOAT_EQ(figure.sites[0].scale.x, 2);
-  EXPECT_EQ(figure.sites[1].name, "@O");
-  ASSERT_EQ(figure.outlines.size(), 1u);
-  EXPECT_EQ(figure.outlines[0].points.size(), 3u);
-  EXPECT_EQ(figure.color.size(), figure.skeleton.size());
-}
-
 TEST(Turtle, WidthAndLengthFollowTheDialect) {
   GrammarText text;
   text.axiom = "!F!(0.5)\"F";
@@ -123,6 +93,30 @@ TEST(Turtle, WidthAndLengthFollowTheDialect) {
 TEST(Turtle, BehindACutNothingIsDrawn) {
   Grammar grammar = grammar_for("F[+F%F[F]F]F");
   EXPECT_EQ(stats_of(grammar, grammar.axiom, Seed{1}).segments, 3u);
+}
+
+TEST(Turtle, JitterStaysWithinItsBoundsAndFollowsTheSeed) {
+  GrammarText text;
+  text.axiom = "F+F+F+F+F+F+F+F";
+  text.angle = 10;
+  text.angle_jitter = 4;
+  text.length_jitter = 0.2;
+  struct Steps {
+    std::vector<DVec3> steps;
+    void segment(const Segment& s, TurtleState&) { steps.push_back(s.to - s.from); }
+  } one, same, other;
+  Grammar grammar = std::move(*compile(text));
+  walk(grammar, grammar.axiom, Seed{1}, one);
+  walk(grammar, grammar.axiom, Seed{1}, same);
+  walk(grammar, grammar.axiom, Seed{2}, other);
+  EXPECT_EQ(one.steps, same.steps);
+  EXPECT_NE(one.steps, other.steps);
+  for (std::size_t i = 0; i < one.steps.size(); ++i) {
+    EXPECT_NEAR(glm::length(one.steps[i]), 1, 0.2);
+    if (i == 0) continue;
+    double turn = std::acos(glm::dot(glm::normalize(one.steps[i - 1]), glm::normalize(one.steps[i])));
+    EXPECT_NEAR(degrees(turn), 10, 4.001);
+  }
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(Scene, RootsEveryCoral) {
 }
 
 TEST(Reef, HasNoJumps) {
-  // Over the whole film: between two frames no node moves more than 16 times the film's mean motion.
+  // Over the whole film: between two frames no node moves more than 8 times the film's mean motion.
   Scene scene = *build_scene(preset_at("presets/reef.json"));
   for (const Branches& b : scene.branches) EXPECT_EQ(b.rest.check(), "") << b.name;
   double total = 0, count = 0;
@@ -120,7 +120,7 @@ TEST(Reef, HasNoJumps) {
       std::swap(last, now);
     }
   }
-  EXPECT_LT(most, 16 * total / count) << "in " << worst << ", " << most << " m against " << total / count;
+  EXPECT_LT(most, 8 * total / count) << "in " << worst << ", " << most << " m against " << total / count;
 }
 
 TEST(Schema, IsTheOneInDocs) {

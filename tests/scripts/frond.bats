@@ -1,0 +1,103 @@
+#!/usr/bin/env bats
+# The program from the command line: what it prints and how it ends.
+
+bats_require_minimum_version 1.5.0
+
+setup() {
+  load common
+  frond=${FROND_BIN:-$BATS_TEST_DIRNAME/../../build/frond}
+  root=$(cd -- "$BATS_TEST_DIRNAME/../.." && pwd)
+  export FROND_HOME=$root
+  cd "$BATS_TEST_TMPDIR" || return
+  echo '{"axiom": "F", "angle": 90, "steps": 2, "rules": ["F -> F+F-F-F+F"]}' > koch.json
+}
+
+@test "derive prints the word or its counts" {
+  run "$frond" derive koch.json --steps 1
+  [ "$status" -eq 0 ]
+  [ "$output" = "F+F-F-F+F" ]
+  run "$frond" derive koch.json --format counts
+  [ "${lines[0]}" = "F 25" ]
+}
+
+@test "turtle measures the way" {
+  run "$frond" turtle koch.json
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'"segments": 25, "total_length": 25, "end_position": [0, 9, 0]'* ]]
+}
+
+@test "pictures are SVG files" {
+  "$frond" turtle koch.json --svg way.svg
+  "$frond" derive koch.json --tree tree.svg
+  [[ "$(head -c 4 way.svg)" == "<svg" ]]
+  [ "$(grep -c '<text' tree.svg)" -ge 9 ]
+}
+
+@test "grammars of other tools are read" {
+  printf 'Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> AB\nB --> A\nendlsystem\n' > algae.l
+  run --separate-stderr "$frond" derive algae.l
+  [ "$status" -eq 0 ]
+  [ "$output" = "ABAAB" ]
+}
+
+@test "info foresees and refuses" {
+  run "$frond" info koch.json --json
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'"modules": 49, "segments": 25'* ]]
+  echo '{"axiom": "F", "steps": 60, "rules": ["F -> FF"]}' > wild.json
+  run "$frond" info wild.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"step 28 would have"* ]]
+  run "$frond" derive wild.json
+  [ "$status" -eq 2 ]
+}
+
+@test "a mistake in a rule names the file, the rule and the column" {
+  echo '{"axiom": "F", "rules": ["F -> F[+F"]}' > broken.json
+  run "$frond" derive broken.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == "broken.json: rule 1: column 7:"* ]]
+}
+
+@test "check tells all faults and ends with 2" {
+  printf '{\n "film": {"fps": -1},\n "organisms": [{"kind": "corl"}]\n}\n' > wrong.json
+  run "$frond" check wrong.json "$root/presets/reef.json"
+  [ "$status" -eq 2 ]
+  [ "${#lines[@]}" -eq 2 ]
+  [[ "${lines[0]}" == "wrong.json:2:"*"/film/fps: "* ]]
+  [[ "${lines[1]}" == *'did you mean "coral"?' ]]
+}
+
+@test "wrong words on the command line end with 2" {
+  run "$frond" generate
+  [ "$status" -eq 2 ]
+  run "$frond" generate "$root/tests/presets/tiny_still.json" -o out --frames 2-5
+  [ "$status" -eq 2 ]
+  run "$frond" generate "$root/tests/presets/tiny_still.json" -o out --size 12
+  [ "$status" -eq 2 ]
+  [ ! -e out ]
+  run "$frond" --help
+  [ "$status" -eq 0 ]
+}
+
+@test "a frame generated alone is the frame of the whole film" {
+  "$frond" generate "$root/tests/presets/tiny_film.json" -o all -q --threads 2
+  "$frond" generate "$root/tests/presets/tiny_film.json" -o one -q --frames 4 --threads 1
+  cmp all/frames/frame_0004.pov one/frames/frame_0004.pov
+}
+
+@test "list and schema are for machines too" {
+  "$frond" list --json | python3 -c 'import json, sys; assert any(r["name"] == "coral" for r in json.load(sys.stdin))'
+  "$frond" schema | cmp - "$root/docs/preset.schema.json"
+}
+
+@test "the manual of the turtle is that of its table" {
+  "$frond" list --json | python3 -c '
+import json, sys
+manual = open(sys.argv[1]).read()
+for row in json.load(sys.stdin):
+    if row["group"] == "symbols":
+        line = "| `%s` | %s |" % tuple(row[key].replace("|", "\\|") for key in ("name", "doc"))
+        assert line in manual, line
+' "$root/docs/grammars.md"
+}
