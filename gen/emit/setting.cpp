@@ -89,7 +89,9 @@ void append_stones(std::string& text, const PovSpace& space, const Scene& scene)
 /// One union of all patches of a kind, "Turf" or "Bloom", with the texture on it.
 void append_patches(std::string& text, const PovSpace& space, const Scene& scene, std::string_view name,
                     std::string_view texture) {
+  std::size_t start = text.size();
   text += "union{\n";
+  std::size_t empty = text.size();
   for (const TurfInstance& patch : scene.turf_instances) {
     auto shape = static_cast<std::size_t>(patch.shape);
     if (name == "Bloom" && scene.turf[shape].flowers.triangle.empty()) continue;
@@ -103,6 +105,7 @@ void append_patches(std::string& text, const PovSpace& space, const Scene& scene
     append_matrix(text, space, turn, patch.at);
     text += "}\n";
   }
+  if (text.size() == empty) return text.resize(start);
   text += texture;
   text += "}\n";
 }
