@@ -83,7 +83,7 @@ int info_grammar(const std::string& path, bool json) {
   Result<Loaded> loaded = load({path, {}, {}, false, {}});
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
-  Forecast size = forecast(grammar, steps, seed);
+  Forecast size = forecast(grammar, steps, seed, grammar.text.limits);
   constexpr const char* kKinds[] = {"exact", "expected", "extrapolated"};
   std::string_view form =
       json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.0f}, \"segments\": {:.0f}, \"bytes\": "
@@ -91,7 +91,7 @@ int info_grammar(const std::string& path, bool json) {
            : "{}: after {} steps {:.0f} modules, {:.0f} segments, {:.0f} bytes\n";
   fmt::print(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
              size.bytes);
-  Errors errors = refuse(size, {});
+  Errors errors = refuse(size, grammar.text.limits);
   return errors.empty() ? kDone : fail(errors, kWrongInput);
 }
 
@@ -100,7 +100,7 @@ int derive_word(const GrammarArguments& arguments) {
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
   if (arguments.picture) return write_picture(arguments.picture, derivation_tree_svg(grammar, steps, seed));
-  Result<Word> word = derive(grammar, steps, seed);
+  Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
   if (!word) return fail(word.errors(), kWrongInput);
   if (arguments.counts) {
     for (const auto& [name, count] : counts(grammar, *word)) fmt::print("{} {}\n", name, count);
@@ -115,11 +115,11 @@ int walk_turtle(const GrammarArguments& arguments) {
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
   if (arguments.picture) {
-    Result<Word> word = derive(grammar, steps, seed);
+    Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
     if (!word) return fail(word.errors(), kWrongInput);
     return write_picture(arguments.picture, turtle_svg(grammar, *word, seed));
   }
-  Result<TurtleStats> stats = stats_of(grammar, steps, seed);
+  Result<TurtleStats> stats = stats_of(grammar, steps, seed, grammar.text.limits);
   if (!stats) return fail(stats.errors(), kWrongInput);
   fmt::print(
       "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "

@@ -37,6 +37,7 @@ class Compiler {
     read_rules(grammar_.text.interpretation, grammar_.interpretation, "interpretation rule");
     for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
       find_shadowed(*set);
+    check_interpretation();
     read_visibility();
     if (!errors_.empty()) return errors_;
     summarize();
@@ -267,6 +268,27 @@ class Compiler {
           break;
         }
       }
+    }
+  }
+
+  /// Interpretation happens while the turtle walks, where nothing else would stop a word without end.
+  void check_interpretation() {
+    constexpr double kMost = 1e7;
+    std::vector<double> size(grammar_.symbols.size(), 1);
+    for (int depth = 0; depth < grammar_.text.interpretation_depth; ++depth) {
+      std::vector<double> next(size.size(), 1);
+      for (const Production& rule : grammar_.interpretation.rules) {
+        double sum = 0;
+        for (SymbolId symbol : rule.successor) sum += size[symbol];
+        next[rule.predecessor] = std::max(next[rule.predecessor], sum);
+        if (sum <= kMost) continue;
+        errors_.push_back(
+            {rule.where,
+             fmt::format("`{}` makes {:.3g} modules of one at depth {}; lower `interpretation_depth`",
+                         rule.text, sum, depth + 1)});
+        return;
+      }
+      size = std::move(next);
     }
   }
 

@@ -6,99 +6,13 @@
 
 #include "grammar/fast.h"
 #include "grammar/forecast.h"
-#include "grammar/match.h"
+#include "grammar/general.h"
 #include "grammar/rewrite.h"
 #include "grammar/turtle.h"
 
 namespace frond {
 
 namespace {
-
-/// One step over a word, module by module: every kind of rule, one thread.
-class Rewriter {
- public:
-  Rewriter(const Grammar& grammar, Derivation& derivation, Seed seed)
-      : grammar_(grammar), state_(derivation) {
-    at_.tables = grammar.tables;
-    at_.step = derivation.steps + 1;
-    seed_ = seed.child("step", static_cast<std::uint64_t>(derivation.steps) + 1);
-  }
-
-  /// Makes the step; `parents`, where given, receives the place each module of the outcome comes from.
-  Errors step(Word& out, bool leftmost_only, std::size_t limit,
-              std::vector<std::uint32_t>* parents = nullptr) {
-    const Word& in = state_.word;
-    if (!grammar_.context_free) near_.find(grammar_, in);
-    out.clear();
-    out.symbols.reserve(in.symbols.size() * 2);
-    const double* parameters = in.parameters.data();
-    bool done = false;
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      SymbolId symbol = in.symbols[i];
-      int arity = grammar_.symbols[symbol].arity;
-      int index = done ? -1 : find_rule(i, symbol, parameters);
-      if (index < 0) {
-        out.symbols.push_back(symbol);
-        out.parameters.insert(out.parameters.end(), parameters, parameters + arity);
-      } else {
-        write(grammar_.rules.rules[static_cast<std::size_t>(index)], out);
-        if (grammar_.limited) ++state_.uses[static_cast<std::size_t>(index)];
-        done = leftmost_only;
-      }
-      if (parents) parents->resize(out.size(), static_cast<std::uint32_t>(i));
-      if (at_.fault) return {trouble(i, symbol, parameters, index)};
-      if (out.size() > limit)
-        return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state_.steps + 1,
-                                 limit)}};
-      parameters += arity;
-    }
-    return {};
-  }
-
- private:
-  int find_rule(std::size_t i, SymbolId symbol, const double* parameters) {
-    if (grammar_.rules.of[symbol].empty()) return -1;
-    at_.seed = seed_.child(i);
-    at_.draws = 0;
-    return choose(grammar_.rules, symbol, at_, [&](const Production& rule, int index) {
-      if (grammar_.limited && state_.uses[static_cast<std::size_t>(index)] >= rule.limit) return false;
-      at_.frame = parameters;
-      if (rule.context_free()) return true;
-      if (!match_contexts(grammar_, state_.word, near_, rule, static_cast<std::uint32_t>(i), frame_))
-        return false;
-      if (rule.variables > 0) at_.frame = frame_.data();
-      return true;
-    });
-  }
-
-  void write(const Production& rule, Word& out) {
-    out.symbols.insert(out.symbols.end(), rule.successor.begin(), rule.successor.end());
-    for (const Expression& argument : rule.arguments) {
-      double value = evaluate(argument, at_);
-      at_.fault |= !std::isfinite(value);
-      out.parameters.push_back(value);
-    }
-  }
-
-  Error trouble(std::size_t i, SymbolId symbol, const double* parameters, int index) const {
-    Word module;
-    module.symbols.push_back(symbol);
-    module.parameters.assign(parameters, parameters + grammar_.symbols[symbol].arity);
-    const auto& of = grammar_.rules.of[symbol];
-    const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index < 0 ? of[0] : index)];
-    return {rule.where,
-            fmt::format("step {}, module {} (`{}`): division by zero or a number that is not finite in `{}`; "
-                        "add a condition that keeps the rule away from there",
-                        state_.steps + 1, i + 1, text(grammar_, module), rule.text)};
-  }
-
-  const Grammar& grammar_;
-  Derivation& state_;
-  Neighbours near_;
-  Evaluation at_;
-  Seed seed_;
-  std::vector<double> frame_;
-};
 
 /// Removes each `%` with the rest of its branch; `kept`, where given, receives the places of what is left.
 void cut(const Grammar& grammar, Word& word, std::vector<std::uint32_t>* kept = nullptr) {
@@ -181,7 +95,7 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
       done = table->step(state.word, next, limits);
     else if (!plainly && !sequential)
       done = step_free(grammar, state, next, seed, limits);
-    Errors errors = done ? *done : Rewriter(grammar, state, seed).step(next, sequential, limits.modules);
+    Errors errors = done ? *done : step_generally(grammar, state, next, seed, limits, sequential);
     if (!errors.empty()) return errors;
     std::swap(state.word, next);
     if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits);
@@ -216,7 +130,7 @@ Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed,
   parents.clear();
   if (grammar.cuts) cut(grammar, state.word, &kept);
   bool sequential = grammar.text.mode == GrammarText::Mode::sequential;
-  Errors errors = Rewriter(grammar, state, seed).step(next, sequential, limits.modules, &parents);
+  Errors errors = step_generally(grammar, state, next, seed, limits, sequential, &parents);
   if (!errors.empty()) return errors;
   std::swap(state.word, next);
   if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits, &parents);

@@ -13,12 +13,6 @@ struct TurtleState;
 /// its parameters. Light, the distance of a surface, food and guides come to a grammar in this way.
 using Environment = std::function<void(const TurtleState&, std::span<double> parameters)>;
 
-/// How large a word may grow before deriving is given up.
-struct Limits {
-  std::size_t modules = 200'000'000;
-  std::size_t bytes = std::size_t{4} << 30;
-};
-
 /// A derivation between two steps: all that the next step depends on.
 struct Derivation {
   Word word;

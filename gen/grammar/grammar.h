@@ -14,6 +14,12 @@
 
 namespace frond {
 
+/// How large a word may grow before deriving is given up.
+struct Limits {
+  std::size_t modules = 200'000'000;
+  std::size_t bytes = std::size_t{4} << 30;
+};
+
 /// A grammar as its author writes it.
 struct GrammarText {
   enum class Mode { parallel, sequential };
@@ -47,6 +53,7 @@ struct GrammarText {
   std::vector<std::string> symbols;  ///< names of more than one letter
   bool ring = false;                 ///< the word is a circle: its ends are neighbours
   std::uint64_t seed = 1;
+  Limits limits;  ///< of what may be derived
   Dialect dialect = Dialect::abop;
 };
 

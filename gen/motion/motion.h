@@ -13,6 +13,7 @@ namespace frond {
 struct Growth {
   double start = 0;     ///< seconds
   double duration = 0;  ///< seconds; 0: fully grown from the start
+  double stagger = 0;   ///< seconds: single organisms begin up to so much later, at random
   double ripen = 0.35;  ///< share of the growth that a place needs to reach its full thickness, > 0
 };
 

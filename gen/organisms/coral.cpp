@@ -90,7 +90,7 @@ Result<Grammar> coral_grammar(const CoralParams& params) { return compile(coral_
 Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   Result<Grammar> grammar = coral_grammar(params);
   if (!grammar) return grammar.errors();
-  Result<Word> word = derive(*grammar, grammar->text.steps, seed.child("derive"));
+  Result<Word> word = derive(*grammar, grammar->text.steps, seed.child("derive"), grammar->text.limits);
   if (!word) return word.errors();
   Skeleton coarse = skeleton_of(*grammar, *word, seed.child("turtle"));
   if (coarse.size() == 0) return Error{"", "the grammar draws nothing: its turtle never meets an F"};

@@ -65,6 +65,8 @@ void describe(Visitor& v, Growth& g) {
   v.number("start", g.start, {.min = -1e6, .max = 1e6, .unit = "s"}, "When it begins");
   v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"},
            "How long it takes; 0: fully grown from the start");
+  v.number("stagger", g.stagger, {.min = 0, .max = 1e6, .unit = "s"},
+           "Single ones begin up to so much later");
   v.number("ripen", g.ripen, {.min = 0.01, .max = 2},
            "Share of the growth until a place has its full thickness");
 }
@@ -117,6 +119,12 @@ void describe(Visitor& v, Tropism& t) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Limits& l) {
+  v.integer("modules", l.modules, {.min = 1, .max = 1e12}, "Symbols of a word");
+  v.integer("bytes", l.bytes, {.min = 1, .max = 1e15}, "Memory of a word");
+}
+
+template <class Visitor>
 void describe(Visitor& v, GrammarText& g) {
   v.text("axiom", g.axiom, "The word to begin with");
   v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Derivation steps");
@@ -140,6 +148,7 @@ void describe(Visitor& v, GrammarText& g) {
   v.text("ignore", g.ignore, "Symbols that contexts pass over");
   v.text("consider", g.consider, "The only symbols that contexts see");
   v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "For random choices");
+  v.object("limits", g.limits, "What passes them is refused before it is derived");
   v.texts("symbols", g.symbols, "Names of more than one character");
   v.boolean("ring", g.ring, "The word is a circle");
   Tropism tropism{g.tropism, g.elasticity};

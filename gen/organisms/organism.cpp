@@ -39,8 +39,8 @@ struct Foresee {
   Result<Foresight> operator()(const CoralParams& params) const {
     Result<Grammar> grammar = coral_grammar(params);
     if (!grammar) return grammar.errors();
-    Forecast word = forecast(*grammar, grammar->text.steps, seed);
-    if (Errors errors = refuse(word, {}); !errors.empty()) return errors;
+    Forecast word = forecast(*grammar, grammar->text.steps, seed, grammar->text.limits);
+    if (Errors errors = refuse(word, grammar->text.limits); !errors.empty()) return errors;
     return Foresight{word, 1 + word.segments * params.smoothing};
   }
 };

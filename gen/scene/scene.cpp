@@ -167,6 +167,7 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   put_organs(branches, foot, lean * yaw, size);
   std::visit(Dress{branches, seed}, organism.body);
   branches.motion.film_length = preset.film.length();
+  branches.motion.growth.start += branches.motion.growth.stagger * seed.child("start").unit();
   branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
   return branches;
 }

@@ -13,7 +13,7 @@ namespace {
 Motion lively() {
   Motion motion;
   motion.film_length = 4;
-  motion.growth = {0, 2, 0.3};
+  motion.growth = {0, 2, 0, 0.3};
   motion.wave.amplitude = radians(16.0);
   motion.food.strength = 1.4;
   motion.food.position = Animated<Vec3>(

@@ -77,6 +77,16 @@ TEST(Compile, RulesThatCanNeverMatchAreRefused) {
             std::string::npos);
 }
 
+TEST(Compile, InterpretationWithoutEndIsRefused) {
+  GrammarText text;
+  text.interpretation = {{"F -> FF"}};
+  text.interpretation_depth = 3;
+  EXPECT_TRUE(compile(text).ok());
+  text.interpretation_depth = 60;
+  ASSERT_FALSE(compile(text).ok());
+  EXPECT_NE(compile(text).errors()[0].what.find("lower `interpretation_depth`"), std::string::npos);
+}
+
 TEST(Compile, ConstantsMayUseEachOther) {
   GrammarText text;
   text.axiom = "A(1)";

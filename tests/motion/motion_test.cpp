@@ -12,7 +12,7 @@ namespace {
 Motion lively() {
   Motion motion;
   motion.film_length = 4;
-  motion.growth = {0.5, 3, 0.3};
+  motion.growth = {0.5, 3, 0, 0.3};
   motion.wave.amplitude = radians(14.0);
   motion.food.strength = 1.2;
   motion.food.position = Animated<Vec3>(
@@ -68,7 +68,7 @@ TEST(Food, IsReachedForMoreTheStrongerAndTheMoreGrown) {
   Vec3 food(1.5f, 1, 0);
   auto distance = [&](double strength, double time) {
     Motion motion;
-    motion.growth = {0, 2, 0.3};
+    motion.growth = {0, 2, 0, 0.3};
     motion.food.strength = strength;
     motion.food.position = food;
     return glm::distance(posed(s, motion, time).position.back(), food);
@@ -79,7 +79,7 @@ TEST(Food, IsReachedForMoreTheStrongerAndTheMoreGrown) {
   // The bend of the part that is grown grows too.
   auto lean = [&](double time) {
     Motion motion;
-    motion.growth = {0, 2, 0.3};
+    motion.growth = {0, 2, 0, 0.3};
     motion.food.strength = 1;
     motion.food.position = food;
     return posed(s, motion, time).position[10].x;
@@ -122,7 +122,7 @@ TEST(Wave, DiffersWithItsPhase) {
 TEST(Growth, ComesFromNothingAndEndsWhole) {
   Skeleton s = candelabrum(9, Seed{3});
   Motion motion;
-  motion.growth = {1, 2, 0.3};
+  motion.growth = {1, 2, 0, 0.3};
   Pose before = posed(s, motion, 0.5);
   for (std::size_t i = 0; i < s.size(); ++i) {
     EXPECT_EQ(before.position[i], s.position[0]);
@@ -138,7 +138,7 @@ TEST(Growth, ComesFromNothingAndEndsWhole) {
 TEST(Growth, NeverShrinksNorStops) {
   Skeleton s = candelabrum(9, Seed{4});
   Motion motion;
-  motion.growth = {0, 2, 0.3};
+  motion.growth = {0, 2, 0, 0.3};
   Pose last = posed(s, motion, 0);
   for (double time = 0.05; time <= 2; time += 0.05) {
     Pose now = posed(s, motion, time);

@@ -104,7 +104,7 @@ const WrongPreset kWrongNames[] = {
   {"kind": "coral", "form": "own",
    "grammar": {"axoim": "F", "rules": [{"rule": "F -> FF", "limits": 1}]}}]})",
      {},
-     {R"(3:16: /organisms/0/grammar/axoim: unknown property "axoim"; expected one of 22 known names; did you mean "axiom"?)",
+     {R"(3:16: /organisms/0/grammar/axoim: unknown property "axoim"; expected one of 23 known names; did you mean "axiom"?)",
       R"(3:60: /organisms/0/grammar/rules/0/limits: unknown property "limits"; expected one of rule, limit; did you mean "limit"?)"}},
     {"An unknown key of the defaults",
      R"({"defaults": {"wav": {}}, "organisms": []})",
