@@ -7,8 +7,8 @@ namespace frond {
 
 namespace {
 
-constexpr int kStations = 9;  // along a blade
-constexpr int kAcross = 3;    // points from midrib to rim
+constexpr int kStations = 11;  // along a blade
+constexpr int kAcross = 3;     // points from midrib to rim
 constexpr double kGoldenAngle = 2.39996322972865332;
 
 void append(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
@@ -19,12 +19,13 @@ void append(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift)
   for (auto [a, b, c] : from.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
 }
 
-/// Half the width of a blade at `t`, as a share of the greatest: round at the foot, drawn out to a tip.
-double outline_at(double t, double widest) {
+/// Half the width of a blade at `t`, as a share of the greatest: round at the foot, drawn out to a tip or
+/// round.
+double outline_at(double t, const BladeShape& shape) {
   if (t <= 0 || t >= 1) return 0;
-  double x = t < widest ? t / widest : (1 - t) / (1 - widest);
-  double round = std::sin(x * kPi / 2);
-  return t < widest ? std::pow(round, 0.8) : std::pow(round, 1.15);
+  if (t < shape.widest) return std::pow(std::sin(t / shape.widest * kPi / 2), 0.8);
+  double x = (1 - t) / (1 - shape.widest), point = std::pow(std::sin(x * kPi / 2), 1.15);
+  return point + shape.round * (std::sqrt(1 - (1 - x) * (1 - x)) - point);
 }
 
 /// Triangles of a grid of rows x columns, counter-clockwise seen from +z where columns run to the right.
@@ -54,8 +55,9 @@ Surface blade_surface(const BladeShape& shape) {
   for (int side : {-1, 1}) {
     auto start = static_cast<std::uint32_t>(s.position.size());
     for (int i = 0; i <= kStations; ++i) {
-      double t = static_cast<double>(i) / kStations, along = shape.stalk + (1 - shape.stalk) * t;
-      double half = std::max(0.5 * shape.width * outline_at(t, shape.widest), 0.012 * (1 - t));
+      double t = 1 - std::pow(1 - static_cast<double>(i) / kStations, 1.4),
+             along = shape.stalk + (1 - shape.stalk) * t;
+      double half = std::max(0.5 * shape.width * outline_at(t, shape), 0.012 * (1 - t));
       double angle = shape.bend * along;
       // The midrib is an arc; the blade's upper side leans with it.
       double y = std::abs(shape.bend) > 1e-6 ? std::sin(angle) / shape.bend : along;

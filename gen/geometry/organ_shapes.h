@@ -14,6 +14,7 @@ struct BladeShape {
   double bend = radians(40.0);  ///< from foot to tip, downward
   double stalk = 0.08;          ///< share of the length that is stalk
   double wave = 0;              ///< how much the rim is waved, 0..1
+  double round = 0;             ///< 0 drawn out to a tip .. 1 round at its end
 };
 
 /// The blade as a mesh with `uv`: u from foot to tip, v from rim to rim with the midrib at 0.5.

@@ -25,6 +25,7 @@ BladeShape petal_shape(const OrganParams& p) {
   shape.fold = p.fold * 0.5;
   shape.bend = p.bend;
   shape.stalk = 0;
+  shape.round = p.shape == OrganShape::flower ? 0.85 : 0;
   shape.wave = p.wave;
   return shape;
 }
