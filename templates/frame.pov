@@ -4,10 +4,7 @@
 #declare Frond_Quality = {{quality}};      // 0 draft, 1 good, 2 best
 #declare Frond_Time = {{time}};   // seconds
 #declare Frond_Loop = {{loop}};   // seconds, the length of the film
-#include "frond_water.inc"
-#include "frond_sand.inc"
-#include "frond_coral.inc"
-#include "frond_food.inc"
+{{includes}}
 {{setting}}
 {{camera}}
 // The skins, old and young.

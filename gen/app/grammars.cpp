@@ -44,8 +44,10 @@ Result<Grammar> load_grammar(const std::string& path) {
   }
   Result<Preset> preset = read_preset(*text, path, {});
   if (!preset) return preset.errors();
-  for (const Organism& organism : preset->organisms)
+  for (const Organism& organism : preset->organisms) {
     if (const auto* coral = std::get_if<CoralParams>(&organism.body)) return coral_grammar(*coral);
+    if (const auto* plant = std::get_if<PlantParams>(&organism.body)) return plant_grammar(*plant);
+  }
   return Error{path, "the preset has no organism that grows by a grammar"};
 }
 

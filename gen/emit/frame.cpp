@@ -8,6 +8,8 @@
 
 #include "core/parallel.h"
 #include "core/text.h"
+#include "emit/plant.h"
+#include "emit/setting.h"
 
 namespace frond {
 
@@ -22,13 +24,17 @@ std::string number(double value, int decimals = 5) {
 }
 
 /// The skin of each organism, at all its ages.
-void append_skins(std::string& text, const Scene& scene) {
+void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first) {
   for (std::size_t i = 0; i < scene.branches.size(); ++i) {
     const Branches& b = scene.branches[i];
+    if (b.bark) {
+      append_bark(text, b, first[i]);
+      continue;
+    }
     const Pores& pores = b.skin.pores;
     const Tint& tint = b.skin.tint;
     text += "Coral_Skin(";
-    append_integer(text, static_cast<long long>(i));
+    append_integer(text, static_cast<long long>(first[i]));
     text += ',';
     append_integer(text, static_cast<int>(b.skin.kind));
     text += ',';
@@ -40,30 +46,6 @@ void append_skins(std::string& text, const Scene& scene) {
                 b.brightness, tint.young);
     text += ") ";
     append_comment(text, b.name);
-  }
-}
-
-void append_stones(std::string& text, const PovSpace& space, const Scene& scene) {
-  for (std::size_t i = 0; i < scene.stones.size(); ++i) {
-    text += "#declare Stone";
-    append_integer(text, static_cast<long long>(i));
-    text += " = ";
-    append_mesh(text, space, scene.stones[i]);
-    text += '\n';
-  }
-  for (const StoneInstance& stone : scene.stone_instances) {
-    text += "object{Stone";
-    append_integer(text, stone.shape);
-    text += " scale<";
-    append_list(text, 5, stone.size.x, stone.size.y, stone.size.z);
-    text += ">rotate y*";
-    append(text, -degrees(stone.turn),
-           3);  // the mirror turns the other way round, and so do left-handed turns
-    text += " translate";
-    append_point(text, space, stone.at);
-    text += " texture{Rock_Texture(";
-    append_integer(text, stone.look);
-    text += ")}}\n";
   }
 }
 
@@ -81,30 +63,12 @@ std::string camera_text(const PovSpace& space, const Camera& camera, double time
   return text;
 }
 
-/// The water as the camera sees it at one time. Its macros take metres, in POV-Ray's axes.
-std::string setting_text(const Stage& stage, double time) {
-  const Water& water = stage.water;
-  std::string eye, look, near, sun;
-  append_direction(eye, stage.camera.location.at(time));
-  append_direction(look, stage.camera.look_at.at(time));
-  append_color(near, water.near);
-  append_direction(sun, water.sun);
-  std::string text = "Water_Globals()\nWater_Setting(" + eye + "," + near + ",";
-  append_color(text, water.deep);
-  text += "," + number(water.visibility) + "," + sun + "," + number(water.caustics) + ")\n";
-  if (water.shafts > 0)
-    text += "Water_Shafts(" + eye + "," + look + "," + near + "," + sun + "," + number(water.shafts) + ")\n";
-  if (water.particles > 0)
-    text += "Water_Particles(" + eye + "," + look + "," + number(water.particles) + ")\n";
-  return text + "Water_Surface(" + eye + "," + near + ")";
-}
-
 /// One food object for each place that an organism is drawn to.
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   std::vector<Vec3> places;
   std::string text;
   for (const Branches& b : scene.branches) {
-    if (b.motion.food.strength == 0) continue;
+    if (b.motion.food.strength == 0 || b.bark) continue;
     Vec3 at = b.motion.food.position.at(time);
     if (std::find(places.begin(), places.end(), at) != places.end()) continue;
     places.push_back(at);
@@ -117,8 +81,10 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
 
 /// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
 /// chunk.
-void append_skin(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose,
+void append_skin(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
                  const Chunk& chunk, std::size_t index) {
+  const Skeleton& rest = b.rest;
+  if (b.bark) index += bark_color(b, chunk.first);
   Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
   if (rest.birth[chunk.last] > pose.front) {
     // Where the growing tip is on its way from the node below.
@@ -136,7 +102,7 @@ void append_skin(std::string& text, const PovSpace& space, const Skeleton& rest,
   }
   Vec3 slope = way * ((chunk.young_to - chunk.young_from) / length2);
   double at_zero = chunk.young_from - glm::dot(slope, from), unit = space.unit;
-  text += "Coral_Tip(";
+  text += b.bark ? "Plant_Tip(" : "Coral_Tip(";
   append_integer(text, static_cast<long long>(index));
   text += ',';
   append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
@@ -146,11 +112,16 @@ void append_skin(std::string& text, const PovSpace& space, const Skeleton& rest,
 /// The sweeps of chunks first..last of one organism.
 void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
                  std::size_t index, std::span<const Chunk> chunks) {
+  bool plain = b.bark && !patterned(*b.bark), whole = one_texture(b);
   for (const Chunk& chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
+    if (whole) {
+      text += "}\n";
+      continue;
+    }
     text += " texture{";
-    append_skin(text, space, b.rest, pose, chunk, index);
-    if (chunk.moved()) append_matrix(text, space, chunk.matrix, chunk.shift);
+    append_skin(text, space, b, pose, chunk, index);
+    if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
     text += "}}\n";
   }
 }
@@ -161,6 +132,12 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   ChunkOptions options;
   options.tolerance = static_cast<float>(0.15 * b.skin.pores.cell);
   options.young_length = static_cast<float>(b.skin.tint.young_length);
+  if (b.bark) {
+    options.tolerance = patterned(*b.bark) ? static_cast<float>(0.15 * b.bark->scale)
+                                           : std::numeric_limits<float>::infinity();
+    options.young_length = static_cast<float>(b.bark->young_length);
+    options.color = b.color;
+  }
   std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
 
   std::size_t parts = b.rest.size() / kPartNodes + 1;
@@ -172,18 +149,26 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   });
   std::string body;
   for (const std::string& text : texts) body += text;
-  if (body.empty()) return {};
+  std::string foliage = foliage_text(space, b, pose);
+  if (body.empty() && foliage.empty()) return {};
   std::string text;
   append_comment(text, b.name);
+  if (body.empty()) return text + foliage;
   // A union of one is a warning.
   bool several = std::count(body.begin(), body.end(), '\n') > 1;
-  return text + (several ? "union{\n" + body + "}\n" : body);
+  if (one_texture(b)) {
+    body += "texture{Skin[";
+    append_integer(body, static_cast<long long>(index));
+    body += "]}";
+  }
+  return text + (several ? "union{\n" : "object{\n") + body + "}\n" + foliage;
 }
 
-std::string all_branches_text(const PovSpace& space, const Scene& scene, double time) {
+std::string all_branches_text(const FrameParts& parts, const Scene& scene, double time) {
   std::vector<std::string> texts(scene.branches.size());
-  parallel_for(texts.size(),
-               [&](std::size_t i) { texts[i] = branches_text(space, scene.branches[i], i, time); });
+  parallel_for(texts.size(), [&](std::size_t i) {
+    texts[i] = branches_text(parts.space, scene.branches[i], parts.first_skin[i], time);
+  });
   std::string text;
   text.reserve(std::accumulate(texts.begin(), texts.end(), std::size_t{0},
                                [](std::size_t sum, const std::string& t) { return sum + t.size(); }));
@@ -202,14 +187,17 @@ FrameParts prepare_frames(const Scene& scene) {
     for (float radius : b.rest.radius) thinnest = std::min(thinnest, radius);
   FrameParts parts;
   parts.space = space_for(thinnest);
-  std::string count = number(static_cast<double>(std::max<std::size_t>(1, scene.branches.size())));
+  std::size_t skins = 0;
+  for (const Branches& b : scene.branches) {
+    parts.first_skin.push_back(skins);
+    skins += b.bark ? b.bark->colors.size() : 1;
+  }
+  std::string count = number(static_cast<double>(std::max<std::size_t>(1, skins)));
   parts.materials =
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
-  append_skins(parts.materials, scene);
-  parts.ground = "object{\n";
-  append_mesh(parts.ground, parts.space, scene.floor);
-  parts.ground += "\ntexture{Sand_Texture()}}\n";
-  append_stones(parts.ground, parts.space, scene);
+  append_skins(parts.materials, scene, parts.first_skin);
+  parts.materials += prototypes_text(parts.space, scene);
+  parts.ground = ground_text(parts.space, scene);
   return parts;
 }
 
@@ -230,11 +218,12 @@ Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std:
     if (hole == "quality") return number(static_cast<int>(film.quality));
     if (hole == "time") return number(time);
     if (hole == "loop") return number(film.length());
+    if (hole == "includes") return includes_text(scene);
     if (hole == "setting") return setting_text(scene.stage, time);
     if (hole == "camera") return camera_text(parts.space, scene.stage.camera, time);
     if (hole == "materials") return parts.materials;
     if (hole == "ground") return parts.ground;
-    if (hole == "organisms") return all_branches_text(parts.space, scene, time);
+    if (hole == "organisms") return all_branches_text(parts, scene, time);
     if (hole == "food") return food_text(parts.space, scene, time);
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
     return {};

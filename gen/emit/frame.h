@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 #include "emit/pov.h"
@@ -12,8 +13,9 @@ namespace frond {
 /// What is the same in each frame of a film, written once.
 struct FrameParts {
   PovSpace space;
-  std::string materials;  ///< the skins of all organisms
-  std::string ground;     ///< floor and stones
+  std::string materials;                ///< the skins of all organisms and the shapes of their organs
+  std::string ground;                   ///< floor and stones, or grass
+  std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
 };
 
 FrameParts prepare_frames(const Scene& scene);

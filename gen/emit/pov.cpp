@@ -90,6 +90,15 @@ void append_mesh(std::string& text, const PovSpace& space, const Surface& surfac
     append_list(text, 3, n.x, n.y, -n.z);
     text += '>';
   }
+  if (!surface.uv.empty()) {
+    text += "}\n";
+    list("uv_vectors", surface.uv.size());
+    for (const Vec2& at : surface.uv) {
+      text += ",<";
+      append_list(text, 3, at.x, at.y);
+      text += '>';
+    }
+  }
   text += "}\nface_indices{";
   CountedList faces(text, 9);
   std::size_t count = 0;

@@ -37,7 +37,8 @@ void append_color(std::string& text, const Color& color);
 /// Appends a comment that cannot be ended by what is in it.
 void append_comment(std::string& text, std::string_view words);
 
-/// Appends `mesh2 { ... }` without a texture. Triangles that are points after rounding are left out.
+/// Appends `mesh2 { ... }` without a texture, with the surface's `uv` where it has them. Triangles that are
+/// points after rounding are left out.
 void append_mesh(std::string& text, const PovSpace& space, const Surface& surface);
 
 /// Appends the sphere_sweep of one chunk up to its texture, `sphere_sweep{linear_spline,n,<x,y,z>,r,...`, and

@@ -106,7 +106,8 @@ std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const Chun
       continue;
     }
     std::int32_t stop = start + 1;
-    while (stop < n && rest.parent[stop] == stop - 1 && stop - start < options.nodes - 1) ++stop;
+    auto goes_on = [&] { return options.color.empty() || options.color[stop] == options.color[start]; };
+    while (stop < n && rest.parent[stop] == stop - 1 && stop - start < options.nodes - 1 && goes_on()) ++stop;
     std::int32_t end = start - 1;
     while (end + 1 < stop && reached(rest, pose, end + 1)) ++end;
     cutter.cut(start, stop - 1, end);

@@ -7,7 +7,7 @@ namespace frond {
 /// The last step of a derivation in the making: both words, and how far each module of the later one has
 /// grown.
 struct Between {
-  Word word;                   ///< the later one
+  Word word;                      ///< the later one
   std::vector<Unfolding> growth;  ///< of each of its modules
 };
 

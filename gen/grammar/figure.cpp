@@ -1,6 +1,7 @@
 #include "grammar/figure.h"
 
 #include <algorithm>
+#include <array>
 
 #include "grammar/between.h"
 #include "grammar/stream.h"
@@ -39,6 +40,11 @@ constexpr float kThinnest = 1e-6f;
 struct Builder {
   const Grammar& grammar;
   Figure figure;
+  std::array<bool, 256> sites{};  // symbols that are organs without a ~
+
+  void bare(SymbolId symbol, const double* parameters, const TurtleState& state) {
+    if (sites[symbol]) organ(symbol, parameters, state);
+  }
 
   void segment(const Segment& s, TurtleState& state) {
     Vec3 to(s.to);
@@ -50,12 +56,12 @@ struct Builder {
   void add(Vec3 at, double width, std::int32_t below, TurtleState& state) {
     float radius = std::max(kThinnest, static_cast<float>(width / 2));
     auto order = static_cast<std::uint16_t>(std::min(state.depth, 65535));
-    state.mark = figure.skeleton.add(at, radius, below, order);
+    state.mark = state.base = figure.skeleton.add(at, radius, below, order);
     figure.color.push_back(state.color);
   }
 
   void polygon(std::span<const DVec3> points, const TurtleState& state) {
-    Outline outline{{}, state.color, state.mark};
+    Outline outline{{}, state.color, state.base};
     for (DVec3 point : points)  // `F.` names its end twice
       if (outline.points.empty() || outline.points.back() != Vec3(point)) outline.points.emplace_back(point);
     if (outline.points.size() > 3 && outline.points.front() == outline.points.back())
@@ -82,7 +88,7 @@ struct Builder {
   void place(std::string name, Vec3 scale, const TurtleState& s) {
     scale *= static_cast<float>(s.grown);
     figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up),
-                            scale, s.color, s.mark});
+                            scale, s.color, s.base});
   }
 };
 
@@ -131,20 +137,23 @@ Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const
 }
 
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed) {
-  Builder builder{grammar, {}};
+  Builder builder{grammar, {}, {}};
   walk(grammar, word, seed, builder);
   return std::move(builder.figure);
 }
 
-Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
-  Builder builder{grammar, {}};
+Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits,
+                         std::span<const std::string> organs) {
+  Builder builder{grammar, {}, {}};
+  for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
+    builder.sites[i] = std::find(organs.begin(), organs.end(), grammar.symbols[i].name) != organs.end();
   Result<TurtleState> end = draw(grammar, steps, seed, builder, limits);
   if (!end) return end.errors();
   return std::move(builder.figure);
 }
 
 Result<Figure> figure_between(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
-  Builder builder{grammar, {}};
+  Builder builder{grammar, {}, {}};
   Result<TurtleState> end = draw_between(grammar, steps, seed, builder, limits);
   if (!end) return end.errors();
   return std::move(builder.figure);

@@ -22,7 +22,8 @@ Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const
 struct Outline {
   std::vector<Vec3> points;
   int color = 0;
-  std::int32_t node = Skeleton::kRoot;  ///< of the skeleton, where it grows
+  std::int32_t node =
+      Skeleton::kRoot;  ///< of the skeleton, where it grows; kRoot where nothing was drawn before
 };
 
 /// A place where a shape belongs: an organ named in the grammar.
@@ -47,7 +48,9 @@ struct Figure {
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 
 /// The same for the word after so many steps, which is not stored where it need not be.
-Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
+/// The symbols named in `organs` are sites also where no `~` stands before them.
+Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {},
+                         std::span<const std::string> organs = {});
 
 /// The same after a number of steps that need not be whole: the shape on its way from one step to the next.
 Result<Figure> figure_between(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {});

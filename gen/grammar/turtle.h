@@ -17,6 +17,7 @@ struct TurtleState {
   int depth = 0;           ///< brackets open
   double grown = 1;        ///< 0..1: how far the module at hand has grown, in between two steps
   std::int32_t mark = -1;  ///< the sink's own: a bracket keeps and restores it; -1 after a move
+  std::int32_t base = -1;  ///< the sink's own: as mark, but a move leaves it alone
 };
 
 /// A line that the turtle drew, before it moves on; widths are diameters.
@@ -40,6 +41,7 @@ struct Unfolding {
 ///     void push(TurtleState&);  void pop(TurtleState&); // the state that is kept; the state it is back in
 ///     void polygon(std::span<const DVec3>, const TurtleState&);
 ///     void organ(SymbolId shape, const double* parameters, const TurtleState&);
+///     void bare(SymbolId, const double* parameters, const TurtleState&);  // a symbol without meaning
 ///     void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes,
 ///     questions, guides
 template <class Sink>
@@ -75,6 +77,8 @@ class Turtle {
     ++acted_;
     switch (info.act) {
       case Act::none:
+        if constexpr (requires { sink_.bare(symbol, parameters, now_); })
+          sink_.bare(symbol, parameters, now_);
         return;
       case Act::draw:
       case Act::draw_free:

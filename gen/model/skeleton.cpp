@@ -62,6 +62,42 @@ void set_tip_distances(Skeleton& s) {
   }
 }
 
+std::vector<std::int32_t> order_branches(Skeleton& s) {
+  std::size_t n = s.size();
+  // Each node's children as a list threaded through the nodes, the one that goes on in front.
+  std::vector<std::int32_t> child(n, -1), sibling(n, -1), index(n, -1), stack;
+  for (std::size_t i = n; i-- > 0;) {
+    std::int32_t p = s.parent[i], node = static_cast<std::int32_t>(i);
+    if (p == Skeleton::kRoot) continue;
+    std::int32_t first = child[p];
+    if (first >= 0 && s.order[i] > s.order[first]) {
+      sibling[i] = sibling[first];
+      sibling[first] = node;
+    } else {
+      sibling[i] = first;
+      child[p] = node;
+    }
+  }
+  Skeleton sorted;
+  sorted.reserve(n);
+  for (std::size_t root = 0; root < n; ++root) {
+    if (s.parent[root] != Skeleton::kRoot) continue;
+    stack.push_back(static_cast<std::int32_t>(root));
+    while (!stack.empty()) {
+      std::int32_t i = stack.back(), p = s.parent[i];
+      stack.pop_back();
+      index[i] = sorted.add(s.position[i], s.radius[i], p == Skeleton::kRoot ? p : index[p], s.order[i]);
+      sorted.birth.back() = s.birth[i];
+      sorted.to_tip.back() = s.to_tip[i];
+      std::size_t low = stack.size();
+      for (std::int32_t c = child[i]; c >= 0; c = sibling[c]) stack.push_back(c);
+      std::reverse(stack.begin() + static_cast<std::ptrdiff_t>(low), stack.end());
+    }
+  }
+  s = std::move(sorted);
+  return index;
+}
+
 void set_births(Skeleton& s) {
   float longest = s.longest();
   for (std::size_t i = 0; i < s.size(); ++i)

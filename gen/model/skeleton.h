@@ -39,6 +39,11 @@ struct Skeleton {
 /// Sets `to_tip` of each node from the positions.
 void set_tip_distances(Skeleton& skeleton);
 
+/// Orders the nodes so that each branch goes on through the forks it makes: of the children of a node, the
+/// first of those with the fewest brackets around it follows it, then come the others. Returns the new index
+/// of each node.
+std::vector<std::int32_t> order_branches(Skeleton& skeleton);
+
 /// Sets each `birth` to the share of the longest way that lies below the node: growth runs along all branches
 /// at one speed.
 void set_births(Skeleton& skeleton);

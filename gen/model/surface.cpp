@@ -8,6 +8,7 @@ namespace frond {
 
 std::string Surface::check() const {
   if (normal.size() != position.size()) return "the arrays differ in length";
+  if (!uv.empty() && uv.size() != position.size()) return "not every vertex has a place on the texture";
   for (std::size_t i = 0; i < position.size(); ++i) {
     if (!std::isfinite(glm::dot(position[i], position[i])))
       return fmt::format("vertex {} is not at a finite place", i);

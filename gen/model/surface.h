@@ -15,6 +15,7 @@ struct Surface {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;
   std::vector<std::array<std::uint32_t, 3>> triangle;
+  std::vector<Vec2> uv;  ///< where on the texture each vertex lies; may be empty
 
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;

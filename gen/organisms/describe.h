@@ -1,5 +1,6 @@
 #pragma once
 
+#include "organisms/describe_plant.h"
 #include "organisms/organism.h"
 #include "preset/reader.h"
 
@@ -195,6 +196,7 @@ void describe(Visitor& v, Place& p) {
   v.angle("turn_variation", p.turn_variation, {.min = 0, .max = 180},
           "Random change of the turn, either way");
   v.angle("lean", p.lean, {.min = 0, .max = 90}, "Up to how far each leans");
+  v.number("raise", p.raise, {.min = -100, .max = 1000, .unit = "m"}, "Above the ground");
   v.number("rock", p.rock, {.min = 0, .max = 100, .unit = "m"}, "Width of the rock under each; 0: none");
 }
 
@@ -207,6 +209,8 @@ void describe(Visitor& v, Organism& o) {
 
 /// The table of growers: one row a kind.
 inline constexpr Kind<Organism> kOrganismKinds[] = {
-    make_kind<CoralParams, &Organism::body>("coral", "A branching coral from an L-system")};
+    make_kind<CoralParams, &Organism::body>("coral", "A branching coral from an L-system"),
+    make_kind<PlantParams, &Organism::body>("plant",
+                                            "Anything that an L-system draws: herbs, trees, curves")};
 
 }  // namespace frond

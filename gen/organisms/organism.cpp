@@ -6,7 +6,14 @@ namespace {
 
 struct Grow {
   Seed seed;
-  Result<Skeleton> operator()(const CoralParams& params) const { return grow_coral(params, seed); }
+  Result<Model> operator()(const CoralParams& params) const {
+    Result<Skeleton> skeleton = grow_coral(params, seed);
+    if (!skeleton) return skeleton.errors();
+    Model model;
+    model.skeleton = std::move(*skeleton);
+    return model;
+  }
+  Result<Model> operator()(const PlantParams& params) const { return grow_plant(params, seed); }
 };
 
 struct Check {
@@ -16,10 +23,21 @@ struct Check {
     return refuse(forecast(*grammar, grammar->text.steps, Seed{1}, grammar->text.limits),
                   grammar->text.limits);
   }
+  Errors operator()(const PlantParams& params) const {
+    Result<Grammar> grammar = plant_grammar(params);
+    return grammar ? Errors{} : grammar.errors();
+  }
 };
 
 struct Foresee {
   Seed seed;
+  Result<Foresight> operator()(const PlantParams& params) const {
+    Result<Grammar> grammar = plant_grammar(params);
+    if (!grammar) return grammar.errors();
+    Forecast word = forecast(*grammar, grammar->text.steps, seed);
+    if (Errors errors = refuse(word, {}); !errors.empty()) return errors;
+    return Foresight{word, 1 + word.segments * params.smoothing};
+  }
   Result<Foresight> operator()(const CoralParams& params) const {
     Result<Grammar> grammar = coral_grammar(params);
     if (!grammar) return grammar.errors();
@@ -31,7 +49,7 @@ struct Foresee {
 
 }  // namespace
 
-Result<Skeleton> grow(const Organism& organism, Seed seed) { return std::visit(Grow{seed}, organism.body); }
+Result<Model> grow(const Organism& organism, Seed seed) { return std::visit(Grow{seed}, organism.body); }
 
 Result<Foresight> foresee(const Organism& organism, Seed seed) {
   return std::visit(Foresee{seed}, organism.body);

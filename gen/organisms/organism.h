@@ -7,7 +7,9 @@
 
 #include "core/result.h"
 #include "grammar/forecast.h"
+#include "model/model.h"
 #include "organisms/coral.h"
+#include "organisms/plant.h"
 
 namespace frond {
 
@@ -23,6 +25,7 @@ struct Place {
   double turn = 0;              ///< about the vertical
   double turn_variation = kPi;  ///< random change of the turn, either way
   double lean = radians(6.0);   ///< up to how far each leans, at random
+  double raise = 0;             ///< metres above the ground
   double rock = 0.5;            ///< metres, the width of the rock that each stands on; 0: on the bare ground
 };
 
@@ -31,11 +34,11 @@ struct Organism {
   std::string name;  ///< the user's name for it, for messages and comments
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
-  std::variant<CoralParams> body;
+  std::variant<CoralParams, PlantParams> body;
 };
 
 /// What an organism is made of at the end of its growth, with its foot at the origin.
-Result<Skeleton> grow(const Organism& organism, Seed seed);
+Result<Model> grow(const Organism& organism, Seed seed);
 
 /// How large one of them will be.
 struct Foresight {

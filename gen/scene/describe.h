@@ -12,7 +12,9 @@ inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "a fe
                                                  {"best", Quality::best, "everything, slow"}};
 
 inline constexpr Choice<Setting> kSettings[] = {
-    {"underwater", Setting::underwater, "a sea floor in blue water"}};
+    {"underwater", Setting::underwater, "a sea floor in blue water"},
+    {"studio", Setting::studio, "soft light before a plain wall"},
+    {"meadow", Setting::meadow, "grass under a summer sky"}};
 
 template <class Visitor>
 void describe(Visitor& v, Film& f) {
@@ -42,6 +44,30 @@ void describe(Visitor& v, Water& w) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Studio& s) {
+  v.color("wall", s.wall, "Of wall and floor");
+  v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"},
+           "From the middle to the wall behind it");
+  v.vector("key", s.key, "Toward the main light");
+  v.number("softness", s.softness, {.min = 0, .max = 3}, "Of shadows");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Meadow& m) {
+  v.color("zenith", m.zenith, "Of the sky above");
+  v.color("horizon", m.horizon, "Of the sky far off, and of the haze");
+  v.color("grass", m.grass, "Of the grass");
+  v.vector("sun", m.sun, "Toward the sun");
+  v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"}, "Until two thirds of a colour are lost");
+  v.number("clouds", m.clouds, {.min = 0, .max = 1}, "How much of the sky they cover");
+  v.number("blade", m.blade, {.min = 0, .max = 5, .unit = "m"}, "Length of the grass; 0: none stands");
+  v.number("blades", m.blades, {.min = 0, .max = 20000, .unit = "1/m2"}, "How dense the grass is");
+  v.number("extent", m.extent, {.min = 0.1, .max = 200, .unit = "m"},
+           "How far from the middle single blades stand");
+  v.number("flowers", m.flowers, {.min = 0, .max = 0.2}, "Share of the blades that bear a flower");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Floor& f) {
   v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"}, "Height of the dunes");
   v.number("scale", f.scale, {.min = 0.1, .max = 100, .unit = "m"}, "From dune to dune");
@@ -54,7 +80,9 @@ template <class Visitor>
 void describe(Visitor& v, Stage& s) {
   v.choice("setting", s.setting, kSettings, "The surroundings");
   v.object("camera", s.camera, "The camera");
-  v.object("water", s.water, "The water");
+  v.object("water", s.water, "The water, for underwater");
+  v.object("studio", s.studio, "Wall and light, for studio");
+  v.object("meadow", s.meadow, "Sky and grass, for meadow");
   v.object("floor", s.floor, "The ground");
 }
 

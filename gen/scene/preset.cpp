@@ -62,11 +62,14 @@ std::string grammar_pointer(const GrammarText& grammar, const Error& error) {
 /// Tells the rules where they stand and finds what is wrong with them.
 void check_grammar(Organism& organism, const Value& written, std::size_t index, Faults& faults) {
   auto* coral = std::get_if<CoralParams>(&organism.body);
-  bool own = coral && coral->form == CoralForm::own;
-  if (own) {
+  auto* plant = std::get_if<PlantParams>(&organism.body);
+  GrammarText* grammar = plant                                    ? &plant->grammar
+                         : coral && coral->form == CoralForm::own ? &coral->grammar
+                                                                  : nullptr;
+  if (grammar) {
     for (const RuleList& list : kRuleLists) {
       std::size_t i = 0;
-      for (GrammarText::Rule& rule : coral->grammar.*list.rules) {
+      for (GrammarText::Rule& rule : grammar->*list.rules) {
         std::string pointer = fmt::format("/grammar/{}/{}", list.name, i++);
         rule.where = organism_fault(written, index, pointer, "").error().where;
       }
@@ -77,7 +80,7 @@ void check_grammar(Organism& organism, const Value& written, std::size_t index, 
       faults.add(organism_fault(written, index, fmt::format("/place/at/{}", i),
                                 "lies off the ground; expected a place within 30 m of the middle"));
   for (const Error& error : check(organism)) {
-    std::string pointer = own ? "/grammar" + grammar_pointer(coral->grammar, error) : "";
+    std::string pointer = grammar ? "/grammar" + grammar_pointer(*grammar, error) : "";
     faults.add(organism_fault(written, index, pointer, error.what));
   }
 }

@@ -48,12 +48,36 @@ struct Floor {
   double extent = 7;                  ///< metres round the origin in which they lie
 };
 
-enum class Setting { underwater };
+/// Clear light indoors.
+struct Studio {
+  Color wall{0.87f, 0.86f, 0.83f};  ///< of wall and floor
+  double distance = 1.5;            ///< metres from the middle of the scene to the wall behind it
+  Vec3 key{-0.6f, 0.9f, 0.8f};      ///< toward the main light
+  double softness = 1;              ///< of its shadows, 0 hard .. 3
+};
+
+/// A summer's day outdoors.
+struct Meadow {
+  Color zenith{0.22f, 0.45f, 0.78f};   ///< of the sky above
+  Color horizon{0.80f, 0.88f, 0.93f};  ///< of the sky far off, and of the haze
+  Color grass{0.43f, 0.53f, 0.17f};
+  Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun
+  double haze = 200;            ///< metres in which two thirds of a colour are lost
+  double clouds = 0.45;         ///< 0 none .. 1 overcast
+  double blade = 0.10;          ///< metres, length of the grass; 0: none stands
+  double blades = 900;          ///< of grass on a square metre
+  double extent = 9;            ///< metres round the middle in which single blades stand
+  double flowers = 0.004;       ///< share of blades that bear a flower
+};
+
+enum class Setting { underwater, studio, meadow };
 
 struct Stage {
   Setting setting = Setting::underwater;
   Camera camera;
   Water water;
+  Studio studio;
+  Meadow meadow;
   Floor floor;
 };
 

@@ -18,6 +18,9 @@ constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
 constexpr double kFloorRadius = 32;  // metres, as far as the water lets one see
 
+constexpr double kMeadowRadius = 150;
+constexpr int kTurfShapes = 4;
+
 /// A place for one organism to be grown at.
 struct Planting {
   const Organism* organism;
@@ -29,11 +32,13 @@ struct Planting {
 struct Builder {
   const Preset& preset;
   Seed seed;
+  Ground ground;
   std::vector<Spot> taken;  // by organisms and stones
   std::vector<Stone> shapes;
   Scene scene;
 
-  float ground(Vec2 at) const { return static_cast<float>(surface_height(scene.floor, at.x, at.y)); }
+  /// How high the floor that is drawn lies there.
+  float height(Vec2 at) const { return static_cast<float>(surface_height(scene.floor, at.x, at.y)); }
 };
 
 std::vector<Planting> plantings(Builder& b) {
@@ -75,7 +80,7 @@ float lay_stone(Builder& b, Vec2 at, float width, float sunk, Seed seed) {
                     width * static_cast<float>(seed.child("depth").range(0.75, 1.1)));
   float top =
       stone_surface_point(b.shapes[static_cast<std::size_t>(stone.shape)], Vec3(0, 1, 0)).y * stone.size.y;
-  stone.at = Vec3(at.x, b.ground(at) + top * (1 - 2 * sunk), at.y);
+  stone.at = Vec3(at.x, b.height(at) + top * (1 - 2 * sunk), at.y);
   b.scene.stone_instances.push_back(stone);
   return stone.at.y + top;
 }
@@ -104,7 +109,19 @@ void lay_stones(Builder& b) {
   }
 }
 
-/// Turns, sizes and moves a skeleton from the origin to its place.
+/// Turns, sizes and moves what is on a skeleton from the origin to its place.
+void put_organs(Branches& b, Vec3 foot, Quat turn, float size) {
+  for (std::size_t i = 0; i < b.organs.size(); ++i) {
+    b.organs.position[i] = foot + turn * (b.organs.position[i] * size);
+    b.organs.turn[i] = glm::normalize(turn * b.organs.turn[i]);
+    b.organs.scale[i] *= size;
+  }
+  for (Vec3& p : b.blades.foot) p = foot + turn * (p * size);
+  for (Vec3& p : b.blades.surface.position) p = foot + turn * (p * size);
+  for (Vec3& n : b.blades.surface.normal) n = turn * n;
+}
+
+/// The same for a skeleton.
 void put(Skeleton& s, Vec3 foot, Quat turn, float size) {
   for (std::size_t i = 0; i < s.size(); ++i) {
     s.position[i] = foot + turn * (s.position[i] * size);
@@ -114,14 +131,39 @@ void put(Skeleton& s, Vec3 foot, Quat turn, float size) {
   }
 }
 
+/// What the parameters of an organism say about its look and motion.
+struct Dress {
+  Branches& branches;
+  const Seed& seed;
+
+  void operator()(const CoralParams& params) {
+    branches.skin = params.skin;
+    branches.motion = {params.growth, params.wave, params.food, 1};
+    vary(params.skin.tint.variation);
+  }
+  void operator()(const PlantParams& params) {
+    branches.bark = params.bark;
+    branches.blade_look = params.blades;
+    branches.motion = {params.growth, params.wave, {}, 1};
+    vary(params.bark.variation);
+  }
+  void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
+};
+
 Result<Branches> plant(const Preset& preset, const Planting& planting, float foot_height) {
   const Organism& organism = *planting.organism;
   Seed seed = planting.seed;
-  Result<Skeleton> grown = grow(organism, seed.child("grow"));
+  Result<Model> grown = grow(organism, seed.child("grow"));
   if (!grown) return grown.errors();
 
-  const auto& params = std::get<CoralParams>(organism.body);
-  Branches branches{organism.name, std::move(*grown), {}, params.skin, 1};
+  Branches branches;
+  branches.name = organism.name;
+  branches.entry = static_cast<std::size_t>(planting.organism - preset.organisms.data());
+  branches.rest = std::move(grown->skeleton);
+  branches.color = std::move(grown->color);
+  branches.prototypes = std::move(grown->prototypes);
+  branches.organs = std::move(grown->organs);
+  branches.blades = std::move(grown->blades);
   const Place& place = organism.place;
   float size = static_cast<float>(1 + place.size_variation * seed.child("size").range(-1, 1));
   double turn = place.turn + place.turn_variation * seed.child("turn").range(-1, 1);
@@ -130,14 +172,57 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   Quat lean =
       glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
                      Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
-  // The foot stands a little in the ground, as deep as it is thick or as a small coral bears.
-  float sunk = std::min(branches.rest.radius[0], 0.1f * branches.rest.longest()) * size;
-  put(branches.rest, Vec3(planting.spot.at.x, foot_height - sunk, planting.spot.at.y), lean * yaw, size);
-  branches.motion = {params.growth, params.wave, params.food, preset.film.length()};
-  branches.motion.growth.start += params.growth.stagger * seed.child("start").unit();
+  // What stands in the ground stands as deep as it is thick, or as a small one bears.
+  float sunk = place.raise > 0 || branches.rest.size() == 0
+                   ? 0
+                   : std::min(branches.rest.radius[0], 0.1f * branches.rest.longest()) * size;
+  Vec3 foot(planting.spot.at.x, foot_height - sunk, planting.spot.at.y);
+  put(branches.rest, foot, lean * yaw, size);
+  put_organs(branches, foot, lean * yaw, size);
+  std::visit(Dress{branches, seed}, organism.body);
+  branches.motion.film_length = preset.film.length();
+  branches.motion.growth.start += branches.motion.growth.stagger * seed.child("start").unit();
   branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
-  branches.brightness = 1 + params.skin.tint.variation * seed.child("brightness").range(-1, 1);
   return branches;
+}
+
+/// Covers the middle of a meadow with patches of grass.
+void sow(Builder& b) {
+  const Meadow& meadow = b.preset.stage.meadow;
+  if (meadow.blade <= 0 || meadow.blades <= 0) return;
+  double thin = b.preset.film.quality == Quality::draft ? 0.6 : 1.0, side = 5 * meadow.blade;
+  Seed seed = b.seed.child("turf");
+  for (int i = 0; i < kTurfShapes; ++i) {
+    TurfShape shape{1.12 * side, meadow.blade, meadow.blades * thin, meadow.flowers / thin};
+    b.scene.turf.push_back(turf_surface(shape, seed.child("shape").child(static_cast<std::uint64_t>(i))));
+  }
+  int reach = static_cast<int>(std::ceil(meadow.extent / side));
+  for (int row = -reach; row <= reach; ++row) {
+    for (int column = -reach; column <= reach; ++column) {
+      double x = column * side, z = row * side, step = side / 2;
+      if (x * x + z * z > meadow.extent * meadow.extent) continue;
+      Seed own = seed.child("patch").child(
+          static_cast<std::uint64_t>((row + reach) * (2 * reach + 1) + column + reach));
+      auto height = [&](double at_x, double at_z) { return ground_height(b.ground, at_x, at_z); };
+      Vec2 slope(static_cast<float>((height(x + step, z) - height(x - step, z)) / side),
+                 static_cast<float>((height(x, z + step) - height(x, z - step)) / side));
+      Vec3 at(static_cast<float>(x), static_cast<float>(height(x, z)), static_cast<float>(z));
+      int shape = static_cast<int>(own.child(0).bits() % kTurfShapes);
+      b.scene.turf_instances.push_back(
+          {shape, at, kPi / 2 * static_cast<double>(own.child(1).bits() % 4), slope});
+    }
+  }
+}
+
+/// How high the foot of an organism stands.
+float foot_of(Builder& b, const Planting& p) {
+  const Place& place = p.organism->place;
+  float raise = static_cast<float>(place.raise);
+  if (b.preset.stage.setting == Setting::studio) return raise;
+  if (b.preset.stage.setting == Setting::meadow) return b.height(p.spot.at) + raise;
+  float rock = static_cast<float>(place.rock);
+  float top = rock > 0 ? lay_stone(b, p.spot.at, rock, 0.3f, p.seed.child("rock")) : b.height(p.spot.at);
+  return top + raise;
 }
 
 }  // namespace
@@ -151,21 +236,20 @@ std::size_t Scene::nodes() const {
 Result<Scene> build_scene(const Preset& preset) {
   Seed seed{preset.seed};
   const Floor& floor = preset.stage.floor;
-  Builder b{preset, seed, {}, {}, {}};
+  Builder b{preset, seed, {seed.child("ground"), floor.relief, floor.scale}, {}, {}, {}};
   b.scene.title = preset.title;
   b.scene.film = preset.film;
   b.scene.stage = preset.stage;
-  Ground ground{seed.child("ground"), floor.relief, floor.scale};
-  b.scene.floor = ground_surface(ground, Vec2(0), kFloorRadius, 60);
+  if (preset.stage.setting == Setting::underwater)
+    b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
+  if (preset.stage.setting == Setting::meadow)
+    b.scene.floor = ground_surface(b.ground, Vec2(0), kMeadowRadius, 110);
 
   std::vector<Planting> list = plantings(b);
-  lay_stones(b);
+  if (preset.stage.setting == Setting::underwater) lay_stones(b);
+  if (preset.stage.setting == Setting::meadow) sow(b);
   std::vector<float> feet;
-  for (const Planting& p : list) {
-    float rock = static_cast<float>(p.organism->place.rock);
-    float top = rock > 0 ? lay_stone(b, p.spot.at, rock, 0.3f, p.seed.child("rock")) : b.ground(p.spot.at);
-    feet.push_back(top);
-  }
+  for (const Planting& p : list) feet.push_back(foot_of(b, p));
 
   std::vector<std::optional<Result<Branches>>> grown(list.size());
   parallel_for(list.size(), [&](std::size_t i) { grown[i] = plant(preset, list[i], feet[i]); });

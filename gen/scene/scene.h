@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/stone.h"
-#include "model/surface.h"
+#include "geometry/turf.h"
+#include "model/model.h"
 #include "motion/motion.h"
 #include "scene/preset.h"
 
@@ -17,6 +19,22 @@ struct Branches {
   Motion motion;
   Skin skin;
   double brightness = 1;  ///< factor, its own
+
+  std::size_t entry = 0;     ///< which of the preset's organisms it is one of
+  std::optional<Bark> bark;  ///< of a plant, which has no skin
+  BladeParams blade_look;
+  std::vector<std::int32_t> color;  ///< of each node; empty: 0 for all
+  std::vector<Prototype> prototypes;
+  Organs organs;
+  Blades blades;
+};
+
+/// A patch of grass put somewhere on the ground.
+struct TurfInstance {
+  int shape = 0;  ///< index into Scene::turf
+  Vec3 at{0};
+  double turn = 0;  ///< radians about the vertical
+  Vec2 slope{0};    ///< of the ground, along x and z
 };
 
 /// A stone shape put somewhere in the world.
@@ -36,6 +54,8 @@ struct Scene {
   Surface floor;
   std::vector<Surface> stones;
   std::vector<StoneInstance> stone_instances;
+  std::vector<Turf> turf;
+  std::vector<TurfInstance> turf_instances;
   std::vector<Branches> branches;
   std::vector<std::string> notes;  ///< what the user should know of how it was built
 

@@ -1,0 +1,210 @@
+#include "emit/plant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/text.h"
+#include "motion/unfold.h"
+
+namespace frond {
+
+namespace {
+
+constexpr std::size_t kShades = 3;  // of each colour, so that leaves differ
+constexpr float kSmallest = 0.02f;  // share of its size below which an organ is not shown yet
+
+constexpr const char* kTissueMacros[] = {"Plant_Leaf", "Plant_Petal", "Plant_Heart", "Plant_Fruit",
+                                         "Plant_Fruit"};
+
+void append_index(std::string& text, std::size_t index) {
+  append_integer(text, static_cast<long long>(index));
+}
+
+/// `Organ2_0_1`: the shape of a part of an organ of an entry of the preset.
+void append_organ_name(std::string& text, std::size_t entry, std::size_t prototype, std::size_t part) {
+  text += "Organ";
+  append_index(text, entry);
+  text += '_';
+  append_index(text, prototype);
+  text += '_';
+  append_index(text, part);
+}
+
+std::size_t wrapped(std::int32_t color, std::size_t count) {
+  auto n = static_cast<std::int32_t>(count);
+  return static_cast<std::size_t>(((color % n) + n) % n);
+}
+
+/// `texture{Plant_Leaf(color, second, shade)}`
+void append_tissue(std::string& text, Tissue tissue, const Color& color, const Color& second,
+                   std::size_t shade) {
+  text += "texture{";
+  text += kTissueMacros[static_cast<std::size_t>(tissue)];
+  text += '(';
+  append_color(text, color);
+  text += ',';
+  append_color(text, second);
+  text += ',';
+  append_index(text, shade);
+  text += ")}";
+}
+
+std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
+
+void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+                      std::size_t i, float size) {
+  const Organs& o = b.organs;
+  glm::mat3 frame = glm::mat3_cast(carried_turn(pose, o.node[i]) * o.turn[i]);
+  for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
+  append_matrix(text, space, frame, carried(b.rest, pose, o.node[i], o.position[i]));
+  text += "}\n";
+}
+
+std::string organs_text(const PovSpace& space, const Branches& b, const Pose& pose) {
+  // Buckets by prototype, colour and shade; each line is written once and used by all parts.
+  std::vector<std::size_t> start;
+  std::size_t count = 0;
+  for (const Prototype& p : b.prototypes) {
+    start.push_back(count);
+    count += p.colors.size() * kShades;
+  }
+  std::vector<std::string> buckets(count);
+  for (std::size_t i = 0; i < b.organs.size(); ++i) {
+    float size = unfolded(b.organs.birth[i], pose.front, b.motion.growth.ripen);
+    if (size < kSmallest) continue;
+    std::size_t which = b.organs.prototype[i];
+    std::size_t color = wrapped(b.organs.color[i], b.prototypes[which].colors.size());
+    append_placement(buckets[start[which] + color * kShades + shade_of(i)], space, b, pose, i, size);
+  }
+  std::string text;
+  for (std::size_t p = 0; p < b.prototypes.size(); ++p) {
+    const Prototype& prototype = b.prototypes[p];
+    for (std::size_t k = 0; k < prototype.colors.size() * kShades; ++k) {
+      const std::string& lines = buckets[start[p] + k];
+      if (lines.empty()) continue;
+      for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
+        text += "union{\n";
+        for (std::size_t from = 0; from < lines.size();) {
+          std::size_t to = lines.find('\n', from) + 1;
+          text += "object{";
+          append_organ_name(text, b.entry, p, part);
+          text += ' ';
+          text.append(lines, from, to - from);
+          from = to;
+        }
+        append_tissue(text, prototype.parts[part].tissue, prototype.colors[k / kShades], prototype.second,
+                      k % kShades);
+        text += "}\n";
+      }
+    }
+  }
+  return text;
+}
+
+/// The blades of one colour and shade, unfolded and carried to where the pose has them.
+Surface posed_blades(const Branches& b, const Pose& pose, std::size_t color, std::size_t shade) {
+  const Blades& all = b.blades;
+  Surface s;
+  std::size_t triangle = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    // The triangles follow each other as the blades do.
+    std::size_t first = triangle;
+    while (triangle < all.surface.triangle.size() && all.surface.triangle[triangle][0] < all.first[i + 1])
+      ++triangle;
+    if (wrapped(all.color[i], b.blade_look.colors.size()) != color || shade_of(i) != shade) continue;
+    float size = unfolded(all.birth[i], pose.front, b.motion.growth.ripen);
+    if (size < kSmallest) continue;
+    Quat turn = carried_turn(pose, all.node[i]);
+    Vec3 foot = carried(b.rest, pose, all.node[i], all.foot[i]);
+    auto offset = static_cast<std::uint32_t>(s.position.size()) - all.first[i];
+    for (std::uint32_t k = all.first[i]; k < all.first[i + 1]; ++k) {
+      s.position.push_back(foot + turn * ((all.surface.position[k] - all.foot[i]) * size));
+      s.normal.push_back(turn * all.surface.normal[k]);
+      s.uv.push_back(all.surface.uv[k]);
+    }
+    for (; first < triangle; ++first) {
+      auto [a, c, d] = all.surface.triangle[first];
+      s.triangle.push_back({a + offset, c + offset, d + offset});
+    }
+  }
+  return s;
+}
+
+std::string blades_text(const PovSpace& space, const Branches& b, const Pose& pose) {
+  std::string text;
+  if (b.blades.size() == 0) return text;
+  const BladeParams& look = b.blade_look;
+  for (std::size_t k = 0; k < look.colors.size() * kShades; ++k) {
+    Surface surface = posed_blades(b, pose, k / kShades, k % kShades);
+    if (surface.triangle.empty()) continue;
+    text += "object{";
+    append_mesh(text, space, surface);
+    append_tissue(text, look.tissue, look.colors[k / kShades], look.second, k % kShades);
+    text += "}\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+bool patterned(const Bark& bark) { return bark.kind == BarkKind::bark || bark.kind == BarkKind::birch; }
+
+bool one_texture(const Branches& b) {
+  if (!b.bark || b.bark->young_length > 0 || (!b.color.empty() && b.bark->colors.size() > 1)) return false;
+  return !patterned(*b.bark) || (b.motion.wave.amplitude == 0 && b.motion.growth.duration <= 0);
+}
+
+std::size_t bark_color(const Branches& b, std::int32_t node) {
+  return b.color.empty() ? 0 : wrapped(b.color[node], b.bark->colors.size());
+}
+
+void append_bark(std::string& text, const Branches& b, std::size_t first) {
+  const Bark& bark = *b.bark;
+  for (std::size_t i = 0; i < bark.colors.size(); ++i) {
+    text += "Plant_Bark(";
+    append_index(text, first + i);
+    text += ',';
+    append_integer(text, static_cast<int>(bark.kind));
+    text += ',';
+    append_color(text, bark.colors[i]);
+    text += ',';
+    append_color(text, bark.second);
+    text += ',';
+    append_color(text, bark.young);
+    text += ',';
+    append_list(text, 5, bark.scale, bark.depth, b.brightness);
+    text += ") ";
+    append_comment(text, b.name);
+  }
+}
+
+std::string prototypes_text(const PovSpace& space, const Scene& scene) {
+  std::string text;
+  std::set<std::size_t> entries;
+  for (const Branches& b : scene.branches) {
+    if (!b.bark || !entries.insert(b.entry).second) continue;
+    // Shapes that no plant of this entry bears are left out.
+    std::vector<bool> used(b.prototypes.size());
+    for (const Branches& other : scene.branches)
+      if (other.bark && other.entry == b.entry)
+        for (std::uint16_t which : other.organs.prototype) used[which] = true;
+    for (std::size_t p = 0; p < b.prototypes.size(); ++p) {
+      for (std::size_t part = 0; used[p] && part < b.prototypes[p].parts.size(); ++part) {
+        text += "#declare ";
+        append_organ_name(text, b.entry, p, part);
+        text += " = ";
+        append_mesh(text, space, b.prototypes[p].parts[part].surface);
+        text += '\n';
+      }
+    }
+  }
+  return text;
+}
+
+std::string foliage_text(const PovSpace& space, const Branches& b, const Pose& pose) {
+  if (b.organs.size() == 0 && b.blades.size() == 0) return {};
+  return organs_text(space, b, pose) + blades_text(space, b, pose);
+}
+
+}  // namespace frond

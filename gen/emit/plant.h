@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "emit/pov.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+/// Whether the bark has a pattern, which must move with the branch.
+bool patterned(const Bark& bark);
+
+/// Whether all branches of a plant have one and the same texture in the whole film, which then stands on
+/// their union.
+bool one_texture(const Branches& plant);
+
+/// Which of the colours of its bark a node has.
+std::size_t bark_color(const Branches& plant, std::int32_t node);
+
+/// Appends the calls that declare the skins of a plant, one for each colour of its bark, from `first` on.
+void append_bark(std::string& text, const Branches& plant, std::size_t first);
+
+/// Declares the organs of all plants, once for each entry of the preset, and what they are made of.
+std::string prototypes_text(const PovSpace& space, const Scene& scene);
+
+/// The organs and blades of one plant at a pose: for each material one union or one mesh.
+std::string foliage_text(const PovSpace& space, const Branches& plant, const Pose& pose);
+
+}  // namespace frond

@@ -1,0 +1,72 @@
+#include "geometry/outline.h"
+
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+float cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+
+float turn_at(Vec2 a, Vec2 b, Vec2 c) { return cross2(b - a, c - b); }
+
+bool inside(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
+  return cross2(b - a, p - a) >= 0 && cross2(c - b, p - b) >= 0 && cross2(a - c, p - c) >= 0;
+}
+
+/// The outline as seen from the side of its area.
+std::vector<Vec2> flatten(std::span<const Vec3> points) {
+  Vec3 normal = outline_area(points);
+  float length = glm::length(normal);
+  normal = length > 0 ? normal / length : Vec3(0, 0, 1);
+  Vec3 x = glm::normalize(glm::cross(std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0), normal));
+  Vec3 y = glm::cross(normal, x);
+  std::vector<Vec2> flat;
+  flat.reserve(points.size());
+  for (Vec3 p : points) flat.emplace_back(glm::dot(p - points[0], x), glm::dot(p - points[0], y));
+  return flat;
+}
+
+bool is_ear(const std::vector<Vec2>& flat, const std::vector<std::uint32_t>& left, std::size_t i) {
+  std::size_t n = left.size();
+  Vec2 a = flat[left[(i + n - 1) % n]], b = flat[left[i]], c = flat[left[(i + 1) % n]];
+  if (turn_at(a, b, c) <= 0) return false;
+  for (std::uint32_t k : left) {
+    Vec2 p = flat[k];
+    if (p != a && p != b && p != c && inside(p, a, b, c)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Vec3 outline_area(std::span<const Vec3> points) {
+  Vec3 sum(0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum += glm::cross(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
+  return sum * 0.5f;
+}
+
+void triangulate(std::span<const Vec3> points, std::uint32_t offset,
+                 std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  if (points.size() < 3) return;
+  std::vector<Vec2> flat = flatten(points);
+  std::vector<std::uint32_t> left;  // the points that no ear has taken yet
+  for (std::uint32_t i = 0; i < points.size(); ++i) left.push_back(i);
+  std::size_t at = 0, tried = 0;
+  while (left.size() > 3) {
+    std::size_t n = left.size();
+    at %= n;
+    // Where the outline crosses itself there may be no ear left; then any corner will do.
+    if (!is_ear(flat, left, at) && tried++ < n) {
+      ++at;
+      continue;
+    }
+    triangles.push_back({offset + left[(at + n - 1) % n], offset + left[at], offset + left[(at + 1) % n]});
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+    tried = 0;
+  }
+  triangles.push_back({offset + left[0], offset + left[1], offset + left[2]});
+}
+
+}  // namespace frond

@@ -1,0 +1,74 @@
+#include "model/model.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+bool finite(Vec3 v) { return std::isfinite(glm::dot(v, v)); }
+
+bool holds(const Skeleton& skeleton, std::int32_t node) {
+  return node >= Skeleton::kRoot && node < static_cast<std::int32_t>(skeleton.size());
+}
+
+std::string check_organs(const Model& model) {
+  const Organs& o = model.organs;
+  std::size_t n = o.size();
+  if (o.prototype.size() != n || o.turn.size() != n || o.scale.size() != n || o.node.size() != n ||
+      o.birth.size() != n || o.color.size() != n)
+    return "the arrays of the organs differ in length";
+  for (std::size_t i = 0; i < n; ++i) {
+    if (o.prototype[i] >= model.prototypes.size()) return fmt::format("organ {} has no prototype", i);
+    if (!finite(o.position[i])) return fmt::format("organ {} is not at a finite place", i);
+    if (std::abs(glm::length(o.turn[i]) - 1) > 1e-4f)
+      return fmt::format("the turn of organ {} is not of length 1", i);
+    if (!(o.scale[i].x > 0 && o.scale[i].y > 0 && o.scale[i].z > 0) || !finite(o.scale[i]))
+      return fmt::format("organ {} has no size", i);
+    if (!holds(model.skeleton, o.node[i])) return fmt::format("organ {} grows at node {}", i, o.node[i]);
+    if (!(o.birth[i] >= 0 && o.birth[i] <= 1)) return fmt::format("organ {} is born at {}", i, o.birth[i]);
+  }
+  return {};
+}
+
+std::string check_blades(const Model& model) {
+  const Blades& b = model.blades;
+  std::size_t n = b.size();
+  if (b.birth.size() != n || b.color.size() != n || b.foot.size() != n || b.first.size() != n + 1)
+    return "the arrays of the blades differ in length";
+  if (b.first.back() != b.surface.position.size()) return "the blades do not cover their points";
+  for (std::size_t i = 0; i < n; ++i) {
+    if (b.first[i + 1] < b.first[i] + 3) return fmt::format("blade {} has fewer than three points", i);
+    if (!holds(model.skeleton, b.node[i])) return fmt::format("blade {} grows at node {}", i, b.node[i]);
+    if (!(b.birth[i] >= 0 && b.birth[i] <= 1)) return fmt::format("blade {} is born at {}", i, b.birth[i]);
+  }
+  return b.surface.check();
+}
+
+}  // namespace
+
+void Organs::reserve(std::size_t count) {
+  prototype.reserve(count);
+  position.reserve(count);
+  turn.reserve(count);
+  scale.reserve(count);
+  node.reserve(count);
+  birth.reserve(count);
+  color.reserve(count);
+}
+
+std::string Model::check() const {
+  if (std::string fault = skeleton.check(); !fault.empty()) return fault;
+  if (!color.empty() && color.size() != skeleton.size()) return "not every node has a colour";
+  for (const Prototype& prototype : prototypes) {
+    if (prototype.colors.empty()) return "prototype " + prototype.name + " has no colour";
+    for (const OrganPart& part : prototype.parts)
+      if (std::string fault = part.surface.check(); !fault.empty()) return prototype.name + ": " + fault;
+  }
+  if (std::string fault = check_organs(*this); !fault.empty()) return fault;
+  return check_blades(*this);
+}
+
+}  // namespace frond

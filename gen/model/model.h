@@ -1,0 +1,65 @@
+#pragma once
+
+#include "model/skeleton.h"
+#include "model/surface.h"
+
+namespace frond {
+
+/// What a part of an organ is made of.
+enum class Tissue { leaf, petal, heart, fruit, skin };
+
+/// A part of an organ that has one texture.
+struct OrganPart {
+  Tissue tissue = Tissue::leaf;
+  Surface surface;
+};
+
+/// The shape of an organ, held once however often it occurs: its foot at the origin, growing along +y, its
+/// upper side toward +z, about one unit long.
+struct Prototype {
+  std::string name;
+  std::vector<OrganPart> parts;
+  std::vector<Color> colors;  ///< the turtle's colour index picks one, round and round; at least one
+  Color second;               ///< of what differs from the rest: the heart of a flower, the veins of a leaf
+};
+
+/// Leaves, flowers, berries: one entry an organ. Metres.
+struct Organs {
+  std::vector<std::uint16_t> prototype;
+  std::vector<Vec3> position;
+  std::vector<Quat> turn;          ///< of length 1; takes the prototype's axes to the world's
+  std::vector<Vec3> scale;         ///< along the prototype's axes, each > 0
+  std::vector<std::int32_t> node;  ///< of the skeleton that it rides on, or Skeleton::kRoot
+  std::vector<float> birth;        ///< 0..1, as that of a node
+  std::vector<std::int32_t> color;
+
+  std::size_t size() const { return position.size(); }
+  void reserve(std::size_t count);
+};
+
+/// Filled outlines of the turtle: the blades of leaves, each flat or nearly so. Blade i has the points
+/// first[i] .. first[i + 1] - 1 and triangles of its own. Metres.
+struct Blades {
+  std::vector<std::uint32_t> first{0};
+  std::vector<std::int32_t> node;  ///< that it rides on, or Skeleton::kRoot
+  std::vector<float> birth;
+  std::vector<std::int32_t> color;
+  std::vector<Vec3> foot;  ///< from where it unfolds
+  Surface surface;         ///< of all of them, with places on the leaf as `uv`
+
+  std::size_t size() const { return node.size(); }
+};
+
+/// What grows: branches and what they carry. Plain data; metres.
+struct Model {
+  Skeleton skeleton;
+  std::vector<std::int32_t> color;  ///< of each node, the turtle's index; empty: 0 for all
+  std::vector<Prototype> prototypes;
+  Organs organs;
+  Blades blades;
+
+  /// Where it is not what it promises: one line for the first fault, empty when all is well.
+  std::string check() const;
+};
+
+}  // namespace frond

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/model.h"
+#include "motion/motion.h"
+
+namespace frond {
+
+/// How large an organ is at a pose, as a share of its final size: 0 before growth has reached its birth, then
+/// eased to 1 over `ripen` of the growth.
+float unfolded(float birth, float front, double ripen);
+
+/// A place on the rest shape that rides on a node, where the pose has taken it.
+inline Vec3 carried(const Skeleton& rest, const Pose& pose, std::int32_t node, Vec3 at) {
+  return node == Skeleton::kRoot ? at : pose.position[node] + pose.turn[node] * (at - rest.position[node]);
+}
+
+/// How an organ or a blade on a node is turned.
+inline Quat carried_turn(const Pose& pose, std::int32_t node) {
+  return node == Skeleton::kRoot ? Quat(1, 0, 0, 0) : pose.turn[node];
+}
+
+}  // namespace frond

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "organisms/plant.h"
+#include "preset/reader.h"
+
+// The properties of plants as presets spell them; see preset/describe.h.
+
+namespace frond {
+
+inline constexpr Choice<GirthFrom> kGirths[] = {
+    {"turtle", GirthFrom::turtle, "the turtle's widths, as diameters"},
+    {"distance", GirthFrom::distance, "the way from a place to the farthest tip above it, through the curve"},
+    {"pipe", GirthFrom::pipe,
+     "what a branch carries: its radius to the power n is the sum of those it parts into"}};
+
+inline constexpr Choice<BarkKind> kBarks[] = {{"bark", BarkKind::bark, "furrowed along the branch"},
+                                              {"birch", BarkKind::birch, "smooth with dark bands"},
+                                              {"stem", BarkKind::stem, "green stems of herbs"},
+                                              {"ink", BarkKind::ink, "one matt colour"},
+                                              {"metal", BarkKind::metal, "polished wire"},
+                                              {"wax", BarkKind::wax, "smooth with soft highlights"}};
+
+inline constexpr Choice<OrganShape> kOrganShapes[] = {
+    {"leaf", OrganShape::leaf, "folded along its midrib and bent"},
+    {"petal", OrganShape::petal, "a single petal"},
+    {"flower", OrganShape::flower, "petals round a heart"},
+    {"bud", OrganShape::bud, "closed, in a calyx"},
+    {"berry", OrganShape::berry, "round, on its foot"},
+    {"ball", OrganShape::ball, "round about its middle"}};
+
+inline constexpr Choice<Stand> kStands[] = {
+    {"turtle", Stand::turtle, "where the turtle starts"},
+    {"middle", Stand::middle, "below its middle, the lowest point on the ground"}};
+
+inline constexpr Choice<Tissue> kBladeTissues[] = {{"leaf", Tissue::leaf, "with veins"},
+                                                   {"petal", Tissue::petal, "without"}};
+
+template <class Visitor>
+void describe(Visitor& v, Girth& g) {
+  v.choice("from", g.from, kGirths, "What the thickness of branches comes from");
+  v.number("radius", g.radius, {.min = 0, .max = 100, .unit = "m"}, "At the base; 0: as the turtle has it");
+  v.number("exponent", g.exponent, {.min = 1, .max = 4}, "n of the pipe model");
+  v.curve("curve", g.curve, "For distance: share of the radius, from 0 at a tip to 1 at the base");
+  v.number("least", g.least, {.min = 0.00001, .max = 1, .unit = "m"}, "The thinnest radius");
+  v.number("flare", g.flare, {.min = 0, .max = 4}, "How much wider the foot is");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Bark& b) {
+  v.choice("kind", b.kind, kBarks, "What it is made of");
+  v.list("colors", b.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
+  v.color("second", b.second, "In furrows and bands");
+  v.number("scale", b.scale, {.min = 0.0005, .max = 10, .unit = "m"}, "Width of a furrow");
+  v.number("depth", b.depth, {.min = 0, .max = 3}, "Of the relief");
+  v.color("young", b.young, "Of shoots");
+  v.number("young_length", b.young_length, {.min = 0, .max = 10, .unit = "m"},
+           "Below a tip, until a shoot is wood");
+  v.number("variation", b.variation, {.min = 0, .max = 0.9}, "How much single plants differ in brightness");
+}
+
+template <class Visitor>
+void describe(Visitor& v, OrganParams& o) {
+  v.text("symbol", o.symbol,
+         "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
+  v.required("symbol");
+  v.choice("shape", o.shape, kOrganShapes, "What it is");
+  v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
+           "Length; a parameter in the grammar multiplies it");
+  v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
+  v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud");
+  v.number("width", o.width, {.min = 0.02, .max = 3}, "Share of the length");
+  v.angle("fold", o.fold, {.min = -80, .max = 80}, "Of a leaf along its midrib");
+  v.angle("bend", o.bend, {.min = -180, .max = 180}, "Of a leaf or petal from foot to tip, downward");
+  v.number("wave", o.wave, {.min = 0, .max = 2}, "How much the rim is waved");
+  v.integer("petals", o.petals, {.min = 1, .max = 200}, "Of a flower");
+  v.angle("open", o.open, {.min = 0, .max = 150}, "Between petals and heading");
+  v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
+  v.number("size_variation", o.size_variation, {.min = 0, .max = 0.9},
+           "Random change of the size, as a share");
+  v.angle("turn_variation", o.turn_variation, {.min = 0, .max = 180}, "Random tilt, either way");
+}
+
+template <class Visitor>
+void describe(Visitor& v, BladeParams& b) {
+  v.list("colors", b.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
+  v.color("second", b.second, "Of the veins");
+  v.choice("tissue", b.tissue, kBladeTissues, "What they are made of");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PlantParams& p) {
+  v.object("grammar", p.grammar, "The rules that it grows by");
+  v.required("grammar");
+  v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
+           "What the whole is scaled to; 0: as the turtle draws");
+  v.choice("stand", p.stand, kStands, "What is put at its place");
+  v.integer("smoothing", p.smoothing, {.min = 1, .max = 16}, "Nodes for each segment; 1: straight lines");
+  v.object("thickness", p.thickness, "Thickness of the branches");
+  v.object("bark", p.bark, "Their surface");
+  v.list("organs", p.organs, "What stands at symbols of the grammar");
+  v.object("blades", p.blades, "What the turtle's filled outlines are made of");
+  v.object("wave", p.wave, "Swaying in the wind");
+  v.object("growth", p.growth, "When it grows");
+}
+
+}  // namespace frond

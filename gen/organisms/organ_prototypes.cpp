@@ -1,0 +1,118 @@
+#include "organisms/organ_prototypes.h"
+
+#include <array>
+#include <cmath>
+
+#include "geometry/organ_shapes.h"
+
+namespace frond {
+
+namespace {
+
+BladeShape leaf_shape(const OrganParams& p) {
+  BladeShape shape;
+  shape.width = p.width;
+  shape.fold = p.fold;
+  shape.bend = p.bend;
+  shape.wave = p.wave;
+  return shape;
+}
+
+BladeShape petal_shape(const OrganParams& p) {
+  BladeShape shape;
+  shape.width = p.width;
+  shape.widest = 0.62;
+  shape.fold = p.fold * 0.5;
+  shape.bend = p.bend;
+  shape.stalk = 0;
+  shape.round = p.shape == OrganShape::flower ? 0.85 : 0;
+  shape.wave = p.wave;
+  return shape;
+}
+
+void resize(Surface& surface, float factor, Vec3 shift) {
+  for (Vec3& p : surface.position) p = p * factor + shift;
+}
+
+/// Petals, a heart and green sepals behind.
+void add_flower(Prototype& flower, const OrganParams& p) {
+  Surface petals = corolla_surface(petal_shape(p), p.petals, p.open);
+  float heart = static_cast<float>(p.heart);
+  resize(petals, 0.5f, Vec3(0));
+  flower.parts.push_back({Tissue::petal, std::move(petals)});
+  if (p.heart > 0) {
+    Surface dome = heart_surface(0.5 * p.heart, 0.45, p.heart > 0.3 ? 160 : 40);
+    resize(dome, 1, Vec3(0, 0.03f * heart, 0));
+    flower.parts.push_back({Tissue::heart, std::move(dome)});
+  }
+}
+
+void add_bud(Prototype& bud, const OrganParams& p) {
+  std::array<float, 9> profile;
+  for (int i = 0; i < 9; ++i) {
+    double t = i / 8.0;
+    profile[static_cast<std::size_t>(i)] =
+        static_cast<float>(0.5 * p.width * std::sin(kPi * std::pow(t, 0.75)) * (1 - 0.3 * t));
+  }
+  profile.front() = profile.back() = 0;
+  bud.parts.push_back({Tissue::petal, turned_surface(profile, 12)});
+  for (float& r : profile) r *= 1.12f;
+  std::array<float, 4> calyx{0, profile[1], profile[2], profile[3]};
+  Surface cup = turned_surface(calyx, 12);
+  for (Vec3& v : cup.position) v.y *= 0.36f;
+  set_normals(cup);
+  bud.parts.push_back({Tissue::heart, std::move(cup)});
+}
+
+Prototype prototype(const OrganParams& p) {
+  Prototype made{p.symbol, {}, p.colors, p.second};
+  switch (p.shape) {
+    case OrganShape::leaf:
+      made.parts.push_back({Tissue::leaf, blade_surface(leaf_shape(p))});
+      break;
+    case OrganShape::petal:
+      made.parts.push_back({Tissue::petal, blade_surface(petal_shape(p))});
+      break;
+    case OrganShape::flower:
+      add_flower(made, p);
+      break;
+    case OrganShape::bud:
+      add_bud(made, p);
+      break;
+    case OrganShape::berry:
+    case OrganShape::ball: {
+      Surface ball = ball_surface();
+      float middle = p.shape == OrganShape::berry ? 0.5f : 0.0f, width = static_cast<float>(p.width);
+      for (std::size_t i = 0; i < ball.position.size(); ++i) {
+        ball.position[i] =
+            Vec3(ball.position[i].x * width, ball.position[i].y + middle, ball.position[i].z * width);
+        ball.normal[i] = glm::normalize(ball.normal[i] * Vec3(1, width, 1));
+      }
+      made.parts.push_back({Tissue::fruit, std::move(ball)});
+    }
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<Prototype> organ_prototypes(const PlantParams& params) {
+  std::vector<Prototype> list;
+  for (const OrganParams& organ : params.organs) list.push_back(prototype(organ));
+  list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});
+  std::array<float, 3> disc{0, 0.5f, 0};
+  Surface flat = turned_surface(disc, 20);
+  for (Vec3& p : flat.position) p.y = (p.y - 0.5f) * 0.02f;
+  set_normals(flat);
+  list.push_back({"@o", {{Tissue::skin, std::move(flat)}}, params.bark.colors, params.bark.second});
+  return list;
+}
+
+int prototype_of(const PlantParams& params, std::string_view symbol) {
+  auto count = static_cast<int>(params.organs.size());
+  for (int i = 0; i < count; ++i)
+    if (params.organs[static_cast<std::size_t>(i)].symbol == symbol) return i;
+  return symbol == "@O" ? count : symbol == "@o" ? count + 1 : -1;
+}
+
+}  // namespace frond

@@ -1,0 +1,245 @@
+#include "organisms/plant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/outline.h"
+#include "geometry/smooth.h"
+#include "grammar/figure.h"
+#include "organisms/organ_prototypes.h"
+
+namespace frond {
+
+namespace {
+
+/// The box of all that is drawn.
+struct Box {
+  Vec3 low{0}, high{0};
+  bool empty = true;
+
+  void take(Vec3 p) {
+    low = empty ? p : glm::min(low, p);
+    high = empty ? p : glm::max(high, p);
+    empty = false;
+  }
+};
+
+Box box_of(const Figure& f) {
+  Box box;
+  for (const Vec3& p : f.skeleton.position) box.take(p);
+  for (const Outline& o : f.outlines)
+    for (const Vec3& p : o.points) box.take(p);
+  for (const Site& s : f.sites) box.take(s.position);
+  return box;
+}
+
+/// Scales and moves a figure to its height and stand. The factor.
+float fit(Figure& f, const PlantParams& params) {
+  Box box = box_of(f);
+  float high = params.stand == Stand::turtle ? box.high.y : box.high.y - box.low.y;
+  float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
+  Vec3 foot = params.stand == Stand::turtle
+                  ? Vec3(0)
+                  : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
+  auto move = [&](Vec3& p) { p = (p - foot) * factor; };
+  for (Vec3& p : f.skeleton.position) move(p);
+  for (float& radius : f.skeleton.radius) radius *= factor;
+  for (Outline& o : f.outlines)
+    for (Vec3& p : o.points) move(p);
+  for (Site& s : f.sites) move(s.position);
+  return factor;
+}
+
+void measure(Skeleton& s) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    std::int32_t p = s.parent[i];
+    s.distance[i] = p == Skeleton::kRoot ? 0 : s.distance[p] + glm::distance(s.position[p], s.position[i]);
+  }
+}
+
+/// The radii that carry what is above them, before they are scaled to the base.
+void set_pipes(Skeleton& s, float exponent) {
+  std::vector<float> carried(s.size(), 0);
+  for (std::size_t i = s.size(); i-- > 0;) {
+    if (carried[i] == 0) carried[i] = 1;  // a tip
+    if (s.parent[i] != Skeleton::kRoot) carried[s.parent[i]] += carried[i];
+    s.radius[i] = std::pow(carried[i], 1 / exponent);
+  }
+}
+
+/// Where each coarse node is among the smoothed ones: smooth() keeps their order.
+std::vector<std::int32_t> smoothed_index(const Skeleton& coarse, int pieces) {
+  std::vector<std::int32_t> index(coarse.size());
+  std::int32_t count = 0;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    count += coarse.parent[i] == Skeleton::kRoot ? 1 : pieces;
+    index[i] = count - 1;
+  }
+  return index;
+}
+
+/// Colours of the smoothed nodes: those of a segment are that of its end.
+std::vector<std::int32_t> smoothed_colors(const std::vector<std::int32_t>& index,
+                                          const std::vector<std::int32_t>& color) {
+  if (std::all_of(color.begin(), color.end(), [](std::int32_t c) { return c == 0; })) return {};
+  std::vector<std::int32_t> fine;
+  for (std::size_t i = 0; i < index.size(); ++i)
+    fine.resize(static_cast<std::size_t>(index[i]) + 1, color[i]);
+  return fine;
+}
+
+float birth_at(const Skeleton& s, std::int32_t node, std::size_t i, std::size_t count) {
+  if (node != Skeleton::kRoot) return s.birth[node];
+  return count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.0f;
+}
+
+/// The outlines as blades that ride on the skeleton's nodes.
+void add_blades(Model& model, const std::vector<Outline>& outlines) {
+  Blades& b = model.blades;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const Outline& outline = outlines[i];
+    Vec3 area = outline_area(outline.points);
+    float size = glm::length(area);
+    if (!(size > 1e-12f)) continue;
+    Vec3 normal = area / size;
+    // The foot is where the outline starts; the leaf points to its farthest corner.
+    Vec3 foot = outline.points[0], tip = foot;
+    if (outline.node != Skeleton::kRoot) {
+      Vec3 base = model.skeleton.position[outline.node];
+      foot = *std::min_element(outline.points.begin(), outline.points.end(), [&](Vec3 p, Vec3 q) {
+        return glm::distance(p, base) < glm::distance(q, base);
+      });
+    }
+    for (const Vec3& p : outline.points)
+      if (glm::distance(p, foot) > glm::distance(tip, foot)) tip = p;
+    Vec3 along = tip - foot;
+    float length2 = std::max(glm::dot(along, along), 1e-12f);
+    Vec3 across = glm::cross(normal, along);
+    triangulate(outline.points, b.first.back(), b.surface.triangle);
+    for (const Vec3& p : outline.points) {
+      b.surface.position.push_back(p);
+      b.surface.normal.push_back(normal);
+      b.surface.uv.emplace_back(glm::dot(p - foot, along) / length2,
+                                0.5f - glm::dot(p - foot, across) / length2);
+    }
+    b.first.push_back(static_cast<std::uint32_t>(b.surface.position.size()));
+    b.node.push_back(outline.node);
+    b.birth.push_back(birth_at(model.skeleton, outline.node, i, outlines.size()));
+    b.color.push_back(outline.color);
+    b.foot.push_back(foot);
+  }
+}
+
+Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParams& params, float factor,
+                  Seed seed) {
+  Organs& o = model.organs;
+  o.reserve(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Site& site = sites[i];
+    bool round = site.name == "@O" || site.name == "@o";
+    int which = prototype_of(params, site.name);
+    if (which < 0)
+      return {{"", "the grammar places an organ \"" + site.name + "\"; organs has none with that symbol"}};
+    Seed own = seed.child(i);
+    Vec3 scale = site.scale;
+    Quat turn = glm::normalize(glm::quat_cast(glm::mat3(-site.left, site.heading, site.up)));
+    if (round) {
+      scale *= factor;
+    } else {
+      const OrganParams& organ = params.organs[static_cast<std::size_t>(which)];
+      scale *= static_cast<float>(organ.size * (1 + organ.size_variation * own.child(0).range(-1, 1)));
+      double most = organ.turn_variation;
+      turn = turn * glm::angleAxis(static_cast<float>(most * own.child(1).range(-1, 1)), Vec3(1, 0, 0)) *
+             glm::angleAxis(static_cast<float>(most * own.child(2).range(-1, 1)), Vec3(0, 1, 0)) *
+             glm::angleAxis(static_cast<float>(most * own.child(3).range(-1, 1)), Vec3(0, 0, 1));
+    }
+    o.prototype.push_back(static_cast<std::uint16_t>(which));
+    o.position.push_back(site.position);
+    o.turn.push_back(glm::normalize(turn));
+    o.scale.push_back(glm::max(glm::abs(scale), Vec3(1e-5f)));
+    o.node.push_back(site.node);
+    o.birth.push_back(birth_at(model.skeleton, site.node, i, sites.size()));
+    o.color.push_back(site.color);
+  }
+  return {};
+}
+
+}  // namespace
+
+void set_girth(Skeleton& s, const Girth& girth, float start_radius) {
+  if (s.size() == 0) return;
+  float base = static_cast<float>(girth.radius), least = static_cast<float>(girth.least);
+  if (girth.from == GirthFrom::turtle) {
+    float factor = base > 0 ? base / start_radius : 1;
+    for (float& radius : s.radius) radius *= factor;
+  } else if (girth.from == GirthFrom::distance) {
+    float longest = std::max(s.longest(), 1e-6f);
+    if (base <= 0) base = start_radius;
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s.radius[i] = base * static_cast<float>(girth.curve((s.to_tip[i]) / longest));
+  } else {
+    if (base <= 0) base = start_radius;
+    set_pipes(s, static_cast<float>(girth.exponent));
+    float factor = base / *std::max_element(s.radius.begin(), s.radius.end());
+    for (float& radius : s.radius) radius *= factor;
+  }
+  float foot = s.radius[0], flare = static_cast<float>(girth.flare);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (flare > 0) s.radius[i] *= 1 + flare * (1 - smooth_step(0.0f, 4.0f * foot, s.distance[i]));
+    s.radius[i] = std::max(s.radius[i], least);
+  }
+}
+
+Result<Grammar> plant_grammar(const PlantParams& params) {
+  Result<Grammar> grammar = compile(params.grammar);
+  if (!grammar) return grammar;
+  Errors errors;
+  for (const OrganParams& organ : params.organs) {
+    bool known = std::any_of(grammar->symbols.begin(), grammar->symbols.end(),
+                             [&](const Symbol& symbol) { return symbol.name == organ.symbol; });
+    if (!known)
+      errors.push_back({"", "the grammar has no symbol \"" + organ.symbol + "\" for an organ to stand at"});
+  }
+  if (!errors.empty()) return errors;
+  return grammar;
+}
+
+Result<Model> grow_plant(const PlantParams& params, Seed seed) {
+  Result<Grammar> grammar = plant_grammar(params);
+  if (!grammar) return grammar.errors();
+  std::vector<std::string> names;
+  for (const OrganParams& organ : params.organs) names.push_back(organ.symbol);
+  Result<Figure> figure = figure_of(*grammar, grammar->text.steps, seed.child("derive"), {}, names);
+  if (!figure) return figure.errors();
+  if (figure->skeleton.size() == 0 && figure->sites.empty() && figure->outlines.empty())
+    return Error{"", "the grammar draws nothing: its turtle meets no F, no outline and no organ"};
+
+  float factor = fit(*figure, params);
+  std::vector<std::int32_t> order = order_branches(figure->skeleton);
+  std::vector<std::int32_t> color(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) color[static_cast<std::size_t>(order[i])] = figure->color[i];
+  measure(figure->skeleton);
+  std::vector<std::int32_t> index = smoothed_index(figure->skeleton, params.smoothing);
+  auto moved = [&](std::int32_t& node) {
+    if (node != Skeleton::kRoot)
+      node = index[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
+  };
+  for (Outline& outline : figure->outlines) moved(outline.node);
+  for (Site& site : figure->sites) moved(site.node);
+
+  Model model;
+  model.skeleton = smooth(figure->skeleton, params.smoothing);
+  model.color = smoothed_colors(index, color);
+  set_tip_distances(model.skeleton);
+  set_births(model.skeleton);
+  float start_radius = static_cast<float>(grammar->text.width / 2) * factor;
+  set_girth(model.skeleton, params.thickness,
+            model.skeleton.size() ? std::max(model.skeleton.radius[0], 1e-6f) : start_radius);
+  add_blades(model, figure->outlines);
+  model.prototypes = organ_prototypes(params);
+  if (Errors errors = add_organs(model, figure->sites, params, factor, seed.child("organ")); !errors.empty())
+    return errors;
+  return model;
+}
+
+}  // namespace frond

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "core/curve.h"
+#include "core/result.h"
+#include "core/seed.h"
+#include "grammar/grammar.h"
+#include "model/model.h"
+#include "motion/motion.h"
+
+namespace frond {
+
+/// What the thickness of branches comes from.
+enum class GirthFrom {
+  turtle,    ///< the turtle's widths
+  distance,  ///< the way that is left to the farthest tip, through a curve
+  pipe       ///< what it carries: r^n = sum of r_i^n (Leonardo's rule; the pipe model)
+};
+
+struct Girth {
+  GirthFrom from = GirthFrom::turtle;
+  double radius = 0;                  ///< metres, at the base; 0: the turtle's own
+  double exponent = 2.3;              ///< n of the pipe model
+  Curve curve{{{0, 0.15f}, {1, 1}}};  ///< for `distance`: from 0 at the farthest tip to 1 at the base
+  double least = 0.0005;              ///< metres, the thinnest that there is
+  double flare = 0;                   ///< how much wider the foot is
+};
+
+enum class BarkKind {
+  bark,   ///< furrowed
+  birch,  ///< white with dark bands
+  stem,   ///< green and smooth
+  ink,    ///< one matt colour
+  metal,  ///< polished wire
+  wax     ///< smooth and bright, for curves in colour
+};
+
+/// The surface of branches.
+struct Bark {
+  BarkKind kind = BarkKind::bark;
+  std::vector<Color> colors{{0.42f, 0.33f, 0.25f}};  ///< the turtle's colour index picks one, round and round
+  Color second{0.20f, 0.15f, 0.11f};                 ///< in furrows, in bands
+  double scale = 0.04;                               ///< metres, width of a furrow
+  double depth = 0.6;                                ///< of the relief
+  Color young{0.36f, 0.46f, 0.18f};                  ///< of shoots
+  double young_length = 0;                           ///< metres below a tip that are young
+  double variation = 0.08;                           ///< how much the brightness of single plants differs
+};
+
+enum class OrganShape { leaf, petal, flower, bud, berry, ball };
+
+/// What stands where the grammar names an organ.
+struct OrganParams {
+  std::string symbol;  ///< its name in the grammar
+  OrganShape shape = OrganShape::leaf;
+  double size = 0.1;  ///< metres long; the organ's parameter in the grammar multiplies it
+  std::vector<Color> colors{{0.30f, 0.50f, 0.14f}};  ///< the turtle's colour index picks one, round and round
+  Color second{0.95f, 0.75f, 0.15f};                 ///< heart of a flower, veins of a leaf, calyx of a bud
+  double width = 0.45;          ///< of a leaf or petal, a bud or berry, as a share of its length
+  double fold = radians(22.0);  ///< of a leaf along its midrib
+  double bend = radians(40.0);  ///< of a leaf or petal along its length
+  double wave = 0.3;            ///< of a leaf's rim
+  int petals = 5;
+  double open = radians(65.0);            ///< between petals and heading
+  double heart = 0.16;                    ///< radius of a flower's heart as a share of its size
+  double size_variation = 0.12;           ///< random change of the size, as a share
+  double turn_variation = radians(12.0);  ///< random tilt, up to so much
+};
+
+/// What the filled outlines of the turtle are made of.
+struct BladeParams {
+  std::vector<Color> colors{{0.27f, 0.48f, 0.15f}};  ///< the turtle's colour index picks one, round and round
+  Color second{0.62f, 0.72f, 0.36f};                 ///< veins
+  Tissue tissue = Tissue::leaf;                      ///< leaf or petal
+};
+
+/// Where a plant has its origin.
+enum class Stand {
+  turtle,  ///< where the turtle starts
+  middle   ///< below the middle of its box, the lowest point on the ground
+};
+
+/// Anything that an L-system draws: herbs, trees, curves.
+struct PlantParams {
+  GrammarText grammar;
+  double height = 0;  ///< metres; the whole is scaled to be so high; 0: as the turtle draws it
+  Stand stand = Stand::turtle;
+  int smoothing = 3;  ///< nodes for each segment; 1 leaves corners as they are
+  Girth thickness;
+  Bark bark;
+  std::vector<OrganParams> organs;
+  BladeParams blades;
+  Wave wave;
+  Growth growth;
+};
+
+/// The grammar, ready to derive. Organs whose symbol the grammar does not have are errors.
+Result<Grammar> plant_grammar(const PlantParams& params);
+
+/// Grows one plant upright, its foot at the origin.
+Result<Model> grow_plant(const PlantParams& params, Seed seed);
+
+/// Sets the radii of a skeleton whose `radius` holds the turtle's widths, halved, and whose `to_tip` is set.
+void set_girth(Skeleton& skeleton, const Girth& girth, float start_radius);
+
+}  // namespace frond

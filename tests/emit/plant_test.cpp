@@ -1,0 +1,106 @@
+#include "emit/plant.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "core/files.h"
+#include "emit/frame.h"
+#include "emit/setting.h"
+#include "motion/unfold.h"
+
+namespace frond {
+namespace {
+
+Scene tiny_plant() {
+  const std::string path = "tests/presets/tiny_plant.json";
+  return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {}));
+}
+
+std::string text_of(const Scene& scene, int frame) {
+  std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
+  return *frame_text(scene, prepare_frames(scene), layout, frame);
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++n;
+  return n;
+}
+
+TEST(PlantText, WritesEachPartOfEachOrganOnce) {
+  Scene scene = tiny_plant();
+  const Branches& herb = scene.branches[0];
+  ASSERT_GT(herb.organs.size(), 5u);
+  Pose pose;
+  pose_skeleton(herb.rest, {}, 0, pose);
+  std::string text = foliage_text({}, herb, pose);
+  EXPECT_EQ(count(text, "object{Organ0_0_0 matrix<"), herb.organs.size());
+  EXPECT_EQ(count(text, "object{Organ0_0_1 matrix<"), herb.organs.size());
+  std::size_t faces = 0;
+  for (std::size_t at = text.find("face_indices{"); at != text.npos; at = text.find("face_indices{", at + 1))
+    faces += static_cast<std::size_t>(std::atoi(text.c_str() + at + 13));
+  EXPECT_EQ(faces, herb.blades.surface.triangle.size());
+}
+
+TEST(PlantText, DeclaresWhatItUses) {
+  Scene scene = tiny_plant();
+  std::string text = text_of(scene, 4);
+  for (std::size_t at = text.find("object{Organ"); at != text.npos; at = text.find("object{Organ", at + 1)) {
+    std::string name = text.substr(at + 7, text.find(' ', at) - at - 7);
+    ASSERT_NE(text.find("#declare " + name + " = mesh2{"), text.npos) << name;
+  }
+  // Two colours of bark, two skins.
+  EXPECT_NE(text.find("#declare Skin = array[2];"), text.npos);
+  EXPECT_EQ(count(text, "Plant_Bark("), 2u);
+}
+
+TEST(PlantText, HoldsNoNumberThatPovRayMisreads) {
+  Scene scene = tiny_plant();
+  for (int frame = 1; frame <= 4; ++frame) {
+    std::string text = text_of(scene, frame);
+    for (const char* bad : {"nan", "inf", "-0,", "-0>", "e-", ",>", ",}", "union{\n}"})
+      EXPECT_EQ(text.find(bad), text.npos) << bad << " in frame " << frame;
+  }
+}
+
+TEST(PlantText, OrgansUnfoldWithGrowth) {
+  Scene scene = tiny_plant();
+  std::size_t before = 0;
+  for (int frame = 1; frame <= 4; ++frame) {
+    std::size_t now = count(text_of(scene, frame), "object{Organ0_0_0 matrix<");
+    EXPECT_GE(now, before);
+    before = now;
+  }
+  EXPECT_EQ(count(text_of(scene, 1), "object{Organ0_0_0 matrix<"), 0u);
+  EXPECT_EQ(before, scene.branches[0].organs.size());
+}
+
+TEST(Unfolded, RisesFromNothingToAllWithoutAJump) {
+  EXPECT_EQ(unfolded(0.4f, 0.4f, 0.3), 0);
+  EXPECT_EQ(unfolded(1.0f, 1.35f, 0.35), 1);
+  float last = 0;
+  for (int i = 0; i <= 100; ++i) {
+    float now = unfolded(0.3f, 0.013f * static_cast<float>(i), 0.35);
+    EXPECT_GE(now, last);
+    EXPECT_LT(now - last, 0.07f);
+    last = now;
+  }
+}
+
+TEST(Includes, AreThoseOfTheSetting) {
+  Scene scene = tiny_plant();
+  EXPECT_EQ(includes_text(scene), "#include \"frond_meadow.inc\"\n#include \"frond_plant.inc\"");
+  scene.stage.setting = Setting::studio;
+  EXPECT_EQ(includes_text(scene), "#include \"frond_studio.inc\"\n#include \"frond_plant.inc\"");
+  scene.branches[0].bark.reset();
+  scene.stage.setting = Setting::underwater;
+  EXPECT_EQ(includes_text(scene),
+            "#include \"frond_water.inc\"\n#include \"frond_sand.inc\"\n#include \"frond_coral.inc\"\n"
+            "#include \"frond_food.inc\"");
+}
+
+}  // namespace
+}  // namespace frond
