@@ -193,7 +193,7 @@ const WrongPreset kWrongValues[] = {
      R"({"scene": {"camera": {"location": [0, 1], "look_at": "reef"}},
  "organisms": [{"kind": "coral", "place": {"at": [[0, 0], [1]]}}]})",
      {},
-     {"1:35: /scene/camera/location: found a list of 2; expected a list of 3 numbers",
+     {"1:35: /scene/camera/location: found a list of 2; expected a list of 3 numbers from -1000 to 1000 m",
       R"(1:54: /scene/camera/look_at: found the text "reef"; expected a list of 3 numbers from -1000 to 1000 m, or keyframes [[seconds, value], ...])",
       "2:59: /organisms/0/place/at/1: found a list of 1; expected a list of 2 numbers"}},
     {"Keyframes in disorder",
@@ -206,7 +206,7 @@ const WrongPreset kWrongValues[] = {
     {"Bad keyframes",
      R"({"scene": {"camera": {"location": [[0, [0, 1]], [1]], "angle": []}}})",
      {},
-     {"1:40: /scene/camera/location/0/1: found a list of 2; expected a list of 3 numbers",
+     {"1:40: /scene/camera/location/0/1: found a list of 2; expected a list of 3 numbers from -1000 to 1000 m",
       "1:49: /scene/camera/location/1: found a list of 1; expected a keyframe [seconds, value]",
       "1:64: /scene/camera/angle: found an empty list; expected a number from 1 to 160 degrees, or keyframes "
       "[[seconds, value], ...]"}},
