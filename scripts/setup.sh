@@ -4,7 +4,8 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 
-build_packages=(g++ cmake ninja-build ccache libglm-dev nlohmann-json3-dev libfmt-dev libtbb-dev libcli11-dev)
+build_packages=(g++ cmake ninja-build ccache libglm-dev nlohmann-json3-dev libfmt-dev libtbb-dev libcli11-dev
+  libtinyobjloader-dev)
 run_packages=(povray ffmpeg)
 test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev bats clang-format shellcheck python3)
 

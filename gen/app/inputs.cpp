@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/files.h"
+#include "geometry/obj.h"
 #include "preset/json.h"
 
 namespace frond {
@@ -22,6 +23,27 @@ int read_number(std::string_view& text) {
   if (error != std::errc{} || number < 0) return 0;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return number;
+}
+
+/// Reads the OBJ files that organs of the preset name.
+Errors load_meshes(Preset& preset, const fs::path& preset_path) {
+  Errors errors;
+  for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
+    auto* plant = std::get_if<PlantParams>(&preset.organisms[i].body);
+    for (std::size_t k = 0; plant && k < plant->organs.size(); ++k) {
+      OrganParams& organ = plant->organs[k];
+      if (organ.shape != OrganShape::obj) continue;
+      fs::path path = preset_path.parent_path() / organ.file;
+      Result<std::string> text = read_file(path);
+      Result<Surface> mesh = text ? read_obj(*text) : text.errors();
+      if (mesh)
+        organ.mesh = to_unit(std::move(*mesh));
+      else
+        errors.push_back({fmt::format("{}: /organisms/{}/organs/{}/file", preset_path.string(), i, k),
+                          fmt::format("{} {}", path.string(), mesh.errors().front().what)});
+    }
+  }
+  return errors;
 }
 
 }  // namespace
@@ -51,7 +73,10 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
     sets.push_back(fmt::format("/film/size=[{},{}]", width, height));
   }
   if (arguments.quality) sets.push_back("/film/quality=" + *arguments.quality);
-  return read_preset(*text, arguments.path, sets);
+  Result<Preset> preset = read_preset(*text, arguments.path, sets);
+  if (!preset) return preset;
+  if (Errors errors = load_meshes(*preset, arguments.path); !errors.empty()) return errors;
+  return preset;
 }
 
 bool is_grammar(const std::string& path) {

@@ -26,7 +26,8 @@ inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"flower", OrganShape::flower, "petals round a heart"},
     {"bud", OrganShape::bud, "closed, in a calyx"},
     {"berry", OrganShape::berry, "round, on its foot"},
-    {"ball", OrganShape::ball, "round about its middle"}};
+    {"ball", OrganShape::ball, "round about its middle"},
+    {"obj", OrganShape::obj, "the mesh of a Wavefront OBJ file, its foot at the bottom"}};
 
 inline constexpr Choice<Stand> kStands[] = {
     {"turtle", Stand::turtle, "where the turtle starts"},
@@ -64,6 +65,7 @@ void describe(Visitor& v, OrganParams& o) {
          "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
   v.required("symbol");
   v.choice("shape", o.shape, kOrganShapes, "What it is");
+  v.text("file", o.file, "Of an obj: the file, as seen from the preset's folder");
   v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
            "Length; a parameter in the grammar multiplies it");
   v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");

@@ -79,6 +79,9 @@ Prototype prototype(const OrganParams& p) {
     case OrganShape::bud:
       add_bud(made, p);
       break;
+    case OrganShape::obj:
+      made.parts.push_back({Tissue::petal, p.mesh});
+      break;
     case OrganShape::berry:
     case OrganShape::ball: {
       Surface ball = ball_surface();

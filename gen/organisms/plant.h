@@ -46,11 +46,13 @@ struct Bark {
   double variation = 0.08;                           ///< how much the brightness of single plants differs
 };
 
-enum class OrganShape { leaf, petal, flower, bud, berry, ball };
+enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj };
 
 /// What stands where the grammar names an organ.
 struct OrganParams {
   std::string symbol;  ///< its name in the grammar
+  std::string file;    ///< of an `obj`: as seen from the preset's folder
+  Surface mesh;        ///< what that file holds, one unit long
   OrganShape shape = OrganShape::leaf;
   double size = 0.1;  ///< metres long; the organ's parameter in the grammar multiplies it
   std::vector<Color> colors{{0.30f, 0.50f, 0.14f}};  ///< the turtle's colour index picks one, round and round

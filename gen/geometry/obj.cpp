@@ -1,0 +1,91 @@
+#include "geometry/obj.h"
+
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace frond {
+
+namespace {
+
+/// The corner of a face as one vertex: a place and a normal that were given apart.
+class Vertices {
+ public:
+  Vertices(const tinyobj::attrib_t& given, Surface& surface) : given_(given), surface_(surface) {}
+
+  /// Index of the vertex, or -1 where the corner names a place that is not there.
+  std::int64_t of(const tinyobj::index_t& corner) {
+    auto count = static_cast<int>(given_.vertices.size() / 3),
+         normals = static_cast<int>(given_.normals.size() / 3);
+    if (corner.vertex_index < 0 || corner.vertex_index >= count) return -1;
+    int normal = corner.normal_index < normals ? corner.normal_index : -1;
+    complete_ = complete_ && normal >= 0;
+    auto [place, fresh] = known_.try_emplace({corner.vertex_index, normal}, surface_.position.size());
+    if (fresh) {
+      surface_.position.push_back(vector(given_.vertices, corner.vertex_index));
+      Vec3 up = normal < 0 ? Vec3(0) : vector(given_.normals, normal);
+      float length = glm::length(up);
+      complete_ = complete_ && length > 0;
+      surface_.normal.push_back(length > 0 ? up / length : Vec3(0, 1, 0));
+    }
+    return static_cast<std::int64_t>(place->second);
+  }
+
+  /// Whether every corner had a normal.
+  bool complete() const { return complete_; }
+
+ private:
+  static Vec3 vector(const std::vector<tinyobj::real_t>& numbers, int index) {
+    auto at = static_cast<std::size_t>(index) * 3;
+    return {numbers[at], numbers[at + 1], numbers[at + 2]};
+  }
+
+  const tinyobj::attrib_t& given_;
+  Surface& surface_;
+  std::map<std::pair<int, int>, std::size_t> known_;
+  bool complete_ = true;
+};
+
+}  // namespace
+
+Result<Surface> read_obj(std::string_view text) {
+  tinyobj::ObjReader reader;
+  tinyobj::ObjReaderConfig config;
+  config.triangulate = true;
+  if (!reader.ParseFromString(std::string(text), "", config))
+    return Error{
+        "", "is no OBJ file: " + (reader.Error().empty() ? "nothing in it can be read" : reader.Error())};
+  Surface surface;
+  Vertices vertices(reader.GetAttrib(), surface);
+  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
+    const auto& corners = shape.mesh.indices;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+      std::int64_t a = vertices.of(corners[i]), b = vertices.of(corners[i + 1]),
+                   c = vertices.of(corners[i + 2]);
+      if (a < 0 || b < 0 || c < 0) continue;
+      auto at = [&](std::int64_t v) { return surface.position[static_cast<std::size_t>(v)]; };
+      Vec3 area = glm::cross(at(b) - at(a), at(c) - at(a));
+      if (!(glm::dot(area, area) > 0) || !std::isfinite(glm::dot(area, area))) continue;
+      surface.triangle.push_back(
+          {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    }
+  }
+  if (surface.triangle.empty()) return Error{"", "holds no face that could be drawn"};
+  if (!vertices.complete()) set_normals(surface);
+  return surface;
+}
+
+Surface to_unit(Surface surface) {
+  Vec3 low(INFINITY), high(-INFINITY);
+  for (const Vec3& p : surface.position) low = glm::min(low, p), high = glm::max(high, p);
+  Vec3 size = high - low;
+  float longest = std::max({size.x, size.y, size.z, 1e-20f});
+  Vec3 foot((low.x + high.x) / 2, low.y, (low.z + high.z) / 2);
+  for (Vec3& p : surface.position) p = (p - foot) / longest;
+  return surface;
+}
+
+}  // namespace frond

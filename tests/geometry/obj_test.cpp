@@ -1,0 +1,39 @@
+#include "geometry/obj.h"
+
+#include <gtest/gtest.h>
+
+namespace frond {
+namespace {
+
+TEST(ReadObj, TakesQuadsNegativeIndicesAndSeveralObjects) {
+  Result<Surface> mesh = read_obj(
+      "o a\nv 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nf 1 2 3 4\n"
+      "o b\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf -3 -2 -1\n");
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_EQ(mesh->triangle.size(), 3u);
+  EXPECT_EQ(mesh->check(), "");
+  for (const Vec3& n : mesh->normal) EXPECT_NEAR(n.z, 1, 1e-5);
+}
+
+TEST(ReadObj, KeepsTheNormalsThatAreGiven) {
+  Result<Surface> mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\n");
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_NEAR(mesh->normal[0].y, 0.6f, 1e-5);
+}
+
+TEST(ReadObj, PassesOverWhatCannotBeDrawn) {
+  Result<Surface> mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2\nf 1 2 3\n");
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_EQ(mesh->triangle.size(), 1u);
+  EXPECT_FALSE(read_obj("v 0 0 0\n").ok());
+  EXPECT_FALSE(read_obj("").ok());
+}
+
+TEST(ToUnit, StandsOnTheOrigin) {
+  Surface mesh = to_unit(*read_obj("v 2 3 0\nv 4 3 0\nv 3 7 0\nf 1 2 3\n"));
+  EXPECT_EQ(mesh.position[0], Vec3(-0.25f, 0, 0));
+  EXPECT_EQ(mesh.position[2], Vec3(0, 1, 0));
+}
+
+}  // namespace
+}  // namespace frond
