@@ -47,7 +47,13 @@ start_ninja() {
 # follow_ninja STEP TELL: calls `STEP finished all seconds description` for each command that ended well, and
 # `TELL line` for each line that a failing command prints. Returns ninja's exit code.
 follow_ninja() {
-  local line step=$1 tell=$2 skip='' finished all elapsed what
+  local line step=$1 tell=$2 skip='' pending='' finished all elapsed what
+  told() {  # a command is counted when the next line shows that it did not fail
+    [[ -n $pending ]] || return 0
+    IFS=' ' read -r finished all elapsed what <<<"$pending"
+    pending=''
+    "$step" "$finished" "$all" "${elapsed%%.*}" "$what"
+  }
   while IFS= read -r line <&"$ninja_out"; do
     if [[ -n $skip ]]; then  # the command that failed
       skip=''
@@ -55,14 +61,18 @@ follow_ninja() {
     fi
     case $line in
       $'\001'*)
-        IFS=' ' read -r finished all elapsed what <<<"${line#?}"
-        "$step" "$finished" "$all" "${elapsed%%.*}" "$what"
+        told
+        pending=${line#?}
         ;;
-      'FAILED: '*) skip=yes ;;
+      'FAILED: '*)
+        pending=''
+        skip=yes
+        ;;
       'ninja: no work to do.' | 'ninja: build stopped'* | 'ninja: Entering directory'*) ;;
       *) "$tell" "$line" ;;
     esac
   done
+  told
   end_bar
   exec {ninja_out}<&-
   wait "$ninja_pid"

@@ -154,14 +154,14 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   std::string text;
   append_comment(text, b.name);
   if (body.empty()) return text + foliage;
-  // A union of one is a warning.
-  bool several = std::count(body.begin(), body.end(), '\n') > 1;
+  std::string_view opening = group_opening(body);
   if (one_texture(b)) {
     body += "texture{Skin[";
     append_integer(body, static_cast<long long>(index));
     body += "]}";
   }
-  return text + (several ? "union{\n" : "object{\n") + body + "}\n" + foliage;
+  text += opening;
+  return text + body + "}\n" + foliage;
 }
 
 std::string all_branches_text(const FrameParts& parts, const Scene& scene, double time) {

@@ -84,7 +84,7 @@ std::string organs_text(const PovSpace& space, const Branches& b, const Pose& po
       const std::string& lines = buckets[start[p] + k];
       if (lines.empty()) continue;
       for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
-        text += "union{\n";
+        text += group_opening(lines);
         for (std::size_t from = 0; from < lines.size();) {
           std::size_t to = lines.find('\n', from) + 1;
           text += "object{";

@@ -74,6 +74,10 @@ void append_comment(std::string& text, std::string_view words) {
   text += '\n';
 }
 
+std::string_view group_opening(std::string_view lines) {
+  return std::count(lines.begin(), lines.end(), '\n') > 1 ? "union{\n" : "object{\n";
+}
+
 void append_mesh(std::string& text, const PovSpace& space, const Surface& surface) {
   auto list = [&](std::string_view name, std::size_t count) {
     text += name;

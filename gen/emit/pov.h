@@ -37,6 +37,10 @@ void append_color(std::string& text, const Color& color);
 /// Appends a comment that cannot be ended by what is in it.
 void append_comment(std::string& text, std::string_view words);
 
+/// What a group of objects, one a line, begins with: a union, but not for a single one, of which POV-Ray
+/// warns.
+std::string_view group_opening(std::string_view lines);
+
 /// Appends `mesh2 { ... }` without a texture, with the surface's `uv` where it has them. Triangles that are
 /// points after rounding are left out.
 void append_mesh(std::string& text, const PovSpace& space, const Surface& surface);

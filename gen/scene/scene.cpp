@@ -48,7 +48,8 @@ std::vector<Planting> plantings(Builder& b) {
     const Place& place = organism.place;
     Seed seed = b.seed.child("organism", o);
     if (organism.count == 0) continue;
-    float room = static_cast<float>(std::max(place.spacing, place.rock / 2));
+    bool on_rock = b.preset.stage.setting == Setting::underwater;
+    float room = static_cast<float>(std::max(place.spacing, on_rock ? place.rock / 2 : 0.0));
     std::vector<Spot> spots;
     for (Vec2 at : place.at) spots.push_back({at, room});
     b.taken.insert(b.taken.end(), spots.begin(), spots.end());
