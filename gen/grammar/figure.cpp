@@ -79,10 +79,23 @@ struct Builder {
     place(symbol.name, scale, state);
   }
 
-  void sign(Act act, std::span<const double> parameters, const TurtleState& state) {
+  void sign(Act act, std::span<const double> parameters, TurtleState& state) {
+    if (act == Act::tube_start || act == Act::tube_point || act == Act::tube_end) return tube(act, state);
     if (act != Act::sphere && act != Act::disc) return;
     double size = parameters.empty() ? state.width : parameters[0];
     place(act == Act::sphere ? "@O" : "@o", Vec3(static_cast<float>(size)), state);
+  }
+
+  /// A point of a generalized cylinder: joined to the one before, whatever moves lie between.
+  void tube(Act act, TurtleState& state) {
+    Vec3 here(state.position);
+    auto at = [&](std::int32_t node) { return figure.skeleton.position[static_cast<std::size_t>(node)]; };
+    std::int32_t before = act == Act::tube_start ? -1 : state.tube;
+    if (before >= 0 && at(before) == here)
+      state.mark = before;
+    else if (state.mark < 0 || at(state.mark) != here)
+      add(here, state.width, before < 0 ? Skeleton::kRoot : before, state);
+    state.tube = act == Act::tube_end ? -1 : state.mark;
   }
 
   void place(std::string name, Vec3 scale, const TurtleState& s) {

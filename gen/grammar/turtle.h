@@ -17,6 +17,7 @@ struct TurtleState {
   int depth = 0;           ///< brackets open
   double grown = 1;        ///< 0..1: how far the module at hand has grown, in between two steps
   std::int32_t mark = -1;  ///< the sink's own: a bracket keeps and restores it; -1 after a move
+  std::int32_t tube = -1;  ///< the sink's own: the last point of a generalized cylinder, -1 outside of one
   std::int32_t base = -1;  ///< the sink's own: as mark, but a move leaves it alone
 };
 

@@ -119,5 +119,22 @@ TEST(Turtle, JitterStaysWithinItsBoundsAndFollowsTheSeed) {
   }
 }
 
+TEST(Figure, TubesJoinTheirPointsOverMoves) {
+  auto nodes = [](const std::string& axiom) {
+    GrammarText text;
+    text.axiom = axiom;
+    Grammar grammar = std::move(*compile(text));
+    return skeleton_of(grammar, *derive(grammar, 0, Seed{1}), Seed{1});
+  };
+  Skeleton tube = nodes("@Gsf@Gc+f@Gcf@Ge");
+  ASSERT_EQ(tube.size(), 4u);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(tube.parent[i], static_cast<std::int32_t>(i) - 1);
+  // Segments within are not drawn twice, and a branch goes on with the tube of its stem.
+  EXPECT_EQ(nodes("@GsF@GcF@Ge").size(), 3u);
+  Skeleton forked = nodes("@Gsf@Gc[+f@Ge]f@Ge");
+  EXPECT_EQ(forked.parent, (std::vector<std::int32_t>{-1, 0, 1, 1}));
+  EXPECT_EQ(nodes("@Gsf@Gef@Gc").size(), 3u);
+}
+
 }  // namespace
 }  // namespace frond
