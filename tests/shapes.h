@@ -4,6 +4,7 @@
 
 #include "core/seed.h"
 #include "model/skeleton.h"
+#include "motion/motion.h"
 
 namespace frond {
 
@@ -34,6 +35,18 @@ inline Skeleton candelabrum(int arms, Seed seed) {
   set_tip_distances(s);
   set_births(s);
   return s;
+}
+
+/// Growth, a strong current and food that moves, over four seconds.
+inline Motion lively() {
+  Motion motion;
+  motion.film_length = 4;
+  motion.growth = {0, 2, 0, 0.3};
+  motion.wave.amplitude = radians(16.0);
+  motion.food.strength = 1.4;
+  motion.food.position = Animated<Vec3>(
+      std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
+  return motion;
 }
 
 }  // namespace frond

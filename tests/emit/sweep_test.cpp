@@ -10,17 +10,6 @@
 namespace frond {
 namespace {
 
-Motion lively() {
-  Motion motion;
-  motion.film_length = 4;
-  motion.growth = {0, 2, 0, 0.3};
-  motion.wave.amplitude = radians(16.0);
-  motion.food.strength = 1.4;
-  motion.food.position = Animated<Vec3>(
-      std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
-  return motion;
-}
-
 TEST(CutChunks, CoversEachReachedSegmentOnce) {
   Skeleton s = candelabrum(15, Seed{1});
   Motion motion = lively();

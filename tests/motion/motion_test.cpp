@@ -9,17 +9,6 @@
 namespace frond {
 namespace {
 
-Motion lively() {
-  Motion motion;
-  motion.film_length = 4;
-  motion.growth = {0.5, 3, 0, 0.3};
-  motion.wave.amplitude = radians(14.0);
-  motion.food.strength = 1.2;
-  motion.food.position = Animated<Vec3>(
-      std::vector<Animated<Vec3>::Key>{{0, Vec3(2, 1, 0)}, {2, Vec3(0, 2, 2)}, {4, Vec3(-2, 1, 0)}});
-  return motion;
-}
-
 Pose posed(const Skeleton& s, const Motion& motion, double time) {
   Pose pose;
   pose_skeleton(s, motion, time, pose);
