@@ -85,10 +85,11 @@ setup() {
 # kill_and_resume SIGNAL EXIT_CODE: in a film of 12 frames
 kill_and_resume() {
   make_preset long.json 12
-  FRAME_TIME=0.3 "$RENDER" long.json --jobs 2 >log 2>&1 3>&- &
+  FRAME_TIME=0.6 "$RENDER" long.json --jobs 2 >log 2>&1 3>&- &
   local running=$! status=0
   for _ in $(seq 200); do
-    if [ "$(count_rendered)" -ge 4 ]; then break; fi
+    # Two of them may not be in their place yet.
+    if [ "$(count_rendered)" -ge 5 ]; then break; fi
     sleep 0.05
   done
   kill "-$1" "$running"
