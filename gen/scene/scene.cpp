@@ -238,7 +238,6 @@ Result<Scene> build_scene(const Preset& preset) {
   Seed seed{preset.seed};
   const Floor& floor = preset.stage.floor;
   Builder b{preset, seed, {seed.child("ground"), floor.relief, floor.scale}, {}, {}, {}};
-  b.scene.title = preset.title;
   b.scene.film = preset.film;
   b.scene.stage = preset.stage;
   if (preset.stage.setting == Setting::underwater)

@@ -48,7 +48,6 @@ struct StoneInstance {
 
 /// All that stands before the camera, grown; nothing of it depends on the frame.
 struct Scene {
-  std::string title;
   Film film;
   Stage stage;
   Surface floor;

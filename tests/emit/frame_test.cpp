@@ -36,10 +36,9 @@ TEST(Frame, HoldsNoNumberThatPovRayMisreads) {
     EXPECT_EQ(text.find(bad), text.npos) << bad;
 }
 
-TEST(Frame, WritesATitleThatCannotBreakOut) {
+TEST(Frame, WritesANameThatCannotBreakOut) {
   Scene scene = scene_at("tests/presets/tiny_still.json");
-  scene.title = "x\n#include \"/etc/passwd\"";
-  scene.branches[0].name = "y\r#error \"no\"";
+  scene.branches[0].name = "x\n#include \"/etc/passwd\"y\r#error \"no\"";
   std::string text = text_of(scene, 1);
   EXPECT_EQ(text.find("\n#include \"/etc"), text.npos);
   EXPECT_EQ(text.find("\r"), text.npos);
