@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
+#include "emit/solid.h"
 
 namespace frond {
 
@@ -31,12 +32,13 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
       append_bark(text, b, first[i]);
       continue;
     }
-    const Pores& pores = b.skin.pores;
-    const Tint& tint = b.skin.tint;
+    if (!b.skin) continue;
+    const Pores& pores = b.skin->pores;
+    const Tint& tint = b.skin->tint;
     text += "Coral_Skin(";
     append_integer(text, static_cast<long long>(first[i]));
     text += ',';
-    append_integer(text, static_cast<int>(b.skin.kind));
+    append_integer(text, static_cast<int>(b.skin->kind));
     text += ',';
     append_color(text, tint.base);
     text += ',';
@@ -68,7 +70,7 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   std::vector<Vec3> places;
   std::string text;
   for (const Branches& b : scene.branches) {
-    if (b.motion.food.strength == 0 || b.bark) continue;
+    if (b.motion.food.strength == 0 || !b.skin) continue;
     Vec3 at = b.motion.food.position.at(time);
     if (std::find(places.begin(), places.end(), at) != places.end()) continue;
     places.push_back(at);
@@ -127,11 +129,14 @@ void append_part(std::string& text, const PovSpace& space, const Branches& b, co
 }
 
 std::string branches_text(const PovSpace& space, const Branches& b, std::size_t index, double time) {
+  if (!b.skin && !b.bark) return {};
   Pose pose;
   pose_skeleton(b.rest, b.motion, time, pose);
   ChunkOptions options;
-  options.tolerance = static_cast<float>(0.15 * b.skin.pores.cell);
-  options.young_length = static_cast<float>(b.skin.tint.young_length);
+  if (b.skin) {
+    options.tolerance = static_cast<float>(0.15 * b.skin->pores.cell);
+    options.young_length = static_cast<float>(b.skin->tint.young_length);
+  }
   if (b.bark) {
     options.tolerance = patterned(*b.bark) ? static_cast<float>(0.15 * b.bark->scale)
                                            : std::numeric_limits<float>::infinity();
@@ -190,14 +195,14 @@ FrameParts prepare_frames(const Scene& scene) {
   std::size_t skins = 0;
   for (const Branches& b : scene.branches) {
     parts.first_skin.push_back(skins);
-    skins += b.bark ? b.bark->colors.size() : 1;
+    skins += b.bark ? b.bark->colors.size() : b.skin ? 1 : 0;
   }
   std::string count = number(static_cast<double>(std::max<std::size_t>(1, skins)));
   parts.materials =
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene);
-  parts.ground = ground_text(parts.space, scene);
+  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene);
   return parts;
 }
 

@@ -14,7 +14,7 @@ namespace frond {
 struct FrameParts {
   PovSpace space;
   std::string materials;                ///< the skins of all organisms and the shapes of their organs
-  std::string ground;                   ///< floor and stones, or grass
+  std::string ground;                   ///< floor, stones, grass and solids
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
 };
 

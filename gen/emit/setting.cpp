@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "emit/solid.h"
 
 namespace frond {
 
@@ -132,8 +133,8 @@ void append_turf(std::string& text, const PovSpace& space, const Scene& scene) {
 std::string includes_text(const Scene& scene) {
   bool plants = std::any_of(scene.branches.begin(), scene.branches.end(),
                             [](const Branches& b) { return b.bark.has_value(); });
-  bool corals =
-      std::any_of(scene.branches.begin(), scene.branches.end(), [](const Branches& b) { return !b.bark; });
+  bool corals = std::any_of(scene.branches.begin(), scene.branches.end(),
+                            [](const Branches& b) { return b.skin.has_value(); });
   bool water = scene.stage.setting == Setting::underwater;
   std::string text;
   auto include = [&](std::string_view name) {
@@ -153,6 +154,7 @@ std::string includes_text(const Scene& scene) {
   }
   if (water || corals) include("coral"), include("food");
   if (plants) include("plant");
+  for (std::string_view name : solid_includes(scene)) include(name);
   return text;
 }
 

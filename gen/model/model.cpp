@@ -68,7 +68,8 @@ std::string Model::check() const {
       if (std::string fault = part.surface.check(); !fault.empty()) return prototype.name + ": " + fault;
   }
   if (std::string fault = check_organs(*this); !fault.empty()) return fault;
-  return check_blades(*this);
+  if (std::string fault = check_blades(*this); !fault.empty()) return fault;
+  return solids.check();
 }
 
 }  // namespace frond

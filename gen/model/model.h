@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/skeleton.h"
+#include "model/solid.h"
 #include "model/surface.h"
 
 namespace frond {
@@ -50,13 +51,14 @@ struct Blades {
   std::size_t size() const { return node.size(); }
 };
 
-/// What grows: branches and what they carry. Plain data; metres.
+/// What grows, branches and what they carry, and what is built: bodies. Plain data; metres.
 struct Model {
   Skeleton skeleton;
   std::vector<std::int32_t> color;  ///< of each node, the turtle's index; empty: 0 for all
   std::vector<Prototype> prototypes;
   Organs organs;
   Blades blades;
+  Solids solids;
 
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;

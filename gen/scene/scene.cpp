@@ -110,12 +110,17 @@ void lay_stones(Builder& b) {
   }
 }
 
-/// Turns, sizes and moves what is on a skeleton from the origin to its place.
-void put_organs(Branches& b, Vec3 foot, Quat turn, float size) {
+/// Turns, sizes and moves all but the skeleton from the origin to its place.
+void put_parts(Branches& b, Vec3 foot, Quat turn, float size) {
   for (std::size_t i = 0; i < b.organs.size(); ++i) {
     b.organs.position[i] = foot + turn * (b.organs.position[i] * size);
     b.organs.turn[i] = glm::normalize(turn * b.organs.turn[i]);
     b.organs.scale[i] *= size;
+  }
+  for (std::size_t i = 0; i < b.solids.size(); ++i) {
+    b.solids.position[i] = foot + turn * (b.solids.position[i] * size);
+    b.solids.turn[i] = glm::normalize(turn * b.solids.turn[i]);
+    b.solids.scale[i] *= size;
   }
   for (Vec3& p : b.blades.foot) p = foot + turn * (p * size);
   for (Vec3& p : b.blades.surface.position) p = foot + turn * (p * size);
@@ -165,6 +170,7 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   branches.prototypes = std::move(grown->prototypes);
   branches.organs = std::move(grown->organs);
   branches.blades = std::move(grown->blades);
+  branches.solids = std::move(grown->solids);
   const Place& place = organism.place;
   float size = static_cast<float>(1 + place.size_variation * seed.child("size").range(-1, 1));
   double turn = place.turn + place.turn_variation * seed.child("turn").range(-1, 1);
@@ -179,7 +185,7 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
                    : std::min(branches.rest.radius[0], 0.1f * branches.rest.longest()) * size;
   Vec3 foot(planting.spot.at.x, foot_height - sunk, planting.spot.at.y);
   put(branches.rest, foot, lean * yaw, size);
-  put_organs(branches, foot, lean * yaw, size);
+  put_parts(branches, foot, lean * yaw, size);
   std::visit(Dress{branches, seed}, organism.body);
   branches.motion.film_length = preset.film.length();
   branches.motion.growth.start += branches.motion.growth.stagger * seed.child("start").unit();

@@ -12,21 +12,22 @@
 
 namespace frond {
 
-/// One grown organism where it stands.
+/// One grown organism, or built body, where it stands.
 struct Branches {
   std::string name;
   Skeleton rest;  ///< at its place in the world, fully grown, unmoved
   Motion motion;
-  Skin skin;
-  double brightness = 1;  ///< factor, its own
+  std::optional<Skin> skin;  ///< of a coral
+  double brightness = 1;     ///< factor, its own
 
   std::size_t entry = 0;     ///< which of the preset's organisms it is one of
-  std::optional<Bark> bark;  ///< of a plant, which has no skin
+  std::optional<Bark> bark;  ///< of a plant
   BladeParams blade_look;
   std::vector<std::int32_t> color;  ///< of each node; empty: 0 for all
   std::vector<Prototype> prototypes;
   Organs organs;
   Blades blades;
+  Solids solids;
 };
 
 /// A patch of grass put somewhere on the ground.

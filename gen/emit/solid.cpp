@@ -1,0 +1,103 @@
+#include "emit/solid.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+
+namespace frond {
+
+namespace {
+
+/// A shape that is placed oftener than this has one texture for all its placements, which lies in the world:
+/// each texture of its own costs memory.
+constexpr std::size_t kOwnTextures = 32;
+
+/// Where the texture of a matter stands: a macro, called inside texture { } as
+/// Macro(Color, Second, Scale, Relief, Moss, Gloss).
+struct MatterRow {
+  Matter matter;
+  std::string_view include, macro;
+};
+
+constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"}};
+
+const MatterRow& row_of(Matter matter) {
+  return *std::find_if(std::begin(kMatters), std::end(kMatters),
+                       [&](const MatterRow& row) { return row.matter == matter; });
+}
+
+void append_material(std::string& text, const Material& material) {
+  text += "texture{";
+  text += row_of(material.matter).macro;
+  text += '(';
+  append_color(text, material.color);
+  text += ',';
+  append_color(text, material.second);
+  text += ',';
+  append_list(text, 5, material.scale, material.relief, material.moss, material.gloss);
+  text += ")}";
+}
+
+/// `Solid2_0`: a shape of an organism.
+void append_solid_name(std::string& text, std::size_t organism, std::size_t shape) {
+  text += "Solid";
+  append_integer(text, static_cast<long long>(organism));
+  text += '_';
+  append_integer(text, static_cast<long long>(shape));
+}
+
+void append_shape(std::string& text, const PovSpace& space, const Solids& solids, std::size_t organism,
+                  std::size_t shape) {
+  std::string lines;
+  auto count = static_cast<std::size_t>(std::count(solids.shape.begin(), solids.shape.end(), shape));
+  if (count == 0) return;
+  const Solid& solid = solids.shapes[shape];
+  bool own = count <= kOwnTextures;
+  text += "#declare ";
+  append_solid_name(text, organism, shape);
+  text += " = ";
+  append_mesh(text, space, solid.surface);
+  text += '\n';
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (solids.shape[i] != shape) continue;
+    lines += "object{";
+    append_solid_name(lines, organism, shape);
+    if (own) append_material(lines, solid.material);
+    lines += ' ';
+    glm::mat3 frame = glm::mat3_cast(solids.turn[i]);
+    for (int axis = 0; axis < 3; ++axis) frame[axis] *= solids.scale[i][axis];
+    append_matrix(lines, space, frame, solids.position[i]);
+    lines += "}\n";
+  }
+  if (own) {
+    text += lines;
+    return;
+  }
+  text += "union{\n" + lines;
+  append_material(text, solid.material);
+  text += "}\n";
+}
+
+}  // namespace
+
+std::vector<std::string_view> solid_includes(const Scene& scene) {
+  std::vector<std::string_view> names;
+  for (const Branches& b : scene.branches)
+    for (const Solid& solid : b.solids.shapes) names.push_back(row_of(solid.material.matter).include);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::string solids_text(const PovSpace& space, const Scene& scene) {
+  std::string text;
+  for (std::size_t o = 0; o < scene.branches.size(); ++o) {
+    const Branches& b = scene.branches[o];
+    if (b.solids.size() == 0) continue;
+    append_comment(text, b.name);
+    for (std::size_t s = 0; s < b.solids.shapes.size(); ++s) append_shape(text, space, b.solids, o, s);
+  }
+  return text;
+}
+
+}  // namespace frond

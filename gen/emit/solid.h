@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/pov.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+/// The names of the povinc files that the solids of a scene need, each once, as `stone` for frond_stone.inc.
+std::vector<std::string_view> solid_includes(const Scene& scene);
+
+/// Declares the shapes of all solids and places them; the same in each frame.
+std::string solids_text(const PovSpace& space, const Scene& scene);
+
+}  // namespace frond

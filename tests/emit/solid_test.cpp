@@ -1,0 +1,49 @@
+#include "emit/solid.h"
+
+#include <gtest/gtest.h>
+
+#include "emit/setting.h"
+
+namespace frond {
+namespace {
+
+Scene with_copies(int count) {
+  Scene scene;
+  scene.stage.setting = Setting::studio;
+  Branches& b = scene.branches.emplace_back();
+  b.name = "pebbles";
+  Solid solid;
+  solid.surface.position = {Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  solid.surface.triangle = {{0, 1, 2}};
+  set_normals(solid.surface);
+  std::uint16_t shape = b.solids.add_shape(solid);
+  for (int i = 0; i < count; ++i) b.solids.place(shape, Vec3(static_cast<float>(i), 0, 2));
+  return scene;
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++n;
+  return n;
+}
+
+TEST(SolidText, HoldsAShapeOnceAndPlacesItOften) {
+  std::string text = solids_text({}, with_copies(3));
+  EXPECT_EQ(count(text, "mesh2{"), 1u);
+  EXPECT_EQ(count(text, "object{Solid0_0"), 3u);
+  EXPECT_EQ(count(text, "texture{Matter_Plain(srgb<"), 3u);
+  EXPECT_TRUE(text.find(",20,0,-20>") != text.npos) << text;  // the third: 2 m right, 2 m toward us
+}
+
+TEST(SolidText, ManyPlacementsShareOneTexture) {
+  std::string text = solids_text({}, with_copies(100));
+  EXPECT_EQ(count(text, "object{Solid0_0"), 100u);
+  EXPECT_EQ(count(text, "texture{"), 1u);
+}
+
+TEST(SolidText, AsksForItsMaterialsAndNothingElse) {
+  EXPECT_EQ(includes_text(with_copies(1)), "#include \"frond_studio.inc\"\n#include \"frond_matter.inc\"");
+}
+
+}  // namespace
+}  // namespace frond
