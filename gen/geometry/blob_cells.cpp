@@ -34,6 +34,7 @@ struct Cutter {
 
   /// Whether triangles as large as the cell are near enough to the surface.
   bool flat(const Box& box) const {
+    if (options.tolerance <= 0) return false;
     double edge = kReachOfTriangle * box.size().x;
     return field_curvature(shape, box.middle()) * edge * edge / 8 <= options.tolerance * cells.size;
   }

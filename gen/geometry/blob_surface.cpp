@@ -125,10 +125,11 @@ DVec3 root_between(const Blobs& shape, DVec3 in, DVec3 out) {
   double low = 0, high = 1, at_low = field_value(shape, in), at_high = field_value(shape, out), t = 0;
   if (at_low <= 0) return in;
   if (at_high >= 0) return out;
+  double enough = 1e-8 * (at_low - at_high);  // far below what single precision tells apart
   for (int i = 0, last = 0; i < 60 && high - low > 1e-10; ++i) {
     t = low + (high - low) * at_low / (at_low - at_high);
     double value = field_value(shape, glm::mix(in, out, t));
-    if (std::abs(value) < 1e-13) break;
+    if (std::abs(value) < enough) break;
     if (value > 0) {
       low = t, at_low = value;
       if (last > 0) at_high /= 2;
