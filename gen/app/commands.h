@@ -28,7 +28,7 @@ struct GenerateArguments {
 
 struct GrammarArguments {
   std::string path;                    ///< a grammar, or a preset with one
-  std::optional<int> steps;            ///< instead of the grammar's own
+  std::optional<double> steps;         ///< instead of the grammar's own; whole ones only for a word
   std::optional<std::uint64_t> seed;   ///< the same
   bool counts = false;                 ///< how often each symbol occurs, instead of the word
   std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws

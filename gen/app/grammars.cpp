@@ -18,7 +18,7 @@ namespace {
 /// A compiled grammar with the steps and the seed that the command line asks for.
 struct Loaded {
   Grammar grammar;
-  int steps;
+  double steps;
   Seed seed;
 };
 
@@ -63,7 +63,7 @@ Result<Loaded> load(const GrammarArguments& arguments) {
   }
   for (const Error& warning : grammar->warnings)
     fmt::print(stderr, "{}: warning: {}\n", arguments.path, warning.text());
-  int steps = arguments.steps.value_or(grammar->text.steps);
+  double steps = arguments.steps.value_or(grammar->text.steps);
   Seed seed{arguments.seed.value_or(grammar->text.seed)};
   return Loaded{std::move(*grammar), steps, seed};
 }
@@ -83,7 +83,7 @@ int info_grammar(const std::string& path, bool json) {
   Result<Loaded> loaded = load({path, {}, {}, false, {}});
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
-  Forecast size = forecast(grammar, steps, seed, grammar.text.limits);
+  Forecast size = forecast(grammar, static_cast<int>(steps), seed, grammar.text.limits);
   constexpr const char* kKinds[] = {"exact", "expected", "extrapolated"};
   std::string_view form =
       json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.0f}, \"segments\": {:.0f}, \"bytes\": "
@@ -98,7 +98,8 @@ int info_grammar(const std::string& path, bool json) {
 int derive_word(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
-  const auto& [grammar, steps, seed] = *loaded;
+  const auto& [grammar, exact, seed] = *loaded;
+  auto steps = static_cast<int>(exact);
   if (arguments.picture) return write_picture(arguments.picture, derivation_tree_svg(grammar, steps, seed));
   Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
   if (!word) return fail(word.errors(), kWrongInput);
@@ -114,11 +115,8 @@ int walk_turtle(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
-  if (arguments.picture) {
-    Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
-    if (!word) return fail(word.errors(), kWrongInput);
-    return write_picture(arguments.picture, turtle_svg(grammar, *word, seed));
-  }
+  if (arguments.picture)
+    return write_picture(arguments.picture, turtle_svg(grammar, steps, seed, grammar.text.limits));
   Result<TurtleStats> stats = stats_of(grammar, steps, seed, grammar.text.limits);
   if (!stats) return fail(stats.errors(), kWrongInput);
   fmt::print(

@@ -17,15 +17,16 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("--quality", preset.quality, "draft, good or best");
 }
 
-void add_grammar(CLI::App* command, GrammarArguments& grammar) {
+/// Returns the option of the steps, which may take a further check.
+CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar) {
   command
       ->add_option(
           "grammar", grammar.path,
           "A grammar or a preset in JSON, or a grammar of cpfg (.l), LParser (.ls) or Houdini (.txt)")
       ->required();
-  command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
-      ->check(CLI::Range(0, 1'000'000));
   command->add_option("--seed", grammar.seed, "For random choices, instead of the grammar's");
+  return command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
+      ->check(CLI::Range(0.0, 1e6));
 }
 
 // Each command below owns its arguments, which live as long as its callback does.
@@ -66,7 +67,7 @@ void add_derive(CLI::App& app, int& result) {
   auto to = std::make_shared<GrammarArguments>();
   auto format = std::make_shared<std::string>("text");
   auto* command = app.add_subcommand("derive", "Derives the word of a grammar");
-  add_grammar(command, *to);
+  add_grammar(command, *to)->check(CLI::TypeValidator<int>());
   command->add_option("--format", *format, "text or counts")->check(CLI::IsMember({"text", "counts"}));
   command->add_option("--tree", to->picture, "SVG file: which symbol came from which");
   command->footer("Example:\n  frond derive koch.json --steps 2 --tree koch.svg");
@@ -81,7 +82,8 @@ void add_turtle(CLI::App& app, int& result) {
   auto* command = app.add_subcommand("turtle", "Walks a grammar's word and measures the way, as JSON");
   add_grammar(command, *to);
   command->add_option("--svg", to->picture, "SVG file: what the turtle draws, seen from the front");
-  command->footer("Example:\n  frond turtle koch.json --steps 3 --svg koch.svg");
+  command->footer("A number of steps that is not whole gives the shape on its way from one to the next.\n"
+                  "Example:\n  frond turtle koch.json --steps 2.5 --svg koch.svg");
   command->callback([&result, to] { result = walk_turtle(*to); });
 }
 

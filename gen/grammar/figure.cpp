@@ -142,9 +142,9 @@ TurtleStats stats_of(const Grammar& grammar, const Word& word, Seed seed) {
   return measure.finish(end);
 }
 
-Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
+Result<TurtleStats> stats_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
   Measure measure;
-  Result<TurtleState> end = draw(grammar, steps, seed, measure, limits);
+  Result<TurtleState> end = draw_between(grammar, steps, seed, measure, limits);
   if (!end) return end.errors();
   return measure.finish(*end);
 }
@@ -155,18 +155,11 @@ Figure figure_of(const Grammar& grammar, const Word& word, Seed seed) {
   return std::move(builder.figure);
 }
 
-Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits,
+Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits,
                          std::span<const std::string> organs) {
   Builder builder{grammar, {}, {}};
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
     builder.sites[i] = std::find(organs.begin(), organs.end(), grammar.symbols[i].name) != organs.end();
-  Result<TurtleState> end = draw(grammar, steps, seed, builder, limits);
-  if (!end) return end.errors();
-  return std::move(builder.figure);
-}
-
-Result<Figure> figure_between(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
-  Builder builder{grammar, {}, {}};
   Result<TurtleState> end = draw_between(grammar, steps, seed, builder, limits);
   if (!end) return end.errors();
   return std::move(builder.figure);

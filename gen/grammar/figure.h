@@ -15,8 +15,9 @@ struct TurtleStats {
 
 TurtleStats stats_of(const Grammar& grammar, const Word& word, Seed seed);
 
-/// The same for the word after so many steps, which is not stored where it need not be.
-Result<TurtleStats> stats_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
+/// The same after so many steps; a number that is not whole gives the shape on its way from one step to the
+/// next (between.h). The word is not stored where it need not be.
+Result<TurtleStats> stats_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {});
 
 /// A filled outline: a leaf, a petal.
 struct Outline {
@@ -47,13 +48,9 @@ struct Figure {
 
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 
-/// The same for the word after so many steps, which is not stored where it need not be.
-/// The symbols named in `organs` are sites also where no `~` stands before them.
-Result<Figure> figure_of(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {},
+/// The same after so many steps, which need not be whole. The symbols named in `organs` are sites also where no `~` stands before them.
+Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {},
                          std::span<const std::string> organs = {});
-
-/// The same after a number of steps that need not be whole: the shape on its way from one step to the next.
-Result<Figure> figure_between(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {});
 
 /// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the
 /// order of the word; the order of a node is the number of brackets around it. Segments without length are

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "grammar/figure.h"
+#include "grammar/between.h"
 #include "grammar/picture.h"
 
 namespace frond {
@@ -59,9 +59,10 @@ void put(std::string& out, double number) { append(out, number, 3); }
 
 }  // namespace
 
-std::string turtle_svg(const Grammar& grammar, const Word& word, Seed seed) {
+Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
   Canvas canvas;
-  walk(grammar, word, seed, canvas);
+  Result<TurtleState> end = draw_between(grammar, steps, seed, canvas, limits);
+  if (!end) return end.errors();
   if (canvas.low.x > canvas.high.x) canvas.low = canvas.high = DVec3(0);
   // The picture is 1000 units along its longer side, whatever the plant measures.
   double size = std::max({canvas.high.x - canvas.low.x, canvas.high.y - canvas.low.y, 1e-9}),

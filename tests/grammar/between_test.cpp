@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "grammar/corpus.h"
+#include "grammar/figure.h"
 
 namespace frond {
 namespace {
@@ -54,11 +55,11 @@ TEST(Between, FigureHasASoundSkeleton) {
   GrammarText text;
   text.rules = {{"F -> F[+F~K]F!"}};
   Grammar grammar = std::move(*compile(text));
-  Result<Figure> figure = figure_between(grammar, 2.25, Seed{1});
+  Result<Figure> figure = figure_of(grammar, 2.25, Seed{1});
   ASSERT_TRUE(figure.ok());
   EXPECT_EQ(figure->skeleton.check(), "");
   EXPECT_LT(figure->sites.back().scale.x, 1);
-  EXPECT_FALSE(figure_between(grammar, -1, Seed{1}).ok());
+  EXPECT_FALSE(figure_of(grammar, -1, Seed{1}).ok());
 }
 
 }  // namespace

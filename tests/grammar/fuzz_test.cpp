@@ -73,7 +73,7 @@ TEST(Fuzz, AnyTextIsCompiledOrRefused) {
     forecast(*grammar, 4, seed, limits);
     Result<Word> word = derive(*grammar, 4, seed, limits);
     if (word) derive(*grammar, 4, seed, limits)->clear();
-    Result<Figure> figure = figure_between(*grammar, 3.5, seed, limits);
+    Result<Figure> figure = figure_of(*grammar, 3.5, seed, limits);
     Derivation plain = begin(*grammar, seed);
     Errors errors = advance_plainly(*grammar, plain, 4, seed, limits);
     EXPECT_EQ(errors.empty(), word.ok()) << text.rules[0].text;

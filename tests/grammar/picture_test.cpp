@@ -52,7 +52,7 @@ TEST(Picture, TurtleDrawsPathsAndPolygons) {
   GrammarText text;
   text.axiom = "F[+F]'-F{.f+f.}";
   Grammar grammar = std::move(*compile(text));
-  std::string svg = turtle_svg(grammar, grammar.axiom, Seed{1});
+  std::string svg = *turtle_svg(grammar, 0, Seed{1});
   EXPECT_EQ(times(svg, "<path"), 2u);
   EXPECT_EQ(times(svg, "<polygon"), 1u);
   EXPECT_NE(svg.find("viewBox=\"0 0 "), svg.npos);
