@@ -169,11 +169,20 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   return text + body + "}\n" + foliage;
 }
 
-std::string all_branches_text(const FrameParts& parts, const Scene& scene, double time) {
+std::string all_branches_text(const FrameParts& parts, const Scene& scene, double time, Errors& errors) {
   std::vector<std::string> texts(scene.branches.size());
+  std::vector<Errors> faults(texts.size());
   parallel_for(texts.size(), [&](std::size_t i) {
-    texts[i] = branches_text(parts.space, scene.branches[i], parts.first_skin[i], time);
+    const Branches& b = scene.branches[i];
+    if (!b.stages) {
+      texts[i] = branches_text(parts.space, b, parts.first_skin[i], time);
+    } else if (Result<Branches> now = developed(b, time); now) {
+      texts[i] = branches_text(parts.space, *now, parts.first_skin[i], time);
+    } else {
+      faults[i] = now.errors();
+    }
   });
+  for (const Errors& fault : faults) errors.insert(errors.end(), fault.begin(), fault.end());
   std::string text;
   text.reserve(std::accumulate(texts.begin(), texts.end(), std::size_t{0},
                                [](std::size_t sum, const std::string& t) { return sum + t.size(); }));
@@ -228,7 +237,7 @@ Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std:
     if (hole == "camera") return camera_text(parts.space, scene.stage.camera, time);
     if (hole == "materials") return parts.materials;
     if (hole == "ground") return parts.ground;
-    if (hole == "organisms") return all_branches_text(parts, scene, time);
+    if (hole == "organisms") return all_branches_text(parts, scene, time, errors);
     if (hole == "food") return food_text(parts.space, scene, time);
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
     return {};

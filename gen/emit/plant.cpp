@@ -185,7 +185,7 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   for (const Branches& b : scene.branches) {
     if (!b.bark || !entries.insert(b.entry).second) continue;
     // Shapes that no plant of this entry bears are left out.
-    std::vector<bool> used(b.prototypes.size());
+    std::vector<bool> used(b.prototypes.size(), b.stages.has_value());
     for (const Branches& other : scene.branches)
       if (other.bark && other.entry == b.entry)
         for (std::uint16_t which : other.organs.prototype) used[which] = true;

@@ -37,20 +37,22 @@ double reach_of(const Grammar& grammar, SymbolId symbol, const double* parameter
 struct Family {
   const Grammar& grammar;
   const Word& before;
-  const Word& after;
+  Word& after;
   const std::vector<std::size_t>& before_at;
   const std::vector<std::size_t>& after_at;
   double age;
 
-  bool unchanged(std::size_t parent, std::size_t first, std::size_t last) const {
+  /// A module that became one of its own kind goes on: its parameters are on their way to what they will be.
+  bool goes_on(std::size_t parent, std::size_t first, std::size_t last) {
     if (last - first != 1 || before.symbols[parent] != after.symbols[first]) return false;
-    const double* a = before.parameters.data() + before_at[parent];
-    return std::equal(a, a + (before_at[parent + 1] - before_at[parent]),
-                      after.parameters.data() + after_at[first]);
+    const double* was = before.parameters.data() + before_at[parent];
+    for (std::size_t i = after_at[first]; i < after_at[last]; ++i, ++was)
+      after.parameters[i] = *was + age * (after.parameters[i] - *was);
+    return true;
   }
 
-  void grow(std::size_t parent, std::size_t first, std::size_t last, std::vector<Unfolding>& growth) const {
-    if (unchanged(parent, first, last)) return;
+  void grow(std::size_t parent, std::size_t first, std::size_t last, std::vector<Unfolding>& growth) {
+    if (goes_on(parent, first, last)) return;
     double was = reach_of(grammar, before.symbols[parent], before.parameters.data() + before_at[parent]),
            is = 0;
     int depth = 0;

@@ -13,7 +13,8 @@ struct Between {
 
 /// The shape after `steps` steps, a number that need not be whole. What a module becomes takes its place at
 /// first: the segments of the outcome share the length that was there, turns are straight and branches are
-/// empty; then they grow to what they will be. So the shape passes each whole step without a jump, and with
+/// empty; then they grow to what they will be. A module that became one of its own kind keeps its place, and its
+/// parameters change from the old ones to the new. So the shape passes each whole step without a jump, and with
 /// speed zero. Only what a rule removes is gone at once, and random jitter is drawn anew with each step.
 Result<Between> between(const Grammar& grammar, double steps, Seed seed, const Limits& limits);
 

@@ -103,6 +103,8 @@ void describe(Visitor& v, PlantParams& p) {
   v.object("blades", p.blades, "What the turtle's filled outlines are made of");
   v.object("wave", p.wave, "Swaying in the wind");
   v.object("growth", p.growth, "When it grows");
+  v.boolean("by_steps", p.by_steps,
+            "Growth runs through the derivation steps instead of along the finished branches");
 }
 
 }  // namespace frond

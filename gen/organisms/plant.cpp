@@ -33,21 +33,33 @@ Box box_of(const Figure& f) {
   return box;
 }
 
-/// Scales and moves a figure to its height and stand. The factor.
-float fit(Figure& f, const PlantParams& params) {
+/// How a plant is scaled and moved to its height and stand, and how long its branches are before that.
+struct Stature {
+  float factor = 1;
+  Vec3 foot{0};
+  float longest = 0;
+  float start_radius = 0;
+};
+
+Stature stature_of(const Figure& f, const PlantParams& params) {
   Box box = box_of(f);
   float high = params.stand == Stand::turtle ? box.high.y : box.high.y - box.low.y;
   float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
   Vec3 foot = params.stand == Stand::turtle
                   ? Vec3(0)
                   : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
-  auto move = [&](Vec3& p) { p = (p - foot) * factor; };
+  const Skeleton& s = f.skeleton;
+  float start = s.size() > 0 ? s.radius[0] : static_cast<float>(params.grammar.width / 2);
+  return {factor, foot, s.longest(), std::max(start * factor, 1e-6f)};
+}
+
+void fit(Figure& f, const Stature& stature) {
+  auto move = [&](Vec3& p) { p = (p - stature.foot) * stature.factor; };
   for (Vec3& p : f.skeleton.position) move(p);
-  for (float& radius : f.skeleton.radius) radius *= factor;
+  for (float& radius : f.skeleton.radius) radius *= stature.factor;
   for (Outline& o : f.outlines)
     for (Vec3& p : o.points) move(p);
   for (Site& s : f.sites) move(s.position);
-  return factor;
 }
 
 void measure(Skeleton& s) {
@@ -57,11 +69,21 @@ void measure(Skeleton& s) {
   }
 }
 
+/// What the end of a segment counts for in the pipe model where branches sprout: little as long as it is short
+/// beside the one below it.
+float sprouted(const Skeleton& s, std::size_t i) {
+  std::int32_t p = s.parent[i];
+  if (p == Skeleton::kRoot || s.parent[p] == Skeleton::kRoot) return 1;
+  float own = s.distance[i] - s.distance[p], below = s.distance[p] - s.distance[s.parent[p]];
+  return own < 0.5f * below ? std::max(2 * own / below, 1e-3f) : 1;
+}
+
 /// The radii that carry what is above them, before they are scaled to the base.
-void set_pipes(Skeleton& s, float exponent) {
+void set_pipes(Skeleton& s, float exponent, bool sprouting) {
   std::vector<float> carried(s.size(), 0);
   for (std::size_t i = s.size(); i-- > 0;) {
-    if (carried[i] == 0) carried[i] = 1;  // a tip
+    // At least what it would carry as a tip.
+    carried[i] = std::max(carried[i], sprouting ? sprouted(s, i) : carried[i] == 0 ? 1.0f : 0.0f);
     if (s.parent[i] != Skeleton::kRoot) carried[s.parent[i]] += carried[i];
     s.radius[i] = std::pow(carried[i], 1 / exponent);
   }
@@ -166,7 +188,7 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
 
 }  // namespace
 
-void set_girth(Skeleton& s, const Girth& girth, float start_radius) {
+void set_girth(Skeleton& s, const Girth& girth, float start_radius, bool sprouting) {
   if (s.size() == 0) return;
   float base = static_cast<float>(girth.radius), least = static_cast<float>(girth.least);
   if (girth.from == GirthFrom::turtle) {
@@ -179,7 +201,7 @@ void set_girth(Skeleton& s, const Girth& girth, float start_radius) {
       s.radius[i] = base * static_cast<float>(girth.curve((s.to_tip[i]) / longest));
   } else {
     if (base <= 0) base = start_radius;
-    set_pipes(s, static_cast<float>(girth.exponent));
+    set_pipes(s, static_cast<float>(girth.exponent), sprouting);
     float factor = base / *std::max_element(s.radius.begin(), s.radius.end());
     for (float& radius : s.radius) radius *= factor;
   }
@@ -204,17 +226,28 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
   return grammar;
 }
 
-Result<Model> grow_plant(const PlantParams& params, Seed seed) {
+Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
   Result<Grammar> grammar = plant_grammar(params);
   if (!grammar) return grammar.errors();
   std::vector<std::string> names;
   for (const OrganParams& organ : params.organs) names.push_back(organ.symbol);
-  Result<Figure> figure = figure_of(*grammar, grammar->text.steps, seed.child("derive"), {}, names);
+  auto after = [&](double steps) { return figure_of(*grammar, steps, seed.child("derive"), {}, names); };
+  Result<Figure> figure = after(grammar->text.steps);
   if (!figure) return figure.errors();
   if (figure->skeleton.size() == 0 && figure->sites.empty() && figure->outlines.empty())
     return Error{"", "the grammar draws nothing: its turtle meets no F, no outline and no organ"};
 
-  float factor = fit(*figure, params);
+  Stature stature = stature_of(*figure, params);
+  Girth girth = params.thickness;
+  if (share < 1) {
+    figure = after(grammar->text.steps * share);
+    if (!figure) return figure.errors();
+    // What is still short is thin.
+    if (girth.from != GirthFrom::turtle && stature.longest > 0)
+      girth.radius = (girth.radius > 0 ? girth.radius : stature.start_radius) *
+                     std::min(1.0f, figure->skeleton.longest() / stature.longest);
+  }
+  fit(*figure, stature);
   std::vector<std::int32_t> order = order_branches(figure->skeleton);
   std::vector<std::int32_t> color(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) color[static_cast<std::size_t>(order[i])] = figure->color[i];
@@ -232,12 +265,10 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed) {
   model.color = smoothed_colors(index, color);
   set_tip_distances(model.skeleton);
   set_births(model.skeleton);
-  float start_radius = static_cast<float>(grammar->text.width / 2) * factor;
-  set_girth(model.skeleton, params.thickness,
-            model.skeleton.size() ? std::max(model.skeleton.radius[0], 1e-6f) : start_radius);
+  set_girth(model.skeleton, girth, stature.start_radius, params.by_steps);
   add_blades(model, figure->outlines);
   model.prototypes = organ_prototypes(params);
-  if (Errors errors = add_organs(model, figure->sites, params, factor, seed.child("organ")); !errors.empty())
+  if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ")); !errors.empty())
     return errors;
   return model;
 }

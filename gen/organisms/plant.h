@@ -93,15 +93,18 @@ struct PlantParams {
   BladeParams blades;
   Wave wave;
   Growth growth;
+  bool by_steps = false;  ///< growth runs through the derivation steps, not along the finished branches
 };
 
 /// The grammar, ready to derive. Organs whose symbol the grammar does not have are errors.
 Result<Grammar> plant_grammar(const PlantParams& params);
 
-/// Grows one plant upright, its foot at the origin.
-Result<Model> grow_plant(const PlantParams& params, Seed seed);
+/// Grows one plant upright, its foot at the origin. `share` of its derivation steps, 0..1, gives it on its way
+/// to what it will be: smooth in `share`, and nothing at all where the axiom draws nothing.
+Result<Model> grow_plant(const PlantParams& params, Seed seed, double share = 1);
 
 /// Sets the radii of a skeleton whose `radius` holds the turtle's widths, halved, and whose `to_tip` is set.
-void set_girth(Skeleton& skeleton, const Girth& girth, float start_radius);
+/// With `sprouting`, a tip that is short beside the branch it stands on counts for less in the pipe model.
+void set_girth(Skeleton& skeleton, const Girth& girth, float start_radius, bool sprouting = false);
 
 }  // namespace frond

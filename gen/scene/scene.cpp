@@ -156,6 +156,18 @@ struct Dress {
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
+/// Takes over what a grower made and puts it at its place.
+void settle(Branches& branches, Model&& model, Vec3 foot, Quat turn, float size) {
+  branches.rest = std::move(model.skeleton);
+  branches.color = std::move(model.color);
+  branches.prototypes = std::move(model.prototypes);
+  branches.organs = std::move(model.organs);
+  branches.blades = std::move(model.blades);
+  branches.solids = std::move(model.solids);
+  put(branches.rest, foot, turn, size);
+  put_parts(branches, foot, turn, size);
+}
+
 Result<Branches> plant(const Preset& preset, const Planting& planting, float foot_height) {
   const Organism& organism = *planting.organism;
   Seed seed = planting.seed;
@@ -165,12 +177,6 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   Branches branches;
   branches.name = organism.name;
   branches.entry = static_cast<std::size_t>(planting.organism - preset.organisms.data());
-  branches.rest = std::move(grown->skeleton);
-  branches.color = std::move(grown->color);
-  branches.prototypes = std::move(grown->prototypes);
-  branches.organs = std::move(grown->organs);
-  branches.blades = std::move(grown->blades);
-  branches.solids = std::move(grown->solids);
   const Place& place = organism.place;
   float size = static_cast<float>(1 + place.size_variation * seed.child("size").range(-1, 1));
   double turn = place.turn + place.turn_variation * seed.child("turn").range(-1, 1);
@@ -180,12 +186,13 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
       glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()),
                      Vec3(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward))));
   // What stands in the ground stands as deep as it is thick, or as a small one bears.
-  float sunk = place.raise > 0 || branches.rest.size() == 0
+  float sunk = place.raise > 0 || grown->skeleton.size() == 0
                    ? 0
-                   : std::min(branches.rest.radius[0], 0.1f * branches.rest.longest()) * size;
+                   : std::min(grown->skeleton.radius[0], 0.1f * grown->skeleton.longest()) * size;
   Vec3 foot(planting.spot.at.x, foot_height - sunk, planting.spot.at.y);
-  put(branches.rest, foot, lean * yaw, size);
-  put_parts(branches, foot, lean * yaw, size);
+  settle(branches, std::move(*grown), foot, lean * yaw, size);
+  if (const auto* params = std::get_if<PlantParams>(&organism.body); params && params->by_steps)
+    branches.stages = {*params, seed.child("grow"), foot, lean * yaw, size};
   std::visit(Dress{branches, seed}, organism.body);
   branches.motion.film_length = preset.film.length();
   branches.motion.growth.start += branches.motion.growth.stagger * seed.child("start").unit();
@@ -233,6 +240,19 @@ float foot_of(Builder& b, const Planting& p) {
 }
 
 }  // namespace
+
+Result<Branches> developed(const Branches& branches, double time) {
+  Branches now = branches;
+  if (!branches.stages) return now;
+  const Stages& stages = *branches.stages;
+  const Growth& growth = branches.motion.growth;
+  double share = std::min(growth_front(growth, time) / (1 + growth.ripen), 1.0);
+  Result<Model> model = grow_plant(stages.params, stages.seed, share);
+  if (!model) return model.errors();
+  settle(now, std::move(*model), stages.foot, stages.turn, stages.size);
+  now.motion.growth = {};
+  return now;
+}
 
 std::size_t Scene::nodes() const {
   std::size_t sum = 0;

@@ -12,6 +12,15 @@
 
 namespace frond {
 
+/// How a plant that grows by steps is grown anew for each frame.
+struct Stages {
+  PlantParams params;
+  Seed seed;
+  Vec3 foot{0};
+  Quat turn{1, 0, 0, 0};
+  float size = 1;
+};
+
 /// One grown organism, or built body, where it stands.
 struct Branches {
   std::string name;
@@ -28,7 +37,11 @@ struct Branches {
   Organs organs;
   Blades blades;
   Solids solids;
+  std::optional<Stages> stages;  ///< of what grows by steps; all else above is how it ends
 };
+
+/// The organism as it is at a time: itself, or what its steps have come to by then, fully revealed.
+Result<Branches> developed(const Branches& branches, double time);
 
 /// A patch of grass put somewhere on the ground.
 struct TurfInstance {
