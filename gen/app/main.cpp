@@ -82,8 +82,9 @@ void add_turtle(CLI::App& app, int& result) {
   auto* command = app.add_subcommand("turtle", "Walks a grammar's word and measures the way, as JSON");
   add_grammar(command, *to);
   command->add_option("--svg", to->picture, "SVG file: what the turtle draws, seen from the front");
-  command->footer("A number of steps that is not whole gives the shape on its way from one to the next.\n"
-                  "Example:\n  frond turtle koch.json --steps 2.5 --svg koch.svg");
+  command->footer(
+      "A number of steps that is not whole gives the shape on its way from one to the next.\n"
+      "Example:\n  frond turtle koch.json --steps 2.5 --svg koch.svg");
   command->callback([&result, to] { result = walk_turtle(*to); });
 }
 

@@ -75,7 +75,8 @@ std::string organs_text(const PovSpace& space, const Branches& b, const Pose& po
     if (size < kSmallest) continue;
     std::size_t which = b.organs.prototype[i];
     std::size_t color = wrapped(b.organs.color[i], b.prototypes[which].colors.size());
-    append_placement(buckets[start[which] + color * kShades + shade_of(i)], space, b, pose, i, size);
+    append_placement(buckets[start[which] + color * kShades + shade_of(b.organs.id[i])], space, b, pose, i,
+                     size);
   }
   std::string text;
   for (std::size_t p = 0; p < b.prototypes.size(); ++p) {
@@ -112,7 +113,7 @@ Surface posed_blades(const Branches& b, const Pose& pose, std::size_t color, std
     std::size_t first = triangle;
     while (triangle < all.surface.triangle.size() && all.surface.triangle[triangle][0] < all.first[i + 1])
       ++triangle;
-    if (wrapped(all.color[i], b.blade_look.colors.size()) != color || shade_of(i) != shade) continue;
+    if (wrapped(all.color[i], b.blade_look.colors.size()) != color || shade_of(all.id[i]) != shade) continue;
     float size = unfolded(all.birth[i], pose.front, b.motion.growth.ripen);
     if (size < kSmallest) continue;
     Quat turn = carried_turn(pose, all.node[i]);

@@ -74,27 +74,45 @@ struct Family {
   }
 };
 
+/// Names the modules of a word: one that goes on in its own kind keeps its name, others get new ones.
+std::vector<std::uint64_t> named(const Word& before, const std::vector<std::uint64_t>& names,
+                                 const Word& after, const std::vector<std::uint32_t>& parents) {
+  std::vector<std::uint64_t> result(after.size());
+  for (std::size_t first = 0, last = 0; first < parents.size(); first = last) {
+    std::uint64_t parent = names[parents[first]];
+    while (last < parents.size() && parents[last] == parents[first]) ++last;
+    bool same = last - first == 1 && before.symbols[parents[first]] == after.symbols[first];
+    for (std::size_t i = first; i < last; ++i) result[i] = same ? parent : Seed{parent}.child(i - first).key;
+  }
+  return result;
+}
+
 }  // namespace
 
-Result<Between> between(const Grammar& grammar, double steps, Seed seed, const Limits& limits) {
+Result<Between> between(const Grammar& grammar, double steps, Seed seed, const Limits& limits, bool names) {
   if (!(steps >= 0)) return Error{"steps", "the number of steps must be 0 or more"};
-  int whole = static_cast<int>(steps);
+  int whole = static_cast<int>(std::ceil(steps)) - 1;  // the steps that are over
   Errors errors;
   if (has_growth_matrix(grammar)) errors = refuse(forecast(grammar, whole + 1, seed, limits), limits);
   if (!errors.empty()) return errors;
   Derivation state = begin(grammar, seed);
-  errors = advance(grammar, state, whole, seed, limits);
-  if (!errors.empty()) return errors;
+  Between result;
+  for (std::size_t i = 0; names && i < state.word.size(); ++i) result.name.push_back(Seed{}.child(i).key);
+  if (!names) errors = advance(grammar, state, whole, seed, limits);
   Word before = state.word;
   std::vector<std::uint32_t> parents;
-  errors = advance_tracked(grammar, state, seed, parents);
+  for (int step = names ? 0 : whole; step <= whole && errors.empty(); ++step) {
+    before = state.word;
+    errors = advance_tracked(grammar, state, seed, parents);
+    if (names) result.name = named(before, result.name, state.word, parents);
+  }
   if (!errors.empty()) return errors;
-  Between result{std::move(state.word), {}};
+  result.word = std::move(state.word);
   result.growth.resize(result.word.size());
+  if (whole < 0) return result;
   std::vector<std::size_t> before_at = offsets_of(grammar, before),
                            after_at = offsets_of(grammar, result.word);
-  double share = steps - whole;
-  Family family{grammar, before, result.word, before_at, after_at, smooth_step(0.0, 1.0, share)};
+  Family family{grammar, before, result.word, before_at, after_at, smooth_step(0.0, 1.0, steps - whole)};
   for (std::size_t first = 0, last = 0; first < parents.size(); first = last) {
     while (last < parents.size() && parents[last] == parents[first]) ++last;
     family.grow(parents[first], first, last, result.growth);

@@ -41,6 +41,9 @@ struct Builder {
   const Grammar& grammar;
   Figure figure;
   std::array<bool, 256> sites{};  // symbols that are organs without a ~
+  std::uint64_t next_site = 0, next_outline = 0;
+
+  void module(std::uint64_t name) { next_site = next_outline = name; }
 
   void bare(SymbolId symbol, const double* parameters, const TurtleState& state) {
     if (sites[symbol]) organ(symbol, parameters, state);
@@ -61,7 +64,7 @@ struct Builder {
   }
 
   void polygon(std::span<const DVec3> points, const TurtleState& state) {
-    Outline outline{{}, state.color, state.base};
+    Outline outline{{}, state.color, state.base, next_outline++};
     for (DVec3 point : points)  // `F.` names its end twice
       if (outline.points.empty() || outline.points.back() != Vec3(point)) outline.points.emplace_back(point);
     if (outline.points.size() > 3 && outline.points.front() == outline.points.back())
@@ -101,7 +104,7 @@ struct Builder {
   void place(std::string name, Vec3 scale, const TurtleState& s) {
     scale *= static_cast<float>(s.grown);
     figure.sites.push_back({std::move(name), Vec3(s.position), Vec3(s.heading), Vec3(s.left), Vec3(s.up),
-                            scale, s.color, s.base});
+                            scale, s.color, s.base, next_site++});
   }
 };
 
@@ -156,11 +159,11 @@ Figure figure_of(const Grammar& grammar, const Word& word, Seed seed) {
 }
 
 Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits,
-                         std::span<const std::string> organs) {
+                         std::span<const std::string> organs, bool named) {
   Builder builder{grammar, {}, {}};
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
     builder.sites[i] = std::find(organs.begin(), organs.end(), grammar.symbols[i].name) != organs.end();
-  Result<TurtleState> end = draw_between(grammar, steps, seed, builder, limits);
+  Result<TurtleState> end = draw_between(grammar, steps, seed, builder, limits, named);
   if (!end) return end.errors();
   return std::move(builder.figure);
 }

@@ -24,7 +24,8 @@ struct Outline {
   std::vector<Vec3> points;
   int color = 0;
   std::int32_t node =
-      Skeleton::kRoot;  ///< of the skeleton, where it grows; kRoot where nothing was drawn before
+      Skeleton::kRoot;   ///< of the skeleton, where it grows; kRoot where nothing was drawn before
+  std::uint64_t id = 0;  ///< its number in the figure, or by the name of its module
 };
 
 /// A place where a shape belongs: an organ named in the grammar.
@@ -35,6 +36,7 @@ struct Site {
   Vec3 scale{1};
   int color = 0;
   std::int32_t node = Skeleton::kRoot;
+  std::uint64_t id = 0;  ///< its number in the figure, or by the name of its module
 };
 
 /// All that a word draws: branches with a colour a node, outlines, organs. A sphere `@O` is an organ named
@@ -48,9 +50,11 @@ struct Figure {
 
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 
-/// The same after so many steps, which need not be whole. The symbols named in `organs` are sites also where no `~` stands before them.
+/// The same after so many steps, which need not be whole. The symbols named in `organs` are sites also where
+/// no `~` stands before them. With `named`, what is random stays the same as long as a module lives
+/// (between.h).
 Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {},
-                         std::span<const std::string> organs = {});
+                         std::span<const std::string> organs = {}, bool named = false);
 
 /// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the
 /// order of the word; the order of a node is the number of brackets around it. Segments without length are

@@ -11,8 +11,8 @@ namespace frond {
 /// modules are refused: they cannot be read.
 Result<std::string> derivation_tree_svg(const Grammar& grammar, int steps, Seed seed);
 
-/// What is drawn after so many steps, which need not be whole, seen along the z axis, as SVG: lines as wide as
-/// branches, filled polygons, colours by index.
+/// What is drawn after so many steps, which need not be whole, seen along the z axis, as SVG: lines as wide
+/// as branches, filled polygons, colours by index.
 Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {});
 
 }  // namespace frond

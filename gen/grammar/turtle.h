@@ -67,6 +67,9 @@ class Turtle {
   /// How far the modules fed from now on have grown.
   void set_growth(const Unfolding& growth) { growth_ = growth, now_.grown = growth.age; }
 
+  /// What the randomness of the module fed next goes by, instead of its place in the word.
+  void set_name(std::uint64_t name) { fed_ = name, acted_ = Seed::mix(name); }
+
   const TurtleState& state() const { return now_; }
 
  private:

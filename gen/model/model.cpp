@@ -18,7 +18,7 @@ std::string check_organs(const Model& model) {
   const Organs& o = model.organs;
   std::size_t n = o.size();
   if (o.prototype.size() != n || o.turn.size() != n || o.scale.size() != n || o.node.size() != n ||
-      o.birth.size() != n || o.color.size() != n)
+      o.birth.size() != n || o.color.size() != n || o.id.size() != n)
     return "the arrays of the organs differ in length";
   for (std::size_t i = 0; i < n; ++i) {
     if (o.prototype[i] >= model.prototypes.size()) return fmt::format("organ {} has no prototype", i);
@@ -36,7 +36,8 @@ std::string check_organs(const Model& model) {
 std::string check_blades(const Model& model) {
   const Blades& b = model.blades;
   std::size_t n = b.size();
-  if (b.birth.size() != n || b.color.size() != n || b.foot.size() != n || b.first.size() != n + 1)
+  if (b.birth.size() != n || b.color.size() != n || b.id.size() != n || b.foot.size() != n ||
+      b.first.size() != n + 1)
     return "the arrays of the blades differ in length";
   if (b.first.back() != b.surface.position.size()) return "the blades do not cover their points";
   for (std::size_t i = 0; i < n; ++i) {
@@ -57,6 +58,7 @@ void Organs::reserve(std::size_t count) {
   node.reserve(count);
   birth.reserve(count);
   color.reserve(count);
+  id.reserve(count);
 }
 
 std::string Model::check() const {

@@ -33,6 +33,7 @@ struct Organs {
   std::vector<std::int32_t> node;  ///< of the skeleton that it rides on, or Skeleton::kRoot
   std::vector<float> birth;        ///< 0..1, as that of a node
   std::vector<std::int32_t> color;
+  std::vector<std::uint32_t> id;  ///< by which single ones differ in shade
 
   std::size_t size() const { return position.size(); }
   void reserve(std::size_t count);
@@ -45,8 +46,9 @@ struct Blades {
   std::vector<std::int32_t> node;  ///< that it rides on, or Skeleton::kRoot
   std::vector<float> birth;
   std::vector<std::int32_t> color;
-  std::vector<Vec3> foot;  ///< from where it unfolds
-  Surface surface;         ///< of all of them, with places on the leaf as `uv`
+  std::vector<std::uint32_t> id;  ///< by which single ones differ in shade
+  std::vector<Vec3> foot;         ///< from where it unfolds
+  Surface surface;                ///< of all of them, with places on the leaf as `uv`
 
   std::size_t size() const { return node.size(); }
 };

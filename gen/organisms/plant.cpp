@@ -69,8 +69,8 @@ void measure(Skeleton& s) {
   }
 }
 
-/// What the end of a segment counts for in the pipe model where branches sprout: little as long as it is short
-/// beside the one below it.
+/// What the end of a segment counts for in the pipe model where branches sprout: little as long as it is
+/// short beside the one below it.
 float sprouted(const Skeleton& s, std::size_t i) {
   std::int32_t p = s.parent[i];
   if (p == Skeleton::kRoot || s.parent[p] == Skeleton::kRoot) return 1;
@@ -148,6 +148,7 @@ void add_blades(Model& model, const std::vector<Outline>& outlines) {
     b.node.push_back(outline.node);
     b.birth.push_back(birth_at(model.skeleton, outline.node, i, outlines.size()));
     b.color.push_back(outline.color);
+    b.id.push_back(static_cast<std::uint32_t>(outline.id));
     b.foot.push_back(foot);
   }
 }
@@ -162,7 +163,7 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
     int which = prototype_of(params, site.name);
     if (which < 0)
       return {{"", "the grammar places an organ \"" + site.name + "\"; organs has none with that symbol"}};
-    Seed own = seed.child(i);
+    Seed own = seed.child(site.id);
     Vec3 scale = site.scale;
     Quat turn = glm::normalize(glm::quat_cast(glm::mat3(-site.left, site.heading, site.up)));
     if (round) {
@@ -182,6 +183,7 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
     o.node.push_back(site.node);
     o.birth.push_back(birth_at(model.skeleton, site.node, i, sites.size()));
     o.color.push_back(site.color);
+    o.id.push_back(static_cast<std::uint32_t>(site.id));
   }
   return {};
 }
@@ -231,7 +233,9 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
   if (!grammar) return grammar.errors();
   std::vector<std::string> names;
   for (const OrganParams& organ : params.organs) names.push_back(organ.symbol);
-  auto after = [&](double steps) { return figure_of(*grammar, steps, seed.child("derive"), {}, names); };
+  auto after = [&](double steps) {
+    return figure_of(*grammar, steps, seed.child("derive"), {}, names, params.by_steps);
+  };
   Result<Figure> figure = after(grammar->text.steps);
   if (!figure) return figure.errors();
   if (figure->skeleton.size() == 0 && figure->sites.empty() && figure->outlines.empty())
@@ -268,7 +272,8 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
   set_girth(model.skeleton, girth, stature.start_radius, params.by_steps);
   add_blades(model, figure->outlines);
   model.prototypes = organ_prototypes(params);
-  if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ")); !errors.empty())
+  if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ"));
+      !errors.empty())
     return errors;
   return model;
 }

@@ -99,8 +99,8 @@ struct PlantParams {
 /// The grammar, ready to derive. Organs whose symbol the grammar does not have are errors.
 Result<Grammar> plant_grammar(const PlantParams& params);
 
-/// Grows one plant upright, its foot at the origin. `share` of its derivation steps, 0..1, gives it on its way
-/// to what it will be: smooth in `share`, and nothing at all where the axiom draws nothing.
+/// Grows one plant upright, its foot at the origin. `share` of its derivation steps, 0..1, gives it on its
+/// way to what it will be: smooth in `share`, and nothing at all where the axiom draws nothing.
 Result<Model> grow_plant(const PlantParams& params, Seed seed, double share = 1);
 
 /// Sets the radii of a skeleton whose `radius` holds the turtle's widths, halved, and whose `to_tip` is set.

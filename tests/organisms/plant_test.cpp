@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "geometry/outline.h"
 
@@ -109,6 +110,59 @@ TEST(Plant, HasTheHeightAskedFor) {
   for (const Vec3& p : model.skeleton.position) low = std::min(low, p.y), high = std::max(high, p.y);
   EXPECT_NEAR(low, 0, 1e-5);
   EXPECT_NEAR(high, 1.7, 1e-4);
+}
+
+/// What a camera would see jump: organs by their names, the wood as a whole.
+struct Sight {
+  std::map<std::uint32_t, std::size_t> organ;
+  double wood = 0;
+  explicit Sight(const Model& m) {
+    for (std::size_t i = 0; i < m.organs.size(); ++i) organ[m.organs.id[i]] = i;
+    for (std::size_t i = 0; i < m.skeleton.size(); ++i)
+      if (std::int32_t p = m.skeleton.parent[i]; p != Skeleton::kRoot)
+        wood += m.skeleton.radius[i] * m.skeleton.radius[i] *
+                glm::distance(m.skeleton.position[i], m.skeleton.position[p]);
+  }
+};
+
+TEST(Plant, GrowsThroughItsStepsWithoutAJump) {
+  PlantParams params = herb("A(1)",
+                            {"A(l) -> F(l)K(1)[&(45)B(l*0.8)]/(137.5)A(l*0.9)",
+                             "B(l) -> F(l)K(1)[-(40)B(l*0.8)]", "K(s) : s > 0.2 -> K(s*0.5)", "K(s) -> "},
+                            6, 20);
+  for (const char* rule : {"K(s) -> [&(40)~L(s)][/(120)&(55)~L(s)]"})
+    params.grammar.interpretation.emplace_back().text = rule;
+  params.grammar.angle_jitter = 8;
+  params.grammar.length_jitter = 0.2;
+  params.thickness = {.from = GirthFrom::pipe, .radius = 0.1};
+  params.organs = {organ("L")};
+  params.height = 2;
+  params.by_steps = true;
+  constexpr int kFrames = 600;
+  double wood = Sight(*grow_plant(params, Seed{7})).wood;
+  Model before = *grow_plant(params, Seed{7}, 0);
+  std::size_t followed = 0;
+  for (int frame = 1; frame <= kFrames; ++frame) {
+    SCOPED_TRACE(frame);
+    Model after = *grow_plant(params, Seed{7}, static_cast<double>(frame) / kFrames);
+    ASSERT_EQ(after.check(), "");
+    Sight a(before), b(after);
+    EXPECT_NEAR(a.wood, b.wood, 8 * wood / kFrames);
+    for (auto [id, j] : b.organ) {
+      if (!a.organ.contains(id)) {
+        EXPECT_LT(after.organs.scale[j].y, 0.01f) << "a new leaf is large";
+        continue;
+      }
+      std::size_t i = a.organ[id];
+      ++followed;
+      EXPECT_LT(glm::distance(before.organs.position[i], after.organs.position[j]), 0.03f);
+      EXPECT_LT(glm::distance(before.organs.scale[i], after.organs.scale[j]), 0.008f);
+      EXPECT_GT(std::abs(glm::dot(before.organs.turn[i], after.organs.turn[j])), 0.995f);
+    }
+    before = std::move(after);
+  }
+  EXPECT_GT(followed, 4000u);
+  EXPECT_EQ(before.skeleton.position, grow_plant(params, Seed{7})->skeleton.position);
 }
 
 TEST(Plant, NeedsNoBranch) {

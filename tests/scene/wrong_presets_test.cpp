@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <span>
 
 #include "scene/preset.h"
@@ -91,7 +92,7 @@ const WrongPreset kWrongNames[] = {
     {"An unknown key of a coral",
      R"({"organisms": [{"kind": "coral", "hieght": 1}]})",
      {},
-     {R"(1:34: /organisms/0/hieght: unknown property "hieght"; expected one of 23 known names; did you mean "height"?)"}},
+     {R"(1:34: /organisms/0/hieght: unknown property "hieght"; expected one of N known names; did you mean "height"?)"}},
     {"An unknown key within a coral",
      R"({"organisms": [{"kind": "coral", "wave": {"ampltude": 1}, "skin": {"tint": {"colour": 1}},
   "place": {"position": [0, 0]}}]})",
@@ -104,16 +105,16 @@ const WrongPreset kWrongNames[] = {
   {"kind": "coral", "form": "own",
    "grammar": {"axoim": "F", "rules": [{"rule": "F -> FF", "limits": 1}]}}]})",
      {},
-     {R"(3:16: /organisms/0/grammar/axoim: unknown property "axoim"; expected one of 23 known names; did you mean "axiom"?)",
+     {R"(3:16: /organisms/0/grammar/axoim: unknown property "axoim"; expected one of N known names; did you mean "axiom"?)",
       R"(3:60: /organisms/0/grammar/rules/0/limits: unknown property "limits"; expected one of rule, limit; did you mean "limit"?)"}},
     {"An unknown key of the defaults",
      R"({"defaults": {"wav": {}}, "organisms": []})",
      {},
-     {R"(1:15: /defaults/wav: unknown property "wav"; expected one of 26 known names; did you mean "wave"?)"}},
+     {R"(1:15: /defaults/wav: unknown property "wav"; expected one of N known names; did you mean "wave"?)"}},
     {"An unknown name to force",
      R"({"force": ["wav", "wave/sped"], "organisms": []})",
      {},
-     {R"(1:12: /force/0: unknown property "wav"; expected one of 26 known names; did you mean "wave"?)",
+     {R"(1:12: /force/0: unknown property "wav"; expected one of N known names; did you mean "wave"?)",
       R"(1:19: /force/1: unknown property "sped"; expected one of amplitude, speed, phase, length, direction, loop; did you mean "speed"?)"}},
     {"A force that is no list",
      R"({"force": "wave"})",
@@ -354,7 +355,8 @@ void expect_messages(std::span<const WrongPreset> presets) {
       std::string message = error.text();
       EXPECT_EQ(message.find('\n'), message.npos) << message;
       if (message.starts_with("reef.json:")) message.erase(0, message.find(':') + 1);
-      messages.push_back(std::move(message));
+      // How many there are changes with each new property.
+      messages.push_back(std::regex_replace(message, std::regex("[0-9]+ known names"), "N known names"));
     }
     EXPECT_EQ(messages, wrong.messages) << wrong.name << "\n" << wrong.text;
   }

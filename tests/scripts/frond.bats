@@ -26,6 +26,14 @@ setup() {
   [[ "$output" == *'"segments": 25, "total_length": 25, "end_position": [0, 9, 0]'* ]]
 }
 
+@test "steps need not be whole for the turtle, but for words" {
+  run "$frond" turtle koch.json --steps 1.5
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'"segments": 25, "total_length": 1'* ]]
+  run "$frond" derive koch.json --steps 1.5
+  [ "$status" -eq 2 ]
+}
+
 @test "pictures are SVG files" {
   "$frond" turtle koch.json --svg way.svg
   "$frond" derive koch.json --tree tree.svg
