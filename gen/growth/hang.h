@@ -1,0 +1,32 @@
+#pragma once
+
+#include "growth/host.h"
+
+namespace frond {
+
+/// A strand that has lost its hold: links of one length, held at their upper end only.
+struct Chain {
+  DVec3 root{0};             ///< the last place that holds
+  DVec3 heading{0, 1, 0};    ///< of length 1: how the strand comes out of it
+  double link = 0.02;        ///< metres
+  double stiffness = 0.1;    ///< metres that it stands out before its own weight bends it down
+  double lift = 0.003;       ///< metres that it keeps off the host
+  std::vector<DVec3> place;  ///< ends of the links
+  std::vector<DVec3> clear;  ///< where room was measured, for each
+  std::vector<double> room;  ///< metres from there to the host
+
+  double length() const { return link * static_cast<double>(place.size()); }
+};
+
+/// Appends a link in a direction (of length 1).
+void lengthen(Chain& chain, const Host& host, const DVec3& direction);
+
+/// Lets weight and stiffness bend the chain, `sweeps` times over, and keeps it out of the host. Links keep
+/// their length. Returns the farthest that any joint moved in the last sweep, as a share of a link.
+///
+/// The bending energy of a chain of equal links is a sum over neighbouring directions, its weight a sum over
+/// single ones; so the best direction of a link between its neighbours is known, and taking it never raises
+/// the energy: sweeps settle from any state, with any stiffness.
+double settle(Chain& chain, const Host& host, int sweeps);
+
+}  // namespace frond

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "model/surface.h"
+
+namespace frond {
+
+/// A heap of triangles put in order: what lies at one place is one vertex, neighbours agree on which side is
+/// out, what has no area is gone. See Host.
+struct Soup {
+  std::vector<std::array<Vec3, 3>> corners;
+  std::vector<std::array<std::uint32_t, 3>> vertex;
+  std::vector<std::array<std::uint32_t, 3>> neighbour;  ///< across the edges 01, 12 and 20, or ~0u
+  std::vector<std::uint8_t> solid;                      ///< part of a closed piece
+  std::size_t vertices = 0;
+};
+
+Soup mend_surface(const Surface& surface);
+
+}  // namespace frond
