@@ -74,9 +74,6 @@ bool take(Growing& g, std::int32_t t) {
   Tip& tip = g.tips[t];
   if (tip.gripped) {
     set_hung(g, tip);
-    Laid& held = g.nodes.laid[tip.hung.back()];
-    held.tread = tip.tread;
-    held.hanging = false;
     tip.hung.clear();
   }
   return true;

@@ -7,51 +7,73 @@ namespace frond {
 
 namespace {
 
-/// A place near one that was free, moved out of the host where it came too near. What is known of the room
-/// there saves most questions.
-DVec3 kept_out(Chain& chain, const Host& host, std::size_t i, const DVec3& to) {
-  DVec3& clear = chain.clear[i];
-  double& room = chain.room[i];
-  DVec3 way = to - clear;
-  if (glm::dot(way, way) < (room - chain.lift) * (room - chain.lift) && room > chain.lift) return to;
-  DVec3 place = to;
-  if (std::optional<Crossing> wall = host.crossing(clear, to)) {
-    DVec3 face = glm::dot(wall->normal, way) > 0 ? -wall->normal : wall->normal;
-    place = clear + way * wall->share + face * chain.lift;
-    // In a corner the lift may lead through the next wall.
-    if (std::optional<Crossing> next = host.crossing(clear + way * (0.999 * wall->share), place))
-      return clear;
+/// What hinders the end of link `i`, which begins at `at`, from being at `to`: the way to push it, or
+/// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
+/// from now on.
+std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, const DVec3& at,
+                               const DVec3& to) {
+  DVec3 way = to - chain.clear[i];
+  double gone = glm::length(way), reach = 4 * chain.link;
+  double room = chain.room[i] - gone;
+  if (room < chain.lift) {
+    if (std::optional<Crossing> wall = host.crossing(chain.clear[i], to)) {
+      DVec3 face = glm::dot(wall->normal, way) > 0 ? -wall->normal : wall->normal;
+      return face * (chain.lift - (1 - wall->share) * glm::dot(way, face));
+    }
+    std::optional<Contact> near = host.closest(to, reach);
+    room = near ? near->distance : reach;
+    if (near && room < 0.98 * chain.lift) {
+      if (room < 1e-6 * chain.lift) return -way;
+      return (to - near->point) * (chain.lift / room - 1);
+    }
   }
-  std::optional<Contact> near = host.closest(place, 64 * chain.lift + 4 * chain.link);
-  double distance = near ? near->distance : 64 * chain.lift + 4 * chain.link;
-  if (near && distance < chain.lift && distance > 1e-6 * chain.lift) {
-    place = near->point + (place - near->point) * (chain.lift / distance);
-    distance = chain.lift;
+  // Where balls of free room round both ends do not meet, the link between may cut an edge.
+  double below = i == 0 ? 0 : chain.room[i - 1] - glm::distance(chain.clear[i - 1], at);
+  if (room + below < chain.link)
+    if (std::optional<Crossing> edge = host.crossing(at, to)) {
+      DVec3 face = glm::dot(edge->normal, to - at) > 0 ? -edge->normal : edge->normal;
+      return face * (0.1 * chain.link + chain.lift);
+    }
+  chain.clear[i] = to;
+  chain.room[i] = room;
+  return std::nullopt;
+}
+
+/// Puts the end of link `i` as near to a direction as the host lets it. False where there is no way.
+bool place_link(Chain& chain, const Host& host, std::size_t i, const DVec3& at, DVec3 direction) {
+  for (int again = 0; again < 8; ++again) {
+    DVec3 to = at + direction * chain.link;
+    std::optional<DVec3> push = hindrance(chain, host, i, at, to);
+    if (!push) {
+      chain.place[i] = to;
+      return true;
+    }
+    DVec3 aside = direction * chain.link + *push * (1 + 0.5 * again);
+    double length = glm::length(aside);
+    if (!(length > 0)) return false;
+    direction = aside / length;
   }
-  clear = place;
-  room = distance;
-  return place;
+  return false;
 }
 
 }  // namespace
 
-void lengthen(Chain& chain, const Host& host, const DVec3& direction) {
+bool lengthen(Chain& chain, const Host& host, const DVec3& direction) {
   DVec3 from = chain.place.empty() ? chain.root : chain.place.back();
-  chain.place.push_back(from + direction * chain.link);
+  chain.place.push_back(from);
   chain.clear.push_back(from);
   chain.room.push_back(0);
-  std::size_t i = chain.place.size() - 1;
-  DVec3 free = kept_out(chain, host, i, chain.place[i]) - from;
-  double length = glm::length(free);
-  if (length > 0) chain.place[i] = from + free * (chain.link / length);
+  if (place_link(chain, host, chain.place.size() - 1, from, direction)) return true;
+  chain.place.pop_back();
+  chain.clear.pop_back();
+  chain.room.pop_back();
+  return false;
 }
 
 double settle(Chain& chain, const Host& host, int sweeps) {
   constexpr double kEager = 1.5;  // over-relaxation
   std::size_t n = chain.place.size();
   std::vector<DVec3> link(n);
-  for (std::size_t i = 0; i < n; ++i)
-    link[i] = (chain.place[i] - (i == 0 ? chain.root : chain.place[i - 1])) / chain.link;
   double stiff = chain.stiffness * chain.stiffness * chain.stiffness / chain.link;
   double weight = chain.link * chain.link, moved = 0;
   auto bend = [&](std::size_t i) {
@@ -64,22 +86,21 @@ double settle(Chain& chain, const Host& host, int sweeps) {
     if (length > 1e-12 * force && force > 0) link[i] = eager / length;
   };
   for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (std::size_t i = 0; i < n; ++i)
+      link[i] = (chain.place[i] - (i == 0 ? chain.root : chain.place[i - 1])) / chain.link;
     for (std::size_t i = 0; i < n; ++i) bend(i);
     for (std::size_t i = n; i-- > 0;) bend(i);
+    Chain before = chain;
     moved = 0;
     DVec3 at = chain.root;
     for (std::size_t i = 0; i < n; ++i) {
-      DVec3 to = at + link[i] * chain.link;
-      for (int again = 0; again < 3; ++again) {
-        DVec3 free = kept_out(chain, host, i, to);
-        if (free == to) break;
-        DVec3 way = free - at;
-        double length = glm::length(way);
-        if (length > 0) to = at + way * (chain.link / length);
+      if (!place_link(chain, host, i, at, link[i])) {
+        // Wedged: it stays as it was.
+        chain = std::move(before);
+        return 0;
       }
-      moved = std::max(moved, glm::distance(to, chain.place[i]) / chain.link);
-      link[i] = (to - at) / chain.link;
-      at = chain.place[i] = to;
+      at = chain.place[i];
+      moved = std::max(moved, glm::distance(at, before.place[i]) / chain.link);
     }
   }
   return moved;

@@ -12,14 +12,15 @@ struct Chain {
   double stiffness = 0.1;    ///< metres that it stands out before its own weight bends it down
   double lift = 0.003;       ///< metres that it keeps off the host
   std::vector<DVec3> place;  ///< ends of the links
-  std::vector<DVec3> clear;  ///< where room was measured, for each
+  std::vector<DVec3> clear;  ///< where room was measured last, for each
   std::vector<double> room;  ///< metres from there to the host
 
   double length() const { return link * static_cast<double>(place.size()); }
 };
 
-/// Appends a link in a direction (of length 1).
-void lengthen(Chain& chain, const Host& host, const DVec3& direction);
+/// Appends a link in a direction (of length 1), or beside it where the host is in the way. False, and nothing
+/// is appended, where there is no room.
+bool lengthen(Chain& chain, const Host& host, const DVec3& direction);
 
 /// Lets weight and stiffness bend the chain, `sweeps` times over, and keeps it out of the host. Links keep
 /// their length. Returns the farthest that any joint moved in the last sweep, as a share of a link.

@@ -251,7 +251,8 @@ std::optional<Contact> Host::closest(const DVec3& place, double within, std::uin
   contact.inside = glm::dot(way, contact.normal) < 0;
   if (contact.distance > 1e-12 * size()) {
     DVec3 out = way / (contact.inside ? -contact.distance : contact.distance);
-    contact.normal = glm::normalize(out + 0.3 * contact.normal);
+    // On the surface itself there is no such direction; the feature's takes over.
+    contact.normal = glm::normalize(out + (1e-7 * size() / contact.distance) * contact.normal);
   }
   return contact;
 }

@@ -17,7 +17,7 @@ namespace frond {
 struct Contact {
   DVec3 point{0};
   /// Of length 1, outward, continuous where the place moves over edges: the direction from `point` to the
-  /// place, blended with the normal of the face, the edge or the corner that `point` lies on.
+  /// place, and on the surface itself the normal of the face, the edge or the corner that `point` lies on.
   DVec3 normal{0, 1, 0};
   double distance = 0;  ///< metres, >= 0
   std::uint32_t triangle = 0;

@@ -57,12 +57,13 @@ void swing_strands(const Strands& strands, const Breeze& breeze, double time, st
     // No farther than there is room: a turn by an angle moves a node by less than that times its lever.
     double most = breeze.amplitude;
     Vec3 base = rest.position[root];
-    Vec3 axis = run.bridged ? rest.position[run.last + 1] - base : Vec3(0);
+    Vec3 axis = run.bridged ? rest.position[run.last] - base : Vec3(0);
     bool bridged = glm::length(axis) > 1e-6f;
     if (bridged) axis = glm::normalize(axis);
     for (std::int32_t i = run.first; i <= run.last; ++i) {
-      double lever = rest.distance[i] - rest.distance[root];
-      if (lever > 1e-9) most = std::min(most, 0.6 * strands.room[i] / lever);
+      double lever = bridged ? glm::length(glm::cross(axis, rest.position[i] - base))
+                             : rest.distance[i] - rest.distance[root];
+      if (lever > 1e-3 * length) most = std::min(most, 0.6 * strands.room[i] / lever);
     }
     // Each strand has its own moment; frequencies are those of a heavy chain: j0 of the Bessel function.
     double phase = breeze.phase + 2 * kPi * Seed{static_cast<std::uint64_t>(run.first)}.child(7).unit();

@@ -96,7 +96,10 @@ void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) 
 /// Takes hold again where the end of the chain touches the host.
 void grip(Tip& tip, const Host& host, const Crawl& crawl) {
   Chain& chain = tip.chain;
-  auto touches = [&] { return chain.room.back() < 1.2 * chain.lift; };
+  auto touches = [&] {
+    double moved = glm::distance(chain.clear.back(), chain.place.back());
+    return chain.room.back() - moved < 1.2 * chain.lift;
+  };
   if (chain.place.size() < 3 || !touches()) return;
   settle(chain, host, 100);
   if (!touches()) return;
@@ -122,7 +125,8 @@ void dangle(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw)
   std::size_t n = chain.place.size();
   DVec3 last = n == 0 ? chain.heading : chain.place[n - 1] - (n == 1 ? chain.root : chain.place[n - 2]);
   DVec3 stray(draw.child(1).range(-1, 1), draw.child(2).range(-1, 1), draw.child(3).range(-1, 1));
-  lengthen(chain, host, glm::normalize(glm::normalize(last) + stray * std::min(0.7 * crawl.wander, 0.5)));
+  DVec3 ahead = glm::normalize(glm::normalize(last) + stray * std::min(0.7 * crawl.wander, 0.5));
+  if (!lengthen(chain, host, ahead)) return block(tip, crawl, End::stuck);
   settle(chain, host, 2);
   tip.along += chain.link;
   DVec3 along = glm::normalize(last);

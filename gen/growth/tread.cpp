@@ -40,17 +40,25 @@ bool cuts(const Host& host, const DVec3& from, const DVec3& to, double turn, dou
 }
 
 /// Up to the wall that a stride runs into; from there it climbs.
-Stride climb(const Tread& from, const Crossing& wall, double length, double lift) {
+Stride climb(const Host& host, const Tread& from, const Crossing& wall, double length, double lift) {
   DVec3 face = glm::dot(wall.normal, from.heading) > 0 ? -wall.normal : wall.normal;
   double steep = std::max(-glm::dot(face, from.heading), 1e-3);
   double run = std::max(wall.share * length - lift / steep, 0.0);
   Stride s{from, run, Footing::held};
-  s.tread.place += from.heading * run;
-  double off = (wall.share * length - run) * steep;
-  s.tread.contact = s.tread.place - face * off;
-  s.tread.normal = face;
-  s.tread.heading = carried_along(from.heading, from.normal, face);
-  s.tread.triangle = wall.triangle;
+  Tread& t = s.tread;
+  t.place += from.heading * run;
+  t.normal = face;
+  if (std::optional<Crossing> foot = host.crossing(t.place, t.place - face * (1.01 * lift))) {
+    t.contact = t.place - face * (1.01 * lift * foot->share);
+    t.triangle = foot->triangle;
+  } else if (std::optional<Contact> near = host.closest(t.place); near->distance > 1e-3 * lift) {
+    // The wall was only grazed: its plane goes on where it does not.
+    t.contact = near->point;
+    t.triangle = near->triangle;
+    t.normal = (t.place - near->point) / near->distance;
+    t.place = t.contact + t.normal * std::min(near->distance, lift);
+  }
+  t.heading = carried_along(from.heading, from.normal, t.normal);
   return s;
 }
 
@@ -58,7 +66,7 @@ Stride climb(const Tread& from, const Crossing& wall, double length, double lift
 std::optional<Stride> attempt(const Host& host, const Tread& from, double length, double lift) {
   DVec3 ahead = from.place + from.heading * length;
   if (std::optional<Crossing> wall = host.crossing(from.place, ahead))
-    return climb(from, *wall, length, lift);
+    return climb(host, from, *wall, length, lift);
   std::optional<Contact> under = host.closest(ahead, 2 * (length + lift), from.triangle);
   if (!under) return std::nullopt;
   Stride s{from, 0, Footing::held};
