@@ -25,23 +25,37 @@ int read_number(std::string_view& text) {
   return number;
 }
 
-/// Reads the OBJ files that organs of the preset name.
+/// Reads an OBJ file as seen from the preset's folder or, where it is not there, from the working folder.
+Result<Surface> load_mesh(const std::string& file, const fs::path& preset_path) {
+  std::error_code error;
+  fs::path path = preset_path.parent_path() / file;
+  if (!fs::exists(path, error) && fs::exists(file, error)) path = file;
+  Result<std::string> text = read_file(path);
+  Result<Surface> mesh = text ? read_obj(*text) : text.errors();
+  if (!mesh) return Error{path.string(), mesh.errors().front().what};
+  return to_unit(std::move(*mesh));
+}
+
+/// Reads the OBJ files that the preset names.
 Errors load_meshes(Preset& preset, const fs::path& preset_path) {
   Errors errors;
-  for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
-    auto* plant = std::get_if<PlantParams>(&preset.organisms[i].body);
-    for (std::size_t k = 0; plant && k < plant->organs.size(); ++k) {
-      OrganParams& organ = plant->organs[k];
-      if (organ.shape != OrganShape::obj) continue;
-      fs::path path = preset_path.parent_path() / organ.file;
-      Result<std::string> text = read_file(path);
-      Result<Surface> mesh = text ? read_obj(*text) : text.errors();
-      if (mesh)
-        organ.mesh = to_unit(std::move(*mesh));
-      else
-        errors.push_back({fmt::format("{}: /organisms/{}/organs/{}/file", preset_path.string(), i, k),
-                          fmt::format("{} {}", path.string(), mesh.errors().front().what)});
+  auto load = [&](const std::string& file, const std::string& pointer, Surface& mesh) {
+    Result<Surface> loaded = load_mesh(file, preset_path);
+    if (loaded) {
+      mesh = std::move(*loaded);
+      return;
     }
+    const Error& error = loaded.errors().front();
+    errors.push_back({fmt::format("{}: {}", preset_path.string(), pointer),
+                      fmt::format("{} {}", error.where, error.what)});
+  };
+  for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
+    if (auto* body = std::get_if<MeshParams>(&preset.organisms[i].body))
+      load(body->file, fmt::format("/organisms/{}/file", i), body->mesh);
+    auto* plant = std::get_if<PlantParams>(&preset.organisms[i].body);
+    for (std::size_t k = 0; plant && k < plant->organs.size(); ++k)
+      if (OrganParams& organ = plant->organs[k]; organ.shape == OrganShape::obj)
+        load(organ.file, fmt::format("/organisms/{}/organs/{}/file", i, k), organ.mesh);
   }
   return errors;
 }

@@ -19,7 +19,11 @@ struct MatterRow {
   std::string_view include, macro;
 };
 
-constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"}};
+constexpr MatterRow kMatters[] = {
+    {Matter::plain, "matter", "Matter_Plain"},       {Matter::brick, "masonry", "Masonry_Brick"},
+    {Matter::mortar, "masonry", "Masonry_Mortar"},   {Matter::limestone, "masonry", "Masonry_Limestone"},
+    {Matter::plaster, "masonry", "Masonry_Plaster"}, {Matter::paint, "masonry", "Masonry_Paint"},
+    {Matter::pane, "masonry", "Masonry_Pane"}};
 
 const MatterRow& row_of(Matter matter) {
   return *std::find_if(std::begin(kMatters), std::end(kMatters),
@@ -62,8 +66,8 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
     if (solids.shape[i] != shape) continue;
     lines += "object{";
     append_solid_name(lines, organism, shape);
-    if (own) append_material(lines, solid.material);
     lines += ' ';
+    if (own) append_material(lines, solid.material);
     glm::mat3 frame = glm::mat3_cast(solids.turn[i]);
     for (int axis = 0; axis < 3; ++axis) frame[axis] *= solids.scale[i][axis];
     append_matrix(lines, space, frame, solids.position[i]);

@@ -59,7 +59,7 @@ class Mason {
     double end = s_.width / 2, top = courses_ * course_;
     double left = std::clamp(o.at - o.width / 2, -end, end),
            right = std::clamp(o.at + o.width / 2, -end, end);
-    double low = o.door ? 0 : std::clamp(snapped(o.sill), 0.0, top);
+    double low = o.kind == WallHole::door ? 0 : std::clamp(snapped(o.sill), 0.0, top);
     double high = std::clamp(snapped(low + o.height), 0.0, top);
     if (right - left < 0.05 || high - low < course_) return;
     double bearing = 0.14, lintel = std::min(top, high + 2 * course_);
@@ -68,8 +68,10 @@ class Mason {
     regions_.push_back({left, right, low, fallen ? top : high, true});
     if (fallen) return;
     if (lintel > high) add_stone(left - bearing, right + bearing, high, lintel, 0.012, 0.012);
-    if (!o.door && low > course_) add_stone(left - 0.06, right + 0.06, low - course_, low, 0.055, 0.01);
-    append_joinery(wall_.blocks, {left, right, low, high, s_.thickness, o.door});
+    if (o.kind != WallHole::door && low > course_)
+      add_stone(left - 0.06, right + 0.06, low - course_, low, 0.055, 0.01);
+    if (o.kind != WallHole::gap)
+      append_joinery(wall_.blocks, {left, right, low, high, s_.thickness, o.kind == WallHole::door});
   }
 
   /// A stone through the wall, proud of its front and back.

@@ -7,11 +7,17 @@
 
 namespace frond {
 
-/// A window or a door. Metres; snapped to the courses.
+enum class WallHole {
+  window,  ///< with frame and panes
+  door,    ///< down to the ground, with a leaf of planks
+  gap      ///< nothing stands in it
+};
+
+/// A hole in a wall. Metres; snapped to the courses.
 struct WallOpening {
-  bool door = false;    ///< down to the ground, with a leaf of planks; else a window with panes
+  WallHole kind = WallHole::window;
   double at = 0;        ///< of its middle along the wall, from the wall's middle
-  double sill = 0.9;    ///< height of a window's lower edge
+  double sill = 0.9;    ///< height of its lower edge; a door has none
   double width = 1.0;   ///< >= 0.2
   double height = 1.3;  ///< >= 0.2
 };

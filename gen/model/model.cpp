@@ -71,7 +71,8 @@ std::string Model::check() const {
   }
   if (std::string fault = check_organs(*this); !fault.empty()) return fault;
   if (std::string fault = check_blades(*this); !fault.empty()) return fault;
-  return solids.check();
+  if (std::string fault = solids.check(); !fault.empty()) return fault;
+  return hull.check();
 }
 
 }  // namespace frond

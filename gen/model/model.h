@@ -61,6 +61,7 @@ struct Model {
   Organs organs;
   Blades blades;
   Solids solids;
+  Surface hull;  ///< in place of the solids, what creepers hold on to; empty: the solids themselves
 
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;

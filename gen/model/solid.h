@@ -11,7 +11,13 @@ namespace frond {
 
 /// What a solid is made of; gen/emit/solid.cpp has the macro of each.
 enum class Matter {
-  plain  ///< one matt colour
+  plain,      ///< one matt colour
+  brick,      ///< fired clay, no two alike
+  mortar,     ///< sandy, between bricks
+  limestone,  ///< dressed, weathered
+  plaster,    ///< lime, flaking
+  paint,      ///< on wood
+  pane        ///< a window before a dark room
 };
 
 /// The surface of a solid.

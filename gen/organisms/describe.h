@@ -1,5 +1,6 @@
 #pragma once
 
+#include "organisms/describe_host.h"
 #include "organisms/describe_plant.h"
 #include "organisms/organism.h"
 #include "preset/reader.h"
@@ -210,7 +211,9 @@ void describe(Visitor& v, Organism& o) {
 /// The table of growers: one row a kind.
 inline constexpr Kind<Organism> kOrganismKinds[] = {
     make_kind<CoralParams, &Organism::body>("coral", "A branching coral from an L-system"),
-    make_kind<PlantParams, &Organism::body>("plant",
-                                            "Anything that an L-system draws: herbs, trees, curves")};
+    make_kind<PlantParams, &Organism::body>("plant", "Anything that an L-system draws: herbs, trees, curves"),
+    make_kind<WallParams, &Organism::body>("wall", "A wall of bricks with windows and doors, or its ruin"),
+    make_kind<ColumnParams, &Organism::body>("column", "A column of stone, whole or broken"),
+    make_kind<MeshParams, &Organism::body>("mesh", "A body from an OBJ file")};
 
 }  // namespace frond

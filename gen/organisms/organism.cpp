@@ -14,6 +14,9 @@ struct Grow {
     return model;
   }
   Result<Model> operator()(const PlantParams& params) const { return grow_plant(params, seed); }
+  Result<Model> operator()(const WallParams& params) const { return build_wall_model(params, seed); }
+  Result<Model> operator()(const ColumnParams& params) const { return build_column_model(params); }
+  Result<Model> operator()(const MeshParams& params) const { return build_mesh_model(params); }
 };
 
 struct Check {
@@ -27,6 +30,9 @@ struct Check {
     Result<Grammar> grammar = plant_grammar(params);
     return grammar ? Errors{} : grammar.errors();
   }
+  Errors operator()(const WallParams&) const { return {}; }
+  Errors operator()(const ColumnParams&) const { return {}; }
+  Errors operator()(const MeshParams&) const { return {}; }
 };
 
 struct Foresee {
@@ -45,6 +51,10 @@ struct Foresee {
     if (Errors errors = refuse(word, grammar->text.limits); !errors.empty()) return errors;
     return Foresight{word, 1 + word.segments * params.smoothing};
   }
+  // Bodies have no branches.
+  Result<Foresight> operator()(const WallParams&) const { return Foresight{}; }
+  Result<Foresight> operator()(const ColumnParams&) const { return Foresight{}; }
+  Result<Foresight> operator()(const MeshParams&) const { return Foresight{}; }
 };
 
 }  // namespace

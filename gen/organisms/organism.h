@@ -9,6 +9,7 @@
 #include "grammar/forecast.h"
 #include "model/model.h"
 #include "organisms/coral.h"
+#include "organisms/host.h"
 #include "organisms/plant.h"
 
 namespace frond {
@@ -34,7 +35,7 @@ struct Organism {
   std::string name;  ///< the user's name for it, for messages and comments
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
-  std::variant<CoralParams, PlantParams> body;
+  std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams> body;
 };
 
 /// What an organism is made of at the end of its growth, with its foot at the origin.

@@ -122,6 +122,8 @@ void put_parts(Branches& b, Vec3 foot, Quat turn, float size) {
     b.solids.turn[i] = glm::normalize(turn * b.solids.turn[i]);
     b.solids.scale[i] *= size;
   }
+  for (Vec3& p : b.hull.position) p = foot + turn * (p * size);
+  for (Vec3& n : b.hull.normal) n = turn * n;
   for (Vec3& p : b.blades.foot) p = foot + turn * (p * size);
   for (Vec3& p : b.blades.surface.position) p = foot + turn * (p * size);
   for (Vec3& n : b.blades.surface.normal) n = turn * n;
@@ -153,6 +155,9 @@ struct Dress {
     branches.motion = {params.growth, params.wave, {}, 1};
     vary(params.bark.variation);
   }
+  void operator()(const WallParams&) {}
+  void operator()(const ColumnParams&) {}
+  void operator()(const MeshParams&) {}
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
@@ -164,6 +169,7 @@ void settle(Branches& branches, Model&& model, Vec3 foot, Quat turn, float size)
   branches.organs = std::move(model.organs);
   branches.blades = std::move(model.blades);
   branches.solids = std::move(model.solids);
+  branches.hull = std::move(model.hull);
   put(branches.rest, foot, turn, size);
   put_parts(branches, foot, turn, size);
 }

@@ -15,7 +15,7 @@ WallShape with_window() {
   WallShape shape;
   shape.width = 3.2;
   shape.height = 2.4;
-  shape.openings = {{false, 0.5, 0.8, 1.0, 1.1}, {true, -0.9, 0, 0.8, 1.9}};
+  shape.openings = {{WallHole::window, 0.5, 0.8, 1.0, 1.1}, {WallHole::door, -0.9, 0, 0.8, 1.9}};
   return shape;
 }
 
@@ -89,7 +89,8 @@ TEST(Wall, FallsDownFromAbove) {
 
 TEST(Wall, TakesOpeningsThatDoNotFit) {
   WallShape shape;
-  shape.openings = {{false, 9, 0, 1, 1}, {true, 0, 0, 40, 40}, {false, -1.9, 2.4, 0.5, 3}};
+  shape.openings = {
+      {WallHole::window, 9, 0, 1, 1}, {WallHole::door, 0, 0, 40, 40}, {WallHole::gap, -1.9, 2.4, 0.5, 3}};
   Wall wall = build_wall(shape, Seed{1});
   EXPECT_EQ(wall.hull.check(), "");
   shape.width = 0.1, shape.height = 0.05, shape.thickness = 0.05;

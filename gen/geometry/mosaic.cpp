@@ -1,0 +1,144 @@
+#include "geometry/mosaic.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/seed.h"
+
+namespace frond {
+
+namespace {
+
+/// Discs in a grid of buckets that are found by a hash of the cell; a bucket may hold several cells.
+class DiscGrid {
+ public:
+  DiscGrid(std::size_t expected, float cell) : cell_(cell) {
+    std::size_t size = 64;
+    while (size < 2 * expected) size *= 2;
+    head_.assign(size, -1);
+  }
+
+  void add(const Disc& disc) {
+    std::size_t slot = slot_of(glm::ivec3(glm::floor(disc.middle / cell_)));
+    next_.push_back(head_[slot]);
+    head_[slot] = static_cast<std::int32_t>(discs_.size());
+    discs_.push_back(disc);
+  }
+
+  /// The discs whose middle is within `reach` of a place.
+  void near(Vec3 at, float reach, std::vector<Disc>& found) const {
+    found.clear();
+    glm::ivec3 low(glm::floor((at - reach) / cell_)), high(glm::floor((at + reach) / cell_));
+    for (int x = low.x; x <= high.x; ++x)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int z = low.z; z <= high.z; ++z)
+          for (std::int32_t i = head_[slot_of({x, y, z})]; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
+            const Disc& disc = discs_[static_cast<std::size_t>(i)];
+            if (glm::ivec3(glm::floor(disc.middle / cell_)) != glm::ivec3(x, y, z)) continue;
+            if (glm::distance(disc.middle, at) <= reach) found.push_back(disc);
+          }
+  }
+
+ private:
+  std::size_t slot_of(glm::ivec3 c) const {
+    auto bits = [](int v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)); };
+    return Seed::mix(bits(c.x) * 0x9e3779b97f4a7c15ull ^ Seed::mix(bits(c.y) + Seed::mix(bits(c.z)))) &
+           (head_.size() - 1);
+  }
+
+  float cell_;
+  std::vector<std::int32_t> head_, next_;
+  std::vector<Disc> discs_;
+};
+
+Disc placed(const Disc& disc, const LeafSite& site, const Quat& turn) {
+  return {site.foot + turn * (disc.middle * site.size), turn * disc.normal, disc.radius * site.size};
+}
+
+/// How much of a disc earlier ones cover, seen along its normal.
+float covered_area(const Disc& disc, std::span<const Disc> others, float depth) {
+  float sum = 0;
+  for (const Disc& other : others) {
+    Vec3 way = other.middle - disc.middle;
+    float high = glm::dot(way, disc.normal), facing = glm::dot(other.normal, disc.normal);
+    if (std::abs(high) > depth * disc.radius || facing <= 0.2f) continue;
+    float apart = std::sqrt(std::max(glm::dot(way, way) - high * high, 0.0f));
+    if (apart < disc.radius + other.radius)
+      sum += facing * static_cast<float>(lens_area(disc.radius, other.radius, apart));
+  }
+  return sum;
+}
+
+struct Sizes {
+  float reach = 0, disc = 0;  // of the farthest rim of any form, and of its largest disc
+};
+
+Sizes sizes_of(std::span<const LeafForm> forms) {
+  Sizes s;
+  for (const LeafForm& form : forms)
+    for (const Disc& d : form.discs) {
+      s.reach = std::max(s.reach, glm::length(d.middle) + d.radius);
+      s.disc = std::max(s.disc, d.radius);
+    }
+  return s;
+}
+
+}  // namespace
+
+double lens_area(double r, double s, double d) {
+  if (d >= r + s) return 0;
+  if (d <= std::abs(r - s)) return kPi * std::min(r, s) * std::min(r, s);
+  double a = std::acos(std::clamp((d * d + r * r - s * s) / (2 * d * r), -1.0, 1.0));
+  double b = std::acos(std::clamp((d * d + s * s - r * r) / (2 * d * s), -1.0, 1.0));
+  return r * r * (a - std::sin(2 * a) / 2) + s * s * (b - std::sin(2 * b) / 2);
+}
+
+Quat leaf_turn(Vec3 normal, Vec3 tip) {
+  Vec3 along = tip - glm::dot(tip, normal) * normal;
+  if (glm::dot(along, along) < 1e-8f)
+    along = std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) - normal.y * normal : Vec3(1, 0, 0) - normal.x * normal;
+  along = glm::normalize(along);
+  return glm::normalize(glm::quat_cast(glm::mat3(glm::cross(along, normal), along, normal)));
+}
+
+std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<const LeafForm> forms,
+                                 const MosaicOptions& options) {
+  std::vector<LaidLeaf> laid;
+  Sizes sizes = sizes_of(forms);
+  float largest = 0;
+  for (const LeafSite& site : sites) largest = std::max(largest, site.size);
+  if (!(largest * sizes.disc > 0)) return laid;
+  DiscGrid grid(sites.size(), 2 * largest * sizes.disc);
+  std::vector<Disc> near;
+  int turns = std::max(1, options.turns);
+  for (std::uint32_t i = 0; i < sites.size(); ++i) {
+    const LeafSite& site = sites[i];
+    grid.near(site.foot, site.size * sizes.reach + largest * sizes.disc, near);
+    LaidLeaf best{i, site.first};
+    float least = INFINITY;
+    Quat preferred = leaf_turn(site.normal, site.tip);
+    for (int t = 0; t < turns && least > 0; ++t) {
+      // 0, then to one side and the other, farther each time.
+      double share = turns > 1 ? ((t + 1) / 2) * (t % 2 ? 1.0 : -1.0) / (turns / 2) : 0;
+      Quat turn = preferred * glm::angleAxis(static_cast<float>(options.swing * share), Vec3(0, 0, 1));
+      for (std::uint32_t f = site.first; f < site.first + site.forms && least > 0; ++f) {
+        float area = 0, covered = 0;
+        for (const Disc& disc : forms[f].discs) {
+          Disc own = placed(disc, site, turn);
+          area += static_cast<float>(kPi) * own.radius * own.radius;
+          covered += covered_area(own, near, static_cast<float>(options.depth));
+        }
+        covered /= area;
+        if (covered >= least) continue;
+        least = covered;
+        best.form = f, best.turn = turn, best.covered = covered;
+      }
+    }
+    if (least > options.overlap) continue;
+    laid.push_back(best);
+    for (const Disc& disc : forms[best.form].discs) grid.add(placed(disc, site, best.turn));
+  }
+  return laid;
+}
+
+}  // namespace frond

@@ -1,0 +1,68 @@
+#include "organisms/host.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "geometry/obj.h"
+#include "organisms/organism.h"
+#include "solids.h"
+
+namespace frond {
+namespace {
+
+TEST(Host, WallIsBricksInTonesBeforeMortar) {
+  WallParams params;
+  params.shape.openings = {{WallHole::window, 0.5, 0.8, 1.0, 1.1}};
+  Model model = build_wall_model(params, Seed{1});
+  EXPECT_EQ(model.check(), "");
+  EXPECT_TRUE(closed(model.hull));
+  std::set<float> tones;
+  std::size_t bricks = 0;
+  for (std::size_t i = 0; i < model.solids.size(); ++i) {
+    const Material& m = model.solids.shapes[model.solids.shape[i]].material;
+    if (m.matter == Matter::brick) ++bricks, tones.insert(m.color.red);
+  }
+  EXPECT_GT(bricks, 800u);
+  EXPECT_GE(tones.size(), 8u);
+  // Each seed builds another wall of the same size.
+  Model other = build_wall_model(params, Seed{2});
+  EXPECT_EQ(other.solids.size(), model.solids.size());
+  EXPECT_NE(other.solids.shape, model.solids.shape);
+}
+
+TEST(Host, ColumnIsWhatIvyHoldsOnTo) {
+  Model model = build_column_model({});
+  EXPECT_EQ(model.check(), "");
+  EXPECT_TRUE(closed(model.hull));
+  EXPECT_EQ(model.solids.size(), 1u);
+  EXPECT_EQ(model.solids.shapes[0].surface.triangle.size(), model.hull.triangle.size());
+}
+
+TEST(Host, MeshIsScaledToItsSize) {
+  MeshParams params;
+  params.file = "box.obj";
+  EXPECT_FALSE(build_mesh_model(params).ok()) << "nothing has been read";
+  params.mesh =
+      to_unit(*read_obj("v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+  params.size = 3;
+  Result<Model> model = build_mesh_model(params);
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model->check(), "");
+  Surface all = merged(model->solids);
+  float top = 0, low = 1;
+  for (const Vec3& p : all.position) top = std::max(top, p.y), low = std::min(low, p.y);
+  EXPECT_NEAR(top, 3, 1e-5);
+  EXPECT_NEAR(low, 0, 1e-5);
+}
+
+TEST(Host, StandsInATableOfKinds) {
+  Organism organism;
+  organism.body = ColumnParams{};
+  EXPECT_TRUE(grow(organism, Seed{1}).ok());
+  EXPECT_TRUE(check(organism).empty());
+  EXPECT_TRUE(foresee(organism, Seed{1}).ok());
+}
+
+}  // namespace
+}  // namespace frond
