@@ -37,7 +37,7 @@ struct Branches {
   Organs organs;
   Blades blades;
   Solids solids;
-  Surface hull;  ///< what creepers hold on to where that is not the solids themselves
+  Surface hull;                  ///< what creepers hold on to where that is not the solids themselves
   std::optional<Stages> stages;  ///< of what grows by steps; all else above is how it ends
 };
 

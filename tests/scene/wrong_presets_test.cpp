@@ -357,7 +357,8 @@ void expect_messages(std::span<const WrongPreset> presets) {
       if (message.starts_with("reef.json:")) message.erase(0, message.find(':') + 1);
       // How many there are changes with each new property.
       message = std::regex_replace(message, std::regex("[0-9]+ known names"), "N known names");
-      messages.push_back(std::regex_replace(message, std::regex("one of coral, plant[a-z_, ]*"), "one of the kinds"));
+      messages.push_back(
+          std::regex_replace(message, std::regex("one of coral, plant[a-z_, ]*"), "one of the kinds"));
     }
     EXPECT_EQ(messages, wrong.messages) << wrong.name << "\n" << wrong.text;
   }
