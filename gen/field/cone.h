@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/vec.h"
+
+namespace frond {
+
+/// A stretch of a branch: the hull of two spheres, and how far places are from it. Metres.
+struct Cone {
+  Vec3 from{0};
+  Vec3 axis{0, 1, 0};  ///< of length 1, toward the other end
+  float length = 0;    ///< between the middles of the two spheres
+  float radius = 0;    ///< of the sphere at `from`
+  float taper = 0;     ///< by how much the radius shrinks on a metre of the axis; within -0.98..0.98
+  float lean = 0;      ///< how far along the axis the foot of a perpendicular slides for a metre away from it
+  std::int32_t node = 0;  ///< of the skeleton, at its end
+
+  float end_radius() const { return radius - taper * length; }
+  Vec3 to() const { return from + axis * length; }
+};
+
+/// The hull of two spheres. Where one of them holds the other it is that one alone.
+inline Cone make_cone(Vec3 from, float from_radius, Vec3 to, float to_radius, std::int32_t node) {
+  Cone cone{from, Vec3(0, 1, 0), 0, from_radius, 0, 0, node};
+  Vec3 way = to - from;
+  float length = glm::length(way), drop = from_radius - to_radius;
+  if (std::abs(drop) >= 0.98f * length) {
+    if (drop < 0) cone.from = to, cone.radius = to_radius;
+    return cone;
+  }
+  cone.axis = way / length;
+  cone.length = length;
+  cone.taper = drop / length;
+  cone.lean = cone.taper / std::sqrt(1 - cone.taper * cone.taper);
+  return cone;
+}
+
+/// How far along the axis the nearest point of the cone has its foot.
+inline float foot_along(const Cone& cone, Vec3 away) {
+  float along = glm::dot(away, cone.axis);
+  float across = std::sqrt(std::max(glm::dot(away, away) - along * along, 0.0f));
+  return std::clamp(along - across * cone.lean, 0.0f, cone.length);
+}
+
+/// The distance from the surface, negative inside; exact.
+inline float distance(const Cone& cone, Vec3 at) {
+  Vec3 away = at - cone.from;
+  float foot = foot_along(cone, away);
+  return glm::length(away - cone.axis * foot) - (cone.radius - cone.taper * foot);
+}
+
+/// The direction in which that distance grows; of length 1.
+inline Vec3 outward(const Cone& cone, Vec3 at) {
+  Vec3 away = at - cone.from;
+  away -= cone.axis * foot_along(cone, away);
+  float length = glm::length(away);
+  return length > 0 ? away / length : Vec3(0, 1, 0);
+}
+
+}  // namespace frond

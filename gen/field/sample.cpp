@@ -1,0 +1,171 @@
+#include <array>
+#include <limits>
+
+#include "field/limbs.h"
+
+namespace frond {
+
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::max();
+
+Nearest nearest_of(const Limbs& limbs, const Forks& forks, const Arm& arm, Vec3 at) {
+  Nearest best{kNone, 0};
+  for (std::uint32_t m = arm.first; m < arm.last; ++m) {
+    float d = distance(limbs.cones[forks.member[m]], at);
+    if (d < best.distance) best = {d, forks.member[m]};
+  }
+  return best;
+}
+
+/// How far two arms are blended into each other; metres.
+float blend_width(const Limbs& limbs, const Arm& a, const Arm& b) {
+  return limbs.blend * std::min(a.radius, b.radius);
+}
+
+/// The directions in which the arms of a fork face at one place.
+struct Faces {
+  const Limbs& limbs;
+  std::span<const Nearest> arms;
+  Vec3 at;
+  std::array<Vec3, kMostArms> direction{};
+  std::array<bool, kMostArms> known{};
+
+  Vec3 of(std::size_t a) {
+    if (!known[a]) direction[a] = outward(limbs.cones[arms[a].cone], at), known[a] = true;
+    return direction[a];
+  }
+};
+
+}  // namespace
+
+/// The arms of a fork flow into each other: a smooth minimum (the quadratic one of Quilez 2013), but only as
+/// far as they face different ways, so that an arm does not swell where another leaves it from within (the
+/// idea of Gourmel et al. 2013, A gradient-based implicit blend).
+FieldSample blend_arms(const Limbs& limbs, const Forks& forks, std::size_t f, std::span<const Nearest> near,
+                       Vec3 at, bool with_normal) {
+  const Arm* arms = forks.arms.data() + forks.forks[f].first;
+  Faces faces{limbs, near, at};
+  std::array<float, kMostArms> weight{};  // of each arm's slope in that of the whole
+  std::size_t count = near.size(), least = 0;
+  for (std::size_t a = 1; a < count; ++a)
+    if (near[a].distance < near[least].distance) least = a;
+  float low = near[least].distance, pushed = 0;
+  weight[least] = 1;
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = a + 1; b < count; ++b) {
+      float width = blend_width(limbs, arms[a], arms[b]);
+      float near_a = width - (near[a].distance - low), near_b = width - (near[b].distance - low);
+      if (near_a <= 0 || near_b <= 0) continue;
+      float apart = smooth_step(0.02f, 0.7f, 1 - glm::dot(faces.of(a), faces.of(b)));
+      if (apart == 0) continue;
+      near_a /= width, near_b /= width;
+      float both = near_a * near_b;
+      pushed += apart * both * both * width / 4;
+      float share_a = apart * both * near_b / 2, share_b = apart * both * near_a / 2;
+      weight[a] += share_a, weight[b] += share_b;
+      weight[least] -= share_a + share_b;
+    }
+  }
+  FieldSample sample{low - pushed, Vec3(0), static_cast<std::int32_t>(near[least].cone)};
+  if (!with_normal) return sample;
+  for (std::size_t a = 0; a < count; ++a)
+    if (weight[a] != 0) sample.normal += weight[a] * faces.of(a);
+  float length = glm::length(sample.normal);
+  sample.normal = length > 1e-6f ? sample.normal / length : faces.of(least);
+  return sample;
+}
+
+FieldSample sample_limbs(const Limbs& limbs, const Nearby& near, Vec3 at) {
+  FieldSample best{kNone, Vec3(0), -1};
+  for (std::uint32_t i : near.cones) {
+    float d = distance(limbs.cones[i], at);
+    if (d < best.distance) best.distance = d, best.cone = static_cast<std::int32_t>(i);
+  }
+  bool filleted = false;
+  for (std::size_t f = 0; f < near.forks.size(); ++f) {
+    std::array<Nearest, kMostArms> arms;
+    std::size_t first = near.forks.forks[f].first, count = near.forks.forks[f].last - first;
+    for (std::size_t a = 0; a < count; ++a)
+      arms[a] = nearest_of(limbs, near.forks, near.forks.arms[first + a], at);
+    FieldSample fork = blend_arms(limbs, near.forks, f, std::span(arms.data(), count), at, true);
+    if (fork.distance >= best.distance) continue;
+    best.distance = fork.distance, best.normal = fork.normal;
+    if (best.cone < 0) best.cone = fork.cone;
+    filleted = true;
+  }
+  if (!filleted && best.cone >= 0)
+    best.normal = outward(limbs.cones[static_cast<std::size_t>(best.cone)], at);
+  return best;
+}
+
+Nearby all_of(const Limbs& limbs) {
+  Nearby all{{}, limbs.forks, 0};
+  for (std::uint32_t i = 0; i < limbs.cones.size(); ++i) all.cones.push_back(i);
+  return all;
+}
+
+float fillet_reach(const Limbs& limbs, const Forks& forks, std::size_t f) {
+  const Forks::Fork& fork = forks.forks[f];
+  float most = 0, count = static_cast<float>(fork.last - fork.first);
+  for (std::uint32_t a = fork.first; a < fork.last; ++a) most = std::max(most, forks.arms[a].radius);
+  return count * (count - 1) / 2 * limbs.blend * most / 4;
+}
+
+bool choose_fork(const Limbs& limbs, const Forks& from, std::size_t f, Vec3 at, float half, float band,
+                 Forks* to) {
+  const Forks::Fork& fork = from.forks[f];
+  std::array<float, kMostArms> arm;
+  std::array<float, kMostMembers> known;
+  float least = kNone, second = kNone, width = 0;
+  std::size_t begin = from.arms[fork.first].first;
+  for (std::uint32_t a = fork.first; a < fork.last; ++a) {
+    float& d = arm[a - fork.first] = kNone;
+    for (std::uint32_t m = from.arms[a].first; m < from.arms[a].last; ++m) {
+      float& own = known[m - begin] = distance(limbs.cones[from.member[m]], at);
+      d = std::min(d, own);
+    }
+    second = std::min(second, std::max(d, least));
+    least = std::min(least, d);
+    width = std::max(width, limbs.blend * from.arms[a].radius);
+  }
+  // Two arms must be near enough to each other to be blended, and the surface near.
+  float span = width + 2 * half;
+  if (second - least >= span || least - half >= band + fillet_reach(limbs, from, f) || least + half <= -band)
+    return false;
+  if (!to) return true;
+  Forks::Fork kept{static_cast<std::uint32_t>(to->arms.size()), 0};
+  for (std::uint32_t a = fork.first; a < fork.last; ++a) {
+    float d = arm[a - fork.first];
+    if (d - least >= span) continue;
+    Arm own{static_cast<std::uint32_t>(to->member.size()), 0, from.arms[a].radius};
+    for (std::uint32_t m = from.arms[a].first; m < from.arms[a].last; ++m)
+      if (known[m - begin] <= d + 2 * half) to->member.push_back(from.member[m]);
+    own.last = static_cast<std::uint32_t>(to->member.size());
+    to->arms.push_back(own);
+  }
+  kept.last = static_cast<std::uint32_t>(to->arms.size());
+  to->forks.push_back(kept);
+  return true;
+}
+
+void choose_near(const Limbs& limbs, const Nearby& from, Vec3 at, float half, float band, Nearby& to) {
+  std::array<float, 256> known;
+  to.cones.clear();
+  to.forks.clear();
+  to.middle = kNone;
+  for (std::size_t i = 0; i < from.cones.size(); ++i) {
+    float d = distance(limbs.cones[from.cones[i]], at);
+    if (i < known.size()) known[i] = d;
+    to.middle = std::min(to.middle, d);
+  }
+  // The nearest anywhere in the ball is in its middle at most so much farther than the nearest there.
+  for (std::size_t i = 0; i < from.cones.size(); ++i) {
+    float d = i < known.size() ? known[i] : distance(limbs.cones[from.cones[i]], at);
+    if (d <= to.middle + 2 * half) to.cones.push_back(from.cones[i]);
+  }
+  for (std::size_t f = 0; f < from.forks.size(); ++f)
+    choose_fork(limbs, from.forks, f, at, half, band, &to.forks);
+}
+
+}  // namespace frond

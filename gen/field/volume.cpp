@@ -1,0 +1,216 @@
+#include "field/volume.h"
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/SignedFloodFill.h>
+#include <openvdb/tools/VolumeToMesh.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "core/parallel.h"
+#include "field/settle.h"
+
+// The only place that sees OpenVDB.
+
+namespace frond {
+
+struct Volume::Grid {
+  openvdb::FloatGrid::Ptr level_set;
+};
+
+namespace {
+
+constexpr float kBand = 3;  // voxels to each side of the surface
+constexpr const char* kName = "surface";
+
+// Measured over corals of different kinds; see docs/volumes.md.
+constexpr double kBytesABlock = 8500;
+
+using Leaf = openvdb::FloatTree::LeafNodeType;
+
+openvdb::Coord coord(Cell cell) { return {cell.i, cell.j, cell.k}; }
+
+void prepare() {
+  static std::once_flag once;
+  std::call_once(once, [] { openvdb::initialize(); });
+}
+
+/// What an exception of the library says.
+template <class Work>
+auto guarded(const std::string& where, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return Error{where, "there is not enough memory for the volume"};
+  } catch (const std::exception& error) {
+    return Error{where, error.what()};
+  }
+}
+
+/// A filled block: a leaf of the tree, or all inside.
+struct Filled {
+  std::unique_ptr<Leaf> leaf;
+  bool inside = false;
+};
+
+Filled leaf_of(const Limbs& limbs, const Blocks& blocks, const FoundBlock& found) {
+  std::array<float, kBlockVoxels> distance;
+  Filling filling = fill_block(limbs, blocks, found, distance);
+  if (filling != Filling::crossed) return {nullptr, filling == Filling::inside};
+  auto leaf = std::make_unique<Leaf>(coord(block_origin(found.block->key)), blocks.band, false);
+  for (openvdb::Index i = 0; i < kBlockVoxels; ++i) {
+    float d = distance[i];
+    if (d > -blocks.band && d < blocks.band)
+      leaf->setValueOn(i, d);
+    else
+      leaf->setValueOff(i, d);
+  }
+  return {std::move(leaf), false};
+}
+
+Volume fill_volume(const Limbs& limbs, const Blocks& blocks) {
+  prepare();
+  auto grid = openvdb::FloatGrid::create(blocks.band);
+  grid->setName(kName);
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(blocks.voxel));
+  openvdb::FloatTree& tree = grid->tree();
+  for (const BlockList& list : blocks.lists) {
+    std::vector<Filled> filled(list.blocks.size());
+    parallel_for(filled.size(), [&](std::size_t i) {
+      filled[i] = leaf_of(limbs, blocks, {&list, &list.blocks[i]});
+    });
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+      if (filled[i].leaf)
+        tree.addLeaf(filled[i].leaf.release());
+      else if (filled[i].inside)
+        tree.addTile(1, coord(block_origin(list.blocks[i].key)), -blocks.band, false);
+    }
+  }
+  openvdb::tools::signedFloodFill(tree);
+  return Volume(std::make_shared<Volume::Grid>(Volume::Grid{grid}));
+}
+
+/// Triangles, those with a corner twice left out, and each four corners cut along the shorter diagonal.
+Surface contour(const openvdb::FloatGrid& grid, double adaptivity) {
+  std::vector<openvdb::Vec3s> points;
+  std::vector<openvdb::Vec3I> triangles;
+  std::vector<openvdb::Vec4I> quads;
+  openvdb::tools::volumeToMesh(grid, points, triangles, quads, 0.0, adaptivity, true);
+  Surface surface;
+  surface.position.reserve(points.size());
+  for (const openvdb::Vec3s& p : points) surface.position.emplace_back(p.x(), p.y(), p.z());
+  points = {};
+  surface.triangle.reserve(triangles.size() + 2 * quads.size());
+  // OpenVDB winds its faces the other way round.
+  auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a) surface.triangle.push_back({a, c, b});
+  };
+  for (const openvdb::Vec3I& t : triangles) add(t[0], t[1], t[2]);
+  for (const openvdb::Vec4I& q : quads) {
+    const auto& p = surface.position;
+    if (glm::distance(p[q[0]], p[q[2]]) <= glm::distance(p[q[1]], p[q[3]]))
+      add(q[0], q[1], q[2]), add(q[0], q[2], q[3]);
+    else
+      add(q[0], q[1], q[3]), add(q[1], q[2], q[3]);
+  }
+  return surface;
+}
+
+}  // namespace
+
+VolumeForecast foresee_volume(const Limbs& limbs, double voxel) {
+  VolumeForecast forecast;
+  forecast.blocks = count_blocks(limbs, voxel, kBand);
+  forecast.bytes = forecast.blocks * kBytesABlock;
+  return forecast;
+}
+
+Errors refuse_volume(const Limbs& limbs, const VolumeOptions& options) {
+  VolumeForecast forecast = foresee_volume(limbs, options.voxel);
+  if (forecast.bytes > options.limit) {
+    double enough = options.voxel * std::sqrt(forecast.bytes / options.limit) * 1.05;
+    return {Error{"", fmt::format("the volume would take about {:.2g} GB of memory, more than the limit of "
+                                  "{:.2g} GB; a voxel of {:.2g} m would do",
+                                  forecast.bytes / 1e9, options.limit / 1e9, enough)}};
+  }
+  if (!fits_grid(limbs, static_cast<float>(options.voxel)))
+    return {Error{"", fmt::format("voxels of {:.2g} m are too small for a place so far from the middle",
+                                  options.voxel)}};
+  return {};
+}
+
+double Volume::voxel() const { return grid_->level_set->voxelSize().x(); }
+std::uint64_t Volume::active_voxels() const { return grid_->level_set->activeVoxelCount(); }
+std::uint64_t Volume::bytes() const { return grid_->level_set->memUsage(); }
+float Volume::at(Cell cell) const { return grid_->level_set->tree().getValue(coord(cell)); }
+
+Result<Volume> volume_of(const Limbs& limbs, const VolumeOptions& options) {
+  if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
+  return guarded("", [&]() -> Result<Volume> {
+    auto voxel = static_cast<float>(options.voxel);
+    return fill_volume(limbs, gather_blocks(limbs, voxel, kBand * voxel));
+  });
+}
+
+Result<Surface> mesh_of(const Volume& volume, double adaptivity) {
+  return guarded("", [&]() -> Result<Surface> {
+    Surface surface = contour(*volume.grid().level_set, adaptivity);
+    set_normals(surface);
+    return surface;
+  });
+}
+
+Result<FusedMesh> fuse(const Limbs& limbs, const VolumeOptions& options) {
+  if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
+  return guarded("", [&]() -> Result<FusedMesh> {
+    auto voxel = static_cast<float>(options.voxel);
+    Blocks blocks = gather_blocks(limbs, voxel, kBand * voxel);
+    FusedMesh mesh;
+    {
+      Volume volume = fill_volume(limbs, blocks);
+      mesh.surface = contour(*volume.grid().level_set, options.adaptivity);
+    }
+    settle(limbs, blocks, mesh);
+    return mesh;
+  });
+}
+
+Result<bool> write_vdb(const std::filesystem::path& path, const Volume& volume) {
+  namespace fs = std::filesystem;
+  prepare();
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  if (error) return Error{path.parent_path().string(), "cannot be made: " + error.message()};
+  fs::path temporary = path;
+  temporary += ".tmp" + std::to_string(::getpid());
+  Result<bool> written = guarded(path.string(), [&]() -> Result<bool> {
+    openvdb::io::File file(temporary.string());
+    file.write({volume.grid().level_set});
+    file.close();
+    return true;
+  });
+  if (written) fs::rename(temporary, path, error);
+  if (!written || error) {
+    std::string reason = error.message();
+    fs::remove(temporary, error);
+    if (written) return Error{path.string(), "cannot be put in place: " + reason};
+  }
+  return written;
+}
+
+Result<Volume> read_vdb(const std::filesystem::path& path) {
+  prepare();
+  return guarded(path.string(), [&]() -> Result<Volume> {
+    openvdb::io::File file(path.string());
+    file.open();
+    auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid(kName));
+    if (!grid) return Error{path.string(), "holds no volume named \"surface\""};
+    return Volume(std::make_shared<Volume::Grid>(Volume::Grid{grid}));
+  });
+}
+
+}  // namespace frond

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/result.h"
+#include "field/blocks.h"
+#include "model/surface.h"
+
+namespace frond {
+
+/// How a volume of branches is made.
+struct VolumeOptions {
+  double voxel = 0.01;      ///< metres, side of a voxel
+  double adaptivity = 0.1;  ///< 0: triangles of a voxel's size everywhere .. 1: as few as curvature allows
+  double limit = 4e9;       ///< bytes of memory; what is foreseen to need more is refused
+};
+
+/// How large a volume will be, mesh included.
+struct VolumeForecast {
+  double blocks = 0;  ///< of 512 voxels, that the surface passes
+  double bytes = 0;   ///< of memory, with the mesh
+};
+
+VolumeForecast foresee_volume(const Limbs& limbs, double voxel);
+
+/// Empty, or why the volume is not made: it would pass the limit (with the figure and a voxel that would do),
+/// or its voxels are too small for where it lies. Nothing large is allocated to find out.
+Errors refuse_volume(const Limbs& limbs, const VolumeOptions& options);
+
+/// A level set: distances from a surface in a narrow band of three voxels to both sides. Holds an OpenVDB
+/// grid.
+class Volume {
+ public:
+  struct Grid;
+  explicit Volume(std::shared_ptr<const Grid> grid) : grid_(std::move(grid)) {}
+
+  double voxel() const;
+  std::uint64_t active_voxels() const;
+  /// Bytes of the tree.
+  std::uint64_t bytes() const;
+  /// The distance at a voxel, held to the band.
+  float at(Cell cell) const;
+
+  const Grid& grid() const { return *grid_; }
+
+ private:
+  std::shared_ptr<const Grid> grid_;
+};
+
+/// The body of the limbs as a level set, its voxels in world space. The same bytes at any number of threads.
+Result<Volume> volume_of(const Limbs& limbs, const VolumeOptions& options);
+
+/// A mesh of branches that have grown together.
+struct FusedMesh {
+  Surface surface;  ///< closed; every edge between two triangles; normals of the body itself
+  std::vector<std::int32_t>
+      node;  ///< of each vertex: the node of the skeleton at the end of the nearest segment
+};
+
+/// The body of the limbs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as OpenVDB's
+/// VolumeToMesh does it), the vertices then moved onto the exact surface of the limbs.
+Result<FusedMesh> fuse(const Limbs& limbs, const VolumeOptions& options);
+
+/// The zero surface of a volume as a mesh, normals from its triangles.
+Result<Surface> mesh_of(const Volume& volume, double adaptivity);
+
+/// Writes the volume as a .vdb file with one grid, "surface", of class level set; whole or not at all.
+Result<bool> write_vdb(const std::filesystem::path& path, const Volume& volume);
+
+/// Reads the grid "surface" of such a file.
+Result<Volume> read_vdb(const std::filesystem::path& path);
+
+}  // namespace frond
