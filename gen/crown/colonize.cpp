@@ -1,0 +1,212 @@
+#include "crown/colonize.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frond {
+
+namespace {
+
+constexpr double kGoldenAngle = 2.39996322972865332;
+constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr int kPatience = 40;  // steps without coming nearer, until a point is given up
+
+/// Points in cubes of one side, so that those near a place are found fast.
+class PointGrid {
+ public:
+  PointGrid(const std::vector<Vec3>& points, Vec3 low, Vec3 high, double side) : low_(low) {
+    // Never more cells than a few for each point.
+    Vec3 size = glm::max(high - low, Vec3(1e-4f));
+    double volume = static_cast<double>(size.x) * size.y * size.z;
+    side_ = static_cast<float>(
+        std::max(side, std::cbrt(volume / (4.0 * static_cast<double>(points.size()) + 64))));
+    for (int k = 0; k < 3; ++k) count_[k] = static_cast<int>(size[k] / side_) + 1;
+    start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
+    for (Vec3 p : points) ++start_[cell(p) + 1];
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    order_.resize(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) order_[next[cell(points[i])]++] = i;
+  }
+
+  /// Calls `visit(point)` for the points in the cubes within `reach` of a place, and forgets those for which
+  /// it says false.
+  template <class Visit>
+  void near(Vec3 at, float reach, const Visit& visit) {
+    int from[3], to[3];
+    for (int k = 0; k < 3; ++k) {
+      from[k] = std::max(static_cast<int>(std::floor((at[k] - reach - low_[k]) / side_)), 0);
+      to[k] = std::min(static_cast<int>(std::floor((at[k] + reach - low_[k]) / side_)), count_[k] - 1);
+    }
+    for (int z = from[2]; z <= to[2]; ++z)
+      for (int y = from[1]; y <= to[1]; ++y)
+        for (int x = from[0]; x <= to[0]; ++x) {
+          std::size_t c = (static_cast<std::size_t>(z) * count_[1] + y) * count_[0] + x;
+          for (std::uint32_t i = start_[c]; i < start_[c + 1]; ++i) visit(order_[i]);
+        }
+  }
+
+ private:
+  std::size_t cell(Vec3 p) const {
+    std::size_t at = 0;
+    for (int k = 2; k >= 0; --k)
+      at = at * count_[k] + std::clamp(static_cast<int>((p[k] - low_[k]) / side_), 0, count_[k] - 1);
+    return at;
+  }
+
+  Vec3 low_;
+  float side_ = 1;
+  int count_[3] = {1, 1, 1};
+  std::vector<std::uint32_t> start_, order_;
+};
+
+class Colony {
+ public:
+  Colony(const Envelope& envelope, const Colonization& how, Seed seed)
+      : how_(how),
+        points_(scatter(envelope, how, seed.child("points"))),
+        grid_(points_, envelope.low(), envelope.high(), std::max(how.influence / 3, how.kill)),
+        nearest_(points_.size(), -1),
+        distance_(points_.size(), kFar),
+        patience_(points_.size(), kPatience),
+        seed_(seed.child("grow")) {}
+
+  Result<Skeleton> grow() {
+    if (points_.empty()) return Error{"", "the envelope has no room for branches"};
+    add(Vec3(0), Skeleton::kRoot, Vec3(0, 1, 0));
+    reach_envelope();
+    for (std::uint64_t round = 0; round < 20000 && step(round); ++round) {
+    }
+    return std::move(tree_);
+  }
+
+ private:
+  /// Points of the envelope, thinned out inside or at the rim.
+  static std::vector<Vec3> scatter(const Envelope& envelope, const Colonization& how, Seed seed) {
+    if (how.crowding == 0) return envelope.sample(how.attractors, seed);
+    std::vector<Vec3> all = envelope.sample(3 * how.attractors, seed), kept;
+    Vec3 middle = (envelope.low() + envelope.high()) * 0.5f, half = (envelope.high() - envelope.low()) * 0.5f;
+    for (std::size_t i = 0; i < all.size() && kept.size() < static_cast<std::size_t>(how.attractors); ++i) {
+      Vec3 d = (all[i] - middle) / glm::max(half, Vec3(1e-6f));
+      double out = std::min<double>(glm::length(d), 1);
+      double chance = how.crowding > 0 ? 1 - how.crowding * (1 - out) : 1 + how.crowding * out;
+      if (seed.child("thin", i).unit() < std::max(chance, 0.02)) kept.push_back(all[i]);
+    }
+    return kept;
+  }
+
+  std::int32_t add(Vec3 at, std::int32_t below, Vec3 toward) {
+    std::int32_t node = tree_.add(at, 1, below, 0);
+    toward_.push_back(toward);
+    auto influence = static_cast<float>(how_.influence), kill = static_cast<float>(how_.kill);
+    grid_.near(at, influence, [&](std::uint32_t p) {
+      if (distance_[p] < 0) return;
+      float d = glm::distance(points_[p], at);
+      if (d > influence || d >= distance_[p]) return;
+      distance_[p] = d <= kill ? -1 : d;
+      nearest_[p] = node;
+      patience_[p] = kPatience;
+    });
+    return node;
+  }
+
+  /// A stem toward the nearest point until one is in reach.
+  void reach_envelope() {
+    Vec3 goal = points_[0];
+    for (Vec3 p : points_)
+      if (glm::length(p) < glm::length(goal)) goal = p;
+    // Straight up first, then over to it.
+    std::int32_t tip = 0;
+    auto step = static_cast<float>(how_.step);
+    for (int i = 0; i < 4000; ++i) {
+      for (std::size_t p = 0; p < points_.size(); ++p)
+        if (nearest_[p] >= 0 && distance_[p] > 0) return;
+      Vec3 at = tree_.position[tip], way = goal - at;
+      if (glm::length(way) < step) return;
+      Vec3 up(0, std::max(way.y, 0.0f), 0);
+      Vec3 direction = glm::normalize(glm::length(up) > step ? glm::normalize(way) + Vec3(0, 1, 0) : way);
+      tip = add(at + direction * step, tip, direction);
+    }
+  }
+
+  /// One segment for each node that points attract; false when none does.
+  bool step(std::uint64_t round) {
+    pull_.clear();
+    for (std::uint32_t p = 0; p < points_.size(); ++p) {
+      if (distance_[p] < 0 || nearest_[p] < 0) continue;
+      if (--patience_[p] < 0) {
+        distance_[p] = -1;
+        continue;
+      }
+      pull_.push_back({nearest_[p], p});
+    }
+    if (pull_.empty() || tree_.size() >= static_cast<std::size_t>(how_.most_nodes)) return false;
+    std::sort(pull_.begin(), pull_.end());
+    Seed seed = seed_.child(round);
+    for (std::size_t i = 0; i < pull_.size();) {
+      std::int32_t node = pull_[i].first;
+      Vec3 at = tree_.position[node], sum(0);
+      for (; i < pull_.size() && pull_[i].first == node; ++i)
+        sum += glm::normalize(points_[pull_[i].second] - at);
+      sum = glm::length(sum) > 1e-4f ? glm::normalize(sum) : toward_[static_cast<std::size_t>(node)];
+      Seed own = seed.child(static_cast<std::uint64_t>(node));
+      Vec3 random(own.child(0).range(-1, 1), own.child(1).range(-1, 1), own.child(2).range(-1, 1));
+      sum += random * static_cast<float>(how_.jitter) + Vec3(0, static_cast<float>(how_.tropism), 0);
+      if (glm::length(sum) < 1e-4f) sum = toward_[static_cast<std::size_t>(node)];
+      Vec3 direction = glm::normalize(sum);
+      add(at + direction * static_cast<float>(how_.step), node, direction);
+    }
+    return true;
+  }
+
+  const Colonization& how_;
+  std::vector<Vec3> points_;
+  PointGrid grid_;
+  std::vector<std::int32_t> nearest_;  // node of each point, or -1
+  std::vector<float> distance_;        // to it; negative: taken or given up
+  std::vector<int> patience_;
+  std::vector<std::pair<std::int32_t, std::uint32_t>> pull_;
+  std::vector<Vec3> toward_;  // the direction that each node came from
+  Skeleton tree_;
+  Seed seed_;
+};
+
+}  // namespace
+
+Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, Seed seed) {
+  return Colony(envelope, how, seed).grow();
+}
+
+std::vector<LeafSite> dress_tips(const Skeleton& s, double reach, double spacing, double down, Seed seed) {
+  std::vector<LeafSite> leaves;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    std::int32_t p = s.parent[i];
+    if (p == Skeleton::kRoot || s.to_tip[i] > reach) continue;
+    Vec3 from = s.position[p], way = s.position[i] - from;
+    float length = glm::length(way);
+    if (length < 1e-6f) continue;
+    Vec3 axis = way / length;
+    Vec3 side = glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
+    Quat frame =
+        glm::quat_cast(glm::mat3(glm::normalize(side), axis, glm::normalize(glm::cross(side, axis))));
+    // The leaves of a branch are counted by their distance from the root, so that they go on from segment to
+    // segment.
+    auto first = static_cast<long long>(std::ceil(s.distance[p] / spacing));
+    for (long long k = first; static_cast<double>(k) * spacing < s.distance[i]; ++k) {
+      float t = static_cast<float>(static_cast<double>(k) * spacing - s.distance[p]) / length;
+      Seed own = seed.child(i).child(static_cast<std::uint64_t>(k));
+      double round = static_cast<double>(k) * kGoldenAngle + own.child(0).range(-0.5, 0.5);
+      Quat turn = frame * glm::angleAxis(static_cast<float>(round), Vec3(0, 1, 0)) *
+                  glm::angleAxis(static_cast<float>(down * own.child(1).range(0.75, 1.25)), Vec3(1, 0, 0)) *
+                  glm::angleAxis(static_cast<float>(kPi), Vec3(0, 1, 0));
+      leaves.push_back({from + way * t, glm::normalize(turn), static_cast<float>(own.child(2).range(0.75, 1)),
+                        static_cast<std::int32_t>(i)});
+    }
+  }
+  return leaves;
+}
+
+}  // namespace frond

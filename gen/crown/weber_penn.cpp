@@ -1,0 +1,434 @@
+#include "crown/weber_penn.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve.h"
+
+namespace frond {
+
+namespace {
+
+using DQuat = glm::dquat;
+
+constexpr std::size_t kMostNodes = 4'000'000;
+constexpr std::size_t kMostChains = 4096;  // of one stem with all its clones
+const DVec3 kUp{0, 1, 0};
+
+DQuat about_x(double angle) { return glm::angleAxis(angle, DVec3(1, 0, 0)); }
+DQuat about_y(double angle) { return glm::angleAxis(angle, kUp); }
+DVec3 heading(const DQuat& turn) { return turn * kUp; }
+
+/// `mean`, or up to `spread` more or less.
+double vary(double mean, double spread, Seed seed) { return mean + spread * seed.range(-1, 1); }
+
+/// A stem before it is drawn.
+struct Stem {
+  int level = 0;
+  double length = 0, radius = 0;  // radius at its foot
+  double share = 1;               // of the greatest length that its parent allows
+  double offset = 0;              // where on its parent, 0..1
+  DVec3 foot{0};
+  DQuat turn{1, 0, 0, 0};
+  std::int32_t below = Skeleton::kRoot;
+  Seed seed;
+};
+
+/// A stem or a clone of it from its split to its tip, at the ends of the segments.
+struct Chain {
+  int first = 0;  // segment that it begins with
+  int from = -1;  // chain that it splits off
+  std::vector<DVec3> at;
+  std::vector<DQuat> turn;  // of the segment above each point; the last one's twice
+
+  double place(double s) const { return std::clamp(s - first, 0.0, static_cast<double>(at.size() - 1)); }
+
+  /// Point at `s` segments from the stem's foot, on a Catmull-Rom curve.
+  DVec3 point(double s) const {
+    double place_of = place(s);
+    std::size_t i = std::min(static_cast<std::size_t>(place_of), at.size() - 2);
+    Hermite w = hermite(place_of - static_cast<double>(i));
+    DVec3 leave = i > 0 ? (at[i + 1] - at[i - 1]) * 0.5 : at[1] - at[0];
+    DVec3 arrive = i + 2 < at.size() ? (at[i + 2] - at[i]) * 0.5 : at[i + 1] - at[i];
+    return at[i] * w.start + leave * w.start_slope + at[i + 1] * w.end + arrive * w.end_slope;
+  }
+
+  DQuat frame(double s) const {
+    double place_of = place(s);
+    std::size_t i = std::min(static_cast<std::size_t>(place_of), at.size() - 2);
+    return glm::slerp(turn[i], turn[i + 1], place_of - static_cast<double>(i));
+  }
+};
+
+/// What children of a stem count on as they are placed one after the other.
+struct Whorl {
+  double turned = 0;
+  int side = 1;
+
+  double next(double rotate, double rotate_v, Seed seed) {
+    if (rotate < 0) {
+      side = -side;
+      return side * vary(-rotate / 2, rotate_v, seed);
+    }
+    turned += vary(rotate, rotate_v, seed);
+    return turned;
+  }
+};
+
+class Grower {
+ public:
+  explicit Grower(const WeberPenn& tree, Seed seed) : tree_(tree), seed_(seed) {
+    scale_ = std::max(vary(tree.scale, tree.scale_v, seed.child("scale")), 1e-3);
+    bare_ = tree.base_size * scale_;
+  }
+
+  Result<Crown> grow() {
+    Stem trunk;
+    const StemLevel& level = tree_.stem(0);
+    trunk.seed = seed_.child("trunk");
+    trunk.length = std::max(vary(level.length, level.length_v, seed_.child("length")) * scale_, 1e-3);
+    trunk.radius = trunk.length * tree_.ratio *
+                   std::max(vary(tree_.trunk_scale, tree_.trunk_scale_v, seed_.child("radius")), 0.01);
+    trunk.turn = about_y(trunk.seed.child("turn").range(0, 2 * kPi));
+    bare_ = std::min(bare_, trunk.length);
+    draw(trunk);
+    if (full_)
+      return Error{
+          "", fmt::format("the tree has more than {} nodes; fewer branches, splits or segments", kMostNodes)};
+    double tall = std::max(vary(tree_.z_scale, tree_.z_scale_v, seed_.child("tall")), 0.01);
+    for (Vec3& p : crown_.skeleton.position) p.y *= static_cast<float>(tall);
+    for (LeafSite& l : crown_.leaves) l.position.y *= static_cast<float>(tall);
+    settle();
+    return std::move(crown_);
+  }
+
+ private:
+  /// The stem and its clones as points; nothing is drawn yet.
+  std::vector<Chain> trace(const Stem& stem) const {
+    std::vector<Chain> chains;
+    Chain first;
+    first.at.push_back(stem.foot);
+    extend(chains, std::move(first), stem, stem.turn, 0);
+    return chains;
+  }
+
+  /// Leads a chain from its last point to the tip, and the clones that split off it. `give_back` is the angle
+  /// that each segment turns back after splits.
+  void extend(std::vector<Chain>& chains, Chain chain, const Stem& stem, DQuat turn, double give_back) const {
+    const StemLevel& level = tree_.stem(stem.level);
+    int res = level.curve_res;
+    std::size_t mine = chains.size();
+    chains.emplace_back();
+    Seed seed = stem.seed.child("chain", mine);
+    double start = stem.seed.child("splits").unit();
+    for (int s = chain.first; s < res; ++s) {
+      turn =
+          bend(turn, level, stem, s, seed.child("bend", static_cast<std::uint64_t>(s))) * about_x(give_back);
+      chain.turn.push_back(turn);
+      chain.at.push_back(chain.at.back() + heading(turn) * (stem.length / res));
+      int end = s + 1;
+      int splits = static_cast<int>(std::floor(end * level.seg_splits + start)) -
+                   static_cast<int>(std::floor(s * level.seg_splits + start));
+      bool base = stem.level == 0 && end == 1 && tree_.base_splits > 0;
+      if (base) splits = tree_.base_splits;
+      if (end == res || splits <= 0 || chains.size() > kMostChains) continue;
+      split(chains, static_cast<int>(mine), chain, stem, turn, give_back, end, splits, base,
+            seed.child("split", static_cast<std::uint64_t>(s)));
+    }
+    chain.turn.push_back(turn);
+    Chain& place = chains[mine];
+    place = std::move(chain);
+  }
+
+  void split(std::vector<Chain>& chains, int mine, const Chain& chain, const Stem& stem, DQuat& turn,
+             double& give_back, int end, int splits, bool base, Seed seed) const {
+    const StemLevel& level = tree_.stem(stem.level);
+    double slope = std::acos(std::clamp(heading(turn).y, -1.0, 1.0));
+    double angle = std::max(vary(level.split_angle, level.split_angle_v, seed.child(0)) - slope, 0.0);
+    double back = -angle / (level.curve_res - end);
+    DQuat before = turn;
+    double give_back_before = give_back;
+    turn = before * about_x(angle);
+    give_back += back;
+    for (int i = 1; i <= splits; ++i) {
+      Seed own = seed.child(static_cast<std::uint64_t>(i));
+      double draw_of = own.child(0).unit();
+      double yaw = radians(20 + 0.75 * (30 + std::abs(degrees(slope) - 90)) * draw_of * draw_of);
+      if (own.child(1).unit() < 0.5) yaw = -yaw;
+      if (base) yaw = 2 * kPi * i / (splits + 1);
+      Chain clone;
+      clone.first = end;
+      clone.from = mine;
+      clone.at.push_back(chain.at.back());
+      extend(chains, std::move(clone), stem, about_y(yaw) * before * about_x(angle), give_back_before + back);
+    }
+  }
+
+  DQuat bend(DQuat turn, const StemLevel& level, const Stem& stem, int s, Seed seed) const {
+    int res = level.curve_res;
+    double angle = level.curve / res;
+    if (level.curve_back != 0)
+      angle = (s < (res + 1) / 2 ? level.curve : level.curve_back) / std::max(res / 2.0, 1.0);
+    if (level.curve_v < 0) {
+      // A helix: always by the same slope off the stem's axis, once round it.
+      turn = s == 0 ? turn * about_x(-level.curve_v)
+                    : glm::angleAxis(2 * kPi / res, heading(stem.turn)) * turn * about_x(angle);
+    } else {
+      turn = turn * about_x(angle);
+      if (level.curve_v > 0 && s > 0) {
+        DQuat roll = about_y(seed.child(0).range(0, 2 * kPi));
+        turn = turn * roll * about_x(level.curve_v / res * seed.child(1).range(-1, 1)) * glm::inverse(roll);
+      }
+    }
+    if (stem.level >= 2 && tree_.attraction_up != 0) turn = lift(turn, tree_.attraction_up / res);
+    return glm::normalize(turn);
+  }
+
+  /// Turned toward the vertical by a share of its slope; down where the share is negative.
+  static DQuat lift(DQuat turn, double share) {
+    DVec3 axis = heading(turn);
+    DVec3 side = glm::cross(axis, kUp);
+    double length = glm::length(side);
+    if (length < 1e-6) return turn;
+    double slope = std::acos(std::clamp(axis.y, -1.0, 1.0));
+    double most = share > 0 ? slope : slope - kPi;
+    double angle = share * slope;
+    angle = share > 0 ? std::min(angle, most) : std::max(angle, most);
+    return glm::angleAxis(angle, side / length) * turn;
+  }
+
+  bool inside(DVec3 p) const {
+    double ratio = (scale_ - p.y) / std::max(scale_ - bare_, 1e-9);
+    return std::hypot(p.x, p.z) / scale_ <
+           tree_.pruning.width * shape_ratio(CrownShape::envelope, ratio, tree_.pruning);
+  }
+
+  bool inside(const std::vector<Chain>& chains) const {
+    for (const Chain& chain : chains)
+      for (std::size_t i = 1; i < chain.at.size(); ++i)
+        if (!inside(chain.at[i])) return false;
+    return true;
+  }
+
+  /// Shortens a stem until it fits its envelope; false where none of it is left.
+  bool prune(Stem& stem) const {
+    if (tree_.pruning.ratio <= 0 || stem.level == 0) return true;
+    double whole = stem.length;
+    auto set_length = [&](double length) {
+      stem.radius *= std::pow(length / stem.length, tree_.ratio_power);
+      stem.length = length;
+    };
+    for (int i = 0; i < 40 && !inside(trace(stem)); ++i) set_length(stem.length * 0.9);
+    bool fits = inside(trace(stem));
+    double least = fits ? stem.length : 0;
+    double final_length = whole * (1 - tree_.pruning.ratio) + least * tree_.pruning.ratio;
+    if (final_length < 0.02 * whole) return false;
+    set_length(final_length);
+    return true;
+  }
+
+  double radius_at(const Stem& stem, double z) const {
+    double r = taper_radius(tree_.stem(stem.level).taper, stem.radius, stem.length, z);
+    return stem.level == 0 ? r * flare_factor(tree_.flare, z) : r;
+  }
+
+  void draw(const Stem& stem) {
+    if (full_) return;
+    std::vector<Chain> chains = trace(stem);
+    std::vector<std::vector<std::int32_t>> node_at(chains.size());  // of each chain at the ends of segments
+    bool last = stem.level + 1 >= tree_.levels;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      Chain& chain = chains[c];
+      if (chain.at.size() < 2) continue;
+      std::int32_t below = stem.below;
+      if (chain.from >= 0) {
+        const Chain& from = chains[static_cast<std::size_t>(chain.from)];
+        below =
+            node_at[static_cast<std::size_t>(chain.from)][static_cast<std::size_t>(chain.first - from.first)];
+      }
+      std::vector<double> places = last ? std::vector<double>{} : places_of_children(stem, chain);
+      std::vector<std::int32_t> child_nodes = draw_chain(stem, chain, below, places, node_at[c]);
+      if (full_) return;
+      Seed seed = stem.seed.child("children", c);
+      if (last)
+        bear_leaves(stem, chain, child_nodes, seed);
+      else
+        bear_stems(stem, chain, places, child_nodes, seed);
+    }
+  }
+
+  /// Where the stems of the next level stand on a chain, in segments from the stem's foot.
+  std::vector<double> places_of_children(const Stem& stem, const Chain& chain) const {
+    const StemLevel& own = tree_.stem(stem.level);
+    double count = std::max(stem_count(tree_, stem.level, stem.share, stem.offset), 0.0);
+    int res = own.curve_res;
+    double low = stem.level == 0 ? bare_ / stem.length * res : 0;
+    // Clones bear as densely as the stem would have.
+    double from = std::max(low, static_cast<double>(chain.first)), room = res - low;
+    if (room <= 1e-9 || from >= res) return {};
+    double share = (res - from) / room;
+    int n = static_cast<int>(count * share + stem.seed.child("count", chain.first).unit());
+    double dist = tree_.stem(stem.level + 1).branch_dist;
+    std::vector<double> places;
+    for (int i = 0; i < n; ++i) {
+      double even = from + (res - from) * (i + 0.5) / n;
+      double whorl = std::max(dist, 1.0);
+      double begin = from + std::floor((even - from) / whorl) * whorl;
+      double s = dist > 1 ? begin : begin + (even - begin) * dist;
+      places.push_back(std::clamp(s, from, res - 0.02));
+    }
+    return places;
+  }
+
+  /// Adds the nodes of a chain: at its segments' ends, between them and at `places`. Returns the node at each
+  /// place, or those along the chain where none are asked for.
+  std::vector<std::int32_t> draw_chain(const Stem& stem, const Chain& chain, std::int32_t below,
+                                       const std::vector<double>& places, std::vector<std::int32_t>& ends) {
+    int res = tree_.stem(stem.level).curve_res, pieces = tree_.smoothing;
+    std::vector<double> stops;
+    for (int k = 0; k <= (res - chain.first) * pieces; ++k)
+      stops.push_back(chain.first + static_cast<double>(k) / pieces);
+    stops.insert(stops.end(), places.begin(), places.end());
+    std::sort(stops.begin(), stops.end());
+    double near = 0.02 / pieces;
+    stops.erase(std::unique(stops.begin(), stops.end(), [&](double a, double b) { return b - a < near; }),
+                stops.end());
+    if (crown_.skeleton.size() + stops.size() > kMostNodes) {
+      full_ = true;
+      return {};
+    }
+    std::vector<std::int32_t> nodes;
+    ends.assign(static_cast<std::size_t>(res - chain.first) + 1, below);
+    for (double s : stops) {
+      bool foot = s - chain.first < near;
+      // A branch begins at the node of its parent that stands at its place; only the trunk has a first node.
+      if (!foot || below == Skeleton::kRoot) {
+        auto radius = static_cast<float>(std::max(radius_at(stem, s / res), kLeast));
+        below =
+            crown_.skeleton.add(Vec3(chain.point(s)), radius, below, static_cast<std::uint16_t>(stem.level));
+      }
+      nodes.push_back(below);
+      double whole = std::round(s);
+      if (std::abs(s - whole) < near) ends[static_cast<std::size_t>(whole) - chain.first] = below;
+    }
+    if (places.empty()) return nodes;
+    std::vector<std::int32_t> at;
+    for (double place : places) {
+      auto it = std::upper_bound(stops.begin(), stops.end(), place + near);
+      at.push_back(nodes[static_cast<std::size_t>(std::max<std::ptrdiff_t>(it - stops.begin() - 1, 0))]);
+    }
+    return at;
+  }
+
+  void bear_stems(const Stem& stem, const Chain& chain, const std::vector<double>& places,
+                  const std::vector<std::int32_t>& nodes, Seed seed) {
+    const StemLevel& next = tree_.stem(stem.level + 1);
+    int res = tree_.stem(stem.level).curve_res;
+    Whorl whorl{seed.child("first").range(0, 2 * kPi)};
+    double crown_length = std::max(stem.length - bare_, 1e-9);
+    for (std::size_t i = 0; i < places.size() && !full_; ++i) {
+      Stem child;
+      child.seed = seed.child(i);
+      child.level = stem.level + 1;
+      child.offset = places[i] / res;
+      double along = child.offset * stem.length;
+      double most = std::max(vary(next.length, next.length_v, child.seed.child("length")), 0.0);
+      double from_top = stem.level == 0 ? (stem.length - along) / crown_length : 0;
+      if (stem.level == 0) {
+        child.share = shape_ratio(tree_.shape, from_top, tree_.pruning);
+        child.length = stem.length * most * child.share;
+      } else {
+        child.length = most * (stem.length - 0.6 * along);
+        child.share = most > 0 ? child.length / stem.length / most : 0;
+      }
+      if (child.length < 1e-4) continue;
+      child.radius = std::min(stem.radius * std::pow(child.length / stem.length, tree_.ratio_power),
+                              radius_at(stem, child.offset));
+      child.below = nodes[i];
+      child.foot = chain.point(places[i]);
+      double down = next.down_angle_v >= 0
+                        ? vary(next.down_angle, next.down_angle_v, child.seed.child("down"))
+                        : down_by_height(next, stem, along);
+      double round = whorl.next(next.rotate, next.rotate_v, child.seed.child("rotate"));
+      child.turn = glm::normalize(chain.frame(places[i]) * about_y(round) * about_x(down));
+      if (prune(child)) draw(child);
+    }
+  }
+
+  double down_by_height(const StemLevel& level, const Stem& parent, double along) const {
+    double bare = parent.level == 0 ? bare_ : 0;
+    double ratio = (parent.length - along) / std::max(parent.length - bare, 1e-9);
+    return level.down_angle + level.down_angle_v * (1 - 2 * shape_ratio(CrownShape::conical, ratio));
+  }
+
+  void bear_leaves(const Stem& stem, const Chain& chain, const std::vector<std::int32_t>& nodes, Seed seed) {
+    if (tree_.leaves == 0 || nodes.empty()) return;
+    const StemLevel& next = tree_.stem(stem.level + 1);
+    int res = tree_.stem(stem.level).curve_res;
+    double share = static_cast<double>(res - chain.first) / res;
+    double wanted = std::abs(tree_.leaves) * tree_.leaf_quality *
+                    shape_ratio(tree_.leaf_distribution, stem.offset, tree_.pruning);
+    bool fan = tree_.leaves < 0;
+    int count = static_cast<int>(wanted * (fan ? 1 : share) + seed.child("count").unit());
+    auto size = static_cast<float>(1 / std::sqrt(tree_.leaf_quality));
+    Whorl whorl{seed.child("first").range(0, 2 * kPi)};
+    for (int i = 0; i < count; ++i) {
+      Seed own = seed.child(static_cast<std::uint64_t>(i));
+      double s = fan ? res : chain.first + (res - chain.first) * (i + 0.5) / count;
+      // The first node is that of the parent.
+      auto at = static_cast<std::size_t>(chain.place(s) * tree_.smoothing + 0.5);
+      at = std::min(std::max<std::size_t>(at, 1), nodes.size() - 1);
+      double down = vary(next.down_angle, std::abs(next.down_angle_v), own.child(0));
+      double round = fan ? 0 : whorl.next(next.rotate, next.rotate_v, own.child(1));
+      DQuat turn = chain.frame(s) * about_y(round) * about_x(down) * about_y(kPi);
+      if (fan) {
+        double spread = std::abs(next.rotate) * (count > 1 ? (i - (count - 1) / 2.0) / (count - 1) : 0);
+        turn = chain.frame(s) * about_x(down) * glm::angleAxis(spread, DVec3(0, 0, 1));
+      }
+      DVec3 foot = chain.point(s) + heading(turn) * (fan ? 0 : 0.5 * radius_at(stem, s / res));
+      turn = face_light(turn, foot);
+      crown_.leaves.push_back({Vec3(foot), Quat(glm::normalize(turn)), size, nodes[at]});
+    }
+  }
+
+  /// A leaf's face turned outward and up by leaf_bend.
+  DQuat face_light(DQuat turn, DVec3 at) const {
+    if (tree_.leaf_bend == 0) return turn;
+    DVec3 face = turn * DVec3(0, 0, 1);
+    DVec3 light = glm::normalize(DVec3(at.x, 0.6 * scale_, at.z));
+    DVec3 axis = glm::cross(face, light);
+    double length = glm::length(axis);
+    if (length < 1e-6) return turn;
+    double angle = std::atan2(length, glm::dot(face, light));
+    return glm::angleAxis(angle * tree_.leaf_bend, axis / length) * turn;
+  }
+
+  /// Orders the branches and sets what follows from the places of the nodes.
+  void settle() {
+    Skeleton& s = crown_.skeleton;
+    std::vector<std::int32_t> order = order_branches(s);
+    for (LeafSite& leaf : crown_.leaves) leaf.node = order[static_cast<std::size_t>(leaf.node)];
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      std::int32_t p = s.parent[i];
+      s.distance[i] = p == Skeleton::kRoot ? 0 : s.distance[p] + glm::distance(s.position[p], s.position[i]);
+    }
+    set_tip_distances(s);
+    set_births(s);
+  }
+
+  static constexpr double kLeast = 0.0004;  // metres
+
+  const WeberPenn& tree_;
+  Seed seed_;
+  double scale_ = 1, bare_ = 0;
+  Crown crown_;
+  bool full_ = false;
+};
+
+}  // namespace
+
+Result<Crown> grow_weber_penn(const WeberPenn& tree, Seed seed) { return Grower(tree, seed).grow(); }
+
+}  // namespace frond

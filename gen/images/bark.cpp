@@ -1,0 +1,235 @@
+#include "images/bark.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "images/tiling_noise.h"
+
+namespace frond {
+
+namespace {
+
+struct Spot {
+  double height, tone;
+};
+
+/// One kind of bark at (u, v), each 0..1. `rows` is how many features fit along where `ridges` fit round.
+class Painter {
+ public:
+  Painter(const BarkImage& bark, int width, int height, Seed seed)
+      : bark_(bark),
+        seed_(seed),
+        across_(bark.ridges),
+        along_(std::max(1, static_cast<int>(std::lround(bark.ridges * static_cast<double>(height) / width /
+                                                        bark.stretch)))) {}
+
+  Spot at(double u, double v) const {
+    switch (bark_.pattern) {
+      case BarkPattern::furrowed:
+        return furrowed(u, v);
+      case BarkPattern::plated:
+        return plated(u, v);
+      case BarkPattern::smooth:
+        return smooth(u, v);
+      case BarkPattern::banded:
+        return banded(u, v);
+    }
+    return {};
+  }
+
+ private:
+  double rough(double u, double v, int times, int octaves, Seed seed) const {
+    return tiling_fractal(u * across_ * times, v * along_ * times, across_ * times, along_ * times, octaves,
+                          0.55, seed);
+  }
+  /// Round noise: as many features along as the picture is high.
+  double even(double u, double v, int across, Seed seed, int octaves = 4) const {
+    int along = std::max(1, static_cast<int>(std::lround(across * along_ * bark_.stretch / across_)));
+    return tiling_fractal(u * across, v * along, across, along, octaves, 0.55, seed);
+  }
+
+  Spot furrowed(double u, double v) const {
+    Seed s = seed_;
+    int wide = std::max(1, across_ / 2);
+    double wander =
+        tiling_noise(u * wide, v * along_, wide, along_, s.child("wander")) +
+        0.5 * tiling_noise(u * wide * 2, v * along_ * 2, wide * 2, along_ * 2, s.child("wander", 1)) +
+        0.16 * rough(u, v, 4, 2, s.child("wander", 2));
+    double ridge = u * across_ + 1.1 * bark_.warp * wander;
+    double f = ridge - std::floor(ridge);
+    double back = std::sqrt(std::max(0.0, 1 - (2 * f - 1) * (2 * f - 1)));
+    // Each ridge breaks across, at places of its own, along the edges of stretched cells.
+    Cells c = tiling_cells(u * across_ + 0.45 * wander, v * along_ * 2 + 0.3 * wander, across_, along_ * 2,
+                           s.child("break"));
+    double broken = smooth_step(0.02, 0.30, c.second - c.nearest);
+    double coarse = 0.5 + 0.5 * rough(u, v, 2, 5, s.child("coarse"));
+    double fine = even(u, v, across_ * 6, s.child("fine"), 3);
+    double height =
+        std::pow(back, 0.8) * (0.40 + 0.60 * coarse) * (0.55 + 0.45 * broken) * (0.85 + 0.3 * c.own);
+    height = std::clamp(height + 0.09 * fine, 0.0, 1.0);
+    return {height, smooth_step(0.10, 0.62, height + 0.10 * fine)};
+  }
+
+  Spot plated(double u, double v) const {
+    Seed s = seed_;
+    double w = 0.55 * bark_.warp;
+    double du = w * rough(u, v, 1, 4, s.child("warp")), dv = w * rough(u, v, 1, 4, s.child("warp", 1));
+    Cells c = tiling_cells(u * across_ + du, v * along_ + dv, across_, along_, s.child("plates"));
+    Cells thin =
+        tiling_cells(u * across_ * 2 + du, v * along_ * 3 + dv, across_ * 2, along_ * 3, s.child("flakes"));
+    double edge = c.second - c.nearest, plate = smooth_step(0.02, 0.30, edge);
+    double flake = smooth_step(0.0, 0.22, thin.second - thin.nearest);
+    double fine = even(u, v, across_ * 5, s.child("fine"), 4);
+    double height = plate * (0.50 + 0.28 * c.own + 0.14 * flake * thin.own + 0.10 * flake) + 0.09 * fine;
+    height = std::clamp(height, 0.0, 1.0);
+    return {height, std::clamp(plate * (0.55 + 0.40 * thin.own) + 0.15 * fine, 0.0, 1.0)};
+  }
+
+  Spot smooth(double u, double v) const {
+    Seed s = seed_;
+    double fold = even(u, v, std::max(2, across_ / 3), s.child("fold"), 5);
+    double fine = even(u, v, across_ * 5, s.child("fine"), 3);
+    double scars = lenticels(u, v, 3, 0.10, s.child("scars"));
+    double height = 0.55 + 0.22 * fold + 0.06 * fine + 0.20 * scars;
+    return {std::clamp(height, 0.0, 1.0),
+            std::clamp(0.80 + 0.28 * fold + 0.12 * fine - 0.65 * scars, 0.0, 1.0)};
+  }
+
+  Spot banded(double u, double v) const {
+    Seed s = seed_;
+    double fine = even(u, v, across_ * 4, s.child("fine"), 4);
+    double sheet = even(u, v, std::max(2, across_ / 3), s.child("sheet"), 4);
+    double thin = lenticels(u, v, 2, 0.16, s.child("thin"));
+    double wide = lenticels(u, v, 1, 0.30, s.child("wide"));
+    // Where old branches were: dark and ragged, wider than high.
+    int rows = std::max(1, along_ / 2), columns = std::max(2, across_ / 4);
+    Cells c = tiling_cells(u * columns + 0.25 * fine, v * rows + 0.10 * fine, columns, rows, s.child("eyes"));
+    double eye = c.own < 0.45 ? smooth_step(0.26, 0.10, c.nearest + 0.10 * fine) : 0;
+    double dark = std::max({0.75 * thin, wide, eye});
+    double height = 0.62 + 0.10 * sheet + 0.05 * fine - 0.35 * eye + 0.16 * thin;
+    return {std::clamp(height, 0.0, 1.0),
+            std::clamp(0.94 + 0.14 * sheet + 0.06 * fine - 0.95 * dark, 0.0, 1.0)};
+  }
+
+  /// Short thin streaks across, `times` as many as there are ridges; 1 in them.
+  double lenticels(double u, double v, int times, double thick, Seed seed) const {
+    int columns = std::max(1, across_ * times / 3);
+    int rows = std::max(1, static_cast<int>(std::lround(along_ * bark_.stretch)) * times);
+    double bent = 0.5 * even(u, v, std::max(2, across_ / 2), seed.child("bent"), 3);
+    double y = v * rows + bent;
+    int row = static_cast<int>(std::floor(y));
+    double x = u * columns, streak = 0;
+    for (int near = -1; near <= 1; ++near) {
+      int column = static_cast<int>(std::floor(x)) + near;
+      auto own = seed.child(static_cast<std::uint64_t>((row % rows + rows) % rows))
+                     .child(static_cast<std::uint64_t>((column % columns + columns) % columns));
+      if (own.child(3).unit() > 0.42) continue;
+      double half = 0.12 + 0.5 * own.child(0).unit(), middle = column + own.child(1).unit();
+      double across = std::abs(x - middle) / half,
+             up = std::abs(y - row - 0.5) / (thick * (0.5 + own.child(2).unit()));
+      streak = std::max(streak, smooth_step(1.0, 0.55, std::sqrt(across * across + up * up)));
+    }
+    return streak;
+  }
+
+  /// 1 where x is below `to`, 0 above `from`, and the other way round where from < to.
+  static double smooth_step(double from, double to, double x) {
+    return from < to ? frond::smooth_step(from, to, x) : 1 - frond::smooth_step(to, from, x);
+  }
+
+  const BarkImage& bark_;
+  Seed seed_;
+  int across_, along_;
+};
+
+double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+double encoded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
+
+using Rgb = glm::dvec3;
+Rgb linear(const Color& c) { return {linear(c.red), linear(c.green), linear(c.blue)}; }
+
+void put(Raster& raster, int x, int y, Rgb color) {
+  for (int c = 0; c < 3; ++c) raster.data[raster.index(x, y, c)] = to_byte(encoded(std::max(color[c], 0.0)));
+}
+
+template <class Paint>
+void each_row(int height, const Paint& paint) {
+  parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) { paint(static_cast<int>(y)); });
+}
+
+}  // namespace
+
+BarkMaps bark_maps(const BarkImage& bark, int width, int height, Seed seed) {
+  Painter painter(bark, width, height, seed.child("bark"));
+  BarkMaps maps{Grid(width, height), Grid(width, height)};
+  each_row(height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      Spot spot = painter.at((x + 0.5) / width, 1 - (y + 0.5) / height);
+      // Shallow furrows have their ground near the ridges.
+      maps.height.at(x, y) = static_cast<float>(std::clamp(1 - (1 - spot.height) * bark.depth, 0.0, 1.0));
+      maps.tone.at(x, y) = static_cast<float>(spot.tone);
+    }
+  });
+  return maps;
+}
+
+Raster normal_picture(const Grid& grid, double strength) {
+  Raster raster(grid.width, grid.height, 3);
+  each_row(grid.height, [&](int y) {
+    for (int x = 0; x < grid.width; ++x) {
+      auto h = [&](int dx, int dy) { return static_cast<double>(grid.wrapped(x + dx, y + dy)); };
+      double across = (h(1, -1) + 2 * h(1, 0) + h(1, 1) - h(-1, -1) - 2 * h(-1, 0) - h(-1, 1)) / 8;
+      double up = (h(-1, -1) + 2 * h(0, -1) + h(1, -1) - h(-1, 1) - 2 * h(0, 1) - h(1, 1)) / 8;
+      DVec3 n = glm::normalize(DVec3(-across * strength, -up * strength, 1));
+      for (int c = 0; c < 3; ++c) raster.data[raster.index(x, y, c)] = to_byte(0.5 + 0.5 * n[c]);
+    }
+  });
+  return raster;
+}
+
+Raster bark_colors(const BarkImage& bark, const BarkMaps& maps, Seed seed) {
+  Raster raster(maps.height.width, maps.height.height, 3);
+  Rgb high = linear(bark.color), low = linear(bark.second), lichen = linear(bark.lichen);
+  Seed spots = seed.child("lichen"), stain = seed.child("stain");
+  int rows = std::max(1, 4 * raster.height / raster.width);
+  each_row(raster.height, [&](int y) {
+    for (int x = 0; x < raster.width; ++x) {
+      double u = (x + 0.5) / raster.width, v = 1 - (y + 0.5) / raster.height;
+      double tone = maps.tone.at(x, y), height = maps.height.at(x, y);
+      double patch = tiling_fractal(u * 4, v * rows, 4, rows, 6, 0.6, spots);
+      double tint = tiling_fractal(u * 3, v * rows, 3, rows, 5, 0.6, stain);
+      Rgb color = glm::mix(low, high, tone) * (0.62 + 0.38 * height) * (1 + 0.35 * tint);
+      color *= Rgb(1 + 0.08 * tint, 1, 1 - 0.10 * tint);
+      double grown = frond::smooth_step(0.42 - 0.8 * bark.lichens, 0.62 - 0.8 * bark.lichens, patch) * tone;
+      if (bark.lichens > 0) color = glm::mix(color, lichen * (0.6 + 0.5 * height), 0.75 * grown);
+      put(raster, x, y, color);
+    }
+  });
+  return raster;
+}
+
+Raster lit_picture(const Raster& colors, const Raster& normals) {
+  Raster raster(colors.width, colors.height, 3);
+  const DVec3 light = glm::normalize(DVec3(-0.45, 0.35, 0.82));
+  each_row(raster.height, [&](int y) {
+    for (int x = 0; x < raster.width; ++x) {
+      DVec3 n;
+      Rgb color;
+      for (int c = 0; c < 3; ++c) {
+        n[c] = normals.at(x, y, c) / 127.5 - 1;
+        color[c] = linear(colors.at(x, y, c) / 255.0);
+      }
+      put(raster, x, y, color * (0.18 + 1.0 * std::max(0.0, glm::dot(glm::normalize(n), light))));
+    }
+  });
+  return raster;
+}
+
+Raster grey_picture(const Grid& grid) {
+  Raster raster(grid.width, grid.height, 1);
+  for (std::size_t i = 0; i < grid.data.size(); ++i) raster.data[i] = to_byte(grid.data[i]);
+  return raster;
+}
+
+}  // namespace frond

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/seed.h"
+#include "core/vec.h"
+#include "images/raster.h"
+#include "model/surface.h"
+
+namespace frond {
+
+/// The outline of a leaf: a circle whose radius is set at control points, from the tip (the first) by even
+/// angles to where the stalk begins (the last), smooth between them and the same on both sides.
+struct LeafOutline {
+  std::vector<double> radii{1, 0.72, 0.58, 0.56, 0.55, 0.50, 0.42};
+  double width = 1;      ///< factor across
+  double teeth = 0;      ///< along one side of the rim
+  double tooth = 0;      ///< their depth as a share of the radius, 0..0.3
+  double stalk = 0.18;   ///< length as a share of the whole
+  bool palmate = false;  ///< main veins run from the stalk to the lobes, rather than from the midrib
+};
+
+/// Outlines of known leaves: birch, beech, oak, maple, ivy, aspen, willow, linden, cherry, ginkgo. Empty
+/// radii where the name is none of them.
+LeafOutline leaf_outline(std::string_view name);
+std::span<const std::string_view> leaf_names();
+
+/// Leaves on a stalk of their own.
+struct Sprig {
+  int pairs = 4;                 ///< 0 or more
+  bool end_leaf = true;          ///< an odd one at the tip
+  double angle = radians(52.0);  ///< between leaf and stalk
+  double length = 0.42;          ///< of a leaf, as a share of the sprig's
+  double shrink = 0.25;          ///< how much smaller the leaves at the tip are, 0..0.9
+  double alternate = 0;          ///< 0 in pairs .. 1 by turns
+};
+
+/// A leaf where it lies on the picture of its sprig, which is one unit high; a leaf alone fills it.
+struct LeafPlace {
+  Vec2 foot{0};
+  double turn = 0;  ///< to the right, radians
+  double size = 1;
+};
+std::vector<LeafPlace> sprig_places(const Sprig& sprig);
+
+/// A leaf, or a sprig of them, and what its picture shows.
+struct LeafImage {
+  LeafOutline outline;
+  bool sprig = false;
+  Sprig sprigs;
+  Color color{0.30f, 0.50f, 0.14f};
+  Color veins{0.62f, 0.72f, 0.36f};
+  Color rim{0.44f, 0.52f, 0.16f};
+  double spots = 0.15;  ///< how much the colour varies over it, 0..1
+};
+
+/// Half the width of the picture whose height is 1: leaf and sprig lie in x of -half..half, y of 0..1.
+double leaf_half_width(const LeafImage& leaf);
+
+/// The right half of a blade's rim from tip to stalk as `points` (3 or more) that keep its shape best; one
+/// unit from the stalk's foot at the origin to the tip.
+std::vector<Vec2> leaf_rim(const LeafOutline& outline, int points);
+
+/// The picture, with opacity; its colours go on a little beyond the rim. `height` in pixels.
+Raster leaf_picture(const LeafImage& leaf, int height, Seed seed);
+
+/// The same outline as a mesh one unit long: the foot at the origin, growing along +y, the upper side toward
+/// +z, `uv` on the picture. Each half of each leaf has `points` on its rim: few for far leaves, 3 a diamond.
+/// `fold` raises the halves, `bend` lets the tip down; radians.
+Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend);
+
+}  // namespace frond

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/outline.h"
+#include "images/leaf.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kStalkWidth = 0.018;  // half, as a share of a leaf's length
+
+/// What leaves of one mesh share.
+struct Bending {
+  double fold, bend, half;  // half: of the picture's width
+};
+
+/// The flat picture folded and bent: a point of the sprig's plane, raised above it by `lift`.
+Vec3 bent(Vec2 p, double lift, const Bending& b) {
+  double y = p.y, z = lift;
+  if (std::abs(b.bend) > 1e-4) {
+    double angle = b.bend * p.y, radius = 1 / b.bend;
+    y = std::sin(angle) * (radius + lift);
+    z = std::cos(angle) * (radius + lift) - radius;
+  }
+  return {p.x, static_cast<float>(y), static_cast<float>(z)};
+}
+
+/// One leaf where it lies on its sprig; `above` keeps leaves apart that cross.
+void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int points, const Bending& b,
+              double above) {
+  std::vector<Vec2> rim = leaf_rim(leaf.outline, points);
+  auto c = static_cast<float>(std::cos(place.turn)), n = static_cast<float>(std::sin(place.turn));
+  auto size = static_cast<float>(place.size);
+  double slope = std::tan(b.fold);
+  auto add = [&](Vec2 q) {
+    // A leaf on a sprig also droops a little by itself.
+    Vec2 p = place.foot + size * Vec2(q.x * c + q.y * n, -q.x * n + q.y * c);
+    double lift = above + place.size * (std::abs(q.x) * slope - (leaf.sprig ? 0.22 * q.y * q.y : 0));
+    s.position.push_back(bent(p, lift, b));
+    s.uv.emplace_back(static_cast<float>(0.5 + 0.5 * p.x / b.half), p.y);
+  };
+  for (float side : {1.0f, -1.0f}) {
+    auto start = static_cast<std::uint32_t>(s.position.size());
+    std::vector<Vec3> flat;
+    // Up the midrib on a few points, so that it bends, and down the rim.
+    int ribs = points >= 10 ? 4 : points >= 6 ? 2 : 1;
+    for (int i = 0; i < ribs; ++i) {
+      Vec2 at = glm::mix(rim.back(), rim.front(), static_cast<float>(i) / static_cast<float>(ribs));
+      flat.emplace_back(at.x, at.y, 0);
+    }
+    for (std::size_t i = 0; i + 1 < rim.size(); ++i) flat.emplace_back(rim[i].x * side, rim[i].y, 0);
+    for (Vec3 p : flat) add(Vec2(p));
+    std::size_t before = s.triangle.size();
+    triangulate(flat, start, s.triangle);
+    // All of them face the upper side.
+    for (std::size_t t = before; t < s.triangle.size(); ++t) {
+      auto& [i, j, k] = s.triangle[t];
+      Vec3 area = glm::cross(flat[j - start] - flat[i - start], flat[k - start] - flat[i - start]);
+      if (area.z < 0) std::swap(j, k);
+    }
+  }
+  // The stalk.
+  double w = kStalkWidth * (points < 6 ? 1.6 : 1), foot = leaf.outline.stalk + 0.02;
+  if (leaf.outline.stalk <= 0) return;
+  auto start = static_cast<std::uint32_t>(s.position.size());
+  for (Vec2 q : {Vec2(-w, 0), Vec2(w, 0), Vec2(w * 0.7, foot), Vec2(-w * 0.7, foot)}) add(q);
+  s.triangle.push_back({start, start + 1, start + 2});
+  s.triangle.push_back({start, start + 2, start + 3});
+}
+
+void add_rachis(Surface& s, double top, const Bending& b) {
+  constexpr int kPieces = 6;
+  auto start = static_cast<std::uint32_t>(s.position.size());
+  for (int i = 0; i <= kPieces; ++i) {
+    double t = static_cast<double>(i) / kPieces, w = 0.010 * (1 - 0.6 * t);
+    for (double x : {-w, w}) {
+      Vec2 p(x, t * top);
+      s.position.push_back(bent(p, 0, b));
+      s.uv.emplace_back(static_cast<float>(0.5 + 0.5 * x / b.half), p.y);
+    }
+  }
+  for (std::uint32_t i = 0; i < kPieces; ++i) {
+    std::uint32_t k = start + 2 * i;
+    s.triangle.push_back({k, k + 1, k + 3});
+    s.triangle.push_back({k, k + 3, k + 2});
+  }
+}
+
+}  // namespace
+
+Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend) {
+  Surface s;
+  Bending b{fold, bend, leaf_half_width(leaf)};
+  if (leaf.sprig) {
+    std::vector<LeafPlace> places = sprig_places(leaf.sprigs);
+    double top = 0;
+    for (const LeafPlace& p : places) top = std::max<double>(top, p.foot.y + 0.02);
+    add_rachis(s, top, b);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      add_leaf(s, leaf, places[i], points, b, 0.004 * static_cast<double>(i % 3));
+  } else {
+    add_leaf(s, leaf, {}, points, b, 0);
+  }
+  set_normals(s);
+  return s;
+}
+
+}  // namespace frond

@@ -1,0 +1,58 @@
+#include "images/raster.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr png_uint_32 kMostPixels = 16384;
+
+png_uint_32 format_of(int channels) {
+  return channels == 1 ? PNG_FORMAT_GRAY : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+}
+
+}  // namespace
+
+std::uint8_t to_byte(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
+}
+
+Result<std::string> png_text(const Raster& raster) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(raster.width);
+  image.height = static_cast<png_uint_32>(raster.height);
+  image.format = format_of(raster.channels);
+  png_alloc_size_t size = 0;
+  if (!png_image_write_to_memory(&image, nullptr, &size, 0, raster.data.data(), 0, nullptr))
+    return Error{"", std::string("PNG: ") + image.message};
+  std::string text(size, '\0');
+  if (!png_image_write_to_memory(&image, text.data(), &size, 0, raster.data.data(), 0, nullptr))
+    return Error{"", std::string("PNG: ") + image.message};
+  text.resize(size);
+  return text;
+}
+
+Result<Raster> read_png(std::string_view bytes) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
+    return Error{"", std::string("no PNG: ") + image.message};
+  if (image.width > kMostPixels || image.height > kMostPixels) {
+    png_image_free(&image);
+    return Error{"", "the picture is larger than 16384 pixels a side"};
+  }
+  bool color = image.format & PNG_FORMAT_FLAG_COLOR, alpha = image.format & PNG_FORMAT_FLAG_ALPHA;
+  int channels = alpha ? 4 : color ? 3 : 1;
+  image.format = format_of(channels);
+  Raster raster(static_cast<int>(image.width), static_cast<int>(image.height), channels);
+  if (!png_image_finish_read(&image, nullptr, raster.data.data(), 0, nullptr))
+    return Error{"", std::string("no PNG: ") + image.message};
+  return raster;
+}
+
+}  // namespace frond

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace frond {
+
+/// A picture of 8 bits a channel, rows from the top down; sRGB where it is a colour.
+struct Raster {
+  int width = 0, height = 0;
+  int channels = 3;  ///< 1 grey, 3 colour, 4 colour and opacity
+  std::vector<std::uint8_t> data;
+
+  Raster() = default;
+  Raster(int wide, int high, int of) : width(wide), height(high), channels(of) {
+    data.resize(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high) *
+                static_cast<std::size_t>(of));
+  }
+  std::size_t index(int x, int y, int c = 0) const {
+    return static_cast<std::size_t>((y * width + x) * channels + c);
+  }
+  std::uint8_t at(int x, int y, int c = 0) const { return data[index(x, y, c)]; }
+};
+
+/// A number at each pixel, mostly 0 to 1; rows from the top down.
+struct Grid {
+  int width = 0, height = 0;
+  std::vector<float> data;
+
+  Grid() = default;
+  Grid(int wide, int high) : width(wide), height(high) {
+    data.resize(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
+  }
+  float& at(int x, int y) { return data[static_cast<std::size_t>(y * width + x)]; }
+  float at(int x, int y) const { return data[static_cast<std::size_t>(y * width + x)]; }
+  /// Beyond an edge it goes on at the other.
+  float wrapped(int x, int y) const {
+    return at((x % width + width) % width, (y % height + height) % height);
+  }
+};
+
+/// A number as a byte: 0 to 1 as 0 to 255, what lies beyond held to that.
+std::uint8_t to_byte(double value);
+
+/// The bytes of a PNG file. The same picture gives the same bytes.
+Result<std::string> png_text(const Raster& raster);
+
+/// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels a side.
+Result<Raster> read_png(std::string_view bytes);
+
+}  // namespace frond

@@ -1,0 +1,270 @@
+#include "crown/weber_penn.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+namespace {
+
+/// A trunk of 10 m with straight level branches, nothing at random.
+WeberPenn plain() {
+  WeberPenn t;
+  t.scale = 10;
+  t.levels = 2;
+  t.flare = 0;
+  t.ratio = 0.02;
+  t.smoothing = 1;
+  t.base_size = 0.3;
+  t.level[0].length = 1;
+  t.level[0].curve_res = 5;
+  t.level[1].branches = 14;
+  t.level[1].length = 0.4;
+  t.level[1].down_angle = radians(60.0);
+  t.level[1].rotate = radians(140.0);
+  t.level[1].curve_res = 4;
+  return t;
+}
+
+/// Feet and tips of the branches of a level: chains that begin with it.
+struct Branch {
+  Vec3 foot, tip;
+  float radius = 0, length = 0;
+};
+std::vector<Branch> branches(const Skeleton& s, int level) {
+  std::vector<Branch> list;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    std::int32_t p = s.parent[i];
+    if (p == Skeleton::kRoot || s.order[i] != level || s.order[p] == level) continue;
+    Branch b{s.position[p], s.position[i], s.radius[i], glm::distance(s.position[p], s.position[i])};
+    for (std::size_t k = i + 1;
+         k < s.size() && s.parent[k] == static_cast<std::int32_t>(k) - 1 && s.order[k] == level; ++k) {
+      b.length += glm::distance(s.position[k], s.position[k - 1]);
+      b.tip = s.position[k];
+    }
+    list.push_back(b);
+  }
+  return list;
+}
+
+TEST(WeberPenn, TheTrunkIsAsLongAndAsThickAsTheFormulas) {
+  WeberPenn t = plain();
+  t.levels = 1;
+  t.level[0].length = 0.8;
+  t.trunk_scale = 1.5;
+  Result<Crown> c = grow_weber_penn(t, Seed{1});
+  ASSERT_TRUE(c.ok());
+  const Skeleton& s = c->skeleton;
+  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.size(), 6u);
+  EXPECT_NEAR(s.position.back().y, 8, 1e-4);
+  EXPECT_NEAR(s.radius.front(), 8 * 0.02 * 1.5, 1e-5);
+  EXPECT_NEAR(s.radius[1], 8 * 0.02 * 1.5 * 0.8, 1e-5);  // taper 1
+}
+
+TEST(WeberPenn, BranchesAreAsManyAndAsLongAsTheFormulas) {
+  WeberPenn t = plain();
+  for (int shape = 0; shape <= 7; ++shape) {
+    t.shape = static_cast<CrownShape>(shape);
+    Result<Crown> c = grow_weber_penn(t, Seed{3});
+    ASSERT_TRUE(c.ok());
+    std::vector<Branch> list = branches(c->skeleton, 1);
+    EXPECT_EQ(list.size(), 14u);
+    for (const Branch& b : list) {
+      EXPECT_GE(b.foot.y, 3 - 1e-3);
+      double expected = 10 * 0.4 * shape_ratio(t.shape, (10 - b.foot.y) / 7);
+      EXPECT_NEAR(b.length, expected, 1e-3) << shape;
+      EXPECT_NEAR((b.tip.y - b.foot.y) / b.length, std::cos(radians(60.0)), 1e-3);
+    }
+  }
+}
+
+TEST(WeberPenn, RadiiFollowTheRatioPower) {
+  WeberPenn t = plain();
+  t.shape = CrownShape::cylindrical;
+  t.ratio_power = 1.5;
+  t.level[1].taper = 0;
+  Result<Crown> c = grow_weber_penn(t, Seed{3});
+  for (const Branch& b : branches(c->skeleton, 1)) {
+    double by_length = 0.2 * std::pow(0.4, 1.5), at_foot = 0.2 * (1 - b.foot.y / 10);
+    EXPECT_NEAR(b.radius, std::max(std::min(by_length, at_foot), 0.0004), 1e-4);
+  }
+}
+
+TEST(WeberPenn, BranchesOfBranchesFollowThePaper) {
+  WeberPenn t = plain();
+  t.levels = 3;
+  t.shape = CrownShape::cylindrical;
+  t.level[2] = t.level[1];
+  t.level[2].branches = 10;
+  t.level[2].length = 0.5;
+  Result<Crown> c = grow_weber_penn(t, Seed{4});
+  // Every branch of the trunk is as long as it may be: 10 each; fractions are drawn by lot.
+  EXPECT_EQ(branches(c->skeleton, 2).size(), 140u);
+  double share = shape_ratio(CrownShape::conical, 0.5);
+  EXPECT_NEAR(stem_count(t, 1, share, 0), 10 * (0.2 + 0.8 * share), 1e-9);
+  EXPECT_NEAR(stem_count(t, 2, 1, 0.8), t.level[3].branches * 0.6, 1e-9);
+  for (const Branch& b : branches(c->skeleton, 2)) {
+    EXPECT_LE(b.length, 0.5 * 4 + 1e-3);
+    EXPECT_GE(b.length, 0.5 * (4 - 0.6 * 4) - 1e-3);
+  }
+}
+
+TEST(WeberPenn, ShapeRatiosAreThoseOfThePaper) {
+  EXPECT_NEAR(shape_ratio(CrownShape::conical, 0.5), 0.6, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::spherical, 0.5), 1, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::hemispherical, 1), 1, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::cylindrical, 0.1), 1, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::tapered_cylindrical, 0.5), 0.75, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::flame, 0.7), 1, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::flame, 0.85), 0.5, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::inverse_conical, 1), 0.2, 1e-12);
+  EXPECT_NEAR(shape_ratio(CrownShape::tend_flame, 0), 0.5, 1e-12);
+  Pruning p{1, 0.5, 0.4, 0.7, 0.3};
+  EXPECT_EQ(shape_ratio(CrownShape::envelope, -0.1, p), 0);
+  EXPECT_EQ(shape_ratio(CrownShape::envelope, 1.1, p), 0);
+  // Whole at the peak, from both sides.
+  EXPECT_NEAR(shape_ratio(CrownShape::envelope, 0.6 - 1e-9, p), 1, 1e-6);
+  EXPECT_NEAR(shape_ratio(CrownShape::envelope, 0.6 + 1e-9, p), 1, 1e-6);
+  EXPECT_NEAR(shape_ratio(CrownShape::envelope, 0.3, p), std::pow(0.5, 0.3), 1e-12);
+}
+
+TEST(WeberPenn, TapersAreThoseOfThePaper) {
+  EXPECT_NEAR(taper_radius(0, 1, 20, 0.5), 1, 1e-12);
+  EXPECT_NEAR(taper_radius(1, 1, 20, 0.5), 0.5, 1e-12);
+  EXPECT_NEAR(taper_radius(2, 1, 20, 0.5), 1, 1e-12);
+  EXPECT_NEAR(taper_radius(2, 1, 20, 1), 0, 1e-9);                        // a round end
+  EXPECT_NEAR(taper_radius(2, 1, 20, 0.975), std::sqrt(1 - 0.25), 1e-9);  // half a radius below it
+  EXPECT_NEAR(taper_radius(3, 1, 20, 0.95), 1, 1e-9);                     // the middle of a pearl
+  EXPECT_NEAR(taper_radius(3, 1, 20, 0.9), 0, 1e-6);                      // between two
+  EXPECT_NEAR(flare_factor(0.5, 0), 1 + 0.5 * 0.99, 1e-12);
+  EXPECT_NEAR(flare_factor(0.5, 0.125), 1, 1e-12);
+}
+
+TEST(WeberPenn, CurvesTurnByTheirAngle) {
+  WeberPenn t = plain();
+  t.levels = 1;
+  t.level[0].curve_res = 9;
+  t.level[0].curve = radians(90.0);
+  auto last_slope = [&] {
+    Result<Crown> c = grow_weber_penn(t, Seed{1});
+    const auto& p = c->skeleton.position;
+    return degrees(std::acos(glm::normalize(p.back() - p[p.size() - 2]).y));
+  };
+  EXPECT_NEAR(last_slope(), 90, 0.1);
+  t.level[0].curve_res = 10;
+  t.level[0].curve = radians(60.0);
+  t.level[0].curve_back = radians(-60.0);
+  EXPECT_NEAR(last_slope(), 0, 0.5);
+  t.level[0].curve = t.level[0].curve_back = 0;
+  t.level[0].curve_v = radians(-25.0);  // a helix keeps its slope
+  EXPECT_NEAR(last_slope(), 25, 0.2);
+}
+
+TEST(WeberPenn, SplitsMakeClones) {
+  WeberPenn t = plain();
+  t.levels = 1;
+  t.base_splits = 2;
+  t.level[0].split_angle = radians(30.0);
+  Result<Crown> c = grow_weber_penn(t, Seed{1});
+  EXPECT_EQ(c->skeleton.check(), "");
+  EXPECT_EQ(c->skeleton.size(), 6u + 2 * 4);  // two clones of four segments
+  t.base_splits = 0;
+  t.level[0].seg_splits = 1;
+  c = grow_weber_penn(t, Seed{1});
+  EXPECT_EQ(c->skeleton.size(), 1u + 1 + 2 + 4 + 8 + 16);  // doubled at each segment's end
+}
+
+TEST(WeberPenn, PruningKeepsBranchesInTheEnvelope) {
+  WeberPenn t = plain();
+  t.shape = CrownShape::cylindrical;
+  t.level[1].branches = 60;
+  t.level[1].length = 0.9;
+  t.pruning = {1, 0.3, 0.5, 0.5, 0.5};
+  Result<Crown> c = grow_weber_penn(t, Seed{8});
+  const Skeleton& s = c->skeleton;
+  int cut = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (s.order[i] != 1) continue;
+    Vec3 p = s.position[i];
+    double most = 10 * 0.3 * shape_ratio(CrownShape::envelope, (10 - p.y) / 7, t.pruning);
+    EXPECT_LE(std::hypot(p.x, p.z), most + 1e-3);
+    ++cut;
+  }
+  EXPECT_GT(cut, 100);
+  t.pruning.ratio = 0;
+  double widest = 0;
+  c = grow_weber_penn(t, Seed{8});
+  for (Vec3 p : c->skeleton.position) widest = std::max<double>(widest, std::hypot(p.x, p.z));
+  EXPECT_GT(widest, 6);
+}
+
+TEST(WeberPenn, AttractionLiftsOrLowersFromTheSecondLevel) {
+  WeberPenn t = plain();
+  t.levels = 3;
+  t.level[2] = t.level[1];
+  t.level[2].branches = 8;
+  t.level[2].length = 0.6;
+  auto mean = [&](double up) {
+    t.attraction_up = up;
+    Result<Crown> c = grow_weber_penn(t, Seed{5});
+    double sum = 0;
+    for (const Branch& b : branches(c->skeleton, 2)) sum += (b.tip.y - b.foot.y) / b.length;
+    return sum;
+  };
+  double none = mean(0), up = mean(0.8), down = mean(-0.8);
+  EXPECT_GT(up, none);
+  EXPECT_LT(down, none);
+}
+
+TEST(WeberPenn, LeavesStandOnTheLastLevel) {
+  WeberPenn t = plain();
+  t.leaves = 12;
+  t.leaf_distribution = CrownShape::cylindrical;
+  t.level[2].down_angle = radians(45.0);
+  t.level[2].rotate = radians(137.0);
+  t.leaf_bend = 0;
+  Result<Crown> c = grow_weber_penn(t, Seed{2});
+  EXPECT_EQ(c->leaves.size(), 14u * 12);
+  for (const LeafSite& leaf : c->leaves) {
+    EXPECT_EQ(c->skeleton.order[leaf.node], 1);
+    EXPECT_NEAR(glm::length(leaf.turn), 1, 1e-4);
+    EXPECT_LT(glm::distance(leaf.position, c->skeleton.position[leaf.node]), 1.1f);
+  }
+  // With LeafBend they turn their faces to the light.
+  auto lit = [&](double bend) {
+    t.leaf_bend = bend;
+    double sum = 0;
+    Result<Crown> grown = grow_weber_penn(t, Seed{2});
+    for (const LeafSite& leaf : grown->leaves) sum += (leaf.turn * Vec3(0, 0, 1)).y;
+    return sum;
+  };
+  EXPECT_GT(lit(0.7), lit(0) + 20);
+  t.leaves = -5;
+  EXPECT_EQ(grow_weber_penn(t, Seed{2})->leaves.size(), 14u * 5);
+}
+
+TEST(WeberPenn, TheSameSeedIsTheSameTree) {
+  WeberPenn t = plain();
+  t.scale_v = 2;
+  t.level[0].curve_v = t.level[1].curve_v = radians(60.0);
+  Result<Crown> a = grow_weber_penn(t, Seed{9}), b = grow_weber_penn(t, Seed{9}),
+                d = grow_weber_penn(t, Seed{10});
+  EXPECT_EQ(a->skeleton.position, b->skeleton.position);
+  EXPECT_NE(a->skeleton.position, d->skeleton.position);
+}
+
+TEST(WeberPenn, RunawaySplitsAreRefused) {
+  WeberPenn t = plain();
+  t.levels = 4;
+  t.level[1].branches = 400;
+  t.level[2] = t.level[3] = t.level[1];
+  t.level[3].branches = 400;
+  t.shape = CrownShape::cylindrical;
+  EXPECT_FALSE(grow_weber_penn(t, Seed{1}).ok());
+  EXPECT_GT(foresee_nodes(t), 4e6);
+}
+
+}  // namespace
+}  // namespace frond

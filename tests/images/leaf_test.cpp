@@ -1,0 +1,126 @@
+#include "images/leaf.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace frond {
+namespace {
+
+double area(const Surface& s) {
+  double sum = 0;
+  for (auto [a, b, c] : s.triangle)
+    sum += 0.5 * glm::length(glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]));
+  return sum;
+}
+
+LeafImage leaf_of(std::string_view name) {
+  LeafImage leaf;
+  leaf.outline = leaf_outline(name);
+  return leaf;
+}
+
+TEST(Leaf, EveryNamedOutlineIsOneUnitLong) {
+  EXPECT_GE(leaf_names().size(), 10u);
+  for (std::string_view name : leaf_names()) {
+    std::vector<Vec2> rim = leaf_rim(leaf_outline(name), 40);
+    ASSERT_EQ(rim.size(), 40u) << name;
+    EXPECT_NEAR(rim.front().y, 1, 1e-5) << name;
+    EXPECT_NEAR(rim.back().y, leaf_outline(name).stalk, 1e-5) << name;
+    for (Vec2 p : rim) EXPECT_GE(p.x, 0) << name;
+  }
+  EXPECT_TRUE(leaf_outline("lettuce").radii.empty());
+}
+
+TEST(Leaf, TheMeshCoversWhatThePictureShows) {
+  // The share of the picture that is opaque is the area of the flat mesh: they are cut from one curve.
+  for (std::string_view name : leaf_names()) {
+    LeafImage leaf = leaf_of(name);
+    Raster picture = leaf_picture(leaf, 200, Seed{1});
+    double opaque = 0;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x) opaque += picture.at(x, y, 3) / 255.0;
+    double pictured = opaque / (200.0 * picture.width) * 2 * leaf_half_width(leaf);
+    Surface mesh = leaf_mesh(leaf, 48, 0, 0);
+    EXPECT_EQ(mesh.check(), "") << name;
+    EXPECT_NEAR(area(mesh) / pictured, 1, 0.08) << name;
+  }
+}
+
+TEST(Leaf, EveryTrianglesMiddleIsOpaque) {
+  for (bool sprig : {false, true}) {
+    for (std::string_view name : {"birch", "oak", "maple"}) {
+      LeafImage leaf = leaf_of(name);
+      leaf.sprig = sprig;
+      Raster picture = leaf_picture(leaf, 400, Seed{1});
+      Surface mesh = leaf_mesh(leaf, 24, radians(20.0), radians(30.0));
+      double clear = 0;
+      for (auto [a, b, c] : mesh.triangle) {
+        Vec2 at = (mesh.uv[a] + mesh.uv[b] + mesh.uv[c]) / 3.0f;
+        int x = static_cast<int>(at.x * static_cast<float>(picture.width)),
+            y = static_cast<int>((1 - at.y) * 400);
+        clear += picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, 399), 3) < 128;
+      }
+      EXPECT_LE(clear / static_cast<double>(mesh.triangle.size()), 0.04) << name << sprig;
+    }
+  }
+}
+
+TEST(Leaf, FarLeavesHaveFewerTriangles) {
+  LeafImage leaf = leaf_of("oak");
+  std::size_t before = 1000000;
+  double whole = area(leaf_mesh(leaf, 48, 0, 0));
+  for (int points : {48, 24, 12, 6, 3}) {
+    Surface mesh = leaf_mesh(leaf, points, 0, 0);
+    EXPECT_LT(mesh.triangle.size(), before);
+    EXPECT_NEAR(area(mesh) / whole, 1, 0.4) << points;
+    before = mesh.triangle.size();
+  }
+  EXPECT_LE(before, 6u);
+}
+
+TEST(Leaf, FacesUpAndBendsDown) {
+  LeafImage leaf = leaf_of("beech");
+  Surface flat = leaf_mesh(leaf, 12, 0, 0);
+  for (Vec3 n : flat.normal) EXPECT_GT(n.z, 0.99f);
+  Surface bent = leaf_mesh(leaf, 12, 0, radians(80.0));
+  float low = 0, tip = 0;
+  for (Vec3 p : bent.position) {
+    low = std::min(low, p.z);
+    tip = std::max(tip, p.y);
+  }
+  EXPECT_LT(low, -0.3f);
+  EXPECT_LT(tip, 0.8f);
+}
+
+TEST(Leaf, APalmatePictureHasVeinsToItsLobes) {
+  LeafImage leaf = leaf_of("maple");
+  leaf.spots = 0;
+  leaf.color = {0, 0, 0};
+  leaf.rim = {0, 0, 0};
+  leaf.veins = {1, 1, 1};
+  Raster picture = leaf_picture(leaf, 300, Seed{1});
+  double bright = 0, opaque = 0;
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      if (picture.at(x, y, 3) < 255) continue;
+      ++opaque;
+      bright += picture.at(x, y, 0) > 90;
+    }
+  EXPECT_GT(bright / opaque, 0.02);
+  EXPECT_LT(bright / opaque, 0.35);
+}
+
+TEST(Sprig, HasAnEndLeafOrNot) {
+  Sprig sprig;
+  sprig.pairs = 5;
+  EXPECT_EQ(sprig_places(sprig).size(), 11u);
+  EXPECT_EQ(sprig_places(sprig).back().turn, 0);
+  sprig.end_leaf = false;
+  EXPECT_EQ(sprig_places(sprig).size(), 10u);
+  for (const LeafPlace& p : sprig_places(sprig)) EXPECT_NE(p.turn, 0);
+}
+
+}  // namespace
+}  // namespace frond

@@ -1,0 +1,37 @@
+#include "images/raster.h"
+
+#include <gtest/gtest.h>
+
+namespace frond {
+namespace {
+
+TEST(Png, IsReadBackAsItWasWritten) {
+  for (int channels : {1, 3, 4}) {
+    Raster raster(13, 7, channels);
+    for (std::size_t i = 0; i < raster.data.size(); ++i) raster.data[i] = static_cast<std::uint8_t>(i * 37);
+    Result<std::string> text = png_text(raster);
+    ASSERT_TRUE(text.ok());
+    Result<Raster> back = read_png(*text);
+    ASSERT_TRUE(back.ok());
+    EXPECT_EQ(back->channels, channels);
+    EXPECT_EQ(back->width, 13);
+    EXPECT_EQ(back->data, raster.data);
+    EXPECT_EQ(*png_text(raster), *text);
+  }
+}
+
+TEST(Png, WhatIsNoneIsRefused) {
+  EXPECT_FALSE(read_png("this is no picture").ok());
+  EXPECT_FALSE(read_png("").ok());
+  std::string cut = *png_text(Raster(64, 64, 3));
+  EXPECT_FALSE(read_png(cut.substr(0, cut.size() / 2)).ok());
+}
+
+TEST(Bytes, AreHeldToTheirRange) {
+  EXPECT_EQ(to_byte(-1), 0);
+  EXPECT_EQ(to_byte(0.5), 128);
+  EXPECT_EQ(to_byte(7), 255);
+}
+
+}  // namespace
+}  // namespace frond
