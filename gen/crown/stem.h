@@ -1,0 +1,46 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/seed.h"
+#include "crown/weber_penn.h"
+
+// The stems of weber_penn.cpp before they are drawn.
+
+namespace frond {
+
+using DQuat = glm::dquat;
+
+/// A stem before it is drawn.
+struct Stem {
+  int level = 0;
+  double length = 0, radius = 0;  // radius at its foot
+  double share = 1;               // of the greatest length that its parent allows
+  double offset = 0;              // where on its parent, 0..1
+  DVec3 foot{0};
+  DQuat turn{1, 0, 0, 0};
+  std::int32_t below = Skeleton::kRoot;
+  Seed seed;
+};
+
+/// A stem or a clone of it from its split to its tip, at the ends of the segments.
+struct Chain {
+  int first = 0;  // segment that it begins with
+  int from = -1;  // chain that it splits off
+  std::vector<DVec3> at;
+  std::vector<DQuat> turn;  // of the segment above each point; the last one's twice
+
+  double place(double s) const { return std::clamp(s - first, 0.0, static_cast<double>(at.size() - 1)); }
+
+  /// Point at `s` segments from the stem's foot, on a Catmull-Rom curve.
+  DVec3 point(double s) const;
+
+  /// How the stem is turned there.
+  DQuat frame(double s) const;
+};
+
+/// A stem and its clones as points; the first is the stem itself.
+std::vector<Chain> trace_stem(const WeberPenn& tree, const Stem& stem);
+
+}  // namespace frond
