@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/text.h"
 #include "emit/solid.h"
@@ -57,6 +58,31 @@ std::string meadow_text(const Stage& stage, double time) {
          direction(meadow.sun) + "," + number(meadow.haze) + "," + number(meadow.clouds) + ")";
 }
 
+/// Toward the sun at an hour: it rises at about 5, stands highest at 13 and sets at about 21, as in June at
+/// 50 degrees of latitude; below the horizon at night.
+Vec3 sun_at(double hour, double south) {
+  double day = kPi * (hour - 13) / 12, latitude = radians(50.0), tilt = radians(23.4);
+  double up = std::sin(latitude) * std::sin(tilt) + std::cos(latitude) * std::cos(tilt) * std::cos(day);
+  double west = std::cos(tilt) * std::sin(day);
+  double noon = std::cos(tilt) * std::cos(day) * std::sin(latitude) - std::sin(tilt) * std::cos(latitude);
+  double c = std::cos(south), s = std::sin(south);
+  return Vec3(noon * s - west * c, up, noon * c + west * s);
+}
+
+std::string garden_text(const Stage& stage, double time) {
+  const Garden& garden = stage.garden;
+  const Meadow& lawn = stage.meadow;
+  Vec3 sun = sun_at(garden.hour, garden.south);
+  std::string text = "Meadow_Globals()\nGarden_Setting(" + direction(stage.camera.location.at(time)) + "," +
+                     color(lawn.grass) + "," + direction(sun) + "," + number(lawn.haze) + "," +
+                     number(lawn.clouds) + ")";
+  const PondShape& pond = garden.pond;
+  if (pond.size.x > 0 && pond.size.y > 0)
+    text += "\nGarden_Water(" + direction(Vec3(pond.center.x, pond.level, pond.center.y)) + "," +
+            number(1.35 * std::max(pond.size.x, pond.size.y)) + ")";
+  return text;
+}
+
 void append_name(std::string& text, std::string_view name, std::size_t index) {
   text += name;
   append_integer(text, static_cast<long long>(index));
@@ -84,13 +110,14 @@ void append_stones(std::string& text, const PovSpace& space, const Scene& scene)
   }
 }
 
-/// One union of all patches of a kind, "Turf" or "Bloom", with the texture on it.
-void append_patches(std::string& text, const PovSpace& space, const Scene& scene, std::string_view name,
+/// One union of all patches of a kind, "Turf", "Bloom" or "Gravel", with the texture on it.
+void append_patches(std::string& text, const PovSpace& space, const Scene& scene,
+                    const std::vector<TurfInstance>& patches, std::string_view name,
                     std::string_view texture) {
   std::size_t start = text.size();
   text += "union{\n";
   std::size_t empty = text.size();
-  for (const TurfInstance& patch : scene.turf_instances) {
+  for (const TurfInstance& patch : patches) {
     auto shape = static_cast<std::size_t>(patch.shape);
     if (name == "Bloom" && scene.turf[shape].flowers.triangle.empty()) continue;
     text += "object{";
@@ -123,9 +150,21 @@ void append_turf(std::string& text, const PovSpace& space, const Scene& scene) {
     append_mesh(text, space, scene.turf[i].flowers);
     text += "\n";
   }
-  append_patches(text, space, scene, "Turf",
+  append_patches(text, space, scene, scene.turf_instances, "Turf",
                  "texture{Meadow_Blade(" + color(scene.stage.meadow.grass) + ")}");
-  if (blooms) append_patches(text, space, scene, "Bloom", "texture{Meadow_Bloom()}");
+  if (blooms) append_patches(text, space, scene, scene.turf_instances, "Bloom", "texture{Meadow_Bloom()}");
+}
+
+void append_gravel(std::string& text, const PovSpace& space, const Scene& scene) {
+  if (scene.gravel_instances.empty()) return;
+  for (std::size_t i = 0; i < scene.gravel.size(); ++i) {
+    append_name(text, "#declare Gravel", i);
+    text += " = ";
+    append_mesh(text, space, scene.gravel[i]);
+    text += "\n";
+  }
+  append_patches(text, space, scene, scene.gravel_instances, "Gravel",
+                 "texture{Garden_Gravel(" + color(scene.stage.garden.gravel_color) + ")}");
 }
 
 }  // namespace
@@ -151,6 +190,9 @@ std::string includes_text(const Scene& scene) {
     case Setting::meadow:
       include("meadow");
       break;
+    case Setting::garden:
+      include("meadow"), include("garden");
+      break;
   }
   if (water || corals) include("coral"), include("food");
   if (plants) include("plant");
@@ -166,6 +208,8 @@ std::string setting_text(const Stage& stage, double time) {
       return studio_text(stage, time);
     case Setting::meadow:
       return meadow_text(stage, time);
+    case Setting::garden:
+      return garden_text(stage, time);
   }
   return {};
 }
@@ -181,6 +225,7 @@ std::string ground_text(const PovSpace& space, const Scene& scene) {
   } else {
     text += "\ntexture{Meadow_Ground(" + color(scene.stage.meadow.grass) + ")}}\n";
     append_turf(text, space, scene);
+    append_gravel(text, space, scene);
   }
   return text;
 }

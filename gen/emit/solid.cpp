@@ -31,7 +31,7 @@ const MatterRow& row_of(Matter matter) {
 }
 
 void append_material(std::string& text, const Material& material) {
-  text += "texture{";
+  text += " texture{";
   text += row_of(material.matter).macro;
   text += '(';
   append_color(text, material.color);

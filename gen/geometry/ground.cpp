@@ -1,7 +1,9 @@
 #include "geometry/ground.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "core/noise.h"
 
@@ -15,13 +17,18 @@ double ground_height(const Ground& ground, double x, double z) {
 }
 
 Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rings) {
+  auto height = [&](Vec2 at) {
+    return ground_height(ground, at.x, at.y) *
+           (1 - smooth_step(0.6, 1.0, glm::distance(at, centre) / radius));
+  };
+  return ground_surface(height, centre, radius, rings);
+}
+
+Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, double radius, int rings) {
   assert(rings >= 2);
   Surface surface;
   int sectors = rings * 2;
-  auto height = [&](Vec2 at, double distance) {
-    return ground_height(ground, at.x, at.y) * (1 - smooth_step(0.6, 1.0, distance / radius));
-  };
-  surface.position.push_back(Vec3(centre.x, height(centre, 0), centre.y));
+  surface.position.push_back(Vec3(centre.x, height(centre), centre.y));
   for (int ring = 1; ring <= rings; ++ring) {
     double share = static_cast<double>(ring) / rings;
     double distance = radius * share * share;
@@ -29,7 +36,7 @@ Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rin
       double angle = 2 * kPi * (sector + 0.5 * (ring % 2)) / sectors;
       Vec2 at = centre + Vec2(static_cast<float>(distance * std::cos(angle)),
                               static_cast<float>(distance * std::sin(angle)));
-      surface.position.push_back(Vec3(at.x, height(at, distance), at.y));
+      surface.position.push_back(Vec3(at.x, height(at), at.y));
     }
   }
   auto vertex = [&](int ring, int sector) {
@@ -57,15 +64,48 @@ Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rin
   return surface;
 }
 
-double surface_height(const Surface& surface, double x, double z) {
+namespace {
+
+constexpr int kCells = 64;  // of a metre, from -32 to 32 along x and z
+
+int cell_of(double x) { return static_cast<int>(std::floor(x)) + kCells / 2; }
+
+/// The height of a triangle at (x, z), if it is there.
+std::optional<double> height_at(const std::array<Vec3, 3>& triangle, double x, double z) {
+  const auto& [p, q, r] = triangle;
+  double qx = q.x - p.x, qz = q.z - p.z, rx = r.x - p.x, rz = r.z - p.z, dx = x - p.x, dz = z - p.z;
+  double area = qx * rz - qz * rx;
+  if (area == 0) return {};
+  double s = (dx * rz - dz * rx) / area, t = (qx * dz - qz * dx) / area;
+  if (s < -1e-9 || t < -1e-9 || s + t > 1 + 1e-9) return {};
+  return p.y + s * (q.y - p.y) + t * (r.y - p.y);
+}
+
+}  // namespace
+
+Heights::Heights(const Surface& surface) : cells_(kCells * kCells) {
   for (auto [a, b, c] : surface.triangle) {
-    const Vec3 &p = surface.position[a], &q = surface.position[b], &r = surface.position[c];
-    double qx = q.x - p.x, qz = q.z - p.z, rx = r.x - p.x, rz = r.z - p.z, dx = x - p.x, dz = z - p.z;
-    double area = qx * rz - qz * rx;
-    if (area == 0) continue;
-    double s = (dx * rz - dz * rx) / area, t = (qx * dz - qz * dx) / area;
-    if (s >= -1e-9 && t >= -1e-9 && s + t <= 1 + 1e-9) return p.y + s * (q.y - p.y) + t * (r.y - p.y);
+    std::array<Vec3, 3> triangle{surface.position[a], surface.position[b], surface.position[c]};
+    const auto& [p, q, r] = triangle;
+    Vec3 low = glm::min(p, glm::min(q, r)), high = glm::max(p, glm::max(q, r));
+    auto id = static_cast<std::uint32_t>(triangles_.size());
+    for (int row = std::max(0, cell_of(low.z)); row <= std::min(kCells - 1, cell_of(high.z)); ++row)
+      for (int column = std::max(0, cell_of(low.x)); column <= std::min(kCells - 1, cell_of(high.x));
+           ++column)
+        cells_[static_cast<std::size_t>(row * kCells + column)].push_back(id);
+    triangles_.push_back(triangle);
   }
+}
+
+double Heights::operator()(double x, double z) const {
+  int row = cell_of(z), column = cell_of(x);
+  if (row >= 0 && row < kCells && column >= 0 && column < kCells && !cells_.empty()) {
+    for (std::uint32_t id : cells_[static_cast<std::size_t>(row * kCells + column)])
+      if (std::optional<double> height = height_at(triangles_[id], x, z)) return *height;
+    return 0;
+  }
+  for (const auto& triangle : triangles_)
+    if (std::optional<double> height = height_at(triangle, x, z)) return *height;
   return 0;
 }
 

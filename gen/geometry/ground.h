@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 #include "core/seed.h"
 #include "model/surface.h"
 
@@ -19,7 +24,21 @@ double ground_height(const Ground& ground, double x, double z);
 /// relief is gone. `rings` (at least 2) sets how fine.
 Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rings);
 
-/// How high a mesh without overhangs lies at (x, z); 0 beside it.
-double surface_height(const Surface& surface, double x, double z);
+/// The same for any ground that is `height` high at a place (x, z).
+Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, double radius, int rings);
+
+/// How high a mesh without overhangs lies: quick to ask within 32 m of the origin, slow beyond.
+class Heights {
+ public:
+  Heights() = default;
+  explicit Heights(const Surface& surface);
+
+  /// At (x, z); 0 beside the mesh.
+  double operator()(double x, double z) const;
+
+ private:
+  std::vector<std::array<Vec3, 3>> triangles_;
+  std::vector<std::vector<std::uint32_t>> cells_;  // which triangles touch a square metre, row by row
+};
 
 }  // namespace frond

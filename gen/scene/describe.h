@@ -14,7 +14,8 @@ inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "a fe
 inline constexpr Choice<Setting> kSettings[] = {
     {"underwater", Setting::underwater, "a sea floor in blue water"},
     {"studio", Setting::studio, "soft light before a plain wall"},
-    {"meadow", Setting::meadow, "grass under a summer sky"}};
+    {"meadow", Setting::meadow, "grass under a summer sky"},
+    {"garden", Setting::garden, "a lawn with pond and path at any hour of the day"}};
 
 template <class Visitor>
 void describe(Visitor& v, Film& f) {
@@ -68,6 +69,33 @@ void describe(Visitor& v, Meadow& m) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, PondShape& p) {
+  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"}, "x, z of its middle");
+  v.vector("size", p.size, {.min = 0, .max = 20, .unit = "m"},
+           "From the middle to the shore along x and z; 0: none");
+  v.number("depth", p.depth, {.min = 0.1, .max = 5, .unit = "m"}, "Of the bed below the lawn");
+  v.number("level", p.level, {.min = -2, .max = 0, .unit = "m"}, "Of the water, above the lawn");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PathShape& p) {
+  v.list("points", p.points, "x, z in metres of a smooth curve; fewer than two: no path");
+  v.number("width", p.width, {.min = 0.1, .max = 20, .unit = "m"}, "From edge to edge");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Garden& g) {
+  v.number("hour", g.hour, {.min = 0, .max = 24, .unit = "h"}, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.angle("south", g.south, {.min = -360, .max = 360},
+          "Where the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.object("pond", g.pond, "The pond");
+  v.object("path", g.path, "The gravel path");
+  v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Leaves of water lilies on the pond");
+  v.number("gravel", g.gravel, {.min = 0.02, .max = 1, .unit = "m"}, "Size of the stones on the path");
+  v.color("gravel_color", g.gravel_color, "Of the stones on the path");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Floor& f) {
   v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"}, "Height of the dunes");
   v.number("scale", f.scale, {.min = 0.1, .max = 100, .unit = "m"}, "From dune to dune");
@@ -83,6 +111,7 @@ void describe(Visitor& v, Stage& s) {
   v.object("water", s.water, "The water, for underwater");
   v.object("studio", s.studio, "Wall and light, for studio");
   v.object("meadow", s.meadow, "Sky and grass, for meadow");
+  v.object("garden", s.garden, "Hour, pond and path, for garden; lawn and sky are the meadow's");
   v.object("floor", s.floor, "The ground");
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/curve.h"
 #include "core/result.h"
+#include "geometry/plot.h"
 #include "organisms/organism.h"
 
 namespace frond {
@@ -70,7 +71,18 @@ struct Meadow {
   double flowers = 0.004;       ///< share of blades that bear a flower
 };
 
-enum class Setting { underwater, studio, meadow };
+/// What a garden has beside the lawn and the sky of a meadow, whose colours the hour gives here.
+struct Garden {
+  double hour = 10;  ///< of the day: 6 dawn, 12 noon, 19 dusk
+  double south = 0;  ///< radians; where the sun stands at noon: 0 toward +z, to the right from there
+  PondShape pond;
+  PathShape path;
+  int lilies = 0;        ///< leaves of water lilies on the pond
+  double gravel = 0.05;  ///< metres, the stones of the path
+  Color gravel_color{0.62f, 0.57f, 0.49f};
+};
+
+enum class Setting { underwater, studio, meadow, garden };
 
 struct Stage {
   Setting setting = Setting::underwater;
@@ -78,6 +90,7 @@ struct Stage {
   Water water;
   Studio studio;
   Meadow meadow;
+  Garden garden;
   Floor floor;
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plot.h"
 #include "geometry/stone.h"
 #include "geometry/turf.h"
 #include "model/model.h"
@@ -44,9 +45,9 @@ struct Branches {
 /// The organism as it is at a time: itself, or what its steps have come to by then, fully revealed.
 Result<Branches> developed(const Branches& branches, double time);
 
-/// A patch of grass put somewhere on the ground.
+/// A patch of grass or gravel put somewhere on the ground.
 struct TurfInstance {
-  int shape = 0;  ///< index into Scene::turf
+  int shape = 0;  ///< index into Scene::turf or Scene::gravel
   Vec3 at{0};
   double turn = 0;  ///< radians about the vertical
   Vec2 slope{0};    ///< of the ground, along x and z
@@ -70,6 +71,9 @@ struct Scene {
   std::vector<StoneInstance> stone_instances;
   std::vector<Turf> turf;
   std::vector<TurfInstance> turf_instances;
+  std::vector<Surface> gravel;  ///< of a garden's path, as squares
+  std::vector<TurfInstance> gravel_instances;
+  Plot plot;  ///< of a garden
   std::vector<Branches> branches;
   std::vector<std::string> notes;  ///< what the user should know of how it was built
 

@@ -31,7 +31,7 @@ TEST(SolidText, HoldsAShapeOnceAndPlacesItOften) {
   std::string text = solids_text({}, with_copies(3));
   EXPECT_EQ(count(text, "mesh2{"), 1u);
   EXPECT_EQ(count(text, "object{Solid0_0"), 3u);
-  EXPECT_EQ(count(text, "texture{Matter_Plain(srgb<"), 3u);
+  EXPECT_EQ(count(text, " texture{Matter_Plain(srgb<"), 3u);
   EXPECT_TRUE(text.find(",20,0,-20>") != text.npos) << text;  // the third: 2 m right, 2 m toward us
 }
 

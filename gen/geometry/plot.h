@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "core/seed.h"
+#include "core/vec.h"
+#include "model/solid.h"
+
+namespace frond {
+
+/// A pond: an ellipse with an uneven shore.
+struct PondShape {
+  Vec2 center{0};        ///< x, z in metres
+  Vec2 size{0};          ///< metres from the middle to the shore along x and z; 0: no pond
+  double depth = 0.8;    ///< metres below the lawn
+  double level = -0.07;  ///< of the water, metres above the lawn
+};
+
+/// A way through the garden: a smooth curve through points, with uneven edges.
+struct PathShape {
+  std::vector<Vec2> points;  ///< x, z in metres; fewer than two: no path
+  double width = 1.2;        ///< metres
+};
+
+/// The ground plan of a garden.
+class Plot {
+ public:
+  Plot() = default;
+  Plot(const PondShape& pond, const PathShape& path, Seed seed);
+
+  /// Metres to the shore, about; below 0 in the pond.
+  double pond_distance(Vec2 at) const;
+  /// Metres to the edge of the path; below 0 on it.
+  double path_distance(Vec2 at) const;
+
+  /// What becomes of the ground of height `lawn` there: level round the pond and under the path, a basin in
+  /// the pond.
+  double height(Vec2 at, double lawn) const;
+
+  const PondShape& pond() const { return pond_; }
+  bool has_pond() const { return pond_.size.x > 0 && pond_.size.y > 0; }
+  bool has_path() const { return way_.size() > 1; }
+  const std::vector<Vec2>& way() const { return way_; }
+
+ private:
+  PondShape pond_;
+  double half_width_ = 0;
+  std::vector<Vec2> way_;  // the path as short straight pieces
+  Seed seed_;
+};
+
+/// Up to `count` leaves of water lilies, a flower by some, afloat on the pond in a few groups.
+Solids water_lilies(const Plot& plot, int count, Seed seed);
+
+/// Gravel on a square of `side` metres about the origin: stones of about `size` metres, half in the ground.
+/// `uv`: v is a number of the stone's own.
+Surface gravel_surface(double side, double size, Seed seed);
+
+}  // namespace frond
