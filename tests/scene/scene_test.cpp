@@ -127,5 +127,31 @@ TEST(Schema, IsTheOneInDocs) {
   EXPECT_EQ(*read_file(FROND_ROOT "/docs/preset.schema.json"), preset_schema());
 }
 
+TEST(Garden, GrowsNoGrassInPondAndPath) {
+  const char* text = R"({"scene": {"setting": "garden", "meadow": {"blade": 0.08, "blades": 50, "extent": 7},
+    "garden": {"pond": {"size": [3, 2]}, "path": {"points": [[-6, 4], [6, 3]]}, "lilies": 10}}})";
+  Result<Preset> preset = read_preset(text, "garden.json", {});
+  ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
+  Scene scene = *build_scene(*preset);
+  ASSERT_GT(scene.turf_instances.size(), 500u);
+  ASSERT_GT(scene.gravel_instances.size(), 50u);
+  double lawn = 0, gravel = 0;
+  for (const TurfInstance& patch : scene.turf_instances) {
+    Vec2 at(patch.at.x, patch.at.z);
+    EXPECT_GT(scene.plot.pond_distance(at), 0);
+    EXPECT_GT(scene.plot.path_distance(at), 0);
+    double side = 0.4 / (1 << patch.shape / 4);
+    lawn += side * side;
+  }
+  for (const TurfInstance& patch : scene.gravel_instances) {
+    EXPECT_LT(scene.plot.path_distance(Vec2(patch.at.x, patch.at.z)), 0);
+    double side = 0.5 / (1 << patch.shape / 4);
+    gravel += side * side;
+  }
+  EXPECT_NEAR(gravel, 12 * 1.2, 3);
+  EXPECT_NEAR(lawn, kPi * (49 - 6) - gravel, 9);
+  EXPECT_EQ(scene.branches[0].name, "water lilies");
+}
+
 }  // namespace
 }  // namespace frond
