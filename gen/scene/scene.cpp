@@ -283,7 +283,9 @@ void gravel(Builder& b) {
   Vec2 low = plot.way()[0], high = low;
   for (Vec2 at : plot.way()) low = glm::min(low, at), high = glm::max(high, at);
   double margin = garden.path.width;
-  Paving paving{b.heights, seed, [&](Vec2 at) { return plot.path_distance(at); }, b.scene.gravel_instances};
+  // A path that leads across the pond, over a bridge, ends at the shores.
+  auto edge = [&](Vec2 at) { return std::max(plot.path_distance(at), 0.1 - plot.pond_distance(at)); };
+  Paving paving{b.heights, seed, edge, b.scene.gravel_instances};
   auto columns = static_cast<int>(std::ceil((high.x - low.x + 2 * margin) / side)),
        rows = static_cast<int>(std::ceil((high.y - low.y + 2 * margin) / side));
   for (int i = 0; i <= rows * columns; ++i) {
