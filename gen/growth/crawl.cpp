@@ -19,7 +19,8 @@ struct Growing {
   std::vector<std::int32_t> alive;  // which tips grow
   Nodes nodes;
   Crowd crowd;
-  std::vector<std::int32_t> last;  // node of each strand
+  std::vector<std::int32_t> last{};  // node of each strand
+  std::vector<DVec3> near{};
 };
 
 void remember(Growing& g, Tip& tip, const Laid& laid) {
@@ -39,21 +40,40 @@ void begin(Growing& g, Tip tip, std::int32_t below) {
   g.tips.push_back(std::move(tip));
 }
 
-/// Starts a branch to one side or, where there is no room, to the other (I4).
-void branch(Growing& g, std::int32_t from, const Laid& laid, std::int32_t node, int number) {
-  Seed seed = g.tips[from].seed.child("branch", static_cast<std::uint64_t>(number));
-  double side = seed.child("side").unit() < 0.5 ? -1 : 1;
+/// Starts a branch to one side or, where there is no room, to the other (I4). False where there is none.
+bool branch(Growing& g, std::int32_t from, const Tread& at, std::int32_t node) {
+  Seed seed = g.tips[from].seed.child("branch", static_cast<std::uint64_t>(g.tips[from].branches++));
+  double side = seed.child("side").unit() < 0.5 ? -1 : 1, spacing = g.crawl.spacing;
   for (double way : {side, -side}) {
-    Tread t = laid.tread;
+    Tread t = at;
     t.heading = turned(t.heading, t.normal, way * g.crawl.branch_angle);
-    if (g.crawl.spacing > 0) {
-      Crowd::View view = g.crowd.look(t.place + t.heading * (0.8 * g.crawl.spacing), t.normal, {-2, from, 0});
-      if (view.nearest < 0.8 * g.crawl.spacing) continue;
+    if (spacing > 0) {
+      DVec3 ahead = t.place + t.heading * (0.8 * spacing);
+      g.crowd.gather(ahead, t.normal, {-2, from, 0}, spacing, g.near);
+      if (g.crowd.view(g.near, ahead).nearest < 0.8 * spacing) continue;
     }
     Tip tip = sprout(t, g.crawl, seed);
     tip.parent = from;
     tip.depth = g.tips[from].depth + 1;
-    return begin(g, std::move(tip), node);
+    begin(g, std::move(tip), node);
+    return true;
+  }
+  return false;
+}
+
+/// A strand that has come to its end wakes buds that sleep along it, wherever there is room beside it: the
+/// reiteration of Benes and Millan (2002). What is bare between strands is filled from its rim.
+void wake(Growing& g, std::int32_t t) {
+  const Tip& tip = g.tips[t];
+  if (tip.depth >= g.crawl.branch_depth || g.crawl.waking <= 0) return;
+  Seed seed = tip.seed.child("waking");
+  double last = 0, apart = std::max(g.crawl.spacing, 0.5 * g.crawl.branch_every);
+  std::vector<std::int32_t> own = tip.own;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const Laid& laid = g.nodes.laid[own[k]];
+    if (laid.along < last + apart || seed.child(k).unit() >= g.crawl.waking) continue;
+    last = laid.along;
+    branch(g, t, laid.tread, own[k]);
   }
 }
 
@@ -69,13 +89,14 @@ bool take(Growing& g, std::int32_t t) {
     if (g.nodes.laid.size() >= g.crawl.most_nodes) return false;
     Laid laid = g.tips[t].laid[k];
     remember(g, g.tips[t], laid);
-    if (laid.bud) branch(g, t, laid, g.last[t], g.tips[t].buds);
+    if (laid.bud) branch(g, t, laid.tread, g.last[t]);
   }
   Tip& tip = g.tips[t];
   if (tip.gripped) {
     set_hung(g, tip);
     tip.hung.clear();
   }
+  if (!tip.alive && tip.end != End::length && g.crawl.spacing > 0) wake(g, t);
   return true;
 }
 
@@ -101,8 +122,9 @@ void rest_all(Growing& g) {
     if (tip.hangs && !tip.hung.empty()) hanging.push_back(tip.strand);
   parallel_for(hanging.size(), [&](std::size_t i) {
     Chain& chain = g.tips[hanging[i]].chain;
-    for (int round = 0; round < 40 && settle(chain, g.host, 20) > 1e-3; ++round) {
-    }
+    constexpr int kRounds = 40;
+    for (int round = 0; round <= kRounds; ++round)
+      if (settle(chain, g.host, 20, static_cast<double>(round) / kRounds) < 1e-4) break;
   });
   for (std::int32_t t : hanging) set_hung(g, g.tips[t]);
 }

@@ -42,6 +42,7 @@ struct Crawl {
   Vec3 high{std::numeric_limits<float>::infinity()};
   double spacing = 0.06;  ///< metres that strands keep apart; 0: they do not heed each other
   int patience = 6;       ///< a strand stops after so many steps on which it found no room
+  double waking = 0.7;    ///< 0..1: chance that a bud along a strand that has ended makes a branch after all
   std::size_t most_nodes = 4'000'000;
 
   double let_go = 0.1;      ///< chance that a strand loses its hold at an edge or where an overhang begins

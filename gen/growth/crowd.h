@@ -1,21 +1,22 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/vec.h"
 
 namespace frond {
 
-/// Who is near: nodes of strands in cells of the size of their spacing, so that looking round costs the same
-/// however many there are.
+/// Who is near: the nodes of all strands in cells, so that looking round costs the same however many there
+/// are.
 class Crowd {
  public:
   struct Member {
     Vec3 place, normal;
-    std::int32_t strand;
-    float since;  ///< metres along its strand
-    std::int32_t next = -1;
+    std::int32_t strand = -1;
+    float since = 0;  ///< metres along its strand
   };
 
   /// Who does not count for the one that looks: the last metres of its own strand, and, while it is young,
@@ -26,26 +27,38 @@ class Crowd {
   };
 
   struct View {
-    double nearest;  ///< metres to the next neighbour; `spacing` where there is none
+    double nearest;  ///< metres to the next neighbour; the spacing where none is within it
     DVec3 away{0};   ///< from the neighbours, the nearer the more
   };
 
+  /// `spacing` is what strands keep apart, metres, > 0.
   explicit Crowd(double spacing);
   void add(const Member& member);
-  View look(const DVec3& place, const DVec3& normal, const Own& own) const;
+
+  /// Sets `near` to the places within `reach` (metres) of a place, without those on the other side of a wall.
+  void gather(const DVec3& place, const DVec3& normal, const Own& own, double reach,
+              std::vector<DVec3>& near) const;
+
+  /// What of such places is seen from one among them.
+  View view(std::span<const DVec3> near, const DVec3& place) const;
+
   double spacing() const { return spacing_; }
 
  private:
   struct Cell {
-    std::int32_t x = 0, y = 0, z = 0, first = -1;
+    std::int32_t x = 0, y = 0, z = 0, last = -1;  // chunk
+  };
+  struct Chunk {
+    std::array<Member, 7> member;
+    std::int32_t count = 0, before = -1;
   };
   std::size_t slot(std::int32_t x, std::int32_t y, std::int32_t z) const;
   void grow();
 
-  double spacing_;
+  double spacing_, size_;    // of a cell
   std::vector<Cell> cells_;  // hashed, open addressing
   std::size_t used_ = 0;
-  std::vector<Member> members_;
+  std::vector<Chunk> chunks_;
 };
 
 }  // namespace frond

@@ -9,14 +9,21 @@ namespace frond {
 
 namespace {
 
+constexpr std::int32_t kLeast = 3;  // nodes of a strand that is crowded out
+
 /// The strands that have a segment, renumbered, and where their nodes begin. Returns the new number of each.
 std::vector<std::int32_t> keep_strands(const Nodes& nodes, const std::vector<Strand>& strands, Strands& out) {
   std::vector<std::int32_t> count(strands.size(), 0), number(strands.size(), -1);
   for (std::int32_t s : nodes.strand) ++count[s];
+  std::vector<std::uint8_t> bears(strands.size(), 0);
+  for (const Strand& s : strands)
+    if (s.parent >= 0) bears[s.parent] = 1;
   std::int32_t first = 0;
   for (std::size_t s = 0; s < strands.size(); ++s) {
     std::int32_t parent = strands[s].parent;
-    if (count[s] < (parent < 0 ? 2 : 1)) continue;
+    // Stubs that found no room at once, and branches of what is not there.
+    bool stub = count[s] < kLeast && !bears[s] && strands[s].end == End::crowded;
+    if (count[s] < (parent < 0 ? 2 : 1) || stub || (parent >= 0 && number[parent] < 0)) continue;
     number[s] = static_cast<std::int32_t>(out.strands.size());
     out.strands.push_back({first, count[s], parent < 0 ? -1 : number[parent], strands[s].end});
     first += count[s];
@@ -60,6 +67,36 @@ DVec3 lifted(const Host& host, const Tread& t, double radius) {
   return place;
 }
 
+/// The places of all nodes. What hangs moves along as the node that holds it is lifted, if there is room.
+std::vector<DVec3> places(const Host& host, const Nodes& nodes, const std::vector<std::int32_t>& order,
+                          const std::vector<std::int32_t>& parent, const std::vector<float>& radius) {
+  std::size_t n = order.size();
+  std::vector<DVec3> place(n);
+  auto laid = [&](std::size_t i) -> const Laid& { return nodes.laid[order[i]]; };
+  parallel_for((n + 255) / 256, [&](std::size_t block) {
+    for (std::size_t i = block * 256; i < std::min(n, (block + 1) * 256); ++i)
+      place[i] = laid(i).hanging ? laid(i).tread.place : lifted(host, laid(i).tread, radius[i]);
+  });
+  for (std::size_t i = 0; i < n;) {
+    std::size_t end = i + 1;
+    if (laid(i).hanging && parent[i] >= 0) {
+      while (end < n && laid(end).hanging && parent[end] == static_cast<std::int32_t>(end) - 1) ++end;
+      DVec3 root = place[parent[i]], shift = root - laid(parent[i]).tread.place;
+      bool free = true;
+      for (std::size_t k = i; k < end && free; ++k) {
+        free = !host.crossing(root, place[k] + shift) && !host.crossing(place[k], place[k] + shift);
+        root = place[k] + shift;
+      }
+      // The next one holds again.
+      if (free && end < n && parent[end] == static_cast<std::int32_t>(end) - 1)
+        free = !host.crossing(root, place[end]);
+      for (std::size_t k = i; k < end && free; ++k) place[k] += shift;
+    }
+    i = end;
+  }
+  return place;
+}
+
 }  // namespace
 
 Strands gather(const Host& host, const Nodes& nodes, const std::vector<Strand>& strands,
@@ -82,25 +119,23 @@ Strands gather(const Host& host, const Nodes& nodes, const std::vector<Strand>& 
     out.age[i] = static_cast<float>(end - nodes.laid[order[i]].time);
   }
   std::vector<float> radius = radii(out, parent, crawl);
-  std::vector<Vec3> place(n);
+  std::vector<DVec3> place = places(host, nodes, order, parent, radius);
   parallel_for((n + 255) / 256, [&](std::size_t block) {
     for (std::size_t i = block * 256; i < std::min(n, (block + 1) * 256); ++i) {
       const Laid& laid = nodes.laid[order[i]];
-      if (laid.hanging) {
-        double far = 2 * crawl.hang_most;
-        std::optional<Contact> near = host.closest(laid.tread.place, far);
-        out.room[i] = std::max(static_cast<float>(near ? near->distance : far) - radius[i], 0.0f);
-      }
-      place[i] = Vec3(laid.hanging ? laid.tread.place : lifted(host, laid.tread, radius[i]));
       out.normal[i] = Vec3(laid.tread.normal);
-      out.contact[i] = Vec3(laid.tread.contact);
+      out.contact[i] = Vec3(laid.hanging ? place[i] : laid.tread.contact);
+      if (!laid.hanging) continue;
+      double far = 2 * crawl.hang_most;
+      std::optional<Contact> near = host.closest(place[i], far);
+      out.room[i] = std::max(static_cast<float>(near ? near->distance : far) - radius[i], 0.0f);
     }
   });
   out.skeleton.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Laid& laid = nodes.laid[order[i]];
     std::int32_t s = nodes.strand[order[i]];
-    out.skeleton.add(place[i], radius[i], parent[i], static_cast<std::uint16_t>(depths[s]));
+    out.skeleton.add(Vec3(place[i]), radius[i], parent[i], static_cast<std::uint16_t>(depths[s]));
     out.skeleton.birth.back() = end > 0 ? static_cast<float>(laid.time / end) : 0;
     out.hanging.push_back(laid.hanging);
     out.of.push_back(number[s]);

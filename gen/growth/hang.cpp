@@ -58,36 +58,43 @@ bool place_link(Chain& chain, const Host& host, std::size_t i, const DVec3& at, 
 
 }  // namespace
 
-bool lengthen(Chain& chain, const Host& host, const DVec3& direction) {
+bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec3& curl) {
   DVec3 from = chain.place.empty() ? chain.root : chain.place.back();
   chain.place.push_back(from);
+  chain.curl.push_back(curl);
+  chain.load.push_back(DVec3(0));
   chain.clear.push_back(from);
   chain.room.push_back(0);
   if (place_link(chain, host, chain.place.size() - 1, from, direction)) return true;
   chain.place.pop_back();
+  chain.curl.pop_back();
+  chain.load.pop_back();
   chain.clear.pop_back();
   chain.room.pop_back();
   return false;
 }
 
-double settle(Chain& chain, const Host& host, int sweeps) {
-  constexpr double kEager = 1.5;  // over-relaxation
+double settle(Chain& chain, const Host& host, int sweeps, double calm) {
+  const double eager_by = 1.8 - 0.8 * calm;  // over-relaxation
   std::size_t n = chain.place.size();
   std::vector<DVec3> link(n);
   double stiff = chain.stiffness * chain.stiffness * chain.stiffness / chain.link;
-  double weight = chain.link * chain.link, moved = 0;
+  double moved = 0;
+  std::vector<DVec3> beyond(n);  // what pulls at each link: weight, and what bears it
   auto bend = [&](std::size_t i) {
-    double beyond = static_cast<double>(n - i) - 0.5;
-    DVec3 pull = stiff * (i == 0 ? chain.heading : link[i - 1]) - DVec3(0, weight * beyond, 0);
-    if (i + 1 < n) pull += stiff * link[i + 1];
+    DVec3 before = (i == 0 ? chain.heading : link[i - 1]) + chain.curl[i];
+    DVec3 pull = stiff * before + chain.link * beyond[i];
+    if (i + 1 < n) pull += stiff * (link[i + 1] - chain.curl[i + 1]);
     double force = glm::length(pull);
-    DVec3 eager = kEager * pull - (kEager - 1) * force * link[i];
+    DVec3 eager = eager_by * pull - (eager_by - 1) * force * link[i];
     double length = glm::length(eager);
     if (length > 1e-12 * force && force > 0) link[i] = eager / length;
   };
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < n; ++i)
       link[i] = (chain.place[i] - (i == 0 ? chain.root : chain.place[i - 1])) / chain.link;
+    DVec3 sum(0, 0.5 * chain.link, 0);
+    for (std::size_t i = n; i-- > 0;) beyond[i] = sum += chain.load[i] - DVec3(0, chain.link, 0);
     for (std::size_t i = 0; i < n; ++i) bend(i);
     for (std::size_t i = n; i-- > 0;) bend(i);
     Chain before = chain;
@@ -99,6 +106,10 @@ double settle(Chain& chain, const Host& host, int sweeps) {
         chain = std::move(before);
         return 0;
       }
+      // The push that it took becomes a load that the links above feel, too.
+      DVec3 pushed = chain.place[i] - (at + link[i] * chain.link);
+      double gain = 0.5 * (1 - calm);
+      chain.load[i] = (1 - 0.2 * gain) * chain.load[i] + gain * static_cast<double>(n) * pushed;
       at = chain.place[i];
       moved = std::max(moved, glm::distance(at, before.place[i]) / chain.link);
     }

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/noise.h"
+
 namespace frond {
 
 namespace {
 
-constexpr double kTooNear = 0.55;   // of the spacing: nobody goes nearer to a neighbour than this
+constexpr double kTooNear = 0.55;  // of the spacing: nobody goes nearer to a neighbour than this
+constexpr double kMuchTooNear = 0.35;
 constexpr double kOverhang = -0.5;  // the height of the normal below which a surface is one
 
 /// Which way the lure is, and how much of the bias it deserves here.
@@ -119,15 +122,18 @@ void grip(Tip& tip, const Host& host, const Crawl& crawl) {
 }
 
 /// Grows a hanging strand by a link.
-void dangle(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) {
+void dangle(Tip& tip, const Host& host, const Crawl& crawl, int step) {
   Chain& chain = tip.chain;
   if (chain.length() + chain.link > crawl.hang_most) return stop(tip, End::hung);
   std::size_t n = chain.place.size();
   DVec3 last = n == 0 ? chain.heading : chain.place[n - 1] - (n == 1 ? chain.root : chain.place[n - 2]);
-  DVec3 stray(draw.child(1).range(-1, 1), draw.child(2).range(-1, 1), draw.child(3).range(-1, 1));
-  DVec3 ahead = glm::normalize(glm::normalize(last) + stray * std::min(0.7 * crawl.wander, 0.5));
-  if (!lengthen(chain, host, ahead)) return block(tip, crawl, End::stuck);
-  settle(chain, host, 2);
+  // It grows in slow curves of its own, the more so the less weight pulls it straight.
+  double shift = tip.seed.child("curl").range(-500, 500);
+  DVec3 curl =
+      DVec3(noise3(Vec3(shift, 0.16 * static_cast<double>(n), 0))) * std::min(0.8 * crawl.wander, 0.4);
+  if (!lengthen(chain, host, glm::normalize(glm::normalize(last) + curl), curl))
+    return block(tip, crawl, End::stuck);
+  settle(chain, host, 4);
   tip.along += chain.link;
   DVec3 along = glm::normalize(last);
   tip.tread.place = tip.tread.contact = chain.place.back();
@@ -144,39 +150,39 @@ Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed) {
   Tip tip;
   tip.tread = tread;
   tip.seed = seed;
-  double vary = crawl.branch_jitter * seed.child("first bud").range(-1, 1);
-  tip.next_bud = crawl.branch_every * (1 + vary);
+  tip.next_bud = crawl.branch_every * seed.child("first bud").range(1 - crawl.branch_jitter, 1);
   return tip;
 }
 
 std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,
-                                       const Crowd::Own& own, double step) {
+                                       const Crowd::Own& own, double step, std::vector<DVec3>& near) {
   double spacing = crowd.spacing(), probe = std::max(step, 0.5 * spacing);
-  auto view = [&](const DVec3& h) { return crowd.look(tread.place + h * probe, tread.normal, own); };
-  Crowd::View ahead = view(heading);
-  if (ahead.nearest >= spacing) return heading;
-  // Away from the neighbours, the more the nearer they are.
-  DVec3 away = ahead.away - tread.normal * glm::dot(ahead.away, tread.normal);
-  double strength = glm::length(away);
+  crowd.gather(tread.place, tread.normal, own, spacing + probe, near);
+  if (near.empty()) return heading;
+  auto ahead = [&](const DVec3& h) { return crowd.view(near, tread.place + h * probe); };
+  Crowd::View straight = ahead(heading);
+  if (straight.nearest >= spacing) return heading;
   DVec3 best = heading;
-  double room = ahead.nearest;
+  double room = straight.nearest;
   auto consider = [&](const DVec3& h) {
-    double there = view(h).nearest;
+    double there = ahead(h).nearest;
     if (there <= room) return;
     best = h;
     room = there;
   };
-  if (strength > 1e-9) {
-    double push = 0.8 * (1 - ahead.nearest / spacing) / strength;
-    consider(glm::normalize(heading + away * push));
-  }
+  // Away from the neighbours, the more the nearer they are.
+  DVec3 away = straight.away - tread.normal * glm::dot(straight.away, tread.normal);
+  double strength = glm::length(away);
+  if (strength > 1e-9)
+    consider(glm::normalize(heading + away * (0.8 * (1 - straight.nearest / spacing) / strength)));
   if (room >= kTooNear * spacing) return best;
-  for (double angle : {35.0, -35.0, 75.0, -75.0, 120.0, -120.0}) {
+  // Not back on itself: a strand that finds no way ahead stops.
+  for (double angle : {30.0, -30.0, 60.0, -60.0}) {
     consider(turned(heading, tread.normal, radians(angle)));
     if (room >= kTooNear * spacing) return best;
   }
   // Who is crowded already may go where it is less so.
-  if (room > crowd.look(tread.place, tread.normal, own).nearest) return best;
+  if (room > kMuchTooNear * spacing && room > crowd.view(near, tread.place).nearest) return best;
   return std::nullopt;
 }
 
@@ -184,15 +190,15 @@ void advance(Tip& tip, const Host& host, const Crowd* crowd, const Crawl& crawl,
   tip.laid.clear();
   tip.gripped = false;
   Seed draw = tip.seed.child(static_cast<std::uint64_t>(step));
-  if (tip.hangs) return dangle(tip, host, crawl, step, draw);
+  if (tip.hangs) return dangle(tip, host, crawl, step);
   const DVec3& normal = tip.tread.normal;
   DVec3 heading = turned(tip.tread.heading, normal, crawl.wander * draw.child(0).range(-1, 1));
   double share;
   DVec3 lure = lured(crawl, tip.tread, share);
   heading = leaning(heading, normal, lure, share);
   if (crowd) {
-    std::optional<DVec3> free =
-        heading_with_room(*crowd, tip.tread, heading, {tip.strand, tip.parent, tip.along}, crawl.speed);
+    std::optional<DVec3> free = heading_with_room(*crowd, tip.tread, heading,
+                                                  {tip.strand, tip.parent, tip.along}, crawl.speed, tip.near);
     if (!free) return block(tip, crawl, End::crowded);
     heading = tangent(*free, normal);
   }

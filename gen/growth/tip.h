@@ -25,14 +25,17 @@ struct Tip {
   double along = 0;     ///< metres grown
   double next_bud = 0;  ///< metres along at which the next branch is due
   double calm = 0;      ///< metres since the last edge
-  int buds = 0;         ///< made so far
+  int buds = 0;         ///< that were due so far
+  int branches = 0;     ///< that were tried so far
   int blocked = 0;      ///< steps without room, on end
   bool alive = true;
   bool hangs = false;
   End end = End::age;
   Chain chain;
+  std::vector<std::int32_t> own;   ///< nodes that hold, where strands heed each other
   std::vector<std::int32_t> hung;  ///< nodes of the chain
   std::vector<Laid> laid;          ///< in the last step
+  std::vector<DVec3> near;         ///< whom it saw in the last step
   bool gripped = false;            ///< in the last step, after hanging
 };
 
@@ -45,8 +48,9 @@ Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed);
 /// One step of a tip, the `step`th (from 0) of all.
 void advance(Tip& tip, const Host& host, const Crowd* crowd, const Crawl& crawl, int step);
 
-/// A heading near the one that is asked for in which there is room; nothing where there is none.
+/// A heading near the one that is asked for in which there is room; nothing where there is none. `near` is
+/// overwritten.
 std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,
-                                       const Crowd::Own& own, double step);
+                                       const Crowd::Own& own, double step, std::vector<DVec3>& near);
 
 }  // namespace frond
