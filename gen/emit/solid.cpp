@@ -17,22 +17,31 @@ constexpr std::size_t kOwnTextures = 32;
 struct MatterRow {
   Matter matter;
   std::string_view include, macro;
+  std::string_view inside = {};  ///< the macro of what stands in interior { }, of what light goes through
 };
 
-constexpr MatterRow kMatters[] = {
-    {Matter::plain, "matter", "Matter_Plain"},       {Matter::brick, "masonry", "Masonry_Brick"},
-    {Matter::mortar, "masonry", "Masonry_Mortar"},   {Matter::limestone, "masonry", "Masonry_Limestone"},
-    {Matter::plaster, "masonry", "Masonry_Plaster"}, {Matter::paint, "masonry", "Masonry_Paint"},
-    {Matter::pane, "masonry", "Masonry_Pane"}};
+constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"},
+                                  {Matter::brick, "masonry", "Masonry_Brick"},
+                                  {Matter::mortar, "masonry", "Masonry_Mortar"},
+                                  {Matter::limestone, "masonry", "Masonry_Limestone"},
+                                  {Matter::plaster, "masonry", "Masonry_Plaster"},
+                                  {Matter::paint, "masonry", "Masonry_Paint"},
+                                  {Matter::pane, "masonry", "Masonry_Pane"},
+                                  {Matter::timber, "wood", "Wood_Timber"},
+                                  {Matter::ashlar, "ashlar", "Ashlar_Stone"},
+                                  {Matter::bed, "ashlar", "Ashlar_Bed"},
+                                  {Matter::ceramic, "vessel", "Vessel_Ceramic"},
+                                  {Matter::terracotta, "vessel", "Vessel_Terracotta"},
+                                  {Matter::glass, "vessel", "Vessel_Glass", "Vessel_Glass_Inside"},
+                                  {Matter::soil, "vessel", "Vessel_Soil"}};
 
 const MatterRow& row_of(Matter matter) {
   return *std::find_if(std::begin(kMatters), std::end(kMatters),
                        [&](const MatterRow& row) { return row.matter == matter; });
 }
 
-void append_material(std::string& text, const Material& material) {
-  text += " texture{";
-  text += row_of(material.matter).macro;
+void append_macro(std::string& text, std::string_view macro, const Material& material) {
+  text += macro;
   text += '(';
   append_color(text, material.color);
   text += ',';
@@ -40,6 +49,40 @@ void append_material(std::string& text, const Material& material) {
   text += ',';
   append_list(text, 5, material.scale, material.relief, material.moss, material.gloss);
   text += ")}";
+}
+
+/// The texture, on it the bands, and what is inside.
+void append_material(std::string& text, const Material& material) {
+  const MatterRow& row = row_of(material.matter);
+  text += "texture{";
+  append_macro(text, row.macro, material);
+  for (const Band& band : material.bands) {
+    text += "texture{Vessel_Band(";
+    append_color(text, band.color);
+    text += ',';
+    append_list(text, 5, band.at, band.width, material.gloss);
+    text += ',';
+    append_integer(text, static_cast<int>(band.motif));
+    text += ',';
+    append_integer(text, band.repeats);
+    text += ")}";
+  }
+  if (row.inside.empty()) return;
+  text += "interior{";
+  append_macro(text, row.inside, material);
+}
+
+/// A body that POV-Ray turns itself. The mirror of z changes nothing about it.
+void append_lathe(std::string& text, const PovSpace& space, const Solid& solid) {
+  text += "lathe{bezier_spline ";
+  append_integer(text, static_cast<long long>(4 * solid.turned.size()));
+  for (const auto& span : solid.turned)
+    for (const glm::dvec2& p : span) {
+      text += ",<";
+      append_list(text, 6, p.x * space.unit, p.y * space.unit);
+      text += '>';
+    }
+  text += " sturm}";
 }
 
 /// `Solid2_0`: a shape of an organism.
@@ -60,7 +103,10 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
   text += "#declare ";
   append_solid_name(text, organism, shape);
   text += " = ";
-  append_mesh(text, space, solid.surface);
+  if (solid.turned.empty())
+    append_mesh(text, space, solid.surface);
+  else
+    append_lathe(text, space, solid);
   text += '\n';
   for (std::size_t i = 0; i < solids.size(); ++i) {
     if (solids.shape[i] != shape) continue;

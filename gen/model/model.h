@@ -62,6 +62,7 @@ struct Model {
   Blades blades;
   Solids solids;
   Surface hull;  ///< in place of the solids, what creepers hold on to; empty: the solids themselves
+  std::vector<std::string> notes;  ///< what the user should know of how it was built
 
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,26 @@ enum class Matter {
   limestone,  ///< dressed, weathered
   plaster,    ///< lime, flaking
   paint,      ///< on wood
-  pane        ///< a window before a dark room
+  pane,       ///< a window before a dark room
+  timber,     ///< sawn wood, its grain along x, the pith on the x axis
+  ashlar,     ///< dressed stone
+  bed,        ///< the mortar that it lies in
+  ceramic,    ///< glazed; `scale` is the vessel's height, as for all that is turned
+  terracotta,
+  glass,
+  soil
+};
+
+/// What is painted in a band.
+enum class Motif { plain, zigzag, waves, dots, meander, petals, rings };
+
+/// A band painted round a vessel, on its `uv`: u once round, v from 0 at the foot to 1 at the lip.
+struct Band {
+  double at = 0.6;      ///< its middle, as a share of the height
+  double width = 0.06;  ///< as a share of the height
+  Color color{0.12f, 0.18f, 0.42f};
+  Motif motif = Motif::plain;
+  int repeats = 24;  ///< once round
 };
 
 /// The surface of a solid.
@@ -29,12 +50,16 @@ struct Material {
   double relief = 0.5;                ///< depth of the pattern
   double moss = 0;                    ///< 0 none .. 1: how much grows on what faces upward
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
+  std::vector<Band> bands{};
 };
 
 /// A body of one material. Metres.
 struct Solid {
   Surface surface;
   Material material;
+  /// The same body as cubic Bézier spans (radius, y) turned about the y axis, for a renderer that can; else
+  /// empty.
+  std::vector<std::array<glm::dvec2, 4>> turned{};
 };
 
 /// Bodies without branches: rocks, walls, vases. Each shape is held once and may be placed often. The

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "organisms/describe_garden.h"
 #include "organisms/describe_host.h"
 #include "organisms/describe_plant.h"
 #include "organisms/organism.h"
@@ -214,6 +215,8 @@ inline constexpr Kind<Organism> kOrganismKinds[] = {
     make_kind<PlantParams, &Organism::body>("plant", "Anything that an L-system draws: herbs, trees, curves"),
     make_kind<WallParams, &Organism::body>("wall", "A wall of bricks with windows and doors, or its ruin"),
     make_kind<ColumnParams, &Organism::body>("column", "A column of stone, whole or broken"),
-    make_kind<MeshParams, &Organism::body>("mesh", "A body from an OBJ file")};
+    make_kind<MeshParams, &Organism::body>("mesh", "A body from an OBJ file"),
+    make_kind<BridgeParams, &Organism::body>("bridge", "A humped garden bridge of wood or stone"),
+    make_kind<VaseParams, &Organism::body>("vase", "A vase, bowl or pot turned from a Bézier curve")};
 
 }  // namespace frond

@@ -17,6 +17,8 @@ struct Grow {
   Result<Model> operator()(const WallParams& params) const { return build_wall_model(params, seed); }
   Result<Model> operator()(const ColumnParams& params) const { return build_column_model(params); }
   Result<Model> operator()(const MeshParams& params) const { return build_mesh_model(params); }
+  Result<Model> operator()(const BridgeParams& params) const { return grow_bridge(params, seed); }
+  Result<Model> operator()(const VaseParams& params) const { return grow_vase(params, seed); }
 };
 
 struct Check {
@@ -33,10 +35,17 @@ struct Check {
   Errors operator()(const WallParams&) const { return {}; }
   Errors operator()(const ColumnParams&) const { return {}; }
   Errors operator()(const MeshParams&) const { return {}; }
+  Errors operator()(const BridgeParams&) const { return {}; }
+  Errors operator()(const VaseParams& params) const {
+    Result<VesselProfile> profile = vessel_profile(params.shape);
+    return profile ? Errors{} : profile.errors();
+  }
 };
 
 struct Foresee {
   Seed seed;
+  Result<Foresight> operator()(const BridgeParams&) const { return Foresight{}; }
+  Result<Foresight> operator()(const VaseParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const PlantParams& params) const {
     Result<Grammar> grammar = plant_grammar(params);
     if (!grammar) return grammar.errors();

@@ -8,9 +8,11 @@
 #include "core/result.h"
 #include "grammar/forecast.h"
 #include "model/model.h"
+#include "organisms/bridge.h"
 #include "organisms/coral.h"
 #include "organisms/host.h"
 #include "organisms/plant.h"
+#include "organisms/vase.h"
 
 namespace frond {
 
@@ -35,7 +37,7 @@ struct Organism {
   std::string name;  ///< the user's name for it, for messages and comments
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
-  std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams> body;
+  std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams, BridgeParams, VaseParams> body;
 };
 
 /// What an organism is made of at the end of its growth, with its foot at the origin.

@@ -160,12 +160,15 @@ struct Dress {
   void operator()(const WallParams&) {}
   void operator()(const ColumnParams&) {}
   void operator()(const MeshParams&) {}
+  void operator()(const BridgeParams&) {}
+  void operator()(const VaseParams&) {}
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
 /// Takes over what a grower made and puts it at its place.
 void settle(Branches& branches, Model&& model, Vec3 foot, Quat turn, float size) {
   branches.rest = std::move(model.skeleton);
+  branches.notes = std::move(model.notes);
   branches.color = std::move(model.color);
   branches.prototypes = std::move(model.prototypes);
   branches.organs = std::move(model.organs);
@@ -376,6 +379,12 @@ Result<Scene> build_scene(const Preset& preset) {
   parallel_for(list.size(), [&](std::size_t i) { grown[i] = plant(preset, list[i], feet[i]); });
   for (auto& result : grown) {
     if (!*result) return result->errors();
+    for (const std::string& note : (*result)->notes) {
+      std::string line = (*result)->name.empty() ? note : (*result)->name + ": " + note;
+      // One of many like it is enough.
+      if (std::find(b.scene.notes.begin(), b.scene.notes.end(), line) == b.scene.notes.end())
+        b.scene.notes.push_back(line);
+    }
     b.scene.branches.push_back(std::move(**result));
   }
   return std::move(b.scene);

@@ -38,8 +38,9 @@ struct Branches {
   Organs organs;
   Blades blades;
   Solids solids;
-  Surface hull;                  ///< what creepers hold on to where that is not the solids themselves
-  std::optional<Stages> stages;  ///< of what grows by steps; all else above is how it ends
+  Surface hull;                    ///< what creepers hold on to where that is not the solids themselves
+  std::vector<std::string> notes;  ///< of its grower
+  std::optional<Stages> stages;    ///< of what grows by steps; all else above is how it ends
 };
 
 /// The organism as it is at a time: itself, or what its steps have come to by then, fully revealed.
