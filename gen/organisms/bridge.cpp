@@ -8,8 +8,8 @@ namespace frond {
 
 namespace {
 
-constexpr Color kCedar{0.60f, 0.44f, 0.29f}, kSilver{0.60f, 0.575f, 0.54f};
-constexpr Color kSandstone{0.66f, 0.60f, 0.50f}, kMortar{0.60f, 0.57f, 0.51f};
+constexpr Color kCedar{0.57f, 0.45f, 0.33f}, kSilver{0.60f, 0.575f, 0.54f};
+constexpr Color kSandstone{0.73f, 0.69f, 0.61f}, kMortar{0.60f, 0.57f, 0.51f};
 constexpr double kRing = 0.0045;   // metres from ring to ring of the timber
 constexpr std::size_t kTones = 6;  // of stone: those of one tone are one body
 constexpr double kPattern = 0.30;  // metres, of the stone's own markings

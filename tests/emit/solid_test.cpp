@@ -45,5 +45,31 @@ TEST(SolidText, AsksForItsMaterialsAndNothingElse) {
   EXPECT_EQ(includes_text(with_copies(1)), "#include \"frond_studio.inc\"\n#include \"frond_matter.inc\"");
 }
 
+TEST(SolidText, PaintsBandsOverTheTexture) {
+  Scene scene = with_copies(1);
+  Material& material = scene.branches[0].solids.shapes[0].material;
+  material.matter = Matter::ceramic;
+  material.bands = {{0.5, 0.1, {0, 0, 1}, Motif::meander, 12}, {}};
+  std::string text = solids_text({}, scene);
+  EXPECT_EQ(count(text, "texture{Vessel_Ceramic("), 1u);
+  EXPECT_EQ(count(text, "texture{Vessel_Band("), 2u);
+  EXPECT_NE(text.find("texture{Vessel_Band(srgb<0,0,1>,0.5,0.1,0.1,4,12)}"), text.npos) << text;
+}
+
+TEST(SolidText, GlassHasAnInside) {
+  Scene scene = with_copies(1);
+  scene.branches[0].solids.shapes[0].material.matter = Matter::glass;
+  EXPECT_EQ(count(solids_text({}, scene), "interior{Vessel_Glass_Inside("), 1u);
+}
+
+TEST(SolidText, TurnedBodiesAreLathes) {
+  Scene scene = with_copies(1);
+  Solid& solid = scene.branches[0].solids.shapes[0];
+  solid.turned = {{{{0, 0}, {0.1, 0}, {0.2, 0.1}, {0.2, 0.3}}}};
+  std::string text = solids_text({}, scene);
+  EXPECT_EQ(count(text, "mesh2{"), 0u);
+  EXPECT_NE(text.find("lathe{bezier_spline 4,<0,0>,<1,0>,<2,1>,<2,3> sturm}"), text.npos) << text;
+}
+
 }  // namespace
 }  // namespace frond
