@@ -54,7 +54,7 @@ void append_macro(std::string& text, std::string_view macro, const Material& mat
 /// The texture, on it the bands, and what is inside.
 void append_material(std::string& text, const Material& material) {
   const MatterRow& row = row_of(material.matter);
-  text += "texture{";
+  text += " texture{";
   append_macro(text, row.macro, material);
   for (const Band& band : material.bands) {
     text += "texture{Vessel_Band(";
