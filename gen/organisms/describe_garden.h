@@ -90,7 +90,7 @@ void describe(Visitor& v, VaseParams& p) {
   v.number("foot_radius", s.foot_radius, {.min = 0, .max = 10, .unit = "m"},
            "Of that ring; 0: that of the curve's foot, or a third of its widest");
   v.integer("sides", s.sides, {.min = 3, .max = 1024}, "Of the mesh, round it");
-  v.integer("rings", s.rings, {.min = 4, .max = 1024}, "Of the mesh, up the curve");
+  v.integer("rings", s.rings, {.min = 24, .max = 1024}, "Of the mesh, up the curve");
   v.choice("material", p.material, kVaseMaterials, "What it is made of");
   v.color("color", p.color, "Of glaze, clay or glass");
   v.color("second", p.second, "Of the bare clay under a glaze, of the salts on clay");

@@ -40,6 +40,9 @@ std::vector<VesselShape> vessels() {
   cone.profile = {{0, 0}, {0.1, 0.3}};
   cone.foot_radius = 0.04;
   all.push_back(cone);
+  VesselShape coarse;
+  coarse.rings = 24;
+  all.push_back(coarse);
   VesselShape giant;
   giant.height = 2, giant.wall = 0.05, giant.lip = 2, giant.foot = 0.1;
   all.push_back(giant);
