@@ -24,7 +24,7 @@ struct VesselShape {
   double foot_radius =
       0;           ///< outer radius of the ring; 0: that of the curve's foot, or a third of its widest
   int sides = 96;  ///< of the mesh, round it, at least 3
-  int rings = 96;  ///< of the mesh, along the curve, at least 4
+  int rings = 96;  ///< of the mesh, along the curve, at least 24
 };
 
 /// A vessel cut in half: what is turned.
