@@ -122,9 +122,9 @@ void rest_all(Growing& g) {
     if (tip.hangs && !tip.hung.empty()) hanging.push_back(tip.strand);
   parallel_for(hanging.size(), [&](std::size_t i) {
     Chain& chain = g.tips[hanging[i]].chain;
-    constexpr int kRounds = 40;
+    constexpr int kRounds = 25;
     for (int round = 0; round <= kRounds; ++round)
-      if (settle(chain, g.host, 20, static_cast<double>(round) / kRounds) < 1e-4) break;
+      if (settle(chain, g.host, 20, static_cast<double>(round) / kRounds) < 5e-4) break;
   });
   for (std::int32_t t : hanging) set_hung(g, g.tips[t]);
 }

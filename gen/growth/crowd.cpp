@@ -57,15 +57,18 @@ void Crowd::add(const Member& member) {
 void Crowd::gather(const DVec3& place, const DVec3& normal, const Own& own, double reach,
                    std::vector<DVec3>& near) const {
   near.clear();
-  double reach2 = reach * reach, recent = 2.2 * spacing_;
+  // In single precision, as the members are.
+  Vec3 here(place), side(normal);
+  float reach2 = static_cast<float>(reach * reach), recent = static_cast<float>(2.2 * spacing_),
+        since = static_cast<float>(own.since);
   bool young = own.since < 1.2 * spacing_;
   auto consider = [&](const Member& other) {
-    DVec3 way = place - DVec3(other.place);
+    Vec3 way = here - other.place;
     if (glm::dot(way, way) >= reach2) return;
-    if (other.strand == own.strand && own.since - other.since < recent) return;
+    if (other.strand == own.strand && since - other.since < recent) return;
     if (young && other.strand == own.parent) return;
     // What creeps on the other side of a thin wall is not in the way.
-    if (glm::dot(DVec3(other.normal), normal) < 0) return;
+    if (glm::dot(other.normal, side) < 0) return;
     near.push_back(other.place);
   };
   std::int32_t low[3], high[3];

@@ -80,6 +80,8 @@ double settle(Chain& chain, const Host& host, int sweeps, double calm) {
   std::vector<DVec3> link(n);
   double stiff = chain.stiffness * chain.stiffness * chain.stiffness / chain.link;
   double moved = 0;
+  std::vector<DVec3> place, clear;  // before a sweep
+  std::vector<double> room;
   std::vector<DVec3> beyond(n);  // what pulls at each link: weight, and what bears it
   auto bend = [&](std::size_t i) {
     DVec3 before = (i == 0 ? chain.heading : link[i - 1]) + chain.curl[i];
@@ -97,13 +99,17 @@ double settle(Chain& chain, const Host& host, int sweeps, double calm) {
     for (std::size_t i = n; i-- > 0;) beyond[i] = sum += chain.load[i] - DVec3(0, chain.link, 0);
     for (std::size_t i = 0; i < n; ++i) bend(i);
     for (std::size_t i = n; i-- > 0;) bend(i);
-    Chain before = chain;
+    place = chain.place;
+    clear = chain.clear;
+    room = chain.room;
     moved = 0;
     DVec3 at = chain.root;
     for (std::size_t i = 0; i < n; ++i) {
       if (!place_link(chain, host, i, at, link[i])) {
         // Wedged: it stays as it was.
-        chain = std::move(before);
+        chain.place = place;
+        chain.clear = clear;
+        chain.room = room;
         return 0;
       }
       // The push that it took becomes a load that the links above feel, too.
@@ -111,7 +117,7 @@ double settle(Chain& chain, const Host& host, int sweeps, double calm) {
       double gain = 0.5 * (1 - calm);
       chain.load[i] = (1 - 0.2 * gain) * chain.load[i] + gain * static_cast<double>(n) * pushed;
       at = chain.place[i];
-      moved = std::max(moved, glm::distance(at, before.place[i]) / chain.link);
+      moved = std::max(moved, glm::distance(at, place[i]) / chain.link);
     }
   }
   return moved;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kTooNear = 0.55;  // of the spacing: nobody goes nearer to a neighbour than this
 constexpr double kMuchTooNear = 0.35;
-constexpr double kOverhang = -0.5;  // the height of the normal below which a surface is one
+constexpr double kOverhang = -0.5;    // the height of the normal below which a surface is one,
+constexpr double kNoOverhang = -0.1;  // and above which it is none any more
 
 /// Which way the lure is, and how much of the bias it deserves here.
 DVec3 lured(const Crawl& crawl, const Tread& tread, double& share) {
@@ -66,6 +67,11 @@ void lay(Tip& tip, const Crawl& crawl, double time) {
   tip.laid.push_back(node);
 }
 
+/// Whether an edge ends the surface ahead, rather than being one of a rough surface that goes on.
+bool falls_away(const Host& host, const Tip& tip, const Crawl& crawl) {
+  return !host.closest(tip.tread.place + tip.tread.heading * (2 * crawl.speed), 0.5 * crawl.speed);
+}
+
 /// Walks a step over the surface, in strides.
 void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) {
   double lift = lift_of(crawl), rest = crawl.speed, unlaid = 0;
@@ -76,8 +82,10 @@ void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) 
       if (tip.laid.empty()) block(tip, crawl, End::stuck);
       break;
     }
-    bool overhang = s.tread.normal.y < kOverhang && tip.tread.normal.y >= kOverhang;
-    if ((s.footing == Footing::edge || overhang) && tip.calm > crawl.speed) {
+    bool overhang = s.tread.normal.y < kOverhang && !tip.under;
+    if (overhang || s.tread.normal.y > kNoOverhang) tip.under = overhang;
+    if (overhang ||
+        (s.footing == Footing::edge && tip.calm > 3 * crawl.speed && falls_away(host, tip, crawl))) {
       tip.calm = 0;
       if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, crawl);
     }

@@ -25,6 +25,7 @@ struct Tip {
   double along = 0;     ///< metres grown
   double next_bud = 0;  ///< metres along at which the next branch is due
   double calm = 0;      ///< metres since the last edge
+  bool under = false;   ///< an overhang
   int buds = 0;         ///< that were due so far
   int branches = 0;     ///< that were tried so far
   int blocked = 0;      ///< steps without room, on end
