@@ -16,6 +16,7 @@ RESERVED = {
     "nlohmann/": lambda path: path.parent.name == "preset" and path.suffix == ".cpp",
     "tbb/": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
     "oneapi/tbb": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
+    "embree3/": lambda path: path.parent.name == "growth" and path.name == "host.cpp",
     "openvdb/": lambda path: path.parent.name == "field" and path.suffix == ".cpp",
     "CLI/": lambda path: path.parent.name == "app",
 }

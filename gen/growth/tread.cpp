@@ -36,7 +36,9 @@ bool cuts(const Host& host, const DVec3& from, const DVec3& to, double turn, dou
   if (!out) return true;
   DVec3 entry = from + (to - from) * in->share, exit = to + (from - to) * out->share;
   if (glm::distance(entry, exit) < 1e-9 * host.size()) return true;
-  return host.closest(0.5 * (entry + exit), 0.7 * lift) == std::nullopt;
+  for (double share : {0.5, 0.25, 0.75})
+    if (!host.closest(entry + (exit - entry) * share, 0.7 * lift)) return true;
+  return false;
 }
 
 /// Up to the wall that a stride runs into; from there it climbs.

@@ -101,7 +101,7 @@ inline Surface bumpy_rock(int detail = 6) { return stone_surface({Seed{11}, 1.0,
 /// A rock as a poor scan gives it: noise on each vertex, triangles that share none, some flipped, some
 /// missing, some twice, some without area.
 inline Surface scanned(Seed seed) {
-  Surface rock = stone_surface({Seed{5}, 0.8, 0.1}, 6), s;
+  Surface rock = stone_surface({Seed{5}, 0.8, 0.1}, 5), s;
   for (std::size_t i = 0; i < rock.position.size(); ++i)
     rock.position[i] += noise3(rock.position[i] * 40.0f) * 0.003f;
   for (std::size_t t = 0; t < rock.triangle.size(); ++t) {
