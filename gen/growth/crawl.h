@@ -45,6 +45,7 @@ struct Crawl {
   double waking = 0.7;    ///< 0..1: chance that a bud along a strand that has ended makes a branch after all
   std::size_t most_nodes = 4'000'000;
 
+  bool backs = false;       ///< strands go round the rims of open meshes, to their inner sides
   double let_go = 0.1;      ///< chance that a strand loses its hold at an edge or where an overhang begins
   double hang_most = 1;     ///< metres: a hanging strand grows no longer
   double stiffness = 0.12;  ///< metres, > 0, that a strand stands out freely before its weight bends it down

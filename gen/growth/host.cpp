@@ -187,34 +187,70 @@ Host& Host::operator=(Host&& other) noexcept {
   return *this;
 }
 
+/// Takes over the triangles; their tree is left as it is.
+void Host::take(Soup&& soup) {
+  corners_ = std::move(soup.corners);
+  vertex_ = std::move(soup.vertex);
+  neighbour_ = std::move(soup.neighbour);
+  solid_ = std::move(soup.solid);
+  closed_ = std::all_of(solid_.begin(), solid_.end(), [](auto s) { return s != 0; });
+  vertex_normal_.assign(soup.vertices, Vec3(0));
+  Vec3 low = corners_[0][0], high = low;
+  for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+    const auto& c = corners_[t];
+    DVec3 normal = face_normal(t);
+    for (int i = 0; i < 3; ++i) {
+      low = glm::min(low, c[i]);
+      high = glm::max(high, c[i]);
+      DVec3 a = glm::normalize(DVec3(c[(i + 1) % 3]) - DVec3(c[i]));
+      DVec3 b = glm::normalize(DVec3(c[(i + 2) % 3]) - DVec3(c[i]));
+      double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+      vertex_normal_[vertex_[t][i]] += Vec3(normal * angle);
+    }
+  }
+  low_ = low;
+  high_ = high;
+}
+
+/// How many of four ways lead from one side (1 or -1) of a triangle into the open.
+double Host::openness(std::uint32_t triangle, double side) const {
+  const auto& c = corners_[triangle];
+  DVec3 normal = side * face_normal(triangle), along = glm::normalize(DVec3(c[1]) - DVec3(c[0]));
+  DVec3 from = (DVec3(c[0]) + DVec3(c[1]) + DVec3(c[2])) / 3.0 + normal * (1e-5 * size());
+  DVec3 across = glm::cross(normal, along);
+  double open = 0;
+  for (const DVec3& lean : {along, -along, across, -across})
+    open += !crossing(from, from + (normal + 0.7 * lean) * (2 * size()));
+  return open;
+}
+
 Result<Host> Host::build(const Surface& surface, std::string_view name) {
   Soup soup = mend_surface(surface);
   if (soup.corners.empty())
     return Error{std::string(name),
                  fmt::format("none of the {} triangles has an area", surface.triangle.size())};
   Host host;
-  host.corners_ = std::move(soup.corners);
-  host.vertex_ = std::move(soup.vertex);
-  host.neighbour_ = std::move(soup.neighbour);
-  host.solid_ = std::move(soup.solid);
-  host.closed_ = std::all_of(host.solid_.begin(), host.solid_.end(), [](auto s) { return s != 0; });
-  Vec3 low = host.corners_[0][0], high = low;
-  host.vertex_normal_.assign(soup.vertices, Vec3(0));
-  for (std::uint32_t t = 0; t < host.corners_.size(); ++t) {
-    DVec3 normal = host.face_normal(t);
-    for (int i = 0; i < 3; ++i) {
-      const auto& c = host.corners_[t];
-      low = glm::min(low, c[i]);
-      high = glm::max(high, c[i]);
-      DVec3 a = glm::normalize(DVec3(c[(i + 1) % 3]) - DVec3(c[i]));
-      DVec3 b = glm::normalize(DVec3(c[(i + 2) % 3]) - DVec3(c[i]));
-      double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
-      host.vertex_normal_[host.vertex_[t][i]] += Vec3(normal * angle);
-    }
-  }
-  host.low_ = low;
-  host.high_ = high;
+  host.take(Soup(soup));
   if (!host.tree_->build(host)) return Error{std::string(name), "Embree could not build its tree"};
+  if (host.closed_) return host;
+  // Open pieces are looked at from both sides, at 64 of their triangles or so.
+  std::vector<std::uint32_t> count(soup.pieces, 0), seen(soup.pieces, 0);
+  std::vector<double> front(soup.pieces, 0), back(soup.pieces, 0);
+  for (std::uint32_t p : soup.piece) ++count[p];
+  for (std::uint32_t t = 0; t < soup.piece.size(); ++t) {
+    std::uint32_t p = soup.piece[t];
+    if (soup.solid[t] || seen[p]++ % (1 + count[p] / 64) != 0) continue;
+    front[p] += host.openness(t, 1);
+    back[p] += host.openness(t, -1);
+  }
+  bool turned = false;
+  for (std::uint32_t t = 0; t < soup.piece.size(); ++t) {
+    std::uint32_t p = soup.piece[t];
+    if (back[p] <= 1.25 * front[p] + 1) continue;
+    flip(soup, t);
+    turned = true;
+  }
+  if (turned) host.take(std::move(soup));
   return host;
 }
 

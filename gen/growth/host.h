@@ -13,6 +13,8 @@
 
 namespace frond {
 
+struct Soup;
+
 /// The point of a host that is nearest to some place.
 struct Contact {
   DVec3 point{0};
@@ -33,8 +35,8 @@ struct Crossing {
 
 /// What strands creep over: any heap of triangles. Open meshes, flipped faces, vertices that occur twice,
 /// triangles without area, corners that are no numbers: all are taken. Faces are turned to agree with their
-/// neighbours (by edges that just two faces share), closed parts outward, open parts as most of their area
-/// was.
+/// neighbours (by edges that just two faces share), closed parts outward, open parts toward the side from
+/// which more ways lead into the open, or, where there is no telling, as most of their area was.
 ///
 /// Answers come from double arithmetic on the triangles; Embree (Wald et al. 2014) only finds which triangles
 /// to look at, with room to spare, and among equals the triangle of the lowest index counts. So they do not
@@ -71,9 +73,16 @@ class Host {
   const std::vector<std::array<Vec3, 3>>& triangles() const { return corners_; }
   DVec3 face_normal(std::uint32_t triangle) const;
 
+  /// Whether a side of a triangle is the back of an open part: the inner side of a scan, say.
+  bool behind(std::uint32_t triangle, const DVec3& normal) const {
+    return !solid_[triangle] && glm::dot(face_normal(triangle), normal) < -0.3;
+  }
+
  private:
   struct Tree;
   Host();
+  void take(Soup&& soup);
+  double openness(std::uint32_t triangle, double side) const;
   DVec3 feature_normal(std::uint32_t triangle, int feature) const;
 
   std::vector<std::array<Vec3, 3>> corners_;

@@ -109,12 +109,6 @@ bool agree(const Soup& soup, std::uint32_t t, std::uint32_t side, std::uint32_t 
   return false;
 }
 
-void flip(Soup& soup, std::uint32_t t) {
-  std::swap(soup.vertex[t][1], soup.vertex[t][2]);
-  std::swap(soup.corners[t][1], soup.corners[t][2]);
-  std::swap(soup.neighbour[t][0], soup.neighbour[t][2]);
-}
-
 /// Turns one piece, the triangles that hang together with `first`, into one orientation: outward where it is
 /// closed, else as most of its area had it.
 void turn_piece(Soup& soup, std::uint32_t first, std::vector<std::uint8_t>& seen,
@@ -126,6 +120,7 @@ void turn_piece(Soup& soup, std::uint32_t first, std::vector<std::uint8_t>& seen
   DVec3 middle(soup.corners[first][0]);
   for (std::size_t k = 0; k < piece.size(); ++k) {
     std::uint32_t t = piece[k];
+    soup.piece[t] = static_cast<std::uint32_t>(soup.pieces);
     (seen[t] == 1 ? kept : turned) += glm::length(area_of(soup.corners[t]));
     const auto& c = soup.corners[t];
     volume += glm::dot(DVec3(c[0]) - middle, glm::cross(DVec3(c[1]) - middle, DVec3(c[2]) - middle));
@@ -145,9 +140,16 @@ void turn_piece(Soup& soup, std::uint32_t first, std::vector<std::uint8_t>& seen
     for (std::uint32_t t : piece) flip(soup, t);
   if (closed && volume != 0)
     for (std::uint32_t t : piece) soup.solid[t] = 1;
+  ++soup.pieces;
 }
 
 }  // namespace
+
+void flip(Soup& soup, std::uint32_t t) {
+  std::swap(soup.vertex[t][1], soup.vertex[t][2]);
+  std::swap(soup.corners[t][1], soup.corners[t][2]);
+  std::swap(soup.neighbour[t][0], soup.neighbour[t][2]);
+}
 
 Soup mend_surface(const Surface& surface) {
   Soup soup;
@@ -155,6 +157,7 @@ Soup mend_surface(const Surface& surface) {
   keep_triangles(surface, place, soup);
   meet_neighbours(soup);
   soup.solid.assign(soup.vertex.size(), 0);
+  soup.piece.assign(soup.vertex.size(), 0);
   std::vector<std::uint8_t> seen(soup.vertex.size(), 0);
   std::vector<std::uint32_t> piece;
   for (std::uint32_t t = 0; t < soup.vertex.size(); ++t)

@@ -15,9 +15,13 @@ struct Soup {
   std::vector<std::array<std::uint32_t, 3>> vertex;
   std::vector<std::array<std::uint32_t, 3>> neighbour;  ///< across the edges 01, 12 and 20, or ~0u
   std::vector<std::uint8_t> solid;                      ///< part of a closed piece
-  std::size_t vertices = 0;
+  std::vector<std::uint32_t> piece;                     ///< what hangs together has one number
+  std::size_t vertices = 0, pieces = 0;
 };
 
 Soup mend_surface(const Surface& surface);
+
+/// Turns one triangle over.
+void flip(Soup& soup, std::uint32_t triangle);
 
 }  // namespace frond

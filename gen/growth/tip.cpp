@@ -89,6 +89,16 @@ void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) 
       tip.calm = 0;
       if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, crawl);
     }
+    if (s.footing == Footing::edge && !crawl.backs && host.behind(s.tread.triangle, s.tread.normal) &&
+        !host.behind(tip.tread.triangle, tip.tread.normal)) {
+      // A rim: hang over it or turn away.
+      Seed rim = draw.child(64 + strides);
+      if (rim.child(1).unit() < crawl.let_go) return let_go(tip, crawl);
+      double angle = rim.child(2).range(0.5 * kPi, kPi) * (rim.child(3).unit() < 0.5 ? -1 : 1);
+      tip.tread.heading = turned(tip.tread.heading, tip.tread.normal, angle);
+      if (tip.laid.empty()) block(tip, crawl, End::stuck);
+      return;
+    }
     tip.calm += s.length;
     tip.along += s.length;
     tip.tread = s.tread;
@@ -118,6 +128,8 @@ void grip(Tip& tip, const Host& host, const Crawl& crawl) {
   if (!under || under->distance < 1e-3 * chain.lift) return;
   std::size_t n = chain.place.size();
   DVec3 last = chain.place[n - 1] - chain.place[n - 2];
+  if (!crawl.backs && host.behind(under->triangle, (chain.place[n - 1] - under->point) / under->distance))
+    return;
   Tread& t = tip.tread;
   t.contact = under->point;
   t.normal = (chain.place[n - 1] - under->point) / under->distance;

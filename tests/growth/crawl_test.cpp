@@ -81,6 +81,25 @@ TEST(Crawl, KeepsToWhatScannersGive) {
   }
 }
 
+TEST(Crawl, KeepsToTheOuterSideOfOpenMeshes) {
+  Surface bowl = ball(1, 80, 40);
+  std::erase_if(bowl.triangle, [&](const auto& t) { return bowl.position[t[0]].y > 0.3f; });
+  Host host = built(bowl);
+  Crawl crawl;
+  crawl.let_go = 0;
+  auto within = [&](const Strands& s) {
+    std::size_t count = 0;
+    for (const Vec3& p : s.skeleton.position) count += glm::length(p) < 0.99f && p.y < 0.25f;
+    return count;
+  };
+  auto starts = starts_at_foot(host, 12, 0.3, Vec3(0), Seed{3});
+  Strands outer = grow_strands(host, starts, crawl, Seed{1});
+  EXPECT_GT(outer.size(), 3000u);
+  EXPECT_EQ(within(outer), 0u);
+  crawl.backs = true;
+  EXPECT_GT(within(grow_strands(host, starts, crawl, Seed{1})), 100u);
+}
+
 TEST(Crawl, IsTheSameAtAnyNumberOfThreads) {
   Host host = built(bumpy_rock(5));
   auto starts = starts_at_foot(host, 20, 0.02, Vec3(0), Seed{3});

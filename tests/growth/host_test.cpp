@@ -110,6 +110,19 @@ TEST(Host, SurvivesWhatScannersGive) {
   EXPECT_GT(static_cast<double>(outward), 0.98 * static_cast<double>(host.triangles().size()));
 }
 
+TEST(Host, TurnsOpenPiecesOutward) {
+  // Most of a ball, inside out.
+  Surface s = ball(1, 40, 20);
+  std::erase_if(s.triangle, [&](const auto& t) { return s.position[t[0]].y > 0.6f; });
+  for (auto& t : s.triangle) std::swap(t[1], t[2]);
+  Host host = built(s);
+  EXPECT_FALSE(host.closed());
+  for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
+    EXPECT_GT(glm::dot(host.face_normal(t), DVec3(host.triangles()[t][0])), 0);
+    EXPECT_TRUE(host.behind(t, -host.face_normal(t)));
+  }
+}
+
 TEST(Host, TurnsClosedPiecesOutward) {
   Surface s = cube(1, 3);
   for (auto& t : s.triangle) std::swap(t[1], t[2]);
