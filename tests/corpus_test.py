@@ -41,6 +41,9 @@ def grammar(case):
         form["tropism"] = {"vector": pull["tropism"], "elasticity": pull["e"]}
     if "start" in case:
         form["length"] = case["start"].get("step", 1)
+        form["start"] = {key: value for key, value in case["start"].items() if key in ("position", "heading")}
+    if "guide" in case:
+        form["guide"] = case["guide"]
     return form
 
 
@@ -98,9 +101,9 @@ def check_turtle(case):
 
 tried = 0
 for known in corpus if isinstance(corpus, list) else corpus["cases"]:
-    if known["group"] == "turtle":
+    if known["group"] in ("turtle", "data-guided"):
         check_turtle(known)
-    elif known["group"] not in ("stochastic", "data-guided"):  # chance has means, not words; guides come later
+    elif known["group"] != "stochastic":  # chance has means, not words
         check_word(known)
     else:
         continue

@@ -40,9 +40,12 @@ Result<Grammar> load_grammar(const std::string& path) {
     if (!document) return document.errors();
     Result<GrammarText> grammar = read_preset<GrammarText>(*document);
     if (!grammar) return grammar.errors();
+    if (Errors errors = load_guide(grammar->guide, path, ""); !errors.empty()) return errors;
     return compile(*grammar);
   }
-  Result<Preset> preset = read_preset(*text, path, {});
+  PresetArguments named;
+  named.path = path;
+  Result<Preset> preset = load_preset(named);
   if (!preset) return preset.errors();
   for (const Organism& organism : preset->organisms) {
     if (const auto* coral = std::get_if<CoralParams>(&organism.body)) return coral_grammar(*coral);
@@ -119,13 +122,16 @@ int walk_turtle(const GrammarArguments& arguments) {
     return write_picture(arguments.picture, turtle_svg(grammar, steps, seed, grammar.text.limits));
   Result<TurtleStats> stats = stats_of(grammar, steps, seed, grammar.text.limits);
   if (!stats) return fail(stats.errors(), kWrongInput);
+  std::string ends;
+  for (DVec3 end : stats->end_positions) ends += (ends.empty() ? "" : ", ") + list(end);
   fmt::print(
       "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
       "{}, "
-      "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}}}\n",
+      "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, "
+      "\"turtles_at_end\": {}, \"end_positions\": [{}]}}\n",
       stats->segments, stats->total_length, list(stats->end_position), list(stats->end_heading),
       list(stats->end_left), list(stats->end_up), list(stats->low), list(stats->high), stats->max_stack_depth,
-      stats->polygons);
+      stats->polygons, stats->end_positions.size(), ends);
   return kDone;
 }
 

@@ -37,7 +37,7 @@ Result<Surface> load_mesh(const std::string& file, const fs::path& preset_path) 
 }
 
 /// Reads the OBJ files that the preset names.
-Errors load_meshes(Preset& preset, const fs::path& preset_path) {
+Errors load_files(Preset& preset, const fs::path& preset_path) {
   Errors errors;
   auto load = [&](const std::string& file, const std::string& pointer, Surface& mesh) {
     Result<Surface> loaded = load_mesh(file, preset_path);
@@ -53,6 +53,10 @@ Errors load_meshes(Preset& preset, const fs::path& preset_path) {
     if (auto* body = std::get_if<MeshParams>(&preset.organisms[i].body))
       load(body->file, fmt::format("/organisms/{}/file", i), body->mesh);
     auto* plant = std::get_if<PlantParams>(&preset.organisms[i].body);
+    auto* coral = std::get_if<CoralParams>(&preset.organisms[i].body);
+    if (GrammarText* grammar = plant ? &plant->grammar : coral ? &coral->grammar : nullptr)
+      for (Error& error : load_guide(grammar->guide, preset_path, fmt::format("/organisms/{}/grammar", i)))
+        errors.push_back(std::move(error));
     for (std::size_t k = 0; plant && k < plant->organs.size(); ++k)
       if (OrganParams& organ = plant->organs[k]; organ.shape == OrganShape::obj)
         load(organ.file, fmt::format("/organisms/{}/organs/{}/file", i, k), organ.mesh);
@@ -69,6 +73,18 @@ Result<fs::path> home() {
       given ? fs::path(given) : fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
   if (fs::exists(path / "templates" / "frame.pov", error)) return path;
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
+}
+
+Errors load_guide(GuideText& guide, const fs::path& file, const std::string& pointer) {
+  if (guide.file.empty()) return {};
+  fs::path path = file.parent_path() / guide.file;
+  Result<std::string> text = read_file(path);
+  Result<LineSet> lines = text ? read_obj_lines(*text) : text.errors();
+  if (!lines)
+    return {{fmt::format("{}: {}/guide/file", file.string(), pointer),
+             fmt::format("{} {}", path.string(), lines.errors().front().what)}};
+  guide.lines = {std::move(lines->place), std::move(lines->line)};
+  return {};
 }
 
 Result<Preset> load_preset(const PresetArguments& arguments) {
@@ -89,7 +105,7 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   if (arguments.quality) sets.push_back("/film/quality=" + *arguments.quality);
   Result<Preset> preset = read_preset(*text, arguments.path, sets);
   if (!preset) return preset;
-  if (Errors errors = load_meshes(*preset, arguments.path); !errors.empty()) return errors;
+  if (Errors errors = load_files(*preset, arguments.path); !errors.empty()) return errors;
   return preset;
 }
 

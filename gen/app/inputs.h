@@ -14,6 +14,10 @@ Result<std::filesystem::path> home();
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
 
+/// Reads the OBJ file of lines that a grammar's guide names, if it names one, from the folder of the file
+/// that the grammar stands in.
+Errors load_guide(GuideText& guide, const std::filesystem::path& file, const std::string& pointer);
+
 /// Whether a file holds a grammar rather than a preset: one of another tool, or JSON without organisms.
 bool is_grammar(const std::string& path);
 

@@ -49,15 +49,18 @@ class Vertices {
   bool complete_ = true;
 };
 
+Errors parse(tinyobj::ObjReader& reader, std::string_view text) {
+  tinyobj::ObjReaderConfig config;
+  config.triangulate = true;
+  if (reader.ParseFromString(std::string(text), "", config)) return {};
+  return {{"", "is no OBJ file: " + (reader.Error().empty() ? "nothing in it can be read" : reader.Error())}};
+}
+
 }  // namespace
 
 Result<Surface> read_obj(std::string_view text) {
   tinyobj::ObjReader reader;
-  tinyobj::ObjReaderConfig config;
-  config.triangulate = true;
-  if (!reader.ParseFromString(std::string(text), "", config))
-    return Error{
-        "", "is no OBJ file: " + (reader.Error().empty() ? "nothing in it can be read" : reader.Error())};
+  if (Errors errors = parse(reader, text); !errors.empty()) return errors;
   Surface surface;
   Vertices vertices(reader.GetAttrib(), surface);
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
@@ -76,6 +79,30 @@ Result<Surface> read_obj(std::string_view text) {
   if (surface.triangle.empty()) return Error{"", "holds no face that could be drawn"};
   if (!vertices.complete()) set_normals(surface);
   return surface;
+}
+
+Result<LineSet> read_obj_lines(std::string_view text) {
+  tinyobj::ObjReader reader;
+  if (Errors errors = parse(reader, text); !errors.empty()) return errors;
+  LineSet set;
+  const auto& given = reader.GetAttrib().vertices;
+  for (std::size_t i = 0; i + 2 < given.size(); i += 3)
+    set.place.emplace_back(given[i], given[i + 1], given[i + 2]);
+  auto count = static_cast<int>(set.place.size());
+  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
+    std::size_t first = 0;
+    for (int corners : shape.lines.num_line_vertices) {
+      auto last = first + static_cast<std::size_t>(corners);
+      for (std::size_t i = first; i + 1 < last && i + 1 < shape.lines.indices.size(); ++i) {
+        int a = shape.lines.indices[i].vertex_index, b = shape.lines.indices[i + 1].vertex_index;
+        if (a < 0 || b < 0 || a >= count || b >= count) continue;
+        set.line.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+      }
+      first = last;
+    }
+  }
+  if (set.line.empty()) return Error{"", "holds no line (`l` element)"};
+  return set;
 }
 
 Surface to_unit(Surface surface) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 #include "model/surface.h"
@@ -11,6 +14,16 @@ namespace frond {
 /// where it has none, smooth ones. Materials do not count. Degenerate faces are left out; a text without a
 /// usable face is an error.
 Result<Surface> read_obj(std::string_view text);
+
+/// Lines between numbered places.
+struct LineSet {
+  std::vector<DVec3> place;
+  std::vector<std::array<std::uint32_t, 2>> line;
+};
+
+/// The `l` elements of a Wavefront OBJ text, each piece of them one line, in the order written. A text
+/// without any is an error.
+Result<LineSet> read_obj_lines(std::string_view text);
 
 /// The same mesh with its box one unit long at its longest, standing on the origin: an organ's own size.
 Surface to_unit(Surface surface);

@@ -42,7 +42,7 @@ Result<TurtleState> draw_between(const Grammar& grammar, double steps, Seed seed
     turtle.feed(symbol, parameters);
     parameters += grammar.symbols[symbol].arity;
   }
-  return turtle.state();
+  return turtle.finish();
 }
 
 }  // namespace frond

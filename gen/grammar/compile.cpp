@@ -39,6 +39,7 @@ class Compiler {
       find_shadowed(*set);
     check_interpretation();
     read_visibility();
+    read_guide();
     if (!errors_.empty()) return errors_;
     summarize();
     find_unmatched();
@@ -317,6 +318,21 @@ class Compiler {
             errors_.push_back({rule.where, fmt::format("`{}` can never be used: its context has `{}`, which "
                                                        "contexts look past; change `ignore` or the rule",
                                                        rule.text, grammar_.symbols[id].name)});
+  }
+
+  void read_guide() {
+    const GrammarText& text = grammar_.text;
+    if (!(glm::length(text.start_heading) > 0)) errors_.push_back({"start", "the heading has no length"});
+    if (text.guide.empty()) return;
+    Result<Guide> guide = guide_of(text.guide);
+    if (!guide) return errors_.insert(errors_.end(), guide.errors().begin(), guide.errors().end()), void();
+    bool followed = std::any_of(grammar_.symbols.begin(), grammar_.symbols.end(),
+                                [](const Symbol& symbol) { return symbol.act == Act::guide; });
+    if (!followed)
+      errors_.push_back({"guide",
+                         "no rule has a `?`, at which the turtle follows the guide; add it or remove "
+                         "the guide"});
+    grammar_.guide = std::move(*guide);
   }
 
   void summarize() {

@@ -24,6 +24,7 @@ struct Measure {
   }
   void push(TurtleState& state) { stats.max_stack_depth = std::max(stats.max_stack_depth, state.depth + 1); }
   void polygon(std::span<const DVec3>, const TurtleState&) { ++stats.polygons; }
+  void end(const TurtleState& state) { stats.end_positions.push_back(state.position); }
 
   TurtleStats finish(const TurtleState& end) {
     stats.end_position = end.position;
@@ -136,6 +137,8 @@ TurtleState start_of(const Grammar& grammar) {
   start.width = grammar.text.width;
   start.angle = grammar.text.angle;
   start.elasticity = grammar.text.elasticity;
+  start.position = grammar.text.start;
+  head_for(start, grammar.text.start_heading);
   return start;
 }
 

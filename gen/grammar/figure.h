@@ -9,7 +9,8 @@ struct TurtleStats {
   std::size_t segments = 0, polygons = 0;
   double total_length = 0;
   DVec3 end_position{0}, end_heading{0, 1, 0}, end_left{-1, 0, 0}, end_up{0, 0, 1};
-  DVec3 low{0}, high{0};  ///< box around all that is drawn; the start where nothing is
+  std::vector<DVec3> end_positions;  ///< of all turtles, where a guide forked; the first is end_position
+  DVec3 low{0}, high{0};             ///< box around all that is drawn; the start where nothing is
   int max_stack_depth = 0;
 };
 

@@ -50,11 +50,17 @@ Row row_of(const RuleSet& set, SymbolId symbol) {
   return row;
 }
 
-/// Segments that one module of each symbol draws, interpretation included.
+/// How many turtles a guide may make of one.
+double most_turtles(const Grammar& grammar) {
+  return grammar.guide.points.empty() ? 1.0 : static_cast<double>(grammar.guide.leaves());
+}
+
+/// Segments that one module of each symbol draws, interpretation included; where turtles fork, at most.
 std::vector<double> segments_of_symbols(const Grammar& grammar) {
   std::vector<double> plain(grammar.symbols.size());
   for (std::size_t i = 0; i < plain.size(); ++i)
-    plain[i] = grammar.symbols[i].act == Act::draw || grammar.symbols[i].act == Act::draw_free;
+    if (grammar.symbols[i].act == Act::draw || grammar.symbols[i].act == Act::draw_free)
+      plain[i] = most_turtles(grammar);
   std::vector<double> now = plain;
   for (int depth = 0; depth < grammar.text.interpretation_depth && !grammar.interpretation.empty(); ++depth) {
     std::vector<double> next = plain;
@@ -178,6 +184,7 @@ Forecast forecast(const Grammar& grammar, int steps, Seed seed, const Limits& li
     by_matrix(grammar, steps, limits, forecast);
   else
     by_dry_run(grammar, steps, seed, limits, forecast);
+  if (most_turtles(grammar) > 1) forecast.kind = Forecast::Kind::extrapolated;
   return forecast;
 }
 

@@ -9,6 +9,7 @@
 #include "core/result.h"
 #include "core/vec.h"
 #include "grammar/expression.h"
+#include "grammar/guide.h"
 #include "grammar/symbols.h"
 #include "grammar/word.h"
 
@@ -55,6 +56,9 @@ struct GrammarText {
   std::uint64_t seed = 1;
   Limits limits;  ///< of what may be derived
   Dialect dialect = Dialect::abop;
+  DVec3 start{0};  ///< where the turtle starts
+  DVec3 start_heading{0, 1, 0};
+  GuideText guide;  ///< what `?` follows
 };
 
 /// A name with its number of parameters: F and F(l) are two symbols.
@@ -100,6 +104,7 @@ struct Grammar {
   std::vector<std::vector<double>> tables;
   RuleSet rules, decomposition, interpretation;
   Word axiom;
+  Guide guide;  ///< empty also where the grammar has no `?`
   Errors warnings;
 
   bool context_free = true;  ///< no rule has a context

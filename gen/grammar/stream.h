@@ -100,7 +100,7 @@ Result<TurtleState> draw(const Grammar& grammar, int steps, Seed seed, Sink& sin
     if (!stream.grow(symbol, parameters, 0)) return stream.trouble();
     parameters += grammar.symbols[symbol].arity;
   }
-  return turtle.state();
+  return turtle.finish();
 }
 
 }  // namespace frond

@@ -1,39 +1,14 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "grammar/derive.h"
 #include "grammar/rewrite.h"
+#include "grammar/turtle_state.h"
 #include "model/skeleton.h"
 
 namespace frond {
-
-/// Where the turtle is and how it draws. Right-handed: heading x left = up.
-struct TurtleState {
-  DVec3 position{0, 0, 0};
-  DVec3 heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, 1};
-  double length = 1, width = 0.1, angle = 45, elasticity = 0;
-  int color = 0;
-  int depth = 0;           ///< brackets open
-  double grown = 1;        ///< 0..1: how far the module at hand has grown, in between two steps
-  std::int32_t mark = -1;  ///< the sink's own: a bracket keeps and restores it; -1 after a move
-  std::int32_t tube = -1;  ///< the sink's own: the last point of a generalized cylinder, -1 outside of one
-  std::int32_t base = -1;  ///< the sink's own: as mark, but a move leaves it alone
-};
-
-/// A line that the turtle drew, before it moves on; widths are diameters.
-struct Segment {
-  DVec3 from, to;
-  double width_from, width_to;
-};
-
-/// A module in between two steps, on its way from what its parent was to what it will be.
-struct Unfolding {
-  double age = 1;      ///< 0..1: turns, widths and organs have grown so far
-  double stretch = 1;  ///< what lengths are multiplied by
-  double from = 0;     ///< where its first parameter comes from, if `has_from`
-  bool has_from = false;
-};
 
 /// A turtle that is fed modules one by one and tells a sink what it does. Of these members of the sink those
 /// are called that it has:
@@ -43,8 +18,11 @@ struct Unfolding {
 ///     void polygon(std::span<const DVec3>, const TurtleState&);
 ///     void organ(SymbolId shape, const double* parameters, const TurtleState&);
 ///     void bare(SymbolId, const double* parameters, const TurtleState&);  // a symbol without meaning
-///     void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes,
-///     questions, guides
+///     void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes, questions
+///     void end(const TurtleState&);                     // at the end of the word
+///
+/// Where a guide forks there are several turtles from there to the end of the branch. Each does what the
+/// module says before the next module comes; questions are answered by the first.
 template <class Sink>
 class Turtle {
  public:
@@ -53,6 +31,7 @@ class Turtle {
     jitters_ = text_.angle_jitter != 0 || text_.length_jitter != 0;
     at_.tables = grammar.tables;
     set_turn(now_.angle);
+    if (!grammar.guide.points.empty()) flock_.push_back({now_, {}, {}, seed});
   }
 
   /// The next module. Interpretation rules are applied first.
@@ -65,17 +44,87 @@ class Turtle {
   }
 
   /// How far the modules fed from now on have grown.
-  void set_growth(const Unfolding& growth) { growth_ = growth, now_.grown = growth.age; }
+  void set_growth(const Unfolding& growth) {
+    growth_ = growth, now_.grown = growth.age;
+    for (Strand& strand : flock_) strand.now.grown = growth.age;
+  }
 
   /// What the randomness of the module fed next goes by, instead of its place in the word.
   void set_name(std::uint64_t name) { fed_ = name, acted_ = Seed::mix(name); }
 
-  const TurtleState& state() const { return now_; }
+  /// Of the first turtle, where there are several.
+  const TurtleState& state() const { return flock_.empty() ? now_ : flock_[0].now; }
+
+  /// The word is at its end. The state there.
+  const TurtleState& finish() {
+    if constexpr (requires { sink_.end(now_); }) {
+      if (flock_.empty()) sink_.end(now_);
+      for (const Strand& strand : flock_) sink_.end(strand.now);
+    }
+    return state();
+  }
 
  private:
+  /// What each of several turtles has of its own.
+  struct Strand {
+    TurtleState now;
+    std::vector<DVec3> vertices = {};
+    std::vector<std::size_t> polygons = {};
+    Seed seed;
+  };
+
   void act(SymbolId symbol, const double* parameters) {
     const Symbol& info = grammar_.symbols[symbol];
     if (skipped_ >= 0 && !leave_cut(info.act)) return;
+    if (flock_.empty()) return act_alone(info, symbol, parameters);
+    act_together(info, symbol, parameters);
+  }
+
+  void act_together(const Symbol& info, SymbolId symbol, const double* parameters) {
+    bool organ = wants_organ_, question = info.act >= Act::query_position && info.act <= Act::environment;
+    std::uint64_t acted = acted_;
+    if (info.act == Act::pop && !organ) return pop_together();
+    if (info.act == Act::push && !organ) flock_sizes_.push_back(flock_.size());
+    for (std::size_t i = 0, count = question ? 1 : flock_.size(); i < count; ++i) {
+      wants_organ_ = organ, acted_ = acted;
+      exchange(i);
+      std::span<const std::int32_t> ways;
+      if (info.act == Act::guide && !organ)
+        ways = follow(grammar_.guide, now_);
+      else
+        act_alone(info, symbol, parameters);
+      exchange(i);
+      if (!ways.empty()) fork(i, ways);
+    }
+  }
+
+  /// Makes turtle `i` of the flock the one at hand, or puts it back.
+  void exchange(std::size_t i) {
+    Strand& strand = flock_[i];
+    std::swap(now_, strand.now), std::swap(seed_, strand.seed);
+    vertices_.swap(strand.vertices), polygons_.swap(strand.polygons);
+  }
+
+  /// One turtle a way: the turtle itself goes the first one.
+  void fork(std::size_t i, std::span<const std::int32_t> ways) {
+    for (std::size_t k = 1; k < ways.size(); ++k) {
+      Strand other = flock_[i];
+      other.seed = other.seed.child("fork", static_cast<std::uint64_t>(ways[k]));
+      lead(grammar_.guide, other.now, ways[k]);
+      flock_.push_back(std::move(other));
+    }
+    lead(grammar_.guide, flock_[i].now, ways[0]);
+  }
+
+  /// Turtles that forked off within a branch end with it.
+  void pop_together() {
+    if (flock_sizes_.empty()) return;
+    flock_.resize(flock_sizes_.back());
+    flock_sizes_.pop_back();
+    for (std::size_t i = flock_.size(); i-- > 0;) exchange(i), pop(), exchange(i);
+  }
+
+  void act_alone(const Symbol& info, SymbolId symbol, const double* parameters) {
     if (wants_organ_) return place_organ(symbol, parameters);
     bool given = info.arity > 0;
     ++acted_;
@@ -190,18 +239,12 @@ class Turtle {
     }
     now_.position = to;
     if (vertex && !polygons_.empty()) vertices_.push_back(to);
-    if (draws && now_.elasticity != 0) bend();
+    if (draws && now_.elasticity != 0) bend(now_, pull());
   }
 
-  /// The pull on a drawn segment (ABOP 2.3.3): turned by e|H x T| about H x T.
-  void bend() {
-    DVec3 axis = glm::cross(now_.heading, DVec3(text_.tropism));
-    double strength = glm::length(axis);
-    if (!(strength > 0)) return;
-    axis /= strength;
-    double angle = now_.elasticity * strength, c = std::cos(angle), s = std::sin(angle);
-    for (DVec3* v : {&now_.heading, &now_.left, &now_.up})
-      *v = *v * c + glm::cross(axis, *v) * s + axis * (glm::dot(axis, *v) * (1 - c));
+  DVec3 pull() const {
+    return now_.pull < 0 ? DVec3(text_.tropism)
+                         : *grammar_.guide.points[static_cast<std::size_t>(now_.pull)].tropism;
   }
 
   void push() {
@@ -246,23 +289,9 @@ class Turtle {
       turn(now_.heading, now_.up, true, angles + 1, 1);
       turn(now_.left, now_.up, true, angles + 2, 1);
     } else {
-      if (arity >= 3) head_for(act == Act::level ? target - now_.position : target);
+      if (arity >= 3) head_for(now_, act == Act::level ? target - now_.position : target);
       if (act == Act::level) level();
     }
-  }
-
-  /// Swings the heading onto a direction by the shortest way.
-  void head_for(DVec3 direction) {
-    double length = glm::length(direction);
-    if (!(length > 0)) return;
-    direction /= length;
-    DVec3 axis = glm::cross(now_.heading, direction);
-    double s = glm::length(axis), c = glm::dot(now_.heading, direction);
-    axis = s > 1e-12 ? axis / s : now_.up;
-    if (s <= 1e-12) s = 0, c = c < 0 ? -1 : 1;
-    for (DVec3* v : {&now_.left, &now_.up})
-      *v = *v * c + glm::cross(axis, *v) * s + axis * (glm::dot(axis, *v) * (1 - c));
-    now_.heading = direction;
   }
 
   /// Rolls until the left vector is horizontal and up points up; a vertical heading stays as it is.
@@ -329,8 +358,10 @@ class Turtle {
   Evaluation at_;
   TurtleState now_;
   std::vector<TurtleState> stack_;
-  std::vector<DVec3> vertices_;        // of all polygons open
-  std::vector<std::size_t> polygons_;  // the first vertex of each
+  std::vector<DVec3> vertices_;           // of all polygons open
+  std::vector<std::size_t> polygons_;     // the first vertex of each
+  std::vector<Strand> flock_;             // all turtles, where there is a guide
+  std::vector<std::size_t> flock_sizes_;  // at each bracket open
   std::uint64_t fed_ = 0, acted_ = 0;
   Unfolding growth_;
   double turn_angle_ = 0, turn_sine_ = 0, turn_cosine_ = 1;
@@ -350,7 +381,7 @@ TurtleState walk(const Grammar& grammar, const Word& word, Seed seed, Sink& sink
     turtle.feed(symbol, parameters);
     parameters += grammar.symbols[symbol].arity;
   }
-  return turtle.state();
+  return turtle.finish();
 }
 
 /// Fills the parameters of the questions `?P` `?H` `?U` `?L` of a word with what the turtle finds there, and

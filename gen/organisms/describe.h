@@ -1,6 +1,7 @@
 #pragma once
 
 #include "organisms/describe_garden.h"
+#include "organisms/describe_guide.h"
 #include "organisms/describe_host.h"
 #include "organisms/describe_plant.h"
 #include "organisms/organism.h"
@@ -121,6 +122,17 @@ void describe(Visitor& v, Tropism& t) {
   v.number("elasticity", t.elasticity, {.min = -10, .max = 10}, "How readily they do");
 }
 
+/// Where a grammar's turtle starts, as presets group it.
+struct Start {
+  DVec3 position, heading;
+};
+
+template <class Visitor>
+void describe(Visitor& v, Start& s) {
+  v.vector("position", s.position, "Its place");
+  v.vector("heading", s.heading, "Where it looks");
+}
+
 template <class Visitor>
 void describe(Visitor& v, Limits& l) {
   v.integer("modules", l.modules, {.min = 1, .max = 1e12}, "Symbols of a word");
@@ -158,6 +170,11 @@ void describe(Visitor& v, GrammarText& g) {
   v.object("tropism", tropism, "What branches turn toward as they grow");
   g.tropism = tropism.vector;
   g.elasticity = tropism.elasticity;
+  Start start{g.start, g.start_heading};
+  v.object("start", start, "Where the turtle starts");
+  g.start = start.position;
+  g.start_heading = start.heading;
+  v.object("guide", g.guide, "Places that ? leads the turtle to");
 }
 
 template <class Visitor>

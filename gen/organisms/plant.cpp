@@ -153,6 +153,10 @@ void add_blades(Model& model, const std::vector<Outline>& outlines) {
   }
 }
 
+std::string missing_organ(const std::string& name) {
+  return "the grammar places an organ \"" + name + "\"; organs has none with that symbol";
+}
+
 Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParams& params, float factor,
                   Seed seed) {
   Organs& o = model.organs;
@@ -161,8 +165,7 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
     const Site& site = sites[i];
     bool round = site.name == "@O" || site.name == "@o";
     int which = prototype_of(params, site.name);
-    if (which < 0)
-      return {{"", "the grammar places an organ \"" + site.name + "\"; organs has none with that symbol"}};
+    if (which < 0) return {{"", missing_organ(site.name)}};
     Seed own = seed.child(site.id);
     Vec3 scale = site.scale;
     Quat turn = glm::normalize(glm::quat_cast(glm::mat3(-site.left, site.heading, site.up)));
@@ -214,6 +217,16 @@ void set_girth(Skeleton& s, const Girth& girth, float start_radius, bool sprouti
   }
 }
 
+/// The organs that a `~` in the modules names and the plant has not.
+void find_missing_organs(const Grammar& grammar, std::span<const SymbolId> modules, const std::string& where,
+                         const PlantParams& params, Errors& errors) {
+  for (std::size_t i = 0; i + 1 < modules.size(); ++i) {
+    if (grammar.symbols[modules[i]].act != Act::organ) continue;
+    const std::string& name = grammar.symbols[modules[i + 1]].name;
+    if (prototype_of(params, name) < 0) errors.push_back({where, missing_organ(name)});
+  }
+}
+
 Result<Grammar> plant_grammar(const PlantParams& params) {
   Result<Grammar> grammar = compile(params.grammar);
   if (!grammar) return grammar;
@@ -224,6 +237,10 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
     if (!known)
       errors.push_back({"", "the grammar has no symbol \"" + organ.symbol + "\" for an organ to stand at"});
   }
+  find_missing_organs(*grammar, grammar->axiom.symbols, "axiom", params, errors);
+  for (const RuleSet* set : {&grammar->rules, &grammar->decomposition, &grammar->interpretation})
+    for (const Production& rule : set->rules)
+      find_missing_organs(*grammar, rule.successor, rule.where, params, errors);
   if (!errors.empty()) return errors;
   return grammar;
 }

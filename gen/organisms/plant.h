@@ -96,7 +96,8 @@ struct PlantParams {
   bool by_steps = false;  ///< growth runs through the derivation steps, not along the finished branches
 };
 
-/// The grammar, ready to derive. Organs whose symbol the grammar does not have are errors.
+/// The grammar, ready to derive. Organs whose symbol the grammar does not have are errors, and so is each `~`
+/// in a rule before the name of an organ that is not there.
 Result<Grammar> plant_grammar(const PlantParams& params);
 
 /// Grows one plant upright, its foot at the origin. `share` of its derivation steps, 0..1, gives it on its

@@ -35,5 +35,14 @@ TEST(ToUnit, StandsOnTheOrigin) {
   EXPECT_EQ(mesh.position[2], Vec3(0, 1, 0));
 }
 
+TEST(Obj, LineSets) {
+  Result<LineSet> set = read_obj_lines("v 0 0 0\nv 0 1 0\nv 1 2 0\nv 5 5 5\nl 1 2 3\nl -1 2\n");
+  ASSERT_TRUE(set.ok()) << set.errors()[0].text();
+  EXPECT_EQ(set->place.size(), 4u);
+  using Line = std::array<std::uint32_t, 2>;
+  EXPECT_EQ(set->line, (std::vector<Line>{{0, 1}, {1, 2}, {3, 1}}));
+  EXPECT_FALSE(read_obj_lines("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").ok());
+}
+
 }  // namespace
 }  // namespace frond

@@ -35,6 +35,10 @@ inline std::vector<GrammarText::Rule> rules_of(const nlohmann::json& rules) {
   return texts;
 }
 
+inline DVec3 point_of(const nlohmann::json& p) {
+  return {p[0].get<double>(), p[1].get<double>(), p[2].get<double>()};
+}
+
 /// The grammar of a case, field by field.
 inline GrammarText grammar_of(const nlohmann::json& c) {
   GrammarText g;
@@ -60,7 +64,17 @@ inline GrammarText grammar_of(const nlohmann::json& c) {
     for (int i = 0; i < 3; ++i) g.tropism[i] = pull["tropism"][static_cast<std::size_t>(i)];
     g.elasticity = pull["e"];
   }
-  if (c.contains("start")) g.length = c["start"].value("step", 1.0);
+  if (c.contains("start")) {
+    g.length = c["start"].value("step", 1.0);
+    if (c["start"].contains("position")) g.start = point_of(c["start"]["position"]);
+    if (c["start"].contains("heading")) g.start_heading = point_of(c["start"]["heading"]);
+  }
+  if (c.contains("guide")) {
+    for (const auto& point : c["guide"]["points"]) g.guide.points.push_back({point_of(point)});
+    g.guide.parent = c["guide"]["parent"].get<std::vector<int>>();
+    g.guide.tolerance = c["guide"]["tolerance"];
+    g.guide.leniency = c["guide"]["leniency"];
+  }
   return g;
 }
 

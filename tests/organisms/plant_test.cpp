@@ -182,6 +182,19 @@ TEST(Plant, RefusesOrgansThatCannotBe) {
   EXPECT_NE(plant_grammar(params).errors()[0].text().find("\"Q\""), std::string::npos);
 }
 
+TEST(Plant, OrgansThatOnlyARuleNamesAreMissedBeforeGrowing) {
+  PlantParams params = herb("F~KA", {"A -> F~L", "B(t) : t > 5 -> ~M"}, 1, 45);
+  params.organs = {organ("L")};
+  Result<Grammar> grammar = plant_grammar(params);
+  ASSERT_FALSE(grammar.ok());
+  ASSERT_EQ(grammar.errors().size(), 2u);  // M too, although B(t) never comes
+  EXPECT_EQ(grammar.errors()[0].where, "axiom");
+  EXPECT_NE(grammar.errors()[0].what.find("\"K\""), std::string::npos);
+  EXPECT_EQ(grammar.errors()[1].where, "rule 2");
+  params.organs = {organ("L"), organ("K"), organ("M")};
+  EXPECT_TRUE(plant_grammar(params).ok());
+}
+
 TEST(Plant, ShapesOfOrgansAreSound) {
   PlantParams params = herb("ABCDEK", {}, 0, 45);
   params.organs = {organ("A"),

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/vec.h"
+
+namespace frond {
+
+/// Where the turtle is and how it draws. Right-handed: heading x left = up.
+struct TurtleState {
+  /// What `target` is where there is no guide point to go to: not led yet, or led to the end.
+  static constexpr std::int32_t kNotLed = -1, kFree = -2;
+
+  DVec3 position{0, 0, 0};
+  DVec3 heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, 1};
+  double length = 1, width = 0.1, angle = 45, elasticity = 0;
+  int color = 0;
+  int depth = 0;           ///< brackets open
+  double grown = 1;        ///< 0..1: how far the module at hand has grown, in between two steps
+  std::int32_t mark = -1;  ///< the sink's own: a bracket keeps and restores it; -1 after a move
+  std::int32_t tube = -1;  ///< the sink's own: the last point of a generalized cylinder, -1 outside of one
+  std::int32_t base = -1;  ///< the sink's own: as mark, but a move leaves it alone
+  std::int32_t target = kNotLed;  ///< guide point that it goes to
+  std::int32_t pull = -1;         ///< guide point whose tropism counts; -1: the grammar's
+  double own_length = 1;          ///< its step before it was led
+};
+
+/// A line that the turtle drew, before it moves on; widths are diameters.
+struct Segment {
+  DVec3 from, to;
+  double width_from, width_to;
+};
+
+/// A module in between two steps, on its way from what its parent was to what it will be.
+struct Unfolding {
+  double age = 1;      ///< 0..1: turns, widths and organs have grown so far
+  double stretch = 1;  ///< what lengths are multiplied by
+  double from = 0;     ///< where its first parameter comes from, if `has_from`
+  bool has_from = false;
+};
+
+/// The pull on a drawn segment (ABOP 2.3.3): turned by e|H x T| about H x T.
+inline void bend(TurtleState& turtle, DVec3 pull) {
+  DVec3 axis = glm::cross(turtle.heading, pull);
+  double strength = glm::length(axis);
+  if (!(strength > 0)) return;
+  axis /= strength;
+  double angle = turtle.elasticity * strength, c = std::cos(angle), s = std::sin(angle);
+  for (DVec3* v : {&turtle.heading, &turtle.left, &turtle.up})
+    *v = *v * c + glm::cross(axis, *v) * s + axis * (glm::dot(axis, *v) * (1 - c));
+}
+
+/// Swings the heading onto a direction by the shortest way.
+inline void head_for(TurtleState& turtle, DVec3 direction) {
+  double length = glm::length(direction);
+  if (!(length > 0)) return;
+  direction /= length;
+  DVec3 axis = glm::cross(turtle.heading, direction);
+  double s = glm::length(axis), c = glm::dot(turtle.heading, direction);
+  axis = s > 1e-12 ? axis / s : turtle.up;
+  if (s <= 1e-12) s = 0, c = c < 0 ? -1 : 1;
+  for (DVec3* v : {&turtle.left, &turtle.up})
+    *v = *v * c + glm::cross(axis, *v) * s + axis * (glm::dot(axis, *v) * (1 - c));
+  turtle.heading = direction;
+}
+
+}  // namespace frond
