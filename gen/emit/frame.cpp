@@ -115,7 +115,7 @@ void append_skin(std::string& text, const PovSpace& space, const Branches& b, co
 void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
                  std::size_t index, std::span<const Chunk> chunks) {
   bool plain = b.bark && !patterned(*b.bark), whole = one_texture(b);
-  for (const Chunk& chunk : chunks) {
+  for (Chunk chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
     if (whole) {
       text += "}\n";
@@ -123,6 +123,7 @@ void append_part(std::string& text, const PovSpace& space, const Branches& b, co
     }
     text += " texture{";
     append_skin(text, space, b, pose, chunk, index);
+    if (b.bark && ringed(*b.bark)) lay_along(b.rest, chunk);
     if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
     text += "}}\n";
   }
@@ -142,6 +143,7 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
                                            : std::numeric_limits<float>::infinity();
     options.young_length = static_cast<float>(b.bark->young_length);
     options.color = b.color;
+    if (ringed(*b.bark)) options.nodes = 5;  // so that rings lie across also where it bends
   }
   std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
 

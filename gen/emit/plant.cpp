@@ -149,10 +149,16 @@ std::string blades_text(const PovSpace& space, const Branches& b, const Pose& po
 
 }  // namespace
 
-bool patterned(const Bark& bark) { return bark.kind == BarkKind::bark || bark.kind == BarkKind::birch; }
+bool ringed(const Bark& bark) { return bark.kind == BarkKind::palm; }
+
+bool patterned(const Bark& bark) {
+  return bark.kind == BarkKind::bark || bark.kind == BarkKind::birch || ringed(bark);
+}
 
 bool one_texture(const Branches& b) {
-  if (!b.bark || b.bark->young_length > 0 || (!b.color.empty() && b.bark->colors.size() > 1)) return false;
+  if (!b.bark || ringed(*b.bark) || b.bark->young_length > 0 ||
+      (!b.color.empty() && b.bark->colors.size() > 1))
+    return false;
   return !patterned(*b.bark) || (b.motion.wave.amplitude == 0 && b.motion.growth.duration <= 0);
 }
 

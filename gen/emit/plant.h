@@ -10,6 +10,9 @@ namespace frond {
 /// Whether the bark has a pattern, which must move with the branch.
 bool patterned(const Bark& bark);
 
+/// Whether that pattern goes round the branch, so that it must lie along it from the start.
+bool ringed(const Bark& bark);
+
 /// Whether all branches of a plant have one and the same texture in the whole film, which then stands on
 /// their union.
 bool one_texture(const Branches& plant);

@@ -89,6 +89,22 @@ float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, 
   return glm::length(center) + angle * pose.radius[i];
 }
 
+void lay_along(const Skeleton& rest, Chunk& chunk) {
+  Vec3 way = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
+  float length = glm::length(way);
+  if (!(length > 0)) return;
+  way /= length;
+  Vec3 up(0, 1, 0), axis = glm::cross(up, way);
+  float s = glm::length(axis);
+  Quat turn = s > 1e-6f   ? glm::angleAxis(std::atan2(s, way.y), axis / s)
+              : way.y > 0 ? Quat(1, 0, 0, 0)
+                          : glm::angleAxis(static_cast<float>(kPi), Vec3(1, 0, 0));
+  glm::mat3 laid = glm::mat3_cast(turn);
+  Vec3 at = rest.position[chunk.anchor] - way * rest.distance[chunk.anchor];
+  chunk.shift += chunk.matrix * at;
+  chunk.matrix = chunk.matrix * laid;
+}
+
 float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i) {
   if (young_length <= 0) return 0;
   float grown_past = std::max(pose.front - rest.birth[i], 0.0f) * longest;

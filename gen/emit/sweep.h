@@ -40,6 +40,10 @@ struct ChunkOptions {
 /// pattern along: turned as its middle node is, and stretched across the branch as the branch has thickened.
 std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options);
 
+/// Takes the pattern of a chunk, which lies along the y axis, to the branch: its y is the way along the
+/// branch from the base, and then it goes with the moving skin.
+void lay_along(const Skeleton& rest, Chunk& chunk);
+
 /// How young the skin at node `i` is: by its way to the tip, grown or growing.
 float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i);
 

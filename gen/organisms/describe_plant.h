@@ -18,7 +18,8 @@ inline constexpr Choice<BarkKind> kBarks[] = {{"bark", BarkKind::bark, "furrowed
                                               {"stem", BarkKind::stem, "green stems of herbs"},
                                               {"ink", BarkKind::ink, "one matt colour"},
                                               {"metal", BarkKind::metal, "polished wire"},
-                                              {"wax", BarkKind::wax, "smooth with soft highlights"}};
+                                              {"wax", BarkKind::wax, "smooth with soft highlights"},
+                                              {"palm", BarkKind::palm, "rings across, the scars of leaves"}};
 
 inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"leaf", OrganShape::leaf, "folded along its midrib and bent"},
@@ -27,7 +28,9 @@ inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"bud", OrganShape::bud, "closed, in a calyx"},
     {"berry", OrganShape::berry, "round, on its foot"},
     {"ball", OrganShape::ball, "round about its middle"},
-    {"obj", OrganShape::obj, "the mesh of a Wavefront OBJ file, its foot at the bottom"}};
+    {"obj", OrganShape::obj, "the mesh of a Wavefront OBJ file, its foot at the bottom"},
+    {"sprig", OrganShape::sprig, "a twig with leaves in two rows"},
+    {"frond", OrganShape::frond, "a feathered leaf of many leaflets, as of a palm or a fern"}};
 
 inline constexpr Choice<Stand> kStands[] = {
     {"turtle", Stand::turtle, "where the turtle starts"},
@@ -69,12 +72,18 @@ void describe(Visitor& v, OrganParams& o) {
   v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
            "Length; a parameter in the grammar multiplies it");
   v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
-  v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud");
+  v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud, stem of a frond");
   v.number("width", o.width, {.min = 0.02, .max = 3}, "Share of the length");
-  v.angle("fold", o.fold, {.min = -80, .max = 80}, "Of a leaf along its midrib");
-  v.angle("bend", o.bend, {.min = -180, .max = 180}, "Of a leaf or petal from foot to tip, downward");
+  v.angle("fold", o.fold, {.min = -80, .max = 80},
+          "Of a leaf along its midrib; of a frond's leaflets above the flat");
+  v.angle("bend", o.bend, {.min = -180, .max = 180},
+          "Of a leaf, petal, sprig or frond from foot to tip, downward");
   v.number("wave", o.wave, {.min = 0, .max = 2}, "How much the rim is waved");
   v.integer("petals", o.petals, {.min = 1, .max = 200}, "Of a flower");
+  v.integer("leaflets", o.leaflets, {.min = 0, .max = 400},
+            "Leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape");
+  v.angle("droop", o.droop, {.min = -90, .max = 180}, "Of a frond's leaflets from foot to tip");
+  v.integer("variants", o.variants, {.min = 1, .max = 12}, "Different shapes of a sprig or frond");
   v.angle("open", o.open, {.min = 0, .max = 150}, "Between petals and heading");
   v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
   v.number("size_variation", o.size_variation, {.min = 0, .max = 0.9},

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/organ_shapes.h"
+#include "geometry/foliage_shapes.h"
 
 namespace frond {
 
@@ -64,7 +64,28 @@ void add_bud(Prototype& bud, const OrganParams& p) {
   bud.parts.push_back({Tissue::heart, std::move(cup)});
 }
 
-Prototype prototype(const OrganParams& p) {
+FrondShape frond_shape(const OrganParams& p) {
+  FrondShape shape;
+  if (p.leaflets > 0) shape.pairs = p.leaflets;
+  shape.width = p.width;
+  shape.fold = p.fold;
+  shape.bend = p.bend;
+  shape.droop = p.droop;
+  return shape;
+}
+
+SprigShape sprig_shape(const OrganParams& p) {
+  SprigShape shape;
+  shape.leaf = leaf_shape(p);
+  if (p.leaflets > 0) shape.leaves = p.leaflets;
+  return shape;
+}
+
+int variant_count(const OrganParams& p) {
+  return p.shape == OrganShape::sprig || p.shape == OrganShape::frond ? p.variants : 1;
+}
+
+Prototype prototype(const OrganParams& p, Seed seed) {
   Prototype made{p.symbol, {}, p.colors, p.second};
   switch (p.shape) {
     case OrganShape::leaf:
@@ -79,6 +100,14 @@ Prototype prototype(const OrganParams& p) {
     case OrganShape::bud:
       add_bud(made, p);
       break;
+    case OrganShape::sprig:
+    case OrganShape::frond: {
+      bool sprig = p.shape == OrganShape::sprig;
+      Foliage parts = sprig ? sprig_foliage(sprig_shape(p), seed) : frond_foliage(frond_shape(p), seed);
+      made.parts.push_back({Tissue::leaf, std::move(parts.blades)});
+      made.parts.push_back({sprig ? Tissue::skin : Tissue::heart, std::move(parts.stem)});
+      break;
+    }
     case OrganShape::obj:
       made.parts.push_back({Tissue::petal, p.mesh});
       break;
@@ -101,7 +130,9 @@ Prototype prototype(const OrganParams& p) {
 
 std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   std::vector<Prototype> list;
-  for (const OrganParams& organ : params.organs) list.push_back(prototype(organ));
+  for (const OrganParams& organ : params.organs)
+    for (int i = 0; i < variant_count(organ); ++i)
+      list.push_back(prototype(organ, Seed{0}.child(organ.symbol, static_cast<std::uint64_t>(i))));
   list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});
   std::array<float, 3> disc{0, 0.5f, 0};
   Surface flat = turned_surface(disc, 20);
@@ -111,11 +142,14 @@ std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   return list;
 }
 
-int prototype_of(const PlantParams& params, std::string_view symbol) {
-  auto count = static_cast<int>(params.organs.size());
-  for (int i = 0; i < count; ++i)
-    if (params.organs[static_cast<std::size_t>(i)].symbol == symbol) return i;
-  return symbol == "@O" ? count : symbol == "@o" ? count + 1 : -1;
+Variants variants_of(const PlantParams& params, std::string_view symbol) {
+  int first = 0, organ = 0;
+  for (const OrganParams& p : params.organs) {
+    if (p.symbol == symbol) return {organ, first, variant_count(p)};
+    first += variant_count(p), ++organ;
+  }
+  if (symbol == "@O") return {-1, first, 1};
+  return {-1, symbol == "@o" ? first + 1 : -1, 1};
 }
 
 }  // namespace frond

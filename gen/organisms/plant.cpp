@@ -164,22 +164,23 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const Site& site = sites[i];
     bool round = site.name == "@O" || site.name == "@o";
-    int which = prototype_of(params, site.name);
-    if (which < 0) return {{"", missing_organ(site.name)}};
+    Variants kinds = variants_of(params, site.name);
+    if (kinds.first < 0) return {{"", missing_organ(site.name)}};
     Seed own = seed.child(site.id);
     Vec3 scale = site.scale;
     Quat turn = glm::normalize(glm::quat_cast(glm::mat3(-site.left, site.heading, site.up)));
     if (round) {
       scale *= factor;
     } else {
-      const OrganParams& organ = params.organs[static_cast<std::size_t>(which)];
+      const OrganParams& organ = params.organs[static_cast<std::size_t>(kinds.organ)];
       scale *= static_cast<float>(organ.size * (1 + organ.size_variation * own.child(0).range(-1, 1)));
       double most = organ.turn_variation;
       turn = turn * glm::angleAxis(static_cast<float>(most * own.child(1).range(-1, 1)), Vec3(1, 0, 0)) *
              glm::angleAxis(static_cast<float>(most * own.child(2).range(-1, 1)), Vec3(0, 1, 0)) *
              glm::angleAxis(static_cast<float>(most * own.child(3).range(-1, 1)), Vec3(0, 0, 1));
     }
-    o.prototype.push_back(static_cast<std::uint16_t>(which));
+    auto pick = static_cast<int>(own.child(4).bits() % static_cast<std::uint64_t>(kinds.count));
+    o.prototype.push_back(static_cast<std::uint16_t>(kinds.first + pick));
     o.position.push_back(site.position);
     o.turn.push_back(glm::normalize(turn));
     o.scale.push_back(glm::max(glm::abs(scale), Vec3(1e-5f)));
@@ -223,7 +224,7 @@ void find_missing_organs(const Grammar& grammar, std::span<const SymbolId> modul
   for (std::size_t i = 0; i + 1 < modules.size(); ++i) {
     if (grammar.symbols[modules[i]].act != Act::organ) continue;
     const std::string& name = grammar.symbols[modules[i + 1]].name;
-    if (prototype_of(params, name) < 0) errors.push_back({where, missing_organ(name)});
+    if (variants_of(params, name).first < 0) errors.push_back({where, missing_organ(name)});
   }
 }
 

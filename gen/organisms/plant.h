@@ -31,7 +31,8 @@ enum class BarkKind {
   stem,   ///< green and smooth
   ink,    ///< one matt colour
   metal,  ///< polished wire
-  wax     ///< smooth and bright, for curves in colour
+  wax,    ///< smooth and bright, for curves in colour
+  palm    ///< rings across the branch, the scars of leaves
 };
 
 /// The surface of branches.
@@ -46,7 +47,7 @@ struct Bark {
   double variation = 0.08;                           ///< how much the brightness of single plants differs
 };
 
-enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj };
+enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond };
 
 /// What stands where the grammar names an organ.
 struct OrganParams {
@@ -62,6 +63,9 @@ struct OrganParams {
   double bend = radians(40.0);  ///< of a leaf or petal along its length
   double wave = 0.3;            ///< of a leaf's rim
   int petals = 5;
+  int leaflets = 0;  ///< leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape
+  double droop = radians(45.0);           ///< of a frond's leaflets from foot to tip
+  int variants = 3;                       ///< of a sprig or frond: how many different shapes there are
   double open = radians(65.0);            ///< between petals and heading
   double heart = 0.16;                    ///< radius of a flower's heart as a share of its size
   double size_variation = 0.12;           ///< random change of the size, as a share

@@ -88,5 +88,22 @@ TEST(Youth, IsAtTheTips) {
   EXPECT_FLOAT_EQ(youth(s, pose, s.longest(), 0, 20), 0);
 }
 
+TEST(Sweep, RingsLieAcrossTheBranch) {
+  Skeleton rest;  // up, then a bend to the side
+  std::int32_t node = rest.add(Vec3(1, 0, 0), 0.1f, Skeleton::kRoot, 0);
+  for (int i = 1; i <= 4; ++i) node = rest.add(Vec3(1, 0.25f * static_cast<float>(i), 0), 0.1f, node, 0);
+  for (int i = 1; i <= 4; ++i) node = rest.add(Vec3(1 + 0.25f * static_cast<float>(i), 1, 0), 0.1f, node, 0);
+  for (std::size_t i = 1; i < rest.size(); ++i) rest.distance[i] = 0.25f * static_cast<float>(i);
+  Chunk side{5, 8};
+  side.anchor = 6;
+  lay_along(rest, side);
+  // The pattern's height y is the way along the branch, whatever side of it.
+  for (float s : {1.0f, 1.5f, 2.0f}) {
+    Vec3 on = side.shift + side.matrix * Vec3(0, s, 0);
+    EXPECT_LT(glm::distance(on, Vec3(s, 1, 0)), 1e-4f) << on.x << " " << on.y;
+  }
+  EXPECT_NEAR(glm::determinant(side.matrix), 1, 1e-5);
+}
+
 }  // namespace
 }  // namespace frond

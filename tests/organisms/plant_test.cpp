@@ -195,6 +195,18 @@ TEST(Plant, OrgansThatOnlyARuleNamesAreMissedBeforeGrowing) {
   EXPECT_TRUE(plant_grammar(params).ok());
 }
 
+TEST(Plant, VariantsOfAFrondTakeTurns) {
+  PlantParams params = herb("A", {"A -> F[&~K]/(137)A"}, 60, 45);
+  params.organs = {organ("A"), organ("K", OrganShape::frond)};
+  params.organs[1].variants = 4;
+  Model model = grown(params);
+  std::map<int, int> times;
+  for (std::uint16_t which : model.organs.prototype) ++times[which];
+  EXPECT_EQ(times.size(), 5u);  // one of A, four of K
+  for (int k = 1; k <= 4; ++k) EXPECT_GT(times[k], 5) << k;
+  EXPECT_NE(model.prototypes[1].parts[0].surface.position, model.prototypes[2].parts[0].surface.position);
+}
+
 TEST(Plant, ShapesOfOrgansAreSound) {
   PlantParams params = herb("ABCDEK", {}, 0, 45);
   params.organs = {organ("A"),
