@@ -1,5 +1,6 @@
 #include "organisms/organ_prototypes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -85,6 +86,13 @@ int variant_count(const OrganParams& p) {
   return p.shape == OrganShape::sprig || p.shape == OrganShape::frond ? p.variants : 1;
 }
 
+/// Gives a mesh without `uv` that of a petal: 0 on its axis, 1 at its rim.
+void set_uv(Surface& mesh) {
+  if (!mesh.uv.empty()) return;
+  for (const Vec3& at : mesh.position)
+    mesh.uv.emplace_back(std::min(1.0f, 2 * glm::length(Vec2(at.x, at.z))), 0.5f);
+}
+
 Prototype prototype(const OrganParams& p, Seed seed) {
   Prototype made{p.symbol, {}, p.colors, p.second};
   switch (p.shape) {
@@ -110,6 +118,7 @@ Prototype prototype(const OrganParams& p, Seed seed) {
     }
     case OrganShape::obj:
       made.parts.push_back({Tissue::petal, p.mesh});
+      set_uv(made.parts.back().surface);
       break;
     case OrganShape::berry:
     case OrganShape::ball: {

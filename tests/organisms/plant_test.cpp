@@ -195,6 +195,18 @@ TEST(Plant, OrgansThatOnlyARuleNamesAreMissedBeforeGrowing) {
   EXPECT_TRUE(plant_grammar(params).ok());
 }
 
+TEST(Plant, MeshesAreColouredFromTheirAxisOut) {
+  PlantParams params = herb("F~K", {}, 0, 45);
+  params.organs = {organ("K", OrganShape::obj)};
+  params.organs[0].mesh = {
+      {{0, 0, 0}, {0.5f, 0, 0}, {0, 0, -0.25f}}, {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
+  const Surface mesh = grown(params).prototypes[0].parts[0].surface;
+  ASSERT_EQ(mesh.uv.size(), 3u);
+  EXPECT_EQ(mesh.uv[0].x, 0);
+  EXPECT_EQ(mesh.uv[1].x, 1);
+  EXPECT_EQ(mesh.uv[2].x, 0.5f);
+}
+
 TEST(Plant, VariantsOfAFrondTakeTurns) {
   PlantParams params = herb("A", {"A -> F[&~K]/(137)A"}, 60, 45);
   params.organs = {organ("A"), organ("K", OrganShape::frond)};
