@@ -27,12 +27,12 @@ trap stop TERM INT HUP
 trap clean EXIT
 
 # POV-Ray parses its options by itself and stumbles over quotes in a path: the includes come through a descriptor.
-exec {includes}<"$povinc"
+exec {includes}<"$povinc" {pictures}<"$(dirname -- "$scene")"
 library=/proc/self/fd/$includes
 
 # One thread a frame: several frames are rendered at once, and pixels then never depend on the count of threads.
 setpriv --pdeathsig KILL -- "${FROND_POVRAY:-povray}" "+I$scene" "+O$part" +FN8 "+W${size%x*}" "+H${size#*x}" \
-  "+L$library" +WT1 -D -P "$@" >"$log" 2>&1 </dev/null &
+  "+L$library" "+L/proc/self/fd/$pictures" +WT1 -D -P "$@" >"$log" 2>&1 </dev/null &
 povray=$!
 status=0
 wait "$povray" || status=$?

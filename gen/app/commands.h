@@ -34,8 +34,16 @@ struct GrammarArguments {
   std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws
 };
 
+struct TextureArguments {
+  PresetArguments preset;  ///< its path may be empty: every bark and leaf that there is
+  std::string out;         ///< folder; empty: out/textures
+  int threads = 0;         ///< 0: all
+  bool quiet = false;
+};
+
 /// Each is one command of the program; all return an ExitCode. Data goes to stdout, messages to stderr.
 int generate(const GenerateArguments& arguments);
+int write_textures(const TextureArguments& arguments);
 int check(const std::vector<std::string>& paths);
 int info(const PresetArguments& arguments, bool json);
 int info_grammar(const std::string& path, bool json);

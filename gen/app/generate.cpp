@@ -119,6 +119,10 @@ int generate(const GenerateArguments& arguments) {
   if (!arguments.quiet)
     fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
 
+  for (const Picture& picture : scene->pictures) {
+    Result<bool> written = write_file(out / "frames" / picture.name, picture.bytes);
+    if (!written) return fail(written.errors(), kCouldNot);
+  }
   Written written = write_frames(*scene, *layout, out, range, arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors = write_jobs(*preset, range, *root, out, name.string());

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/files.h"
+#include "crown/arbaro.h"
 #include "geometry/obj.h"
 #include "preset/json.h"
 
@@ -36,6 +37,55 @@ Result<Surface> load_mesh(const std::string& file, const fs::path& preset_path) 
   return to_unit(std::move(*mesh));
 }
 
+/// A file as seen from the preset's folder or, where it is not there, from the working folder.
+fs::path seen_from(const fs::path& preset_path, const std::string& file) {
+  std::error_code error;
+  fs::path path = preset_path.parent_path() / file;
+  return !fs::exists(path, error) && fs::exists(file, error) ? fs::path(file) : path;
+}
+
+Result<Silhouette> load_outline(const fs::path& path) {
+  Result<std::string> text = read_file(path);
+  if (!text) return text.errors();
+  if (path.extension() == ".svg") {
+    Result<std::vector<std::vector<Vec2>>> drawn = read_svg(*text);
+    if (!drawn) return Error{path.string(), drawn.errors().front().what};
+    for (auto& outline : *drawn)
+      for (Vec2& p : outline) p.y = -p.y;  // SVG's y runs down
+    return Silhouette::from_outlines(std::move(*drawn));
+  }
+  Result<Raster> picture = read_png(*text);
+  if (!picture)
+    return Error{path.string(), picture.errors().front().what + "; expected an SVG or a PNG file"};
+  return Silhouette::from_picture(*picture);
+}
+
+/// Reads what a tree names: a species of Arbaro, the mesh or the silhouette of an envelope.
+template <class LoadMesh>
+void load_tree(Organism& organism, std::size_t i, const fs::path& preset_path, Errors& errors,
+               const LoadMesh& load) {
+  auto note = [&](std::string_view pointer, const Errors& found) {
+    for (const Error& error : found)
+      errors.push_back({fmt::format("{}: /organisms/{}{}", preset_path.string(), i, pointer), error.text()});
+  };
+  if (auto* tree = std::get_if<WeberPennParams>(&organism.body); tree && !tree->species.empty()) {
+    fs::path path = seen_from(preset_path, tree->species);
+    Result<std::string> text = read_file(path);
+    Result<ArbaroSpecies> species = text ? read_arbaro(*text, path.string()) : text.errors();
+    if (!species) return note("/species", species.errors());
+    tree->tree = species->tree;
+  }
+  auto* tree = std::get_if<ColonizedParams>(&organism.body);
+  if (!tree || tree->envelope.file.empty()) return;
+  EnvelopeParams& e = tree->envelope;
+  if (e.kind == EnvelopeKind::mesh)
+    return load(e.file, fmt::format("/organisms/{}/envelope/file", i), e.mesh);
+  if (e.kind != EnvelopeKind::outline) return;
+  Result<Silhouette> outline = load_outline(seen_from(preset_path, e.file));
+  if (!outline) return note("/envelope/file", outline.errors());
+  e.outline = std::move(*outline);
+}
+
 /// Reads the OBJ files that the preset names.
 Errors load_files(Preset& preset, const fs::path& preset_path) {
   Errors errors;
@@ -52,6 +102,7 @@ Errors load_files(Preset& preset, const fs::path& preset_path) {
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     if (auto* body = std::get_if<MeshParams>(&preset.organisms[i].body))
       load(body->file, fmt::format("/organisms/{}/file", i), body->mesh);
+    load_tree(preset.organisms[i], i, preset_path, errors, load);
     auto* plant = std::get_if<PlantParams>(&preset.organisms[i].body);
     auto* coral = std::get_if<CoralParams>(&preset.organisms[i].body);
     if (GrammarText* grammar = plant ? &plant->grammar : coral ? &coral->grammar : nullptr)

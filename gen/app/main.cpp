@@ -44,6 +44,19 @@ void add_generate(CLI::App& app, int& result) {
   command->callback([&result, to] { result = generate(*to); });
 }
 
+void add_textures(CLI::App& app, int& result) {
+  auto to = std::make_shared<TextureArguments>();
+  auto* command =
+      app.add_subcommand("textures", "Writes bark and leaves of a preset's trees as PNG pictures");
+  add_preset(command, to->preset);
+  command->get_option("preset")->required(false)->description("The preset; without it, every kind there is");
+  command->add_option("-o,--out", to->out, "Folder to write to (out/textures)");
+  command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->add_flag("-q,--quiet", to->quiet, "Does not list the files");
+  command->footer("Example:\n  frond textures presets/oak_and_aspen.json -o out/textures");
+  command->callback([&result, to] { result = write_textures(*to); });
+}
+
 void add_check(CLI::App& app, int& result) {
   auto paths = std::make_shared<std::vector<std::string>>();
   auto* command = app.add_subcommand("check", "Tells what is wrong in presets");
@@ -104,7 +117,7 @@ int main(int count, char** words) {
   app.require_subcommand(1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add : {add_generate, add_check, add_info, add_derive, add_turtle, add_catalogue})
+  for (auto add : {add_generate, add_textures, add_check, add_info, add_derive, add_turtle, add_catalogue})
     add(app, result);
   try {
     app.parse(count, words);

@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "core/text.h"
+#include "emit/coat.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
@@ -133,6 +134,12 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   if (!b.skin && !b.bark) return {};
   Pose pose;
   pose_skeleton(b.rest, b.motion, time, pose);
+  if (b.coat) {
+    std::string text = coat_text(space, b, pose) + foliage_text(space, b, pose);
+    std::string comment;
+    if (!text.empty()) append_comment(comment, b.name);
+    return comment + text;
+  }
   ChunkOptions options;
   if (b.skin) {
     options.tolerance = static_cast<float>(0.15 * b.skin->pores.cell);

@@ -50,6 +50,15 @@ void append_tissue(std::string& text, Tissue tissue, const Color& color, const C
   text += ")}";
 }
 
+/// `texture{Tree_Leaf("leaf_0.png", shade)}`
+void append_picture(std::string& text, std::string_view name, std::size_t shade) {
+  text += "texture{Tree_Leaf(\"";
+  text += name;
+  text += "\",";
+  append_index(text, shade);
+  text += ")}";
+}
+
 std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
 
 void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
@@ -94,8 +103,11 @@ std::string organs_text(const PovSpace& space, const Branches& b, const Pose& po
           text.append(lines, from, to - from);
           from = to;
         }
-        append_tissue(text, prototype.parts[part].tissue, prototype.colors[k / kShades], prototype.second,
-                      k % kShades);
+        if (!prototype.parts[part].pictures.empty())
+          append_picture(text, prototype.parts[part].pictures[k / kShades], k % kShades);
+        else
+          append_tissue(text, prototype.parts[part].tissue, prototype.colors[k / kShades], prototype.second,
+                        k % kShades);
         text += "}\n";
       }
     }

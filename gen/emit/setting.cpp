@@ -196,6 +196,7 @@ std::string includes_text(const Scene& scene) {
   }
   if (water || corals) include("coral"), include("food");
   if (plants) include("plant");
+  if (!scene.pictures.empty()) include("tree");
   for (std::string_view name : solid_includes(scene)) include(name);
   return text;
 }

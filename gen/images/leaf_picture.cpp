@@ -31,6 +31,7 @@ class Blade {
     middle_ = f.middle;
     scale_ = f.scale;
     foot_ = Vec2(0, o_.stalk);
+    for (Vec2 p : leaf_rim(o_, 64)) wide_ = std::max(wide_, 1.03f * p.x);
     if (!o_.palmate) return;
     // Main veins go to the lobes: where the rim is farthest out.
     auto n = static_cast<int>(o_.radii.size());
@@ -43,7 +44,10 @@ class Blade {
   }
 
   /// Whether the leaf or its stalk covers a point of its own plane, one unit long.
-  bool covers(Vec2 p) const { return on_stalk(p) || out(p) <= 1; }
+  bool covers(Vec2 p) const {
+    if (p.y < -0.01f || p.y > 1.01f || std::abs(p.x) > wide_) return false;
+    return on_stalk(p) || out(p) <= 1;
+  }
 
   /// The colour there; it goes on beyond the rim.
   Rgb color(Vec2 p, int index) const {
@@ -98,6 +102,7 @@ class Blade {
   Seed seed_;
   double middle_ = 0.5, scale_ = 1;
   Vec2 foot_{0};
+  float wide_ = 0.02f;
   std::vector<Vec2> lobes_;
 };
 

@@ -13,6 +13,8 @@ enum class Tissue { leaf, petal, heart, fruit, skin };
 struct OrganPart {
   Tissue tissue = Tissue::leaf;
   Surface surface;
+  std::vector<std::string> pictures =
+      {};  ///< PNG files, one for each colour of the prototype; empty: a plain tissue
 };
 
 /// The shape of an organ, held once however often it occurs: its foot at the origin, growing along +y, its

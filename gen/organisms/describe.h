@@ -1,5 +1,6 @@
 #pragma once
 
+#include "organisms/describe_crown.h"
 #include "organisms/describe_garden.h"
 #include "organisms/describe_guide.h"
 #include "organisms/describe_host.h"
@@ -234,6 +235,8 @@ inline constexpr Kind<Organism> kOrganismKinds[] = {
     make_kind<ColumnParams, &Organism::body>("column", "A column of stone, whole or broken"),
     make_kind<MeshParams, &Organism::body>("mesh", "A body from an OBJ file"),
     make_kind<BridgeParams, &Organism::body>("bridge", "A humped garden bridge of wood or stone"),
-    make_kind<VaseParams, &Organism::body>("vase", "A vase, bowl or pot turned from a Bézier curve")};
+    make_kind<VaseParams, &Organism::body>("vase", "A vase, bowl or pot turned from a Bézier curve"),
+    make_kind<WeberPennParams, &Organism::body>("weber_penn", "A tree by the parameters of Weber and Penn"),
+    make_kind<ColonizedParams, &Organism::body>("colonized", "A tree that fills an envelope")};
 
 }  // namespace frond

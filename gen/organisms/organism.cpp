@@ -1,5 +1,7 @@
 #include "organisms/organism.h"
 
+#include <algorithm>
+
 namespace frond {
 
 namespace {
@@ -19,6 +21,8 @@ struct Grow {
   Result<Model> operator()(const MeshParams& params) const { return build_mesh_model(params); }
   Result<Model> operator()(const BridgeParams& params) const { return grow_bridge(params, seed); }
   Result<Model> operator()(const VaseParams& params) const { return grow_vase(params, seed); }
+  Result<Model> operator()(const WeberPennParams& params) const { return grow_weber_penn_tree(params, seed); }
+  Result<Model> operator()(const ColonizedParams& params) const { return grow_colonized_tree(params, seed); }
 };
 
 struct Check {
@@ -40,6 +44,11 @@ struct Check {
     Result<VesselProfile> profile = vessel_profile(params.shape);
     return profile ? Errors{} : profile.errors();
   }
+  Errors operator()(const WeberPennParams& params) const {
+    if (foresee_nodes(params.tree) < 8e6) return {};
+    return {{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}};
+  }
+  Errors operator()(const ColonizedParams& params) const { return check_colonized(params); }
 };
 
 struct Foresee {
@@ -64,6 +73,14 @@ struct Foresee {
   Result<Foresight> operator()(const WallParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const ColumnParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const MeshParams&) const { return Foresight{}; }
+  Result<Foresight> operator()(const WeberPennParams& params) const {
+    return Foresight{{}, foresee_nodes(params.tree)};
+  }
+  Result<Foresight> operator()(const ColonizedParams& params) const {
+    // About two segments end at each point that is taken; not all are.
+    double nodes = std::min<double>(2.0 * params.growth_into.attractors, params.growth_into.most_nodes);
+    return Foresight{{}, nodes * params.smoothing};
+  }
 };
 
 }  // namespace
@@ -72,6 +89,14 @@ Result<Model> grow(const Organism& organism, Seed seed) { return std::visit(Grow
 
 Result<Foresight> foresee(const Organism& organism, Seed seed) {
   return std::visit(Foresee{seed}, organism.body);
+}
+
+Result<std::vector<Picture>> pictures(const Organism& organism) {
+  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body))
+    return dress_pictures(tree->dress, tree->tree.leaves != 0);
+  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body))
+    return dress_pictures(tree->dress, tree->leaf_reach > 0);
+  return std::vector<Picture>{};
 }
 
 Errors check(const Organism& organism) { return std::visit(Check{}, organism.body); }

@@ -10,6 +10,7 @@
 #include "model/model.h"
 #include "organisms/bridge.h"
 #include "organisms/coral.h"
+#include "organisms/crown_tree.h"
 #include "organisms/host.h"
 #include "organisms/plant.h"
 #include "organisms/vase.h"
@@ -37,7 +38,9 @@ struct Organism {
   std::string name;  ///< the user's name for it, for messages and comments
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
-  std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams, BridgeParams, VaseParams> body;
+  std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams, BridgeParams, VaseParams,
+               WeberPennParams, ColonizedParams>
+      body;
 };
 
 /// What an organism is made of at the end of its growth, with its foot at the origin.
@@ -51,6 +54,9 @@ struct Foresight {
 
 /// Foresees the size without growing; a derivation past its limits is refused with the figure and the step.
 Result<Foresight> foresee(const Organism& organism, Seed seed);
+
+/// The picture files that the frames of an organism need, each named by what is in it.
+Result<std::vector<Picture>> pictures(const Organism& organism);
 
 /// The first fault of an organism that only shows when its grammar is compiled.
 Errors check(const Organism& organism);

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/ground.h"
 #include "geometry/scatter.h"
+#include "scene/tree_dress.h"
 
 namespace frond {
 
@@ -162,6 +163,8 @@ struct Dress {
   void operator()(const MeshParams&) {}
   void operator()(const BridgeParams&) {}
   void operator()(const VaseParams&) {}
+  void operator()(const WeberPennParams& params) { vary(wear(branches, params)); }
+  void operator()(const ColonizedParams& params) { vary(wear(branches, params)); }
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
@@ -377,6 +380,9 @@ Result<Scene> build_scene(const Preset& preset) {
 
   std::vector<std::optional<Result<Branches>>> grown(list.size());
   parallel_for(list.size(), [&](std::size_t i) { grown[i] = plant(preset, list[i], feet[i]); });
+  Result<std::vector<Picture>> drawn = draw_pictures(preset);
+  if (!drawn) return drawn.errors();
+  b.scene.pictures = std::move(*drawn);
   for (auto& result : grown) {
     if (!*result) return result->errors();
     for (const std::string& note : (*result)->notes) {

@@ -30,8 +30,11 @@ struct Branches {
   std::optional<Skin> skin;  ///< of a coral
   double brightness = 1;     ///< factor, its own
 
-  std::size_t entry = 0;     ///< which of the preset's organisms it is one of
-  std::optional<Bark> bark;  ///< of a plant
+  std::size_t entry = 0;         ///< which of the preset's organisms it is one of
+  std::optional<Bark> bark;      ///< of a plant
+  std::optional<BarkCoat> coat;  ///< of a tree whose branches are meshes with a picture
+  int lobes = 0;                 ///< of the trunk's cross-section, where there is a coat
+  double lobe_depth = 0;
   BladeParams blade_look;
   std::vector<std::int32_t> color;  ///< of each node; empty: 0 for all
   std::vector<Prototype> prototypes;
@@ -76,6 +79,7 @@ struct Scene {
   std::vector<TurfInstance> gravel_instances;
   Plot plot;  ///< of a garden
   std::vector<Branches> branches;
+  std::vector<Picture> pictures;   ///< that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
 
   /// Nodes of all skeletons.

@@ -1,0 +1,160 @@
+#include "geometry/tubes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+Vec3 any_normal(Vec3 axis) {
+  return glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+}
+
+/// One chain of nodes as a tube.
+class Tube {
+ public:
+  Tube(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
+       std::span<const Quat> turn, const TubeShape& shape, Surface& out)
+      : rest_(rest), position_(position), radius_(radius), turn_(turn), shape_(shape), out_(out) {}
+
+  /// Of the nodes first..last; the node below `first`, where there is one, is where it begins.
+  void draw(std::int32_t first, std::int32_t last) {
+    nodes_.clear();
+    std::int32_t below = rest_.parent[first];
+    fork_ = below != Skeleton::kRoot;
+    if (fork_) nodes_.push_back(below);
+    for (std::int32_t i = first; i <= last; ++i) nodes_.push_back(i);
+    if (nodes_.size() < 2) return;
+    float thick = 0;
+    for (std::size_t k = fork_ ? 1 : 0; k < nodes_.size(); ++k)
+      thick = std::max(thick, rest_.radius[nodes_[k]]);
+    if (rest_.radius[first] < shape_.least && rest_.order[first] > 0) return;
+    set_normals_along();
+    double round = 2 * kPi * thick;
+    sides_ = std::clamp(static_cast<int>(std::lround(round / shape_.side)), 3, shape_.most_sides);
+    lobed_ = shape_.lobes > 0 && rest_.order[first] == 0;
+    if (lobed_) sides_ = std::max(sides_, std::min(6 * shape_.lobes, 96));
+    wraps_ = std::max(1, static_cast<int>(std::lround(round / shape_.wrap)));
+    double pattern = round / wraps_ * shape_.aspect, along = 0;
+    auto start = static_cast<std::uint32_t>(out_.position.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      if (k > 0) along += glm::distance(rest_.position[nodes_[k]], rest_.position[nodes_[k - 1]]);
+      ring(k, along / pattern);
+    }
+    stitch(start);
+  }
+
+ private:
+  /// Normals of the rest shape that do not twist (double reflection; Wang et al. 2008).
+  void set_normals_along() {
+    normals_.clear();
+    axes_.clear();
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      Vec3 from = rest_.position[nodes_[k > 0 ? k - 1 : 0]],
+           to = rest_.position[nodes_[std::min(k + 1, nodes_.size() - 1)]], way = to - from;
+      // A branch leaves its fork in its own direction.
+      if (fork_ && k == 0) way = rest_.position[nodes_[1]] - rest_.position[nodes_[0]];
+      axes_.push_back(glm::length(way) > 1e-9f ? glm::normalize(way) : k > 0 ? axes_.back() : Vec3(0, 1, 0));
+    }
+    normals_.push_back(any_normal(axes_[0]));
+    for (std::size_t k = 1; k < nodes_.size(); ++k) {
+      Vec3 step = rest_.position[nodes_[k]] - rest_.position[nodes_[k - 1]];
+      float c = glm::dot(step, step);
+      Vec3 n = normals_.back(), t = axes_[k - 1];
+      if (c > 1e-14f) {
+        n -= step * (2 / c * glm::dot(step, n));
+        t -= step * (2 / c * glm::dot(step, t));
+      }
+      Vec3 v = axes_[k] - t;
+      if (float d = glm::dot(v, v); d > 1e-12f) n -= v * (2 / d * glm::dot(v, n));
+      n -= axes_[k] * glm::dot(axes_[k], n);
+      normals_.push_back(glm::length(n) > 1e-6f ? glm::normalize(n) : any_normal(axes_[k]));
+    }
+  }
+
+  float radius_of(std::size_t k) const {
+    // The foot of a branch is little thicker than it goes on, or forks would swell.
+    if (fork_ && k == 0) return std::min(radius_[nodes_[0]], 1.25f * radius_[nodes_[1]]);
+    return radius_[nodes_[k]];
+  }
+
+  void ring(std::size_t k, double v) {
+    std::int32_t node = nodes_[k];
+    Quat turn = turn_.empty() ? Quat(1, 0, 0, 0) : turn_[fork_ && k == 0 ? nodes_[1] : node];
+    Vec3 x = turn * normals_[k], axis = turn * axes_[k], y = glm::cross(axis, x), at = position_[node];
+    float r = radius_of(k);
+    // How fast it thins tilts the normals.
+    std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, nodes_.size() - 1);
+    float way = glm::distance(position_[nodes_[after]], position_[nodes_[before]]);
+    float thin = way > 1e-6f ? std::clamp((radius_of(before) - radius_of(after)) / way, -2.0f, 2.0f) : 0;
+    for (int s = 0; s <= sides_; ++s) {
+      double a = 2 * kPi * (s % sides_) / sides_, lobe = 1, swing = 0;
+      if (lobed_) {
+        lobe = 1 + shape_.lobe_depth * std::sin(shape_.lobes * a);
+        swing = shape_.lobe_depth * shape_.lobes * std::cos(shape_.lobes * a);
+      }
+      auto c = static_cast<float>(std::cos(a)), d = static_cast<float>(std::sin(a));
+      Vec3 out = x * c + y * d, round = y * c - x * d;
+      out_.position.push_back(at + out * (r * static_cast<float>(lobe)));
+      out_.normal.push_back(
+          glm::normalize(out * static_cast<float>(lobe) - round * static_cast<float>(swing) + axis * thin));
+      out_.uv.emplace_back(static_cast<double>(wraps_ * s) / sides_, v);
+    }
+  }
+
+  void stitch(std::uint32_t start) {
+    auto n = static_cast<std::uint32_t>(sides_) + 1, rings = static_cast<std::uint32_t>(nodes_.size());
+    for (std::uint32_t k = 0; k + 1 < rings; ++k) {
+      for (std::uint32_t s = 0; s + 1 < n; ++s) {
+        std::uint32_t i = start + k * n + s;
+        out_.triangle.push_back({i, i + 1, i + n + 1});
+        out_.triangle.push_back({i, i + n + 1, i + n});
+      }
+    }
+    // The end is closed by a point a little farther on.
+    std::uint32_t last = start + (rings - 1) * n;
+    std::int32_t node = nodes_.back();
+    Quat turn = turn_.empty() ? Quat(1, 0, 0, 0) : turn_[node];
+    Vec3 axis = turn * axes_.back();
+    auto tip = static_cast<std::uint32_t>(out_.position.size());
+    Vec2 uv = out_.uv.back();
+    out_.position.push_back(position_[node] + axis * radius_[node] * 0.6f);
+    out_.normal.push_back(axis);
+    out_.uv.emplace_back(uv.x / 2, uv.y);
+    for (std::uint32_t s = 0; s + 1 < n; ++s) out_.triangle.push_back({last + s, last + s + 1, tip});
+  }
+
+  const Skeleton& rest_;
+  std::span<const Vec3> position_;
+  std::span<const float> radius_;
+  std::span<const Quat> turn_;
+  const TubeShape& shape_;
+  Surface& out_;
+  std::vector<std::int32_t> nodes_;
+  std::vector<Vec3> normals_, axes_;
+  bool fork_ = false, lobed_ = false;
+  int sides_ = 3, wraps_ = 1;
+};
+
+}  // namespace
+
+Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
+                     std::span<const Quat> turn, const TubeShape& shape) {
+  Surface surface;
+  Tube tube(rest, position, radius, turn, shape, surface);
+  auto n = static_cast<std::int32_t>(rest.size());
+  for (std::int32_t first = 0; first < n;) {
+    std::int32_t last = first;
+    while (last + 1 < n && rest.parent[last + 1] == last) ++last;
+    tube.draw(first, last);
+    first = last + 1;
+  }
+  return surface;
+}
+
+Surface tube_surface(const Skeleton& rest, const TubeShape& shape) {
+  return tube_surface(rest, rest.position, rest.radius, {}, shape);
+}
+
+}  // namespace frond

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+
+#include "model/skeleton.h"
+#include "model/surface.h"
+
+namespace frond {
+
+/// How branches become tubes.
+struct TubeShape {
+  double wrap = 0.5;      ///< metres round a branch that one picture is wide
+  double aspect = 2;      ///< how much longer than wide the picture is
+  double side = 0.03;     ///< metres, about the width of a facet; twigs have 3 at least
+  int most_sides = 48;    ///< of the thickest, 3 or more
+  int lobes = 0;          ///< of the cross-section of branches of order 0
+  double lobe_depth = 0;  ///< share of the radius
+  float least = 0;        ///< metres; branches that begin thinner than this are left out
+};
+
+/// Turns every branch into a tube: a chain of the skeleton is one, which begins inside of its parent. `uv`
+/// goes a whole number of times round the branch, the same along all of it, so that it has no seam but the
+/// one where 0 meets 1; along the branch it goes on without a break by the rest shape's length, so that the
+/// picture sticks to a branch that moves. `position`, `radius` and `turn` are those of a pose, one a node;
+/// `turn` takes the rest shape round a node to the posed one.
+Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
+                     std::span<const Quat> turn, const TubeShape& shape);
+
+/// The same at rest.
+Surface tube_surface(const Skeleton& rest, const TubeShape& shape);
+
+}  // namespace frond

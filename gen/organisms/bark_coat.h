@@ -1,0 +1,26 @@
+#pragma once
+
+#include "images/bark.h"
+#include "organisms/leaf_look.h"
+
+namespace frond {
+
+/// A bark that lies on branches as a picture: they are meshes then, and the picture goes round them a whole
+/// number of times.
+struct BarkCoat {
+  BarkImage image;
+  double wrap = 0.6;    ///< metres round a branch that the picture is wide
+  double aspect = 2;    ///< how much longer than wide it is
+  int pixels = 512;     ///< its width
+  double relief = 1;    ///< of the bumps, 0 none
+  double facet = 0.03;  ///< metres, about the width of a side of the mesh
+};
+
+/// Names of its two pictures: colour and height.
+std::string bark_color_name(const BarkCoat& coat);
+std::string bark_height_name(const BarkCoat& coat);
+
+/// Both of them.
+Result<std::vector<Picture>> bark_pictures(const BarkCoat& coat);
+
+}  // namespace frond

@@ -1,0 +1,64 @@
+#include "organisms/leaf_look.h"
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+
+namespace frond {
+
+namespace {
+
+/// A name by all that the picture is made from.
+std::string picture_name(const LeafLook& look, std::size_t color) {
+  LeafImage leaf = leaf_image(look, color);
+  std::string key;
+  for (double r : leaf.outline.radii) append_list(key, 6, r), key += ',';
+  const LeafOutline& o = leaf.outline;
+  append_list(key, 6, o.width, o.teeth, o.tooth, o.stalk, o.palmate, leaf.spots, look.pixels, leaf.sprig);
+  for (const Color& c : {leaf.color, leaf.veins, leaf.rim})
+    key += ';', append_list(key, 6, c.red, c.green, c.blue);
+  if (leaf.sprig) {
+    const Sprig& s = leaf.sprigs;
+    append_list(key += ';', 6, s.pairs, s.end_leaf, s.angle, s.length, s.shrink, s.alternate);
+  }
+  return fmt::format("leaf_{:016x}.png", Seed{1}.child(key).key);
+}
+
+}  // namespace
+
+LeafImage leaf_image(const LeafLook& look, std::size_t color) {
+  LeafImage leaf;
+  if (look.shape == LeafShape::own) {
+    if (!look.outline.empty()) leaf.outline.radii = look.outline;
+  } else {
+    leaf.outline = leaf_outline(leaf_names()[static_cast<std::size_t>(look.shape)]);
+  }
+  leaf.outline.width *= look.width;
+  leaf.sprig = look.sprig;
+  leaf.sprigs = look.sprigs;
+  leaf.color = look.colors[color % look.colors.size()];
+  leaf.veins = look.veins;
+  leaf.rim = look.rim;
+  leaf.spots = look.spots;
+  return leaf;
+}
+
+Prototype leaf_prototype(const LeafLook& look) {
+  Prototype made{"leaf", {}, look.colors, look.veins};
+  OrganPart part{Tissue::leaf, leaf_mesh(leaf_image(look, 0), look.detail, look.fold, look.bend)};
+  for (std::size_t i = 0; i < look.colors.size(); ++i) part.pictures.push_back(picture_name(look, i));
+  made.parts.push_back(std::move(part));
+  return made;
+}
+
+Result<std::vector<Picture>> leaf_pictures(const LeafLook& look) {
+  std::vector<Picture> pictures;
+  for (std::size_t i = 0; i < look.colors.size(); ++i) {
+    Result<std::string> bytes = png_text(leaf_picture(leaf_image(look, i), look.pixels, Seed{i}));
+    if (!bytes) return bytes.errors();
+    pictures.push_back({picture_name(look, i), std::move(*bytes)});
+  }
+  return pictures;
+}
+
+}  // namespace frond

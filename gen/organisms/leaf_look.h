@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "images/leaf.h"
+#include "model/model.h"
+
+namespace frond {
+
+/// A PNG file that frames use; its name says what is in it.
+struct Picture {
+  std::string name;
+  std::string bytes;
+};
+
+enum class LeafShape { birch, beech, oak, maple, ivy, aspen, willow, linden, cherry, ginkgo, own };
+
+/// Leaves of a tree: a picture, and a mesh cut along the same outline.
+struct LeafLook {
+  LeafShape shape = LeafShape::birch;
+  std::vector<double> outline;  ///< of the shape `own`: radii from the tip to the stalk, as in LeafOutline
+  double width = 1;             ///< factor
+  double size = 0.08;           ///< metres, of a leaf or a sprig
+  bool sprig = false;           ///< sprigs rather than leaves
+  Sprig sprigs;
+  std::vector<Color> colors{{0.26f, 0.44f, 0.11f}, {0.31f, 0.48f, 0.13f}, {0.38f, 0.50f, 0.14f}};
+  Color veins{0.56f, 0.66f, 0.30f};
+  Color rim{0.42f, 0.50f, 0.15f};
+  double spots = 0.2;           ///< how much the colour varies over a leaf
+  double fold = radians(14.0);  ///< of each half
+  double bend = radians(30.0);  ///< from foot to tip
+  int detail = 10;              ///< points of the mesh along half a rim
+  int pixels = 256;             ///< height of the picture
+  double size_variation = 0.2;
+  double turn_variation = radians(14.0);  ///< random tilt, either way
+};
+
+/// The leaf in one of its colours.
+LeafImage leaf_image(const LeafLook& look, std::size_t color);
+
+/// A leaf as an organ of a model, with the names of its pictures.
+Prototype leaf_prototype(const LeafLook& look);
+
+/// The pictures that its prototype names, in the same order.
+Result<std::vector<Picture>> leaf_pictures(const LeafLook& look);
+
+}  // namespace frond

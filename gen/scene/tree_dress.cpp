@@ -1,0 +1,35 @@
+#include "scene/tree_dress.h"
+
+namespace frond {
+
+namespace {
+
+double wear(Branches& branches, const TreeDress& dress) {
+  branches.bark = dress.bark;
+  branches.coat = dress.coat;
+  branches.motion = {dress.growth, dress.wave, {}, 1};
+  return dress.bark.variation;
+}
+
+}  // namespace
+
+double wear(Branches& branches, const WeberPennParams& params) {
+  branches.lobes = params.tree.lobes;
+  branches.lobe_depth = params.tree.lobe_depth;
+  return wear(branches, params.dress);
+}
+
+double wear(Branches& branches, const ColonizedParams& params) { return wear(branches, params.dress); }
+
+Result<std::vector<Picture>> draw_pictures(const Preset& preset) {
+  std::vector<Picture> all;
+  for (const Organism& organism : preset.organisms) {
+    if (organism.count == 0) continue;
+    Result<std::vector<Picture>> drawn = pictures(organism);
+    if (!drawn) return drawn.errors();
+    for (Picture& picture : *drawn) all.push_back(std::move(picture));
+  }
+  return all;
+}
+
+}  // namespace frond

@@ -1,0 +1,100 @@
+#include "geometry/tubes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "shapes.h"
+
+namespace frond {
+namespace {
+
+TEST(Tubes, GoRoundTheirBranches) {
+  Skeleton s = candelabrum(5, Seed{2});
+  Surface tubes = tube_surface(s, {});
+  EXPECT_EQ(tubes.check(), "");
+  ASSERT_EQ(tubes.uv.size(), tubes.position.size());
+  for (std::size_t i = 0; i < tubes.position.size(); ++i) {
+    float nearest = 1e9f;
+    for (std::size_t k = 1; k < s.size(); ++k) {
+      Vec3 a = s.position[s.parent[k]], way = s.position[k] - a;
+      float t = glm::clamp(glm::dot(tubes.position[i] - a, way) / glm::dot(way, way), 0.0f, 1.0f);
+      nearest = std::min(nearest, glm::distance(tubes.position[i], a + way * t));
+    }
+    EXPECT_LT(nearest, 0.06f);
+    EXPECT_NEAR(glm::length(tubes.normal[i]), 1, 1e-4);
+  }
+}
+
+TEST(Tubes, HaveTheAreaOfTheirCylinder) {
+  Skeleton s = trunk(20, 2, 0.1f);
+  TubeShape fine;
+  fine.side = 0.01;
+  Surface tube = tube_surface(s, fine);
+  double area = 0;
+  for (auto [a, b, c] : tube.triangle) {
+    Vec3 normal = glm::cross(tube.position[b] - tube.position[a], tube.position[c] - tube.position[a]);
+    area += 0.5 * glm::length(normal);
+    EXPECT_GT(glm::dot(normal, tube.normal[a] + tube.normal[b] + tube.normal[c]), 0);  // all face outward
+  }
+  EXPECT_NEAR(area, 2 * kPi * 0.1 * 2, 0.06);
+}
+
+TEST(Tubes, ThePictureGoesRoundAWholeNumberOfTimesAndOnAlong) {
+  Skeleton s = candelabrum(4, Seed{3});
+  TubeShape shape;
+  shape.wrap = 0.05;
+  shape.aspect = 2;
+  Surface tubes = tube_surface(s, shape);
+  double round = 0;
+  for (auto [a, b, c] : tubes.triangle) {
+    for (auto [i, k] : {std::pair{a, b}, std::pair{b, c}}) {
+      // No triangle runs back over the seam.
+      EXPECT_LT(std::abs(tubes.uv[i].x - tubes.uv[k].x), 0.8f);
+      EXPECT_LT(std::abs(tubes.uv[i].y - tubes.uv[k].y), 3.0f);
+    }
+  }
+  for (const Vec2& uv : tubes.uv) round = std::max<double>(round, uv.x);
+  EXPECT_EQ(round, std::round(round));
+  EXPECT_NEAR(round, std::round(2 * kPi * 0.05 / 0.05), 1e-6);
+  // v is the way along the trunk in pictures.
+  double top = 0;
+  Surface alone = tube_surface(trunk(20), shape);
+  for (const Vec2& uv : alone.uv) top = std::max<double>(top, uv.y);
+  EXPECT_NEAR(top, 1 / (2 * kPi * 0.05 / round * 2), 1e-3);
+}
+
+TEST(Tubes, LobesWaveTheTrunkAlone) {
+  Skeleton s = trunk(10);
+  TubeShape shape;
+  shape.lobes = 5;
+  shape.lobe_depth = 0.2;
+  float least = 1, most = 0;
+  for (Vec3 p : tube_surface(s, shape).position) {
+    if (p.y > 0.5f) continue;
+    least = std::min(least, std::hypot(p.x, p.z));
+    most = std::max(most, std::hypot(p.x, p.z));
+  }
+  EXPECT_NEAR(most, 0.06, 0.001);
+  EXPECT_NEAR(least, 0.04, 0.001);
+}
+
+TEST(Tubes, MoveWithAPose) {
+  Skeleton s = candelabrum(5, Seed{2});
+  // Turned as a whole, the tubes are turned.
+  Quat turn = glm::angleAxis(0.7f, glm::normalize(Vec3(1, 0.2f, 0.4f)));
+  std::vector<Vec3> position;
+  for (Vec3 p : s.position) position.push_back(turn * p);
+  std::vector<Quat> turns(s.size(), turn);
+  Surface rest = tube_surface(s, {}), moved = tube_surface(s, position, s.radius, turns, {});
+  ASSERT_EQ(moved.check(), "");
+  ASSERT_EQ(moved.position.size(), rest.position.size());
+  EXPECT_EQ(moved.uv, rest.uv);  // the picture stays where it is on the skin
+  for (std::size_t i = 0; i < rest.position.size(); ++i) {
+    EXPECT_LT(glm::distance(turn * rest.position[i], moved.position[i]), 1e-4f);
+    EXPECT_LT(glm::distance(turn * rest.normal[i], moved.normal[i]), 1e-3f);
+  }
+}
+
+}  // namespace
+}  // namespace frond
