@@ -34,7 +34,7 @@ class Tube {
     double round = 2 * kPi * thick;
     sides_ = std::clamp(static_cast<int>(std::lround(round / shape_.side)), 3, shape_.most_sides);
     lobed_ = shape_.lobes > 0 && rest_.order[first] == 0;
-    if (lobed_) sides_ = std::max(sides_, std::min(6 * shape_.lobes, 96));
+    if (lobed_) sides_ = std::max(8 * shape_.lobes, sides_ / shape_.lobes * shape_.lobes);
     wraps_ = std::max(1, static_cast<int>(std::lround(round / shape_.wrap)));
     double pattern = round / wraps_ * shape_.aspect, along = 0;
     auto start = static_cast<std::uint32_t>(out_.position.size());
@@ -112,17 +112,18 @@ class Tube {
         out_.triangle.push_back({i, i + n + 1, i + n});
       }
     }
-    // The end is closed by a point a little farther on.
+    // The end is closed by a point a little farther on, which has the place on the picture of each side.
     std::uint32_t last = start + (rings - 1) * n;
     std::int32_t node = nodes_.back();
     Quat turn = turn_.empty() ? Quat(1, 0, 0, 0) : turn_[node];
     Vec3 axis = turn * axes_.back();
     auto tip = static_cast<std::uint32_t>(out_.position.size());
-    Vec2 uv = out_.uv.back();
-    out_.position.push_back(position_[node] + axis * radius_[node] * 0.6f);
-    out_.normal.push_back(axis);
-    out_.uv.emplace_back(uv.x / 2, uv.y);
-    for (std::uint32_t s = 0; s + 1 < n; ++s) out_.triangle.push_back({last + s, last + s + 1, tip});
+    for (std::uint32_t s = 0; s + 1 < n; ++s) {
+      out_.position.push_back(position_[node] + axis * radius_[node] * 0.6f);
+      out_.normal.push_back(axis);
+      out_.uv.push_back((out_.uv[last + s] + out_.uv[last + s + 1]) * 0.5f);
+      out_.triangle.push_back({last + s, last + s + 1, tip + s});
+    }
   }
 
   const Skeleton& rest_;

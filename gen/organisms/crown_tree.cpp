@@ -31,6 +31,7 @@ void put_leaves(Model& model, const std::vector<LeafSite>& sites, const LeafLook
     o.node.push_back(site.node);
     o.birth.push_back(model.skeleton.birth[site.node]);
     o.color.push_back(static_cast<std::int32_t>(own.child(4).bits() % look.colors.size()));
+    o.id.push_back(static_cast<std::uint32_t>(i));
   }
 }
 
