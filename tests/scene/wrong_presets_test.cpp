@@ -123,7 +123,7 @@ const WrongPreset kWrongNames[] = {
     {"A misspelt kind",
      R"({"organisms": [{"kind": "corla"}]})",
      {},
-     {R"(1:25: /organisms/0/kind: found the text "corla"; expected one of the kinds; did you mean "coral"?)"}},
+     {R"(1:25: /organisms/0/kind: found the text "corla"; expected one of N known names; did you mean "coral"?)"}},
     {"No kind",
      R"({"organisms": [{"name": "Staghorn"}]})",
      {},
