@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/files.h"
@@ -127,6 +128,19 @@ TEST(GardenPresets, GuidedBushHasABranchAtEachLeafPoint) {
   int missed = 0;
   for (const GuidePoint& point : guide.points) missed += nearest(wild.skeleton, point.at) > 0.1;
   EXPECT_GT(missed, 100);
+}
+
+TEST(GardenPresets, CrocusesOpenASixfoldFlowerAndTreesInTheWindAreAllFour) {
+  PlantParams crocus = plants_of("../lsystems/crocus-3").at(0);
+  Model model = grown(crocus);
+  std::map<std::string, int> organs;
+  for (std::uint16_t which : model.organs.prototype) ++organs[model.prototypes[which].name];
+  EXPECT_EQ(organs["W"], 6);  // petals
+  EXPECT_EQ(organs["V"], 6);  // leaves
+  std::vector<double> first_turn;
+  for (const PlantParams& tree : plants_of("../lsystems/trees-2.8"))
+    first_turn.push_back(std::stod(tree.grammar.constants.at(0).second));
+  EXPECT_EQ(first_turn, (std::vector<double>{94.74, 137.5, 112.5, 180}));
 }
 
 }  // namespace
