@@ -130,6 +130,23 @@ void append_part(std::string& text, const PovSpace& space, const Branches& b, co
   }
 }
 
+/// Takes what is thinner out of the chunks: one union with one texture.
+std::string take_twigs(std::vector<Chunk>& chunks, const PovSpace& space, const Branches& b, const Pose& pose,
+                       std::size_t index, float thin) {
+  std::string lines;
+  if (thin <= 0) return lines;
+  std::erase_if(chunks, [&](const Chunk& chunk) {
+    if (b.rest.radius[chunk.first] >= thin) return false;
+    if (append_sweep(lines, space, b.rest, pose, chunk)) lines += "}\n";
+    return true;
+  });
+  if (lines.empty()) return lines;
+  std::string text(group_opening(lines));
+  text += lines + "texture{Skin[";
+  append_integer(text, static_cast<long long>(index));
+  return text + "]}}\n";
+}
+
 std::string branches_text(const PovSpace& space, const Branches& b, std::size_t index, double time) {
   if (!b.skin && !b.bark) return {};
   Pose pose;
@@ -151,8 +168,11 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
     options.young_length = static_cast<float>(b.bark->young_length);
     options.color = b.color;
     if (ringed(*b.bark)) options.nodes = 5;  // so that rings lie across also where it bends
+    // Of a swaying tree only what is thick has a bark that one could see slide.
+    if (b.motion.limbs && !one_texture(b)) options.thin = static_cast<float>(0.6 * b.bark->scale);
   }
   std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
+  std::string twigs = take_twigs(chunks, space, b, pose, index, options.thin);
 
   std::size_t parts = b.rest.size() / kPartNodes + 1;
   std::vector<std::string> texts(parts);
@@ -164,9 +184,10 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   std::string body;
   for (const std::string& text : texts) body += text;
   std::string foliage = foliage_text(space, b, pose);
-  if (body.empty() && foliage.empty()) return {};
+  if (body.empty() && foliage.empty() && twigs.empty()) return {};
   std::string text;
   append_comment(text, b.name);
+  text += twigs;
   if (body.empty()) return text + foliage;
   std::string_view opening = group_opening(body);
   if (one_texture(b)) {
@@ -183,7 +204,7 @@ std::string all_branches_text(const FrameParts& parts, const Scene& scene, doubl
   std::vector<Errors> faults(texts.size());
   parallel_for(texts.size(), [&](std::size_t i) {
     const Branches& b = scene.branches[i];
-    if (!b.stages) {
+    if (!b.develops()) {
       texts[i] = branches_text(parts.space, b, parts.first_skin[i], time);
     } else if (Result<Branches> now = developed(b, time); now) {
       texts[i] = branches_text(parts.space, *now, parts.first_skin[i], time);

@@ -64,7 +64,13 @@ std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
 void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
                       std::size_t i, float size) {
   const Organs& o = b.organs;
-  glm::mat3 frame = glm::mat3_cast(carried_turn(pose, o.node[i]) * o.turn[i]);
+  Quat turn = carried_turn(pose, o.node[i]) * o.turn[i];
+  if (pose.flutter > 0) {
+    float phase = pose.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
+    turn = turn * glm::angleAxis(pose.flutter * std::sin(phase), Vec3(1, 0, 0)) *
+           glm::angleAxis(0.7f * pose.flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
+  }
+  glm::mat3 frame = glm::mat3_cast(turn);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
   append_matrix(text, space, frame, carried(b.rest, pose, o.node[i], o.position[i]));
   text += "}\n";

@@ -63,7 +63,7 @@ class Cutter {
   float youth(std::int32_t i) const { return frond::youth(rest_, pose_, longest_, options_.young_length, i); }
 
   bool fits(const Chunk& chunk, std::int32_t end) const {
-    if (!chunk.moved()) return true;
+    if (!chunk.moved() || rest_.radius[chunk.first] < options_.thin) return true;
     if (pattern_drift(rest_, pose_, chunk, rest_.parent[chunk.first]) > options_.tolerance) return false;
     for (std::int32_t i = chunk.first; i <= end; ++i)
       if (pattern_drift(rest_, pose_, chunk, i) > options_.tolerance) return false;

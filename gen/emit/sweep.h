@@ -30,6 +30,8 @@ struct ChunkOptions {
   int nodes = 12;              ///< at most so many in one chunk, 2 or more
   float tolerance = 0.003f;    ///< metres by which the pattern may slide on the skin
   float young_length = 0.08f;  ///< metres below a tip in which the skin is young
+  float thin =
+      0;  ///< metres: where a chunk is thinner its pattern is too small to be seen and need not ride on it
   std::span<const std::int32_t> color =
       {};  ///< of each node; a chunk has one colour; empty: all have the same
 };

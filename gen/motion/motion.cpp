@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "motion/limbs.h"
 
 namespace frond {
 
@@ -85,6 +88,13 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
   pose.turn.resize(n);
   pose.front = static_cast<float>(growth_front(motion.growth, time));
 
+  pose.flutter = pose.flutter_phase = 0;
+  std::optional<LimbSway> limbs;
+  if (motion.limbs && motion.wave.amplitude != 0) {
+    limbs.emplace(rest, motion.wave, time, motion.film_length);
+    set_flutter(motion.wave, time, motion.film_length, pose);
+  }
+
   Current current(motion.wave, time, motion.film_length);
   Vec3 food = motion.food.position.at(time);
   float longest = std::max(rest.longest(), 1e-6f);
@@ -98,7 +108,9 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
   for (std::size_t i = 0; i < n; ++i) {
     float share = rest.distance[i] / longest;
     std::int32_t p = rest.parent[i];
-    Quat swing = current.still() ? Quat(1, 0, 0, 0) : current.turn(rest.position[i], share);
+    Quat swing = limbs             ? limbs->turn(i, pose.turn)
+                 : current.still() ? Quat(1, 0, 0, 0)
+                                   : current.turn(rest.position[i], share);
     float born = std::min(rest.birth[i], pose.front);
     if (p == Skeleton::kRoot) {
       if (pulled) pull[i] = Quat(1, 0, 0, 0);

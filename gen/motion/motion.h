@@ -39,6 +39,7 @@ struct Motion {
   Wave wave;
   Food food;
   double film_length = 1;  ///< seconds; what `loop` refers to
+  bool limbs = false;      ///< each limb swings about its own base, as trees do, and leaves flutter
 };
 
 /// A skeleton at one time, node by node. Nodes that growth has not reached lie where the growing tip of their
@@ -49,7 +50,9 @@ struct Pose {
   /// What turns the rest shape round a node into the posed shape: skin point x of the rest shape near node i
   /// is at position[i] + turn[i] * (x - rest.position[i]). Textures follow it.
   std::vector<Quat> turn;
-  float front = 0;  ///< nodes born before this have been reached; above 1 all of them
+  float flutter = 0;        ///< radians that organs tremble either way
+  float flutter_phase = 0;  ///< radians; each organ adds its own
+  float front = 0;          ///< nodes born before this have been reached; above 1 all of them
 };
 
 /// The share of growth that is reached at a time: 0 before the start, 1 + ripen in the end, smooth in

@@ -5,6 +5,7 @@
 #include "organisms/describe_guide.h"
 #include "organisms/describe_host.h"
 #include "organisms/describe_plant.h"
+#include "organisms/describe_tree.h"
 #include "organisms/organism.h"
 #include "preset/reader.h"
 
@@ -237,6 +238,8 @@ inline constexpr Kind<Organism> kOrganismKinds[] = {
     make_kind<BridgeParams, &Organism::body>("bridge", "A humped garden bridge of wood or stone"),
     make_kind<VaseParams, &Organism::body>("vase", "A vase, bowl or pot turned from a Bézier curve"),
     make_kind<WeberPennParams, &Organism::body>("weber_penn", "A tree by the parameters of Weber and Penn"),
-    make_kind<ColonizedParams, &Organism::body>("colonized", "A tree that fills an envelope")};
+    make_kind<ColonizedParams, &Organism::body>("colonized", "A tree that fills an envelope"),
+    make_kind<TreeParams, &Organism::body>("tree",
+                                           "A tree that fights for light; all of a scene grow together")};
 
 }  // namespace frond

@@ -23,6 +23,7 @@ struct Grow {
   Result<Model> operator()(const VaseParams& params) const { return grow_vase(params, seed); }
   Result<Model> operator()(const WeberPennParams& params) const { return grow_weber_penn_tree(params, seed); }
   Result<Model> operator()(const ColonizedParams& params) const { return grow_colonized_tree(params, seed); }
+  Result<Model> operator()(const TreeParams& params) const { return grow_tree(params, seed); }
 };
 
 struct Check {
@@ -49,12 +50,20 @@ struct Check {
     return {{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}};
   }
   Errors operator()(const ColonizedParams& params) const { return check_colonized(params); }
+  Errors operator()(const TreeParams&) const { return {}; }
 };
 
 struct Foresee {
   Seed seed;
   Result<Foresight> operator()(const BridgeParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const VaseParams&) const { return Foresight{}; }
+  /// How much light will leave of a tree is not known before it has grown.
+  Result<Foresight> operator()(const TreeParams& params) const {
+    Foresight tree;
+    tree.nodes = static_cast<double>(grow_tree(params, seed).skeleton.size());
+    tree.word.modules = tree.word.segments = tree.nodes;
+    return tree;
+  }
   Result<Foresight> operator()(const PlantParams& params) const {
     Result<Grammar> grammar = plant_grammar(params);
     if (!grammar) return grammar.errors();

@@ -13,6 +13,7 @@
 #include "organisms/crown_tree.h"
 #include "organisms/host.h"
 #include "organisms/plant.h"
+#include "organisms/tree.h"
 #include "organisms/vase.h"
 
 namespace frond {
@@ -39,7 +40,7 @@ struct Organism {
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
   std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams, BridgeParams, VaseParams,
-               WeberPennParams, ColonizedParams>
+               WeberPennParams, ColonizedParams, TreeParams>
       body;
 };
 

@@ -10,6 +10,8 @@
 #include "core/parallel.h"
 #include "geometry/ground.h"
 #include "geometry/scatter.h"
+#include "scene/grove.h"
+#include "scene/put.h"
 #include "scene/tree_dress.h"
 
 namespace frond {
@@ -113,35 +115,6 @@ void lay_stones(Builder& b) {
   }
 }
 
-/// Turns, sizes and moves all but the skeleton from the origin to its place.
-void put_parts(Branches& b, Vec3 foot, Quat turn, float size) {
-  for (std::size_t i = 0; i < b.organs.size(); ++i) {
-    b.organs.position[i] = foot + turn * (b.organs.position[i] * size);
-    b.organs.turn[i] = glm::normalize(turn * b.organs.turn[i]);
-    b.organs.scale[i] *= size;
-  }
-  for (std::size_t i = 0; i < b.solids.size(); ++i) {
-    b.solids.position[i] = foot + turn * (b.solids.position[i] * size);
-    b.solids.turn[i] = glm::normalize(turn * b.solids.turn[i]);
-    b.solids.scale[i] *= size;
-  }
-  for (Vec3& p : b.hull.position) p = foot + turn * (p * size);
-  for (Vec3& n : b.hull.normal) n = turn * n;
-  for (Vec3& p : b.blades.foot) p = foot + turn * (p * size);
-  for (Vec3& p : b.blades.surface.position) p = foot + turn * (p * size);
-  for (Vec3& n : b.blades.surface.normal) n = turn * n;
-}
-
-/// The same for a skeleton.
-void put(Skeleton& s, Vec3 foot, Quat turn, float size) {
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    s.position[i] = foot + turn * (s.position[i] * size);
-    s.radius[i] *= size;
-    s.distance[i] *= size;
-    s.to_tip[i] *= size;
-  }
-}
-
 /// What the parameters of an organism say about its look and motion.
 struct Dress {
   Branches& branches;
@@ -165,6 +138,11 @@ struct Dress {
   void operator()(const VaseParams&) {}
   void operator()(const WeberPennParams& params) { vary(wear(branches, params)); }
   void operator()(const ColonizedParams& params) { vary(wear(branches, params)); }
+  void operator()(const TreeParams& params) {
+    branches.bark = params.bark;
+    branches.motion = {params.growth, params.wave, {}, 1, true};
+    vary(params.bark.variation);
+  }
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
@@ -178,8 +156,21 @@ void settle(Branches& branches, Model&& model, Vec3 foot, Quat turn, float size)
   branches.blades = std::move(model.blades);
   branches.solids = std::move(model.solids);
   branches.hull = std::move(model.hull);
-  put(branches.rest, foot, turn, size);
-  put_parts(branches, foot, turn, size);
+  put(branches, foot, turn, size);
+}
+
+/// Gives what has grown its look and its motion.
+void dress(Branches& branches, const Preset& preset, const Planting& planting) {
+  Seed seed = planting.seed;
+  std::visit(Dress{branches, seed}, planting.organism->body);
+  branches.motion.film_length = preset.film.length();
+  branches.motion.growth.start += branches.motion.growth.stagger * seed.child("start").unit();
+  branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
+}
+
+/// Whether it grows together with others, in one light.
+bool grows_in_grove(const Planting& planting) {
+  return std::holds_alternative<TreeParams>(planting.organism->body);
 }
 
 Result<Branches> plant(const Preset& preset, const Planting& planting, float foot_height) {
@@ -207,10 +198,7 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
   settle(branches, std::move(*grown), foot, lean * yaw, size);
   if (const auto* params = std::get_if<PlantParams>(&organism.body); params && params->by_steps)
     branches.stages = {*params, seed.child("grow"), foot, lean * yaw, size};
-  std::visit(Dress{branches, seed}, organism.body);
-  branches.motion.film_length = preset.film.length();
-  branches.motion.growth.start += branches.motion.growth.stagger * seed.child("start").unit();
-  branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
+  dress(branches, preset, planting);
   return branches;
 }
 
@@ -339,6 +327,7 @@ float foot_of(Builder& b, const Planting& p) {
 }  // namespace
 
 Result<Branches> developed(const Branches& branches, double time) {
+  if (branches.life) return tree_at(branches, time);
   Branches now = branches;
   if (!branches.stages) return now;
   const Stages& stages = *branches.stages;
@@ -378,8 +367,20 @@ Result<Scene> build_scene(const Preset& preset) {
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
 
+  std::vector<TreePlanting> trees;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (grows_in_grove(list[i]))
+      trees.push_back({list[i].organism, list[i].seed, Vec3(list[i].spot.at.x, feet[i], list[i].spot.at.y)});
+  std::vector<Branches> grove = grow_together(preset, trees);
   std::vector<std::optional<Result<Branches>>> grown(list.size());
-  parallel_for(list.size(), [&](std::size_t i) { grown[i] = plant(preset, list[i], feet[i]); });
+  for (std::size_t i = 0, tree = 0; i < list.size(); ++i) {
+    if (!grows_in_grove(list[i])) continue;
+    grown[i] = std::move(grove[tree++]);
+    dress(**grown[i], preset, list[i]);
+  }
+  parallel_for(list.size(), [&](std::size_t i) {
+    if (!grown[i]) grown[i] = plant(preset, list[i], feet[i]);
+  });
   Result<std::vector<Picture>> drawn = draw_pictures(preset);
   if (!drawn) return drawn.errors();
   b.scene.pictures = std::move(*drawn);

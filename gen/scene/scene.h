@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,14 @@ struct Stages {
   float size = 1;
 };
 
+/// How a tree came to be, for films.
+struct TreeLife {
+  TreeParams params;
+  GrownTree tree;
+  int years = 0;  ///< of its grove
+  Seed look;
+};
+
 /// One grown organism, or built body, where it stands.
 struct Branches {
   std::string name;
@@ -41,9 +50,13 @@ struct Branches {
   Organs organs;
   Blades blades;
   Solids solids;
-  Surface hull;                    ///< what creepers hold on to where that is not the solids themselves
-  std::vector<std::string> notes;  ///< of its grower
-  std::optional<Stages> stages;    ///< of what grows by steps; all else above is how it ends
+  Surface hull;                          ///< what creepers hold on to where that is not the solids themselves
+  std::vector<std::string> notes;        ///< of its grower
+  std::optional<Stages> stages;          ///< of what grows by steps; all else above is how it ends
+  std::shared_ptr<const TreeLife> life;  ///< of a tree that grows in the film; as for `stages`
+
+  /// Whether it is another shape in each frame; see developed().
+  bool develops() const { return stages || life; }
 };
 
 /// The organism as it is at a time: itself, or what its steps have come to by then, fully revealed.

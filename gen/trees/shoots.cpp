@@ -13,6 +13,7 @@ constexpr std::size_t kGrain = 4096;   // metamers that one thread takes at a ti
 constexpr float kFaintSlope = 0.03f;   // 1/m: shadow slopes weaker than this turn shoots little
 constexpr float kLongest = 1.5f;       // of an internode, in units of an ordinary one
 constexpr float kAboveGround = 0.25f;  // metres that hanging shoots keep
+constexpr float kTrailing = 0.7f;      // metres under which they cease to grow
 constexpr float kLater = 0.5f;         // light and tropism turn the rest of a shoot less than its start
 
 struct Shoot {
@@ -52,24 +53,33 @@ Vec3 random_vector(Seed seed) {
               static_cast<float>(seed.child(3).range(-1, 1)));
 }
 
+/// Whether a metamer hangs so low that nothing can grow on from it.
+bool trails(const Metamers& t, std::size_t i) {
+  return i > 0 && t.tip[i].y - t.tip[0].y < kTrailing && t.heading(i).y < -0.25f;
+}
+
 /// Near its full height a tree lifts water no further (Ryan and Yoder 1997).
 float reach(const Metamers& t, const Species& s, std::size_t i) {
-  double high = (t.tip[i].y - t.tip[0].y) / std::max(s.height, 1e-6);
-  return static_cast<float>(1 - smooth_step(0.72, 1.0, high));
+  Vec3 way = t.tip[i] - t.tip[0];
+  double out = s.dome * std::sqrt(way.x * way.x + way.z * way.z);
+  double far = std::sqrt(way.y * way.y + out * out) / std::max(s.height, 1e-6);
+  return static_cast<float>(1 - smooth_step(0.72, 1.0, far));
 }
 
 std::vector<Shoot> sprouting(const Metamers& t, const Season& season) {
   const Species& s = season.species;
   std::vector<Shoot> shoots;
   for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t.has(i, Metamers::dead)) continue;
+    if (t.has(i, Metamers::dead) || trails(t, i)) continue;
     for (bool leader : {true, false}) {
       if (!t.has(i, leader ? Metamers::leading : Metamers::bud)) continue;
       float v = (leader ? t.to_leader[i] : t.to_side[i]);
       if (v < 1) continue;
       v *= reach(t, s, i);
       if (v < 1) continue;
-      int count = std::min(static_cast<int>(v), s.longest_shoot);
+      bool stem = leader && t.order[i] == 0;
+      int longest = stem || s.longest_branch_shoot == 0 ? s.longest_shoot : s.longest_branch_shoot;
+      int count = std::min(static_cast<int>(v), longest);
       float stretch = std::min(v / static_cast<float>(count), kLongest);
       shoots.push_back(
           {static_cast<std::uint32_t>(i), leader, count, static_cast<float>(s.internode) * stretch});
@@ -100,7 +110,7 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
   Vec3 direction = own_direction(t, s, shoot, heading, season.seed.child(serial));
   // The buds of a branch begin level, so that sprays whose buds stand opposite lie flat.
   Vec3 side = shoot.leader ? t.side[from] : squared(glm::cross(direction, Vec3(0, 1, 0)), direction);
-  double lift = order == 0 ? s.tropism : s.branch_tropism - s.droop * order;
+  double lift = order == 0 ? s.tropism : s.branch_tropism - s.droop * (order - 1);
   Vec3 pull = shoot.to_light * static_cast<float>(s.light_pull) + Vec3(0, static_cast<float>(lift), 0);
   float level = order == 0 ? 1.0f : static_cast<float>(1 - s.spread);
   Vec3 place = t.tip[from];
@@ -117,7 +127,7 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
     side = squared(turned(side, direction, turn + 0.1 * own.child(4).range(-1, 1)), direction);
     place += direction * shoot.length * static_cast<float>(own.child(5).range(0.9, 1.1));
     bool last = k + 1 == shoot.count;
-    bool sprouts = s.whorl == 0 || shoot.count - k <= s.whorl;
+    bool sprouts = s.whorl == 0 || order > 0 || shoot.count - k <= s.whorl;
     t.tip[i] = place;
     t.side[i] = side;
     t.parent[i] = static_cast<std::int32_t>(k == 0 ? from : i - 1);

@@ -25,11 +25,12 @@ struct Wood {
 struct Species {
   double internode = 0.10;                     ///< length of an ordinary one
   int longest_shoot = 7;                       ///< internodes that one bud makes in a year at most
+  int longest_branch_shoot = 0;                ///< the same on branches; 0: as on the stem
   double branching_angle = radians(48.0);      ///< between a shoot and the axis it leaves
   double angle_jitter = radians(8.0);          ///< random change of it, either way
   double phyllotaxis = radians(137.5);         ///< from bud to bud round the axis
   double branch_phyllotaxis = radians(137.5);  ///< the same on branches; 180 degrees makes flat sprays
-  int whorl = 0;                 ///< only so many last buds of a shoot may sprout; 0: all of them
+  int whorl = 0;                 ///< only so many last buds of a stem's shoot may sprout; 0: all
   double wander = radians(5.0);  ///< random bend from internode to internode
 
   Sharing sharing = Sharing::borchert_honda;
@@ -43,7 +44,7 @@ struct Species {
   double tropism = 0.35;         ///< of the stem: upward > 0, downward < 0
   double branch_tropism = 0.08;  ///< of branches
   double spread = 0;             ///< 0..1: how far branches are held level
-  double droop = 0;              ///< downward pull that grows with each order of branching
+  double droop = 0;              ///< downward pull that grows with each order of branching after the first
 
   double shade_tolerance = 0.6;  ///< 0 sheds what is shaded at once .. 1 keeps nearly all
   double leaf_area = 0.014;      ///< square metres of leaves on one internode
@@ -51,6 +52,7 @@ struct Species {
   int bud_years = 4;             ///< for how long a bud may sleep
   double clear_trunk = 1.5;      ///< metres of stem that lose their branches as the tree grows up
   double height = 30;            ///< near it growth ceases
+  double dome = 0.8;             ///< how far the width counts as height does: 0 flat tops .. 1 round ones
   double lifespan = 400;         ///< years until the tree dies of age
 
   Wood wood;
