@@ -32,8 +32,7 @@ class PointGrid {
     for (std::uint32_t i = 0; i < points.size(); ++i) order_[next[cell(points[i])]++] = i;
   }
 
-  /// Calls `visit(point)` for the points in the cubes within `reach` of a place, and forgets those for which
-  /// it says false.
+  /// Calls `visit(point)` for the points in the cubes within `reach` of a place.
   template <class Visit>
   void near(Vec3 at, float reach, const Visit& visit) {
     int from[3], to[3];
