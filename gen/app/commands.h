@@ -26,6 +26,15 @@ struct GenerateArguments {
   bool quiet = false;
 };
 
+struct ExportArguments {
+  PresetArguments preset;
+  std::string out;  ///< file to write; its extension says the format
+  int frame = 1;
+  int sides = 10;    ///< of the tubes that branches become
+  double voxel = 0;  ///< metres, of a volume; 0: the organisms' own
+  bool quiet = false;
+};
+
 struct GrammarArguments {
   std::string path;                    ///< a grammar, or a preset with one
   std::optional<double> steps;         ///< instead of the grammar's own; whole ones only for a word
@@ -44,6 +53,7 @@ struct TextureArguments {
 /// Each is one command of the program; all return an ExitCode. Data goes to stdout, messages to stderr.
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
+int export_scene(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths);
 int info(const PresetArguments& arguments, bool json);
 int info_grammar(const std::string& path, bool json);

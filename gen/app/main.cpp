@@ -57,6 +57,21 @@ void add_textures(CLI::App& app, int& result) {
   command->callback([&result, to] { result = write_textures(*to); });
 }
 
+void add_export(CLI::App& app, int& result) {
+  auto to = std::make_shared<ExportArguments>();
+  auto* command = app.add_subcommand("export", "Writes what grows, at one frame, as a mesh or a volume");
+  add_preset(command, to->preset);
+  command->add_option("--frame", to->frame, "Which frame (1)");
+  command->add_option("-o,--out", to->out, "FILE.obj, FILE.ply, FILE.glb or FILE.vdb")->required();
+  command->add_option("--sides", to->sides, "Of the tubes that branches become (10)")
+      ->check(CLI::Range(3, 256));
+  command->add_option("--voxel", to->voxel, "Metres, of a .vdb (as the organisms' bodies have it)")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
+  command->footer("Example:\n  frond export presets/reef.json --frame 48 -o reef.glb");
+  command->callback([&result, to] { result = export_scene(*to); });
+}
+
 void add_check(CLI::App& app, int& result) {
   auto paths = std::make_shared<std::vector<std::string>>();
   auto* command = app.add_subcommand("check", "Tells what is wrong in presets");
@@ -117,7 +132,8 @@ int main(int count, char** words) {
   app.require_subcommand(1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add : {add_generate, add_textures, add_check, add_info, add_derive, add_turtle, add_catalogue})
+  for (auto add :
+       {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle, add_catalogue})
     add(app, result);
   try {
     app.parse(count, words);

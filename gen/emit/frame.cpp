@@ -8,9 +8,11 @@
 
 #include "core/parallel.h"
 #include "core/text.h"
+#include "emit/body.h"
 #include "emit/coat.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
+#include "emit/skin.h"
 #include "emit/solid.h"
 
 namespace frond {
@@ -82,51 +84,19 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   return text;
 }
 
-/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
-/// chunk.
-void append_skin(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
-                 const Chunk& chunk, std::size_t index) {
-  const Skeleton& rest = b.rest;
-  if (b.bark) index += bark_color(b, chunk.first);
-  Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
-  if (rest.birth[chunk.last] > pose.front) {
-    // Where the growing tip is on its way from the node below.
-    std::int32_t below = rest.parent[chunk.last];
-    float way = (pose.front - rest.birth[below]) / (rest.birth[chunk.last] - rest.birth[below]);
-    to = glm::mix(rest.position[below], to, way);
-  }
-  Vec3 way = to - from;
-  float length2 = glm::dot(way, way);
-  if (std::max(chunk.young_from, chunk.young_to) < 0.01f || length2 < 1e-10f) {
-    text += "Skin[";
-    append_integer(text, static_cast<long long>(index));
-    text += ']';
-    return;
-  }
-  Vec3 slope = way * ((chunk.young_to - chunk.young_from) / length2);
-  double at_zero = chunk.young_from - glm::dot(slope, from), unit = space.unit;
-  text += b.bark ? "Plant_Tip(" : "Coral_Tip(";
-  append_integer(text, static_cast<long long>(index));
-  text += ',';
-  append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
-  text += ')';
-}
-
 /// The sweeps of chunks first..last of one organism.
 void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
                  std::size_t index, std::span<const Chunk> chunks) {
-  bool plain = b.bark && !patterned(*b.bark), whole = one_texture(b);
-  for (Chunk chunk : chunks) {
+  bool whole = one_texture(b);
+  for (const Chunk& chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
     if (whole) {
       text += "}\n";
       continue;
     }
-    text += " texture{";
-    append_skin(text, space, b, pose, chunk, index);
-    if (b.bark && ringed(*b.bark)) lay_along(b.rest, chunk);
-    if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
-    text += "}}\n";
+    text += ' ';
+    append_chunk_texture(text, space, b, pose, chunk, index);
+    text += "}\n";
   }
 }
 
@@ -147,16 +117,7 @@ std::string take_twigs(std::vector<Chunk>& chunks, const PovSpace& space, const 
   return text + "]}}\n";
 }
 
-std::string branches_text(const PovSpace& space, const Branches& b, std::size_t index, double time) {
-  if (!b.skin && !b.bark) return {};
-  Pose pose;
-  pose_skeleton(b.rest, b.motion, time, pose);
-  if (b.coat) {
-    std::string text = coat_text(space, b, pose) + foliage_text(space, b, pose);
-    std::string comment;
-    if (!text.empty()) append_comment(comment, b.name);
-    return comment + text;
-  }
+ChunkOptions chunk_options(const Branches& b) {
   ChunkOptions options;
   if (b.skin) {
     options.tolerance = static_cast<float>(0.15 * b.skin->pores.cell);
@@ -171,9 +132,12 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
     // Of a swaying tree only what is thick has a bark that one could see slide.
     if (b.motion.limbs && !one_texture(b)) options.thin = static_cast<float>(0.6 * b.bark->scale);
   }
-  std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
-  std::string twigs = take_twigs(chunks, space, b, pose, index, options.thin);
+  return options;
+}
 
+/// The sweeps of all chunks.
+std::string sweeps_text(const PovSpace& space, const Branches& b, const Pose& pose,
+                        const std::vector<Chunk>& chunks, std::size_t index) {
   std::size_t parts = b.rest.size() / kPartNodes + 1;
   std::vector<std::string> texts(parts);
   parallel_for(parts, [&](std::size_t p) {
@@ -183,20 +147,38 @@ std::string branches_text(const PovSpace& space, const Branches& b, std::size_t 
   });
   std::string body;
   for (const std::string& text : texts) body += text;
-  std::string foliage = foliage_text(space, b, pose);
-  if (body.empty() && foliage.empty() && twigs.empty()) return {};
-  std::string text;
-  append_comment(text, b.name);
-  text += twigs;
-  if (body.empty()) return text + foliage;
-  std::string_view opening = group_opening(body);
+  if (body.empty()) return body;
+  std::string text(group_opening(body));
   if (one_texture(b)) {
     body += "texture{Skin[";
     append_integer(body, static_cast<long long>(index));
     body += "]}";
   }
-  text += opening;
-  return text + body + "}\n" + foliage;
+  return text + body + "}\n";
+}
+
+Result<std::string> branches_text(const PovSpace& space, const Branches& b, std::size_t index, double time) {
+  if (!b.skin && !b.bark) return std::string();
+  Pose pose;
+  pose_skeleton(b.rest, b.motion, time, pose);
+  Result<std::string> body = std::string();
+  if (b.coat && b.style.build == Build::sweeps) {
+    body = coat_text(space, b, pose);
+  } else {
+    ChunkOptions options = chunk_options(b);
+    std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
+    if (b.style.build == Build::sweeps) {
+      std::string twigs = take_twigs(chunks, space, b, pose, index, options.thin);
+      body = twigs + sweeps_text(space, b, pose, chunks, index);
+    } else {
+      body = body_text(space, b, pose, chunks, index);
+    }
+  }
+  if (!body) return body;
+  std::string foliage = foliage_text(space, b, pose), text;
+  if (body->empty() && foliage.empty()) return text;
+  append_comment(text, b.name);
+  return text + *body + foliage;
 }
 
 std::string all_branches_text(const FrameParts& parts, const Scene& scene, double time, Errors& errors) {
@@ -204,13 +186,18 @@ std::string all_branches_text(const FrameParts& parts, const Scene& scene, doubl
   std::vector<Errors> faults(texts.size());
   parallel_for(texts.size(), [&](std::size_t i) {
     const Branches& b = scene.branches[i];
-    if (!b.develops()) {
-      texts[i] = branches_text(parts.space, b, parts.first_skin[i], time);
-    } else if (Result<Branches> now = developed(b, time); now) {
-      texts[i] = branches_text(parts.space, *now, parts.first_skin[i], time);
-    } else {
-      faults[i] = now.errors();
-    }
+    auto text_of = [&](const Branches& now) {
+      return branches_text(parts.space, now, parts.first_skin[i], time);
+    };
+    auto text_of_stage = [&]() -> Result<std::string> {
+      Result<Branches> now = developed(b, time);
+      return now ? text_of(*now) : now.errors();
+    };
+    Result<std::string> text = b.develops() ? text_of_stage() : text_of(b);
+    if (text)
+      texts[i] = std::move(*text);
+    else
+      faults[i] = text.errors();
   });
   for (const Errors& fault : faults) errors.insert(errors.end(), fault.begin(), fault.end());
   std::string text;

@@ -12,7 +12,6 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kShades = 3;  // of each colour, so that leaves differ
-constexpr float kSmallest = 0.02f;  // share of its size below which an organ is not shown yet
 
 constexpr const char* kTissueMacros[] = {"Plant_Leaf", "Plant_Petal", "Plant_Heart", "Plant_Fruit",
                                          "Plant_Fruit"};
@@ -87,7 +86,7 @@ std::string organs_text(const PovSpace& space, const Branches& b, const Pose& po
   std::vector<std::string> buckets(count);
   for (std::size_t i = 0; i < b.organs.size(); ++i) {
     float size = unfolded(b.organs.birth[i], pose.front, b.motion.growth.ripen);
-    if (size < kSmallest) continue;
+    if (size < kUnfoldedLeast) continue;
     std::size_t which = b.organs.prototype[i];
     std::size_t color = wrapped(b.organs.color[i], b.prototypes[which].colors.size());
     append_placement(buckets[start[which] + color * kShades + shade_of(b.organs.id[i])], space, b, pose, i,
@@ -121,41 +120,15 @@ std::string organs_text(const PovSpace& space, const Branches& b, const Pose& po
   return text;
 }
 
-/// The blades of one colour and shade, unfolded and carried to where the pose has them.
-Surface posed_blades(const Branches& b, const Pose& pose, std::size_t color, std::size_t shade) {
-  const Blades& all = b.blades;
-  Surface s;
-  std::size_t triangle = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    // The triangles follow each other as the blades do.
-    std::size_t first = triangle;
-    while (triangle < all.surface.triangle.size() && all.surface.triangle[triangle][0] < all.first[i + 1])
-      ++triangle;
-    if (wrapped(all.color[i], b.blade_look.colors.size()) != color || shade_of(all.id[i]) != shade) continue;
-    float size = unfolded(all.birth[i], pose.front, b.motion.growth.ripen);
-    if (size < kSmallest) continue;
-    Quat turn = carried_turn(pose, all.node[i]);
-    Vec3 foot = carried(b.rest, pose, all.node[i], all.foot[i]);
-    auto offset = static_cast<std::uint32_t>(s.position.size()) - all.first[i];
-    for (std::uint32_t k = all.first[i]; k < all.first[i + 1]; ++k) {
-      s.position.push_back(foot + turn * ((all.surface.position[k] - all.foot[i]) * size));
-      s.normal.push_back(turn * all.surface.normal[k]);
-      s.uv.push_back(all.surface.uv[k]);
-    }
-    for (; first < triangle; ++first) {
-      auto [a, c, d] = all.surface.triangle[first];
-      s.triangle.push_back({a + offset, c + offset, d + offset});
-    }
-  }
-  return s;
-}
-
 std::string blades_text(const PovSpace& space, const Branches& b, const Pose& pose) {
   std::string text;
   if (b.blades.size() == 0) return text;
   const BladeParams& look = b.blade_look;
   for (std::size_t k = 0; k < look.colors.size() * kShades; ++k) {
-    Surface surface = posed_blades(b, pose, k / kShades, k % kShades);
+    Surface surface = posed_blades(b.rest, pose, b.blades, b.motion.growth.ripen, [&](std::size_t i) {
+      return wrapped(b.blades.color[i], look.colors.size()) == k / kShades &&
+             shade_of(b.blades.id[i]) == k % kShades;
+    });
     if (surface.triangle.empty()) continue;
     text += "object{";
     append_mesh(text, space, surface);

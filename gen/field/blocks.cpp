@@ -67,7 +67,7 @@ void visit_fork(const Limbs& limbs, std::uint32_t f, float voxel, float band,
                 std::vector<std::uint64_t>& keys, const auto& visit) {
   const Forks& forks = limbs.forks;
   const Forks::Fork& fork = forks.forks[f];
-  float reach = fillet_reach(limbs, forks, f), half = cube_reach(kBlockSide, voxel) + voxel;
+  float reach = fillet_reach(forks, f), half = cube_reach(kBlockSide, voxel) + voxel;
   keys.clear();
   for (std::uint32_t a = fork.first; a < fork.last; ++a)
     for (std::uint32_t m = forks.arms[a].first; m < forks.arms[a].last; ++m)

@@ -63,7 +63,7 @@ void lower_to_fork(const Limbs& limbs, const Forks& forks, std::size_t f, Vec3 a
     const Arm& arm = forks.arms[fork.first + a];
     arms[a] = arm_row(limbs, forks, arm, at, voxel);
     for (std::size_t k = 0; k < least.size(); ++k) least[k] = std::min(least[k], arms[a].distance[k]);
-    width = std::max(width, limbs.blend * arm.radius);
+    width = std::max(width, arm.width);
   }
   for (std::size_t k = 0; k < row.size(); ++k) {
     int close = 0;

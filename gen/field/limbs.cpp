@@ -9,8 +9,13 @@ constexpr float kReach = 6;  // radii from a fork to the end of what is blended 
 /// Follows the ways from the forks of one skeleton.
 class Joiner {
  public:
-  Joiner(Limbs& limbs, const Skeleton& rest, std::span<const float> radius)
-      : limbs_(limbs), rest_(rest), radius_(radius), cone_(rest.size(), -1), children_(rest.size(), 0) {}
+  Joiner(Limbs& limbs, const Skeleton& rest, std::span<const float> radius, float blend)
+      : limbs_(limbs),
+        rest_(rest),
+        radius_(radius),
+        blend_(blend),
+        cone_(rest.size(), -1),
+        children_(rest.size(), 0) {}
 
   void add_cone(std::int32_t i, const Cone& cone) {
     cone_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(limbs_.cones.size());
@@ -42,13 +47,15 @@ class Joiner {
     if (cone_[static_cast<std::size_t>(node)] >= 0) {
       begin_arm(radius_[static_cast<std::size_t>(node)]);
       float way = 0;
-      for (std::int32_t i = node; way < reach && takes(i); i = rest_.parent[i]) way += add_member(i);
+      for (std::int32_t i = node; way < reach && takes(i); i = forks(rest_.parent[i]) ? -1 : rest_.parent[i])
+        way += add_member(i);
       end_arm();
     }
     for (std::size_t k = 1; k < list.size() && limbs_.forks.arms.size() - fork.first < kMostArms; ++k) {
       begin_arm(radius_[static_cast<std::size_t>(list[k])]);
       float way = 0;
-      for (std::int32_t i = list[k]; way < reach && takes(i); i = next(i)) way += add_member(i);
+      for (std::int32_t i = list[k]; way < reach && takes(i); i = forks(i) ? -1 : next(i))
+        way += add_member(i);
       end_arm();
     }
     fork.last = static_cast<std::uint32_t>(limbs_.forks.arms.size());
@@ -59,6 +66,8 @@ class Joiner {
     return i >= 0 && cone_[static_cast<std::size_t>(i)] >= 0 &&
            limbs_.forks.member.size() - limbs_.forks.arms.back().first < kMostCones;
   }
+  /// An arm ends at the next fork, which has arms of its own.
+  bool forks(std::int32_t i) const { return i >= 0 && children_[static_cast<std::size_t>(i)] > 1; }
   std::int32_t next(std::int32_t i) const {
     return i + 1 < static_cast<std::int32_t>(rest_.size()) && rest_.parent[i + 1] == i ? i + 1 : -1;
   }
@@ -68,13 +77,14 @@ class Joiner {
     return limbs_.cones[cone].length;
   }
   void begin_arm(float thick) {
-    limbs_.forks.arms.push_back({static_cast<std::uint32_t>(limbs_.forks.member.size()), 0, thick});
+    limbs_.forks.arms.push_back({static_cast<std::uint32_t>(limbs_.forks.member.size()), 0, blend_ * thick});
   }
   void end_arm() { limbs_.forks.arms.back().last = static_cast<std::uint32_t>(limbs_.forks.member.size()); }
 
   Limbs& limbs_;
   const Skeleton& rest_;
   std::span<const float> radius_;
+  float blend_;
   std::vector<std::int32_t> cone_;      // of each node, or -1
   std::vector<std::int32_t> children_;  // of each node, that are there
 };
@@ -83,8 +93,7 @@ class Joiner {
 
 void add_limbs(Limbs& limbs, const Skeleton& rest, std::span<const Vec3> position,
                std::span<const float> radius, float front, float blend, std::int32_t first_node) {
-  limbs.blend = blend;
-  Joiner joiner(limbs, rest, radius);
+  Joiner joiner(limbs, rest, radius, blend);
   for (std::size_t i = 0; i < rest.size(); ++i) {
     std::int32_t p = rest.parent[i];
     if (p == Skeleton::kRoot || rest.birth[p] >= front) continue;

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostMembers = kMostArms * kMostCones;
 /// One way that leads away from a fork: the cones that are met on it first.
 struct Arm {
   std::uint32_t first, last;  ///< in Forks::member, last not included
-  float radius;               ///< metres, where it leaves the fork
+  float width;                ///< metres, how far it flows into others at most
 };
 
 /// Forks, and the arms that are blended into each other at each.
@@ -37,7 +37,6 @@ struct Forks {
 struct Limbs {
   std::vector<Cone> cones;
   Forks forks;
-  float blend = 1;  ///< see add_limbs
 };
 
 /// What of the limbs counts in some ball: cones by index, and forks that are held to what is near.
@@ -81,7 +80,7 @@ bool choose_fork(const Limbs& limbs, const Forks& from, std::size_t fork, Vec3 a
 FieldSample sample_limbs(const Limbs& limbs, const Nearby& near, Vec3 at);
 
 /// How far the fillets of a fork push the surface out at most; metres.
-float fillet_reach(const Limbs& limbs, const Forks& forks, std::size_t fork);
+float fillet_reach(const Forks& forks, std::size_t fork);
 
 /// The nearest cone of an arm at some place.
 struct Nearest {

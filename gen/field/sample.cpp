@@ -8,6 +8,7 @@ namespace frond {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::max();
+constexpr float kTurning = 0.6f;  // of an arm's width, in which its direction turns round a bend
 
 Nearest nearest_of(const Limbs& limbs, const Forks& forks, const Arm& arm, Vec3 at) {
   Nearest best{kNone, 0};
@@ -18,22 +19,31 @@ Nearest nearest_of(const Limbs& limbs, const Forks& forks, const Arm& arm, Vec3 
   return best;
 }
 
-/// How far two arms are blended into each other; metres.
-float blend_width(const Limbs& limbs, const Arm& a, const Arm& b) {
-  return limbs.blend * std::min(a.radius, b.radius);
-}
-
 /// The directions in which the arms of a fork face at one place.
 struct Faces {
   const Limbs& limbs;
+  const Forks& forks;
+  const Arm* arms_of;
   std::span<const Nearest> arms;
   Vec3 at;
   std::array<Vec3, kMostArms> direction{};
   std::array<bool, kMostArms> known{};
 
+  /// That of the nearest cone; near a bend it turns into that of the next, or the surface would have a step
+  /// there.
   Vec3 of(std::size_t a) {
-    if (!known[a]) direction[a] = outward(limbs.cones[arms[a].cone], at), known[a] = true;
-    return direction[a];
+    if (known[a]) return direction[a];
+    known[a] = true;
+    const Arm& arm = arms_of[a];
+    float span = kTurning * arm.width;
+    Vec3 sum(0);
+    for (std::uint32_t m = arm.first; m < arm.last; ++m) {
+      const Cone& cone = limbs.cones[forks.member[m]];
+      float share = 1 - (distance(cone, at) - arms[a].distance) / span;
+      if (share > 0) sum += share * share * outward(cone, at);
+    }
+    float length = glm::length(sum);
+    return direction[a] = length > 1e-6f ? sum / length : outward(limbs.cones[arms[a].cone], at);
   }
 };
 
@@ -45,7 +55,7 @@ struct Faces {
 FieldSample blend_arms(const Limbs& limbs, const Forks& forks, std::size_t f, std::span<const Nearest> near,
                        Vec3 at, bool with_normal) {
   const Arm* arms = forks.arms.data() + forks.forks[f].first;
-  Faces faces{limbs, near, at};
+  Faces faces{limbs, forks, arms, near, at};
   std::array<float, kMostArms> weight{};  // of each arm's slope in that of the whole
   std::size_t count = near.size(), least = 0;
   for (std::size_t a = 1; a < count; ++a)
@@ -54,7 +64,7 @@ FieldSample blend_arms(const Limbs& limbs, const Forks& forks, std::size_t f, st
   weight[least] = 1;
   for (std::size_t a = 0; a < count; ++a) {
     for (std::size_t b = a + 1; b < count; ++b) {
-      float width = blend_width(limbs, arms[a], arms[b]);
+      float width = std::min(arms[a].width, arms[b].width);
       float near_a = width - (near[a].distance - low), near_b = width - (near[b].distance - low);
       if (near_a <= 0 || near_b <= 0) continue;
       float apart = smooth_step(0.02f, 0.7f, 1 - glm::dot(faces.of(a), faces.of(b)));
@@ -105,11 +115,11 @@ Nearby all_of(const Limbs& limbs) {
   return all;
 }
 
-float fillet_reach(const Limbs& limbs, const Forks& forks, std::size_t f) {
+float fillet_reach(const Forks& forks, std::size_t f) {
   const Forks::Fork& fork = forks.forks[f];
   float most = 0, count = static_cast<float>(fork.last - fork.first);
-  for (std::uint32_t a = fork.first; a < fork.last; ++a) most = std::max(most, forks.arms[a].radius);
-  return count * (count - 1) / 2 * limbs.blend * most / 4;
+  for (std::uint32_t a = fork.first; a < fork.last; ++a) most = std::max(most, forks.arms[a].width);
+  return count * (count - 1) / 2 * most / 4;
 }
 
 bool choose_fork(const Limbs& limbs, const Forks& from, std::size_t f, Vec3 at, float half, float band,
@@ -127,20 +137,20 @@ bool choose_fork(const Limbs& limbs, const Forks& from, std::size_t f, Vec3 at, 
     }
     second = std::min(second, std::max(d, least));
     least = std::min(least, d);
-    width = std::max(width, limbs.blend * from.arms[a].radius);
+    width = std::max(width, from.arms[a].width);
   }
   // Two arms must be near enough to each other to be blended, and the surface near.
   float span = width + 2 * half;
-  if (second - least >= span || least - half >= band + fillet_reach(limbs, from, f) || least + half <= -band)
+  if (second - least >= span || least - half >= band + fillet_reach(from, f) || least + half <= -band)
     return false;
   if (!to) return true;
   Forks::Fork kept{static_cast<std::uint32_t>(to->arms.size()), 0};
   for (std::uint32_t a = fork.first; a < fork.last; ++a) {
     float d = arm[a - fork.first];
     if (d - least >= span) continue;
-    Arm own{static_cast<std::uint32_t>(to->member.size()), 0, from.arms[a].radius};
+    Arm own{static_cast<std::uint32_t>(to->member.size()), 0, from.arms[a].width};
     for (std::uint32_t m = from.arms[a].first; m < from.arms[a].last; ++m)
-      if (known[m - begin] <= d + 2 * half) to->member.push_back(from.member[m]);
+      if (known[m - begin] <= d + 2 * half + kTurning * own.width) to->member.push_back(from.member[m]);
     own.last = static_cast<std::uint32_t>(to->member.size());
     to->arms.push_back(own);
   }

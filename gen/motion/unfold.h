@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "model/model.h"
 #include "motion/motion.h"
 
@@ -8,6 +10,8 @@ namespace frond {
 /// How large an organ is at a pose, as a share of its final size: 0 before growth has reached its birth, then
 /// eased to 1 over `ripen` of the growth.
 float unfolded(float birth, float front, double ripen);
+
+inline constexpr float kUnfoldedLeast = 0.02f;  ///< share of its size below which an organ is not shown yet
 
 /// A place on the rest shape that rides on a node, where the pose has taken it.
 inline Vec3 carried(const Skeleton& rest, const Pose& pose, std::int32_t node, Vec3 at) {
@@ -18,5 +22,9 @@ inline Vec3 carried(const Skeleton& rest, const Pose& pose, std::int32_t node, V
 inline Quat carried_turn(const Pose& pose, std::int32_t node) {
   return node == Skeleton::kRoot ? Quat(1, 0, 0, 0) : pose.turn[node];
 }
+
+/// The blades that are wanted, unfolded and carried to where the pose has them, as one mesh.
+Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& blades, double ripen,
+                     const std::function<bool(std::size_t blade)>& wanted);
 
 }  // namespace frond

@@ -18,6 +18,11 @@ inline constexpr Choice<SkinKind> kSkinKinds[] = {
     {"fan", SkinKind::fan, "fine and matt, as on sea fans and whips"},
     {"soft", SkinKind::soft, "furry with open polyps, as on soft corals"}};
 
+inline constexpr Choice<Build> kBuilds[] = {
+    {"sweeps", Build::sweeps, "each branch by itself"},
+    {"fused", Build::fused, "branches grown into one body, rounded at the forks"},
+    {"voxels", Build::voxels, "built of cubes"}};
+
 inline constexpr Choice<CoralForm> kCoralForms[] = {
     {"branching", CoralForm::branching, "A -> !\"[B]////[B]////B, B -> &FFFA"},
     {"tufted", CoralForm::tufted, "A -> \"[&FFFA]////[&FFFA]////[&FFFA]"},
@@ -222,10 +227,25 @@ void describe(Visitor& v, Place& p) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Style& s) {
+  v.shorthand("build");
+  v.choice("build", s.build, kBuilds, "What branches are drawn as");
+  v.number("voxel", s.voxel, {.min = 0, .max = 100, .unit = "m"},
+           "Side of a voxel, or of a cube; 0: by the size of the organism");
+  v.number("blend", s.blend, {.min = 0, .max = 3},
+           "How far branches flow into each other at forks, as a share of the thinner one's radius");
+  v.number("adaptivity", s.adaptivity, {.min = 0, .max = 1},
+           "Of fused ones: 0 equal triangles, 1 few where the body is flat");
+  v.number("limit", s.limit, {.min = 1e6, .max = 1e15, .unit = "bytes"},
+           "Memory; a volume that is foreseen to need more is refused");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Organism& o) {
   v.text("name", o.name, "Your name for it");
   v.integer("count", o.count, {.min = 0, .max = 100000}, "How many, those at given places included");
   v.object("place", o.place, "Where they stand");
+  v.object("body", o.style, "What their branches are drawn as");
 }
 
 /// The table of growers: one row a kind.

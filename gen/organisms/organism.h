@@ -13,6 +13,7 @@
 #include "organisms/crown_tree.h"
 #include "organisms/host.h"
 #include "organisms/plant.h"
+#include "organisms/style.h"
 #include "organisms/tree.h"
 #include "organisms/vase.h"
 
@@ -39,6 +40,7 @@ struct Organism {
   std::string name;  ///< the user's name for it, for messages and comments
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
+  Style style;
   std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams, BridgeParams, VaseParams,
                WeberPennParams, ColonizedParams, TreeParams>
       body;

@@ -12,6 +12,7 @@
 #include "geometry/scatter.h"
 #include "scene/grove.h"
 #include "scene/put.h"
+#include "scene/style.h"
 #include "scene/tree_dress.h"
 
 namespace frond {
@@ -21,7 +22,6 @@ namespace {
 constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
 constexpr double kFloorRadius = 32;  // metres, as far as the water lets one see
-
 constexpr double kMeadowRadius = 150;
 constexpr int kTurfShapes = 4;
 
@@ -394,6 +394,7 @@ Result<Scene> build_scene(const Preset& preset) {
     }
     b.scene.branches.push_back(std::move(**result));
   }
+  if (Errors errors = take_styles(b.scene, preset); !errors.empty()) return errors;
   return std::move(b.scene);
 }
 

@@ -36,6 +36,7 @@ struct Branches {
   std::string name;
   Skeleton rest;  ///< at its place in the world, fully grown, unmoved
   Motion motion;
+  Style style;               ///< its voxel is never 0
   std::optional<Skin> skin;  ///< of a coral
   double brightness = 1;     ///< factor, its own
 

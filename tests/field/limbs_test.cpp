@@ -73,6 +73,24 @@ TEST(Limbs, strangers_that_pass_each_other_have_no_fillet) {
   EXPECT_EQ(sample(limbs, at).distance, std::min(distance(limbs.cones[0], at), distance(limbs.cones[1], at)));
 }
 
+TEST(Limbs, bends_of_an_arm_leave_no_step) {
+  // A fork whose one arm bends sharply back over the other: across the bend its direction turns.
+  Skeleton s;
+  s.add({0, -1, 0}, 0.1f, Skeleton::kRoot, 0);
+  s.add({0, 0, 0}, 0.1f, 0, 0);
+  s.add({0, 1, 0}, 0.1f, 1, 0);
+  s.add({0.25f, 0.1f, 0}, 0.1f, 1, 1);
+  s.add({0.3f, 0.5f, 0}, 0.1f, 3, 1);
+  Limbs limbs = limbs_of(s, 1.5f);
+  for (int i = 0; i < 20000; ++i) {
+    Seed seed = Seed{5}.child(static_cast<std::uint64_t>(i));
+    Vec3 at(seed.child(0).range(0, 0.4), seed.child(1).range(-0.1, 0.6), seed.child(2).range(-0.15, 0.15));
+    Vec3 way(seed.child(3).normal(), seed.child(4).normal(), seed.child(5).normal());
+    way = glm::normalize(way) * 0.0002f;
+    ASSERT_LT(std::abs(sample(limbs, at + way).distance - sample(limbs, at).distance), 0.0015f);
+  }
+}
+
 TEST(Limbs, the_field_is_continuous_and_its_normal_is_its_slope) {
   Skeleton s = test_coral(3, 0.06);
   Limbs limbs = limbs_of(s, 1);

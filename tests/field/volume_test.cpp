@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "field/fused.h"
+#include "shapes.h"
 
 namespace frond {
 namespace {
@@ -78,6 +79,37 @@ TEST_P(Corals, are_watertight_and_manifold) {
   EXPECT_GT(c.volume, 0);
 }
 INSTANTIATE_TEST_SUITE_P(Adaptivities, Corals, testing::Values(0, 0.02, 0.1, 0.5));
+
+TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
+  Skeleton s = test_coral(4);
+  Motion motion = lively();
+  Pose before, after;
+  for (double time : {0.5, 1.0, 2.6}) {
+    pose_skeleton(s, motion, time, before);
+    pose_skeleton(s, motion, time + 1.0 / 24, after);
+    Limbs first, second;
+    add_limbs(first, s, before.position, before.radius, before.front, 1);
+    add_limbs(second, s, after.position, after.radius, after.front, 1);
+    FusedMesh mesh = *fuse(first, {.voxel = 0.008}), later = *fuse(second, {.voxel = 0.008});
+    double moved = 0;
+    for (std::size_t i = 0; i < s.size(); ++i)
+      moved = std::max<double>(moved, glm::distance(before.position[i], after.position[i]) +
+                                          std::abs(before.radius[i] - after.radius[i]));
+    // How far the vertices of one frame are from the exact surface of the next, near the mesh of the next.
+    Blocks blocks = gather_blocks(second, 0.008f, 0.08f);
+    Nearby near;
+    double farthest = 0;
+    for (Vec3 p : mesh.surface.position) {
+      FoundBlock found = find_block(blocks, voxel_at(p, 0.008f));
+      ASSERT_TRUE(found.block);
+      near_block(second, blocks, found, near);
+      farthest = std::max<double>(farthest, std::abs(sample_limbs(second, near, p).distance));
+    }
+    EXPECT_LT(farthest, 1.3 * moved + 0.0005) << time;
+    double volume = measure(mesh.surface).volume, next = measure(later.surface).volume;
+    EXPECT_LT(std::abs(next / volume - 1), 0.2) << time;
+  }
+}
 
 TEST(Fuse, is_the_same_at_any_number_of_threads) {
   Limbs limbs = limbs_of(test_coral(4), 1);

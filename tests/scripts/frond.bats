@@ -109,3 +109,26 @@ for row in json.load(sys.stdin):
         assert line in manual, line
 ' "$root/docs/grammars.md"
 }
+
+@test "export writes each format and refuses wrong words" {
+  for kind in obj ply glb vdb; do
+    "$frond" export "$root/tests/presets/tiny_film.json" --frame 2 -o "out/coral.$kind" -q
+    [ -s "out/coral.$kind" ]
+  done
+  [ -s out/coral.mtl ]
+  [ "$(head -c 4 out/coral.glb)" = "glTF" ]
+  run "$frond" export "$root/tests/presets/tiny_film.json" -o out/coral.stl
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"expected one of .obj, .ply, .glb, .vdb"* ]]
+  run "$frond" export "$root/tests/presets/tiny_film.json" --frame 4000 -o out/late.ply
+  [ "$status" -eq 2 ]
+  [[ "$output" == "--frame: 4000 is no frame of this film; expected 1-"* ]]
+  [ ! -e out/late.ply ]
+}
+
+@test "a volume past its limit is refused before it is made" {
+  run "$frond" export "$root/tests/presets/tiny_film.json" -o out/coral.ply \
+    --set /organisms/0/body='{"build": "fused", "voxel": 0.00001}'
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"more than the limit of 4 GB"* ]]
+}

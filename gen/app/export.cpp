@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/inputs.h"
+#include "export/formats.h"
+
+namespace frond {
+
+int export_scene(const ExportArguments& arguments) {
+  Result<const Format*> format = format_of(arguments.out);
+  if (!format) return fail(format.errors(), kWrongInput);
+  Result<Preset> preset = load_preset(arguments.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  const Film& film = preset->film;
+  if (arguments.frame < 1 || arguments.frame > film.frames)
+    return fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", arguments.frame,
+                                              film.frames)}},
+                kWrongInput);
+  Result<Scene> scene = build_scene(*preset);
+  if (!scene) return fail(scene.errors(), kWrongInput);
+
+  CastOptions options{arguments.sides, arguments.voxel};
+  double bytes = (*format)->bytes(foresee_cast(*scene, options));
+  if (bytes > (*format)->most_bytes)
+    return fail(
+        {Error{arguments.out, fmt::format("would take about {:.2g} GB; such a file holds {:.2g} GB at most",
+                                          bytes / 1e9, (*format)->most_bytes / 1e9)}},
+        kWrongInput);
+  if (!arguments.quiet && bytes > 0)
+    fmt::print(stderr, "{}: up to about {:.2g} MB\n", arguments.out, bytes / 1e6);
+  Result<bool> written = (*format)->write(*scene, film.time(arguments.frame), options, arguments.out);
+  return written ? kDone : fail(written.errors(), kCouldNot);
+}
+
+}  // namespace frond

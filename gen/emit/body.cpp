@@ -1,0 +1,218 @@
+#include "emit/body.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/seed.h"
+#include "core/text.h"
+#include "emit/plant.h"
+#include "emit/skin.h"
+#include "field/cubes.h"
+
+namespace frond {
+
+namespace {
+
+constexpr std::size_t kPartTriangles = 10'000;  // POV-Ray reads many meshes faster than one large one
+constexpr int kAges = 4, kShades = 4;           // of cubes
+
+void append_index(std::string& text, std::size_t index) {
+  append_integer(text, static_cast<long long>(index));
+}
+
+/// Appends `name{count` and the items of a list of a mesh2.
+template <class Items, class Append>
+void append_items(std::string& text, std::string_view name, const Items& items, const Append& append_item) {
+  text += name;
+  text += '{';
+  append_index(text, items.size());
+  for (const auto& item : items) {
+    text += ',';
+    append_item(item);
+  }
+  text += "}\n";
+}
+
+/// Some triangles of a surface, each corner with the number of its texture in a list.
+struct Part {
+  std::vector<std::array<std::uint32_t, 3>> triangles, textures;
+  std::vector<std::string> list;
+};
+
+/// Appends a mesh2 of a part; without a list it has no texture.
+void append_part(std::string& text, const PovSpace& space, const Surface& surface, const Part& part) {
+  std::vector<std::uint32_t> used;
+  for (const auto& t : part.triangles) used.insert(used.end(), t.begin(), t.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  auto local = [&](std::uint32_t v) {
+    return static_cast<double>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+  };
+  text += "mesh2{\n";
+  append_items(text, "vertex_vectors", used,
+               [&](std::uint32_t v) { append_point(text, space, surface.position[v]); });
+  append_items(text, "normal_vectors", used, [&](std::uint32_t v) {
+    text += '<';
+    append_list(text, 3, surface.normal[v].x, surface.normal[v].y, -surface.normal[v].z);
+    text += '>';
+  });
+  if (!part.list.empty())
+    append_items(text, "texture_list", part.list, [&](const std::string& t) { text += t; });
+  text += "face_indices{";
+  append_index(text, part.triangles.size());
+  for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+    // The mirror turns triangles over, and this turns them back.
+    auto [a, b, c] = part.triangles[i];
+    text += ",<";
+    append_list(text, 0, local(a), local(c), local(b));
+    text += '>';
+    if (part.list.empty()) continue;
+    auto [p, q, r] = part.textures[i];
+    text += ',';
+    append_index(text, p);
+    if (p == q && q == r) continue;
+    text += ',';
+    append_index(text, r);
+    text += ',';
+    append_index(text, q);
+  }
+  text += "}}\n";
+}
+
+VolumeOptions options_of(const Style& style) { return {style.voxel, style.adaptivity, style.limit}; }
+
+/// The textures of chunks, each text once.
+struct ChunkTextures {
+  std::vector<std::uint32_t> of_node;  // number of the text
+  std::vector<std::string> texts;
+};
+
+ChunkTextures chunk_textures(const PovSpace& space, const Branches& b, const Pose& pose,
+                             std::span<const Chunk> chunks, std::size_t skin) {
+  ChunkTextures textures;
+  textures.of_node.assign(b.rest.size(), 0);
+  for (const Chunk& chunk : chunks) {
+    std::string text;
+    append_chunk_texture(text, space, b, pose, chunk, skin);
+    if (textures.texts.empty() || textures.texts.back() != text) textures.texts.push_back(std::move(text));
+    for (std::int32_t i = chunk.first; i <= chunk.last; ++i)
+      textures.of_node[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(textures.texts.size() - 1);
+  }
+  return textures;
+}
+
+std::string fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkTextures& textures,
+                       bool one_texture, std::size_t skin) {
+  auto texture_of = [&](std::uint32_t v) { return textures.of_node[static_cast<std::size_t>(mesh.node[v])]; };
+  // Triangles of one chunk together, so that a part has few textures.
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t t = 0; t < mesh.surface.triangle.size(); ++t) order.push_back(t);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return texture_of(mesh.surface.triangle[a][0]) < texture_of(mesh.surface.triangle[b][0]);
+  });
+  std::string text;
+  for (std::size_t from = 0; from < order.size(); from += kPartTriangles) {
+    Part part;
+    std::vector<std::uint32_t> numbers;
+    std::size_t to = std::min(order.size(), from + kPartTriangles);
+    for (std::size_t i = from; i < to; ++i) {
+      part.triangles.push_back(mesh.surface.triangle[order[i]]);
+      if (one_texture) continue;
+      std::array<std::uint32_t, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k)
+        numbers.push_back(corners[k] = texture_of(part.triangles.back()[k]));
+      part.textures.push_back(corners);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    for (std::uint32_t n : numbers) part.list.push_back(textures.texts[n]);
+    for (auto& corners : part.textures)
+      for (std::uint32_t& n : corners)
+        n = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), n) - numbers.begin());
+    append_part(text, space, mesh.surface, part);
+  }
+  if (!one_texture || text.empty()) return text;
+  text = "union{\n" + text + "texture{Skin[";
+  append_index(text, skin);
+  return text + "]}}\n";
+}
+
+/// `texture{Voxel_Skin(...)}` of one age and shade.
+std::string cube_texture(const Branches& b, std::int32_t node, int age, int shade) {
+  std::string text = "texture{Voxel_Skin(";
+  auto add_colors = [&](const Color& base, const Color& second, const Color& young) {
+    for (const Color& color : {base, second, young}) append_color(text, color), text += ',';
+  };
+  double brightness = b.brightness, hue = 0, saturation = 1;
+  if (b.bark) {
+    add_colors(b.bark->colors[bark_color(b, node)], b.bark->second, b.bark->young);
+  } else {
+    const Tint& t = b.skin->tint;
+    auto pale = [&](float c) { return static_cast<float>(c + (0.96 - c) * 0.62 * t.young); };
+    add_colors(t.base, t.secondary, {pale(t.base.red), pale(t.base.green), pale(t.base.blue)});
+    brightness *= t.value, hue = degrees(t.hue), saturation = t.saturation;
+  }
+  append_list(text, 4, hue, saturation, brightness, age / (kAges - 1.0), shade / (kShades - 1.0),
+              b.style.voxel);
+  return text + ")}";
+}
+
+Result<std::string> cubes_text(const PovSpace& space, const Branches& b, const Pose& pose,
+                               const Limbs& limbs) {
+  Result<Cubes> cubes = cubes_of(limbs, options_of(b.style));
+  if (!cubes) return cubes.errors();
+  std::vector<std::uint32_t> cube;
+  Surface surface = cubes_surface(*cubes, cube);
+  double young = b.bark ? b.bark->young_length : b.skin->tint.young_length;
+  float longest = b.rest.longest();
+  // The looks of cubes: colour of the bark, age and shade.
+  std::size_t colors = b.bark ? b.bark->colors.size() : 1;
+  std::vector<std::uint32_t> look(cubes->size());
+  std::vector<std::int32_t> example(colors * kAges * kShades, -1);
+  for (std::size_t c = 0; c < cubes->size(); ++c) {
+    std::int32_t node = cubes->node[c];
+    Cell cell = cubes->cell[c];
+    std::uint64_t lot = Seed{block_key({cell.i * 8, cell.j * 8, cell.k * 8})}.bits();
+    float age = youth(b.rest, pose, longest, static_cast<float>(young), node);
+    // Between two ages lots are drawn, so that one runs into the other.
+    float level = age * (kAges - 1) + static_cast<float>(Seed{lot}.unit()) * 0.999f;
+    std::size_t color = b.bark ? bark_color(b, node) : 0;
+    look[c] = static_cast<std::uint32_t>((color * kAges + static_cast<std::size_t>(level)) * kShades +
+                                         lot % kShades);
+    if (example[look[c]] < 0) example[look[c]] = node;
+  }
+  std::vector<std::uint32_t> number(example.size());
+  Part all;
+  for (std::size_t l = 0; l < example.size(); ++l) {
+    if (example[l] < 0) continue;
+    number[l] = static_cast<std::uint32_t>(all.list.size());
+    all.list.push_back(
+        cube_texture(b, example[l], static_cast<int>(l / kShades % kAges), static_cast<int>(l % kShades)));
+  }
+  std::string text;
+  for (std::size_t from = 0; from < surface.triangle.size(); from += kPartTriangles) {
+    Part part{{}, {}, all.list};
+    for (std::size_t t = from; t < std::min(surface.triangle.size(), from + kPartTriangles); ++t) {
+      std::uint32_t n = number[look[cube[t / 2]]];
+      part.triangles.push_back(surface.triangle[t]);
+      part.textures.push_back({n, n, n});
+    }
+    append_part(text, space, surface, part);
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<std::string> body_text(const PovSpace& space, const Branches& b, const Pose& pose,
+                              std::span<const Chunk> chunks, std::size_t skin) {
+  Limbs limbs;
+  add_limbs(limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend));
+  if (limbs.cones.empty()) return std::string();
+  if (b.style.build == Build::voxels) return cubes_text(space, b, pose, limbs);
+  Result<FusedMesh> mesh = fuse(limbs, options_of(b.style));
+  if (!mesh) return mesh.errors();
+  return fused_text(space, *mesh, chunk_textures(space, b, pose, chunks, skin), one_texture(b), skin);
+}
+
+}  // namespace frond

@@ -1,0 +1,54 @@
+#include "emit/skin.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "emit/plant.h"
+
+namespace frond {
+
+namespace {
+
+/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
+/// chunk.
+void append_skin(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+                 const Chunk& chunk, std::size_t index) {
+  const Skeleton& rest = b.rest;
+  if (b.bark) index += bark_color(b, chunk.first);
+  Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
+  if (rest.birth[chunk.last] > pose.front) {
+    // Where the growing tip is on its way from the node below.
+    std::int32_t below = rest.parent[chunk.last];
+    float way = (pose.front - rest.birth[below]) / (rest.birth[chunk.last] - rest.birth[below]);
+    to = glm::mix(rest.position[below], to, way);
+  }
+  Vec3 way = to - from;
+  float length2 = glm::dot(way, way);
+  if (std::max(chunk.young_from, chunk.young_to) < 0.01f || length2 < 1e-10f) {
+    text += "Skin[";
+    append_integer(text, static_cast<long long>(index));
+    text += ']';
+    return;
+  }
+  Vec3 slope = way * ((chunk.young_to - chunk.young_from) / length2);
+  double at_zero = chunk.young_from - glm::dot(slope, from), unit = space.unit;
+  text += b.bark ? "Plant_Tip(" : "Coral_Tip(";
+  append_integer(text, static_cast<long long>(index));
+  text += ',';
+  append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
+  text += ')';
+}
+
+}  // namespace
+
+void append_chunk_texture(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+                          Chunk chunk, std::size_t index) {
+  bool plain = b.bark && !patterned(*b.bark);
+  text += "texture{";
+  append_skin(text, space, b, pose, chunk, index);
+  if (b.bark && ringed(*b.bark)) lay_along(b.rest, chunk);
+  if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
+  text += '}';
+}
+
+}  // namespace frond

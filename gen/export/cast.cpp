@@ -1,0 +1,278 @@
+#include "export/cast.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "field/cubes.h"
+#include "geometry/tube.h"
+#include "motion/unfold.h"
+
+namespace frond {
+
+namespace {
+
+std::size_t wrapped(std::int32_t color, std::size_t count) {
+  auto n = static_cast<std::int32_t>(count);
+  return static_cast<std::size_t>(((color % n) + n) % n);
+}
+
+Color scaled(Color c, double factor) {
+  auto part = [&](float x) { return static_cast<float>(std::clamp(x * factor, 0.0, 1.0)); };
+  return {part(c.red), part(c.green), part(c.blue)};
+}
+
+/// The colour of a coral as povinc/frond_coral.inc has it: turned round grey, with saturation and value.
+Color tinted(const Tint& tint, double brightness) {
+  Vec3 c(tint.base.red, tint.base.green, tint.base.blue);
+  c = glm::angleAxis(static_cast<float>(tint.hue), glm::normalize(Vec3(1))) * c;
+  float grey = c.x * 0.30f + c.y * 0.59f + c.z * 0.11f;
+  c = glm::mix(Vec3(grey), c, static_cast<float>(tint.saturation));
+  return scaled({c.x, c.y, c.z}, tint.value * brightness);
+}
+
+std::string plain_name(const std::string& name, std::string_view otherwise) {
+  std::string text;
+  for (char c : name) {
+    bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    text += fine ? c : '_';
+  }
+  return text.empty() ? std::string(otherwise) : text;
+}
+
+/// Takes the meshes of one organism to a cast.
+class Caster {
+ public:
+  Caster(Cast& cast, const Branches& b, std::size_t index, double time, const CastOptions& options)
+      : cast_(cast), b_(b), options_(options) {
+    name_ = fmt::format("{}_{}", plain_name(b.name, "organism"), index);
+    pose_skeleton(b.rest, b.motion, time, pose_);
+  }
+
+  Errors add() {
+    if (b_.skin || b_.bark)
+      if (Errors errors = add_branches(); !errors.empty()) return errors;
+    add_organs();
+    add_blades();
+    add_solids();
+    return {};
+  }
+
+ private:
+  std::size_t material(std::string name, Color color, double gloss, bool leaf) {
+    cast_.materials.push_back({name_ + '_' + name, color, gloss, false, leaf});
+    return cast_.materials.size() - 1;
+  }
+
+  void stand(std::string name, Surface&& surface, std::size_t made_of) {
+    if (surface.triangle.empty()) return;
+    cast_.placements.push_back({cast_.meshes.size()});
+    cast_.meshes.push_back({name_ + '_' + name, std::move(surface), made_of});
+  }
+
+  Errors add_branches() {
+    Surface surface;
+    std::vector<std::int32_t> node;
+    VolumeOptions volume{b_.style.voxel, b_.style.adaptivity, b_.style.limit};
+    Limbs limbs;
+    if (b_.style.build != Build::sweeps)
+      add_limbs(limbs, b_.rest, pose_.position, pose_.radius, pose_.front,
+                static_cast<float>(b_.style.blend));
+    if (b_.style.build == Build::sweeps) {
+      TubeMesh tubes = branch_tubes(b_.rest, pose_.position, pose_.radius, pose_.front, options_.sides);
+      surface = std::move(tubes.surface), node = std::move(tubes.node);
+    } else if (b_.style.build == Build::fused) {
+      Result<FusedMesh> mesh = fuse(limbs, volume);
+      if (!mesh) return mesh.errors();
+      surface = std::move(mesh->surface), node = std::move(mesh->node);
+    } else {
+      Result<Cubes> cubes = cubes_of(limbs, volume);
+      if (!cubes) return cubes.errors();
+      std::vector<std::uint32_t> cube;
+      surface = cubes_surface(*cubes, cube);
+      // Each face has four corners of its own.
+      for (std::uint32_t c : cube) node.insert(node.end(), 4, cubes->node[c]);
+    }
+    add_by_color(std::move(surface), node);
+    return {};
+  }
+
+  /// Branches of several colours are parted by the colour of each triangle's first vertex.
+  void add_by_color(Surface&& surface, const std::vector<std::int32_t>& node) {
+    if (!b_.bark)
+      return stand("branches", std::move(surface),
+                   material("skin", tinted(b_.skin->tint, b_.brightness), 0.1, false));
+    const Bark& bark = *b_.bark;
+    double gloss = bark.kind == BarkKind::metal || bark.kind == BarkKind::wax ? 0.8 : 0.1;
+    auto bark_material = [&](std::size_t k) {
+      std::size_t made_of =
+          material(fmt::format("bark_{}", k), scaled(bark.colors[k], b_.brightness), gloss, false);
+      cast_.materials[made_of].metal = bark.kind == BarkKind::metal;
+      return made_of;
+    };
+    if (b_.color.empty() || bark.colors.size() == 1)
+      return stand("branches", std::move(surface), bark_material(0));
+    for (std::size_t k = 0; k < bark.colors.size(); ++k) {
+      Surface part;
+      std::vector<std::uint32_t> index(surface.position.size(), UINT32_MAX);
+      for (const auto& t : surface.triangle) {
+        if (wrapped(b_.color[static_cast<std::size_t>(node[t[0]])], bark.colors.size()) != k) continue;
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t c = 0; c < 3; ++c) corners[c] = copied(surface, t[c], index, part);
+        part.triangle.push_back(corners);
+      }
+      if (!part.triangle.empty()) stand(fmt::format("branches_{}", k), std::move(part), bark_material(k));
+    }
+  }
+
+  static std::uint32_t copied(const Surface& from, std::uint32_t v, std::vector<std::uint32_t>& index,
+                              Surface& to) {
+    if (index[v] == UINT32_MAX) {
+      index[v] = static_cast<std::uint32_t>(to.position.size());
+      to.position.push_back(from.position[v]);
+      to.normal.push_back(from.normal[v]);
+      if (!from.uv.empty()) to.uv.push_back(from.uv[v]);
+    }
+    return index[v];
+  }
+
+  void add_organs() {
+    // One mesh for each part and colour of a prototype that is there, placed as often as it occurs.
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> meshes;
+    for (std::size_t i = 0; i < b_.organs.size(); ++i) {
+      float size = unfolded(b_.organs.birth[i], pose_.front, b_.motion.growth.ripen);
+      if (size < kUnfoldedLeast) continue;
+      std::size_t which = b_.organs.prototype[i];
+      const Prototype& prototype = b_.prototypes[which];
+      std::size_t color = wrapped(b_.organs.color[i], prototype.colors.size());
+      auto [at, fresh] = meshes.try_emplace({which, color});
+      if (fresh)
+        for (std::size_t part = 0; part < prototype.parts.size(); ++part)
+          if (!prototype.parts[part].surface.triangle.empty())
+            at->second.push_back(organ_mesh(which, color, part));
+      std::int32_t node = b_.organs.node[i];
+      CastPlacement placement{0, carried(b_.rest, pose_, node, b_.organs.position[i]),
+                              glm::normalize(carried_turn(pose_, node) * b_.organs.turn[i]),
+                              b_.organs.scale[i] * size};
+      for (std::size_t mesh : at->second) placement.mesh = mesh, cast_.placements.push_back(placement);
+    }
+  }
+
+  std::size_t organ_mesh(std::size_t which, std::size_t color, std::size_t part) {
+    const Prototype& prototype = b_.prototypes[which];
+    const OrganPart& shape = prototype.parts[part];
+    Color paint = shape.tissue == Tissue::heart ? prototype.second : prototype.colors[color];
+    bool leaf = shape.tissue == Tissue::leaf || shape.tissue == Tissue::petal;
+    std::string name = fmt::format("{}_{}_{}_{}", plain_name(prototype.name, "organ"), which, color, part);
+    cast_.meshes.push_back({name_ + '_' + name, shape.surface, material(name, paint, 0.2, leaf)});
+    return cast_.meshes.size() - 1;
+  }
+
+  void add_blades() {
+    const BladeParams& look = b_.blade_look;
+    for (std::size_t k = 0; b_.blades.size() > 0 && k < look.colors.size(); ++k) {
+      Surface surface = posed_blades(b_.rest, pose_, b_.blades, b_.motion.growth.ripen, [&](std::size_t i) {
+        return wrapped(b_.blades.color[i], look.colors.size()) == k;
+      });
+      if (surface.triangle.empty()) continue;
+      std::string name = fmt::format("blades_{}", k);
+      stand(name, std::move(surface), material(name, look.colors[k], 0.2, true));
+    }
+  }
+
+  void add_solids() {
+    std::vector<std::size_t> mesh(b_.solids.shapes.size(), SIZE_MAX);
+    for (std::size_t s = 0; s < b_.solids.shapes.size(); ++s) {
+      const Solid& solid = b_.solids.shapes[s];
+      if (solid.surface.triangle.empty()) continue;
+      std::string name = fmt::format("solid_{}", s);
+      mesh[s] = cast_.meshes.size();
+      cast_.meshes.push_back({name_ + '_' + name, solid.surface,
+                              material(name, solid.material.color, solid.material.gloss, false)});
+    }
+    for (std::size_t i = 0; i < b_.solids.size(); ++i)
+      if (mesh[b_.solids.shape[i]] != SIZE_MAX)
+        cast_.placements.push_back(
+            {mesh[b_.solids.shape[i]], b_.solids.position[i], b_.solids.turn[i], b_.solids.scale[i]});
+  }
+
+  Cast& cast_;
+  const Branches& b_;
+  const CastOptions& options_;
+  std::string name_;
+  Pose pose_;
+};
+
+void count(CastSize& size, const Surface& surface, double times, bool fresh) {
+  auto vertices = static_cast<double>(surface.position.size());
+  auto triangles = static_cast<double>(surface.triangle.size());
+  if (fresh) size.vertices += vertices, size.triangles += triangles;
+  size.all_vertices += vertices * times, size.all_triangles += triangles * times;
+}
+
+/// Of the branches of one organism.
+void count_branches(CastSize& size, const Branches& b, const CastOptions& options) {
+  double vertices = 0, triangles = 0;
+  auto nodes = static_cast<double>(b.rest.size());
+  if (b.style.build == Build::sweeps) {
+    double ends = 0;
+    for (std::size_t i = 1; i < b.rest.size(); ++i)
+      ends += b.rest.parent[i] != static_cast<std::int32_t>(i) - 1;
+    vertices = (nodes + 4 * ends) * (options.sides + 1);
+    triangles = (nodes + 4 * ends) * options.sides * 2;
+  } else {
+    // A block that the surface passes has about a square of its side in it, and somewhat more aslant.
+    double blocks = foresee_volume(limbs_of(b.rest, 0), b.style.voxel).blocks;
+    vertices = blocks * 64, triangles = 2 * vertices;
+  }
+  size.vertices += vertices, size.triangles += triangles;
+  size.all_vertices += vertices, size.all_triangles += triangles;
+  size.placements += 1;
+}
+
+}  // namespace
+
+CastSize foresee_cast(const Scene& scene, const CastOptions& options) {
+  CastSize size;
+  for (const Branches& b : scene.branches) {
+    if ((b.skin || b.bark) && b.rest.size() > 1) count_branches(size, b, options);
+    std::vector<bool> seen(b.prototypes.size());
+    for (std::uint16_t which : b.organs.prototype) {
+      for (const OrganPart& part : b.prototypes[which].parts) count(size, part.surface, 1, !seen[which]);
+      size.placements += static_cast<double>(b.prototypes[which].parts.size());
+      seen[which] = true;
+    }
+    count(size, b.blades.surface, 1, true);
+    for (const Solid& solid : b.solids.shapes) count(size, solid.surface, 0, true);
+    for (std::uint16_t which : b.solids.shape) count(size, b.solids.shapes[which].surface, 1, false);
+    size.placements += static_cast<double>(b.solids.size()) + 1;
+  }
+  return size;
+}
+
+Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options) {
+  Cast cast;
+  for (std::size_t i = 0; i < scene.branches.size(); ++i) {
+    const Branches& b = scene.branches[i];
+    Errors errors;
+    if (b.develops()) {
+      Result<Branches> now = developed(b, time);
+      errors = now ? Caster(cast, *now, i, time, options).add() : now.errors();
+    } else {
+      errors = Caster(cast, b, i, time, options).add();
+    }
+    if (!errors.empty()) return errors;
+  }
+  return cast;
+}
+
+Surface placed(const CastMesh& mesh, const CastPlacement& placement) {
+  Surface surface = mesh.surface;
+  for (Vec3& p : surface.position) p = placement.at + placement.turn * (p * placement.scale);
+  for (Vec3& n : surface.normal) n = glm::normalize(placement.turn * (n / placement.scale));
+  return surface;
+}
+
+}  // namespace frond

@@ -1,0 +1,21 @@
+#pragma once
+
+namespace frond {
+
+/// What branches are drawn as.
+enum class Build {
+  sweeps,  ///< each branch by itself, round
+  fused,   ///< one body, rounded where branches meet
+  voxels   ///< cubes
+};
+
+/// How the branches of an organism become a body.
+struct Style {
+  Build build = Build::sweeps;
+  double voxel = 0;          ///< metres; 0: by the size of the organism
+  double blend = 1;          ///< fillets at forks, as a share of the thinner branch's radius; 0: creases
+  double adaptivity = 0.05;  ///< of a fused mesh: 0 triangles of a voxel's size .. 1 few
+  double limit = 4e9;        ///< bytes of memory that the volume may take
+};
+
+}  // namespace frond

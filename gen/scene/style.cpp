@@ -1,0 +1,39 @@
+#include "scene/style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "field/volume.h"
+
+namespace frond {
+
+namespace {
+
+Style settled(Style style, const Skeleton& rest) {
+  if (style.voxel > 0 || rest.size() == 0) return style;
+  Vec3 low = rest.position[0], high = low;
+  for (const Vec3& p : rest.position) low = glm::min(low, p), high = glm::max(high, p);
+  double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 0.01f});
+  style.voxel = size / (style.build == Build::voxels ? 44 : 160);
+  return style;
+}
+
+Errors take_style(Branches& b, const Style& style) {
+  b.style = settled(style, b.rest);
+  if (b.style.build == Build::sweeps || b.rest.size() < 2) return {};
+  VolumeOptions options{b.style.voxel, b.style.adaptivity, b.style.limit};
+  Errors errors = refuse_volume(limbs_of(b.rest, static_cast<float>(b.style.blend)), options);
+  for (Error& error : errors) error.where = fmt::format("/organisms/{}/body/voxel", b.entry);
+  return errors;
+}
+
+}  // namespace
+
+Errors take_styles(Scene& scene, const Preset& preset) {
+  for (Branches& b : scene.branches)
+    if (Errors errors = take_style(b, preset.organisms[b.entry].style); !errors.empty()) return errors;
+  return {};
+}
+
+}  // namespace frond

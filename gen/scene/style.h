@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/result.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+/// Gives each organism the style of its entry, with a voxel that suits its size where that names none. Errors
+/// where a volume is refused, which is foreseen before anything large is allocated.
+Errors take_styles(Scene& scene, const Preset& preset);
+
+}  // namespace frond
