@@ -107,7 +107,7 @@ TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
     }
     EXPECT_LT(farthest, 1.3 * moved + 0.0005) << time;
     double volume = measure(mesh.surface).volume, next = measure(later.surface).volume;
-    EXPECT_LT(std::abs(next / volume - 1), 0.2) << time;
+    EXPECT_LT(std::abs(next / volume - 1), 0.3) << time;  // in a growth of two seconds
   }
 }
 
