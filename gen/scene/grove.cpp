@@ -64,6 +64,7 @@ Branches tree_at(const Branches& tree, double time) {
   now.entry = tree.entry;
   now.bark = tree.bark;
   now.brightness = tree.brightness;
+  now.style = tree.style;
   now.motion = tree.motion;
   const Growth& growth = tree.motion.growth;
   take(now, tree_model(life.params, life.tree, year_at(growth, life.years, time),

@@ -356,7 +356,6 @@ Result<Scene> build_scene(const Preset& preset) {
     b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
   if (preset.stage.setting == Setting::meadow)
     b.scene.floor = ground_surface(b.ground, Vec2(0), kMeadowRadius, 110);
-
   if (preset.stage.setting == Setting::garden) lay_garden(b);
   b.heights = Heights(b.scene.floor);
 
