@@ -158,7 +158,7 @@ std::string cube_texture(const Branches& b, std::int32_t node, int age, int shad
 }
 
 Result<std::string> cubes_text(const PovSpace& space, const Branches& b, const Pose& pose,
-                               const Limbs& limbs) {
+                               const Boughs& limbs) {
   Result<Cubes> cubes = cubes_of(limbs, options_of(b.style));
   if (!cubes) return cubes.errors();
   std::vector<std::uint32_t> cube;
@@ -206,7 +206,7 @@ Result<std::string> cubes_text(const PovSpace& space, const Branches& b, const P
 
 Result<std::string> body_text(const PovSpace& space, const Branches& b, const Pose& pose,
                               std::span<const Chunk> chunks, std::size_t skin) {
-  Limbs limbs;
+  Boughs limbs;
   add_limbs(limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend));
   if (limbs.cones.empty()) return std::string();
   if (b.style.build == Build::voxels) return cubes_text(space, b, pose, limbs);

@@ -76,7 +76,7 @@ class Caster {
     Surface surface;
     std::vector<std::int32_t> node;
     VolumeOptions volume{b_.style.voxel, b_.style.adaptivity, b_.style.limit};
-    Limbs limbs;
+    Boughs limbs;
     if (b_.style.build != Build::sweeps)
       add_limbs(limbs, b_.rest, pose_.position, pose_.radius, pose_.front,
                 static_cast<float>(b_.style.blend));

@@ -73,7 +73,7 @@ Result<const Format*> format_of(const fs::path& path) {
 }
 
 Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options) {
-  Limbs limbs;
+  Boughs limbs;
   VolumeOptions volume{options.voxel, 0, 0};
   std::int32_t first_node = 0;
   for (const Branches& organism : scene.branches) {

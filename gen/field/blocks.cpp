@@ -63,7 +63,7 @@ void visit_near(const Cone& cone, float voxel, float band, const Visit& visit) {
 }
 
 /// Notes a fork in the blocks in which it makes a difference.
-void visit_fork(const Limbs& limbs, std::uint32_t f, float voxel, float band,
+void visit_fork(const Boughs& limbs, std::uint32_t f, float voxel, float band,
                 std::vector<std::uint64_t>& keys, const auto& visit) {
   const Forks& forks = limbs.forks;
   const Forks::Fork& fork = forks.forks[f];
@@ -90,7 +90,7 @@ BlockList list_from(std::vector<Near>& found) {
     auto at = static_cast<std::uint32_t>(list.item.size());
     if (list.blocks.empty() || list.blocks.back().key != near.key)
       list.blocks.push_back({near.key, at, at, at});
-    Block& block = list.blocks.back();
+    VoxelBlock& block = list.blocks.back();
     list.item.push_back(near.item & ~kFork);
     block.last = at + 1;
     if (!(near.item & kFork)) block.forks = at + 1;
@@ -135,7 +135,7 @@ Cell voxel_at(Vec3 place, float size) {
   return {near(place.x), near(place.y), near(place.z)};
 }
 
-bool fits_grid(const Limbs& limbs, float voxel) {
+bool fits_grid(const Boughs& limbs, float voxel) {
   float most = voxel * kBlockSide * static_cast<float>(kMiddle - 16);
   return std::all_of(limbs.cones.begin(), limbs.cones.end(), [&](const Cone& cone) {
     Vec3 to = cone.to();
@@ -146,7 +146,7 @@ bool fits_grid(const Limbs& limbs, float voxel) {
   });
 }
 
-Blocks gather_blocks(const Limbs& limbs, float voxel, float band) {
+Blocks gather_blocks(const Boughs& limbs, float voxel, float band) {
   Blocks blocks{voxel, band, {}};
   constexpr std::size_t kLists = std::tuple_size_v<decltype(blocks.lists)>;
   std::size_t cones = limbs.cones.size(), parts = (cones + limbs.forks.size()) / kPartCones + 1;
@@ -179,14 +179,14 @@ FoundBlock find_block(const Blocks& blocks, Cell voxel) {
   std::uint64_t key = block_key(voxel);
   const BlockList& list = blocks.lists[list_of(key)];
   auto at = std::lower_bound(list.blocks.begin(), list.blocks.end(), key,
-                             [](const Block& block, std::uint64_t k) { return block.key < k; });
+                             [](const VoxelBlock& block, std::uint64_t k) { return block.key < k; });
   if (at == list.blocks.end() || at->key != key) return {};
   return {&list, &*at};
 }
 
-void near_block(const Limbs& limbs, const Blocks& blocks, const FoundBlock& found, Nearby& near) {
+void near_block(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found, Nearby& near) {
   std::span<const std::uint32_t> items(found.list->item);
-  const Block& block = *found.block;
+  const VoxelBlock& block = *found.block;
   auto cones = items.subspan(block.first, block.forks - block.first);
   near.cones.assign(cones.begin(), cones.end());
   near.forks.clear();
@@ -196,7 +196,7 @@ void near_block(const Limbs& limbs, const Blocks& blocks, const FoundBlock& foun
     choose_fork(limbs, limbs.forks, f, middle, half, blocks.band, &near.forks);
 }
 
-double count_blocks(const Limbs& limbs, double voxel, double band_voxels) {
+double count_blocks(const Boughs& limbs, double voxel, double band_voxels) {
   // Where there are too many to be looked at they are counted on a coarser grid; of a surface there are four
   // times as many on one twice as fine.
   double looks = 0, factor = 1;

@@ -59,7 +59,7 @@ void walk(Vec3 from, Vec3 to, float side, const Visit& visit) {
 }
 
 /// All cells of the body, as masks in the order of their keys.
-std::vector<Mask> occupied(const Limbs& limbs, const Blocks& blocks) {
+std::vector<Mask> occupied(const Boughs& limbs, const Blocks& blocks) {
   std::vector<Mask> masks;
   for (const BlockList& list : blocks.lists) {
     std::size_t start = masks.size();
@@ -107,7 +107,7 @@ bool holds(const std::vector<Mask>& masks, const Mask& here, Cell cell) {
 
 }  // namespace
 
-Result<Cubes> cubes_of(const Limbs& limbs, const VolumeOptions& options) {
+Result<Cubes> cubes_of(const Boughs& limbs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
   auto side = static_cast<float>(options.voxel);
   Blocks blocks = gather_blocks(limbs, side, side);

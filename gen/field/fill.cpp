@@ -38,7 +38,7 @@ struct ArmRow {
   std::array<std::uint32_t, kPartSide> cone;
 };
 
-ArmRow arm_row(const Limbs& limbs, const Forks& forks, const Arm& arm, Vec3 at, float voxel) {
+ArmRow arm_row(const Boughs& limbs, const Forks& forks, const Arm& arm, Vec3 at, float voxel) {
   ArmRow best;
   best.distance.fill(kNone), best.cone.fill(0);
   for (std::uint32_t m = arm.first; m < arm.last; ++m) {
@@ -51,7 +51,7 @@ ArmRow arm_row(const Limbs& limbs, const Forks& forks, const Arm& arm, Vec3 at, 
 }
 
 /// Lowers a row to the fillets of one fork.
-void lower_to_fork(const Limbs& limbs, const Forks& forks, std::size_t f, Vec3 at, float voxel, float band,
+void lower_to_fork(const Boughs& limbs, const Forks& forks, std::size_t f, Vec3 at, float voxel, float band,
                    Row& row) {
   const Forks::Fork& fork = forks.forks[f];
   std::array<ArmRow, kMostArms> arms;
@@ -80,7 +80,7 @@ void lower_to_fork(const Limbs& limbs, const Forks& forks, std::size_t f, Vec3 a
 }
 
 /// Fills one part of a block.
-void fill_part(const Limbs& limbs, float voxel, float band, const Nearby& near, Cell first, float* out) {
+void fill_part(const Boughs& limbs, float voxel, float band, const Nearby& near, Cell first, float* out) {
   for (int i = 0; i < kPartSide; ++i)
     for (int j = 0; j < kPartSide; ++j) {
       Vec3 at = voxel_middle({first.i + i, first.j + j, first.k}, voxel);
@@ -97,7 +97,7 @@ void fill_part(const Limbs& limbs, float voxel, float band, const Nearby& near, 
 
 }  // namespace
 
-Filling fill_block(const Limbs& limbs, const Blocks& blocks, const FoundBlock& found,
+Filling fill_block(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found,
                    std::span<float, kBlockVoxels> distance) {
   float voxel = blocks.voxel, band = blocks.band;
   Cell first = block_origin(found.block->key);

@@ -9,7 +9,7 @@ constexpr float kReach = 6;  // radii from a fork to the end of what is blended 
 /// Follows the ways from the forks of one skeleton.
 class Joiner {
  public:
-  Joiner(Limbs& limbs, const Skeleton& rest, std::span<const float> radius, float blend)
+  Joiner(Boughs& limbs, const Skeleton& rest, std::span<const float> radius, float blend)
       : limbs_(limbs),
         rest_(rest),
         radius_(radius),
@@ -81,7 +81,7 @@ class Joiner {
   }
   void end_arm() { limbs_.forks.arms.back().last = static_cast<std::uint32_t>(limbs_.forks.member.size()); }
 
-  Limbs& limbs_;
+  Boughs& limbs_;
   const Skeleton& rest_;
   std::span<const float> radius_;
   float blend_;
@@ -91,7 +91,7 @@ class Joiner {
 
 }  // namespace
 
-void add_limbs(Limbs& limbs, const Skeleton& rest, std::span<const Vec3> position,
+void add_limbs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
                std::span<const float> radius, float front, float blend, std::int32_t first_node) {
   Joiner joiner(limbs, rest, radius, blend);
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -107,8 +107,8 @@ void add_limbs(Limbs& limbs, const Skeleton& rest, std::span<const Vec3> positio
   if (blend > 0) joiner.add_forks();
 }
 
-Limbs limbs_of(const Skeleton& rest, float blend) {
-  Limbs limbs;
+Boughs limbs_of(const Skeleton& rest, float blend) {
+  Boughs limbs;
   add_limbs(limbs, rest, rest.position, rest.radius, 2, blend);
   return limbs;
 }

@@ -34,7 +34,7 @@ struct Forks {
 
 /// The branches of one or several skeletons as a solid body: cones, and forks at which they flow into each
 /// other. Branches that only pass each other by do not: they are joined, but with a crease.
-struct Limbs {
+struct Boughs {
   std::vector<Cone> cones;
   Forks forks;
 };
@@ -52,11 +52,11 @@ struct Nearby {
 ///
 /// `blend` says how far fillets at forks reach, as a share of the radius of the thinner arm: 0 leaves a
 /// crease, 1 rounds it about as wide as that arm is thick.
-void add_limbs(Limbs& limbs, const Skeleton& rest, std::span<const Vec3> position,
+void add_limbs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
                std::span<const float> radius, float front, float blend, std::int32_t first_node = 0);
 
 /// The same for a skeleton as it rests, fully grown.
-Limbs limbs_of(const Skeleton& rest, float blend);
+Boughs limbs_of(const Skeleton& rest, float blend);
 
 /// Where the body is, near one place.
 struct FieldSample {
@@ -66,18 +66,18 @@ struct FieldSample {
 };
 
 /// Everything, as if it were all near.
-Nearby all_of(const Limbs& limbs);
+Nearby all_of(const Boughs& limbs);
 
 /// Of what is near in a larger ball, what makes a difference to the distance in a ball of radius `half` round
 /// `at`, as far as that distance is within `band`. `to` is overwritten.
-void choose_near(const Limbs& limbs, const Nearby& from, Vec3 at, float half, float band, Nearby& to);
+void choose_near(const Boughs& limbs, const Nearby& from, Vec3 at, float half, float band, Nearby& to);
 
 /// Whether a fork makes such a difference; adds it to `to` where one is given.
-bool choose_fork(const Limbs& limbs, const Forks& from, std::size_t fork, Vec3 at, float half, float band,
+bool choose_fork(const Boughs& limbs, const Forks& from, std::size_t fork, Vec3 at, float half, float band,
                  Forks* to);
 
 /// Where the body is, by what is near.
-FieldSample sample_limbs(const Limbs& limbs, const Nearby& near, Vec3 at);
+FieldSample sample_limbs(const Boughs& limbs, const Nearby& near, Vec3 at);
 
 /// How far the fillets of a fork push the surface out at most; metres.
 float fillet_reach(const Forks& forks, std::size_t fork);
@@ -90,7 +90,7 @@ struct Nearest {
 
 /// The distance at a fork, of whose arms, in their order, the nearest cones are known there. The normal is
 /// only set where it is asked for.
-FieldSample blend_arms(const Limbs& limbs, const Forks& forks, std::size_t fork,
+FieldSample blend_arms(const Boughs& limbs, const Forks& forks, std::size_t fork,
                        std::span<const Nearest> arms, Vec3 at, bool with_normal);
 
 }  // namespace frond

@@ -10,7 +10,7 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::max();
 constexpr float kTurning = 0.6f;  // of an arm's width, in which its direction turns round a bend
 
-Nearest nearest_of(const Limbs& limbs, const Forks& forks, const Arm& arm, Vec3 at) {
+Nearest nearest_of(const Boughs& limbs, const Forks& forks, const Arm& arm, Vec3 at) {
   Nearest best{kNone, 0};
   for (std::uint32_t m = arm.first; m < arm.last; ++m) {
     float d = distance(limbs.cones[forks.member[m]], at);
@@ -21,7 +21,7 @@ Nearest nearest_of(const Limbs& limbs, const Forks& forks, const Arm& arm, Vec3 
 
 /// The directions in which the arms of a fork face at one place.
 struct Faces {
-  const Limbs& limbs;
+  const Boughs& limbs;
   const Forks& forks;
   const Arm* arms_of;
   std::span<const Nearest> arms;
@@ -52,7 +52,7 @@ struct Faces {
 /// The arms of a fork flow into each other: a smooth minimum (the quadratic one of Quilez 2013), but only as
 /// far as they face different ways, so that an arm does not swell where another leaves it from within (the
 /// idea of Gourmel et al. 2013, A gradient-based implicit blend).
-FieldSample blend_arms(const Limbs& limbs, const Forks& forks, std::size_t f, std::span<const Nearest> near,
+FieldSample blend_arms(const Boughs& limbs, const Forks& forks, std::size_t f, std::span<const Nearest> near,
                        Vec3 at, bool with_normal) {
   const Arm* arms = forks.arms.data() + forks.forks[f].first;
   Faces faces{limbs, forks, arms, near, at};
@@ -86,7 +86,7 @@ FieldSample blend_arms(const Limbs& limbs, const Forks& forks, std::size_t f, st
   return sample;
 }
 
-FieldSample sample_limbs(const Limbs& limbs, const Nearby& near, Vec3 at) {
+FieldSample sample_limbs(const Boughs& limbs, const Nearby& near, Vec3 at) {
   FieldSample best{kNone, Vec3(0), -1};
   for (std::uint32_t i : near.cones) {
     float d = distance(limbs.cones[i], at);
@@ -109,7 +109,7 @@ FieldSample sample_limbs(const Limbs& limbs, const Nearby& near, Vec3 at) {
   return best;
 }
 
-Nearby all_of(const Limbs& limbs) {
+Nearby all_of(const Boughs& limbs) {
   Nearby all{{}, limbs.forks, 0};
   for (std::uint32_t i = 0; i < limbs.cones.size(); ++i) all.cones.push_back(i);
   return all;
@@ -122,7 +122,7 @@ float fillet_reach(const Forks& forks, std::size_t f) {
   return count * (count - 1) / 2 * most / 4;
 }
 
-bool choose_fork(const Limbs& limbs, const Forks& from, std::size_t f, Vec3 at, float half, float band,
+bool choose_fork(const Boughs& limbs, const Forks& from, std::size_t f, Vec3 at, float half, float band,
                  Forks* to) {
   const Forks::Fork& fork = from.forks[f];
   std::array<float, kMostArms> arm;
@@ -159,7 +159,7 @@ bool choose_fork(const Limbs& limbs, const Forks& from, std::size_t f, Vec3 at, 
   return true;
 }
 
-void choose_near(const Limbs& limbs, const Nearby& from, Vec3 at, float half, float band, Nearby& to) {
+void choose_near(const Boughs& limbs, const Nearby& from, Vec3 at, float half, float band, Nearby& to) {
   std::array<float, 256> known;
   to.cones.clear();
   to.forks.clear();

@@ -36,7 +36,7 @@ Cell octant_origin(Cell first, std::uint32_t octant, int side) {
 }
 
 /// Moves one vertex along the slope of the distance until it is 0 (Newton's way).
-void settle_vertex(const Limbs& limbs, const Nearby& near, float voxel, FusedMesh& mesh, std::uint32_t v) {
+void settle_vertex(const Boughs& limbs, const Nearby& near, float voxel, FusedMesh& mesh, std::uint32_t v) {
   Vec3 start = mesh.surface.position[v], at = start;
   FieldSample sample = sample_limbs(limbs, near, at);
   float most = kMost * voxel;
@@ -54,7 +54,7 @@ void settle_vertex(const Limbs& limbs, const Nearby& near, float voxel, FusedMes
 /// Settles the vertices of a range; those in one place share what is near it.
 class Settler {
  public:
-  Settler(const Limbs& limbs, const Blocks& blocks, FusedMesh& mesh)
+  Settler(const Boughs& limbs, const Blocks& blocks, FusedMesh& mesh)
       : limbs_(limbs), blocks_(blocks), mesh_(mesh) {}
 
   void settle(std::size_t from, std::size_t to) {
@@ -93,7 +93,7 @@ class Settler {
                 kMargin * voxel, to);
   }
 
-  const Limbs& limbs_;
+  const Boughs& limbs_;
   const Blocks& blocks_;
   FusedMesh& mesh_;
   Nearby listed_, part_, near_;
@@ -101,7 +101,7 @@ class Settler {
 
 }  // namespace
 
-void settle(const Limbs& limbs, const Blocks& blocks, FusedMesh& mesh) {
+void settle(const Boughs& limbs, const Blocks& blocks, FusedMesh& mesh) {
   std::size_t count = mesh.surface.position.size(), parts = count / kPartVertices + 1;
   mesh.surface.normal.assign(count, Vec3(0, 1, 0));
   mesh.node.assign(count, 0);

@@ -56,7 +56,7 @@ struct Filled {
   bool inside = false;
 };
 
-Filled leaf_of(const Limbs& limbs, const Blocks& blocks, const FoundBlock& found) {
+Filled leaf_of(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found) {
   std::array<float, kBlockVoxels> distance;
   Filling filling = fill_block(limbs, blocks, found, distance);
   if (filling != Filling::crossed) return {nullptr, filling == Filling::inside};
@@ -71,7 +71,7 @@ Filled leaf_of(const Limbs& limbs, const Blocks& blocks, const FoundBlock& found
   return {std::move(leaf), false};
 }
 
-Volume fill_volume(const Limbs& limbs, const Blocks& blocks) {
+Volume fill_volume(const Boughs& limbs, const Blocks& blocks) {
   prepare();
   auto grid = openvdb::FloatGrid::create(blocks.band);
   grid->setName(kName);
@@ -122,14 +122,14 @@ Surface contour(const openvdb::FloatGrid& grid, double adaptivity) {
 
 }  // namespace
 
-VolumeForecast foresee_volume(const Limbs& limbs, double voxel) {
+VolumeForecast foresee_volume(const Boughs& limbs, double voxel) {
   VolumeForecast forecast;
   forecast.blocks = count_blocks(limbs, voxel, kBand);
   forecast.bytes = forecast.blocks * kBytesABlock;
   return forecast;
 }
 
-Errors refuse_volume(const Limbs& limbs, const VolumeOptions& options) {
+Errors refuse_volume(const Boughs& limbs, const VolumeOptions& options) {
   VolumeForecast forecast = foresee_volume(limbs, options.voxel);
   if (forecast.bytes > options.limit) {
     double enough = options.voxel * std::sqrt(forecast.bytes / options.limit) * 1.05;
@@ -148,7 +148,7 @@ std::uint64_t Volume::active_voxels() const { return grid_->level_set->activeVox
 std::uint64_t Volume::bytes() const { return grid_->level_set->memUsage(); }
 float Volume::at(Cell cell) const { return grid_->level_set->tree().getValue(coord(cell)); }
 
-Result<Volume> volume_of(const Limbs& limbs, const VolumeOptions& options) {
+Result<Volume> volume_of(const Boughs& limbs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<Volume> {
     auto voxel = static_cast<float>(options.voxel);
@@ -164,7 +164,7 @@ Result<Surface> mesh_of(const Volume& volume, double adaptivity) {
   });
 }
 
-Result<FusedMesh> fuse(const Limbs& limbs, const VolumeOptions& options) {
+Result<FusedMesh> fuse(const Boughs& limbs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<FusedMesh> {
     auto voxel = static_cast<float>(options.voxel);

@@ -22,11 +22,11 @@ struct VolumeForecast {
   double bytes = 0;   ///< of memory, with the mesh
 };
 
-VolumeForecast foresee_volume(const Limbs& limbs, double voxel);
+VolumeForecast foresee_volume(const Boughs& limbs, double voxel);
 
 /// Empty, or why the volume is not made: it would pass the limit (with the figure and a voxel that would do),
 /// or its voxels are too small for where it lies. Nothing large is allocated to find out.
-Errors refuse_volume(const Limbs& limbs, const VolumeOptions& options);
+Errors refuse_volume(const Boughs& limbs, const VolumeOptions& options);
 
 /// A level set: distances from a surface in a narrow band of three voxels to both sides. Holds an OpenVDB
 /// grid.
@@ -49,7 +49,7 @@ class Volume {
 };
 
 /// The body of the limbs as a level set, its voxels in world space. The same bytes at any number of threads.
-Result<Volume> volume_of(const Limbs& limbs, const VolumeOptions& options);
+Result<Volume> volume_of(const Boughs& limbs, const VolumeOptions& options);
 
 /// A mesh of branches that have grown together.
 struct FusedMesh {
@@ -60,7 +60,7 @@ struct FusedMesh {
 
 /// The body of the limbs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as OpenVDB's
 /// VolumeToMesh does it), the vertices then moved onto the exact surface of the limbs.
-Result<FusedMesh> fuse(const Limbs& limbs, const VolumeOptions& options);
+Result<FusedMesh> fuse(const Boughs& limbs, const VolumeOptions& options);
 
 /// The zero surface of a volume as a mesh, normals from its triangles.
 Result<Surface> mesh_of(const Volume& volume, double adaptivity);

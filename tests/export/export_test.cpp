@@ -20,8 +20,7 @@ using nlohmann::json;
 
 /// A coral, a small plant with leaves and a wall; `body` stands in their defaults.
 Scene garden(const std::string& style = R"("sweeps")") {
-  std::string text =
-      R"({"seed": 3, "film": {"frames": 24, "fps": 12}, "defaults": {"body": )" + style + R"(},
+  std::string text = R"({"seed": 3, "film": {"frames": 24, "fps": 12}, "defaults": {"body": )" + style + R"(},
     "organisms": [
       {"kind": "coral", "name": "red \"coral\"", "steps": 2, "height": 0.5, "growth": {"duration": 1},
        "place": {"at": [[0, 0]]}},

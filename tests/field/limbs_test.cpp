@@ -18,7 +18,7 @@ Skeleton fork(double angle, float radius = 0.1f) {
   return s;
 }
 
-FieldSample sample(const Limbs& limbs, Vec3 at) { return sample_limbs(limbs, all_of(limbs), at); }
+FieldSample sample(const Boughs& limbs, Vec3 at) { return sample_limbs(limbs, all_of(limbs), at); }
 
 TEST(Cone, distance_is_that_to_the_spheres_it_is_the_hull_of) {
   Cone cone = make_cone({0, 0, 0}, 0.5f, {2, 1, 0}, 0.2f, 0);
@@ -40,8 +40,8 @@ TEST(Cone, that_holds_its_other_end_is_a_ball) {
   EXPECT_NEAR(distance(cone, {0, -0.4f, 0}), 0.1f, 1e-6);
 }
 
-TEST(Limbs, a_fork_has_a_fillet_in_its_crotch_only) {
-  Limbs sharp = limbs_of(fork(radians(40.0)), 0), round = limbs_of(fork(radians(40.0)), 1);
+TEST(Boughs, a_fork_has_a_fillet_in_its_crotch_only) {
+  Boughs sharp = limbs_of(fork(radians(40.0)), 0), round = limbs_of(fork(radians(40.0)), 1);
   // The crotch: where the surfaces of both arms meet above the fork.
   Vec3 crotch(0, 0.1f / static_cast<float>(std::sin(radians(40.0))), 0);
   EXPECT_NEAR(sample(sharp, crotch).distance, 0, 1e-4);
@@ -52,8 +52,8 @@ TEST(Limbs, a_fork_has_a_fillet_in_its_crotch_only) {
   EXPECT_GT(sample(round, {0, 0, 0.1f}).distance, -0.006f);
 }
 
-TEST(Limbs, fillets_do_not_depend_on_the_order_of_branches) {
-  Limbs one = limbs_of(fork(radians(30.0)), 1), other = limbs_of(fork(radians(-30.0)), 1);
+TEST(Boughs, fillets_do_not_depend_on_the_order_of_branches) {
+  Boughs one = limbs_of(fork(radians(30.0)), 1), other = limbs_of(fork(radians(-30.0)), 1);
   for (int i = 0; i < 200; ++i) {
     Seed seed = Seed{2}.child(static_cast<std::uint64_t>(i));
     Vec3 at(seed.child(0).range(-0.4, 0.4), seed.child(1).range(-0.3, 0.6), seed.child(2).range(-0.2, 0.2));
@@ -61,19 +61,19 @@ TEST(Limbs, fillets_do_not_depend_on_the_order_of_branches) {
   }
 }
 
-TEST(Limbs, strangers_that_pass_each_other_have_no_fillet) {
+TEST(Boughs, strangers_that_pass_each_other_have_no_fillet) {
   Skeleton s;
   s.add({-1, 0, 0}, 0.1f, Skeleton::kRoot, 0);
   s.add({1, 0, 0}, 0.1f, 0, 0);
   s.add({0, -1, 0.1f}, 0.1f, Skeleton::kRoot, 0);
   s.add({0, 1, 0.1f}, 0.1f, 2, 0);
-  Limbs limbs = limbs_of(s, 2);
+  Boughs limbs = limbs_of(s, 2);
   EXPECT_TRUE(limbs.forks.forks.empty());
   Vec3 at(0.1f, 0.1f, 0.05f);
   EXPECT_EQ(sample(limbs, at).distance, std::min(distance(limbs.cones[0], at), distance(limbs.cones[1], at)));
 }
 
-TEST(Limbs, bends_of_an_arm_leave_no_step) {
+TEST(Boughs, bends_of_an_arm_leave_no_step) {
   // A fork whose one arm bends sharply back over the other: across the bend its direction turns.
   Skeleton s;
   s.add({0, -1, 0}, 0.1f, Skeleton::kRoot, 0);
@@ -81,7 +81,7 @@ TEST(Limbs, bends_of_an_arm_leave_no_step) {
   s.add({0, 1, 0}, 0.1f, 1, 0);
   s.add({0.25f, 0.1f, 0}, 0.1f, 1, 1);
   s.add({0.3f, 0.5f, 0}, 0.1f, 3, 1);
-  Limbs limbs = limbs_of(s, 1.5f);
+  Boughs limbs = limbs_of(s, 1.5f);
   for (int i = 0; i < 20000; ++i) {
     Seed seed = Seed{5}.child(static_cast<std::uint64_t>(i));
     Vec3 at(seed.child(0).range(0, 0.4), seed.child(1).range(-0.1, 0.6), seed.child(2).range(-0.15, 0.15));
@@ -91,9 +91,9 @@ TEST(Limbs, bends_of_an_arm_leave_no_step) {
   }
 }
 
-TEST(Limbs, the_field_is_continuous_and_its_normal_is_its_slope) {
+TEST(Boughs, the_field_is_continuous_and_its_normal_is_its_slope) {
   Skeleton s = test_coral(3, 0.06);
-  Limbs limbs = limbs_of(s, 1);
+  Boughs limbs = limbs_of(s, 1);
   int astray = 0;
   for (int i = 0; i < 500; ++i) {
     Seed seed = Seed{3}.child(static_cast<std::uint64_t>(i));
