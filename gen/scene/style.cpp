@@ -31,8 +31,10 @@ Errors take_style(Branches& b, const Style& style) {
 }  // namespace
 
 Errors take_styles(Scene& scene, const Preset& preset) {
-  for (Branches& b : scene.branches)
+  for (Branches& b : scene.branches) {
+    if (b.entry >= preset.organisms.size()) continue;  // of the setting itself
     if (Errors errors = take_style(b, preset.organisms[b.entry].style); !errors.empty()) return errors;
+  }
   return {};
 }
 
