@@ -160,7 +160,7 @@ std::string sweeps_text(const PovSpace& space, const Branches& b, const Pose& po
 Result<std::string> branches_text(const PovSpace& space, const Branches& b, std::size_t index, double time) {
   if (!b.skin && !b.bark) return std::string();
   Pose pose;
-  pose_skeleton(b.rest, b.motion, time, pose);
+  pose_branches(b, time, pose);
   Result<std::string> body = std::string();
   if (b.coat && b.style.build == Build::sweeps) {
     body = coat_text(space, b, pose);
@@ -175,7 +175,7 @@ Result<std::string> branches_text(const PovSpace& space, const Branches& b, std:
     }
   }
   if (!body) return body;
-  std::string foliage = foliage_text(space, b, pose), text;
+  std::string foliage = foliage_text(space, b, pose, time), text;
   if (body->empty() && foliage.empty()) return text;
   append_comment(text, b.name);
   return text + *body + foliage;

@@ -12,9 +12,10 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kShades = 3;  // of each colour, so that leaves differ
+constexpr std::size_t kSteps = 8;   // from the colour of a bud to that of the leaf
 
-constexpr const char* kTissueMacros[] = {"Plant_Leaf", "Plant_Petal", "Plant_Heart", "Plant_Fruit",
-                                         "Plant_Fruit"};
+constexpr const char* kTissueMacros[] = {"Plant_Leaf",  "Plant_Petal", "Plant_Heart",
+                                         "Plant_Fruit", "Plant_Fruit", "Ivy_Leaf"};
 
 void append_index(std::string& text, std::size_t index) {
   append_integer(text, static_cast<long long>(index));
@@ -47,7 +48,27 @@ void append_tissue(std::string& text, Tissue tissue, const Color& color, const C
   text += ',';
   append_index(text, shade);
   text += ")}";
+  if (tissue != Tissue::ivy) return;
+  text += "interior_texture{Ivy_Under(";
+  append_color(text, color);
+  text += ',';
+  append_color(text, second);
+  text += ',';
+  append_index(text, shade);
+  text += ")}";
 }
+
+/// The colour of an organ that has come `step` of kSteps on its way from the bud.
+Color unfolding_color(const Prototype& prototype, std::size_t color, std::size_t step) {
+  const Color& last = prototype.colors[color];
+  if (!prototype.bud) return last;
+  float share = static_cast<float>(step + 1) / static_cast<float>(kSteps);
+  auto mix = [&](float from, float to) { return from + (to - from) * share; };
+  return {mix(prototype.bud->red, last.red), mix(prototype.bud->green, last.green),
+          mix(prototype.bud->blue, last.blue)};
+}
+
+std::size_t steps_of(const Prototype& prototype) { return prototype.bud ? kSteps : 1; }
 
 /// `texture{Tree_Leaf("leaf_0.png", shade)}`
 void append_picture(std::string& text, std::string_view name, std::size_t shade) {
@@ -61,7 +82,7 @@ void append_picture(std::string& text, std::string_view name, std::size_t shade)
 std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
 
 void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
-                      std::size_t i, float size) {
+                      std::size_t i, float size, double time) {
   const Organs& o = b.organs;
   Quat turn = carried_turn(pose, o.node[i]) * o.turn[i];
   if (pose.flutter > 0) {
@@ -69,35 +90,43 @@ void append_placement(std::string& text, const PovSpace& space, const Branches& 
     turn = turn * glm::angleAxis(pose.flutter * std::sin(phase), Vec3(1, 0, 0)) *
            glm::angleAxis(0.7f * pose.flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
   }
+  if (!o.supple.empty())
+    turn =
+        turn * fluttering(b.motion.flutter, b.motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
   glm::mat3 frame = glm::mat3_cast(turn);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
   append_matrix(text, space, frame, carried(b.rest, pose, o.node[i], o.position[i]));
   text += "}\n";
 }
 
-std::string organs_text(const PovSpace& space, const Branches& b, const Pose& pose) {
-  // Buckets by prototype, colour and shade; each line is written once and used by all parts.
+std::string organs_text(const PovSpace& space, const Branches& b, const Pose& pose, double time) {
+  // Buckets by prototype, colour, step of unfolding and shade; each line is written once and used by all
+  // parts.
   std::vector<std::size_t> start;
   std::size_t count = 0;
   for (const Prototype& p : b.prototypes) {
     start.push_back(count);
-    count += p.colors.size() * kShades;
+    count += p.colors.size() * steps_of(p) * kShades;
   }
   std::vector<std::string> buckets(count);
   for (std::size_t i = 0; i < b.organs.size(); ++i) {
-    float size = unfolded(b.organs.birth[i], pose.front, b.motion.growth.ripen);
+    float size = unfolded(b.organs.birth[i], pose.front, unfold_time(b.motion));
     if (size < kUnfoldedLeast) continue;
-    std::size_t which = b.organs.prototype[i];
+    std::size_t which = b.organs.prototype[i], steps = steps_of(b.prototypes[which]);
     std::size_t color = wrapped(b.organs.color[i], b.prototypes[which].colors.size());
-    append_placement(buckets[start[which] + color * kShades + shade_of(b.organs.id[i])], space, b, pose, i,
-                     size);
+    // Colour lags behind size: a leaf is fully grown before it is dark.
+    auto step = std::min(static_cast<std::size_t>(size * size * static_cast<float>(steps)), steps - 1);
+    std::size_t bucket = (color * steps + step) * kShades + shade_of(b.organs.id[i]);
+    append_placement(buckets[start[which] + bucket], space, b, pose, i, size, time);
   }
   std::string text;
   for (std::size_t p = 0; p < b.prototypes.size(); ++p) {
     const Prototype& prototype = b.prototypes[p];
-    for (std::size_t k = 0; k < prototype.colors.size() * kShades; ++k) {
+    std::size_t steps = steps_of(prototype);
+    for (std::size_t k = 0; k < prototype.colors.size() * steps * kShades; ++k) {
       const std::string& lines = buckets[start[p] + k];
       if (lines.empty()) continue;
+      Color color = unfolding_color(prototype, k / kShades / steps, k / kShades % steps);
       for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
         text += group_opening(lines);
         for (std::size_t from = 0; from < lines.size();) {
@@ -109,10 +138,9 @@ std::string organs_text(const PovSpace& space, const Branches& b, const Pose& po
           from = to;
         }
         if (!prototype.parts[part].pictures.empty())
-          append_picture(text, prototype.parts[part].pictures[k / kShades], k % kShades);
+          append_picture(text, prototype.parts[part].pictures[k / kShades / steps], k % kShades);
         else
-          append_tissue(text, prototype.parts[part].tissue, prototype.colors[k / kShades], prototype.second,
-                        k % kShades);
+          append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kShades);
         text += "}\n";
       }
     }
@@ -200,9 +228,9 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-std::string foliage_text(const PovSpace& space, const Branches& b, const Pose& pose) {
+std::string foliage_text(const PovSpace& space, const Branches& b, const Pose& pose, double time) {
   if (b.organs.size() == 0 && b.blades.size() == 0) return {};
-  return organs_text(space, b, pose) + blades_text(space, b, pose);
+  return organs_text(space, b, pose, time) + blades_text(space, b, pose);
 }
 
 }  // namespace frond

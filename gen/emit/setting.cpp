@@ -200,6 +200,9 @@ std::string includes_text(const Scene& scene) {
   if (std::any_of(scene.branches.begin(), scene.branches.end(),
                   [](const Branches& b) { return b.style.build == Build::voxels; }))
     include("voxel");
+  if (std::any_of(scene.branches.begin(), scene.branches.end(),
+                  [](const Branches& b) { return b.creeper.has_value(); }))
+    include("ivy");
   for (std::string_view name : solid_includes(scene)) include(name);
   return text;
 }

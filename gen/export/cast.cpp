@@ -48,7 +48,7 @@ class Caster {
   Caster(Cast& cast, const Branches& b, std::size_t index, double time, const CastOptions& options)
       : cast_(cast), b_(b), options_(options) {
     name_ = fmt::format("{}_{}", plain_name(b.name, "organism"), index);
-    pose_skeleton(b.rest, b.motion, time, pose_);
+    pose_branches(b, time, pose_);
   }
 
   Errors add() {
@@ -142,7 +142,7 @@ class Caster {
     // One mesh for each part and colour of a prototype that is there, placed as often as it occurs.
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> meshes;
     for (std::size_t i = 0; i < b_.organs.size(); ++i) {
-      float size = unfolded(b_.organs.birth[i], pose_.front, b_.motion.growth.ripen);
+      float size = unfolded(b_.organs.birth[i], pose_.front, unfold_time(b_.motion));
       if (size < kUnfoldedLeast) continue;
       std::size_t which = b_.organs.prototype[i];
       const Prototype& prototype = b_.prototypes[which];
@@ -164,7 +164,7 @@ class Caster {
     const Prototype& prototype = b_.prototypes[which];
     const OrganPart& shape = prototype.parts[part];
     Color paint = shape.tissue == Tissue::heart ? prototype.second : prototype.colors[color];
-    bool leaf = shape.tissue == Tissue::leaf || shape.tissue == Tissue::petal;
+    bool leaf = shape.tissue == Tissue::leaf || shape.tissue == Tissue::petal || shape.tissue == Tissue::ivy;
     std::string name = fmt::format("{}_{}_{}_{}", plain_name(prototype.name, "organ"), which, color, part);
     cast_.meshes.push_back({name_ + '_' + name, shape.surface, material(name, paint, 0.2, leaf)});
     return cast_.meshes.size() - 1;

@@ -86,7 +86,7 @@ Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& o
     const Branches& b = organism.develops() ? stage : organism;
     if (b.rest.size() < 2 || (!b.skin && !b.bark)) continue;
     Pose pose;
-    pose_skeleton(b.rest, b.motion, time, pose);
+    pose_branches(b, time, pose);
     add_limbs(limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend),
               first_node);
     first_node += static_cast<std::int32_t>(b.rest.size());

@@ -121,7 +121,8 @@ std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<cons
       // 0, then to one side and the other, farther each time.
       double share = turns > 1 ? ((t + 1) / 2) * (t % 2 ? 1.0 : -1.0) / (turns / 2) : 0;
       Quat turn = preferred * glm::angleAxis(static_cast<float>(options.swing * share), Vec3(0, 0, 1));
-      for (std::uint32_t f = site.first; f < site.first + site.forms && least > 0; ++f) {
+      for (std::uint32_t k = 0; k < site.forms && least > 0; ++k) {
+        std::uint32_t f = site.first + (site.prefer + k) % site.forms;
         float area = 0, covered = 0;
         for (const Disc& disc : forms[f].discs) {
           Disc own = placed(disc, site, turn);

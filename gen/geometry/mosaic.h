@@ -24,11 +24,12 @@ struct LeafForm {
 /// Where a leaf may grow. Metres.
 struct LeafSite {
   Vec3 foot{0};
-  Vec3 normal{0, 0, 1};     ///< that the upper side would best have: to the light, away from the wall
-  Vec3 tip{0, -1, 0};       ///< where it would best point; need not be tangent
-  float size = 0.05f;       ///< metres, of one unit of the form
-  std::uint32_t first = 0;  ///< of the forms to choose from
-  std::uint32_t forms = 1;  ///< how many of them
+  Vec3 normal{0, 0, 1};      ///< that the upper side would best have: to the light, away from the wall
+  Vec3 tip{0, -1, 0};        ///< where it would best point; need not be tangent
+  float size = 0.05f;        ///< metres, of one unit of the form
+  std::uint32_t first = 0;   ///< of the forms to choose from
+  std::uint32_t forms = 1;   ///< how many of them
+  std::uint32_t prefer = 0;  ///< which of them is tried first
 };
 
 /// A leaf in its place.

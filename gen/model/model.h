@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "model/skeleton.h"
 #include "model/solid.h"
 #include "model/surface.h"
@@ -7,7 +9,7 @@
 namespace frond {
 
 /// What a part of an organ is made of.
-enum class Tissue { leaf, petal, heart, fruit, skin };
+enum class Tissue { leaf, petal, heart, fruit, skin, ivy };
 
 /// A part of an organ that has one texture.
 struct OrganPart {
@@ -24,6 +26,7 @@ struct Prototype {
   std::vector<OrganPart> parts;
   std::vector<Color> colors;  ///< the turtle's colour index picks one, round and round; at least one
   Color second;               ///< of what differs from the rest: the heart of a flower, the veins of a leaf
+  std::optional<Color> bud = {};  ///< what the colours go over from while the organ unfolds; none: they stay
 };
 
 /// Leaves, flowers, berries: one entry an organ. Metres.
@@ -35,7 +38,9 @@ struct Organs {
   std::vector<std::int32_t> node;  ///< of the skeleton that it rides on, or Skeleton::kRoot
   std::vector<float> birth;        ///< 0..1, as that of a node
   std::vector<std::int32_t> color;
-  std::vector<std::uint32_t> id;  ///< by which single ones differ in shade
+  std::vector<std::uint32_t> id;  ///< by which single ones differ in shade and flutter
+  std::vector<float>
+      supple;  ///< how readily each flutters, about the length of its stalk over 5 cm; empty: not
 
   std::size_t size() const { return position.size(); }
   void reserve(std::size_t count);

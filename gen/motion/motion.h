@@ -34,12 +34,22 @@ struct Food {
   Animated<Vec3> position{Vec3(0, 1, 0)};
 };
 
+/// Leaves that tremble on their stalks in gusts of wind.
+struct Flutter {
+  double amplitude = 0;        ///< radians, of a leaf with a stalk of 5 cm in a gust
+  double speed = 1.6;          ///< swings a second, about; single leaves differ
+  double gust = 2.5;           ///< metres from gust to gust
+  Vec3 direction{1, 0, 0.3f};  ///< in which gusts travel; its vertical part is ignored
+};
+
 struct Motion {
   Growth growth;
   Wave wave;
   Food food;
   double film_length = 1;  ///< seconds; what `loop` refers to
   bool limbs = false;      ///< each limb swings about its own base, as trees do, and leaves flutter
+  Flutter flutter = {};
+  double unfold = 0;  ///< share of the growth in which a leaf unfolds; 0: as long as a place ripens
 };
 
 /// A skeleton at one time, node by node. Nodes that growth has not reached lie where the growing tip of their

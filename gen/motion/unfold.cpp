@@ -1,6 +1,9 @@
 #include "motion/unfold.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/seed.h"
 
 namespace frond {
 
@@ -35,6 +38,26 @@ Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& all, 
     }
   }
   return s;
+}
+
+Quat fluttering(const Flutter& flutter, double film_length, double time, Vec3 place, std::uint32_t id,
+                float supple) {
+  if (flutter.amplitude <= 0 || supple <= 0 || film_length <= 0) return Quat(1, 0, 0, 0);
+  Seed own = Seed{id}.child("flutter");
+  auto swing = [&](double speed, double phase) {
+    double whole = std::max(1.0, std::round(speed * film_length));
+    return std::sin(2 * kPi * whole * time / film_length + phase);
+  };
+  Vec3 flat(flutter.direction.x, 0, flutter.direction.z);
+  if (glm::dot(flat, flat) > 0) flat = glm::normalize(flat);
+  double lag = 2 * kPi * glm::dot(flat, place) / flutter.gust;
+  double gust = 0.5 + 0.35 * swing(0.3, -lag) + 0.15 * swing(0.55, 2 - 1.7 * lag);
+  double most = flutter.amplitude * std::min(supple, 2.0f) * gust;
+  double speed = flutter.speed * own.child(0).range(0.8, 1.25);
+  double nod = 0.6 * most * swing(speed, own.child(1).range(0, 2 * kPi));
+  double twist = most * swing(1.37 * speed, own.child(2).range(0, 2 * kPi));
+  return glm::angleAxis(static_cast<float>(nod), Vec3(1, 0, 0)) *
+         glm::angleAxis(static_cast<float>(twist), Vec3(0, 1, 0));
 }
 
 }  // namespace frond

@@ -13,6 +13,16 @@ float unfolded(float birth, float front, double ripen);
 
 inline constexpr float kUnfoldedLeast = 0.02f;  ///< share of its size below which an organ is not shown yet
 
+/// The share of the growth in which a leaf unfolds.
+inline double unfold_time(const Motion& motion) {
+  return motion.unfold > 0 ? motion.unfold : motion.growth.ripen;
+}
+
+/// The turn, about axes of its own, by which a leaf at a place trembles on its stalk. Over the film it swings
+/// a whole number of times, so that the film can be repeated. Each `id` has speeds and phases of its own.
+Quat fluttering(const Flutter& flutter, double film_length, double time, Vec3 place, std::uint32_t id,
+                float supple);
+
 /// A place on the rest shape that rides on a node, where the pose has taken it.
 inline Vec3 carried(const Skeleton& rest, const Pose& pose, std::int32_t node, Vec3 at) {
   return node == Skeleton::kRoot ? at : pose.position[node] + pose.turn[node] * (at - rest.position[node]);

@@ -4,6 +4,7 @@
 #include "organisms/describe_garden.h"
 #include "organisms/describe_guide.h"
 #include "organisms/describe_host.h"
+#include "organisms/describe_ivy.h"
 #include "organisms/describe_plant.h"
 #include "organisms/describe_tree.h"
 #include "organisms/organism.h"
@@ -130,12 +131,12 @@ void describe(Visitor& v, Tropism& t) {
 }
 
 /// Where a grammar's turtle starts, as presets group it.
-struct Start {
+struct TurtleStart {
   DVec3 position, heading;
 };
 
 template <class Visitor>
-void describe(Visitor& v, Start& s) {
+void describe(Visitor& v, TurtleStart& s) {
   v.vector("position", s.position, "Its place");
   v.vector("heading", s.heading, "Where it looks");
 }
@@ -177,7 +178,7 @@ void describe(Visitor& v, GrammarText& g) {
   v.object("tropism", tropism, "What branches turn toward as they grow");
   g.tropism = tropism.vector;
   g.elasticity = tropism.elasticity;
-  Start start{g.start, g.start_heading};
+  TurtleStart start{g.start, g.start_heading};
   v.object("start", start, "Where the turtle starts");
   g.start = start.position;
   g.start_heading = start.heading;
@@ -260,6 +261,7 @@ inline constexpr Kind<Organism> kOrganismKinds[] = {
     make_kind<WeberPennParams, &Organism::body>("weber_penn", "A tree by the parameters of Weber and Penn"),
     make_kind<ColonizedParams, &Organism::body>("colonized", "A tree that fills an envelope"),
     make_kind<TreeParams, &Organism::body>("tree",
-                                           "A tree that fights for light; all of a scene grow together")};
+                                           "A tree that fights for light; all of a scene grow together"),
+    make_kind<IvyParams, &Organism::body>("ivy", "Ivy that creeps over other bodies")};
 
 }  // namespace frond

@@ -24,6 +24,7 @@ struct Grow {
   Result<Model> operator()(const WeberPennParams& params) const { return grow_weber_penn_tree(params, seed); }
   Result<Model> operator()(const ColonizedParams& params) const { return grow_colonized_tree(params, seed); }
   Result<Model> operator()(const TreeParams& params) const { return grow_tree(params, seed); }
+  Result<Model> operator()(const IvyParams&) const { return Error{"", "ivy grows on other bodies"}; }
 };
 
 struct Check {
@@ -51,6 +52,7 @@ struct Check {
   }
   Errors operator()(const ColonizedParams& params) const { return check_colonized(params); }
   Errors operator()(const TreeParams&) const { return {}; }
+  Errors operator()(const IvyParams&) const { return {}; }
 };
 
 struct Foresee {
@@ -90,6 +92,8 @@ struct Foresee {
     double nodes = std::min<double>(2.0 * params.growth_into.attractors, params.growth_into.most_nodes);
     return Foresight{{}, nodes * params.smoothing};
   }
+  // How far ivy comes shows only on its host.
+  Result<Foresight> operator()(const IvyParams&) const { return Foresight{}; }
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "organisms/coral.h"
 #include "organisms/crown_tree.h"
 #include "organisms/host.h"
+#include "organisms/ivy.h"
 #include "organisms/plant.h"
 #include "organisms/style.h"
 #include "organisms/tree.h"
@@ -42,11 +43,12 @@ struct Organism {
   Place place;
   Style style;
   std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams, BridgeParams, VaseParams,
-               WeberPennParams, ColonizedParams, TreeParams>
+               WeberPennParams, ColonizedParams, TreeParams, IvyParams>
       body;
 };
 
-/// What an organism is made of at the end of its growth, with its foot at the origin.
+/// What an organism is made of at the end of its growth, with its foot at the origin. Ivy grows on others, by
+/// grow_ivy().
 Result<Model> grow(const Organism& organism, Seed seed);
 
 /// How large one of them will be.

@@ -85,6 +85,22 @@ void check_grammar(Organism& organism, const Value& written, std::size_t index, 
   }
 }
 
+/// Ivy that names what is not there, or what is no body.
+void check_hosts(const Preset& preset, const Value& root, Faults& faults) {
+  std::vector<std::string_view> names;
+  for (const Organism& organism : preset.organisms)
+    if (!organism.name.empty() && !std::holds_alternative<IvyParams>(organism.body))
+      names.push_back(organism.name);
+  for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
+    const auto* ivy = std::get_if<IvyParams>(&preset.organisms[i].body);
+    for (std::size_t k = 0; ivy && k < ivy->on.size(); ++k)
+      if (std::ranges::find(names, ivy->on[k]) == names.end())
+        faults.add(organism_fault(
+            merged_organism(root, i), i, fmt::format("/on/{}", k),
+            fmt::format("no organism \"{}\" to grow on{}", ivy->on[k], expected_names(ivy->on[k], names))));
+  }
+}
+
 /// What no picture can be made of although each value is one that may be.
 void check_stage(const Stage& stage, const Value& root, Faults& faults) {
   auto fault = [&](const char* pointer, const char* what) {
@@ -117,6 +133,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Faults faults;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i)
     check_grammar(preset->organisms[i], merged_organism(document->root, i), i, faults);
+  check_hosts(*preset, document->root, faults);
   check_stage(preset->stage, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
   return preset;

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/ground.h"
 #include "geometry/scatter.h"
+#include "scene/creep.h"
 #include "scene/grove.h"
 #include "scene/put.h"
 #include "scene/style.h"
@@ -41,7 +42,6 @@ struct Builder {
   std::vector<Stone> shapes;
   Scene scene;
   Heights heights;  // of the scene's floor
-
   /// How high the floor that is drawn lies there.
   float height(Vec2 at) const { return static_cast<float>(heights(at.x, at.y)); }
 };
@@ -52,7 +52,7 @@ std::vector<Planting> plantings(Builder& b) {
     const Organism& organism = b.preset.organisms[o];
     const Place& place = organism.place;
     Seed seed = b.seed.child("organism", o);
-    if (organism.count == 0) continue;
+    if (organism.count == 0 || std::holds_alternative<IvyParams>(organism.body)) continue;
     bool on_rock = b.preset.stage.setting == Setting::underwater;
     float room = static_cast<float>(std::max(place.spacing, on_rock ? place.rock / 2 : 0.0));
     std::vector<Spot> spots;
@@ -143,6 +143,7 @@ struct Dress {
     branches.motion = {params.growth, params.wave, {}, 1, true};
     vary(params.bark.variation);
   }
+  void operator()(const IvyParams&) {}
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
@@ -358,14 +359,12 @@ Result<Scene> build_scene(const Preset& preset) {
     b.scene.floor = ground_surface(b.ground, Vec2(0), kMeadowRadius, 110);
   if (preset.stage.setting == Setting::garden) lay_garden(b);
   b.heights = Heights(b.scene.floor);
-
   std::vector<Planting> list = plantings(b);
   if (preset.stage.setting == Setting::underwater) lay_stones(b);
   if (preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden) sow(b);
   gravel(b);
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
-
   std::vector<TreePlanting> trees;
   for (std::size_t i = 0; i < list.size(); ++i)
     if (grows_in_grove(list[i]))
@@ -393,6 +392,7 @@ Result<Scene> build_scene(const Preset& preset) {
     }
     b.scene.branches.push_back(std::move(**result));
   }
+  if (Errors errors = creep(preset, b.scene, b.heights); !errors.empty()) return errors;
   if (Errors errors = take_styles(b.scene, preset); !errors.empty()) return errors;
   return std::move(b.scene);
 }

@@ -8,6 +8,7 @@
 #include "geometry/plot.h"
 #include "geometry/stone.h"
 #include "geometry/turf.h"
+#include "growth/swing.h"
 #include "model/model.h"
 #include "motion/motion.h"
 #include "scene/preset.h"
@@ -29,6 +30,12 @@ struct TreeLife {
   GrownTree tree;
   int years = 0;  ///< of its grove
   Seed look;
+};
+
+/// How ivy that hangs swings in the wind.
+struct Creeper {
+  Strands strands;
+  Breeze breeze;
 };
 
 /// One grown organism, or built body, where it stands.
@@ -53,12 +60,16 @@ struct Branches {
   Solids solids;
   Surface hull;                          ///< what creepers hold on to where that is not the solids themselves
   std::vector<std::string> notes;        ///< of its grower
+  std::optional<Creeper> creeper;        ///< of ivy: what `rest` is, and where it holds on
   std::optional<Stages> stages;          ///< of what grows by steps; all else above is how it ends
   std::shared_ptr<const TreeLife> life;  ///< of a tree that grows in the film; as for `stages`
 
   /// Whether it is another shape in each frame; see developed().
   bool develops() const { return stages || life; }
 };
+
+/// The branches of an organism as they are at a time.
+void pose_branches(const Branches& branches, double time, Pose& pose);
 
 /// The organism as it is at a time: itself, or what its steps have come to by then, fully revealed.
 Result<Branches> developed(const Branches& branches, double time);

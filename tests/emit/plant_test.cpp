@@ -36,7 +36,7 @@ TEST(PlantText, WritesEachPartOfEachOrganOnce) {
   ASSERT_GT(herb.organs.size(), 5u);
   Pose pose;
   pose_skeleton(herb.rest, {}, 0, pose);
-  std::string text = foliage_text({}, herb, pose);
+  std::string text = foliage_text({}, herb, pose, 0);
   EXPECT_EQ(count(text, "object{Organ0_0_0 matrix<"), herb.organs.size());
   EXPECT_EQ(count(text, "object{Organ0_0_1 matrix<"), herb.organs.size());
   std::size_t faces = 0;

@@ -1,0 +1,151 @@
+#include "organisms/ivy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "motion/unfold.h"
+#include "organisms/host.h"
+
+namespace frond {
+namespace {
+
+Surface wall(double width = 2, double height = 1.6) {
+  WallShape shape;
+  shape.width = width, shape.height = height;
+  return build_wall(shape, Seed{1}).hull;
+}
+
+IvyParams small_ivy() {
+  IvyParams params;
+  params.crawl.max_age = 90;
+  params.facing = Vec3(0, 0, 1);
+  params.crawl.let_go = 0;
+  return params;
+}
+
+Ivy ivy_on_wall(const IvyParams& params, std::uint64_t seed = 1) {
+  Result<Ivy> ivy = grow_ivy(params, wall(), {}, 3, 0, Seed{seed});
+  if (!ivy) ADD_FAILURE() << ivy.errors().front().text();
+  return ivy ? std::move(*ivy) : Ivy{};
+}
+
+TEST(Ivy, IsAModelWithLeavesOnItsStrands) {
+  Ivy ivy = ivy_on_wall(small_ivy());
+  EXPECT_EQ(ivy.model.check(), "");
+  EXPECT_GT(ivy.strands.strands.size(), 5u);
+  ASSERT_GT(ivy.model.organs.size(), 100u);
+  const Organs& o = ivy.model.organs;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    // Each petiole stands on its node, and the blade lies off the wall's face and does not look into it.
+    EXPECT_LT(glm::distance(o.position[i], ivy.model.skeleton.position[o.node[i]]), 0.02f);
+    Vec3 n = ivy.strands.normal[o.node[i]];
+    EXPECT_GT(glm::dot(o.turn[i] * Vec3(0, 0, 1), n), 0.15f);
+  }
+  // The foot is bare.
+  for (std::size_t i = 0; i < o.size(); ++i)
+    EXPECT_GT(ivy.model.skeleton.distance[o.node[i]], 0.55 * IvyLeaves{}.bare);
+}
+
+TEST(Ivy, StandsWhereItIsPut) {
+  IvyParams params = small_ivy();
+  Result<Ivy> ivy = grow_ivy(params, wall(), {Vec3(0.5f, 0.05f, 0.4f)}, 1, 0, Seed{1});
+  ASSERT_TRUE(ivy.ok());
+  Vec3 root = ivy->model.skeleton.position[0];
+  EXPECT_NEAR(root.x, 0.5, 0.02);
+  EXPECT_NEAR(root.z, 0.12, 0.02);
+  for (const Vec3& p : ivy->model.skeleton.position) EXPECT_GT(p.y, -0.01f);
+}
+
+TEST(Ivy, RefusesWhatNothingHoldsOnTo) {
+  Result<Ivy> none = grow_ivy(small_ivy(), Surface{}, {}, 1, 0, Seed{1});
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.errors()[0].text().find("what the ivy grows on"), std::string::npos);
+}
+
+TEST(Ivy, SeedsDifferAndOneSeedDoesNot) {
+  Ivy a = ivy_on_wall(small_ivy()), b = ivy_on_wall(small_ivy()), c = ivy_on_wall(small_ivy(), 2);
+  EXPECT_EQ(a.model.skeleton.position, b.model.skeleton.position);
+  EXPECT_EQ(a.model.organs.position, b.model.organs.position);
+  EXPECT_NE(a.model.skeleton.position, c.model.skeleton.position);
+}
+
+TEST(Ivy, LeavesAreSmallerAndFresherNearTheTips) {
+  Ivy ivy = ivy_on_wall(small_ivy());
+  const Organs& o = ivy.model.organs;
+  double young = 0, old = 0, young_color = 0, old_color = 0;
+  int young_count = 0, old_count = 0;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    float to_tip = ivy.model.skeleton.to_tip[o.node[i]];
+    if (to_tip < 0.1f) young += o.scale[i].x, young_color += o.color[i], ++young_count;
+    if (to_tip > 0.4f) old += o.scale[i].x, old_color += o.color[i], ++old_count;
+  }
+  ASSERT_GT(young_count, 10);
+  ASSERT_GT(old_count, 10);
+  EXPECT_LT(young / young_count, 0.65 * old / old_count);
+  EXPECT_GT(young_color / young_count, old_color / old_count + 2);
+}
+
+TEST(Ivy, BearsLeavesOfAllAges) {
+  IvyParams params = small_ivy();
+  params.crawl.max_age = 160;
+  Ivy ivy = ivy_on_wall(params);
+  std::map<int, int> forms;  // six petioles each
+  for (std::uint16_t which : ivy.model.organs.prototype) ++forms[which / 6];
+  EXPECT_EQ(forms.size(), 4u);
+}
+
+TEST(Ivy, SprigsBearManyLeavesForFewPlacements) {
+  IvyParams params = small_ivy();
+  params.crawl.max_age = 160;
+  Ivy ivy = ivy_on_wall(params);
+  params.leaves.detail = IvyDetail::sprigs;
+  Model model;
+  model.skeleton = ivy.model.skeleton;
+  std::size_t leaves = add_ivy_leaves(model, ivy.strands, params.leaves, Seed{1});
+  EXPECT_EQ(model.check(), "");
+  EXPECT_GE(leaves, 6 * model.organs.size());
+  EXPECT_GT(leaves, ivy.model.organs.size() / 2);
+  // A leaf of a sprig is coarse: a few dozen triangles.
+  for (const Prototype& p : model.prototypes) EXPECT_LT(p.parts[0].surface.triangle.size(), 250u);
+}
+
+TEST(Ivy, DropsLeavesThatFindNoPlace) {
+  IvyParams params = small_ivy();
+  params.leaves.overlap = 0.05;
+  std::size_t placed = ivy_on_wall(params).model.organs.size();
+  params.leaves.overlap = 20;
+  EXPECT_LT(placed, 0.9 * static_cast<double>(ivy_on_wall(params).model.organs.size()));
+}
+
+TEST(Fluttering, RepeatsAndGrowsWithThePetiole) {
+  Flutter flutter;
+  flutter.amplitude = radians(10.0);
+  auto angle = [](const Quat& q) { return 2 * std::acos(std::min(1.0f, std::abs(q.w))); };
+  double longer = 0, shorter = 0, step = 0;
+  for (std::uint32_t id = 0; id < 40; ++id) {
+    Quat first = fluttering(flutter, 4, 0, Vec3(0.1f, 1, 0), id, 1), last = first;
+    EXPECT_LT(angle(glm::conjugate(first) * fluttering(flutter, 4, 4, Vec3(0.1f, 1, 0), id, 1)), 1e-3f);
+    for (int frame = 1; frame <= 96; ++frame) {
+      Quat now = fluttering(flutter, 4, frame / 24.0, Vec3(0.1f, 1, 0), id, 1);
+      longer += angle(now);
+      shorter += angle(fluttering(flutter, 4, frame / 24.0, Vec3(0.1f, 1, 0), id, 0.4f));
+      step = std::max<double>(step, angle(glm::conjugate(last) * now));
+      last = now;
+    }
+  }
+  EXPECT_NEAR(shorter / longer, 0.4, 0.02);
+  EXPECT_LT(step, radians(10.0)) << "from frame to frame";
+  EXPECT_GT(longer / (40 * 96), radians(1.0));
+  // Phases differ.
+  std::set<float> phases;
+  for (std::uint32_t id = 0; id < 40; ++id) phases.insert(fluttering(flutter, 4, 1, Vec3(0), id, 1).w);
+  EXPECT_GT(phases.size(), 30u);
+  flutter.amplitude = 0;
+  EXPECT_EQ(fluttering(flutter, 4, 1, Vec3(0), 1, 1), Quat(1, 0, 0, 0));
+}
+
+}  // namespace
+}  // namespace frond
