@@ -131,11 +131,7 @@ struct Dress {
     branches.motion = {params.growth, params.wave, {}, 1};
     vary(params.bark.variation);
   }
-  void operator()(const WallParams&) {}
-  void operator()(const ColumnParams&) {}
-  void operator()(const MeshParams&) {}
-  void operator()(const BridgeParams&) {}
-  void operator()(const VaseParams&) {}
+  void operator()(const auto&) {}  // bodies have neither; ivy dresses itself
   void operator()(const WeberPennParams& params) { vary(wear(branches, params)); }
   void operator()(const ColonizedParams& params) { vary(wear(branches, params)); }
   void operator()(const TreeParams& params) {
@@ -143,7 +139,6 @@ struct Dress {
     branches.motion = {params.growth, params.wave, {}, 1, true};
     vary(params.bark.variation);
   }
-  void operator()(const IvyParams&) {}
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
