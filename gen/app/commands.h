@@ -31,7 +31,7 @@ struct ExportArguments {
   std::string out;  ///< file to write; its extension says the format
   int frame = 1;
   int sides = 10;    ///< of the tubes that branches become
-  double voxel = 0;  ///< metres, of a volume; 0: the organisms' own
+  double voxel = 0;  ///< metres, of a volume; 0: as the organisms' bodies have it
   bool quiet = false;
 };
 

@@ -29,7 +29,12 @@ int export_scene(const ExportArguments& arguments) {
   if (!arguments.quiet && bytes > 0)
     fmt::print(stderr, "{}: up to about {:.2g} MB\n", arguments.out, bytes / 1e6);
   Result<bool> written = (*format)->write(*scene, film.time(arguments.frame), options, arguments.out);
-  return written ? kDone : fail(written.errors(), kCouldNot);
+  if (written) return kDone;
+  // What the disk says stands at a path; all else is what was asked for.
+  Errors errors = written.errors();
+  bool wrong = errors.front().where.empty();
+  if (wrong) errors.front().where = arguments.out;
+  return fail(errors, wrong ? kWrongInput : kCouldNot);
 }
 
 }  // namespace frond

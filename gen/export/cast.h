@@ -41,7 +41,7 @@ struct Cast {
 
 struct CastOptions {
   int sides = 10;    ///< of the tubes that branches become
-  double voxel = 0;  ///< metres, of a volume; 0: the least of the organisms' own
+  double voxel = 0;  ///< metres, of a volume; 0: the least of the fused organisms, or 1/400 of all
 };
 
 /// How large a cast is or will be, placements counted as often as they occur in `all_`.

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kVoxels = 400;  // along a volume that nothing says the voxel of
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
 Result<bool> write_obj(const Scene& scene, double time, const CastOptions& options, const fs::path& path) {
@@ -47,7 +48,7 @@ Result<bool> write_volume(const Scene& scene, double time, const CastOptions& op
 
 constexpr Format kFormats[] = {
     {".obj", "Wavefront OBJ, with an MTL file beside it",
-     [](const CastSize& s) { return 80 * s.all_vertices + 45 * s.all_triangles; }, kAny, write_obj},
+     [](const CastSize& s) { return 85 * s.all_vertices + 60 * s.all_triangles; }, kAny, write_obj},
     {".ply", "binary PLY with colours at the vertices",
      [](const CastSize& s) { return 35 * s.all_vertices + 13 * s.all_triangles; }, kAny, write_ply},
     {".glb", "binary glTF 2.0 with materials and instances",
@@ -76,6 +77,7 @@ Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& o
   Boughs limbs;
   VolumeOptions volume{options.voxel, 0, 0};
   std::int32_t first_node = 0;
+  Vec3 low(std::numeric_limits<float>::max()), high = -low;
   for (const Branches& organism : scene.branches) {
     Branches stage;
     if (organism.develops()) {
@@ -90,11 +92,13 @@ Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& o
     add_limbs(limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend),
               first_node);
     first_node += static_cast<std::int32_t>(b.rest.size());
-    if (options.voxel <= 0)
+    for (const Vec3& p : pose.position) low = glm::min(low, p), high = glm::max(high, p);
+    if (options.voxel <= 0 && b.style.build != Build::sweeps)
       volume.voxel = volume.voxel > 0 ? std::min(volume.voxel, b.style.voxel) : b.style.voxel;
     volume.limit = std::max(volume.limit, b.style.limit);
   }
   if (limbs.cones.empty()) return Error{"", "there are no branches at that frame to make a volume of"};
+  if (volume.voxel <= 0) volume.voxel = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) / kVoxels;
   return volume_of(limbs, volume);
 }
 

@@ -35,6 +35,7 @@ struct Faces {
     if (known[a]) return direction[a];
     known[a] = true;
     const Arm& arm = arms_of[a];
+    if (arm.last - arm.first == 1) return direction[a] = outward(limbs.cones[arms[a].cone], at);
     float span = kTurning * arm.width;
     Vec3 sum(0);
     for (std::uint32_t m = arm.first; m < arm.last; ++m) {
@@ -96,8 +97,17 @@ FieldSample sample_limbs(const Boughs& limbs, const Nearby& near, Vec3 at) {
   for (std::size_t f = 0; f < near.forks.size(); ++f) {
     std::array<Nearest, kMostArms> arms;
     std::size_t first = near.forks.forks[f].first, count = near.forks.forks[f].last - first;
-    for (std::size_t a = 0; a < count; ++a)
-      arms[a] = nearest_of(limbs, near.forks, near.forks.arms[first + a], at);
+    float least = kNone, second = kNone, width = 0;
+    for (std::size_t a = 0; a < count; ++a) {
+      const Arm& arm = near.forks.arms[first + a];
+      arms[a] = nearest_of(limbs, near.forks, arm, at);
+      second = std::min(second, std::max(arms[a].distance, least));
+      least = std::min(least, arms[a].distance);
+      width = std::max(width, arm.width);
+    }
+    // The cones alone say the same where no two arms are near each other, or the fork is farther than they
+    // are.
+    if (second - least >= width || least - fillet_reach(near.forks, f) >= best.distance) continue;
     FieldSample fork = blend_arms(limbs, near.forks, f, std::span(arms.data(), count), at, true);
     if (fork.distance >= best.distance) continue;
     best.distance = fork.distance, best.normal = fork.normal;

@@ -23,7 +23,8 @@ struct Volume::Grid {
 
 namespace {
 
-constexpr float kBand = 3;  // voxels to each side of the surface
+constexpr float kBand = 3;      // voxels to each side of the surface
+constexpr float kMeshBand = 2;  // what a mesh needs of them
 constexpr const char* kName = "surface";
 
 // Measured over corals of different kinds; see docs/volumes.md.
@@ -168,7 +169,7 @@ Result<FusedMesh> fuse(const Boughs& limbs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<FusedMesh> {
     auto voxel = static_cast<float>(options.voxel);
-    Blocks blocks = gather_blocks(limbs, voxel, kBand * voxel);
+    Blocks blocks = gather_blocks(limbs, voxel, kMeshBand * voxel);
     FusedMesh mesh;
     {
       Volume volume = fill_volume(limbs, blocks);
