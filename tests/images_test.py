@@ -10,9 +10,10 @@ frond, source = sys.argv[1], pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 64, 48
 
 
-def render(preset, frames, folder, quality="+A0.3"):
+def render(preset, frames, folder, quality="+A0.3", sets=()):
     """The frames of a preset as lists of (red, green, blue)."""
-    subprocess.run([frond, "generate", source / preset, "-o", folder, "-q"], check=True)
+    subprocess.run([frond, "generate", source / preset, "-o", folder, "-q"] + [w for s in sets for w in ("--set", s)],
+                   check=True)
     pictures = {}
     for frame in frames:
         scene = folder / "frames" / f"frame_{frame:04}.pov"
@@ -67,6 +68,17 @@ def main():
         good &= check("no black specks", black == 0, f"{black} pixels")
         red = [p for p in still if p[0] > p[2] + 40]
         good &= check("the coral stands out from the water and the sand", len(red) > 60, f"{len(red)} pixels")
+
+        # A rock as triangles and as POV-Ray's own isosurface are the same body.
+        for field in ("gaussian", "soft", "cubic"):
+            sets = [f"/organisms/0/field={field}"]
+            mesh = render("tests/presets/rock.json", [1], folder / field, sets=sets)[1]
+            native = render("tests/presets/rock.json", [1], folder / f"{field}_native",
+                            sets=sets + ["/organisms/0/native=true"])[1]
+            body = sum(1 for p in mesh if p[0] > p[2] + 25)
+            apart = sum(1 for p, q in zip(mesh, native) if (p[0] > p[2] + 25) != (q[0] > q[2] + 25))
+            good &= check(f"the {field} rock is there", 300 < body < WIDTH * HEIGHT / 2, f"{body} pixels")
+            good &= check("its isosurface is the same body", apart < 0.02 * body, f"{apart} pixels apart")
     return 0 if good else 1
 
 

@@ -33,7 +33,10 @@ constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"},
                                   {Matter::ceramic, "vessel", "Vessel_Ceramic"},
                                   {Matter::terracotta, "vessel", "Vessel_Terracotta"},
                                   {Matter::glass, "vessel", "Vessel_Glass", "Vessel_Glass_Inside"},
-                                  {Matter::soil, "vessel", "Vessel_Soil"}};
+                                  {Matter::soil, "vessel", "Vessel_Soil"},
+                                  {Matter::granite, "stone", "Stone_Granite"},
+                                  {Matter::karst, "stone", "Stone_Limestone"},
+                                  {Matter::basalt, "stone", "Stone_Basalt"}};
 
 const MatterRow& row_of(Matter matter) {
   return *std::find_if(std::begin(kMatters), std::end(kMatters),
@@ -93,6 +96,53 @@ void append_solid_name(std::string& text, std::size_t organism, std::size_t shap
   append_integer(text, static_cast<long long>(shape));
 }
 
+/// The field of a blob over q = d^2.
+std::string_view falloff_text(Falloff falloff) {
+  switch (falloff) {
+    case Falloff::gaussian:
+      return "exp(-R*Q)";
+    case Falloff::soft:
+      return "select(Q - R*R, 1 - 22*Q/(9*R*R) + 17*Q*Q/(9*pow(R, 4)) - 4*Q*Q*Q/(9*pow(R, 6)), 0)";
+    case Falloff::cubic:
+      return "pow(max(0, 1 - Q/(R*R)), 3)";
+  }
+  return {};
+}
+
+/// Appends an isosurface in the solid's own space, without a texture. The field stands mirrored in POV-Ray's.
+void append_isosurface(std::string& text, const PovSpace& space, const Isosurface& iso) {
+  text += "isosurface{\n#local F = function(Q, R) {";
+  text += falloff_text(iso.blobs.falloff);
+  text += "}\nfunction{";
+  append(text, iso.blobs.level, 9);
+  for (const Blob& blob : iso.blobs.blobs) {
+    text += "\n-F(";
+    for (int axis = 0; axis < 3; ++axis) {
+      text += axis == 0 ? "pow(x/" : axis == 1 ? "+pow(y/" : "+pow(-z/";
+      append(text, blob.radius[axis], 9);
+      text += "-(";
+      append(text, blob.center[axis], 9);
+      text += "),2)";
+    }
+    text += ',';
+    append(text, std::max(blob.radius.x, std::max(blob.radius.y, blob.radius.z)), 9);
+    text += ')';
+  }
+  text += "}\ncontained_by{box{<";
+  append_list(text, 6, iso.box.low.x, iso.box.low.y, -iso.box.high.z);
+  text += ">,<";
+  append_list(text, 6, iso.box.high.x, iso.box.high.y, -iso.box.low.z);
+  text += ">}} max_gradient ";
+  append(text, iso.steepest, 6);
+  text += " accuracy ";
+  append(text, 0.0001 * iso.box.size().y, 9);
+  text += "\ntranslate<";
+  append_list(text, 9, -iso.origin.x, -iso.origin.y, iso.origin.z);
+  text += "> scale ";
+  append(text, iso.unit * space.unit, 9);
+  text += '}';
+}
+
 void append_shape(std::string& text, const PovSpace& space, const Solids& solids, std::size_t organism,
                   std::size_t shape) {
   std::string lines;
@@ -103,7 +153,9 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
   text += "#declare ";
   append_solid_name(text, organism, shape);
   text += " = ";
-  if (solid.turned.empty())
+  if (solid.native)
+    append_isosurface(text, space, *solid.native);
+  else if (solid.turned.empty())
     append_mesh(text, space, solid.surface);
   else
     append_lathe(text, space, solid);

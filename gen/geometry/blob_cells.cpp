@@ -41,7 +41,7 @@ struct Cutter {
 
   Verdict judge(BlobCells::Cell& cell) const {
     Box box = cells.box(cell);
-    Range range = field_range(shape, box);
+    Interval range = field_range(shape, box);
     cell.clear = !range.holds(0);
     cell.inside = cell.clear ? range.low > 0 : in(box.middle());
     if (cell.clear) return cell.level < kCoarsest ? Verdict::split : Verdict::clear;

@@ -1,5 +1,6 @@
 #include "geometry/blobs.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
@@ -41,12 +42,12 @@ Fall fall(Falloff kind, double r, double q) {
 double largest(const DVec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
 
 /// Where a box lies on one axis of a blob, in radii from its middle.
-Range span(const Blob& blob, const Box& box, int axis) {
+Interval span(const Blob& blob, const Box& box, int axis) {
   return {box.low[axis] / blob.radius[axis] - blob.center[axis],
           box.high[axis] / blob.radius[axis] - blob.center[axis]};
 }
 
-Range distance2_range(const Blob& blob, const Box& box) {
+Interval distance2_range(const Blob& blob, const Box& box) {
   return squared(span(blob, box, 0)) + squared(span(blob, box, 1)) + squared(span(blob, box, 2));
 }
 
@@ -127,23 +128,23 @@ double field_curvature(const Blobs& shape, const DVec3& p) {
   return std::sqrt(sum) / steep;
 }
 
-Range field_range(const Blobs& shape, const Box& box) {
-  Range sum;
+Interval field_range(const Blobs& shape, const Box& box) {
+  Interval sum;
   for (const Blob& blob : shape.blobs) {
-    Range q = distance2_range(blob, box);
+    Interval q = distance2_range(blob, box);
     double r = largest(blob.radius);
-    sum = sum + Range{fall(shape.falloff, r, q.high).value, fall(shape.falloff, r, q.low).value};
+    sum = sum + Interval{fall(shape.falloff, r, q.high).value, fall(shape.falloff, r, q.low).value};
   }
   return widened(sum, kRounding) + -shape.level;
 }
 
-Range field_slope_range(const Blobs& shape, const Box& box, const DVec3& direction) {
-  Range sum;
+Interval field_slope_range(const Blobs& shape, const Box& box, const DVec3& direction) {
+  Interval sum;
   for (const Blob& blob : shape.blobs) {
-    Range q = distance2_range(blob, box);
+    Interval q = distance2_range(blob, box);
     double r = largest(blob.radius);
     // The slope of each falloff rises with q. How far one goes along the direction is linear in the place.
-    Range slope{fall(shape.falloff, r, q.low).slope, fall(shape.falloff, r, q.high).slope}, along;
+    Interval slope{fall(shape.falloff, r, q.low).slope, fall(shape.falloff, r, q.high).slope}, along;
     for (int i = 0; i < 3; ++i) along = along + span(blob, box, i) * (2 * direction[i] / blob.radius[i]);
     sum = sum + slope * along;
   }
@@ -162,6 +163,23 @@ Box field_bounds(const Blobs& shape) {
   Box found{all.high, all.low};
   if (!shape.blobs.empty()) collect(shape, all, kBoundSteps, found);
   return found.low.x > found.high.x || shape.blobs.empty() ? Box{} : found;
+}
+
+double field_steepest(const Blobs& shape, const Box& box) {
+  constexpr int kParts = 8;
+  double most = 0;
+  DVec3 width = box.size() / static_cast<double>(kParts);
+  for (int i = 0; i < kParts * kParts * kParts; ++i) {
+    DVec3 low = box.low + width * DVec3(i % kParts, i / kParts % kParts, i / kParts / kParts);
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      DVec3 along(0);
+      along[axis] = 1;
+      sum += squared(field_slope_range(shape, {low, low + width}, along)).high;
+    }
+    most = std::max(most, sum);
+  }
+  return std::sqrt(most);
 }
 
 std::vector<Blob> random_blobs(const BlobChance& chance, Seed seed) {

@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/vec.h"
+#include "model/implicit.h"
 #include "model/surface.h"
 
 namespace frond {
@@ -26,7 +28,10 @@ enum class Matter {
   ceramic,    ///< glazed; `scale` is the vessel's height, as for all that is turned
   terracotta,
   glass,
-  soil
+  soil,
+  granite,  ///< speckled, massive
+  karst,    ///< limestone as it grew: pale, banded and pitted
+  basalt,   ///< dark, fine and cracked
 };
 
 /// What is painted in a band.
@@ -48,7 +53,7 @@ struct Material {
   Color second{0.35f, 0.33f, 0.30f};  ///< of what differs from the rest: veins, joints, bands
   double scale = 0.2;                 ///< metres, size of the pattern, > 0
   double relief = 0.5;                ///< depth of the pattern
-  double moss = 0;                    ///< 0 none .. 1: how much grows on what faces upward
+  double moss = 0;                    ///< 0 none .. 1: how much moss, and lichen, grows on what faces upward
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
 };
@@ -60,6 +65,7 @@ struct Solid {
   /// The same body as cubic Bézier spans (radius, y) turned about the y axis, for a renderer that can; else
   /// empty.
   std::vector<std::array<glm::dvec2, 4>> turned{};
+  std::optional<Isosurface> native{};  ///< drawn in place of `surface`, which is still what it looks like
 };
 
 /// Bodies without branches: rocks, walls, vases. Each shape is held once and may be placed often. The
@@ -70,6 +76,8 @@ struct Solids {
   std::vector<Vec3> position;
   std::vector<Quat> turn;   ///< of length 1
   std::vector<Vec3> scale;  ///< along the shape's axes, each > 0
+  bool follow_ground =
+      false;  ///< each keeps its height above the ground below it, not above that of the foot
 
   std::size_t size() const { return position.size(); }
 

@@ -6,6 +6,7 @@
 #include "organisms/describe_host.h"
 #include "organisms/describe_ivy.h"
 #include "organisms/describe_plant.h"
+#include "organisms/describe_rock.h"
 #include "organisms/describe_tree.h"
 #include "organisms/organism.h"
 #include "preset/reader.h"
@@ -253,6 +254,8 @@ void describe(Visitor& v, Organism& o) {
 inline constexpr Kind<Organism> kOrganismKinds[] = {
     make_kind<CoralParams, &Organism::body>("coral", "A branching coral from an L-system"),
     make_kind<PlantParams, &Organism::body>("plant", "Anything that an L-system draws: herbs, trees, curves"),
+    make_kind<RockParams, &Organism::body>("rock", "A rock: blobs, weathered"),
+    make_kind<PebblesParams, &Organism::body>("pebbles", "Many small rocks that lie about"),
     make_kind<WallParams, &Organism::body>("wall", "A wall of bricks with windows and doors, or its ruin"),
     make_kind<ColumnParams, &Organism::body>("column", "A column of stone, whole or broken"),
     make_kind<MeshParams, &Organism::body>("mesh", "A body from an OBJ file"),

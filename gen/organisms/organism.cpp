@@ -15,6 +15,8 @@ struct Grow {
     model.skeleton = std::move(*skeleton);
     return model;
   }
+  Result<Model> operator()(const RockParams& params) const { return build_rock(params, seed); }
+  Result<Model> operator()(const PebblesParams& params) const { return build_pebbles(params, seed); }
   Result<Model> operator()(const PlantParams& params) const { return grow_plant(params, seed); }
   Result<Model> operator()(const WallParams& params) const { return build_wall_model(params, seed); }
   Result<Model> operator()(const ColumnParams& params) const { return build_column_model(params); }
@@ -34,6 +36,8 @@ struct Check {
     return refuse(forecast(*grammar, grammar->text.steps, Seed{1}, grammar->text.limits),
                   grammar->text.limits);
   }
+  Errors operator()(const RockParams& params) const { return check_rock(params.shape); }
+  Errors operator()(const PebblesParams& params) const { return check_pebbles(params); }
   Errors operator()(const PlantParams& params) const {
     Result<Grammar> grammar = plant_grammar(params);
     return grammar ? Errors{} : grammar.errors();
@@ -59,6 +63,8 @@ struct Foresee {
   Seed seed;
   Result<Foresight> operator()(const BridgeParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const VaseParams&) const { return Foresight{}; }
+  Result<Foresight> operator()(const RockParams&) const { return Foresight{}; }
+  Result<Foresight> operator()(const PebblesParams&) const { return Foresight{}; }
   /// How much light will leave of a tree is not known before it has grown.
   Result<Foresight> operator()(const TreeParams& params) const {
     Foresight tree;

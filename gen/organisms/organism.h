@@ -14,6 +14,7 @@
 #include "organisms/host.h"
 #include "organisms/ivy.h"
 #include "organisms/plant.h"
+#include "organisms/rock.h"
 #include "organisms/style.h"
 #include "organisms/tree.h"
 #include "organisms/vase.h"
@@ -42,8 +43,8 @@ struct Organism {
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
   Style style;
-  std::variant<CoralParams, PlantParams, WallParams, ColumnParams, MeshParams, BridgeParams, VaseParams,
-               WeberPennParams, ColonizedParams, TreeParams, IvyParams>
+  std::variant<CoralParams, PlantParams, RockParams, PebblesParams, WallParams, ColumnParams, MeshParams,
+               BridgeParams, VaseParams, WeberPennParams, ColonizedParams, TreeParams, IvyParams>
       body;
 };
 

@@ -40,4 +40,21 @@ void put(Branches& branches, Vec3 foot, Quat turn, float size) {
   put_parts(branches, foot, turn, size);
 }
 
+void settle(Branches& branches, Model&& model, Vec3 foot, Quat turn, float size) {
+  branches.rest = std::move(model.skeleton);
+  branches.notes = std::move(model.notes);
+  branches.color = std::move(model.color);
+  branches.prototypes = std::move(model.prototypes);
+  branches.organs = std::move(model.organs);
+  branches.blades = std::move(model.blades);
+  branches.solids = std::move(model.solids);
+  branches.hull = std::move(model.hull);
+  put(branches, foot, turn, size);
+}
+
+void follow_ground(Solids& solids, const Heights& ground, float foot_height) {
+  if (!solids.follow_ground) return;
+  for (Vec3& p : solids.position) p.y += static_cast<float>(ground(p.x, p.z)) - foot_height;
+}
+
 }  // namespace frond

@@ -120,6 +120,8 @@ struct Dress {
   Branches& branches;
   const Seed& seed;
 
+  void operator()(const RockParams&) {}
+  void operator()(const PebblesParams&) {}
   void operator()(const CoralParams& params) {
     branches.skin = params.skin;
     branches.motion = {params.growth, params.wave, params.food, 1};
@@ -142,19 +144,6 @@ struct Dress {
   void vary(double variation) { branches.brightness = 1 + variation * seed.child("brightness").range(-1, 1); }
 };
 
-/// Takes over what a grower made and puts it at its place.
-void settle(Branches& branches, Model&& model, Vec3 foot, Quat turn, float size) {
-  branches.rest = std::move(model.skeleton);
-  branches.notes = std::move(model.notes);
-  branches.color = std::move(model.color);
-  branches.prototypes = std::move(model.prototypes);
-  branches.organs = std::move(model.organs);
-  branches.blades = std::move(model.blades);
-  branches.solids = std::move(model.solids);
-  branches.hull = std::move(model.hull);
-  put(branches, foot, turn, size);
-}
-
 /// Gives what has grown its look and its motion.
 void dress(Branches& branches, const Preset& preset, const Planting& planting) {
   Seed seed = planting.seed;
@@ -169,7 +158,8 @@ bool grows_in_grove(const Planting& planting) {
   return std::holds_alternative<TreeParams>(planting.organism->body);
 }
 
-Result<Branches> plant(const Preset& preset, const Planting& planting, float foot_height) {
+Result<Branches> plant(const Builder& b, const Planting& planting, float foot_height) {
+  const Preset& preset = b.preset;
   const Organism& organism = *planting.organism;
   Seed seed = planting.seed;
   Result<Model> grown = grow(organism, seed.child("grow"));
@@ -191,7 +181,9 @@ Result<Branches> plant(const Preset& preset, const Planting& planting, float foo
                    ? 0
                    : std::min(grown->skeleton.radius[0], 0.1f * grown->skeleton.longest()) * size;
   Vec3 foot(planting.spot.at.x, foot_height - sunk, planting.spot.at.y);
-  settle(branches, std::move(*grown), foot, lean * yaw, size);
+  Quat stand = grown->solids.follow_ground ? yaw : lean * yaw;
+  settle(branches, std::move(*grown), foot, stand, size);
+  if (place.raise == 0) follow_ground(branches.solids, b.heights, foot_height);
   if (const auto* params = std::get_if<PlantParams>(&organism.body); params && params->by_steps)
     branches.stages = {*params, seed.child("grow"), foot, lean * yaw, size};
   dress(branches, preset, planting);
@@ -315,7 +307,9 @@ float foot_of(Builder& b, const Planting& p) {
     float level = static_cast<float>(b.preset.stage.garden.pond.level);
     return (water ? std::max(level, b.height(p.spot.at)) : b.height(p.spot.at)) + raise;
   }
-  float rock = static_cast<float>(place.rock);
+  const auto& body = p.organism->body;
+  bool stone = std::holds_alternative<RockParams>(body) || std::holds_alternative<PebblesParams>(body);
+  float rock = stone ? 0 : static_cast<float>(place.rock);
   float top = rock > 0 ? lay_stone(b, p.spot.at, rock, 0.3f, p.seed.child("rock")) : b.height(p.spot.at);
   return top + raise;
 }
@@ -372,7 +366,7 @@ Result<Scene> build_scene(const Preset& preset) {
     dress(**grown[i], preset, list[i]);
   }
   parallel_for(list.size(), [&](std::size_t i) {
-    if (!grown[i]) grown[i] = plant(preset, list[i], feet[i]);
+    if (!grown[i]) grown[i] = plant(b, list[i], feet[i]);
   });
   Result<std::vector<Picture>> drawn = draw_pictures(preset);
   if (!drawn) return drawn.errors();

@@ -71,5 +71,21 @@ TEST(SolidText, TurnedBodiesAreLathes) {
   EXPECT_NE(text.find("lathe{bezier_spline 4,<0,0>,<1,0>,<2,1>,<2,3> sturm}"), text.npos) << text;
 }
 
+TEST(SolidText, WritesAnIsosurfaceInPlaceOfItsTriangles) {
+  Scene scene = with_copies(2);
+  Solid& solid = scene.branches[0].solids.shapes[0];
+  Blobs blobs{{{DVec3(1, 2, 0.5), DVec3(0.25, 0, -1)}, {DVec3(1), DVec3(0)}}, Falloff::cubic, 0.5};
+  solid.native = Isosurface{blobs, {DVec3(-1, -2, -3), DVec3(4, 5, 6)}, 7, DVec3(0.5, -2, 1), 0.1};
+  std::string text = solids_text({}, scene);
+  EXPECT_EQ(count(text, "mesh2{"), 0u);
+  EXPECT_EQ(count(text, "isosurface{"), 1u);
+  EXPECT_EQ(count(text, "object{Solid0_0"), 2u);
+  EXPECT_NE(text.find("-F(pow(x/1-(0.25),2)+pow(y/2-(0),2)+pow(-z/0.5-(-1),2),2)"), text.npos) << text;
+  EXPECT_NE(text.find("function{0.5\n"), text.npos) << text;
+  // Mirrored: z runs from -6 to 3.
+  EXPECT_NE(text.find("box{<-1,-2,-6>,<4,5,3>}} max_gradient 7"), text.npos) << text;
+  EXPECT_NE(text.find("translate<-0.5,2,1> scale 1}"), text.npos) << text;
+}
+
 }  // namespace
 }  // namespace frond

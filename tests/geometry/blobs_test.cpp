@@ -69,8 +69,8 @@ TEST(Blobs, RangesHoldAllValuesOfABox) {
       DVec3 corner = point(seed.child("corner"), 2.5), half = glm::abs(point(seed.child("half"), 0.4));
       Box box{corner - half, corner + half};
       DVec3 direction = glm::normalize(point(seed.child("direction"), 1));
-      Range value = field_range(shape, box), slope = field_slope_range(shape, box, direction),
-            seen{1e9, -1e9};
+      Interval value = field_range(shape, box), slope = field_slope_range(shape, box, direction),
+               seen{1e9, -1e9};
       for (std::uint64_t k = 0; k < 200; ++k) {
         DVec3 p = box.middle() + half * point(seed.child("p", k), 1);
         double f = field_value(shape, p);

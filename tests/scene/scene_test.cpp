@@ -4,6 +4,7 @@
 
 #include "core/files.h"
 #include "core/parallel.h"
+#include "geometry/ground.h"
 
 namespace frond {
 namespace {
@@ -151,6 +152,28 @@ TEST(Garden, GrowsNoGrassInPondAndPath) {
   EXPECT_NEAR(gravel, 12 * 1.2, 3);
   EXPECT_NEAR(lawn, kPi * (49 - 6) - gravel, 9);
   EXPECT_EQ(scene.branches[0].name, "water lilies");
+}
+
+TEST(Scene, PebblesLieOnTheGroundHoweverItRuns) {
+  for (std::string setting : {"meadow", "underwater"}) {
+    Scene scene = *build_scene(preset_of(R"({"seed": 3, "scene": {"setting": ")" + setting + R"(",
+      "meadow": {"blades": 0}, "floor": {"relief": 0.8, "scale": 3, "stones": 0}},
+      "organisms": [{"kind": "pebbles", "place": {"at": [[2, 1]], "lean": 30}, "radius": 3, "depth": 3}]})"));
+    const Solids& s = scene.branches.at(0).solids;
+    ASSERT_GT(s.size(), 100u);
+    Heights height(scene.floor);
+    float least = 1e9f, most = -1e9f;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      float ground = static_cast<float>(height(s.position[i].x, s.position[i].z));
+      float high = 0;
+      for (Vec3 p : s.shapes[s.shape[i]].surface.position) high = std::max(high, p.y * s.scale[i].y);
+      EXPECT_LT(s.position[i].y, ground);
+      EXPECT_GT(s.position[i].y + high, ground);
+      least = std::min(least, ground), most = std::max(most, ground);
+    }
+    EXPECT_GT(most - least, 0.3f);  // it did run up and down
+    EXPECT_TRUE(scene.stone_instances.empty());
+  }
 }
 
 }  // namespace
