@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "core/parallel.h"
@@ -12,6 +11,7 @@
 #include "geometry/scatter.h"
 #include "scene/creep.h"
 #include "scene/grove.h"
+#include "scene/lawn.h"
 #include "scene/put.h"
 #include "scene/style.h"
 #include "scene/tree_dress.h"
@@ -23,8 +23,6 @@ namespace {
 constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
 constexpr double kFloorRadius = 32;  // metres, as far as the water lets one see
-constexpr double kMeadowRadius = 150;
-constexpr int kTurfShapes = 4;
 
 /// A place for one organism to be grown at.
 struct Planting {
@@ -190,111 +188,6 @@ Result<Branches> plant(const Builder& b, const Planting& planting, float foot_he
   return branches;
 }
 
-/// The size of the squares that a piece of ground is covered with: halved up to `kHalvings` times where an
-/// edge runs through.
-constexpr int kHalvings = 2;
-
-/// Lays squares of `side` metres, in sizes down to side / 2^kHalvings, wherever `edge` (metres to the edge,
-/// below 0 inside) says so. Shapes are numbered: kTurfShapes of each size, the largest first.
-struct Paving {
-  const Heights& heights;
-  Seed seed;
-  std::function<double(Vec2)> edge;
-  std::vector<TurfInstance>& into;
-
-  void lay(Vec2 at, double side, int halved, Seed own) {
-    double away = edge(at), reach = 0.71 * side;
-    if (away > reach) return;
-    if (away > -reach && halved < kHalvings) {
-      float quarter = static_cast<float>(side / 4);
-      for (std::uint64_t k = 0; k < 4; ++k)
-        lay(at + Vec2(k % 2 ? quarter : -quarter, k / 2 ? quarter : -quarter), side / 2, halved + 1,
-            own.child(2 + k));
-      return;
-    }
-    if (away > 0) return;
-    double step = side / 2;
-    Vec2 slope(static_cast<float>((heights(at.x + step, at.y) - heights(at.x - step, at.y)) / side),
-               static_cast<float>((heights(at.x, at.y + step) - heights(at.x, at.y - step)) / side));
-    int shape = kTurfShapes * halved + static_cast<int>(own.child(0).bits() % kTurfShapes);
-    double turn = kPi / 2 * static_cast<double>(own.child(1).bits() % 4);
-    into.push_back({shape, Vec3(at.x, static_cast<float>(heights(at.x, at.y)), at.y), turn, slope});
-  }
-};
-
-/// Covers the middle of a meadow with patches of grass.
-void sow(Builder& b) {
-  const Meadow& meadow = b.preset.stage.meadow;
-  if (meadow.blade <= 0 || meadow.blades <= 0) return;
-  double thin = b.preset.film.quality == Quality::draft ? 0.6 : 1.0, side = 5 * meadow.blade;
-  Seed seed = b.seed.child("turf");
-  const Plot& plot = b.scene.plot;
-  int sizes = plot.has_pond() || plot.has_path() ? kHalvings + 1 : 1;
-  for (int i = 0; i < kTurfShapes * sizes; ++i) {
-    TurfShape shape{1.12 * side / (1 << i / kTurfShapes), meadow.blade, meadow.blades * thin,
-                    meadow.flowers / thin};
-    b.scene.turf.push_back(turf_surface(shape, seed.child("shape").child(static_cast<std::uint64_t>(i))));
-  }
-  auto edge = [&](Vec2 at) {
-    double path = plot.has_path() ? plot.path_distance(at) : 1e6;
-    return std::max(-path, 0.02 - plot.pond_distance(at));
-  };
-  Paving paving{b.heights, seed, edge, b.scene.turf_instances};
-  int reach = static_cast<int>(std::ceil(meadow.extent / side));
-  for (int row = -reach; row <= reach; ++row) {
-    for (int column = -reach; column <= reach; ++column) {
-      double x = column * side, z = row * side;
-      if (x * x + z * z > meadow.extent * meadow.extent) continue;
-      Seed own = seed.child("patch").child(
-          static_cast<std::uint64_t>((row + reach) * (2 * reach + 1) + column + reach));
-      paving.lay(Vec2(x, z), side, 0, own);
-    }
-  }
-}
-
-/// Covers the path of a garden with gravel.
-void gravel(Builder& b) {
-  const Plot& plot = b.scene.plot;
-  if (!plot.has_path()) return;
-  const Garden& garden = b.preset.stage.garden;
-  Seed seed = b.seed.child("gravel");
-  double side = 10 * garden.gravel;
-  for (int i = 0; i < kTurfShapes * (kHalvings + 1); ++i)
-    b.scene.gravel.push_back(gravel_surface(1.06 * side / (1 << i / kTurfShapes), garden.gravel,
-                                            seed.child("shape").child(static_cast<std::uint64_t>(i))));
-  Vec2 low = plot.way()[0], high = low;
-  for (Vec2 at : plot.way()) low = glm::min(low, at), high = glm::max(high, at);
-  double margin = garden.path.width;
-  // A path that leads across the pond, over a bridge, ends at the shores.
-  auto edge = [&](Vec2 at) { return std::max(plot.path_distance(at), 0.1 - plot.pond_distance(at)); };
-  Paving paving{b.heights, seed, edge, b.scene.gravel_instances};
-  auto columns = static_cast<int>(std::ceil((high.x - low.x + 2 * margin) / side)),
-       rows = static_cast<int>(std::ceil((high.y - low.y + 2 * margin) / side));
-  for (int i = 0; i <= rows * columns; ++i) {
-    Vec2 at(low.x - margin + (i % columns) * side, low.y - margin + (i / columns) * side);
-    paving.lay(at, side, 0, seed.child("patch", static_cast<std::uint64_t>(i)));
-  }
-}
-
-/// The floor of a garden, its grass, gravel and lilies.
-void lay_garden(Builder& b) {
-  const Garden& garden = b.preset.stage.garden;
-  Plot& plot = b.scene.plot;
-  plot = Plot(garden.pond, garden.path, b.seed.child("plot"));
-  auto height = [&](Vec2 at) {
-    double lawn =
-        ground_height(b.ground, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / kMeadowRadius));
-    return plot.height(at, lawn);
-  };
-  b.scene.floor = ground_surface(height, Vec2(0), kMeadowRadius, 150);
-  Solids lilies = water_lilies(plot, garden.lilies, b.seed.child("lilies"));
-  if (lilies.size() == 0) return;
-  Branches& pads = b.scene.branches.emplace_back();
-  pads.name = "water lilies";
-  pads.entry = b.preset.organisms.size();
-  pads.solids = std::move(lilies);
-}
-
 /// How high the foot of an organism stands.
 float foot_of(Builder& b, const Planting& p) {
   const Place& place = p.organism->place;
@@ -344,14 +237,12 @@ Result<Scene> build_scene(const Preset& preset) {
   b.scene.stage = preset.stage;
   if (preset.stage.setting == Setting::underwater)
     b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
-  if (preset.stage.setting == Setting::meadow)
-    b.scene.floor = ground_surface(b.ground, Vec2(0), kMeadowRadius, 110);
-  if (preset.stage.setting == Setting::garden) lay_garden(b);
+  bool lawn = preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden;
+  if (lawn) lay_lawn(b.scene, b.ground, seed);
   b.heights = Heights(b.scene.floor);
   std::vector<Planting> list = plantings(b);
   if (preset.stage.setting == Setting::underwater) lay_stones(b);
-  if (preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden) sow(b);
-  gravel(b);
+  if (lawn) cover_lawn(b.scene, b.heights, seed);
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
   std::vector<TreePlanting> trees;

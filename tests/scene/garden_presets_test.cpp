@@ -143,5 +143,28 @@ TEST(GardenPresets, CrocusesOpenASixfoldFlowerAndTreesInTheWindAreAllFour) {
   EXPECT_EQ(first_turn, (std::vector<double>{94.74, 137.5, 112.5, 180}));
 }
 
+TEST(GardenPresets, TheGardenHasAllOfIt) {
+  std::string path = kFolder + "garden.json";
+  Result<Preset> preset = read_preset(*read_file(path), path, {});
+  ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
+  EXPECT_EQ(preset->stage.setting, Setting::garden);
+  EXPECT_GT(preset->stage.garden.pond.size.x, 1);
+  EXPECT_GE(preset->stage.garden.path.points.size(), 2u);
+  EXPECT_FALSE(preset->stage.camera.location.constant());
+  std::multiset<std::string> names;
+  for (const Organism& organism : preset->organisms)
+    for (int i = 0; i < organism.count; ++i) names.insert(organism.name);
+  for (const char* name :
+       {"bridge", "boulders", "wall", "ivy", "bush", "tree", "tree behind", "palm", "pots", "agaves"})
+    EXPECT_GE(names.count(name), 1u) << name;
+  // What is planted in the pots stands where they stand.
+  std::vector<Vec2> pots, agaves;
+  for (const Organism& organism : preset->organisms) {
+    if (organism.name == "pots") pots = organism.place.at;
+    if (organism.name == "agaves") agaves = organism.place.at;
+  }
+  EXPECT_EQ(pots, agaves);
+}
+
 }  // namespace
 }  // namespace frond
