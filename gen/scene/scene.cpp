@@ -118,8 +118,6 @@ struct Dress {
   Branches& branches;
   const Seed& seed;
 
-  void operator()(const RockParams&) {}
-  void operator()(const PebblesParams&) {}
   void operator()(const CoralParams& params) {
     branches.skin = params.skin;
     branches.motion = {params.growth, params.wave, params.food, 1};
