@@ -1,5 +1,7 @@
 #include "emit/plant.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -36,26 +38,23 @@ std::size_t wrapped(std::int32_t color, std::size_t count) {
   return static_cast<std::size_t>(((color % n) + n) % n);
 }
 
-/// `texture{Plant_Leaf(color, second, shade)}`
+/// `texture{Plant_Leaf(color, second, shade)}`; `opening` is all before the first colour.
+void append_look(std::string& text, std::string_view opening, const Color& color, const Color& second,
+                 std::size_t shade) {
+  text += opening;
+  append_color(text, color);
+  text += ',';
+  append_color(text, second);
+  text += ',';
+  append_index(text, shade);
+  text += ")}";
+}
+
 void append_tissue(std::string& text, Tissue tissue, const Color& color, const Color& second,
                    std::size_t shade) {
-  text += "texture{";
-  text += kTissueMacros[static_cast<std::size_t>(tissue)];
-  text += '(';
-  append_color(text, color);
-  text += ',';
-  append_color(text, second);
-  text += ',';
-  append_index(text, shade);
-  text += ")}";
-  if (tissue != Tissue::ivy) return;
-  text += "interior_texture{Ivy_Under(";
-  append_color(text, color);
-  text += ',';
-  append_color(text, second);
-  text += ',';
-  append_index(text, shade);
-  text += ")}";
+  std::string_view macro = kTissueMacros[static_cast<std::size_t>(tissue)];
+  append_look(text, fmt::format("texture{{{}(", macro), color, second, shade);
+  if (tissue == Tissue::ivy) append_look(text, "interior_texture{Ivy_Under(", color, second, shade);
 }
 
 /// The colour of an organ that has come `step` of kSteps on its way from the bud.
