@@ -191,6 +191,7 @@ std::string includes_text(const Scene& scene) {
       include("meadow");
       break;
     case Setting::garden:
+    case Setting::forest:
       include("meadow"), include("garden");
       break;
   }
@@ -216,6 +217,7 @@ std::string setting_text(const Stage& stage, double time) {
     case Setting::meadow:
       return meadow_text(stage, time);
     case Setting::garden:
+    case Setting::forest:
       return garden_text(stage, time);
   }
   return {};

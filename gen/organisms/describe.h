@@ -7,6 +7,7 @@
 #include "organisms/describe_ivy.h"
 #include "organisms/describe_plant.h"
 #include "organisms/describe_rock.h"
+#include "organisms/describe_sowing.h"
 #include "organisms/describe_tree.h"
 #include "organisms/organism.h"
 #include "preset/reader.h"
@@ -247,6 +248,7 @@ void describe(Visitor& v, Organism& o) {
   v.text("name", o.name, "Your name for it");
   v.integer("count", o.count, {.min = 0, .max = 100000}, "How many, those at given places included");
   v.object("place", o.place, "Where they stand");
+  v.object("sown", o.sown, "Copies of a few models, sown over the land");
   v.object("body", o.style, "What their branches are drawn as");
 }
 

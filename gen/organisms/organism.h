@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,6 +16,7 @@
 #include "organisms/ivy.h"
 #include "organisms/plant.h"
 #include "organisms/rock.h"
+#include "organisms/sowing.h"
 #include "organisms/style.h"
 #include "organisms/tree.h"
 #include "organisms/vase.h"
@@ -42,6 +44,7 @@ struct Organism {
   std::string name;  ///< the user's name for it, for messages and comments
   int count = 1;     ///< how many, those at given places included; never fewer than those
   Place place;
+  std::optional<Sowing> sown;  ///< copies of a few models, sown over the land
   Style style;
   std::variant<CoralParams, PlantParams, RockParams, PebblesParams, WallParams, ColumnParams, MeshParams,
                BridgeParams, VaseParams, WeberPennParams, ColonizedParams, TreeParams, IvyParams>

@@ -15,7 +15,8 @@ inline constexpr Choice<Setting> kSettings[] = {
     {"underwater", Setting::underwater, "a sea floor in blue water"},
     {"studio", Setting::studio, "soft light before a plain wall"},
     {"meadow", Setting::meadow, "grass under a summer sky"},
-    {"garden", Setting::garden, "a lawn with pond and path at any hour of the day"}};
+    {"garden", Setting::garden, "a lawn with pond and path at any hour of the day"},
+    {"forest", Setting::forest, "wooded hills at any hour of the day"}};
 
 template <class Visitor>
 void describe(Visitor& v, Film& f) {
@@ -96,6 +97,26 @@ void describe(Visitor& v, Garden& g) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, TerrainShape& t) {
+  v.number("size", t.size, {.min = 2, .max = 4000, .unit = "m"}, "Of the square of land that is sown");
+  v.number("hills", t.hills, {.min = 0, .max = 500, .unit = "m"}, "From valley to top");
+  v.number("hill_size", t.hill_size, {.min = 1, .max = 5000, .unit = "m"}, "From hill to hill");
+  v.number("rough", t.rough, {.min = 0, .max = 1}, "0 rolling, 1 broken");
+  v.object("path", t.path, "A path, kept clear");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Forest& f) {
+  v.number("hour", f.hour, {.min = 0, .max = 24, .unit = "h"}, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.angle("south", f.south, {.min = -360, .max = 360},
+          "Where the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"}, "How high it fills the valleys; 0: none");
+  v.object("terrain", f.terrain, "The land");
+  v.color("litter", f.litter, "Of fallen leaves and earth");
+  v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Floor& f) {
   v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"}, "Height of the dunes");
   v.number("scale", f.scale, {.min = 0.1, .max = 100, .unit = "m"}, "From dune to dune");
@@ -112,6 +133,7 @@ void describe(Visitor& v, Stage& s) {
   v.object("studio", s.studio, "Wall and light, for studio");
   v.object("meadow", s.meadow, "Sky and grass, for meadow");
   v.object("garden", s.garden, "Hour, pond and path, for garden; lawn and sky are the meadow's");
+  v.object("forest", s.forest, "Hour and land, for forest; clouds and haze are the meadow's");
   v.object("floor", s.floor, "The ground");
 }
 

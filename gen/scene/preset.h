@@ -9,6 +9,7 @@
 #include "core/curve.h"
 #include "core/result.h"
 #include "geometry/plot.h"
+#include "land/terrain.h"
 #include "organisms/organism.h"
 
 namespace frond {
@@ -82,7 +83,17 @@ struct Garden {
   Color gravel_color{0.62f, 0.57f, 0.49f};
 };
 
-enum class Setting { underwater, studio, meadow, garden };
+/// A wood on hilly land; sky and haze are the meadow's, whose colours the hour gives here.
+struct Forest {
+  double hour = 10;  ///< of the day: 6 dawn, 12 noon, 19 dusk
+  double south = 0;  ///< radians; where the sun stands at noon: 0 toward +z, to the right from there
+  double mist = 0;   ///< metres above the valleys that morning mist reaches; 0: none
+  TerrainShape terrain;
+  Color litter{0.36f, 0.25f, 0.15f};  ///< of fallen leaves and earth
+  double moss = 0.4;                  ///< share of the ground that is green, 0..1
+};
+
+enum class Setting { underwater, studio, meadow, garden, forest };
 
 struct Stage {
   Setting setting = Setting::underwater;
@@ -91,6 +102,7 @@ struct Stage {
   Studio studio;
   Meadow meadow;
   Garden garden;
+  Forest forest;
   Floor floor;
 };
 

@@ -91,6 +91,25 @@ struct StoneInstance {
   int look = 0;     ///< which of the rock textures
 };
 
+/// Copies of the models of a stand: a structure of arrays. Metres.
+struct Copies {
+  std::vector<std::uint16_t> model;
+  std::vector<Vec3> foot;
+  std::vector<Quat> turn;
+  std::vector<float> scale;
+  std::vector<std::uint8_t> tint;  ///< 0..kTints - 1
+
+  std::size_t size() const { return model.size(); }
+};
+inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
+
+/// An organism that is sown: where its copies stand. Its models are grown when they are written.
+struct SownStand {
+  std::size_t entry = 0;  ///< which of the preset's organisms
+  Seed seed;              ///< of the entry; model i grows from seed.child("model", i)
+  Copies copies;
+};
+
 /// All that stands before the camera, grown; nothing of it depends on the frame.
 struct Scene {
   Film film;
@@ -104,6 +123,7 @@ struct Scene {
   std::vector<TurfInstance> gravel_instances;
   Plot plot;  ///< of a garden
   std::vector<Branches> branches;
+  std::vector<SownStand> stands;
   std::vector<Picture> pictures;   ///< that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
 

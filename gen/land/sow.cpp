@@ -1,0 +1,1 @@
+#include "land/sow.h"
