@@ -83,6 +83,14 @@ std::string garden_text(const Stage& stage, double time) {
   return text;
 }
 
+std::string forest_text(const Stage& stage, double time) {
+  const Forest& forest = stage.forest;
+  return "Meadow_Globals()\nForest_Setting(" + direction(stage.camera.location.at(time)) + "," +
+         color(forest.litter) + "," + direction(sun_at(forest.hour, forest.south)) + "," +
+         number(stage.meadow.haze) + "," + number(stage.meadow.clouds) + "," + number(forest.mist) + "," +
+         number(-0.5 * forest.terrain.hills) + ")";
+}
+
 void append_name(std::string& text, std::string_view name, std::size_t index) {
   text += name;
   append_integer(text, static_cast<long long>(index));
@@ -110,7 +118,17 @@ void append_stones(std::string& text, const PovSpace& space, const Scene& scene)
   }
 }
 
-/// One union of all patches of a kind, "Turf", "Bloom" or "Gravel", with the texture on it.
+void append_shapes(std::string& text, const PovSpace& space, const std::vector<Surface>& shapes,
+                   std::string_view name) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    append_name(text, "#declare " + std::string(name), i);
+    text += " = ";
+    append_mesh(text, space, shapes[i]);
+    text += "\n";
+  }
+}
+
+/// One union of all patches of a kind, such as "Turf", "Bloom" or "Gravel", with the texture on it.
 void append_patches(std::string& text, const PovSpace& space, const Scene& scene,
                     const std::vector<TurfInstance>& patches, std::string_view name,
                     std::string_view texture) {
@@ -157,14 +175,18 @@ void append_turf(std::string& text, const PovSpace& space, const Scene& scene) {
 
 void append_gravel(std::string& text, const PovSpace& space, const Scene& scene) {
   if (scene.gravel_instances.empty()) return;
-  for (std::size_t i = 0; i < scene.gravel.size(); ++i) {
-    append_name(text, "#declare Gravel", i);
-    text += " = ";
-    append_mesh(text, space, scene.gravel[i]);
-    text += "\n";
-  }
+  append_shapes(text, space, scene.gravel, "Gravel");
   append_patches(text, space, scene, scene.gravel_instances, "Gravel",
                  "texture{Garden_Gravel(" + color(scene.stage.garden.gravel_color) + ")}");
+}
+
+void append_litter(std::string& text, const PovSpace& space, const Scene& scene) {
+  append_shapes(text, space, scene.litter, "Litter");
+  append_shapes(text, space, scene.moss, "Moss");
+  std::string litter = color(scene.stage.forest.litter);
+  append_patches(text, space, scene, scene.litter_instances, "Litter",
+                 "texture{Forest_Litter(" + litter + ")}");
+  append_patches(text, space, scene, scene.moss_instances, "Moss", "texture{Forest_Moss()}");
 }
 
 }  // namespace
@@ -191,8 +213,10 @@ std::string includes_text(const Scene& scene) {
       include("meadow");
       break;
     case Setting::garden:
-    case Setting::forest:
       include("meadow"), include("garden");
+      break;
+    case Setting::forest:
+      include("meadow"), include("garden"), include("forest");
       break;
   }
   if (water || corals) include("coral"), include("food");
@@ -217,8 +241,9 @@ std::string setting_text(const Stage& stage, double time) {
     case Setting::meadow:
       return meadow_text(stage, time);
     case Setting::garden:
-    case Setting::forest:
       return garden_text(stage, time);
+    case Setting::forest:
+      return forest_text(stage, time);
   }
   return {};
 }
@@ -231,6 +256,9 @@ std::string ground_text(const PovSpace& space, const Scene& scene) {
   if (scene.stage.setting == Setting::underwater) {
     text += "\ntexture{Sand_Texture()}}\n";
     append_stones(text, space, scene);
+  } else if (scene.stage.setting == Setting::forest) {
+    text += "\ntexture{Forest_Ground(" + color(scene.stage.forest.litter) + ")}}\n";
+    append_litter(text, space, scene);
   } else {
     text += "\ntexture{Meadow_Ground(" + color(scene.stage.meadow.grass) + ")}}\n";
     append_turf(text, space, scene);

@@ -89,7 +89,7 @@ struct Forest {
   double south = 0;  ///< radians; where the sun stands at noon: 0 toward +z, to the right from there
   double mist = 0;   ///< metres above the valleys that morning mist reaches; 0: none
   TerrainShape terrain;
-  Color litter{0.36f, 0.25f, 0.15f};  ///< of fallen leaves and earth
+  Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
   double moss = 0.4;                  ///< share of the ground that is green, 0..1
 };
 

@@ -10,6 +10,7 @@
 #include "geometry/ground.h"
 #include "geometry/scatter.h"
 #include "scene/creep.h"
+#include "scene/forest_floor.h"
 #include "scene/grove.h"
 #include "scene/lawn.h"
 #include "scene/put.h"
@@ -191,7 +192,8 @@ float foot_of(Builder& b, const Planting& p) {
   const Place& place = p.organism->place;
   float raise = static_cast<float>(place.raise);
   if (b.preset.stage.setting == Setting::studio) return raise;
-  if (b.preset.stage.setting == Setting::meadow) return b.height(p.spot.at) + raise;
+  if (b.preset.stage.setting == Setting::meadow || b.preset.stage.setting == Setting::forest)
+    return b.height(p.spot.at) + raise;
   if (b.preset.stage.setting == Setting::garden) {
     // Over a pond things stand on the water.
     bool water = b.scene.plot.pond_distance(p.spot.at) < 0;
@@ -237,10 +239,22 @@ Result<Scene> build_scene(const Preset& preset) {
     b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
   bool lawn = preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden;
   if (lawn) lay_lawn(b.scene, b.ground, seed);
+  bool forest = preset.stage.setting == Setting::forest;
+  if (forest) {
+    const TerrainShape& t = preset.stage.forest.terrain;
+    b.scene.plot = Plot({}, t.path, seed.child("plot"));
+    b.scene.floor = ground_surface(Ground{seed.child("ground"), t.hills, t.hill_size}, Vec2(0), 300, 150);
+  }
   b.heights = Heights(b.scene.floor);
   std::vector<Planting> list = plantings(b);
   if (preset.stage.setting == Setting::underwater) lay_stones(b);
   if (lawn) cover_lawn(b.scene, b.heights, seed);
+  if (forest) {
+    ForestLand land{[&](Vec2 at) { return b.heights(at.x, at.y); },
+                    [&](Vec2 at) { return b.scene.plot.has_path() ? b.scene.plot.path_distance(at) : 1e6; }};
+    mark_floor(b.scene, land, seed.child("floor"));
+    strew_floor(b.scene, land, seed.child("floor"));
+  }
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
   std::vector<TreePlanting> trees;

@@ -74,9 +74,9 @@ void pose_branches(const Branches& branches, double time, Pose& pose);
 /// The organism as it is at a time: itself, or what its steps have come to by then, fully revealed.
 Result<Branches> developed(const Branches& branches, double time);
 
-/// A patch of grass or gravel put somewhere on the ground.
+/// A patch of grass, gravel or litter put somewhere on the ground.
 struct TurfInstance {
-  int shape = 0;  ///< index into Scene::turf or Scene::gravel
+  int shape = 0;  ///< index into Scene::turf, gravel, litter or moss
   Vec3 at{0};
   double turn = 0;  ///< radians about the vertical
   Vec2 slope{0};    ///< of the ground, along x and z
@@ -121,6 +121,10 @@ struct Scene {
   std::vector<TurfInstance> turf_instances;
   std::vector<Surface> gravel;  ///< of a garden's path, as squares
   std::vector<TurfInstance> gravel_instances;
+  std::vector<Surface> litter;  ///< of a forest's floor: leaves and twigs
+  std::vector<TurfInstance> litter_instances;
+  std::vector<Surface> moss;  ///< of a forest's floor: cushions
+  std::vector<TurfInstance> moss_instances;
   Plot plot;  ///< of a garden
   std::vector<Branches> branches;
   std::vector<SownStand> stands;
