@@ -82,7 +82,7 @@ const WrongPreset kWrongNames[] = {
     {"An unknown key of the scene",
      R"({"scene": {"camrea": {}, "water": {"colour": "#ffffff"}, "floor": {"stone": 1}}})",
      {},
-     {R"(1:12: /scene/camrea: unknown property "camrea"; expected one of setting, camera, water, studio, meadow, garden, floor; did you mean "camera"?)",
+     {R"(1:12: /scene/camrea: unknown property "camrea"; expected one of setting, camera, water, studio, meadow, garden, forest, floor; did you mean "camera"?)",
       R"(1:36: /scene/water/colour: unknown property "colour"; expected one of near, deep, visibility, sun, caustics, shafts, particles)",
       R"(1:68: /scene/floor/stone: unknown property "stone"; expected one of relief, scale, stones, stone_size, extent; did you mean "stones"?)"}},
     {"An unknown key of the camera",
@@ -134,7 +134,7 @@ const WrongPreset kWrongNames[] = {
  "organisms": [{"kind": "coral", "form": "branch", "skin": {"kind": "stone"}}]})",
      {},
      {R"(1:22: /film/quality: found the text "god"; expected one of draft, good, best; did you mean "good"?)",
-      R"(2:23: /scene/setting: found the text "sky"; expected one of underwater, studio, meadow, garden)",
+      R"(2:23: /scene/setting: found the text "sky"; expected one of underwater, studio, meadow, garden, forest)",
       R"(3:42: /organisms/0/form: found the text "branch"; expected one of branching, tufted, own)",
       R"(3:69: /organisms/0/skin/kind: found the text "stone"; expected one of stony, fan, soft; did you mean "stony"?)"}},
 };
