@@ -86,7 +86,23 @@ void load_tree(Organism& organism, std::size_t i, const fs::path& preset_path, E
   e.outline = std::move(*outline);
 }
 
-/// Reads the OBJ files that the preset names.
+/// Reads the map that says how densely an organism is sown.
+void load_map(Organism& organism, std::size_t i, const fs::path& preset_path, Errors& errors) {
+  if (!organism.sown || organism.sown->where.map.empty()) return;
+  fs::path path = seen_from(preset_path, organism.sown->where.map);
+  Result<std::string> text = read_file(path);
+  Result<Raster> picture = text ? read_png(*text) : text.errors();
+  if (picture) {
+    organism.sown->where.density = density_of(*picture);
+    return;
+  }
+  const std::string& what = picture.errors().front().what;
+  errors.push_back(
+      {fmt::format("{}: /organisms/{}/sown/where/map", preset_path.string(), i),
+       text ? path.string() + ": " + what + "; expected a PNG file" : text.errors().front().text()});
+}
+
+/// Reads the files that the preset names.
 Errors load_files(Preset& preset, const fs::path& preset_path) {
   Errors errors;
   auto load = [&](const std::string& file, const std::string& pointer, Surface& mesh) {
@@ -103,6 +119,7 @@ Errors load_files(Preset& preset, const fs::path& preset_path) {
     if (auto* body = std::get_if<MeshParams>(&preset.organisms[i].body))
       load(body->file, fmt::format("/organisms/{}/file", i), body->mesh);
     load_tree(preset.organisms[i], i, preset_path, errors, load);
+    load_map(preset.organisms[i], i, preset_path, errors);
     auto* plant = std::get_if<PlantParams>(&preset.organisms[i].body);
     auto* coral = std::get_if<CoralParams>(&preset.organisms[i].body);
     if (GrammarText* grammar = plant ? &plant->grammar : coral ? &coral->grammar : nullptr)

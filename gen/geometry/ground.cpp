@@ -66,9 +66,10 @@ Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, d
 
 namespace {
 
-constexpr int kCells = 64;  // of a metre, from -32 to 32 along x and z
+constexpr int kCells = 64;                         // along x and z, the origin in the middle
+constexpr std::array<double, 2> kSides{1.0, 8.0};  // metres
 
-int cell_of(double x) { return static_cast<int>(std::floor(x)) + kCells / 2; }
+int cell_of(double x, double side) { return static_cast<int>(std::floor(x / side)) + kCells / 2; }
 
 /// The height of a triangle at (x, z), if it is there.
 std::optional<double> height_at(const std::array<Vec3, 3>& triangle, double x, double z) {
@@ -83,24 +84,30 @@ std::optional<double> height_at(const std::array<Vec3, 3>& triangle, double x, d
 
 }  // namespace
 
-Heights::Heights(const Surface& surface) : cells_(kCells * kCells) {
+Heights::Heights(const Surface& surface) {
+  for (auto& cells : cells_) cells.resize(kCells * kCells);
   for (auto [a, b, c] : surface.triangle) {
     std::array<Vec3, 3> triangle{surface.position[a], surface.position[b], surface.position[c]};
     const auto& [p, q, r] = triangle;
     Vec3 low = glm::min(p, glm::min(q, r)), high = glm::max(p, glm::max(q, r));
     auto id = static_cast<std::uint32_t>(triangles_.size());
-    for (int row = std::max(0, cell_of(low.z)); row <= std::min(kCells - 1, cell_of(high.z)); ++row)
-      for (int column = std::max(0, cell_of(low.x)); column <= std::min(kCells - 1, cell_of(high.x));
-           ++column)
-        cells_[static_cast<std::size_t>(row * kCells + column)].push_back(id);
+    for (std::size_t k = 0; k < kSides.size(); ++k) {
+      auto first = [&](float x) { return std::max(0, cell_of(x, kSides[k])); };
+      auto last = [&](float x) { return std::min(kCells - 1, cell_of(x, kSides[k])); };
+      for (int row = first(low.z); row <= last(high.z); ++row)
+        for (int column = first(low.x); column <= last(high.x); ++column)
+          cells_[k][static_cast<std::size_t>(row * kCells + column)].push_back(id);
+    }
     triangles_.push_back(triangle);
   }
 }
 
 double Heights::operator()(double x, double z) const {
-  int row = cell_of(z), column = cell_of(x);
-  if (row >= 0 && row < kCells && column >= 0 && column < kCells && !cells_.empty()) {
-    for (std::uint32_t id : cells_[static_cast<std::size_t>(row * kCells + column)])
+  if (known_) return known_(x, z);
+  for (std::size_t k = 0; k < kSides.size() && !cells_[k].empty(); ++k) {
+    int row = cell_of(z, kSides[k]), column = cell_of(x, kSides[k]);
+    if (row < 0 || row >= kCells || column < 0 || column >= kCells) continue;
+    for (std::uint32_t id : cells_[k][static_cast<std::size_t>(row * kCells + column)])
       if (std::optional<double> height = height_at(triangles_[id], x, z)) return *height;
     return 0;
   }

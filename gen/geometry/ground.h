@@ -27,18 +27,22 @@ Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rin
 /// The same for any ground that is `height` high at a place (x, z).
 Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, double radius, int rings);
 
-/// How high a mesh without overhangs lies: quick to ask within 32 m of the origin, slow beyond.
+/// How high a mesh without overhangs lies: quick to ask within 256 m of the origin, slow beyond.
 class Heights {
  public:
   Heights() = default;
   explicit Heights(const Surface& surface);
+  /// Those of a mesh that knows them by itself, and faster.
+  explicit Heights(std::function<double(double, double)> height) : known_(std::move(height)) {}
 
   /// At (x, z); 0 beside the mesh.
   double operator()(double x, double z) const;
 
  private:
+  std::function<double(double, double)> known_;
   std::vector<std::array<Vec3, 3>> triangles_;
-  std::vector<std::vector<std::uint32_t>> cells_;  // which triangles touch a square metre, row by row
+  // Which triangles touch a square, row by row: of 1 m about the origin, and of 8 m farther out.
+  std::array<std::vector<std::vector<std::uint32_t>>, 2> cells_;
 };
 
 }  // namespace frond

@@ -80,10 +80,15 @@ double Plot::pond_distance(Vec2 at) const {
   return (share - shore) * ray;
 }
 
-double Plot::path_distance(Vec2 at) const {
+double Plot::way_distance(Vec2 at) const {
   double best = kFar;
   for (std::size_t i = 0; i + 1 < way_.size(); ++i)
     best = std::min(best, distance_to_piece(at, way_[i], way_[i + 1]));
+  return best;
+}
+
+double Plot::path_distance(Vec2 at) const {
+  double best = way_distance(at);
   if (best > 2 * half_width_ + 1) return best - half_width_;
   return best - half_width_ + 0.07 * noise(Vec3(at.x * 1.6f, 5, at.y * 1.6f)) +
          0.04 * noise(Vec3(at.x * 6, 9, at.y * 6));

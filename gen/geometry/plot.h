@@ -30,7 +30,9 @@ class Plot {
 
   /// Metres to the shore, about; below 0 in the pond.
   double pond_distance(Vec2 at) const;
-  /// Metres to the edge of the path; below 0 on it.
+  /// Metres to the middle of the path.
+  double way_distance(Vec2 at) const;
+  /// Metres to the edge of the path, which is uneven; below 0 on it.
   double path_distance(Vec2 at) const;
 
   /// What becomes of the ground of height `lawn` there: level round the pond and under the path, a basin in

@@ -246,7 +246,7 @@ void describe(Visitor& v, Style& s) {
 template <class Visitor>
 void describe(Visitor& v, Organism& o) {
   v.text("name", o.name, "Your name for it");
-  v.integer("count", o.count, {.min = 0, .max = 100000}, "How many, those at given places included");
+  v.integer("count", o.count, {.min = 0, .max = 1000000}, "How many, those at given places included");
   v.object("place", o.place, "Where they stand");
   v.object("sown", o.sown, "Copies of a few models, sown over the land");
   v.object("body", o.style, "What their branches are drawn as");

@@ -16,11 +16,12 @@ void describe(Visitor& v, SowRules& s) {
   v.choice("layer", s.layer, kLayers, "Crowns of one layer keep apart, those of others may overlap");
   v.number("radius", s.radius, {.min = 0, .max = 100, .above_min = true, .unit = "m"}, "Of a crown");
   v.number("stem", s.stem, {.min = 0, .max = 50, .unit = "m"}, "That plants of other layers keep free");
-  v.vector("altitude", s.altitude, {.min = -1e5, .max = 1e5, .unit = "m"}, "Lowest and highest");
+  v.vector("altitude", s.altitude, {.min = -1e5, .max = 1e5, .unit = "m"},
+           "Lowest and highest, above the lowest of the land");
   v.angle("slope", s.slope, {.min = 0, .max = 90}, "Steepest");
   v.number("patch", s.patch, {.min = 0, .max = 10000, .unit = "m"}, "From clump to clump; 0: evenly");
   v.number("cover", s.cover, {.min = 0, .max = 1}, "Share of the land that its clumps cover");
-  v.vector("shade", s.shade, {.min = 0, .max = 1}, "Least and most share of the sky that crowns above cover");
+  v.vector("shade", s.shade, {.min = 0, .max = 1}, "Least and most share of the sky that crowns above hide");
   v.number("clear", s.clear, {.min = -100, .max = 1000, .unit = "m"},
            "That it keeps from the edge of a path");
   v.vector("center", s.center, {.min = -1e4, .max = 1e4, .unit = "m"}, "x, z of its place");

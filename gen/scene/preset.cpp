@@ -59,8 +59,10 @@ std::string grammar_pointer(const GrammarText& grammar, const Error& error) {
   return error.what.starts_with('`') ? pointer_step("", quoted(error.what)) : "";
 }
 
-/// Tells the rules where they stand and finds what is wrong with them.
-void check_grammar(Organism& organism, const Value& written, std::size_t index, Faults& faults) {
+/// Tells the rules where they stand and finds what is wrong with them, and with where it stands: within
+/// `ground` metres.
+void check_organism(Organism& organism, const Value& written, std::size_t index, double ground,
+                    Faults& faults) {
   auto* coral = std::get_if<CoralParams>(&organism.body);
   auto* plant = std::get_if<PlantParams>(&organism.body);
   GrammarText* grammar = plant                                    ? &plant->grammar
@@ -76,9 +78,13 @@ void check_grammar(Organism& organism, const Value& written, std::size_t index, 
     }
   }
   for (std::size_t i = 0; i < organism.place.at.size(); ++i)
-    if (glm::length(organism.place.at[i]) > 30)
-      faults.add(organism_fault(written, index, fmt::format("/place/at/{}", i),
-                                "lies off the ground; expected a place within 30 m of the middle"));
+    if (glm::length(organism.place.at[i]) > ground)
+      faults.add(organism_fault(
+          written, index, fmt::format("/place/at/{}", i),
+          fmt::format("lies off the ground; expected a place within {:g} m of the middle", ground)));
+  if (organism.sown && std::holds_alternative<IvyParams>(organism.body))
+    faults.add(organism_fault(written, index, "/sown",
+                              "ivy cannot be sown, for it grows on what stands; expected another kind"));
   for (const Error& error : check(organism)) {
     std::string pointer = grammar ? "/grammar" + grammar_pointer(*grammar, error) : "";
     faults.add(organism_fault(written, index, pointer, error.what));
@@ -89,7 +95,7 @@ void check_grammar(Organism& organism, const Value& written, std::size_t index, 
 void check_hosts(const Preset& preset, const Value& root, Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
-    if (!organism.name.empty() && !std::holds_alternative<IvyParams>(organism.body))
+    if (!organism.name.empty() && !organism.sown && !std::holds_alternative<IvyParams>(organism.body))
       names.push_back(organism.name);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     const auto* ivy = std::get_if<IvyParams>(&preset.organisms[i].body);
@@ -131,8 +137,10 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   if (!preset) return preset;
   preset->text = serialize(document->root);
   Faults faults;
+  const Stage& stage = preset->stage;
+  double ground = stage.setting == Setting::forest ? std::max(30.0, stage.forest.terrain.size / 2) : 30;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i)
-    check_grammar(preset->organisms[i], merged_organism(document->root, i), i, faults);
+    check_organism(preset->organisms[i], merged_organism(document->root, i), i, ground, faults);
   check_hosts(*preset, document->root, faults);
   check_stage(preset->stage, document->root, faults);
   if (!faults.list().empty()) return faults.errors();

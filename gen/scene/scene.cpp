@@ -14,6 +14,7 @@
 #include "scene/grove.h"
 #include "scene/lawn.h"
 #include "scene/put.h"
+#include "scene/sowing.h"
 #include "scene/style.h"
 #include "scene/tree_dress.h"
 
@@ -51,7 +52,7 @@ std::vector<Planting> plantings(Builder& b) {
     const Organism& organism = b.preset.organisms[o];
     const Place& place = organism.place;
     Seed seed = b.seed.child("organism", o);
-    if (organism.count == 0 || std::holds_alternative<IvyParams>(organism.body)) continue;
+    if (organism.count == 0 || organism.sown || std::holds_alternative<IvyParams>(organism.body)) continue;
     bool on_rock = b.preset.stage.setting == Setting::underwater;
     float room = static_cast<float>(std::max(place.spacing, on_rock ? place.rock / 2 : 0.0));
     std::vector<Spot> spots;
@@ -229,32 +230,51 @@ std::size_t Scene::nodes() const {
   return sum;
 }
 
+namespace {
+
+/// Lays the ground of the setting.
+void lay_ground(Builder& b) {
+  switch (b.preset.stage.setting) {
+    case Setting::underwater:
+      b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
+      break;
+    case Setting::studio:
+      break;
+    case Setting::meadow:
+    case Setting::garden:
+      lay_lawn(b.scene, b.ground, b.seed);
+      break;
+    case Setting::forest: {
+      auto terrain = std::make_shared<const Terrain>(b.preset.stage.forest.terrain, b.seed.child("terrain"));
+      b.scene.floor = terrain->surface();
+      b.scene.plot = terrain->plot();
+      b.heights = Heights([terrain](double x, double z) { return terrain->height(x, z); });
+      return;
+    }
+  }
+  b.heights = Heights(b.scene.floor);
+}
+
+}  // namespace
+
 Result<Scene> build_scene(const Preset& preset) {
   Seed seed{preset.seed};
   const Floor& floor = preset.stage.floor;
   Builder b{preset, seed, {seed.child("ground"), floor.relief, floor.scale}, {}, {}, {}, {}};
   b.scene.film = preset.film;
   b.scene.stage = preset.stage;
-  if (preset.stage.setting == Setting::underwater)
-    b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
-  bool lawn = preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden;
-  if (lawn) lay_lawn(b.scene, b.ground, seed);
-  bool forest = preset.stage.setting == Setting::forest;
-  if (forest) {
-    const TerrainShape& t = preset.stage.forest.terrain;
-    b.scene.plot = Plot({}, t.path, seed.child("plot"));
-    b.scene.floor = ground_surface(Ground{seed.child("ground"), t.hills, t.hill_size}, Vec2(0), 300, 150);
-  }
-  b.heights = Heights(b.scene.floor);
+  lay_ground(b);
   std::vector<Planting> list = plantings(b);
   if (preset.stage.setting == Setting::underwater) lay_stones(b);
-  if (lawn) cover_lawn(b.scene, b.heights, seed);
-  if (forest) {
+  if (preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden)
+    cover_lawn(b.scene, b.heights, seed);
+  if (preset.stage.setting == Setting::forest) {
     ForestLand land{[&](Vec2 at) { return b.heights(at.x, at.y); },
                     [&](Vec2 at) { return b.scene.plot.has_path() ? b.scene.plot.path_distance(at) : 1e6; }};
     mark_floor(b.scene, land, seed.child("floor"));
     strew_floor(b.scene, land, seed.child("floor"));
   }
+  sow_stands(b.scene, preset, b.heights, b.taken);
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
   std::vector<TreePlanting> trees;

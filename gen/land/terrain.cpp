@@ -1,0 +1,254 @@
+#include "land/terrain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+#include "core/noise.h"
+#include "core/parallel.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kFinest = 0.75;   // metres from line to line in the sown square
+constexpr int kInner = 215;        // lines at most across it
+constexpr int kOuter = 43;         // lines beyond it, on each side
+constexpr double kHorizon = 1200;  // metres, at least
+
+/// The lines of the grid: even across the sown square, beyond it each gap wider than the last by one factor.
+std::vector<float> grid_lines(double size) {
+  int gaps = std::clamp(static_cast<int>(std::ceil(size / kFinest)), 2, kInner - 1);
+  double step = size / gaps, beyond = std::max(kHorizon, 2 * size) - size / 2;
+  // The factor by halving: the gaps' sum rises with it.
+  double low = 1, high = 3;
+  for (int i = 0; i < 60; ++i) {
+    double factor = (low + high) / 2, sum = 0, gap = step;
+    for (int k = 0; k < kOuter; ++k) sum += gap *= factor;
+    (sum < beyond ? low : high) = factor;
+  }
+  std::vector<float> line;
+  for (int i = 0; i <= gaps; ++i) line.push_back(static_cast<float>(i * step - size / 2));
+  double at = size / 2, gap = step;
+  for (int k = 0; k < kOuter; ++k) {
+    at += gap *= high;
+    line.push_back(static_cast<float>(at));
+    line.insert(line.begin(), static_cast<float>(-at));
+  }
+  return line;
+}
+
+/// Hills as a sum of noises, each of half the size of the one before. The rougher, the more they are folded
+/// into crests (Musgrave 1994, ridged multifractal) and the more the small ones count; in valleys they count
+/// less, as what is washed down fills them.
+struct Hills {
+  const TerrainShape& shape;
+  Seed seed;
+  double low = 0, scale = 1;
+
+  /// As noise gives it, without what lines `spacing` metres apart cannot show.
+  double raw(Vec2 at, double spacing) const {
+    auto shift = [&](const char* name) { return static_cast<float>(seed.child(name).range(-99, 99)); };
+    Vec2 p = at * static_cast<float>(0.8 / shape.hill_size) + Vec2(shift("x"), shift("z"));
+    // Bent, so that valleys wind.
+    p += 0.22f * Vec2(noise(Vec3(0.9f * p.x, 31, 0.9f * p.y)), noise(Vec3(0.9f * p.x, 57, 0.9f * p.y)));
+    double sum = 0, strength = 1, carry = 1, wide = shape.hill_size;
+    for (int octave = 0; octave < 9; ++octave, wide /= 2) {
+      double shown = smooth_step(2 * spacing, 4 * spacing, wide);
+      if (shown <= 0) break;
+      double n = noise(Vec3(p.x, 7 * octave, p.y)), crest = 1.1 - 2.2 * std::sqrt(n * n + 0.02);
+      double value = n + 0.75 * shape.rough * (crest - n);
+      sum += strength * carry * shown * value;
+      carry *= std::clamp(0.55 + 0.6 * value, 0.15, 1.0);
+      strength *= 0.30 + 0.26 * shape.rough;
+      p = 2.0f * Vec2(0.8f * p.x - 0.6f * p.y, 0.6f * p.x + 0.8f * p.y);  // turned, too
+    }
+    return sum;
+  }
+
+  /// Finds what makes the lowest 0 and the highest `hills`, `spacing` metres being between lines.
+  void level(double spacing) {
+    constexpr int kSamples = 96;
+    double side = std::max(shape.size, 2 * shape.hill_size), high = -1e9;
+    low = 1e9;
+    std::vector<std::array<double, 2>> ends(kSamples + 1);
+    parallel_for(ends.size(), [&](std::size_t row) {
+      ends[row] = {1e9, -1e9};
+      for (int column = 0; column <= kSamples; ++column) {
+        Vec2 at((static_cast<double>(column) / kSamples - 0.5) * side,
+                (static_cast<double>(row) / kSamples - 0.5) * side);
+        double h = raw(at, spacing);
+        ends[row] = {std::min(ends[row][0], h), std::max(ends[row][1], h)};
+      }
+    });
+    for (auto [least, most] : ends) low = std::min(low, least), high = std::max(high, most);
+    scale = shape.hills / std::max(high - low, 1e-6);
+  }
+
+  double operator()(Vec2 at, double spacing) const {
+    double height = (raw(at, spacing) - low) * scale;
+    // Far off hills are larger, so that they show above the near ones.
+    double out = std::max(std::abs(at.x), std::abs(at.y)) - shape.size / 2;
+    if (out <= 0) return height;
+    double far = smooth_step(0.0, 600.0, out);
+    Vec3 p(at.x / (6 * shape.hill_size), seed.child("far").range(0, 99), at.y / (6 * shape.hill_size));
+    return height + far * shape.hills * (0.6 + 1.8 * noise(p));
+  }
+};
+
+/// How the path lies in the land: along it as the hills rise, a little smoothed, and level across.
+struct PathBed {
+  const Plot& plot;
+  double level, shoulder;  // metres from the middle, and on from there
+  double blur;
+  std::vector<Vec3> bed;  // places along the middle
+
+  PathBed(const Plot& path, double width, double spacing, const Hills& hills)
+      : plot(path),
+        // A triangle that touches the path lies flat as a whole.
+        level(width / 2 + 1.5 * spacing + 0.15),
+        shoulder(std::max(4.0, 2 * width)),
+        blur(std::max(3.0, width)) {
+    const std::vector<Vec2>& way = plot.way();
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+      int pieces = std::max(1, static_cast<int>(glm::distance(way[i], way[i + 1])));
+      for (int k = 0; k < pieces; ++k) {
+        Vec2 at = way[i] + (way[i + 1] - way[i]) * (static_cast<float>(k) / static_cast<float>(pieces));
+        bed.emplace_back(at.x, hills(at, std::max(spacing, 2.0)), at.y);
+      }
+    }
+    for (int i = 0; i < 3; ++i) smooth_along();
+  }
+
+  /// Each the mean of those up to 5 m away: three times is about a bell curve.
+  void smooth_along() {
+    std::vector<Vec3> before = bed;
+    std::ptrdiff_t count = std::ssize(bed);
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      std::ptrdiff_t reach = std::min({std::ptrdiff_t{5}, i, count - 1 - i});
+      double sum = 0;
+      for (std::ptrdiff_t k = i - reach; k <= i + reach; ++k) sum += before[static_cast<std::size_t>(k)].y;
+      bed[static_cast<std::size_t>(i)].y = static_cast<float>(sum / static_cast<double>(2 * reach + 1));
+    }
+  }
+
+  double operator()(Vec2 at, double land) const {
+    if (bed.empty()) return land;
+    double away = plot.way_distance(at);
+    if (away >= level + shoulder) return land;
+    // The mean of what is near, rather than the nearest: inside a bend that jumps.
+    double sum = 0, weights = 0;
+    for (const Vec3& p : bed) {
+      double d = glm::distance(Vec2(p.x, p.z), at);
+      double weight = std::exp((away * away - d * d) / (blur * blur));
+      sum += weight * p.y;
+      weights += weight;
+    }
+    // Where the samples lie apart none may be near.
+    double height = weights > 1e-12 ? sum / weights : land;
+    return height + (land - height) * smooth_step(level, level + shoulder, away);
+  }
+};
+
+}  // namespace
+
+/// Where a place lies in the grid: in which cell, and how far along it.
+struct Terrain::Cell {
+  std::size_t column, row;
+  double s, t;
+
+  /// A value given at the corners, over the triangle that the place lies in.
+  template <class Value>
+  auto between(const Value& a, const Value& b, const Value& c, const Value& d) const {
+    using Number = std::conditional_t<std::is_same_v<Value, Vec3>, float, double>;
+    auto u = static_cast<Number>(s), v = static_cast<Number>(t);
+    return u + v <= 1 ? a + (b - a) * u + (c - a) * v : d + (c - d) * (1 - u) + (b - d) * (1 - v);
+  }
+};
+
+Terrain::Terrain(const TerrainShape& shape, Seed seed)
+    : plot_(PondShape{}, shape.path, seed.child("path")), line_(grid_lines(shape.size)) {
+  std::size_t lines = line_.size();
+  auto gap = [&](std::size_t i) {
+    std::size_t next = std::min(i + 1, lines - 1);
+    return static_cast<double>(line_[next] - line_[next - 1]);
+  };
+  double finest = gap(lines / 2);
+  Hills hills{shape, seed.child("hills")};
+  hills.level(finest);
+  PathBed path(plot_, shape.path.width, finest, hills);
+  height_.resize(lines * lines);
+  parallel_for(lines, [&](std::size_t row) {
+    for (std::size_t column = 0; column < lines; ++column) {
+      Vec2 at(line_[column], line_[row]);
+      height_[vertex(column, row)] =
+          static_cast<float>(path(at, hills(at, std::max({finest, gap(column), gap(row)}))));
+    }
+  });
+  auto middle = static_cast<float>(height(0, 0));
+  for (float& h : height_) h -= middle;
+  normal_.resize(height_.size());
+  for (std::size_t row = 0; row < lines; ++row)
+    for (std::size_t column = 0; column < lines; ++column)
+      normal_[vertex(column, row)] = vertex_normal(column, row);
+}
+
+Vec3 Terrain::vertex_normal(std::size_t column, std::size_t row) const {
+  auto ends = [&](std::size_t i) { return std::pair(i > 0 ? i - 1 : 0, std::min(i + 1, line_.size() - 1)); };
+  auto [left, right] = ends(column);
+  auto [back, front] = ends(row);
+  float x = (height_[vertex(right, row)] - height_[vertex(left, row)]) / (line_[right] - line_[left]);
+  float z = (height_[vertex(column, front)] - height_[vertex(column, back)]) / (line_[front] - line_[back]);
+  return glm::normalize(Vec3(-x, 1, -z));
+}
+
+Terrain::Cell Terrain::cell_at(double x, double z) const {
+  auto find = [&](double value) {
+    double held = std::clamp<double>(value, line_.front(), line_.back());
+    auto after = std::upper_bound(line_.begin() + 1, line_.end() - 1, static_cast<float>(held));
+    auto i = static_cast<std::size_t>(after - line_.begin()) - 1;
+    return std::pair(i, std::clamp((held - line_[i]) / (line_[i + 1] - line_[i]), 0.0, 1.0));
+  };
+  auto [column, s] = find(x);
+  auto [row, t] = find(z);
+  return {column, row, s, t};
+}
+
+double Terrain::height(double x, double z) const {
+  Cell cell = cell_at(x, z);
+  std::size_t a = vertex(cell.column, cell.row), c = a + line_.size();
+  return cell.between<double>(height_[a], height_[a + 1], height_[c], height_[c + 1]);
+}
+
+Vec3 Terrain::normal(double x, double z) const {
+  Cell cell = cell_at(x, z);
+  std::size_t a = vertex(cell.column, cell.row), c = a + line_.size();
+  return glm::normalize(cell.between(normal_[a], normal_[a + 1], normal_[c], normal_[c + 1]));
+}
+
+double Terrain::slope(double x, double z) const {
+  Vec3 n = normal(x, z);
+  return std::atan2(std::hypot(n.x, n.z), n.y);
+}
+
+Surface Terrain::surface() const {
+  Surface surface;
+  std::size_t lines = line_.size();
+  surface.normal = normal_;
+  for (std::size_t row = 0; row < lines; ++row)
+    for (std::size_t column = 0; column < lines; ++column)
+      surface.position.emplace_back(line_[column], height_[vertex(column, row)], line_[row]);
+  for (std::size_t row = 0; row + 1 < lines; ++row)
+    for (std::size_t column = 0; column + 1 < lines; ++column) {
+      auto a = static_cast<std::uint32_t>(vertex(column, row)), b = a + 1,
+           c = a + static_cast<std::uint32_t>(lines), d = c + 1;
+      surface.triangle.push_back({a, c, b});
+      surface.triangle.push_back({b, c, d});
+    }
+  return surface;
+}
+
+}  // namespace frond

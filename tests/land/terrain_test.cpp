@@ -1,0 +1,153 @@
+#include "land/terrain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+namespace {
+
+TerrainShape shape_of(double rough) {
+  TerrainShape shape;
+  shape.rough = rough;
+  shape.path = {{{-70, 10}, {-30, -12}, {5, 4}, {40, -6}, {75, 20}}, 2};
+  return shape;
+}
+
+Vec2 somewhere(int i, double half) {
+  Seed seed = Seed{17}.child(static_cast<std::uint64_t>(i));
+  return Vec2(seed.child(0).range(-half, half), seed.child(1).range(-half, half));
+}
+
+TEST(Terrain, IsTheMeshThatIsDrawn) {
+  Terrain land(shape_of(0.6), Seed{1});
+  Surface mesh = land.surface();
+  ASSERT_EQ(mesh.check(), "");
+  EXPECT_LT(mesh.position.size(), 310u * 310u);
+  for (std::size_t i = 0; i < mesh.position.size(); i += 31) {
+    const Vec3& p = mesh.position[i];
+    EXPECT_FLOAT_EQ(static_cast<float>(land.height(p.x, p.z)), p.y);
+    EXPECT_NEAR(glm::distance(land.normal(p.x, p.z), mesh.normal[i]), 0, 1e-5);
+  }
+  // Anywhere in a triangle, too.
+  for (std::size_t i = 0; i < mesh.triangle.size(); i += 37) {
+    auto [a, b, c] = mesh.triangle[i];
+    Vec2 share = somewhere(static_cast<int>(i), 0.5) + 0.5f;
+    if (share.x + share.y > 1) share = 1.0f - share;
+    Vec3 p = mesh.position[a] + share.x * (mesh.position[b] - mesh.position[a]) +
+             share.y * (mesh.position[c] - mesh.position[a]);
+    EXPECT_NEAR(land.height(p.x, p.z), p.y, 2e-3) << p.x << ' ' << p.z;
+    EXPECT_GT(glm::cross(mesh.position[b] - mesh.position[a], mesh.position[c] - mesh.position[a]).y, 0);
+  }
+}
+
+TEST(Terrain, GoesOnToTheHorizonWithoutACliff) {
+  Terrain land(shape_of(0.4), Seed{2});
+  EXPECT_GE(land.reach(), 1199);
+  EXPECT_EQ(land.height(5000, 0), land.height(land.reach(), 0));
+  double far = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Vec2 at = somewhere(i, land.reach());
+    EXPECT_LT(land.slope(at.x, at.y), radians(50.0)) << at.x << ' ' << at.y;
+    if (glm::length(at) > 400) far = std::max(far, land.height(at.x, at.y) - land.height(0, 0));
+  }
+  EXPECT_GT(far, 8) << "hills";
+}
+
+TEST(Terrain, IsSmooth) {
+  Terrain land(shape_of(0.3), Seed{3});
+  for (int i = 0; i < 4000; ++i) {
+    Vec2 at = somewhere(i, 79);
+    EXPECT_NEAR(land.height(at.x, at.y), land.height(at.x + 1e-3, at.y - 1e-3), 5e-3);
+    // Over more than a cell the slope of the normals is that of the heights.
+    Vec3 n = land.normal(at.x, at.y);
+    double dx = (land.height(at.x + 0.75, at.y) - land.height(at.x - 0.75, at.y)) / 1.5;
+    double dz = (land.height(at.x, at.y + 0.75) - land.height(at.x, at.y - 0.75)) / 1.5;
+    EXPECT_NEAR(-n.x / n.y, dx, 0.06);
+    EXPECT_NEAR(-n.z / n.y, dz, 0.06);
+    EXPECT_NEAR(std::tan(land.slope(at.x, at.y)), std::hypot(dx, dz), 0.09);
+  }
+}
+
+TEST(Terrain, RisesByItsHills) {
+  for (double rough : {0.0, 0.5, 1.0})
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      TerrainShape shape;
+      shape.rough = rough;
+      Terrain land(shape, Seed{seed});
+      double low = 1e9, high = -1e9, steep = 0;
+      for (int i = 0; i < 20000; ++i) {
+        Vec2 at = somewhere(i, 80);
+        double h = land.height(at.x, at.y);
+        low = std::min(low, h), high = std::max(high, h);
+        steep += land.slope(at.x, at.y) / 20000;
+      }
+      EXPECT_GT(high - low, 0.9 * shape.hills) << seed;
+      EXPECT_LT(high - low, 1.1 * shape.hills) << seed;
+      EXPECT_NEAR(land.height(0, 0), 0, 1e-5);
+      // 8 m in 35: steeper than a plain, nowhere near a rock face.
+      EXPECT_GT(steep, radians(2.0)) << rough << ' ' << seed;
+      EXPECT_LT(steep, radians(25.0)) << rough << ' ' << seed;
+    }
+}
+
+TEST(Terrain, RoughLandIsRough) {
+  double rolling = 0, broken = 0;  // how much neighbouring normals differ
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+    for (double rough : {0.0, 1.0}) {
+      TerrainShape shape;
+      shape.rough = rough;
+      Terrain land(shape, Seed{seed});
+      for (int i = 0; i < 1000; ++i) {
+        Vec2 at = somewhere(i, 75);
+        (rough > 0 ? broken : rolling) +=
+            glm::distance(land.normal(at.x, at.y), land.normal(at.x + 2, at.y + 2));
+      }
+    }
+  EXPECT_GT(broken, 2 * rolling);
+}
+
+TEST(Terrain, ThePathIsLevelAcrossAndGentleAlong) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    TerrainShape shape = shape_of(0.5);
+    shape.hills = 14;
+    Terrain land(shape, Seed{seed});
+    const std::vector<Vec2>& way = land.plot().way();
+    for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+      if (std::max(std::abs(way[i].x), std::abs(way[i].y)) > 78) continue;
+      Vec2 along = glm::normalize(way[i + 1] - way[i - 1]), across(-along.y, along.x);
+      EXPECT_LT(land.path_distance(way[i]), -0.7);
+      double middle = land.height(way[i].x, way[i].y);
+      for (float side : {-0.95f, -0.5f, 0.5f, 0.95f}) {
+        Vec2 at = way[i] + across * side;
+        EXPECT_NEAR(land.height(at.x, at.y), middle, 0.05) << seed << ' ' << i << ' ' << side;
+      }
+      Vec2 on = way[i] + along;
+      EXPECT_LT(std::abs(land.height(on.x, on.y) - middle), 0.6);
+    }
+  }
+}
+
+TEST(Terrain, TakesOddShapes) {
+  for (TerrainShape shape : {TerrainShape{2, 0, 70, 0.4, {}}, TerrainShape{2, 500, 1, 1, {}},
+                             TerrainShape{4000, 500, 5000, 0, {{{-3000, 0}, {3000, 10}}, 20}},
+                             TerrainShape{50, 5, 20, 0.5, {{{3, 3}, {3, 3}}, 1}}}) {
+    Terrain land(shape, Seed{4});
+    EXPECT_EQ(land.surface().check(), "");
+    EXPECT_GE(land.reach(), std::max(1199.0, shape.size));
+    for (int i = 0; i < 500; ++i) {
+      Vec2 at = somewhere(i, land.reach());
+      EXPECT_TRUE(std::isfinite(land.height(at.x, at.y)));
+    }
+  }
+}
+
+TEST(Terrain, IsTheSameForTheSameSeed) {
+  Terrain one(shape_of(0.4), Seed{5}), two(shape_of(0.4), Seed{5}), other(shape_of(0.4), Seed{6});
+  EXPECT_EQ(one.surface().position, two.surface().position);
+  EXPECT_NE(one.surface().position, other.surface().position);
+}
+
+}  // namespace
+}  // namespace frond
