@@ -138,7 +138,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   preset->text = serialize(document->root);
   Faults faults;
   const Stage& stage = preset->stage;
-  double ground = stage.setting == Setting::forest ? std::max(30.0, stage.forest.terrain.size / 2) : 30;
+  double ground = stage.setting == Setting::forest ? std::max(30.0, stage.forest.terrain.size) : 30;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i)
     check_organism(preset->organisms[i], merged_organism(document->root, i), i, ground, faults);
   check_hosts(*preset, document->root, faults);

@@ -71,17 +71,17 @@ TEST(Terrain, IsSmooth) {
 }
 
 TEST(Terrain, RisesByItsHills) {
-  for (double rough : {0.0, 0.5, 1.0})
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (double rough : {0.0, 1.0})
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
       TerrainShape shape;
       shape.rough = rough;
       Terrain land(shape, Seed{seed});
       double low = 1e9, high = -1e9, steep = 0;
-      for (int i = 0; i < 20000; ++i) {
+      for (int i = 0; i < 6000; ++i) {
         Vec2 at = somewhere(i, 80);
         double h = land.height(at.x, at.y);
         low = std::min(low, h), high = std::max(high, h);
-        steep += land.slope(at.x, at.y) / 20000;
+        steep += land.slope(at.x, at.y) / 6000;
       }
       EXPECT_GT(high - low, 0.9 * shape.hills) << seed;
       EXPECT_LT(high - low, 1.1 * shape.hills) << seed;

@@ -1,0 +1,152 @@
+#include "scene/sowing.h"
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "scene/scene.h"
+
+namespace frond {
+namespace {
+
+Result<Preset> read(const std::string& setting, const std::string& organisms, const std::string& scene = "") {
+  return read_preset(R"({"film": {"frames": 1}, "scene": {"setting": ")" + setting + "\"" + scene +
+                         R"(}, "organisms": [)" + organisms + "]}",
+                     "test.json", {});
+}
+
+Scene scene_of(const std::string& setting, const std::string& organisms, const std::string& scene = "") {
+  Result<Preset> preset = read(setting, organisms, scene);
+  if (!preset) ADD_FAILURE() << preset.errors().front().text();
+  Result<Scene> built = build_scene(*preset);
+  if (!built) ADD_FAILURE() << built.errors().front().text();
+  return *built;
+}
+
+const std::string kHills =
+    R"(, "forest": {"terrain": {"size": 120, "hills": 14, "path": {"points": [[-60, 3], [0, -4], [60, 8]]}}})";
+const std::string kTrees =
+    R"({"kind": "weber_penn", "name": "oak", "count": 90, "sown": {"models": 4, "where": {"radius": 2.5}}})";
+const std::string kHerbs =
+    R"({"kind": "vase", "name": "herb", "count": 200, "place": {"lean": 0},
+        "sown": {"models": 3, "upright": 0, "where": {"layer": "herbs", "radius": 0.2}}})";
+
+TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
+  Scene scene = scene_of("forest", kTrees + "," + kHerbs, kHills);
+  EXPECT_TRUE(scene.branches.empty());
+  ASSERT_EQ(scene.stands.size(), 2u);
+  EXPECT_EQ(scene.stands[1].entry, 1u);
+  EXPECT_EQ(scene.stands[1].seed.key, (Seed{1}.child("organism", 1).key));
+  Heights heights(scene.floor);
+  for (const SownStand& stand : scene.stands) {
+    const Copies& c = stand.copies;
+    EXPECT_EQ(c.size(), stand.entry == 0 ? 90u : 200u);
+    ASSERT_EQ(c.foot.size(), c.size());
+    ASSERT_EQ(c.turn.size(), c.size());
+    ASSERT_EQ(c.scale.size(), c.size());
+    ASSERT_EQ(c.tint.size(), c.size());
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      double ground = heights(c.foot[i].x, c.foot[i].z);
+      EXPECT_LE(c.foot[i].y, ground + 1e-4);
+      EXPECT_GT(c.foot[i].y, ground - 0.15);
+      EXPECT_LT(c.tint[i], kTints);
+      EXPECT_LT(c.model[i], stand.entry == 0 ? 4 : 3);
+      EXPECT_GT(scene.plot.path_distance({c.foot[i].x, c.foot[i].z}), 0.49);
+    }
+  }
+  // Herbs stand across the slope, trees are plumb but for their lean.
+  double slanted = 0;
+  const Copies& herbs = scene.stands[1].copies;
+  for (std::size_t i = 0; i < herbs.size(); ++i) {
+    Vec3 up = herbs.turn[i] * Vec3(0, 1, 0), foot = herbs.foot[i];
+    double rise = heights(foot.x + 0.5, foot.z) - heights(foot.x - 0.5, foot.z);
+    EXPECT_NEAR(-up.x / up.y, rise, 0.02);
+    slanted = std::max(slanted, std::abs(rise));
+  }
+  EXPECT_GT(slanted, 0.15);
+  for (Quat turn : scene.stands[0].copies.turn) EXPECT_GT((turn * Vec3(0, 1, 0)).y, std::cos(radians(6.1)));
+}
+
+TEST(Sowing, WorksInEverySetting) {
+  for (std::string setting : {"underwater", "studio", "meadow", "garden", "forest"}) {
+    std::string herb = R"({"kind": "vase", "count": 30, "sown": {"where": {"radius": 0.05, "stem": 0.02}}})";
+    Scene scene = scene_of(setting, herb, R"(, "studio": {"distance": 3}, "floor": {"stones": 10})");
+    ASSERT_EQ(scene.stands.size(), 1u) << setting;
+    EXPECT_EQ(scene.stands[0].copies.size(), 30u) << setting;
+    Heights heights(scene.floor);
+    float far = 0;
+    for (Vec3 foot : scene.stands[0].copies.foot) {
+      EXPECT_NEAR(foot.y, heights(foot.x, foot.z), 0.02) << setting;
+      far = std::max({far, std::abs(foot.x), std::abs(foot.z)});
+    }
+    if (setting == "meadow" || setting == "garden") {
+      EXPECT_GT(far, 60);
+      EXPECT_LE(far, 100);
+    }
+  }
+}
+
+TEST(Sowing, KeepsClearOfPondPathAndWhatStands) {
+  std::string herb =
+      R"({"kind": "vase", "count": 900, "sown": {"where": {"radius": 0.2, "reach": 12, "clear": 0.4}}})";
+  std::string vase = R"(,{"kind": "vase", "place": {"at": [[3, 9]], "spacing": 2}})";
+  Scene scene = scene_of("garden", herb + vase,
+                         R"(, "garden": {"pond": {"center": [-4, 0], "size": [4, 3]},
+                             "path": {"points": [[-20, 6], [20, 4]], "width": 1.5}})");
+  EXPECT_EQ(scene.branches.size(), 1u);
+  const Copies& copies = scene.stands.at(0).copies;
+  EXPECT_GT(copies.size(), 500u);
+  for (Vec3 foot : copies.foot) {
+    Vec2 at(foot.x, foot.z);
+    EXPECT_GT(scene.plot.pond_distance(at), 0.39);
+    EXPECT_GT(scene.plot.path_distance(at), 0.39);
+    EXPECT_GT(glm::distance(at, Vec2(3, 9)), 2);
+  }
+}
+
+TEST(Sowing, TellsWhereRoomRanOut) {
+  Scene scene = scene_of("forest", R"({"kind": "weber_penn", "name": "oak", "count": 500,
+      "sown": {"where": {"radius": 6}}})",
+                         kHills);
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0].substr(0, 10), "oak: only ");
+  EXPECT_NE(scene.notes[0].find(" of 500 found room"), std::string::npos);
+}
+
+TEST(Sowing, IvyCannotBeSownAndDoesNotGrowOnWhatIs) {
+  Result<Preset> sown = read("meadow", R"({"kind": "ivy", "sown": {"models": 2}})");
+  ASSERT_FALSE(sown.ok());
+  ASSERT_EQ(sown.errors().size(), 1u);
+  EXPECT_NE(sown.errors()[0].text().find("/organisms/0/sown: ivy cannot be sown"), std::string::npos);
+  EXPECT_FALSE(read("forest", kTrees + R"(,{"kind": "ivy", "on": ["oak"]})").ok());
+}
+
+TEST(Sowing, SownTreesDoNotJoinTheGrove) {
+  std::string one = R"({"kind": "tree", "years": 4, "count": 1, "place": {"at": [[50, 40]]}})";
+  std::string many = R"(,{"kind": "tree", "years": 4, "count": 40, "sown": {"where": {"radius": 2}}})";
+  Scene alone = scene_of("forest", one, kHills), both = scene_of("forest", one + many, kHills);
+  ASSERT_EQ(both.branches.size(), 1u);
+  EXPECT_EQ(alone.branches[0].rest.position, both.branches[0].rest.position);
+  Heights heights(both.floor);
+  EXPECT_NEAR(both.branches[0].rest.position[0].y, heights(50, 40), 0.05);
+  for (Vec3 foot : both.stands.at(0).copies.foot)
+    EXPECT_GT(glm::distance(Vec2(foot.x, foot.z), Vec2(50, 40)), 0.6);
+}
+
+TEST(Sowing, PlacesInAForestReachAsFarAsItsLand) {
+  std::string far = R"({"kind": "vase", "place": {"at": [[100, 0]]}})";
+  EXPECT_TRUE(read("forest", far, kHills).ok());
+  EXPECT_FALSE(read("meadow", far).ok());
+}
+
+TEST(Sowing, IsTheSameAtAnyThreadCount) {
+  limit_threads(1);
+  Scene one = scene_of("forest", kTrees, kHills);
+  limit_threads(2);
+  Scene two = scene_of("forest", kTrees, kHills);
+  limit_threads(0);
+  EXPECT_EQ(one.floor.position, two.floor.position);
+  EXPECT_EQ(one.stands[0].copies.foot, two.stands[0].copies.foot);
+}
+
+}  // namespace
+}  // namespace frond
