@@ -173,7 +173,7 @@ const WrongPreset kWrongValues[] = {
     {"A negative count",
      R"({"organisms": [{"kind": "coral", "count": -1}]})",
      {},
-     {"1:43: /organisms/0/count: found -1; expected a whole number from 0 to 100000"}},
+     {"1:43: /organisms/0/count: found -1; expected a whole number from 0 to 1000000"}},
     {"Bad sizes",
      R"({"film": {"size": [64]}})",
      {},
