@@ -5,7 +5,9 @@
 
 namespace frond {
 
-std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& pose) {
+namespace {
+
+TubeShape shape_of(const Branches& tree) {
   const BarkCoat& coat = *tree.coat;
   TubeShape shape;
   shape.wrap = coat.wrap;
@@ -13,7 +15,16 @@ std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& p
   shape.side = coat.facet;
   shape.lobes = tree.lobes;
   shape.lobe_depth = tree.lobe_depth;
-  Surface wood = tube_surface(tree.rest, pose.position, pose.radius, pose.turn, shape);
+  shape.least = static_cast<float>(coat.twigs);
+  shape.girth = tree.girth;
+  return shape;
+}
+
+}  // namespace
+
+std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& pose) {
+  const BarkCoat& coat = *tree.coat;
+  Surface wood = tube_surface(tree.rest, pose.position, pose.radius, pose.turn, shape_of(tree));
   if (wood.triangle.empty()) return {};
   std::string text = "object{\n";
   append_mesh(text, space, wood);
@@ -22,5 +33,7 @@ std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& p
   text += ")}}\n";
   return text;
 }
+
+std::vector<bool> coatless(const Branches& tree) { return left_out(tree.rest, shape_of(tree)); }
 
 }  // namespace frond

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "emit/pov.h"
 #include "scene/scene.h"
@@ -10,5 +11,8 @@ namespace frond {
 /// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
 /// has grown.
 std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& pose);
+
+/// Which nodes it leaves out, for they are of twigs too thin for a picture.
+std::vector<bool> coatless(const Branches& tree);
 
 }  // namespace frond

@@ -100,13 +100,13 @@ void append_part(std::string& text, const PovSpace& space, const Branches& b, co
   }
 }
 
-/// Takes what is thinner out of the chunks: one union with one texture.
+/// Takes twigs out of the chunks: one union with one texture.
+template <class IsTwig>
 std::string take_twigs(std::vector<Chunk>& chunks, const PovSpace& space, const Branches& b, const Pose& pose,
-                       std::size_t index, float thin) {
+                       std::size_t index, const IsTwig& is_twig) {
   std::string lines;
-  if (thin <= 0) return lines;
   std::erase_if(chunks, [&](const Chunk& chunk) {
-    if (b.rest.radius[chunk.first] >= thin) return false;
+    if (!is_twig(chunk.first)) return false;
     if (append_sweep(lines, space, b.rest, pose, chunk)) lines += "}\n";
     return true;
   });
@@ -162,13 +162,20 @@ Result<std::string> branches_text(const PovSpace& space, const Branches& b, std:
   Pose pose;
   pose_branches(b, time, pose);
   Result<std::string> body = std::string();
-  if (b.coat && b.style.build == Build::sweeps) {
-    body = coat_text(space, b, pose);
-  } else {
+  bool coated = b.coat && b.style.build == Build::sweeps;
+  if (coated) body = coat_text(space, b, pose);
+  if (!coated || b.coat->twigs > 0) {
     ChunkOptions options = chunk_options(b);
+    if (coated) options.tolerance = std::numeric_limits<float>::infinity();
     std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
-    if (b.style.build == Build::sweeps) {
-      std::string twigs = take_twigs(chunks, space, b, pose, index, options.thin);
+    if (coated) {
+      std::vector<bool> bare = coatless(b);
+      *body += take_twigs(chunks, space, b, pose, index, [&](std::int32_t i) {
+        return static_cast<bool>(bare[static_cast<std::size_t>(i)]);
+      });
+    } else if (b.style.build == Build::sweeps) {
+      std::string twigs = take_twigs(chunks, space, b, pose, index,
+                                     [&](std::int32_t i) { return b.rest.radius[i] < options.thin; });
       body = twigs + sweeps_text(space, b, pose, chunks, index);
     } else {
       body = body_text(space, b, pose, chunks, index);

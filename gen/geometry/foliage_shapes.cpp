@@ -111,8 +111,8 @@ Vec3 turned(Vec3 v, Vec3 axis, double angle) { return glm::angleAxis(static_cast
 
 }  // namespace
 
-Foliage frond_foliage(const FrondShape& shape, Seed seed) {
-  Foliage frond;
+TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
+  TwigParts frond;
   std::vector<Station> stem = stem_of(shape.bend * (1 + 0.15 * seed.child(0).range(-1, 1)), 1.5,
                                       0.25 * seed.child(1).range(-1, 1), 24);
   frond.stem = rod(stem, 0.011, 0.0015);
@@ -146,8 +146,8 @@ Foliage frond_foliage(const FrondShape& shape, Seed seed) {
   return frond;
 }
 
-Foliage sprig_foliage(const SprigShape& shape, Seed seed) {
-  Foliage sprig;
+TwigParts sprig_foliage(const TwigShape& shape, Seed seed) {
+  TwigParts sprig;
   Surface blade = blade_surface(shape.leaf);
   double reach = 1 - 0.6 * shape.leaf_length;  // the last leaf makes the rest of the length
   std::vector<Station> stem = stem_of(shape.bend, 1.2, 0.3 * seed.child(0).range(-1, 1), 8);

@@ -17,7 +17,7 @@ struct FrondShape {
 };
 
 /// A twig one unit long with leaves in two rows and one at its end.
-struct SprigShape {
+struct TwigShape {
   BladeShape leaf;
   int leaves = 9;
   double leaf_length = 0.42;    ///< as a share of the sprig's
@@ -25,14 +25,14 @@ struct SprigShape {
 };
 
 /// A leaf of many parts: what is green of it, and what carries that.
-struct Foliage {
+struct TwigParts {
   Surface blades, stem;
 };
 
 /// The meshes of a frond; `seed` makes each a little irregular. Leaflets have `uv` as a leaf has.
-Foliage frond_foliage(const FrondShape& shape, Seed seed);
+TwigParts frond_foliage(const FrondShape& shape, Seed seed);
 
 /// The meshes of a sprig.
-Foliage sprig_foliage(const SprigShape& shape, Seed seed);
+TwigParts sprig_foliage(const TwigShape& shape, Seed seed);
 
 }  // namespace frond

@@ -11,6 +11,14 @@ Vec3 any_normal(Vec3 axis) {
   return glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
 }
 
+float girth_of(const Skeleton& rest, const TubeShape& shape, std::int32_t node) {
+  return shape.girth.empty() ? rest.radius[node] : shape.girth[node];
+}
+
+bool too_thin(const Skeleton& rest, const TubeShape& shape, std::int32_t first) {
+  return girth_of(rest, shape, first) < shape.least && rest.order[first] > 0;
+}
+
 /// One chain of nodes as a tube.
 class Tube {
  public:
@@ -28,8 +36,8 @@ class Tube {
     if (nodes_.size() < 2) return;
     float thick = 0;
     for (std::size_t k = fork_ ? 1 : 0; k < nodes_.size(); ++k)
-      thick = std::max(thick, rest_.radius[nodes_[k]]);
-    if (rest_.radius[first] < shape_.least && rest_.order[first] > 0) return;
+      thick = std::max(thick, girth_of(rest_, shape_, nodes_[k]));
+    if (too_thin(rest_, shape_, first)) return;
     set_normals_along();
     double round = 2 * kPi * thick;
     sides_ = std::clamp(static_cast<int>(std::lround(round / shape_.side)), 3, shape_.most_sides);
@@ -139,6 +147,13 @@ class Tube {
 };
 
 }  // namespace
+
+std::vector<bool> left_out(const Skeleton& rest, const TubeShape& shape) {
+  std::vector<bool> out(rest.size());
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(rest.size()); ++i)
+    out[i] = i > 0 && rest.parent[i] == i - 1 ? out[i - 1] : too_thin(rest, shape, i);
+  return out;
+}
 
 Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
                      std::span<const Quat> turn, const TubeShape& shape) {

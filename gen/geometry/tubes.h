@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "model/skeleton.h"
 #include "model/surface.h"
@@ -16,7 +17,12 @@ struct TubeShape {
   int lobes = 0;          ///< of the cross-section of branches of order 0
   double lobe_depth = 0;  ///< share of the radius
   float least = 0;        ///< metres; branches that begin thinner than this are left out
+  std::span<const float> girth =
+      {};  ///< metres, of each node: the radius that the picture fits, of what still thickens; empty: its own
 };
+
+/// Whether the branch that a node is of is left out, of each node.
+std::vector<bool> left_out(const Skeleton& rest, const TubeShape& shape);
 
 /// Turns every branch into a tube: a chain of the skeleton is one, which begins inside of its parent. `uv`
 /// goes a whole number of times round the branch, the same along all of it, so that it has no seam but the

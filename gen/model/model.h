@@ -64,6 +64,7 @@ struct Blades {
 struct Model {
   Skeleton skeleton;
   std::vector<std::int32_t> color;  ///< of each node, the turtle's index; empty: 0 for all
+  std::vector<float> girth;         ///< of each node, the radius that it will come to; empty: it has it
   std::vector<Prototype> prototypes;
   Organs organs;
   Blades blades;

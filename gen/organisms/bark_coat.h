@@ -14,6 +14,7 @@ struct BarkCoat {
   int pixels = 512;     ///< its width
   double relief = 1;    ///< of the bumps, 0 none
   double facet = 0.03;  ///< metres, about the width of a side of the mesh
+  double twigs = 0;     ///< metres; branches that begin with a smaller radius are sweeps, without a picture
 };
 
 /// Names of its two pictures: colour and height.

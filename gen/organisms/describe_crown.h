@@ -161,6 +161,8 @@ void describe(Visitor& v, BarkCoat& c) {
   v.integer("pixels", c.pixels, {.min = 16, .max = 8192}, "Its width");
   v.number("relief", c.relief, {.min = 0, .max = 10}, "Of the bumps");
   v.number("facet", c.facet, {.min = 0.0005, .max = 10, .unit = "m"}, "Width of a side of the mesh, about");
+  v.number("twigs", c.twigs, {.min = 0, .max = 10, .unit = "m"},
+           "Branches that begin with a smaller radius wear the plain bark");
 }
 
 template <class Visitor>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "organisms/describe_plant.h"
+#include "organisms/describe_crown.h"
 #include "organisms/tree.h"
 #include "preset/reader.h"
 
@@ -109,6 +109,8 @@ void describe(Visitor& v, Foliage& f) {
   v.number("hang", f.hang, {.min = 0, .max = 1}, "0 sprigs are held up, 1 they hang");
   v.list("colors", f.colors, Count{1, 64}, "One is picked for each sprig");
   v.color("second", f.second, "Of the veins");
+  v.object("picture", f.picture,
+           "Leaves as pictures in place of the kind; size and its variation are as above");
 }
 
 /// The weather of the years as presets group it.
@@ -135,6 +137,7 @@ void describe(Visitor& v, TreeParams& t) {
   v.integer("roots", t.roots, {.min = 0, .max = 24}, "That run out from it above the ground");
   v.object("leaves", t.leaves, "Sprigs of leaves");
   v.object("bark", t.bark, "Surface of the branches");
+  v.object("coat", t.coat, "A bark as a picture; branches are meshes then");
   v.object("wave", t.wave, "Swaying in the wind");
   v.object("growth", t.growth, "When its years pass in the film");
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/text.h"
 
 namespace frond {
@@ -21,7 +23,20 @@ std::string picture_name(const LeafLook& look, std::size_t color) {
     const Sprig& s = leaf.sprigs;
     append_list(key += ';', 6, s.pairs, s.end_leaf, s.angle, s.length, s.shrink, s.alternate);
   }
-  return fmt::format("leaf_{:016x}.png", Seed{1}.child(key).key);
+  return fmt::format("leaf_{:016x}.png", Seed{3}.child(key).key);
+}
+
+/// A picture without opacity, for the mesh has the outline: to POV-Ray a leaf with an opacity is one that
+/// each ray of light must look through. Where nothing is drawn it has the colour of the rim.
+Raster opaque(const Raster& from, const Color& rim) {
+  Raster to(from.width, from.height, 3);
+  std::uint8_t ground[] = {to_byte(rim.red), to_byte(rim.green), to_byte(rim.blue)};
+  for (std::size_t i = 0; i < to.data.size() / 3; ++i) {
+    const std::uint8_t* pixel = &from.data[4 * i];
+    bool drawn = pixel[0] != 0 || pixel[1] != 0 || pixel[2] != 0;
+    std::copy_n(drawn ? pixel : ground, 3, &to.data[3 * i]);
+  }
+  return to;
 }
 
 }  // namespace
@@ -54,7 +69,8 @@ Prototype leaf_prototype(const LeafLook& look) {
 Result<std::vector<Picture>> leaf_pictures(const LeafLook& look) {
   std::vector<Picture> pictures;
   for (std::size_t i = 0; i < look.colors.size(); ++i) {
-    Result<std::string> bytes = png_text(leaf_picture(leaf_image(look, i), look.pixels, Seed{i}));
+    Result<std::string> bytes =
+        png_text(opaque(leaf_picture(leaf_image(look, i), look.pixels, Seed{i}), look.rim));
     if (!bytes) return bytes.errors();
     pictures.push_back({picture_name(look, i), std::move(*bytes)});
   }

@@ -75,8 +75,8 @@ FrondShape frond_shape(const OrganParams& p) {
   return shape;
 }
 
-SprigShape sprig_shape(const OrganParams& p) {
-  SprigShape shape;
+TwigShape sprig_shape(const OrganParams& p) {
+  TwigShape shape;
   shape.leaf = leaf_shape(p);
   if (p.leaflets > 0) shape.leaves = p.leaflets;
   return shape;
@@ -111,7 +111,7 @@ Prototype prototype(const OrganParams& p, Seed seed) {
     case OrganShape::sprig:
     case OrganShape::frond: {
       bool sprig = p.shape == OrganShape::sprig;
-      Foliage parts = sprig ? sprig_foliage(sprig_shape(p), seed) : frond_foliage(frond_shape(p), seed);
+      TwigParts parts = sprig ? sprig_foliage(sprig_shape(p), seed) : frond_foliage(frond_shape(p), seed);
       made.parts.push_back({Tissue::leaf, std::move(parts.blades)});
       made.parts.push_back({sprig ? Tissue::skin : Tissue::heart, std::move(parts.stem)});
       break;

@@ -115,6 +115,7 @@ Result<std::vector<Picture>> pictures(const Organism& organism) {
     return dress_pictures(tree->dress, tree->tree.leaves != 0);
   if (const auto* tree = std::get_if<ColonizedParams>(&organism.body))
     return dress_pictures(tree->dress, tree->leaf_reach > 0);
+  if (const auto* tree = std::get_if<TreeParams>(&organism.body)) return tree_pictures(*tree);
   return std::vector<Picture>{};
 }
 

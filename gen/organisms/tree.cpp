@@ -18,8 +18,9 @@ float flared(const TreeParams& params, float base, float height) {
 }
 
 /// Branches as a skeleton; gives the node of each internode.
-std::vector<std::int32_t> add_branches(Skeleton& s, const Standing& now, const GrownTree& tree,
+std::vector<std::int32_t> add_branches(Model& model, const Standing& now, const GrownTree& tree,
                                        const TreeParams& params) {
+  Skeleton& s = model.skeleton;
   std::vector<std::int32_t> node(now.size());
   s.reserve(now.size() + 64);
   float base = now.size() > 1 ? now.radius[1] : 0.001f, ground = now.size() > 0 ? now.tip[0].y : 0;
@@ -34,6 +35,8 @@ std::vector<std::int32_t> add_branches(Skeleton& s, const Standing& now, const G
       below = broke ? s.add(now.foot[i], radius, Skeleton::kRoot, order) : node[below];
     }
     node[i] = s.add(now.tip[i], radius, below, order);
+    std::size_t source = now.source[i] == 0 && tree.size() > 1 ? 1 : now.source[i];
+    model.girth.resize(s.size(), tree.radius[source]);
   }
   return node;
 }
@@ -61,6 +64,22 @@ void add_roots(Skeleton& s, const TreeParams& params, Seed seed) {
   }
 }
 
+/// Puts the nodes in the order of their branches; gives the new place of each.
+std::vector<std::int32_t> order_model(Model& model) {
+  for (std::size_t i = model.girth.size(); i < model.skeleton.size(); ++i)
+    model.girth.push_back(model.skeleton.radius[i]);
+  std::vector<std::int32_t> order = order_branches(model.skeleton);
+  std::vector<float> girth(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) girth[static_cast<std::size_t>(order[i])] = model.girth[i];
+  model.girth = std::move(girth);
+  return order;
+}
+
+Prototype sprig_prototype(const Foliage& leaves) {
+  if (leaves.picture) return leaf_prototype(*leaves.picture);
+  return {"sprig", {{Tissue::leaf, sprig_surface(leaves.sprig)}}, leaves.colors, leaves.second};
+}
+
 /// A sprig's frame: along it, and its upper side to the sky.
 Quat sprig_turn(Vec3 heading, Vec3 side, const Foliage& leaves, bool leads, Seed seed) {
   float open = leads ? 0.15f : static_cast<float>(leaves.spread * seed.child(1).range(0.7, 1.25));
@@ -81,6 +100,8 @@ Quat sprig_turn(Vec3 heading, Vec3 side, const Foliage& leaves, bool leads, Seed
 
 void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
                 const std::vector<std::int32_t>& node, const Foliage& leaves, Seed seed) {
+  model.prototypes.push_back(sprig_prototype(leaves));
+  std::size_t colors = model.prototypes[0].colors.size();
   Organs& o = model.organs;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.leaves[i] < kSmallestSprig || now.parent[i] == GrownTree::kRoot) continue;
@@ -99,7 +120,7 @@ void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
       o.scale.push_back(Vec3(std::max(size, 1e-4f)));
       o.node.push_back(node[i]);
       o.birth.push_back(0);
-      o.color.push_back(static_cast<std::int32_t>(own.child(7).bits() % leaves.colors.size()));
+      o.color.push_back(static_cast<std::int32_t>(own.child(7).bits() % colors));
       o.id.push_back(source);
     }
   }
@@ -139,19 +160,28 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
                  Seed seed) {
   Standing now = standing(tree, params.species, year, filming);
   Model model;
-  std::vector<std::int32_t> node = add_branches(model.skeleton, now, tree, params);
+  std::vector<std::int32_t> node = add_branches(model, now, tree, params);
   add_roots(model.skeleton, params, seed.child("root"));
-  std::vector<std::int32_t> order = order_branches(model.skeleton);
+  std::vector<std::int32_t> order = order_model(model);
   for (std::int32_t& n : node) n = order[static_cast<std::size_t>(n)];
   set_tip_distances(model.skeleton);
-  if (params.leaves.size > 0) {
-    model.prototypes.push_back({"sprig",
-                                {{Tissue::leaf, sprig_surface(params.leaves.sprig)}},
-                                params.leaves.colors,
-                                params.leaves.second});
-    add_sprigs(model, now, tree, node, params.leaves, seed.child("sprig"));
-  }
+  if (params.leaves.size > 0) add_sprigs(model, now, tree, node, params.leaves, seed.child("sprig"));
   return model;
+}
+
+Result<std::vector<Picture>> tree_pictures(const TreeParams& params) {
+  std::vector<Picture> all;
+  if (params.leaves.size > 0 && params.leaves.picture) {
+    Result<std::vector<Picture>> leaves = leaf_pictures(*params.leaves.picture);
+    if (!leaves) return leaves;
+    all = std::move(*leaves);
+  }
+  if (params.coat) {
+    Result<std::vector<Picture>> bark = bark_pictures(*params.coat);
+    if (!bark) return bark;
+    all.insert(all.end(), std::make_move_iterator(bark->begin()), std::make_move_iterator(bark->end()));
+  }
+  return all;
 }
 
 Model grow_tree(const TreeParams& params, Seed seed) {

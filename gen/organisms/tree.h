@@ -7,6 +7,8 @@
 #include "geometry/sprig.h"
 #include "model/model.h"
 #include "motion/motion.h"
+#include "organisms/bark_coat.h"
+#include "organisms/leaf_look.h"
 #include "organisms/plant.h"
 #include "trees/grove.h"
 #include "trees/standing.h"
@@ -16,10 +18,11 @@ namespace frond {
 /// What a tree's leaves look like: sprigs at its young internodes.
 struct Foliage {
   SprigShape sprig;
-  double size = 0.28;             ///< metres, of a sprig; 0: none
-  double size_variation = 0.2;    ///< random change of it, as a share
-  double spread = radians(55.0);  ///< between a sprig and the shoot that bears it
-  double hang = 0;                ///< 0 held up to the light .. 1 hanging straight down
+  std::optional<LeafLook> picture;  ///< in place of the sprig: cut along the outline of its picture
+  double size = 0.28;               ///< metres, of a sprig; 0: none
+  double size_variation = 0.2;      ///< random change of it, as a share
+  double spread = radians(55.0);    ///< between a sprig and the shoot that bears it
+  double hang = 0;                  ///< 0 held up to the light .. 1 hanging straight down
   std::vector<Color> colors{{0.20f, 0.34f, 0.10f}, {0.24f, 0.38f, 0.11f}, {0.28f, 0.41f, 0.13f}};
   Color second{0.45f, 0.55f, 0.25f};  ///< of the veins
 };
@@ -34,7 +37,8 @@ struct TreeParams {
   double flare = 0.7;  ///< how much wider the foot of the stem is
   int roots = 5;       ///< that run out from it above the ground
   Foliage leaves;
-  Bark bark;
+  Bark bark;                     ///< of branches drawn as sweeps
+  std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
   Wave wave;
   Growth growth;
 };
@@ -65,6 +69,9 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
 
 /// The year of a grove that a film has reached; the last summer where the tree does not grow in the film.
 double year_at(const Growth& growth, int years, double time);
+
+/// All pictures that a tree's frames need.
+Result<std::vector<Picture>> tree_pictures(const TreeParams& params);
 
 /// One tree by itself, its foot at the origin.
 Model grow_tree(const TreeParams& params, Seed seed);

@@ -11,6 +11,7 @@ namespace {
 
 void take(Branches& branches, Model&& model) {
   branches.rest = std::move(model.skeleton);
+  branches.girth = std::move(model.girth);
   branches.prototypes = std::move(model.prototypes);
   branches.organs = std::move(model.organs);
 }
@@ -63,6 +64,7 @@ Branches tree_at(const Branches& tree, double time) {
   now.name = tree.name;
   now.entry = tree.entry;
   now.bark = tree.bark;
+  now.coat = tree.coat;
   now.brightness = tree.brightness;
   now.style = tree.style;
   now.motion = tree.motion;

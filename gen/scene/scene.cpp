@@ -136,6 +136,7 @@ struct Dress {
   void operator()(const ColonizedParams& params) { vary(wear(branches, params)); }
   void operator()(const TreeParams& params) {
     branches.bark = params.bark;
+    branches.coat = params.coat;
     branches.motion = {params.growth, params.wave, {}, 1, true};
     vary(params.bark.variation);
   }

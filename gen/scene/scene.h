@@ -54,6 +54,7 @@ struct Branches {
   double lobe_depth = 0;
   BladeParams blade_look;
   std::vector<std::int32_t> color;  ///< of each node; empty: 0 for all
+  std::vector<float> girth;         ///< as that of a Model
   std::vector<Prototype> prototypes;
   Organs organs;
   Blades blades;

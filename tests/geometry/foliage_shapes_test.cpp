@@ -27,7 +27,7 @@ double upward(const Surface& s) {  // share of the area whose front looks up
 TEST(FoliageShapes, FrondHasItsMeasures) {
   FrondShape shape;
   shape.bend = 0, shape.droop = 0;
-  Foliage flat = frond_foliage(shape, Seed{1});
+  TwigParts flat = frond_foliage(shape, Seed{1});
   EXPECT_EQ(flat.blades.check(), "");
   EXPECT_EQ(flat.stem.check(), "");
   EXPECT_EQ(flat.blades.uv.size(), flat.blades.position.size());
@@ -44,14 +44,14 @@ TEST(FoliageShapes, FrondHasItsMeasures) {
 TEST(FoliageShapes, FrondBendsDownAndDroops) {
   FrondShape shape;
   shape.bend = radians(120.0);
-  Foliage bent = frond_foliage(shape, Seed{1});
+  TwigParts bent = frond_foliage(shape, Seed{1});
   EXPECT_LT(box_of(bent.stem).low.z, -0.25f);
   EXPECT_LT(box_of(bent.blades).low.z, box_of(bent.stem).low.z);
 }
 
 TEST(FoliageShapes, SprigHasItsLeaves) {
-  SprigShape shape;
-  Foliage sprig = sprig_foliage(shape, Seed{2});
+  TwigShape shape;
+  TwigParts sprig = sprig_foliage(shape, Seed{2});
   EXPECT_EQ(sprig.blades.check(), "");
   EXPECT_EQ(sprig.stem.check(), "");
   EXPECT_EQ(sprig.blades.triangle.size(), blade_surface(shape.leaf).triangle.size() * 9);

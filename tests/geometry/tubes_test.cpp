@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "shapes.h"
@@ -77,6 +78,23 @@ TEST(Tubes, LobesWaveTheTrunkAlone) {
   }
   EXPECT_NEAR(most, 0.06, 0.001);
   EXPECT_NEAR(least, 0.04, 0.001);
+}
+
+TEST(Tubes, ThinBranchesMayBeLeftOut) {
+  Skeleton s = candelabrum(5, Seed{2});
+  TubeShape shape;
+  shape.least = 0.04f;
+  std::vector<bool> out = left_out(s, shape);
+  std::size_t gone = static_cast<std::size_t>(std::count(out.begin(), out.end(), true));
+  EXPECT_GT(gone, 0u);
+  EXPECT_LT(gone, s.size());
+  Surface all = tube_surface(s, {}), some = tube_surface(s, shape);
+  EXPECT_LT(some.position.size(), all.position.size());
+  // What is thin now and will be thick stays.
+  std::vector<float> girth(s.size(), 0.05f);
+  shape.girth = girth;
+  out = left_out(s, shape);
+  EXPECT_EQ(std::count(out.begin(), out.end(), true), 0);
 }
 
 TEST(Tubes, MoveWithAPose) {

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/tubes.h"
 
 namespace frond {
 namespace {
@@ -94,6 +98,66 @@ TEST(Tree, EveryMomentIsAWholeModel) {
     EXPECT_GE(model.skeleton.size() + 50, last);
     last = model.skeleton.size();
   }
+}
+
+/// A ring of a tree's stem: how often the picture goes round it, and its middle.
+struct Ring {
+  float round = 0;
+  Vec3 middle{0};
+};
+
+/// The rings at a year, by how far the picture has come up the stem, in thousandths of it.
+std::map<int, Ring> stem_pictures(const TreeParams& params, const GrownTree& tree, double year) {
+  Model model = tree_model(params, tree, year, {0.4, 1}, Seed{2});
+  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.girth.size(), model.skeleton.size());
+  TubeShape shape;
+  shape.wrap = 0.05;
+  shape.girth = model.girth;
+  Surface wood = tube_surface(model.skeleton, shape);
+  std::map<int, Ring> rings;
+  // The stem is the first tube; it ends where the picture begins anew.
+  for (std::size_t i = 0; i < wood.uv.size() && (i == 0 || wood.uv[i].y >= wood.uv[i - 1].y); ++i) {
+    Ring& ring = rings[static_cast<int>(std::lround(wood.uv[i].y * 1000))];
+    if (wood.uv[i].x == 0) ring.middle = wood.position[i];
+    ring.round = std::max(ring.round, wood.uv[i].x);
+    // Half way round is the other side.
+    if (std::abs(wood.uv[i].x * 2 - 7) < 1e-4f) ring.middle = (ring.middle + wood.position[i]) / 2.0f;
+  }
+  return rings;
+}
+
+TEST(Tree, APictureOfBarkStaysOnTheStemThatGrows) {
+  TreeParams params = sapling();
+  TreeSite site{&params, Vec3(0), Quat(1, 0, 0, 0), 1, Seed{5}};
+  Grove grove = grow_trees({&site, 1}, true, Seed{1});
+  std::map<int, Ring> last = stem_pictures(params, grove.trees[0], 12.5);
+  for (const auto& [up, ring] : last) EXPECT_EQ(ring.round, 7) << "a whole number of times, all along";
+  int same = 0, moved = 0;
+  for (double year : {7.3, 9.0, 11.9}) {
+    for (const auto& [up, ring] : stem_pictures(params, grove.trees[0], year)) {
+      auto then = last.find(up);
+      if (then == last.end()) continue;
+      ++(glm::distance(then->second.middle, ring.middle) < 0.002f ? same : moved);
+    }
+  }
+  EXPECT_GT(same, 30) << "thin or thick, a place on the stem shows the same part of the picture";
+  EXPECT_LT(moved, 4) << "but where the shoot is still growing";
+}
+
+TEST(Tree, LeavesMayBePictures) {
+  TreeParams params = sapling();
+  params.leaves.picture = LeafLook{};
+  params.coat = BarkCoat{};
+  params.coat->pixels = 32;
+  Model model = grow_tree(params, Seed{3});
+  EXPECT_EQ(model.check(), "");
+  Result<std::vector<Picture>> drawn = tree_pictures(params);
+  ASSERT_TRUE(drawn);
+  const auto& named = model.prototypes[0].parts[0].pictures;
+  ASSERT_EQ(named.size(), params.leaves.picture->colors.size());
+  for (std::size_t i = 0; i < named.size(); ++i) EXPECT_EQ((*drawn)[i].name, named[i]);
+  EXPECT_EQ(drawn->size(), named.size() + 2) << "two of bark";
 }
 
 }  // namespace
