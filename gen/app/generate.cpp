@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <span>
 
 #include "app/commands.h"
 #include "app/inputs.h"
@@ -23,10 +24,56 @@ struct Written {
   Errors errors;
 };
 
+/// Grows the models of stands that are not there yet, each with all its levels, and counts their parts.
+Errors grow_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, bool quiet) {
+  auto count = [&](ModelFile& file) {
+    Result<std::string> text = read_file(folder / file.name);
+    file.parts = text ? model_parts(*text) : 0;
+    return file.parts > 0;
+  };
+  std::vector<std::span<ModelFile>> to_grow;
+  for (std::size_t i = 0; i < plan.files.size();) {
+    std::size_t end = i + 1;
+    auto same = [&](const ModelFile& f) {
+      return f.stand == plan.files[i].stand && f.model == plan.files[i].model;
+    };
+    while (end < plan.files.size() && same(plan.files[end])) ++end;
+    std::span<ModelFile> levels(&plan.files[i], end - i);
+    // Each is looked at, for its parts are to be counted.
+    if (std::count_if(levels.begin(), levels.end(), count) < std::ssize(levels)) to_grow.push_back(levels);
+    i = end;
+  }
+  if (to_grow.empty()) return {};
+  Progress progress("grow", static_cast<int>(to_grow.size()), quiet);
+  std::vector<Errors> errors(to_grow.size());
+  parallel_for(to_grow.size(), [&](std::size_t i) {
+    const Organism& organism = scene.stands[to_grow[i][0].stand].organism;
+    Result<Model> model = grow_copy(organism, to_grow[i][0].model);
+    if (!model) {
+      errors[i] = model.errors();
+      return;
+    }
+    for (ModelFile& file : to_grow[i]) {
+      std::string text = model_text(file, organism, *model);
+      file.parts = model_parts(text);
+      Result<bool> written = write_file(folder / file.name, text);
+      if (!written) errors[i] = written.errors();
+    }
+    progress.step();
+  });
+  for (const Errors& list : errors)
+    if (!list.empty()) return list;
+  return {};
+}
+
 /// Writes the frames of a range, several at a time.
-Written write_frames(const Scene& scene, const std::string& layout, const fs::path& out, FrameRange range,
-                     bool quiet) {
-  FrameParts parts = prepare_frames(scene);
+Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layout, const fs::path& out,
+                     FrameRange range, bool quiet) {
+  FrameParts parts = prepare_frames(scene, std::move(plan));
+  for (const Picture& file : parts.files) {
+    Result<bool> written = write_file(out / "frames" / file.name, file.bytes);
+    if (!written) return {0, written.errors()};
+  }
   int count = range.last - range.first + 1;
   Progress progress("frames", count, quiet);
   std::atomic<int> changed = 0;
@@ -123,7 +170,10 @@ int generate(const GenerateArguments& arguments) {
     Result<bool> written = write_file(out / "frames" / picture.name, picture.bytes);
     if (!written) return fail(written.errors(), kCouldNot);
   }
-  Written written = write_frames(*scene, *layout, out, range, arguments.quiet);
+  CopyPlan plan = plan_copies(*scene);
+  if (Errors errors = grow_models(*scene, plan, out / "frames", arguments.quiet); !errors.empty())
+    return fail(errors, kCouldNot);
+  Written written = write_frames(*scene, std::move(plan), *layout, out, range, arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);

@@ -1,5 +1,7 @@
 #include "emit/frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -217,9 +219,19 @@ std::string all_branches_text(const FrameParts& parts, const Scene& scene, doubl
   return text;
 }
 
+constexpr std::size_t kAside = 100'000;  // bytes that are not worth a file
+
+/// Puts what is the same in all frames of a film into a file that they include, named by what is in it.
+void put_aside(std::string& text, std::vector<Picture>& files) {
+  if (text.size() < kAside) return;
+  std::string name = fmt::format("part_{:016x}.inc", Seed{}.child(text).key);
+  files.push_back({name, std::move(text)});
+  text = "#include \"" + name + "\"";
+}
+
 }  // namespace
 
-FrameParts prepare_frames(const Scene& scene) {
+FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
   float thinnest = std::numeric_limits<float>::infinity();
   for (const Branches& b : scene.branches)
     for (float radius : b.rest.radius) thinnest = std::min(thinnest, radius);
@@ -235,7 +247,13 @@ FrameParts prepare_frames(const Scene& scene) {
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene);
-  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene);
+  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene) +
+                 still_copies_text(parts.space, scene, plan);
+  parts.plan = std::move(plan);
+  if (scene.film.frames > 1) {
+    put_aside(parts.materials, parts.files);
+    put_aside(parts.ground, parts.files);
+  }
   return parts;
 }
 
@@ -261,7 +279,9 @@ Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std:
     if (hole == "camera") return camera_text(parts.space, scene.stage.camera, time);
     if (hole == "materials") return parts.materials;
     if (hole == "ground") return parts.ground;
-    if (hole == "organisms") return all_branches_text(parts, scene, time, errors);
+    if (hole == "organisms")
+      return all_branches_text(parts, scene, time, errors) +
+             swaying_copies_text(parts.space, scene, parts.plan, time);
     if (hole == "food") return food_text(parts.space, scene, time);
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
     return {};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "emit/copies.h"
 #include "emit/pov.h"
 #include "scene/scene.h"
 
@@ -12,13 +13,16 @@ namespace frond {
 
 /// What is the same in each frame of a film, written once.
 struct FrameParts {
+  std::vector<Picture> files;  ///< that frames include, to be put beside them
+  CopyPlan plan;               ///< of the copies of stands
   PovSpace space;
   std::string materials;                ///< the skins of all organisms and the shapes of their organs
   std::string ground;                   ///< floor, stones, grass and solids
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
 };
 
-FrameParts prepare_frames(const Scene& scene);
+/// With the plan of copies, whose files must have been counted.
+FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {});
 
 /// The whole .pov text of frame `frame` (1 is the first): the layout with its holes filled. A pure function
 /// of its arguments; `layout` is templates/frame.pov. An unknown hole is an error.

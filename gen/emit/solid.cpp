@@ -182,10 +182,18 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
 
 }  // namespace
 
+std::string material_text(const Material& material) {
+  std::string text;
+  append_material(text, material);
+  return text;
+}
+
+std::string_view material_include(const Material& material) { return row_of(material.matter).include; }
+
 std::vector<std::string_view> solid_includes(const Scene& scene) {
   std::vector<std::string_view> names;
   for (const Branches& b : scene.branches)
-    for (const Solid& solid : b.solids.shapes) names.push_back(row_of(solid.material.matter).include);
+    for (const Solid& solid : b.solids.shapes) names.push_back(material_include(solid.material));
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;

@@ -11,6 +11,10 @@ namespace frond {
 /// The names of the povinc files that the solids of a scene need, each once, as `stone` for frond_stone.inc.
 std::vector<std::string_view> solid_includes(const Scene& scene);
 
+/// The `texture{...}` of a material, and what is inside; the name of the povinc file that it needs.
+std::string material_text(const Material& material);
+std::string_view material_include(const Material& material);
+
 /// Declares the shapes of all solids and places them; the same in each frame.
 std::string solids_text(const PovSpace& space, const Scene& scene);
 

@@ -39,6 +39,7 @@ void describe(Visitor& v, CopyTint& t) {
 template <class Visitor>
 void describe(Visitor& v, Sowing& s) {
   v.integer("models", s.models, {.min = 1, .max = 64}, "That are grown, each by a seed of its own");
+  v.list("seeds", s.seeds, "Seeds of the models; where none is given, a model has its number");
   v.number("crowd", s.crowd, {.min = 0, .max = 100, .unit = "m"},
            "Trees grow up among neighbours so far away; 0: in the open");
   v.object("where", s.where, "Where copies come up");

@@ -49,6 +49,7 @@ struct Organism {
   std::variant<CoralParams, PlantParams, RockParams, PebblesParams, WallParams, ColumnParams, MeshParams,
                BridgeParams, VaseParams, WeberPennParams, ColonizedParams, TreeParams, IvyParams>
       body;
+  std::string text;  ///< all that its shape depends on, as it was written (canonical JSON); for hashes
 };
 
 /// What an organism is made of at the end of its growth, with its foot at the origin. Ivy grows on others, by

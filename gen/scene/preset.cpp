@@ -139,8 +139,12 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Faults faults;
   const Stage& stage = preset->stage;
   double ground = stage.setting == Setting::forest ? std::max(30.0, stage.forest.terrain.size) : 30;
-  for (std::size_t i = 0; i < preset->organisms.size(); ++i)
-    check_organism(preset->organisms[i], merged_organism(document->root, i), i, ground, faults);
+  for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
+    Value written = merged_organism(document->root, i);
+    check_organism(preset->organisms[i], written, i, ground, faults);
+    for (std::string_view other : {"name", "count", "place", "sown", "wave", "growth"}) written.remove(other);
+    preset->organisms[i].text = serialize(written);
+  }
   check_hosts(*preset, document->root, faults);
   check_stage(preset->stage, document->root, faults);
   if (!faults.list().empty()) return faults.errors();

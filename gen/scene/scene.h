@@ -107,7 +107,7 @@ inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
 /// An organism that is sown: where its copies stand. Its models are grown when they are written.
 struct SownStand {
   std::size_t entry = 0;  ///< which of the preset's organisms
-  Seed seed;              ///< of the entry; model i grows from seed.child("model", i)
+  Organism organism;      ///< that one
   Copies copies;
 };
 

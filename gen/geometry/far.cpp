@@ -1,0 +1,180 @@
+#include "geometry/far.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace frond {
+
+namespace {
+
+/// Marks the nodes that a chain from..to keeps, both ends included.
+void keep_bends(const Skeleton& s, std::int32_t from, std::int32_t to, float tolerance,
+                std::vector<char>& keep) {
+  if (to - from < 2) return;
+  Vec3 start = s.position[from], way = s.position[to] - start;
+  float length = glm::length(way), worst = tolerance;
+  std::int32_t at = -1;
+  for (std::int32_t i = from + 1; i < to; ++i) {
+    float along =
+        length > 0 ? std::clamp(glm::dot(s.position[i] - start, way) / (length * length), 0.0f, 1.0f) : 0;
+    float off = glm::distance(s.position[i], start + way * along);
+    off += std::abs(s.radius[i] - glm::mix(s.radius[from], s.radius[to], along));
+    if (off > worst) worst = off, at = i;
+  }
+  if (at < 0) return;
+  keep[at] = 1;
+  keep_bends(s, from, at, tolerance, keep);
+  keep_bends(s, at, to, tolerance, keep);
+}
+
+/// The last node of the chain that begins at `first`.
+std::int32_t chain_end(const Skeleton& s, std::int32_t first) {
+  auto n = static_cast<std::int32_t>(s.size());
+  while (first + 1 < n && s.parent[first + 1] == first) ++first;
+  return first;
+}
+
+/// What a piece of a surface adds up to.
+struct Piece {
+  Vec3 middle{0}, facing{0};  // middle times area; the sum of the triangles' area vectors
+  Vec2 uv{0};                 // times area
+  float area = 0;
+  std::vector<std::uint32_t> vertices;
+};
+
+std::vector<Piece> measured(const Surface& s, const Pieces& pieces, bool whole) {
+  std::vector<Piece> list(whole ? 1 : pieces.count);
+  auto piece_of = [&](std::uint32_t vertex) -> Piece& { return list[whole ? 0 : pieces.of[vertex]]; };
+  for (auto [a, b, c] : s.triangle) {
+    Piece& piece = piece_of(a);
+    Vec3 across = glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]) * 0.5f;
+    float area = glm::length(across);
+    piece.area += area;
+    piece.facing += across;
+    piece.middle += (s.position[a] + s.position[b] + s.position[c]) * (area / 3);
+    if (!s.uv.empty()) piece.uv += (s.uv[a] + s.uv[b] + s.uv[c]) * (area / 3);
+  }
+  for (std::uint32_t v = 0; v < s.position.size(); ++v) piece_of(v).vertices.push_back(v);
+  return list;
+}
+
+std::uint32_t farthest(const Surface& s, const Piece& piece, Vec3 from) {
+  return *std::max_element(piece.vertices.begin(), piece.vertices.end(),
+                           [&](std::uint32_t a, std::uint32_t b) {
+                             return glm::distance(s.position[a], from) < glm::distance(s.position[b], from);
+                           });
+}
+
+std::uint32_t outermost(const Surface& s, const Piece& piece, Vec3 toward) {
+  return *std::max_element(piece.vertices.begin(), piece.vertices.end(),
+                           [&](std::uint32_t a, std::uint32_t b) {
+                             return glm::dot(s.position[a], toward) < glm::dot(s.position[b], toward);
+                           });
+}
+
+void add_diamond(Surface& out, const Surface& s, const Piece& piece) {
+  if (piece.area <= 1e-12f) return;
+  Vec3 middle = piece.middle / piece.area;
+  std::uint32_t foot = farthest(s, piece, middle), tip = farthest(s, piece, s.position[foot]);
+  // The foot is what is nearer to where the whole begins.
+  if (glm::length(s.position[foot]) > glm::length(s.position[tip])) std::swap(foot, tip);
+  Vec3 way = s.position[tip] - s.position[foot];
+  float length = glm::length(way);
+  if (length < 1e-7f) return;
+  Vec3 axis = way / length, facing = piece.facing - axis * glm::dot(piece.facing, axis);
+  float open = glm::length(piece.facing) / piece.area, covered = piece.area;
+  if (open < 0.2f) {  // a closed body shows a quarter of its surface
+    covered *= 0.25f;
+    facing = glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
+  }
+  facing = glm::length(facing) > 1e-9f ? glm::normalize(facing)
+                                       : glm::normalize(glm::cross(axis, Vec3(0.3f, 1, 0.2f)));
+  Vec3 across = glm::cross(facing, axis) * (covered / length);
+  Vec3 waist = s.position[foot] +
+               axis * std::clamp(glm::dot(middle - s.position[foot], axis), 0.2f * length, 0.8f * length);
+  waist += facing * glm::dot(middle - waist, facing);
+  auto first = static_cast<std::uint32_t>(out.position.size());
+  out.position.insert(out.position.end(),
+                      {s.position[foot], waist - across, s.position[tip], waist + across});
+  out.normal.insert(out.normal.end(), 4, facing);
+  if (!s.uv.empty())
+    out.uv.insert(out.uv.end(), {s.uv[foot], s.uv[outermost(s, piece, -across)], s.uv[tip],
+                                 s.uv[outermost(s, piece, across)]});
+  out.triangle.push_back({first, first + 3, first + 2});
+  out.triangle.push_back({first, first + 2, first + 1});
+}
+
+}  // namespace
+
+Skeleton thinned(const Skeleton& s, float least, float tolerance) {
+  auto n = static_cast<std::int32_t>(s.size());
+  std::vector<char> keep(s.size(), 0), there(s.size(), 0);
+  for (std::int32_t first = 0; first < n;) {
+    std::int32_t last = chain_end(s, first), below = s.parent[first];
+    bool stays =
+        below == Skeleton::kRoot || (there[below] && (s.order[first] == 0 || s.radius[first] >= least));
+    for (std::int32_t i = first; i <= last; ++i) there[i] = stays;
+    if (stays) {
+      keep[first] = keep[last] = 1;
+      if (below != Skeleton::kRoot) keep[below] = 1;
+    }
+    first = last + 1;
+  }
+  for (std::int32_t first = 0; first < n;) {
+    std::int32_t last = chain_end(s, first);
+    for (std::int32_t from = first, i = first + 1; i <= last; ++i) {
+      if (!keep[i]) continue;
+      keep_bends(s, from, i, tolerance, keep);
+      from = i;
+    }
+    first = last + 1;
+  }
+  Skeleton out;
+  std::vector<std::int32_t> index(s.size(), Skeleton::kRoot);
+  for (std::int32_t i = 0; i < n; ++i) {
+    if (!there[i]) continue;
+    std::int32_t below = s.parent[i] == Skeleton::kRoot ? Skeleton::kRoot : index[s.parent[i]];
+    index[i] = keep[i] ? out.add(s.position[i], s.radius[i], below, s.order[i]) : below;
+  }
+  return out;
+}
+
+Pieces pieces_of(const Surface& surface) {
+  std::vector<std::uint32_t> root(surface.position.size());
+  std::iota(root.begin(), root.end(), 0u);
+  auto find = [&](std::uint32_t v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  for (auto [a, b, c] : surface.triangle) {
+    // The smallest index stands for all.
+    std::uint32_t least = std::min({find(a), find(b), find(c)});
+    for (std::uint32_t v : {a, b, c}) root[find(v)] = least;
+  }
+  Pieces pieces;
+  pieces.of.resize(root.size());
+  for (std::uint32_t v = 0; v < root.size(); ++v)
+    pieces.of[v] = find(v) == v ? pieces.count++ : pieces.of[find(v)];
+  return pieces;
+}
+
+Surface diamonds(const Surface& surface, const Pieces& pieces) {
+  Surface out;
+  for (const Piece& piece : measured(surface, pieces, false)) add_diamond(out, surface, piece);
+  return out;
+}
+
+Surface one_diamond(const Surface& surface, const Pieces& pieces) {
+  Surface out;
+  add_diamond(out, surface, measured(surface, pieces, true)[0]);
+  if (out.uv.empty()) return out;
+  std::vector<Piece> list = measured(surface, pieces, false);
+  const Piece& largest = *std::max_element(list.begin(), list.end(),
+                                           [](const Piece& a, const Piece& b) { return a.area < b.area; });
+  std::fill(out.uv.begin(), out.uv.end(), largest.uv / std::max(largest.area, 1e-12f));
+  return out;
+}
+
+}  // namespace frond

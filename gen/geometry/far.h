@@ -1,0 +1,27 @@
+#pragma once
+
+#include "model/skeleton.h"
+#include "model/surface.h"
+
+namespace frond {
+
+/// Branches as they are seen from afar: without those that begin thinner than `least` metres (the stem
+/// stays), and without nodes that lie within `tolerance` metres of the line that would join their neighbours
+/// (Douglas and Peucker 1973) and are as thick as that. Forks that are left stay where they are.
+Skeleton thinned(const Skeleton& skeleton, float least, float tolerance);
+
+/// Which connected piece of a surface each vertex belongs to, counted from 0 in the order of the vertices.
+struct Pieces {
+  std::vector<std::uint32_t> of;
+  std::uint32_t count = 0;
+};
+Pieces pieces_of(const Surface& surface);
+
+/// Each connected piece as a diamond of two triangles: as long, of the same area, facing the same way. A
+/// round body becomes one that covers what the body covers. `uv` are those of the corners' places.
+Surface diamonds(const Surface& surface, const Pieces& pieces);
+
+/// The whole surface as one such diamond, all of which has the `uv` of the middle of its largest piece.
+Surface one_diamond(const Surface& surface, const Pieces& pieces);
+
+}  // namespace frond

@@ -1,0 +1,210 @@
+#include "scene/copies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/far.h"
+#include "geometry/tubes.h"
+
+namespace frond {
+
+namespace {
+
+constexpr std::uint64_t kFormat = 1;        // of models; another number makes all of them anew
+constexpr std::uint32_t kOwnPlaces = 3600;  // how many leaves can be told apart
+constexpr int kNeighbours = 6;
+
+/// A tree that grew up among others.
+Model grow_in_crowd(const TreeParams& params, double crowd, double age, Seed seed) {
+  std::vector<TreeSite> sites{{&params, Vec3(0), Quat(1, 0, 0, 0), age, seed.child("tree")}};
+  double turn = seed.child("ring").range(0, 2 * kPi);
+  for (std::uint64_t k = 0; crowd > 0 && k < kNeighbours; ++k) {
+    Seed own = seed.child("neighbour", k);
+    double angle = turn + 2 * kPi * (static_cast<double>(k) + own.child(0).range(-0.2, 0.2)) / kNeighbours;
+    double far = crowd * own.child(1).range(0.85, 1.15);
+    sites.push_back({&params, Vec3(far * std::cos(angle), 0, far * std::sin(angle)), Quat(1, 0, 0, 0), 1,
+                     own.child("tree")});
+  }
+  Grove grove = grow_trees(sites, false, seed.child("weather"));
+  return tree_model(params, grove.trees[0], year_at({}, grove.years, 0), {}, seed.child("look"));
+}
+
+/// How deep a model stands in the ground.
+float sunk(const Organism& organism, const Skeleton& s) {
+  if (s.size() == 0) return 0;
+  if (std::holds_alternative<TreeParams>(organism.body)) return 0.3f * s.radius[0];
+  return std::min(s.radius[0], 0.1f * s.longest());
+}
+
+/// The shape of an organ at a grain, and how many stand for one.
+struct FarShape {
+  Surface surface;
+  Pieces pieces;
+  int stride = 1;
+};
+
+/// Edge of a square of a surface's mean piece, or of all of it.
+double extent(const Surface& s, std::uint32_t pieces) {
+  double area = 0;
+  for (auto [a, b, c] : s.triangle)
+    area += 0.5 * glm::length(glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]));
+  return std::sqrt(area / std::max(1u, pieces));
+}
+
+FarShape far_shape(const Surface& shape, double size, double grain) {
+  FarShape far{shape, pieces_of(shape), 1};
+  double piece = size * extent(shape, far.pieces.count) / grain, whole = size * extent(shape, 1) / grain;
+  if (piece > 10) return far;
+  if (whole > 5 || far.pieces.count == 1) {
+    far.surface = diamonds(shape, far.pieces);
+  } else {
+    far.surface = one_diamond(shape, far.pieces);
+  }
+  if (whole < 2.5) far.stride = static_cast<int>(std::clamp(std::ceil(6.25 / (whole * whole)), 1.0, 40.0));
+  far.pieces = pieces_of(far.surface);
+  return far;
+}
+
+/// All organs of one prototype as one mesh, `part` of them.
+Surface merged_organs(const Model& model, std::size_t which, std::size_t part, double grain) {
+  const Prototype& prototype = model.prototypes[which];
+  const Organs& o = model.organs;
+  double size = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < o.size(); ++i)
+    if (o.prototype[i] == which) size += std::max({o.scale[i].x, o.scale[i].y, o.scale[i].z}), ++count;
+  Surface out;
+  if (count == 0) return out;
+  FarShape far = far_shape(prototype.parts[part].surface, size / static_cast<double>(count), grain);
+  auto colors = static_cast<std::uint32_t>(prototype.colors.size());
+  float larger = std::sqrt(static_cast<float>(far.stride));
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    if (o.prototype[i] != which) continue;
+    Seed own{o.id[i]};
+    if (own.child(1).bits() % static_cast<std::uint64_t>(far.stride) != 0) continue;
+    auto first = static_cast<std::uint32_t>(out.position.size());
+    glm::mat3 frame = glm::mat3_cast(o.turn[i]), normals = frame;
+    for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * larger;
+    for (const Vec3& p : far.surface.position) out.position.push_back(o.position[i] + frame * p);
+    for (const Vec3& n : far.surface.normal) out.normal.push_back(normals * n);
+    std::int32_t color =
+        ((o.color[i] % static_cast<std::int32_t>(colors)) + static_cast<std::int32_t>(colors)) %
+        static_cast<std::int32_t>(colors);
+    for (std::size_t v = 0; v < far.surface.uv.size(); ++v) {
+      auto k =
+          static_cast<std::uint32_t>(own.child(far.pieces.of[v]).bits() % (kOwnPlaces / colors)) * colors;
+      // A place at the far rim would be one on the next leaf.
+      Vec2 uv = glm::clamp(far.surface.uv[v], Vec2(0.001f), Vec2(0.999f));
+      out.uv.push_back(uv + Vec2(static_cast<float>(k + static_cast<std::uint32_t>(color)), 0));
+    }
+    for (auto [a, b, c] : far.surface.triangle) out.triangle.push_back({first + a, first + b, first + c});
+  }
+  return out;
+}
+
+Surface merged_solid(const Solids& solids, std::size_t shape) {
+  Surface out;
+  const Surface& s = solids.shapes[shape].surface;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (solids.shape[i] != shape) continue;
+    auto first = static_cast<std::uint32_t>(out.position.size());
+    for (const Vec3& p : s.position)
+      out.position.push_back(solids.position[i] + solids.turn[i] * (p * solids.scale[i]));
+    for (const Vec3& n : s.normal)
+      out.normal.push_back(glm::normalize(solids.turn[i] * (n / solids.scale[i])));
+    out.uv.insert(out.uv.end(), s.uv.begin(), s.uv.end());
+    for (auto [a, b, c] : s.triangle) out.triangle.push_back({first + a, first + b, first + c});
+  }
+  return out;
+}
+
+}  // namespace
+
+Seed copy_key(const Organism& organism, int which) {
+  const Sowing& sown = *organism.sown;
+  auto index = static_cast<std::size_t>(which);
+  std::uint64_t seed = index < sown.seeds.size() ? static_cast<std::uint64_t>(sown.seeds[index]) : index + 1;
+  // The distance as a whole number of tenths of a millimetre.
+  auto crowd = static_cast<std::uint64_t>(std::llround(sown.crowd * 1e4));
+  auto ages = static_cast<std::uint64_t>(std::llround(organism.place.size_variation * 1e6));
+  return Seed{seed}.child(organism.text, kFormat).child("crowd", crowd).child("ages", ages);
+}
+
+Result<Model> grow_copy(const Organism& organism, int which) {
+  Seed seed = copy_key(organism, which);
+  Result<Model> model = [&]() -> Result<Model> {
+    const auto* tree = std::get_if<TreeParams>(&organism.body);
+    if (!tree) return grow(organism, seed);
+    double age = 1 + organism.place.size_variation * seed.child("age").range(-1, 1);
+    return grow_in_crowd(*tree, organism.sown->crowd, age, seed);
+  }();
+  if (!model) return model;
+  float depth = sunk(organism, model->skeleton);
+  auto lower = [&](std::vector<Vec3>& places) {
+    for (Vec3& p : places) p.y -= depth;
+  };
+  lower(model->skeleton.position);
+  lower(model->organs.position);
+  lower(model->blades.surface.position);
+  return model;
+}
+
+std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, double grain) {
+  std::vector<CopyPart> parts;
+  auto add = [&](CopyPart::Kind kind, std::size_t which, std::size_t part, Surface surface) {
+    if (!surface.triangle.empty()) parts.push_back({kind, which, part, std::move(surface)});
+  };
+  if (model.skeleton.size() > 1) {
+    auto fine = static_cast<float>(grain);
+    TubeShape shape;
+    const BarkCoat* coat = coat_of(organism);
+    if (coat) shape.wrap = coat->wrap, shape.aspect = coat->aspect;
+    shape.side = std::max(coat ? coat->facet : 0.02, 4 * grain);
+    add(CopyPart::Kind::wood, 0, 0, tube_surface(thinned(model.skeleton, 0.2f * fine, 0.3f * fine), shape));
+  }
+  for (std::size_t p = 0; p < model.prototypes.size(); ++p)
+    for (std::size_t k = 0; k < model.prototypes[p].parts.size(); ++k)
+      add(CopyPart::Kind::organ, p, k, merged_organs(model, p, k, grain));
+  add(CopyPart::Kind::blade, 0, 0, model.blades.surface);
+  for (std::size_t s = 0; s < model.solids.shapes.size(); ++s)
+    add(CopyPart::Kind::solid, s, 0, merged_solid(model.solids, s));
+  return parts;
+}
+
+const BarkCoat* coat_of(const Organism& organism) {
+  return std::visit(
+      [](const auto& params) -> const BarkCoat* {
+        if constexpr (requires { params.dress.coat; })
+          return params.dress.coat ? &*params.dress.coat : nullptr;
+        else if constexpr (requires { params.coat; })
+          return params.coat ? &*params.coat : nullptr;
+        return nullptr;
+      },
+      organism.body);
+}
+
+const Bark* bark_of(const Organism& organism) {
+  return std::visit(
+      [](const auto& params) -> const Bark* {
+        if constexpr (requires { params.dress.bark; })
+          return &params.dress.bark;
+        else if constexpr (requires { params.bark; })
+          return &params.bark;
+        return nullptr;
+      },
+      organism.body);
+}
+
+const Wave* wave_of(const Organism& organism) {
+  return std::visit(
+      [](const auto& params) -> const Wave* {
+        if constexpr (requires { params.dress.wave; })
+          return &params.dress.wave;
+        else if constexpr (requires { params.wave; })
+          return &params.wave;
+        return nullptr;
+      },
+      organism.body);
+}
+
+}  // namespace frond

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "core/result.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+/// A part of a model that has one look.
+struct CopyPart {
+  enum class Kind { wood, organ, blade, solid };
+  Kind kind = Kind::wood;
+  std::size_t which = 0;  ///< an organ's prototype, a solid's shape
+  std::size_t part = 0;   ///< of the prototype
+  /// `uv` of leaves: (k + u, v), where k is a whole number of each leaf's own, k modulo the number of colours
+  /// the index of its colour, and (u, v) its place on the leaf; of wood as of tube_surface().
+  Surface surface;
+};
+
+/// Grows model `which` of a sown organism, its foot at the origin. A tree with `crowd` grows up among six
+/// neighbours. What it is made of depends on the organism and its `seeds` alone, not on the scene's seed.
+Result<Model> grow_copy(const Organism& organism, int which);
+
+/// What stands for model `which` of a sown organism: a number that differs where the model does.
+Seed copy_key(const Organism& organism, int which);
+
+/// A model as meshes for a distance at which a pixel covers `grain` metres: what would be finer is left out
+/// or drawn as fewer, larger pieces of the same area.
+std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, double grain);
+
+/// The bark of an organism's branches as a picture, or nullptr.
+const BarkCoat* coat_of(const Organism& organism);
+/// Their bark without pictures, or nullptr.
+const Bark* bark_of(const Organism& organism);
+/// How it sways, or nullptr.
+const Wave* wave_of(const Organism& organism);
+
+}  // namespace frond
