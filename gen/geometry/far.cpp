@@ -74,7 +74,7 @@ std::uint32_t outermost(const Surface& s, const Piece& piece, Vec3 toward) {
                            });
 }
 
-void add_diamond(Surface& out, const Surface& s, const Piece& piece) {
+void add_diamond(Surface& out, const Surface& s, const Piece& piece, float larger = 1) {
   if (piece.area <= 1e-12f) return;
   Vec3 middle = piece.middle / piece.area;
   std::uint32_t foot = farthest(s, piece, middle), tip = farthest(s, piece, s.position[foot]);
@@ -96,8 +96,8 @@ void add_diamond(Surface& out, const Surface& s, const Piece& piece) {
                axis * std::clamp(glm::dot(middle - s.position[foot], axis), 0.2f * length, 0.8f * length);
   waist += facing * glm::dot(middle - waist, facing);
   auto first = static_cast<std::uint32_t>(out.position.size());
-  out.position.insert(out.position.end(),
-                      {s.position[foot], waist - across, s.position[tip], waist + across});
+  for (Vec3 p : {s.position[foot], waist - across, s.position[tip], waist + across})
+    out.position.push_back(glm::mix(s.position[foot], p, larger));
   out.normal.insert(out.normal.end(), 4, facing);
   if (!s.uv.empty())
     out.uv.insert(out.uv.end(), {s.uv[foot], s.uv[outermost(s, piece, -across)], s.uv[tip],
@@ -160,9 +160,12 @@ Pieces pieces_of(const Surface& surface) {
   return pieces;
 }
 
-Surface diamonds(const Surface& surface, const Pieces& pieces) {
+Surface diamonds(const Surface& surface, const Pieces& pieces, int stride) {
   Surface out;
-  for (const Piece& piece : measured(surface, pieces, false)) add_diamond(out, surface, piece);
+  std::vector<Piece> list = measured(surface, pieces, false);
+  auto step = static_cast<std::size_t>(stride);
+  for (std::size_t i = step / 2; i < list.size(); i += step)
+    add_diamond(out, surface, list[i], std::sqrt(static_cast<float>(stride)));
   return out;
 }
 

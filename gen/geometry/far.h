@@ -18,8 +18,9 @@ struct Pieces {
 Pieces pieces_of(const Surface& surface);
 
 /// Each connected piece as a diamond of two triangles: as long, of the same area, facing the same way. A
-/// round body becomes one that covers what the body covers. `uv` are those of the corners' places.
-Surface diamonds(const Surface& surface, const Pieces& pieces);
+/// round body becomes one that covers what the body covers. `uv` are those of the corners' places. With
+/// `stride` one of so many pieces stands for all of them, grown about its foot to their area.
+Surface diamonds(const Surface& surface, const Pieces& pieces, int stride = 1);
 
 /// The whole surface as one such diamond, all of which has the `uv` of the middle of its largest piece.
 Surface one_diamond(const Surface& surface, const Pieces& pieces);

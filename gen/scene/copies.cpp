@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/far.h"
 #include "geometry/tubes.h"
@@ -13,6 +14,8 @@ namespace {
 constexpr std::uint64_t kFormat = 1;        // of models; another number makes all of them anew
 constexpr std::uint32_t kOwnPlaces = 3600;  // how many leaves can be told apart
 constexpr int kNeighbours = 6;
+constexpr double kManyPixels = 9;    // the side of a leaf that is drawn with its outline
+constexpr double kFewestPixels = 3;  // the side of a leaf; smaller ones become fewer and larger
 
 /// A tree that grew up among others.
 Model grow_in_crowd(const TreeParams& params, double crowd, double age, Seed seed) {
@@ -22,8 +25,8 @@ Model grow_in_crowd(const TreeParams& params, double crowd, double age, Seed see
     Seed own = seed.child("neighbour", k);
     double angle = turn + 2 * kPi * (static_cast<double>(k) + own.child(0).range(-0.2, 0.2)) / kNeighbours;
     double far = crowd * own.child(1).range(0.85, 1.15);
-    sites.push_back({&params, Vec3(far * std::cos(angle), 0, far * std::sin(angle)), Quat(1, 0, 0, 0), 1,
-                     own.child("tree")});
+    sites.push_back({&params, Vec3(far * std::cos(angle), 0, far * std::sin(angle)), Quat(1, 0, 0, 0),
+                     age * own.child(2).range(0.75, 0.95), own.child("tree")});
   }
   Grove grove = grow_trees(sites, false, seed.child("weather"));
   return tree_model(params, grove.trees[0], year_at({}, grove.years, 0), {}, seed.child("look"));
@@ -51,16 +54,23 @@ double extent(const Surface& s, std::uint32_t pieces) {
   return std::sqrt(area / std::max(1u, pieces));
 }
 
+/// How many pieces of so many pixels one stands for, so that it has kFewestPixels.
+int stride_of(double pixels) {
+  return static_cast<int>(std::clamp(std::ceil(kFewestPixels * kFewestPixels / (pixels * pixels)), 1.0, 60.0));
+}
+
 FarShape far_shape(const Surface& shape, double size, double grain) {
   FarShape far{shape, pieces_of(shape), 1};
   double piece = size * extent(shape, far.pieces.count) / grain, whole = size * extent(shape, 1) / grain;
-  if (piece > 10) return far;
-  if (whole > 5 || far.pieces.count == 1) {
-    far.surface = diamonds(shape, far.pieces);
+  if (piece > kManyPixels) return far;
+  int stride = stride_of(piece);
+  if (static_cast<std::uint32_t>(2 * stride) <= far.pieces.count || far.pieces.count == 1) {
+    if (far.pieces.count == 1) far.stride = std::exchange(stride, 1);
+    far.surface = diamonds(shape, far.pieces, stride);
   } else {
     far.surface = one_diamond(shape, far.pieces);
+    far.stride = stride_of(whole);
   }
-  if (whole < 2.5) far.stride = static_cast<int>(std::clamp(std::ceil(6.25 / (whole * whole)), 1.0, 40.0));
   far.pieces = pieces_of(far.surface);
   return far;
 }
