@@ -102,8 +102,8 @@ void add_diamond(Surface& out, const Surface& s, const Piece& piece, float large
   if (!s.uv.empty())
     out.uv.insert(out.uv.end(), {s.uv[foot], s.uv[outermost(s, piece, -across)], s.uv[tip],
                                  s.uv[outermost(s, piece, across)]});
-  out.triangle.push_back({first, first + 3, first + 2});
-  out.triangle.push_back({first, first + 2, first + 1});
+  out.triangle.push_back({first, first + 1, first + 2});
+  out.triangle.push_back({first, first + 2, first + 3});
 }
 
 }  // namespace
@@ -148,7 +148,9 @@ Pieces pieces_of(const Surface& surface) {
     while (root[v] != v) v = root[v] = root[root[v]];
     return v;
   };
+  std::vector<char> loose(root.size(), 1);
   for (auto [a, b, c] : surface.triangle) {
+    loose[a] = loose[b] = loose[c] = 0;
     // The smallest index stands for all.
     std::uint32_t least = std::min({find(a), find(b), find(c)});
     for (std::uint32_t v : {a, b, c}) root[find(v)] = least;
@@ -156,7 +158,10 @@ Pieces pieces_of(const Surface& surface) {
   Pieces pieces;
   pieces.of.resize(root.size());
   for (std::uint32_t v = 0; v < root.size(); ++v)
-    pieces.of[v] = find(v) == v ? pieces.count++ : pieces.of[find(v)];
+    pieces.of[v] = loose[v]       ? std::max(pieces.count, 1u) - 1
+                   : find(v) == v ? pieces.count++
+                                  : pieces.of[find(v)];
+  pieces.count = std::max(pieces.count, 1u);
   return pieces;
 }
 

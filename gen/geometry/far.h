@@ -10,7 +10,8 @@ namespace frond {
 /// (Douglas and Peucker 1973) and are as thick as that. Forks that are left stay where they are.
 Skeleton thinned(const Skeleton& skeleton, float least, float tolerance);
 
-/// Which connected piece of a surface each vertex belongs to, counted from 0 in the order of the vertices.
+/// Which connected piece of a surface each vertex belongs to, counted from 0 in the order of the vertices;
+/// one of no triangle goes with the piece before it.
 struct Pieces {
   std::vector<std::uint32_t> of;
   std::uint32_t count = 0;

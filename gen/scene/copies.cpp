@@ -56,7 +56,8 @@ double extent(const Surface& s, std::uint32_t pieces) {
 
 /// How many pieces of so many pixels one stands for, so that it has kFewestPixels.
 int stride_of(double pixels) {
-  return static_cast<int>(std::clamp(std::ceil(kFewestPixels * kFewestPixels / (pixels * pixels)), 1.0, 60.0));
+  return static_cast<int>(
+      std::clamp(std::ceil(kFewestPixels * kFewestPixels / (pixels * pixels)), 1.0, 60.0));
 }
 
 FarShape far_shape(const Surface& shape, double size, double grain) {
