@@ -95,7 +95,7 @@ void sow_stands(Scene& scene, const Preset& preset, const Heights& heights, std:
     const Organism& organism = preset.organisms[o];
     if (!organism.sown || organism.count == 0) continue;
     Seed seed = Seed{preset.seed}.child("organism", o);
-    scene.stands.push_back({o, seed, {}});
+    scene.stands.push_back({o, organism, {}});
     orders.push_back({organism.sown->where, organism.count, organism.place.size_variation,
                       organism.sown->models, organism.place.at, seed});
   }
