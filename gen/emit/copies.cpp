@@ -60,7 +60,7 @@ std::uint8_t level_of(const std::vector<Eye>& eyes, Vec3 at, double crown, doubl
   bool seen = false;
   for (const Eye& eye : eyes) {
     // Crowns reach toward the eye.
-    double near = std::max<double>(glm::distance(eye.at, at) - crown, 0.3);
+    double near = std::max<double>(glm::distance(eye.at, at) - 1.5 * crown, 0.3);
     grain = std::min(grain, near * eye.pixel);
     seen = seen || in_view(eye, at, 8 * crown + 3);
   }
@@ -244,7 +244,7 @@ double level_grain(int level) { return kGrains[level]; }
 CopyPlan plan_copies(const Scene& scene) {
   CopyPlan plan;
   std::vector<Eye> all = eyes(scene);
-  double coarse = scene.film.quality == Quality::draft ? 2 : 1;
+  double coarse = scene.film.quality == Quality::draft ? 1.5 : 1;
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const SownStand& stand = scene.stands[s];
     const Organism& organism = stand.organism;

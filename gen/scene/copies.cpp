@@ -11,11 +11,11 @@ namespace frond {
 
 namespace {
 
-constexpr std::uint64_t kFormat = 1;        // of models; another number makes all of them anew
+constexpr std::uint64_t kFormat = 2;        // of models; another number makes all of them anew
 constexpr std::uint32_t kOwnPlaces = 3600;  // how many leaves can be told apart
 constexpr int kNeighbours = 6;
-constexpr double kManyPixels = 9;    // the side of a leaf that is drawn with its outline
-constexpr double kFewestPixels = 3;  // the side of a leaf; smaller ones become fewer and larger
+constexpr double kManyPixels = 9;      // the side of a leaf that is drawn with its outline
+constexpr double kFewestPixels = 1.7;  // the side of a leaf; smaller ones become fewer and larger
 
 /// A tree that grew up among others.
 Model grow_in_crowd(const TreeParams& params, double crowd, double age, Seed seed) {
