@@ -35,7 +35,6 @@ TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
   EXPECT_TRUE(scene.branches.empty());
   ASSERT_EQ(scene.stands.size(), 2u);
   EXPECT_EQ(scene.stands[1].entry, 1u);
-  EXPECT_EQ(scene.stands[1].seed.key, (Seed{1}.child("organism", 1).key));
   Heights heights(scene.floor);
   for (const SownStand& stand : scene.stands) {
     const Copies& c = stand.copies;
