@@ -15,7 +15,7 @@ std::string preset_text(const std::string& film, const std::string& more = "") {
   return R"({"film": )" + film +
          R"(, "scene": {"setting": "forest", "camera": {"location": [0, 2, 40], "look_at": [0, 2, 0]},
       "forest": {"terrain": {"size": 120, "hills": 2}}},
-    "organisms": [{"kind": "weber_penn", "name": "oak", "count": 300, "sown": {"models": 2, "where": {"radius": 1}})" +
+    "organisms": [{"kind": "weber_penn", "name": "oak", "count": 300, "tree": {"leaves": 8}, "sown": {"models": 2, "where": {"radius": 1}})" +
          more + "}]}";
 }
 
