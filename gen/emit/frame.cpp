@@ -219,7 +219,7 @@ std::string all_branches_text(const FrameParts& parts, const Scene& scene, doubl
   return text;
 }
 
-constexpr std::size_t kAside = 1'000'000;  // bytes that are not worth a file
+constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
 
 /// Puts what is the same in all frames of a film into a file that they include, named by what is in it.
 void put_aside(std::string& text, std::vector<Picture>& files) {
