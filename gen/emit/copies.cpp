@@ -227,7 +227,7 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
 
 std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, double time,
                         bool swaying) {
-  std::vector<std::string> texts(scene.stands.size());
+  std::vector<std::string> texts(plan.level.size());  // no plan: no copies
   parallel_for(texts.size(), [&](std::size_t s) {
     if (sways(scene.stands[s].organism, scene.film) == swaying)
       texts[s] = stand_text(space, scene, plan, s, time);
