@@ -31,6 +31,7 @@ void describe(Visitor& v, Camera& c) {
   v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where it stands");
   v.animated("look_at", c.look_at, {.min = -1000, .max = 1000, .unit = "m"}, "What it looks at");
   v.animated("angle", c.angle, {.min = 1, .max = 160, .unit = "degrees"}, "Width of the view");
+  v.boolean("follow", c.follow, "Heights count from the ground below, not from y = 0");
 }
 
 template <class Visitor>

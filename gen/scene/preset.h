@@ -30,6 +30,7 @@ struct Camera {
   Animated<Vec3> location{Vec3(0, 1.0f, 5)};
   Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
   Animated<double> angle{45.0};  ///< degrees, the width of the view
+  bool follow = false;           ///< heights count from the ground below, not from y = 0
 };
 
 /// The water round a reef.

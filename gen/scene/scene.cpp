@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "geometry/ground.h"
 #include "geometry/scatter.h"
+#include "scene/camera.h"
 #include "scene/creep.h"
 #include "scene/forest_floor.h"
 #include "scene/grove.h"
@@ -265,6 +266,7 @@ Result<Scene> build_scene(const Preset& preset) {
   b.scene.film = preset.film;
   b.scene.stage = preset.stage;
   lay_ground(b);
+  if (preset.stage.camera.follow) b.scene.stage.camera = over_ground(preset.stage.camera, b.heights);
   std::vector<Planting> list = plantings(b);
   if (preset.stage.setting == Setting::underwater) lay_stones(b);
   if (preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden)

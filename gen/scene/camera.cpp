@@ -1,0 +1,39 @@
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr double kStep = 0.08;  // seconds between keyframes
+constexpr int kMostSteps = 4000;
+constexpr float kSmooth = 1.2f;  // metres about
+
+float ground_about(const Heights& heights, Vec3 at) {
+  double sum = 0;
+  for (float x : {-kSmooth, 0.0f, kSmooth})
+    for (float z : {-kSmooth, 0.0f, kSmooth}) sum += heights(at.x + x, at.z + z);
+  return static_cast<float>(sum / 9);
+}
+
+Animated<Vec3> raised(const Animated<Vec3>& way, const Heights& heights) {
+  double first = way.keys().front().time, last = way.keys().back().time;
+  int steps = std::clamp(static_cast<int>(std::ceil((last - first) / kStep)), 0, kMostSteps);
+  std::vector<Animated<Vec3>::Key> keys;
+  for (int i = 0; i <= steps; ++i) {
+    double time = first + (steps > 0 ? (last - first) * i / steps : 0);
+    Vec3 at = way.at(time);
+    keys.push_back({time, at + Vec3(0, ground_about(heights, at), 0)});
+  }
+  return Animated<Vec3>(std::move(keys));
+}
+
+}  // namespace
+
+Camera over_ground(const Camera& camera, const Heights& heights) {
+  return {raised(camera.location, heights), raised(camera.look_at, heights), camera.angle, camera.follow};
+}
+
+}  // namespace frond

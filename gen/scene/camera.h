@@ -1,0 +1,12 @@
+#pragma once
+
+#include "geometry/ground.h"
+#include "scene/preset.h"
+
+namespace frond {
+
+/// The camera with its heights, and those of what it looks at, counted from the ground below: as it goes over
+/// hill and dale, small bumps smoothed.
+Camera over_ground(const Camera& camera, const Heights& heights);
+
+}  // namespace frond
