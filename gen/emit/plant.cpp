@@ -83,18 +83,19 @@ std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
 void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
                       std::size_t i, float size, double time) {
   const Organs& o = b.organs;
-  Quat turn = carried_turn(pose, o.node[i]) * o.turn[i];
-  if (pose.flutter > 0) {
+  Quat turn = organ_turn(pose, o, i);
+  float flutter = pose.flutter * (o.loose.empty() ? 1 : 1 - o.loose[i]);
+  if (flutter > 0) {
     float phase = pose.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
-    turn = turn * glm::angleAxis(pose.flutter * std::sin(phase), Vec3(1, 0, 0)) *
-           glm::angleAxis(0.7f * pose.flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
+    turn = turn * glm::angleAxis(flutter * std::sin(phase), Vec3(1, 0, 0)) *
+           glm::angleAxis(0.7f * flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
   }
   if (!o.supple.empty())
     turn =
         turn * fluttering(b.motion.flutter, b.motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
   glm::mat3 frame = glm::mat3_cast(turn);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
-  append_matrix(text, space, frame, carried(b.rest, pose, o.node[i], o.position[i]));
+  append_matrix(text, space, frame, organ_place(b.rest, pose, o, i));
   text += "}\n";
 }
 
@@ -210,7 +211,7 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   for (const Branches& b : scene.branches) {
     if (!b.bark || !entries.insert(b.entry).second) continue;
     // Shapes that no plant of this entry bears are left out.
-    std::vector<bool> used(b.prototypes.size(), b.stages.has_value());
+    std::vector<bool> used(b.prototypes.size(), b.develops());
     for (const Branches& other : scene.branches)
       if (other.bark && other.entry == b.entry)
         for (std::uint16_t which : other.organs.prototype) used[which] = true;

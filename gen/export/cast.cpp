@@ -152,10 +152,8 @@ class Caster {
         for (std::size_t part = 0; part < prototype.parts.size(); ++part)
           if (!prototype.parts[part].surface.triangle.empty())
             at->second.push_back(organ_mesh(which, color, part));
-      std::int32_t node = b_.organs.node[i];
-      CastPlacement placement{0, carried(b_.rest, pose_, node, b_.organs.position[i]),
-                              glm::normalize(carried_turn(pose_, node) * b_.organs.turn[i]),
-                              b_.organs.scale[i] * size};
+      CastPlacement placement{0, organ_place(b_.rest, pose_, b_.organs, i),
+                              glm::normalize(organ_turn(pose_, b_.organs, i)), b_.organs.scale[i] * size};
       for (std::size_t mesh : at->second) placement.mesh = mesh, cast_.placements.push_back(placement);
     }
   }

@@ -20,6 +20,7 @@ std::string check_organs(const Model& model) {
   if (o.prototype.size() != n || o.turn.size() != n || o.scale.size() != n || o.node.size() != n ||
       o.birth.size() != n || o.color.size() != n || o.id.size() != n)
     return "the arrays of the organs differ in length";
+  if (!o.loose.empty() && o.loose.size() != n) return "not every organ knows how loose it is";
   if (!o.supple.empty() && o.supple.size() != n) return "not every organ knows how supple it is";
   for (std::size_t i = 0; i < n; ++i) {
     if (o.prototype[i] >= model.prototypes.size()) return fmt::format("organ {} has no prototype", i);

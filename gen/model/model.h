@@ -27,6 +27,7 @@ struct Prototype {
   std::vector<Color> colors;  ///< the turtle's colour index picks one, round and round; at least one
   Color second;               ///< of what differs from the rest: the heart of a flower, the veins of a leaf
   std::optional<Color> bud = {};  ///< what the colours go over from while the organ unfolds; none: they stay
+  std::size_t summer = 0;  ///< so many colours are of summer, those that follow of other seasons; 0: all
 };
 
 /// Leaves, flowers, berries: one entry an organ. Metres.
@@ -39,6 +40,8 @@ struct Organs {
   std::vector<float> birth;        ///< 0..1, as that of a node
   std::vector<std::int32_t> color;
   std::vector<std::uint32_t> id;  ///< by which single ones differ in shade and flutter
+  std::vector<float>
+      loose;  ///< 0 rides on its node .. 1 has left it and is where `position` says; empty: all ride
   std::vector<float>
       supple;  ///< how readily each flutters, about the length of its stalk over 5 cm; empty: not
 

@@ -12,6 +12,17 @@ float unfolded(float birth, float front, double ripen) {
   return smooth_step(0.0f, static_cast<float>(std::max(ripen, 1e-3)), front - birth);
 }
 
+Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& o, std::size_t i) {
+  Vec3 riding = carried(rest, pose, o.node[i], o.position[i]);
+  return o.loose.empty() || o.loose[i] == 0 ? riding : glm::mix(riding, o.position[i], o.loose[i]);
+}
+
+Quat organ_turn(const Pose& pose, const Organs& o, std::size_t i) {
+  Quat riding = carried_turn(pose, o.node[i]) * o.turn[i];
+  return o.loose.empty() || o.loose[i] == 0 ? riding
+                                            : glm::normalize(glm::slerp(riding, o.turn[i], o.loose[i]));
+}
+
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& all, double ripen,
                      const std::function<bool(std::size_t)>& wanted) {
   Surface s;

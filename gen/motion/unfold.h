@@ -33,6 +33,10 @@ inline Quat carried_turn(const Pose& pose, std::int32_t node) {
   return node == Skeleton::kRoot ? Quat(1, 0, 0, 0) : pose.turn[node];
 }
 
+/// Where an organ is at a pose, and how it is turned: as its node, the less the looser it is.
+Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& organs, std::size_t i);
+Quat organ_turn(const Pose& pose, const Organs& organs, std::size_t i);
+
 /// The blades that are wanted, unfolded and carried to where the pose has them, as one mesh.
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& blades, double ripen,
                      const std::function<bool(std::size_t blade)>& wanted);

@@ -9,11 +9,19 @@ namespace frond {
 
 namespace {
 
+/// The leaves in all seasons.
+LeafLook look_of(const TreeDress& dress) {
+  return dress.season ? with_seasons(dress.leaves, *dress.season) : dress.leaves;
+}
+
 /// Puts a leaf on each site.
-void put_leaves(Model& model, const std::vector<LeafSite>& sites, const LeafLook& look, Vec3 size,
+void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeDress& dress, Vec3 size,
                 Seed seed) {
   if (sites.empty()) return;
-  model.prototypes.push_back(leaf_prototype(look));
+  const LeafLook& look = dress.leaves;
+  model.prototypes.push_back(leaf_prototype(look_of(dress)));
+  if (look.sprig) model.prototypes[0].name = "sprig";
+  if (dress.season) add_blossom(model.prototypes, *dress.season);
   Organs& o = model.organs;
   o.reserve(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -93,7 +101,7 @@ Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed) {
   // As wide as LeafScaleX asks, unless it is a sprig, which has its own shape.
   float wide =
       look.sprig ? length : static_cast<float>(tree.leaf_scale_x * tree.leaf_scale / std::max(share, 0.05));
-  put_leaves(model, crown->leaves, look, Vec3(wide, length, length), seed.child("leaf"));
+  put_leaves(model, crown->leaves, params.dress, Vec3(wide, length, length), seed.child("leaf"));
   return model;
 }
 
@@ -160,7 +168,7 @@ Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed) {
     std::vector<LeafSite> sites = dress_tips(model.skeleton, params.leaf_reach, params.leaf_spacing,
                                              params.leaf_down, seed.child("sites"));
     auto size = static_cast<float>(params.dress.leaves.size);
-    put_leaves(model, sites, params.dress.leaves, Vec3(size), seed.child("leaf"));
+    put_leaves(model, sites, params.dress, Vec3(size), seed.child("leaf"));
   }
   return model;
 }
@@ -168,7 +176,7 @@ Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed) {
 Result<std::vector<Picture>> dress_pictures(const TreeDress& dress, bool leafy) {
   std::vector<Picture> all;
   if (leafy) {
-    Result<std::vector<Picture>> leaves = leaf_pictures(dress.leaves);
+    Result<std::vector<Picture>> leaves = leaf_pictures(look_of(dress));
     if (!leaves) return leaves.errors();
     all = std::move(*leaves);
   }

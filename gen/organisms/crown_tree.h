@@ -9,6 +9,7 @@
 #include "organisms/bark_coat.h"
 #include "organisms/leaf_look.h"
 #include "organisms/plant.h"
+#include "organisms/season.h"
 
 namespace frond {
 
@@ -17,6 +18,7 @@ struct TreeDress {
   Bark bark;                     ///< of branches drawn as sweeps
   std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
   LeafLook leaves;
+  std::optional<Seasons> season;
   Wave wave;
   Growth growth;
 };

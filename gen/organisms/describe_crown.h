@@ -2,6 +2,7 @@
 
 #include "organisms/crown_tree.h"
 #include "organisms/describe_plant.h"
+#include "organisms/describe_season.h"
 
 // The properties of trees by their crown as presets spell them; see preset/describe.h.
 
@@ -170,6 +171,7 @@ void describe(Visitor& v, TreeDress& d) {
   v.object("bark", d.bark, "Their surface");
   v.object("coat", d.coat, "A bark as a picture; branches are meshes then");
   v.object("leaves", d.leaves, "The leaves");
+  v.object("season", d.season, "Its year");
   v.object("wave", d.wave, "Swaying in the wind");
   v.object("growth", d.growth, "When it grows");
 }

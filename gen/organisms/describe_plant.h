@@ -1,5 +1,6 @@
 #pragma once
 
+#include "organisms/describe_season.h"
 #include "organisms/plant.h"
 #include "preset/reader.h"
 
@@ -110,6 +111,7 @@ void describe(Visitor& v, PlantParams& p) {
   v.object("bark", p.bark, "Their surface");
   v.list("organs", p.organs, "What stands at symbols of the grammar");
   v.object("blades", p.blades, "What the turtle's filled outlines are made of");
+  v.object("season", p.season, "The year of its leaves");
   v.object("wave", p.wave, "Swaying in the wind");
   v.object("growth", p.growth, "When it grows");
   v.boolean("by_steps", p.by_steps,

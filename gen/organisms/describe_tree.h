@@ -138,6 +138,7 @@ void describe(Visitor& v, TreeParams& t) {
   v.object("leaves", t.leaves, "Sprigs of leaves");
   v.object("bark", t.bark, "Surface of the branches");
   v.object("coat", t.coat, "A bark as a picture; branches are meshes then");
+  v.object("season", t.season, "Its year");
   v.object("wave", t.wave, "Swaying in the wind");
   v.object("growth", t.growth, "When its years pass in the film");
 }

@@ -51,9 +51,13 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color) {
   leaf.outline.width *= look.width;
   leaf.sprig = look.sprig;
   leaf.sprigs = look.sprigs;
-  leaf.color = look.colors[color % look.colors.size()];
-  leaf.veins = look.veins;
-  leaf.rim = look.rim;
+  color %= look.looks();
+  bool own = color < look.colors.size();
+  LeafTint tint =
+      own ? LeafTint{look.colors[color], look.veins, look.rim} : look.turned[color - look.colors.size()];
+  leaf.color = tint.color;
+  leaf.veins = tint.veins;
+  leaf.rim = tint.rim;
   leaf.spots = look.spots;
   return leaf;
 }
@@ -61,16 +65,20 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color) {
 Prototype leaf_prototype(const LeafLook& look) {
   Prototype made{"leaf", {}, look.colors, look.veins};
   OrganPart part{Tissue::leaf, leaf_mesh(leaf_image(look, 0), look.detail, look.fold, look.bend)};
-  for (std::size_t i = 0; i < look.colors.size(); ++i) part.pictures.push_back(picture_name(look, i));
+  for (std::size_t i = 0; i < look.looks(); ++i) part.pictures.push_back(picture_name(look, i));
+  for (const LeafTint& tint : look.turned) made.colors.push_back(tint.color);
+  if (!look.turned.empty()) made.summer = look.colors.size();
   made.parts.push_back(std::move(part));
   return made;
 }
 
 Result<std::vector<Picture>> leaf_pictures(const LeafLook& look) {
   std::vector<Picture> pictures;
-  for (std::size_t i = 0; i < look.colors.size(); ++i) {
-    Result<std::string> bytes =
-        png_text(opaque(leaf_picture(leaf_image(look, i), look.pixels, Seed{i}), look.rim));
+  for (std::size_t i = 0; i < look.looks(); ++i) {
+    // In all seasons a leaf has the same spots.
+    Seed spots{i < look.colors.size() ? i : 0};
+    LeafImage image = leaf_image(look, i);
+    Result<std::string> bytes = png_text(opaque(leaf_picture(image, look.pixels, spots), image.rim));
     if (!bytes) return bytes.errors();
     pictures.push_back({picture_name(look, i), std::move(*bytes)});
   }

@@ -17,6 +17,11 @@ struct Picture {
 
 enum class LeafShape { birch, beech, oak, maple, ivy, aspen, willow, linden, cherry, ginkgo, own };
 
+/// The colours of one leaf.
+struct LeafTint {
+  Color color, veins, rim;
+};
+
 /// Leaves of a tree: a picture, and a mesh cut along the same outline.
 struct LeafLook {
   LeafShape shape = LeafShape::birch;
@@ -35,6 +40,9 @@ struct LeafLook {
   int pixels = 256;             ///< height of the picture
   double size_variation = 0.2;
   double turn_variation = radians(14.0);  ///< random tilt, either way
+  std::vector<LeafTint> turned;           ///< other looks of the leaf, after those of `colors`
+
+  std::size_t looks() const { return colors.size() + turned.size(); }
 };
 
 /// The leaf in one of its colours.

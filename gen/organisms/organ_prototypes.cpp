@@ -142,12 +142,15 @@ std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   for (const OrganParams& organ : params.organs)
     for (int i = 0; i < variant_count(organ); ++i)
       list.push_back(prototype(organ, Seed{0}.child(organ.symbol, static_cast<std::uint64_t>(i))));
+  if (params.season)
+    for (Prototype& organ : list) add_seasons(organ, *params.season);
   list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});
   std::array<float, 3> disc{0, 0.5f, 0};
   Surface flat = turned_surface(disc, 20);
   for (Vec3& p : flat.position) p.y = (p.y - 0.5f) * 0.02f;
   set_normals(flat);
   list.push_back({"@o", {{Tissue::skin, std::move(flat)}}, params.bark.colors, params.bark.second});
+  if (params.season) add_blossom(list, *params.season);
   return list;
 }
 

@@ -6,6 +6,7 @@
 #include "grammar/grammar.h"
 #include "model/model.h"
 #include "motion/motion.h"
+#include "organisms/season.h"
 
 namespace frond {
 
@@ -95,6 +96,7 @@ struct PlantParams {
   Bark bark;
   std::vector<OrganParams> organs;
   BladeParams blades;
+  std::optional<Seasons> season;  ///< of its organs that are leaves
   Wave wave;
   Growth growth;
   bool by_steps = false;  ///< growth runs through the derivation steps, not along the finished branches

@@ -75,9 +75,22 @@ std::vector<std::int32_t> order_model(Model& model) {
   return order;
 }
 
-Prototype sprig_prototype(const Foliage& leaves) {
-  if (leaves.picture) return leaf_prototype(*leaves.picture);
-  return {"sprig", {{Tissue::leaf, sprig_surface(leaves.sprig)}}, leaves.colors, leaves.second};
+/// Its leaves as pictures, in all seasons; they must be pictures.
+LeafLook look_of(const TreeParams& params) {
+  const LeafLook& look = *params.leaves.picture;
+  return params.season ? with_seasons(look, *params.season) : look;
+}
+
+Prototype sprig_prototype(const TreeParams& params) {
+  const Foliage& leaves = params.leaves;
+  if (leaves.picture) {
+    Prototype made = leaf_prototype(look_of(params));
+    if (leaves.picture->sprig) made.name = "sprig";
+    return made;
+  }
+  Prototype made{"sprig", {{Tissue::leaf, sprig_surface(leaves.sprig)}}, leaves.colors, leaves.second};
+  if (params.season) add_seasons(made, *params.season);
+  return made;
 }
 
 /// A sprig's frame: along it, and its upper side to the sky.
@@ -99,9 +112,11 @@ Quat sprig_turn(Vec3 heading, Vec3 side, const Foliage& leaves, bool leads, Seed
 }
 
 void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
-                const std::vector<std::int32_t>& node, const Foliage& leaves, Seed seed) {
-  model.prototypes.push_back(sprig_prototype(leaves));
-  std::size_t colors = model.prototypes[0].colors.size();
+                const std::vector<std::int32_t>& node, const TreeParams& params, Seed seed) {
+  const Foliage& leaves = params.leaves;
+  model.prototypes.push_back(sprig_prototype(params));
+  if (params.season) add_blossom(model.prototypes, *params.season);
+  std::size_t colors = leaves.picture ? leaves.picture->colors.size() : leaves.colors.size();
   Organs& o = model.organs;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.leaves[i] < kSmallestSprig || now.parent[i] == GrownTree::kRoot) continue;
@@ -165,14 +180,14 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
   std::vector<std::int32_t> order = order_model(model);
   for (std::int32_t& n : node) n = order[static_cast<std::size_t>(n)];
   set_tip_distances(model.skeleton);
-  if (params.leaves.size > 0) add_sprigs(model, now, tree, node, params.leaves, seed.child("sprig"));
+  if (params.leaves.size > 0) add_sprigs(model, now, tree, node, params, seed.child("sprig"));
   return model;
 }
 
 Result<std::vector<Picture>> tree_pictures(const TreeParams& params) {
   std::vector<Picture> all;
   if (params.leaves.size > 0 && params.leaves.picture) {
-    Result<std::vector<Picture>> leaves = leaf_pictures(*params.leaves.picture);
+    Result<std::vector<Picture>> leaves = leaf_pictures(look_of(params));
     if (!leaves) return leaves;
     all = std::move(*leaves);
   }

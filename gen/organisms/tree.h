@@ -10,6 +10,7 @@
 #include "organisms/bark_coat.h"
 #include "organisms/leaf_look.h"
 #include "organisms/plant.h"
+#include "organisms/season.h"
 #include "trees/grove.h"
 #include "trees/standing.h"
 
@@ -39,6 +40,7 @@ struct TreeParams {
   Foliage leaves;
   Bark bark;                     ///< of branches drawn as sweeps
   std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
+  std::optional<Seasons> season;
   Wave wave;
   Growth growth;
 };

@@ -129,6 +129,7 @@ struct Dress {
   void operator()(const PlantParams& params) {
     branches.bark = params.bark;
     branches.blade_look = params.blades;
+    branches.season = params.season;
     branches.motion = {params.growth, params.wave, {}, 1};
     vary(params.bark.variation);
   }
@@ -138,6 +139,7 @@ struct Dress {
   void operator()(const TreeParams& params) {
     branches.bark = params.bark;
     branches.coat = params.coat;
+    branches.season = params.season;
     branches.motion = {params.growth, params.wave, {}, 1, true};
     vary(params.bark.variation);
   }
@@ -148,6 +150,7 @@ struct Dress {
 void dress(Branches& branches, const Preset& preset, const Planting& planting) {
   Seed seed = planting.seed;
   std::visit(Dress{branches, seed}, planting.organism->body);
+  branches.season_seed = seed.child("season");
   branches.motion.film_length = preset.film.length();
   branches.motion.growth.start += branches.motion.growth.stagger * seed.child("start").unit();
   branches.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
@@ -212,7 +215,9 @@ float foot_of(Builder& b, const Planting& p) {
 
 }  // namespace
 
-Result<Branches> developed(const Branches& branches, double time) {
+namespace {
+
+Result<Branches> in_full_leaf(const Branches& branches, double time) {
   if (branches.life) return tree_at(branches, time);
   Branches now = branches;
   if (!branches.stages) return now;
@@ -223,6 +228,17 @@ Result<Branches> developed(const Branches& branches, double time) {
   if (!model) return model.errors();
   settle(now, std::move(*model), stages.foot, stages.turn, stages.size);
   now.motion.growth = {};
+  return now;
+}
+
+}  // namespace
+
+Result<Branches> developed(const Branches& branches, double time) {
+  Result<Branches> now = in_full_leaf(branches, time);
+  if (!now || !branches.season) return now;
+  GroundAt ground;
+  if (branches.ground) ground = [&](double x, double z) { return (*branches.ground)(x, z); };
+  in_season(now->organs, now->prototypes, *branches.season, time, branches.season_seed, ground);
   return now;
 }
 
@@ -297,6 +313,7 @@ Result<Scene> build_scene(const Preset& preset) {
   Result<std::vector<Picture>> drawn = draw_pictures(preset);
   if (!drawn) return drawn.errors();
   b.scene.pictures = std::move(*drawn);
+  auto ground = std::make_shared<const Heights>(b.heights);
   for (auto& result : grown) {
     if (!*result) return result->errors();
     for (const std::string& note : (*result)->notes) {
@@ -305,6 +322,7 @@ Result<Scene> build_scene(const Preset& preset) {
       if (std::find(b.scene.notes.begin(), b.scene.notes.end(), line) == b.scene.notes.end())
         b.scene.notes.push_back(line);
     }
+    if ((*result)->season) (*result)->ground = ground;
     b.scene.branches.push_back(std::move(**result));
   }
   if (Errors errors = creep(preset, b.scene, b.heights); !errors.empty()) return errors;

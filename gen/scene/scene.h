@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/ground.h"
 #include "geometry/plot.h"
 #include "geometry/stone.h"
 #include "geometry/turf.h"
@@ -64,9 +65,12 @@ struct Branches {
   std::optional<Creeper> creeper;        ///< of ivy: what `rest` is, and where it holds on
   std::optional<Stages> stages;          ///< of what grows by steps; all else above is how it ends
   std::shared_ptr<const TreeLife> life;  ///< of a tree that grows in the film; as for `stages`
+  std::optional<Seasons> season;         ///< where given, `organs` are in full leaf
+  Seed season_seed;
+  std::shared_ptr<const Heights> ground;  ///< on which its leaves fall
 
   /// Whether it is another shape in each frame; see developed().
-  bool develops() const { return stages || life; }
+  bool develops() const { return stages || life || season; }
 };
 
 /// The branches of an organism as they are at a time.

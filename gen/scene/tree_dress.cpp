@@ -7,6 +7,7 @@ namespace {
 double wear(Branches& branches, const TreeDress& dress) {
   branches.bark = dress.bark;
   branches.coat = dress.coat;
+  branches.season = dress.season;
   branches.motion = {dress.growth, dress.wave, {}, 1};
   return dress.bark.variation;
 }
