@@ -16,8 +16,9 @@ namespace frond {
 
 namespace {
 
-constexpr double kGrains[] = {0.002, 0.008, 0.025, 0.08, 0.25};  // metres a pixel
-constexpr int kLevels = static_cast<int>(std::size(kGrains));
+/// From the nearest on; each is used from where a pixel covers its grain.
+constexpr CopyDetail kLevels[] = {{0.002, 6e5}, {0.008, 3e5}, {0.025, 1.4e5}, {0.08, 5e4}, {0.25, 1.5e4}};
+constexpr int kLevelCount = static_cast<int>(std::size(kLevels));
 constexpr double kLeastPixels = 1.2;  // of a crown; what is smaller is left out
 constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
                                        "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
@@ -66,7 +67,7 @@ std::uint8_t level_of(const std::vector<Eye>& eyes, Vec3 at, double crown, doubl
   }
   if (!seen || 2 * crown < kLeastPixels * grain) return CopyPlan::kUnseen;
   int level = 0;
-  while (level + 1 < kLevels && kGrains[level + 1] <= grain * coarse) ++level;
+  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain * coarse) ++level;
   return static_cast<std::uint8_t>(level);
 }
 
@@ -239,8 +240,6 @@ std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPla
 
 }  // namespace
 
-double level_grain(int level) { return kGrains[level]; }
-
 CopyPlan plan_copies(const Scene& scene) {
   CopyPlan plan;
   std::vector<Eye> all = eyes(scene);
@@ -267,7 +266,7 @@ CopyPlan plan_copies(const Scene& scene) {
 }
 
 std::string model_text(const ModelFile& file, const Organism& organism, const Model& model) {
-  std::vector<CopyPart> parts = copy_parts(organism, model, level_grain(file.level));
+  std::vector<CopyPart> parts = copy_parts(organism, model, kLevels[file.level]);
   std::string name = model_name(organism, file.model, file.level);
   std::string text = fmt::format("// {} parts: ", parts.size());
   append_comment(text, fmt::format("{}, model {}", organism.name, file.model));

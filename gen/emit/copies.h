@@ -29,9 +29,6 @@ struct CopyPlan {
 /// By how near each copy comes to the camera in the film, and whether it is ever in view.
 CopyPlan plan_copies(const Scene& scene);
 
-/// Metres that a pixel covers where a level of detail begins to be used.
-double level_grain(int level);
-
 /// The text of a model's file.
 std::string model_text(const ModelFile& file, const Organism& organism, const Model& model);
 

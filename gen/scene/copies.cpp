@@ -11,11 +11,11 @@ namespace frond {
 
 namespace {
 
-constexpr std::uint64_t kFormat = 2;        // of models; another number makes all of them anew
+constexpr std::uint64_t kFormat = 3;        // of models; another number makes all of them anew
 constexpr std::uint32_t kOwnPlaces = 3600;  // how many leaves can be told apart
 constexpr int kNeighbours = 6;
-constexpr double kManyPixels = 9;      // the side of a leaf that is drawn with its outline
-constexpr double kFewestPixels = 1.7;  // the side of a leaf; smaller ones become fewer and larger
+constexpr double kManyPixels = 9;    // the side of a leaf that is drawn with its outline
+constexpr double kFewestPixels = 2;  // the side of a leaf; smaller ones become fewer and larger
 
 /// A tree that grew up among others.
 Model grow_in_crowd(const TreeParams& params, double crowd, double age, Seed seed) {
@@ -60,24 +60,28 @@ int stride_of(double pixels) {
       std::clamp(std::ceil(kFewestPixels * kFewestPixels / (pixels * pixels)), 1.0, 60.0));
 }
 
-FarShape far_shape(const Surface& shape, double size, double grain) {
+/// The shape of `count` organs of a mean size.
+FarShape far_shape(const Surface& shape, double size, double count, const CopyDetail& detail) {
   FarShape far{shape, pieces_of(shape), 1};
-  double piece = size * extent(shape, far.pieces.count) / grain, whole = size * extent(shape, 1) / grain;
-  if (piece > kManyPixels) return far;
-  int stride = stride_of(piece);
-  if (static_cast<std::uint32_t>(2 * stride) <= far.pieces.count || far.pieces.count == 1) {
-    if (far.pieces.count == 1) far.stride = std::exchange(stride, 1);
+  double piece = size * extent(shape, far.pieces.count) / detail.grain;
+  if (piece > kManyPixels && count * static_cast<double>(shape.triangle.size()) < detail.leaves) return far;
+  auto crowded = static_cast<int>(std::min(std::ceil(count * 2 * far.pieces.count / detail.leaves), 1e6));
+  int stride = std::max(stride_of(piece), crowded);
+  // Pieces stand for each other as far as there are some; then whole organs do.
+  auto pieces = static_cast<int>(far.pieces.count);
+  if (2 * stride <= pieces || pieces == 1) {
+    if (pieces == 1) far.stride = std::exchange(stride, 1);
     far.surface = diamonds(shape, far.pieces, stride);
   } else {
     far.surface = one_diamond(shape, far.pieces);
-    far.stride = stride_of(whole);
+    far.stride = std::max(stride_of(size * extent(shape, 1) / detail.grain), crowded / pieces);
   }
   far.pieces = pieces_of(far.surface);
   return far;
 }
 
 /// All organs of one prototype as one mesh, `part` of them.
-Surface merged_organs(const Model& model, std::size_t which, std::size_t part, double grain) {
+Surface merged_organs(const Model& model, std::size_t which, std::size_t part, const CopyDetail& detail) {
   const Prototype& prototype = model.prototypes[which];
   const Organs& o = model.organs;
   double size = 0;
@@ -86,7 +90,8 @@ Surface merged_organs(const Model& model, std::size_t which, std::size_t part, d
     if (o.prototype[i] == which) size += std::max({o.scale[i].x, o.scale[i].y, o.scale[i].z}), ++count;
   Surface out;
   if (count == 0) return out;
-  FarShape far = far_shape(prototype.parts[part].surface, size / static_cast<double>(count), grain);
+  FarShape far = far_shape(prototype.parts[part].surface, size / static_cast<double>(count),
+                           static_cast<double>(count), detail);
   auto colors = static_cast<std::uint32_t>(prototype.colors.size());
   float larger = std::sqrt(static_cast<float>(far.stride));
   for (std::size_t i = 0; i < o.size(); ++i) {
@@ -160,22 +165,22 @@ Result<Model> grow_copy(const Organism& organism, int which) {
   return model;
 }
 
-std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, double grain) {
+std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, const CopyDetail& detail) {
   std::vector<CopyPart> parts;
   auto add = [&](CopyPart::Kind kind, std::size_t which, std::size_t part, Surface surface) {
     if (!surface.triangle.empty()) parts.push_back({kind, which, part, std::move(surface)});
   };
   if (model.skeleton.size() > 1) {
-    auto fine = static_cast<float>(grain);
+    auto fine = static_cast<float>(detail.grain);
     TubeShape shape;
     const BarkCoat* coat = coat_of(organism);
     if (coat) shape.wrap = coat->wrap, shape.aspect = coat->aspect;
-    shape.side = std::max(coat ? coat->facet : 0.02, 4 * grain);
-    add(CopyPart::Kind::wood, 0, 0, tube_surface(thinned(model.skeleton, 0.2f * fine, 0.3f * fine), shape));
+    shape.side = std::max(coat ? coat->facet : 0.02, 4 * detail.grain);
+    add(CopyPart::Kind::wood, 0, 0, tube_surface(thinned(model.skeleton, 0.4f * fine, 0.5f * fine), shape));
   }
   for (std::size_t p = 0; p < model.prototypes.size(); ++p)
     for (std::size_t k = 0; k < model.prototypes[p].parts.size(); ++k)
-      add(CopyPart::Kind::organ, p, k, merged_organs(model, p, k, grain));
+      add(CopyPart::Kind::organ, p, k, merged_organs(model, p, k, detail));
   add(CopyPart::Kind::blade, 0, 0, model.blades.surface);
   for (std::size_t s = 0; s < model.solids.shapes.size(); ++s)
     add(CopyPart::Kind::solid, s, 0, merged_solid(model.solids, s));

@@ -25,9 +25,14 @@ Result<Model> grow_copy(const Organism& organism, int which);
 /// What stands for model `which` of a sown organism: a number that differs where the model does.
 Seed copy_key(const Organism& organism, int which);
 
-/// A model as meshes for a distance at which a pixel covers `grain` metres: what would be finer is left out
-/// or drawn as fewer, larger pieces of the same area.
-std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, double grain);
+/// How a model is drawn.
+struct CopyDetail {
+  double grain = 0.002;  ///< metres that a pixel covers where it stands: what would be finer is left out
+  double leaves = 4e5;   ///< triangles of leaves at most, about: more become fewer and larger ones
+};
+
+/// A model as meshes. What is left of its leaves has the area of all of them.
+std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, const CopyDetail& detail);
 
 /// The bark of an organism's branches as a picture, or nullptr.
 const BarkCoat* coat_of(const Organism& organism);

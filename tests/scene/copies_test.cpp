@@ -60,7 +60,7 @@ TEST(CopyParts, BecomeFewerAndKeepTheirLeaves) {
   std::size_t triangles = SIZE_MAX;
   double first = 0;
   for (double grain : {0.002, 0.01, 0.04, 0.16}) {
-    std::vector<CopyPart> parts = copy_parts(o, *model, grain);
+    std::vector<CopyPart> parts = copy_parts(o, *model, {grain, 1e9});
     std::size_t now = 0;
     for (const CopyPart& part : parts) {
       EXPECT_EQ(part.surface.check(), "");
@@ -75,13 +75,27 @@ TEST(CopyParts, BecomeFewerAndKeepTheirLeaves) {
   EXPECT_LT(triangles, 4000u);
 }
 
+TEST(CopyParts, KeepToTheirTriangles) {
+  Organism o = organism(tree());
+  Result<Model> model = grow_copy(o, 0);
+  ASSERT_TRUE(model);
+  double first = 0;
+  for (double most : {1e9, 5000.0, 1000.0, 200.0}) {
+    const std::vector<CopyPart> parts = copy_parts(o, *model, {0.002, most});
+    const Surface& leaves = part_of(parts, CopyPart::Kind::organ).surface;
+    EXPECT_LT(static_cast<double>(leaves.triangle.size()), 1.5 * most);
+    if (first == 0) first = area(leaves);
+    EXPECT_NEAR(area(leaves), first, 0.4 * first) << most;
+  }
+}
+
 TEST(CopyParts, LeavesKnowTheirColor) {
   Organism o = organism(tree());
   Result<Model> model = grow_copy(o, 0);
   ASSERT_TRUE(model);
   std::array<int, 3> wanted{}, drawn{};
   for (std::int32_t color : model->organs.color) ++wanted[static_cast<std::size_t>(color)];
-  std::vector<CopyPart> parts = copy_parts(o, *model, 0.002);
+  std::vector<CopyPart> parts = copy_parts(o, *model, {});
   const Surface& leaves = part_of(parts, CopyPart::Kind::organ).surface;
   for (Vec2 uv : leaves.uv) {
     EXPECT_GE(uv.x, 0);
