@@ -97,6 +97,38 @@ void add_leaflet(Surface& s, const Station& from, double length, double width, d
   }
 }
 
+/// A leaflet that is parted into lobes down to its midrib, each of two triangles on either side.
+void add_pinna(Surface& s, const Station& from, double length, double width, double droop, int lobes) {
+  auto start = static_cast<std::uint32_t>(s.position.size());
+  auto add = [&](Vec3 at, double u, double v) {
+    s.position.push_back(at);
+    s.uv.emplace_back(static_cast<float>(u), static_cast<float>(v));
+  };
+  Vec3 at = from.at;
+  for (int i = 0; i <= lobes; ++i) {
+    double t = static_cast<double>(i) / lobes, angle = droop * std::pow(t, 1.4), step = length / lobes;
+    Vec3 along = from.along * cosine_of(angle) - from.up * sine_of(angle);
+    Vec3 up = from.up * cosine_of(angle) + from.along * sine_of(angle);
+    add(at, t, 0.5);
+    if (i == lobes) break;
+    // A lobe leans forward, and its rim hangs.
+    auto half = static_cast<float>(0.5 * width * (1 - 0.85 * std::pow(t, 1.7)) * (i == 0 ? 0.8 : 1.0));
+    for (float side : {-1.0f, 1.0f}) {
+      Vec3 rim = at + from.across * (side * half) - up * (0.30f * half) + along * (0.35f * half);
+      add(rim, t, 0.5 + 0.5 * static_cast<double>(side));
+      add(rim + along * static_cast<float>(0.62 * step), t + 0.62 / lobes, 0.5 + 0.5 * static_cast<double>(side));
+    }
+    at += along * static_cast<float>(step);
+  }
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(lobes); ++i) {
+    std::uint32_t m = start + 5 * i, next = m + 5;
+    s.triangle.push_back({m, m + 2, m + 1});
+    s.triangle.push_back({m, next, m + 2});
+    s.triangle.push_back({m, m + 3, m + 4});
+    s.triangle.push_back({m, m + 4, next});
+  }
+}
+
 void append(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
   auto offset = static_cast<std::uint32_t>(to.position.size());
   glm::mat3 normals = turn / std::cbrt(std::max(std::abs(glm::determinant(turn)), 1e-20f));
@@ -124,8 +156,10 @@ TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
       Station foot = station_at(stem, shape.stalk + (1 - shape.stalk) * s);
       // Long in the middle, short at both ends; forward at the tip.
       double length = 0.5 * shape.width * std::pow(std::sin(kPi * (0.18 + 0.74 * s)), 0.7);
+      if (shape.lobes > 0)  // widest below the middle, and drawn out to a point
+        length = 0.62 * shape.width * std::min(1.0, 0.42 + 1.9 * s) * std::pow(1 - 0.97 * s, 0.75);
       length *= 1 + 0.10 * own.child(1).range(-1, 1);
-      double forward = radians(64.0 - 38.0 * s + 6 * own.child(2).range(-1, 1));
+      double forward = radians((shape.lobes > 0 ? 80.0 : 64.0) - 38.0 * s + 6 * own.child(2).range(-1, 1));
       double raised = shape.fold * (1 - 0.4 * s) + radians(8.0) * own.child(3).range(-1, 1);
       Vec3 out = foot.across * static_cast<float>(side) * cosine_of(raised) + foot.up * sine_of(raised);
       Station leaflet;
@@ -135,7 +169,10 @@ TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
       leaflet.across = turned(leaflet.across, leaflet.along, radians(25.0) * own.child(4).range(-1, 1));
       leaflet.up = glm::normalize(glm::cross(leaflet.across, leaflet.along));
       double droop = shape.droop * (1 + 0.35 * own.child(5).range(-1, 1));
-      add_leaflet(frond.blades, leaflet, length, std::min(1.15 * spacing, 0.3 * length), droop);
+      if (shape.lobes > 0)
+        add_pinna(frond.blades, leaflet, length, std::min(1.05 * spacing, 0.5 * length), droop, shape.lobes);
+      else
+        add_leaflet(frond.blades, leaflet, length, std::min(1.15 * spacing, 0.3 * length), droop);
     }
   }
   // One leaflet ends the frond.

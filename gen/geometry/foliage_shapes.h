@@ -14,6 +14,7 @@ struct FrondShape {
   double fold = radians(25.0);   ///< by which leaflets are raised from the flat: a V
   double bend = radians(70.0);   ///< of the rachis from foot to tip, downward, most toward the tip
   double droop = radians(45.0);  ///< of each leaflet from foot to tip
+  int lobes = 0;                 ///< on either side of a leaflet, as a fern has them; 0: leaflets are whole
 };
 
 /// A twig one unit long with leaves in two rows and one at its end.

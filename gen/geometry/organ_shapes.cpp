@@ -7,8 +7,6 @@ namespace frond {
 
 namespace {
 
-constexpr int kStations = 11;  // along a blade
-constexpr int kAcross = 3;     // points from midrib to rim
 constexpr double kGoldenAngle = 2.39996322972865332;
 
 void append(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
@@ -51,11 +49,12 @@ void drop_points(Surface& s) {
 
 Surface blade_surface(const BladeShape& shape) {
   Surface s;
+  int stations = 4 * shape.detail - 1, across = shape.detail;  // along the blade, from midrib to rim
   // The two halves have midribs of their own, so that the fold is a crease.
   for (int side : {-1, 1}) {
     auto start = static_cast<std::uint32_t>(s.position.size());
-    for (int i = 0; i <= kStations; ++i) {
-      double t = 1 - std::pow(1 - static_cast<double>(i) / kStations, 1.4),
+    for (int i = 0; i <= stations; ++i) {
+      double t = 1 - std::pow(1 - static_cast<double>(i) / stations, 1.4),
              along = shape.stalk + (1 - shape.stalk) * t;
       double half = std::max(0.5 * shape.width * outline_at(t, shape), 0.012 * (1 - t));
       double angle = shape.bend * along;
@@ -63,8 +62,8 @@ Surface blade_surface(const BladeShape& shape) {
       double y = std::abs(shape.bend) > 1e-6 ? std::sin(angle) / shape.bend : along;
       double z = std::abs(shape.bend) > 1e-6 ? -(1 - std::cos(angle)) / shape.bend : 0;
       Vec3 up(0, static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)));
-      for (int k = 0; k <= kAcross; ++k) {
-        double share = static_cast<double>(side < 0 ? kAcross - k : k) / kAcross;
+      for (int k = 0; k <= across; ++k) {
+        double share = static_cast<double>(side < 0 ? across - k : k) / across;
         double rise = half * share * std::sin(shape.fold) * (1 - 0.45 * share);
         rise += 0.06 * shape.wave * share * share * std::sin(t * 17 + side);
         Vec3 at(static_cast<float>(side * half * share * std::cos(shape.fold)), static_cast<float>(y),
@@ -73,7 +72,7 @@ Surface blade_surface(const BladeShape& shape) {
         s.uv.emplace_back(static_cast<float>(along), static_cast<float>(0.5 + 0.5 * side * share));
       }
     }
-    stitch(s, start, kStations + 1, kAcross + 1);
+    stitch(s, start, stations + 1, across + 1);
   }
   drop_points(s);
   set_normals(s);

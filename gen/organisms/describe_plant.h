@@ -75,6 +75,8 @@ void describe(Visitor& v, OrganParams& o) {
   v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
   v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud, stem of a frond");
   v.number("width", o.width, {.min = 0.02, .max = 3}, "Share of the length");
+  v.integer("detail", o.detail, {.min = 1, .max = 3},
+            "Of leaves and petals: 14, 48 or 126 triangles each");
   v.angle("fold", o.fold, {.min = -80, .max = 80},
           "Of a leaf along its midrib; of a frond's leaflets above the flat");
   v.angle("bend", o.bend, {.min = -180, .max = 180},
@@ -83,6 +85,8 @@ void describe(Visitor& v, OrganParams& o) {
   v.integer("petals", o.petals, {.min = 1, .max = 200}, "Of a flower");
   v.integer("leaflets", o.leaflets, {.min = 0, .max = 400},
             "Leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape");
+  v.integer("lobes", o.lobes, {.min = 0, .max = 40},
+            "On either side of a frond's leaflets, as a fern has them; 0: leaflets are whole");
   v.angle("droop", o.droop, {.min = -90, .max = 180}, "Of a frond's leaflets from foot to tip");
   v.integer("variants", o.variants, {.min = 1, .max = 12}, "Different shapes of a sprig or frond");
   v.angle("open", o.open, {.min = 0, .max = 150}, "Between petals and heading");

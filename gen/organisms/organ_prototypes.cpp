@@ -13,6 +13,7 @@ namespace {
 BladeShape leaf_shape(const OrganParams& p) {
   BladeShape shape;
   shape.width = p.width;
+  shape.detail = p.detail;
   shape.fold = p.fold;
   shape.bend = p.bend;
   shape.wave = p.wave;
@@ -22,6 +23,7 @@ BladeShape leaf_shape(const OrganParams& p) {
 BladeShape petal_shape(const OrganParams& p) {
   BladeShape shape;
   shape.width = p.width;
+  shape.detail = p.detail;
   shape.widest = 0.62;
   shape.fold = p.fold * 0.5;
   shape.bend = p.bend;
@@ -72,6 +74,7 @@ FrondShape frond_shape(const OrganParams& p) {
   shape.fold = p.fold;
   shape.bend = p.bend;
   shape.droop = p.droop;
+  shape.lobes = p.lobes;
   return shape;
 }
 
