@@ -275,7 +275,7 @@ Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std:
     if (hole == "time") return number(time);
     if (hole == "loop") return number(film.length());
     if (hole == "includes") return includes_text(scene);
-    if (hole == "setting") return setting_text(scene.stage, time);
+    if (hole == "setting") return setting_text(scene, time);
     if (hole == "camera") return camera_text(parts.space, scene.stage.camera, time);
     if (hole == "materials") return parts.materials;
     if (hole == "ground") return parts.ground;

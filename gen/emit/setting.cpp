@@ -83,12 +83,17 @@ std::string garden_text(const Stage& stage, double time) {
   return text;
 }
 
-std::string forest_text(const Stage& stage, double time) {
+std::string forest_text(const Scene& scene, double time) {
+  const Stage& stage = scene.stage;
   const Forest& forest = stage.forest;
+  auto half = static_cast<float>(forest.terrain.size / 2);
+  float valley = 0;
+  for (const Vec3& p : scene.floor.position)
+    if (std::max(std::abs(p.x), std::abs(p.z)) <= half) valley = std::min(valley, p.y);
   return "Meadow_Globals()\nForest_Setting(" + direction(stage.camera.location.at(time)) + "," +
          color(forest.litter) + "," + direction(sun_at(forest.hour, forest.south)) + "," +
          number(stage.meadow.haze) + "," + number(stage.meadow.clouds) + "," + number(forest.mist) + "," +
-         number(-0.5 * forest.terrain.hills) + ")";
+         number(valley) + ")";
 }
 
 void append_name(std::string& text, std::string_view name, std::size_t index) {
@@ -232,7 +237,8 @@ std::string includes_text(const Scene& scene) {
   return text;
 }
 
-std::string setting_text(const Stage& stage, double time) {
+std::string setting_text(const Scene& scene, double time) {
+  const Stage& stage = scene.stage;
   switch (stage.setting) {
     case Setting::underwater:
       return water_text(stage, time);
@@ -243,7 +249,7 @@ std::string setting_text(const Stage& stage, double time) {
     case Setting::garden:
       return garden_text(stage, time);
     case Setting::forest:
-      return forest_text(stage, time);
+      return forest_text(scene, time);
   }
   return {};
 }

@@ -116,7 +116,8 @@ void add_pinna(Surface& s, const Station& from, double length, double width, dou
     for (float side : {-1.0f, 1.0f}) {
       Vec3 rim = at + from.across * (side * half) - up * (0.30f * half) + along * (0.35f * half);
       add(rim, t, 0.5 + 0.5 * static_cast<double>(side));
-      add(rim + along * static_cast<float>(0.62 * step), t + 0.62 / lobes, 0.5 + 0.5 * static_cast<double>(side));
+      add(rim + along * static_cast<float>(0.62 * step), t + 0.62 / lobes,
+          0.5 + 0.5 * static_cast<double>(side));
     }
     at += along * static_cast<float>(step);
   }

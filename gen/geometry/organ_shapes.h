@@ -14,7 +14,7 @@ struct BladeShape {
   double bend = radians(40.0);  ///< from foot to tip, downward
   double stalk = 0.08;          ///< share of the length that is stalk
   double wave = 0;              ///< how much the rim is waved, 0..1
-  int detail = 3;               ///< 1: 14 triangles, for masses of small leaves; 2: 48; 3: 126
+  int detail = 3;               ///< 1: 10 triangles, for masses of small leaves; 2: 52; 3: 126
   double round = 0;             ///< 0 drawn out to a tip .. 1 round at its end
 };
 

@@ -75,8 +75,7 @@ void describe(Visitor& v, OrganParams& o) {
   v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
   v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud, stem of a frond");
   v.number("width", o.width, {.min = 0.02, .max = 3}, "Share of the length");
-  v.integer("detail", o.detail, {.min = 1, .max = 3},
-            "Of leaves and petals: 14, 48 or 126 triangles each");
+  v.integer("detail", o.detail, {.min = 1, .max = 3}, "Of leaves and petals: 10, 52 or 126 triangles each");
   v.angle("fold", o.fold, {.min = -80, .max = 80},
           "Of a leaf along its midrib; of a frond's leaflets above the flat");
   v.angle("bend", o.bend, {.min = -180, .max = 180},

@@ -66,7 +66,7 @@ struct OrganParams {
   double wave = 0.3;            ///< of a leaf's rim
   int petals = 5;
   int leaflets = 0;  ///< leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape
-  int lobes = 0;                          ///< on either side of a frond's leaflets, as a fern has them
+  int lobes = 0;     ///< on either side of a frond's leaflets, as a fern has them
   double droop = radians(45.0);           ///< of a frond's leaflets from foot to tip
   int variants = 3;                       ///< of a sprig or frond: how many different shapes there are
   double open = radians(65.0);            ///< between petals and heading

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace frond {
 namespace {
 
@@ -47,6 +50,40 @@ TEST(FoliageShapes, FrondBendsDownAndDroops) {
   TwigParts bent = frond_foliage(shape, Seed{1});
   EXPECT_LT(box_of(bent.stem).low.z, -0.25f);
   EXPECT_LT(box_of(bent.blades).low.z, box_of(bent.stem).low.z);
+}
+
+TEST(FoliageShapes, FernHasLobedLeafletsAndEndsInAPoint) {
+  FrondShape shape{.pairs = 20, .bend = 0, .droop = 0, .lobes = 8};
+  Foliage fern = frond_foliage(shape, Seed{1});
+  EXPECT_EQ(fern.blades.check(), "");
+  EXPECT_GE(fern.blades.triangle.size(), 2u * 20 * 8 * 4);
+  EXPECT_LT(fern.blades.triangle.size(), 2u * 20 * 8 * 4 + 20);
+  EXPECT_GT(upward(fern.blades), 0.85);
+  float middle = 0, tip = 0;
+  for (Vec3 p : fern.blades.position) {
+    if (p.y > 0.35f && p.y < 0.5f) middle = std::max(middle, std::abs(p.x));
+    if (p.y > 0.92f) tip = std::max(tip, std::abs(p.x));
+  }
+  EXPECT_NEAR(2 * middle, shape.width, 0.15);
+  EXPECT_LT(tip, 0.55f * middle);
+}
+
+TEST(FoliageShapes, LeavesOfLessDetailHaveTheSameOutline) {
+  BladeShape shape;
+  Box fine = box_of(blade_surface(shape));
+  std::size_t triangles[4] = {};
+  for (int detail : {1, 2, 3}) {
+    shape.detail = detail;
+    Surface blade = blade_surface(shape);
+    EXPECT_EQ(blade.check(), "");
+    triangles[detail] = blade.triangle.size();
+    Box box = box_of(blade);
+    EXPECT_NEAR(box.high.y, fine.high.y, 1e-5);
+    EXPECT_NEAR(box.high.x, fine.high.x, 0.1 * shape.width);
+  }
+  EXPECT_EQ(triangles[1], 10u);
+  EXPECT_EQ(triangles[2], 52u);
+  EXPECT_EQ(triangles[3], 126u);
 }
 
 TEST(FoliageShapes, SprigHasItsLeaves) {
