@@ -54,7 +54,7 @@ TEST(FoliageShapes, FrondBendsDownAndDroops) {
 
 TEST(FoliageShapes, FernHasLobedLeafletsAndEndsInAPoint) {
   FrondShape shape{.pairs = 20, .bend = 0, .droop = 0, .lobes = 8};
-  Foliage fern = frond_foliage(shape, Seed{1});
+  TwigParts fern = frond_foliage(shape, Seed{1});
   EXPECT_EQ(fern.blades.check(), "");
   EXPECT_GE(fern.blades.triangle.size(), 2u * 20 * 8 * 4);
   EXPECT_LT(fern.blades.triangle.size(), 2u * 20 * 8 * 4 + 20);
