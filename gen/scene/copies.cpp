@@ -11,7 +11,7 @@ namespace frond {
 
 namespace {
 
-constexpr std::uint64_t kFormat = 3;        // of models; another number makes all of them anew
+constexpr std::uint64_t kFormat = 4;        // of models; another number makes all of them anew
 constexpr std::uint32_t kOwnPlaces = 3600;  // how many leaves can be told apart
 constexpr int kNeighbours = 6;
 constexpr double kManyPixels = 9;    // the side of a leaf that is drawn with its outline
@@ -155,6 +155,7 @@ Result<Model> grow_copy(const Organism& organism, int which) {
     return grow_in_crowd(*tree, organism.sown->crowd, age, seed);
   }();
   if (!model) return model;
+  if (const Seasons* seasons = seasons_of(organism)) in_season(*model, *seasons, 0, seed.child("season"));
   float depth = sunk(organism, model->skeleton);
   auto lower = [&](std::vector<Vec3>& places) {
     for (Vec3& p : places) p.y -= depth;
@@ -187,40 +188,52 @@ std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, c
   return parts;
 }
 
-const BarkCoat* coat_of(const Organism& organism) {
+namespace {
+
+template <class T>
+const T* held(const T& value) {
+  return &value;
+}
+template <class T>
+const T* held(const std::optional<T>& value) {
+  return value ? &*value : nullptr;
+}
+
+/// What `get` finds in the parameters of an organism or in what it wears; nullptr where they have no such
+/// thing.
+template <class Get>
+auto found(const Organism& organism, Get get) {
   return std::visit(
-      [](const auto& params) -> const BarkCoat* {
-        if constexpr (requires { params.dress.coat; })
-          return params.dress.coat ? &*params.dress.coat : nullptr;
-        else if constexpr (requires { params.coat; })
-          return params.coat ? &*params.coat : nullptr;
+      [&](const auto& params) -> decltype(get(TreeParams{})) {
+        if constexpr (requires { params.dress; })
+          return get(params.dress);
+        else if constexpr (requires { get(params); })
+          return get(params);
         return nullptr;
       },
       organism.body);
+}
+
+}  // namespace
+
+const BarkCoat* coat_of(const Organism& organism) {
+  return found(
+      organism, [](const auto& p) requires requires { p.coat; } { return held(p.coat); });
 }
 
 const Bark* bark_of(const Organism& organism) {
-  return std::visit(
-      [](const auto& params) -> const Bark* {
-        if constexpr (requires { params.dress.bark; })
-          return &params.dress.bark;
-        else if constexpr (requires { params.bark; })
-          return &params.bark;
-        return nullptr;
-      },
-      organism.body);
+  return found(
+      organism, [](const auto& p) requires requires { p.bark; } { return held(p.bark); });
 }
 
 const Wave* wave_of(const Organism& organism) {
-  return std::visit(
-      [](const auto& params) -> const Wave* {
-        if constexpr (requires { params.dress.wave; })
-          return &params.dress.wave;
-        else if constexpr (requires { params.wave; })
-          return &params.wave;
-        return nullptr;
-      },
-      organism.body);
+  return found(
+      organism, [](const auto& p) requires requires { p.wave; } { return held(p.wave); });
+}
+
+const Seasons* seasons_of(const Organism& organism) {
+  return found(
+      organism, [](const auto& p) requires requires { p.season; } { return held(p.season); });
 }
 
 }  // namespace frond

@@ -19,7 +19,8 @@ struct CopyPart {
 };
 
 /// Grows model `which` of a sown organism, its foot at the origin. A tree with `crowd` grows up among six
-/// neighbours. What it is made of depends on the organism and its `seeds` alone, not on the scene's seed.
+/// neighbours. Its leaves are in the season that the film begins in. What it is made of depends on the
+/// organism and its `seeds` alone, not on the scene's seed.
 Result<Model> grow_copy(const Organism& organism, int which);
 
 /// What stands for model `which` of a sown organism: a number that differs where the model does.
@@ -38,6 +39,8 @@ std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, c
 const BarkCoat* coat_of(const Organism& organism);
 /// Their bark without pictures, or nullptr.
 const Bark* bark_of(const Organism& organism);
+/// Its leaves' year, or nullptr.
+const Seasons* seasons_of(const Organism& organism);
 /// How it sways, or nullptr.
 const Wave* wave_of(const Organism& organism);
 
