@@ -269,9 +269,9 @@ std::string model_text(const ModelFile& file, const Organism& organism, const Mo
   std::vector<CopyPart> parts = copy_parts(organism, model, kLevels[file.level]);
   std::string name = model_name(organism, file.model, file.level);
   std::string text;
-  append_comment(text, fmt::format("{} parts: {}, model {}, {} segments, {} organs", parts.size(), organism.name,
-                                   file.model, std::max<std::size_t>(1, model.skeleton.size()) - 1,
-                                   model.organs.size()));
+  append_comment(text, fmt::format("{} parts: {}, model {}, {} segments, {} organs", parts.size(),
+                                   organism.name, file.model,
+                                   std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
   std::set<std::string_view> includes{"copy"};
   for (const CopyPart& part : parts)
     if (part.kind == CopyPart::Kind::solid)

@@ -74,7 +74,8 @@ std::uint32_t outermost(const Surface& s, const Piece& piece, Vec3 toward) {
                            });
 }
 
-void add_diamond(Surface& out, const Surface& s, const Piece& piece, float larger = 1) {
+/// `stands_for`: so many pieces, whose area it has.
+void add_diamond(Surface& out, const Surface& s, const Piece& piece, float stands_for = 1) {
   if (piece.area <= 1e-12f) return;
   Vec3 middle = piece.middle / piece.area;
   std::uint32_t foot = farthest(s, piece, middle), tip = farthest(s, piece, s.position[foot]);
@@ -91,7 +92,10 @@ void add_diamond(Surface& out, const Surface& s, const Piece& piece, float large
   }
   facing = glm::length(facing) > 1e-9f ? glm::normalize(facing)
                                        : glm::normalize(glm::cross(axis, Vec3(0.3f, 1, 0.2f)));
-  Vec3 across = glm::cross(facing, axis) * (covered / length);
+  // What is narrow grows wider first.
+  float wider = std::clamp(0.5f * length * length / covered, 1.0f, stands_for);
+  float larger = std::sqrt(stands_for / wider);
+  Vec3 across = glm::cross(facing, axis) * (wider * covered / length);
   Vec3 waist = s.position[foot] +
                axis * std::clamp(glm::dot(middle - s.position[foot], axis), 0.2f * length, 0.8f * length);
   waist += facing * glm::dot(middle - waist, facing);
@@ -170,7 +174,7 @@ Surface diamonds(const Surface& surface, const Pieces& pieces, int stride) {
   std::vector<Piece> list = measured(surface, pieces, false);
   auto step = static_cast<std::size_t>(stride);
   for (std::size_t i = step / 2; i < list.size(); i += step)
-    add_diamond(out, surface, list[i], std::sqrt(static_cast<float>(stride)));
+    add_diamond(out, surface, list[i], static_cast<float>(stride));
   return out;
 }
 

@@ -11,7 +11,7 @@ namespace frond {
 
 namespace {
 
-constexpr std::uint64_t kFormat = 4;        // of models; another number makes all of them anew
+constexpr std::uint64_t kFormat = 5;        // of models; another number makes all of them anew
 constexpr std::uint32_t kOwnPlaces = 3600;  // how many leaves can be told apart
 constexpr int kNeighbours = 6;
 constexpr double kManyPixels = 9;    // the side of a leaf that is drawn with its outline

@@ -141,6 +141,8 @@ void describe(Visitor& v, Stage& s) {
 template <class Visitor>
 void describe(Visitor& v, Preset& p) {
   v.text("title", p.title, "Shown nowhere in the picture");
+  v.text("base", p.base,
+         "Another preset, as seen from this one's folder, whose values stand where this one has none");
   v.integer("seed", p.seed, {.min = 0, .max = 9e15}, "Another number, another reef");
   v.object("film", p.film, "Length, size and quality");
   v.object("scene", p.stage, "Everything but the organisms");

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "core/files.h"
 #include "preset/fault.h"
 #include "preset/json.h"
 #include "preset/merge.h"
@@ -39,7 +41,7 @@ Fault organism_fault(const Value& organism, std::size_t index, std::string_view 
 }
 
 /// What stands between the first backquotes of a text.
-std::string_view quoted(std::string_view text) {
+std::string_view in_backquotes(std::string_view text) {
   std::size_t begin = std::min(text.find('`'), text.size());
   text.remove_prefix(std::min(begin + 1, text.size()));
   return text.substr(0, text.find('`'));
@@ -53,10 +55,10 @@ std::string grammar_pointer(const GrammarText& grammar, const Error& error) {
     auto rule = std::ranges::find(rules, error.where, &GrammarText::Rule::where);
     if (rule != rules.end()) return fmt::format("/{}/{}", list.name, rule - rules.begin());
   }
-  if (error.where.starts_with("constant `")) return pointer_step("/constants", quoted(error.where));
+  if (error.where.starts_with("constant `")) return pointer_step("/constants", in_backquotes(error.where));
   if (!error.where.empty()) return pointer_step("", error.where);
   // A number that is out of range is named first of all.
-  return error.what.starts_with('`') ? pointer_step("", quoted(error.what)) : "";
+  return error.what.starts_with('`') ? pointer_step("", in_backquotes(error.what)) : "";
 }
 
 /// Tells the rules where they stand and finds what is wrong with them, and with where it stands: within
@@ -122,13 +124,35 @@ void check_stage(const Stage& stage, const Value& root, Faults& faults) {
       return fault("/scene/camera/look_at", "is where the camera stands; expected another place to look at");
 }
 
+constexpr int kMostBases = 8;
+
+/// Lays a preset over the one that it names as its base, and that over its own.
+Errors lay_on_base(Value& root, const std::string& file_name, int depth = 0) {
+  const Value* base = root.find("base");
+  if (!base || !base->is(Value::Type::text) || base->text.empty()) return {};
+  auto fault = [&](std::string what) {
+    return Errors{Fault{base->origin, "/base", std::move(what)}.error()};
+  };
+  if (depth == kMostBases) return fault("more than 8 bases on each other; is one its own?");
+  std::string path = (std::filesystem::path(file_name).parent_path() / base->text).string();
+  Result<std::string> text = read_file(path);
+  if (!text) return fault(path + " " + text.errors().front().what);
+  Result<Document> below = parse_json(*text, path);
+  if (!below) return below.errors();
+  if (Errors errors = lay_on_base(below->root, path, depth + 1); !errors.empty()) return errors;
+  below->root.remove("base");
+  root = overlay(below->root, root);
+  return {};
+}
+
 }  // namespace
 
 Result<Preset> read_preset(std::string_view text, const std::string& file_name,
                            const std::vector<std::string>& sets) {
   Result<Document> document = parse_json(text, file_name);
   if (!document) return document.errors();
-  Errors errors;
+  Errors errors = lay_on_base(document->root, file_name);
+  if (!errors.empty()) return errors;
   for (const std::string& set : sets)
     for (Error& error : apply_set(*document, set)) errors.push_back(std::move(error));
   if (!errors.empty()) return errors;

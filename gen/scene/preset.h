@@ -110,6 +110,7 @@ struct Stage {
 /// A preset as the user wrote it: checked, typed, with every default and override in its place (C4).
 struct Preset {
   std::string title;
+  std::string base;  ///< a preset that this one is laid over, as seen from its folder; empty: none
   std::uint64_t seed = 1;
   Film film;
   Stage stage;
@@ -118,8 +119,8 @@ struct Preset {
   std::string text;  ///< what it was read from, overrides included, as canonical JSON; for hashes
 };
 
-/// Reads a preset. `file_name` is for messages; `sets` are `/json/pointer=value` overrides, applied in order.
-/// All faults are reported.
+/// Reads a preset, and the one that it builds on. `file_name` is for messages and tells the folder; `sets`
+/// are `/json/pointer=value` overrides, applied in order. All faults are reported.
 Result<Preset> read_preset(std::string_view text, const std::string& file_name,
                            const std::vector<std::string>& sets);
 

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/files.h"
+#include "scene/preset.h"
+
+namespace frond {
+namespace {
+
+/// Presets that build on each other, in a folder of their own.
+class Base : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = std::filesystem::path(testing::TempDir()) /
+             ("base_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::create_directories(folder / "below");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  void put(const std::string& name, const std::string& text) { ASSERT_TRUE(write_file(folder / name, text)); }
+  Result<Preset> read(const std::string& name, const std::vector<std::string>& sets = {}) {
+    std::string path = (folder / name).string();
+    return read_preset(*read_file(path), path, sets);
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Base, StandsWhereThePresetHasNothing) {
+  put("below/wood.json", R"({"title": "wood", "seed": 5, "film": {"frames": 8, "fps": 12},
+                             "organisms": [{"kind": "coral"}, {"kind": "coral", "steps": 2}]})");
+  put("walk.json",
+      R"({"base": "below/wood.json", "title": "walk", "film": {"frames": 9}, "defaults": {"steps": 3}})");
+  Result<Preset> preset = read("walk.json", {"/film/fps=6"});
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  EXPECT_EQ(preset->title, "walk");
+  EXPECT_EQ(preset->seed, 5u);
+  EXPECT_EQ(preset->film.frames, 9);
+  EXPECT_EQ(preset->film.fps, 6);
+  ASSERT_EQ(preset->organisms.size(), 2u);
+  EXPECT_EQ(std::get<CoralParams>(preset->organisms[0].body).steps, 3);
+  EXPECT_EQ(std::get<CoralParams>(preset->organisms[1].body).steps, 2);
+}
+
+TEST_F(Base, MayHaveABaseOfItsOwn) {
+  put("a.json", R"({"seed": 5, "film": {"frames": 8}, "organisms": []})");
+  put("b.json", R"({"base": "a.json", "film": {"fps": 3}})");
+  put("c.json", R"({"base": "b.json", "seed": 6})");
+  Result<Preset> preset = read("c.json");
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  EXPECT_EQ(preset->seed, 6u);
+  EXPECT_EQ(preset->film.frames, 8);
+  EXPECT_EQ(preset->film.fps, 3);
+}
+
+TEST_F(Base, MessagesSayWhereAFaultStands) {
+  put("below.json", "{\"organisms\": [],\n \"film\": {\"frmes\": 8}}");
+  put("above.json", "{\"base\": \"below.json\"}");
+  Result<Preset> preset = read("above.json");
+  ASSERT_FALSE(preset);
+  EXPECT_NE(preset.errors().front().where.find("below.json:2:"), std::string::npos)
+      << preset.errors().front().text();
+}
+
+TEST_F(Base, ThatIsNotThereIsOneMessage) {
+  put("above.json", "{\n \"base\": \"nothing.json\"}");
+  Result<Preset> preset = read("above.json");
+  ASSERT_FALSE(preset);
+  ASSERT_EQ(preset.errors().size(), 1u);
+  EXPECT_NE(preset.errors().front().where.find("above.json:2:"), std::string::npos)
+      << preset.errors().front().text();
+  EXPECT_NE(preset.errors().front().text().find("/base: "), std::string::npos);
+}
+
+TEST_F(Base, OfItselfIsRefused) {
+  put("above.json", R"({"base": "above.json"})");
+  Result<Preset> preset = read("above.json");
+  ASSERT_FALSE(preset);
+  EXPECT_NE(preset.errors().front().text().find("is one its own?"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frond
