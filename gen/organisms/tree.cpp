@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trees/bodies.h"
+
 namespace frond {
 
 namespace {
@@ -149,7 +151,8 @@ double year_at(const Growth& growth, int years, double time) {
   return end * std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
 }
 
-Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather) {
+Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
+                 std::span<const Surface> bodies) {
   Grove grove;
   std::vector<Seedling> seedlings;
   for (const TreeSite& site : sites) {
@@ -166,6 +169,10 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather) {
     options.light = sites[0].params->light;
     options.wind = sites[0].params->wind;
     options.snow = sites[0].params->snow;
+    for (const Surface& body : bodies) {
+      std::vector<Shade> shades = shades_of_body(body, options.light);
+      options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
+    }
   }
   grove.trees = grow_grove(seedlings, options);
   return grove;

@@ -60,9 +60,10 @@ struct Grove {
   std::vector<GrownTree> trees;
 };
 
-/// Grows all trees in one field of light. Its law and the weather are those of the first site. With `history`
-/// for films.
-Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather);
+/// Grows all trees in one field of light, which the bodies take a part of. Its law and the weather are those
+/// of the first site. With `history` for films.
+Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
+                 std::span<const Surface> bodies = {});
 
 /// A tree at a time in years of the grove, where it stands: branches, sprigs of leaves. Past the last year it
 /// is the summer after.

@@ -16,7 +16,7 @@ Surface support(const Scene& scene, const IvyParams& ivy) {
   Surface all;
   for (const Branches& body : scene.branches) {
     if (!ivy.on.empty() && std::find(ivy.on.begin(), ivy.on.end(), body.name) == ivy.on.end()) continue;
-    Surface own = body.hull.triangle.empty() ? merged(body.solids) : body.hull;
+    Surface own = skin_of(body);
     auto offset = static_cast<std::uint32_t>(all.position.size());
     all.position.insert(all.position.end(), own.position.begin(), own.position.end());
     all.normal.insert(all.normal.end(), own.normal.begin(), own.normal.end());

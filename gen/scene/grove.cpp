@@ -26,7 +26,8 @@ Filming filming_of(const Growth& growth, int years, double time) {
 
 }  // namespace
 
-std::vector<Branches> grow_together(const Preset& preset, const std::vector<TreePlanting>& plantings) {
+std::vector<Branches> grow_together(const Preset& preset, const std::vector<TreePlanting>& plantings,
+                                    std::span<const Surface> bodies) {
   std::vector<TreeSite> sites;
   bool film = false;
   for (const TreePlanting& p : plantings) {
@@ -39,7 +40,7 @@ std::vector<Branches> grow_together(const Preset& preset, const std::vector<Tree
                      glm::angleAxis(static_cast<float>(place.lean * p.seed.child("lean").unit()), axis),
                      1 + place.size_variation * p.seed.child("size").range(-1, 1), p.seed.child("grow")});
   }
-  Grove grove = grow_trees(sites, film, Seed{preset.seed}.child("weather"));
+  Grove grove = grow_trees(sites, film, Seed{preset.seed}.child("weather"), bodies);
 
   std::vector<Branches> trees(plantings.size());
   parallel_for(trees.size(), [&](std::size_t i) {

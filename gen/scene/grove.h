@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -13,9 +14,11 @@ struct TreePlanting {
   Vec3 foot{0};  ///< metres
 };
 
-/// Grows all trees of a preset together, so that they shade each other; one a planting, without the look and
-/// the motion. Trees that grow in a film carry their life along. The random size of a place is an age here.
-std::vector<Branches> grow_together(const Preset& preset, const std::vector<TreePlanting>& plantings);
+/// Grows all trees of a preset together, so that they shade each other, among bodies that shade them; one a
+/// planting, without the look and the motion. Trees that grow in a film carry their life along. The random
+/// size of a place is an age here.
+std::vector<Branches> grow_together(const Preset& preset, const std::vector<TreePlanting>& plantings,
+                                    std::span<const Surface> bodies);
 
 /// A tree that carries its life as it is at a time, with what falls from it on its way.
 Branches tree_at(const Branches& tree, double time);

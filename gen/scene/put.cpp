@@ -57,4 +57,8 @@ void follow_ground(Solids& solids, const Heights& ground, float foot_height) {
   for (Vec3& p : solids.position) p.y += static_cast<float>(ground(p.x, p.z)) - foot_height;
 }
 
+Surface skin_of(const Branches& branches) {
+  return branches.hull.triangle.empty() ? merged(branches.solids) : branches.hull;
+}
+
 }  // namespace frond

@@ -273,6 +273,14 @@ void lay_ground(Builder& b) {
   b.heights = Heights(b.scene.floor);
 }
 
+/// The skins of all that is built, where it stands.
+std::vector<Surface> bodies(const std::vector<std::optional<Result<Branches>>>& grown) {
+  std::vector<Surface> skins;
+  for (const auto& result : grown)
+    if (result && *result && (*result)->solids.size() > 0) skins.push_back(skin_of(**result));
+  return skins;
+}
+
 }  // namespace
 
 Result<Scene> build_scene(const Preset& preset) {
@@ -300,16 +308,17 @@ Result<Scene> build_scene(const Preset& preset) {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (grows_in_grove(list[i]))
       trees.push_back({list[i].organism, list[i].seed, Vec3(list[i].spot.at.x, feet[i], list[i].spot.at.y)});
-  std::vector<Branches> grove = grow_together(preset, trees);
   std::vector<std::optional<Result<Branches>>> grown(list.size());
+  parallel_for(list.size(), [&](std::size_t i) {
+    if (!grows_in_grove(list[i])) grown[i] = plant(b, list[i], feet[i]);
+  });
+  std::vector<Branches> grove =
+      grow_together(preset, trees, trees.empty() ? std::vector<Surface>{} : bodies(grown));
   for (std::size_t i = 0, tree = 0; i < list.size(); ++i) {
     if (!grows_in_grove(list[i])) continue;
     grown[i] = std::move(grove[tree++]);
     dress(**grown[i], preset, list[i]);
   }
-  parallel_for(list.size(), [&](std::size_t i) {
-    if (!grown[i]) grown[i] = plant(b, list[i], feet[i]);
-  });
   Result<std::vector<Picture>> drawn = draw_pictures(preset);
   if (!drawn) return drawn.errors();
   b.scene.pictures = std::move(*drawn);

@@ -73,6 +73,9 @@ struct Branches {
   bool develops() const { return stages || life || season; }
 };
 
+/// The outside of the bodies that it is, without `uv`; empty where it is none.
+Surface skin_of(const Branches& branches);
+
 /// The branches of an organism as they are at a time.
 void pose_branches(const Branches& branches, double time, Pose& pose);
 

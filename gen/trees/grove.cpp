@@ -77,27 +77,12 @@ std::vector<Shade> shades_of(const Tree& tree, const LightLaw& law, int year) {
   return list;
 }
 
-/// The cells of what stands there besides trees.
-std::vector<Shade> shades_of(const Block& block, const LightLaw& law) {
-  std::vector<Shade> list;
-  auto h = static_cast<float>(law.voxel);
-  for (float x = block.low.x + h / 2; x < block.high.x; x += h)
-    for (float y = block.low.y + h / 2; y < block.high.y; y += h)
-      for (float z = block.low.z + h / 2; z < block.high.z; z += h)
-        list.push_back({Vec3(x, y, z), static_cast<float>(block.opacity)});
-  return list;
-}
-
 void cast_light(LightField& field, const std::vector<Tree>& trees, const GroveOptions& options, int year) {
   std::vector<std::vector<Shade>> parts(trees.size());
   parallel_for(trees.size(), [&](std::size_t i) { parts[i] = shades_of(trees[i], options.light, year); });
-  std::vector<Shade> all;
+  std::vector<Shade> all = options.bodies;
   float floor = trees[0].seedling->foot.y;
   for (const Tree& tree : trees) floor = std::min(floor, tree.seedling->foot.y);
-  for (const Block& block : options.blocks) {
-    std::vector<Shade> more = shades_of(block, options.light);
-    all.insert(all.end(), more.begin(), more.end());
-  }
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   Seed jitter = options.seed.child("grid").child(static_cast<std::uint64_t>(year));
   field.cast(all, floor,

@@ -18,20 +18,14 @@ struct Seedling {
   int planted = 0;  ///< year of the grove in which it begins to grow
 };
 
-/// A body that takes light: a wall, a house. A box of which each cell casts as much shade.
-struct Block {
-  Vec3 low{0}, high{0};
-  double opacity = 0.1;  ///< as Shade::amount
-};
-
 struct GroveOptions {
   int years = 20;
   LightLaw light;
-  double wind = 22;      ///< metres a second, the strongest gust in an ordinary year
-  double snow = 0;       ///< kg a square metre, the heaviest load in a year
-  Seed seed;             ///< of the weather
-  bool history = false;  ///< keep what died and the rings of every year, for films
-  std::vector<Block> blocks;
+  double wind = 22;           ///< metres a second, the strongest gust in an ordinary year
+  double snow = 0;            ///< kg a square metre, the heaviest load in a year
+  Seed seed;                  ///< of the weather
+  bool history = false;       ///< keep what died and the rings of every year, for films
+  std::vector<Shade> bodies;  ///< of walls, houses and rocks among the trees, see shades_of_body
 };
 
 /// A tree as it has grown, an entry an internode; parents precede children; entry 0 is the foot and has no

@@ -20,12 +20,12 @@ int floor_int(float x) { return static_cast<int>(std::floor(x)); }
 int tile_of(int cell) { return cell >> 4; }
 int place_in(int cell) { return cell & 15; }
 
-float weight_of(const LightLaw& law, int q) {
+}  // namespace
+
+float fading_weight(const LightLaw& law, int q) {
   if (law.fading == Fading::geometric) return static_cast<float>(std::pow(law.base, -q));
   return 1 - static_cast<float>(q) / static_cast<float>(law.depth + 1);
 }
-
-}  // namespace
 
 float shade_amount(const LightLaw& law, double leaf_area, double wood_volume) {
   double h = law.voxel;
@@ -119,7 +119,7 @@ void LightField::cast_pyramids(const std::vector<float>& amounts) {
     int layer = static_cast<int>(at);
     for (int q = 0; q <= law_.depth && layer + q < layers_; ++q)
       for (std::uint32_t i : of_layer[layer + q])
-        darken(layer, tiles_[i], &amounts[std::size_t{i} * kSide * kSide], q, weight_of(law_, q));
+        darken(layer, tiles_[i], &amounts[std::size_t{i} * kSide * kSide], q, fading_weight(law_, q));
   });
 }
 

@@ -33,6 +33,9 @@ struct Shade {
 /// What an internode takes of the light: leaves of so many square metres and so many cubic metres of wood.
 float shade_amount(const LightLaw& law, double leaf_area, double wood_volume);
 
+/// What a pyramid has left of the shade of its cell, q layers below it.
+float fading_weight(const LightLaw& law, int q);
+
 /// Shadow propagation on a sparse grid: each cell that holds leaves darkens a square pyramid of cells below
 /// it (Palubicki et al. 2009, section 4.1.2). Diffuse shade reaches the ground, and under a wide roof of
 /// leaves it is that of Beer and Lambert; the pyramids are cut off at their depth. The field is a function of

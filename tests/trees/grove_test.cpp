@@ -6,6 +6,8 @@
 #include <map>
 
 #include "core/parallel.h"
+#include "solids.h"
+#include "trees/bodies.h"
 
 namespace frond {
 namespace {
@@ -129,7 +131,7 @@ TEST(Grove, ATreeLeansAwayFromAWall) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     GroveOptions options;
     options.years = 18;
-    options.blocks = {{Vec3(-2.5f, 0, -8), Vec3(-1, 12, 8), 0.1}};
+    options.bodies = shades_of_body(box(Vec3(-2.5f, 0, -8), Vec3(-1, 12, 8)), options.light);
     Seedling s = seedling(Vec3(0), seed);
     s.species.clear_trunk = 0;
     GrownTree t = grow_grove({s}, options)[0];
@@ -142,7 +144,7 @@ TEST(Grove, ATreeLeansAwayFromAWall) {
     }
     EXPECT_GT(middle / static_cast<double>(living(t)), 0.25) << "seed " << seed;
     EXPECT_LT(2 * dark, bright) << "seed " << seed;
-    options.blocks.clear();
+    options.bodies.clear();
     GrownTree open = grow_grove({s}, options)[0];
     double centre = 0;
     for (std::size_t i = 1; i < open.size(); ++i) centre += lives(open, i) ? open.tip[i].x : 0;
