@@ -44,17 +44,28 @@ start_ninja() {
   ninja_pid=$!
 }
 
-# follow_ninja STEP TELL: calls `STEP finished all seconds description` for each command that ended well, and
-# `TELL line` for each line that a failing command prints. Returns ninja's exit code.
+# follow_ninja STEP TELL [IDLE]: calls `STEP finished all seconds description` for each command that ended well,
+# `TELL line` for each line that a failing command prints, and IDLE after each second without a line. Returns ninja's
+# exit code.
 follow_ninja() {
-  local line step=$1 tell=$2 skip='' pending='' finished all elapsed what
+  local line step=$1 tell=$2 idle=${3:-:} skip='' pending='' finished all elapsed what begun='' status
   told() {  # a command is counted when the next line shows that it did not fail
     [[ -n $pending ]] || return 0
     IFS=' ' read -r finished all elapsed what <<<"$pending"
     pending=''
     "$step" "$finished" "$all" "${elapsed%%.*}" "$what"
   }
-  while IFS= read -r line <&"$ninja_out"; do
+  while true; do
+    status=0
+    IFS= read -t 1 -r line <&"$ninja_out" || status=$?
+    line=$begun$line
+    begun=''
+    if ((status > 128)); then  # not a whole line yet
+      begun=$line
+      "$idle"
+      continue
+    fi
+    if ((status > 0)); then break; fi
     if [[ -n $skip ]]; then  # the command that failed
       skip=''
       continue

@@ -9,14 +9,15 @@ usage() {
 Usage: scripts/render.sh PRESET [options]
 
 Leaves DIR/film.mp4 and DIR/contact.png, or DIR/still.png where the preset is a still. Renders only what changed:
-interrupted and run again it goes on where it stopped.
+interrupted or killed at any moment and run again it goes on where it stopped, also within a picture.
 
   -o DIR                      where to (out/<preset name>)
   --frames A-B                only these frames
   --size WxH                  size of the pictures, in pixels
+  --scale N                   multiplies it, by 1 to 16: --scale 4 for the wall, --scale 1.5
   --quality draft|good|best   how well they are rendered
   --set POINTER=VALUE         overrides one value of the preset; may be given again
-  --jobs N                    how many frames are rendered at once (as many as there are processors)
+  --jobs N                    how many processors render (all): frames at once, or parts of a picture
   --threads N                 how many threads generate the scenes (as many)
   -h, --help                  this text
 
@@ -24,6 +25,7 @@ Examples:
   scripts/render.sh presets/reef.json
   scripts/render.sh presets/reef.json --frames 1-48 --size 320x180 --quality draft -o out/check
   scripts/render.sh presets/reef.json --size 1280x720 --quality best --set /seed=8 -o out/reef-8
+  scripts/render.sh presets/trees/oak.json --scale 4
 
 The files made are named on stdout, all else goes to stderr.
 Exit codes: 0 done, 1 could not (disk, POV-Ray), 2 wrong input, 130 interrupted.
@@ -42,12 +44,12 @@ while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --) shift; for argument in "$@"; do set_preset "$argument"; done; break ;;
-    -o | --out | --frames | --size | --quality | --set | --jobs | --threads)
+    -o | --out | --frames | --size | --scale | --quality | --set | --jobs | --threads)
       (($# > 1)) || bad_usage "$1 needs a value"
       option=$1 value=$2
       shift 2
       ;;
-    --out=* | --frames=* | --size=* | --quality=* | --set=* | --jobs=* | --threads=*)
+    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --set=* | --jobs=* | --threads=*)
       option=${1%%=*} value=${1#*=}
       shift
       ;;
@@ -96,7 +98,7 @@ interrupted() {
     kill -TERM "$ninja_pid" 2>/dev/null || true
     wait "$ninja_pid" 2>/dev/null || true
   fi
-  say "Interrupted. The frames that are finished are kept: the same command goes on with the others."
+  say "Interrupted. What is finished is kept: the same command goes on from there."
   exit 130
 }
 trap interrupted INT TERM HUP
@@ -113,8 +115,6 @@ case $status in
 esac
 cd -- "$out"
 
-# What an earlier run left and is no part of this one.
-find frames -maxdepth 1 -name '.frame_*.part.*' -delete
 targets() { ninja -t targets rule "$1" 2>/dev/null || true; }
 still=$(targets still)
 if [[ -n $still ]]; then rm -f film.mp4 contact.png; else rm -f still.png; fi
@@ -146,9 +146,35 @@ step() {  # FINISHED ALL SECONDS WHAT
   if ((done_now == to_do)) && [[ -z $still ]]; then say "Encoding the film"; fi
 }
 
-if on_terminal && ((to_do > 0)); then draw_bar "$((frames - to_do))" "$frames" "frame $((frames - to_do)) of $frames"; fi
-start_ninja -j "${jobs:-$(nproc)}"
-follow_ninja step say || fail 1 "not all frames of $out could be rendered; those that are finished are kept"
+# Where one picture is all there is to do: how much of it is traced, by the bytes that POV-Ray has noted of it.
+size=$(sed -n 's/^size = //p' build.ninja)
+whole=$((${size%x*} * ${size#*x} * 20)) first='' started=0 tenth=-1
+picture() {
+  local now percent text
+  if ((to_do != 1 || done_now > 0)); then return; fi
+  now=$(cat frames/.frame_*.kept 2>/dev/null | wc -c)
+  percent=$((now < whole ? now * 100 / whole : 99))
+  text="$percent % of the picture"
+  if [[ $now == "${first:-$now}" ]]; then  # it still reads the scene
+    first=$now started=$SECONDS
+  else
+    text+=", about $(clock $(((SECONDS - started) * (now < whole ? whole - now : 0) / (now - first)))) left"
+  fi
+  if on_terminal; then
+    draw_bar "$percent" 100 "$text"
+  elif ((percent / 10 > tenth)); then
+    tenth=$((percent / 10))
+    say "$text"
+  fi
+}
+
+if on_terminal && ((to_do > 1)); then draw_bar "$((frames - to_do))" "$frames" "frame $((frames - to_do)) of $frames"; fi
+jobs=${jobs:-$(nproc)}
+# Processors that no frame of their own keeps busy help with another.
+export FROND_THREADS=$((to_do > 0 && jobs > to_do ? jobs / to_do : 1))
+start_ninja -j "$jobs"
+follow_ninja step say picture || fail 1 "not all frames of $out could be rendered; those that are finished are kept"
+find frames -maxdepth 1 -name '.frame_*' -delete  # unfinished pictures that are no part of this film
 
 results=(film.mp4 contact.png)
 if [[ -n $still ]]; then results=(still.png); fi

@@ -53,7 +53,7 @@ std::vector<Entry> entries(const fs::path& root) {
 int check(const std::vector<std::string>& paths) {
   int result = kDone;
   for (const std::string& path : paths) {
-    Result<Preset> preset = load_preset({path, {}, {}, {}});
+    Result<Preset> preset = load_preset({path, {}, {}, {}, {}});
     if (!preset) result = fail(preset.errors(), kWrongInput);
   }
   return result;

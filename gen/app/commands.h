@@ -15,6 +15,7 @@ struct PresetArguments {
   std::string path;
   std::vector<std::string> sets;       ///< `/json/pointer=value`
   std::optional<std::string> size;     ///< WxH
+  std::optional<double> scale;         ///< multiplies the size, 1..16
   std::optional<std::string> quality;  ///< draft, good or best
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
+#include <set>
 #include <span>
 
 #include "app/commands.h"
@@ -22,6 +24,7 @@ namespace {
 struct Written {
   int frames = 0;  // that changed on disk
   Errors errors;
+  std::set<std::string> beside;  // what frames include
 };
 
 /// Grows the models of stands that are not there yet, each with all its levels, and counts their parts.
@@ -70,9 +73,11 @@ Errors grow_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, b
 Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layout, const fs::path& out,
                      FrameRange range, bool quiet) {
   FrameParts parts = prepare_frames(scene, std::move(plan));
+  std::set<std::string> beside;
   for (const Picture& file : parts.files) {
+    beside.insert(file.name);
     Result<bool> written = write_file(out / "frames" / file.name, file.bytes);
-    if (!written) return {0, written.errors()};
+    if (!written) return {0, written.errors(), {}};
   }
   int count = range.last - range.first + 1;
   Progress progress("frames", count, quiet);
@@ -92,9 +97,25 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
       ++changed;
     progress.step();
   });
-  Written result{changed, {}};
+  Written result{changed, {}, std::move(beside)};
   for (const Errors& list : errors) result.errors.insert(result.errors.end(), list.begin(), list.end());
   return result;
+}
+
+/// Removes what no frame reads any more, pictures and models of earlier runs, and what killed runs have left
+/// half written. Frames stay: those of another range may be asked for again.
+void tidy(const fs::path& out, const std::set<std::string>& needed) {
+  std::vector<fs::path> gone;
+  std::error_code error;
+  for (const fs::path& folder : {out, out / "frames"})
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      std::string name = entry.path().filename(), type = entry.path().extension();
+      bool half = type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
+      bool ours = folder != out && (type == ".png" || type == ".inc") && name[0] != '.' &&
+                  !name.starts_with("frame_");
+      if (half || (ours && !needed.contains(name))) gone.push_back(entry.path());
+    }
+  for (const fs::path& path : gone) fs::remove(path, error);
 }
 
 /// Writes build.ninja and manifest.json for the frames of a range.
@@ -158,7 +179,13 @@ int generate(const GenerateArguments& arguments) {
   Result<std::string> layout = read_file(*root / "templates" / "frame.pov");
   if (!layout) return fail(layout.errors(), kCouldNot);
 
-  Result<Scene> scene = build_scene(*preset);
+  std::optional<Progress> shown;
+  Watch watch{[&](std::string_view phase, std::size_t steps) {
+                shown.emplace(std::string(phase), static_cast<int>(steps), arguments.quiet);
+              },
+              [&] { shown->step(); }};
+  Result<Scene> scene = build_scene(*preset, watch);
+  shown.reset();
   if (!scene) return fail(scene.errors(), kWrongInput);
   fs::path name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
@@ -166,17 +193,22 @@ int generate(const GenerateArguments& arguments) {
   if (!arguments.quiet)
     fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
 
+  std::set<std::string> needed;
   for (const Picture& picture : scene->pictures) {
+    needed.insert(picture.name);
     Result<bool> written = write_file(out / "frames" / picture.name, picture.bytes);
     if (!written) return fail(written.errors(), kCouldNot);
   }
   CopyPlan plan = plan_copies(*scene);
+  for (const ModelFile& file : plan.files) needed.insert(file.name);
   if (Errors errors = grow_models(*scene, plan, out / "frames", arguments.quiet); !errors.empty())
     return fail(errors, kCouldNot);
   Written written = write_frames(*scene, std::move(plan), *layout, out, range, arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
+  needed.merge(written.beside);
+  tidy(out, needed);
   if (!arguments.quiet)
     fmt::print(stderr, "{}: {} frames, {} of them changed\n", out.string(), range.last - range.first + 1,
                written.frames);

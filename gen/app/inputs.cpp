@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -132,6 +134,20 @@ Errors load_files(Preset& preset, const fs::path& preset_path) {
   return errors;
 }
 
+/// What sets the size of a film to so many times what it is.
+Result<std::string> scaled_size(const Film& film, double scale) {
+  constexpr double kMost = 16;
+  constexpr long kLargest = 16384;
+  if (!(scale >= 1 && scale <= kMost))
+    return Error{"--scale",
+                 fmt::format("{} is no such factor; expected a number from 1 to {}", scale, kMost)};
+  long width = std::lround(film.size[0] * scale), height = std::lround(film.size[1] * scale);
+  if (std::max(width, height) > kLargest)
+    return Error{"--scale", fmt::format("pictures of {}x{} would be {}x{} pixels; expected {} at most",
+                                        film.size[0], film.size[1], width, height, kLargest)};
+  return fmt::format("/film/size=[{},{}]", width, height);
+}
+
 }  // namespace
 
 Result<fs::path> home() {
@@ -172,6 +188,12 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   }
   if (arguments.quality) sets.push_back("/film/quality=" + *arguments.quality);
   Result<Preset> preset = read_preset(*text, arguments.path, sets);
+  if (preset && arguments.scale) {
+    Result<std::string> size = scaled_size(preset->film, *arguments.scale);
+    if (!size) return size.errors();
+    sets.push_back(*size);
+    preset = read_preset(*text, arguments.path, sets);
+  }
   if (!preset) return preset;
   if (Errors errors = load_files(*preset, arguments.path); !errors.empty()) return errors;
   return preset;

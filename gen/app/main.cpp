@@ -14,6 +14,7 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("--set", preset.sets, "POINTER=VALUE: overrides one value, as in /film/fps=12")
       ->allow_extra_args(false);
   command->add_option("--size", preset.size, "WxH: size of the pictures, in pixels");
+  command->add_option("--scale", preset.scale, "N: multiplies the size, by 1 to 16");
   command->add_option("--quality", preset.quality, "draft, good or best");
 }
 

@@ -9,7 +9,7 @@
 /// The text of the job files of a film: what `ninja` is to do, and what the film is made of. Text only; the
 /// scripts run the processes.
 ///
-///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     scripts/render_frame.sh, one a core
+///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     scripts/render_frame.sh
 ///     all frames                -> DIR/film.mp4                  scripts/encode_film.sh
 ///     some frames               -> DIR/contact.png               scripts/contact_sheet.sh
 ///     the frame of a still      -> DIR/still.png
@@ -18,7 +18,8 @@
 ///     write_file(dir / "manifest.json", manifest_text(manifest));
 namespace frond {
 
-/// How POV-Ray renders a quality. Jitter is off in all, so that equal scenes are equal pixels.
+/// How POV-Ray renders a quality. Jitter is off in all, so that equal scenes are equal pixels at any number
+/// of threads, and so that a picture may be taken up again where it was left.
 struct Rendering {
   std::string_view quality;
   std::string_view flags;

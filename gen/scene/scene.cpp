@@ -283,15 +283,18 @@ std::vector<Surface> bodies(const std::vector<std::optional<Result<Branches>>>& 
 
 }  // namespace
 
-Result<Scene> build_scene(const Preset& preset) {
+Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
   Seed seed{preset.seed};
   const Floor& floor = preset.stage.floor;
   Builder b{preset, seed, {seed.child("ground"), floor.relief, floor.scale}, {}, {}, {}, {}};
   b.scene.film = preset.film;
   b.scene.stage = preset.stage;
+  watch.begin("place", 3);
   lay_ground(b);
   if (preset.stage.camera.follow) b.scene.stage.camera = over_ground(preset.stage.camera, b.heights);
+  watch.step();
   std::vector<Planting> list = plantings(b);
+  watch.step();
   if (preset.stage.setting == Setting::underwater) lay_stones(b);
   if (preset.stage.setting == Setting::meadow || preset.stage.setting == Setting::garden)
     cover_lawn(b.scene, b.heights, seed);
@@ -304,6 +307,8 @@ Result<Scene> build_scene(const Preset& preset) {
   sow_stands(b.scene, preset, b.heights, b.taken);
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
+  watch.step();
+  watch.begin("grow", list.size());
   std::vector<TreePlanting> trees;
   for (std::size_t i = 0; i < list.size(); ++i)
     if (grows_in_grove(list[i]))
@@ -318,8 +323,9 @@ Result<Scene> build_scene(const Preset& preset) {
     if (!grows_in_grove(list[i])) continue;
     grown[i] = std::move(grove[tree++]);
     dress(**grown[i], preset, list[i]);
+    watch.step();
   }
-  Result<std::vector<Picture>> drawn = draw_pictures(preset);
+  Result<std::vector<Picture>> drawn = draw_pictures(preset, watch);
   if (!drawn) return drawn.errors();
   b.scene.pictures = std::move(*drawn);
   auto ground = std::make_shared<const Heights>(b.heights);

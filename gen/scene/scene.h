@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/ground.h"
@@ -143,7 +145,13 @@ struct Scene {
   std::size_t nodes() const;
 };
 
-/// Grows and places everything.
-Result<Scene> build_scene(const Preset& preset);
+/// Whom build_scene tells how far it is.
+struct Watch {
+  std::function<void(std::string_view phase, std::size_t steps)> begin;
+  std::function<void()> step;  ///< one more of the phase is done; called from several threads
+};
+
+/// Places, grows and draws everything: the phases "place", "grow" and "texture".
+Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}});
 
 }  // namespace frond

@@ -9,6 +9,6 @@ double wear(Branches& branches, const WeberPennParams& params);
 double wear(Branches& branches, const ColonizedParams& params);
 
 /// The picture files that the frames of a preset need.
-Result<std::vector<Picture>> draw_pictures(const Preset& preset);
+Result<std::vector<Picture>> draw_pictures(const Preset& preset, const Watch& watch);
 
 }  // namespace frond

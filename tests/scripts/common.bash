@@ -6,7 +6,8 @@ export RENDER=$ROOT/scripts/render.sh
 export NO_COLOR=1
 
 # A stand-in for povray: writes a picture of the size asked for, notes the scene in $RENDERED and takes $FRAME_TIME.
-# A scene that holds the word "broken" is a parse error.
+# A scene that holds the word "broken" is a parse error. It notes half a picture before that time, as POV-Ray notes blocks;
+# $RENDERED.continued names the scenes it found such notes of, $RENDERED.threads the threads it was given.
 make_fake_povray() {
   export RENDERED=$BATS_TEST_TMPDIR/rendered FROND_POVRAY=$BATS_TEST_TMPDIR/fake-povray
   : >"$RENDERED"
@@ -17,16 +18,21 @@ for argument in "$@"; do
   case $argument in
     +I*) scene=${argument#+I} ;;
     +O*) picture=${argument#+O} ;;
-    +W*) [[ $argument == +WT* ]] || width=${argument#+W} ;;
+    +WT*) echo "${argument#+WT}" >>"$RENDERED.threads" ;;
+    +W*) width=${argument#+W} ;;
     +H*) height=${argument#+H} ;;
   esac
 done
+state=${picture%.png}.pov-state
+if [[ -s $state ]]; then echo "$scene" >>"$RENDERED.continued"; fi
+head -c $((width * height * 10)) /dev/zero >"$state"
 sleep "${FRAME_TIME:-0}"
 if grep -q broken "$scene"; then
   printf "File '%s' line 1: Parse Error: Expected 'object',\n undeclared identifier 'broken' found\nFatal error in parser: Cannot parse input.\nRender failed\n" "$scene" >&2
   exit 1
 fi
 ffmpeg -nostdin -loglevel error -f lavfi -i "color=gray:s=64x64,format=rgb24,scale=$width:$height" -frames:v 1 -update 1 -y "$picture"
+rm "$state"
 echo "$scene" >>"$RENDERED"
 SH
   chmod +x "$FROND_POVRAY"

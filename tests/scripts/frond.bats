@@ -94,6 +94,20 @@ setup() {
   cmp all/frames/frame_0004.pov one/frames/frame_0004.pov
 }
 
+@test "what no frame reads any more goes, but only where all went well" {
+  all="$root/tests/presets/all_phases.json"
+  "$frond" generate "$all" -o out -q --frames 1
+  ls out/frames >before
+  touch out/manifest.json.tmp7 out/frames/{leaf_old.png,model_old.inc,frame_0001.pov.tmp12,frame_0003.pov,frame_0003.png}
+  run "$frond" generate "$all" -o out -q --frames 900
+  [ "$status" -eq 2 ]
+  [ -e out/frames/leaf_old.png ]
+  "$frond" generate "$all" -o out -q --frames 1
+  rm out/frames/frame_0003.*  # frames of another range are left alone
+  diff before <(ls out/frames)
+  [ ! -e out/manifest.json.tmp7 ]
+}
+
 @test "list and schema are for machines too" {
   "$frond" list --json | python3 -c 'import json, sys; assert any(r["name"] == "coral" for r in json.load(sys.stdin))'
   "$frond" schema | cmp - "$root/docs/preset.schema.json"

@@ -124,7 +124,53 @@ kill_and_resume() {
 
 @test "stopped in the middle, the next run renders only the rest" {
   kill_and_resume TERM 130
-  grep -q "goes on with the others" log
+  grep -q "goes on from there" log
+}
+
+# A still whose rendering is killed when half of it is done.
+kill_still() {
+  FRAME_TIME=3 "$RENDER" still.json >log 2>&1 3>&- &
+  local running=$! status=0
+  for _ in $(seq 100); do
+    if grep -q "50 % of the picture" log; then break; fi
+    sleep 0.1
+  done
+  kill -KILL "$running"
+  wait "$running" || status=$?
+  [ "$status" -eq 137 ]
+  grep -q "50 % of the picture" log
+}
+
+@test "a killed still goes on, and begins anew where scene, size or quality changed" {
+  make_preset still.json 1
+  for change in "--set=/scene/camera/look_at=[0, 0.4, 0]" "--size=80x60" "--quality=good"; do
+    kill_still
+    "$RENDER" still.json "$change"
+    [ ! -e "$RENDERED.continued" ]
+  done
+  kill_still
+  "$RENDER" still.json
+  [ "$(cat "$RENDERED.continued")" = frames/frame_0001.pov ]
+  [ -s out/still/still.png ]
+  [ "$(find out/still/frames -name '.*' -type f | wc -l)" -eq 0 ]
+}
+
+@test "a still takes all processors, the frames of a film one each" {
+  make_preset still.json 1
+  "$RENDER" still.json --jobs 3
+  "$RENDER" film.json --jobs 3
+  [ "$(uniq -c "$RENDERED.threads" | tr -s ' \n' ' ')" = " 1 3 6 1 " ]
+}
+
+@test "a scale multiplies the size" {
+  make_preset still.json 1
+  "$RENDER" still.json --scale 2.5
+  [ "$(ffprobe -v error -show_entries stream=width,height -of csv=p=0 out/still/still.png)" = 160,120 ]
+  "$RENDER" still.json --scale=2 --size 50x40
+  [ "$(ffprobe -v error -show_entries stream=width,height -of csv=p=0 out/still/still.png)" = 100,80 ]
+  run "$RENDER" still.json --scale 16 --size 1100x40
+  [ "$status" -eq 2 ]
+  [[ $output == *$'\n'"--scale: pictures of 1100x40 would be 17600x640 pixels; expected 16384 at most" ]]
 }
 
 @test "a frame that fails is shown with file, line and reason" {
@@ -147,7 +193,7 @@ SH
 
 @test "wrong input is exit code 2" {
   for arguments in "nothing.json" "film.json --nonsense" "" "film.json film.json" "film.json --jobs 0" \
-    "film.json --frames" "film.json --frames x" "film.json --size 0x0" "film.json --quality grand" "film.json --set /film=3"; do
+    "film.json --frames" "film.json --frames x" "film.json --size 0x0" "film.json --scale" "film.json --scale 0.5" "film.json --scale 17" "film.json --scale big" "film.json --quality grand" "film.json --set /film=3"; do
     # shellcheck disable=SC2086
     run "$RENDER" $arguments
     echo "$arguments: $status $output"

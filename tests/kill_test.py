@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Kills runs at random moments and takes them up again; the end must have the same bytes as a run that nobody disturbed.
+
+    kill_test.py generate|render FROND SOURCE_DIR
+"""
+
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+what, frond, source = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+KILLS = 20
+IN_A_ROW = 4  # kills before a run may end
+chance = random.Random(6)
+
+
+def files(folder):
+    """All that a folder holds, but for the notes of ninja and of the lock."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*"))
+            if path.is_file() and path.name not in (".ninja_log", ".ninja_deps", ".lock")}
+
+
+def same(a, b, when):
+    assert a.keys() == b.keys(), f"{when}: other files: {sorted(a.keys() ^ b.keys())}"
+    for name, bytes_of in a.items():
+        assert bytes_of == b[name], f"{when}: {name} has other bytes"
+
+
+def start(command):
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                            start_new_session=True, env={**os.environ, "FROND_BIN": str(frond)})
+
+
+def follow(run, until=None):
+    """Reads what a run says up to the end of a phase, or to its own: when each phase ended, in seconds from now."""
+    begun, ends = time.monotonic(), {}
+    for line in run.stderr:
+        phase, _, steps = line.strip().partition(" ")
+        done, _, total = steps.partition("/")
+        if done == total and total.isdigit():
+            ends[phase] = time.monotonic() - begun
+            if phase == until:
+                break
+    return ends
+
+
+def kill(run, with_signal):
+    """Ends the whole group, as closing a terminal or a batch system does."""
+    os.killpg(run.pid, with_signal)
+    run.stderr.close()
+    run.wait()
+
+
+def finish(command, when):
+    run = start(command)
+    said = run.stderr.read()
+    assert run.wait() == 0, f"{when}: exit code {run.returncode}\n{said}"
+    return said
+
+
+def kill_generate(folder):
+    def command(out, threads):
+        return [frond, "generate", source / "tests/presets/all_phases.json", "-o", out, "--threads", str(threads)]
+
+    whole = start(command(folder / "whole", 1))
+    ends = follow(whole)
+    assert whole.wait() == 0 and list(ends) == ["place", "grow", "texture", "frames"], ends
+    expected = files(folder / "whole")
+    before, out = 0, folder / "killed"
+    for phase, previous in zip(ends, [None, *ends]):
+        length, before = ends[phase] - before, ends[phase]
+        for number in range(KILLS):
+            run = start(command(out, 2))
+            if previous:
+                follow(run, previous)
+            time.sleep(chance.uniform(0, length))
+            kill(run, chance.choice([signal.SIGKILL, signal.SIGTERM]))
+            if number % IN_A_ROW == IN_A_ROW - 1:
+                when = f"killed in phase {phase}, time {number}"
+                finish(command(out, 2), when)
+                same(expected, files(out), when)
+
+
+def kill_render(folder):
+    runs = [(setting, "tiny_still", ["--set", f"/scene/setting={setting}", "--quality", "good", "--scale", "1.5"])
+            for setting in ("studio", "meadow")] + [("film", "tiny_film", [])]
+    kills = -(-KILLS // len(runs))
+    continued = 0
+    for name, preset, options in runs:
+        def command(out, jobs):
+            return [source / "scripts/render.sh", source / f"tests/presets/{preset}.json", "-o", folder / name / out,
+                    "--jobs", str(jobs), *options]
+
+        begun = time.monotonic()
+        finish(command("whole", 1), name)
+        length = time.monotonic() - begun
+        killed = folder / name / "killed"
+        for _ in range(kills):
+            run = start(command("killed", 2))
+            time.sleep(chance.uniform(0, length))
+            kill(run, chance.choice([signal.SIGKILL, signal.SIGTERM]))
+        continued += any(path.stat().st_size > 10000 for path in killed.glob("frames/.*.kept"))
+        finish(command("killed", 2), f"{name}, killed {kills} times")
+        same(files(folder / name / "whole"), files(killed), f"{name}, killed {kills} times")
+    assert continued > 0, "no picture was left unfinished"
+
+
+with tempfile.TemporaryDirectory() as name:
+    {"generate": kill_generate, "render": kill_render}[what](pathlib.Path(name))
