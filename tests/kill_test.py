@@ -88,7 +88,7 @@ def kill_generate(folder):
 
 def kill_render(folder):
     runs = [(setting, "tiny_still", ["--set", f"/scene/setting={setting}", "--quality", "good", "--scale", "1.5"])
-            for setting in ("studio", "meadow")] + [("film", "tiny_film", [])]
+            for setting in ("studio", "forest")] + [("film", "tiny_film", [])]
     kills = -(-KILLS // len(runs))
     continued = 0
     for name, preset, options in runs:
