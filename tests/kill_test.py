@@ -7,6 +7,7 @@
 import os
 import pathlib
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -15,7 +16,7 @@ import time
 
 what, frond, source = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
 KILLS = 20
-IN_A_ROW = 4  # kills before a run may end
+IN_A_ROW = 2  # kills before a run may end
 chance = random.Random(6)
 
 
@@ -64,31 +65,59 @@ def finish(command, when):
 
 
 def kill_generate(folder):
-    def command(out, threads):
-        return [frond, "generate", source / "tests/presets/all_phases.json", "-o", out, "--threads", str(threads)]
+    def command(out, threads, *sets):
+        return [frond, "generate", source / "tests/presets/all_phases.json", "-o", out, "--threads", str(threads),
+                *(f"--set={value}" for value in sets)]
 
-    whole = start(command(folder / "whole", 1))
-    ends = follow(whole)
-    assert whole.wait() == 0 and list(ends) == ["place", "grow", "texture", "frames"], ends
-    expected = files(folder / "whole")
-    before, out = 0, folder / "killed"
-    for phase, previous in zip(ends, [None, *ends]):
-        length, before = ends[phase] - before, ends[phase]
-        for number in range(KILLS):
-            run = start(command(out, 2))
-            if previous:
-                follow(run, previous)
-            time.sleep(chance.uniform(0, length))
-            kill(run, chance.choice([signal.SIGKILL, signal.SIGTERM]))
-            if number % IN_A_ROW == IN_A_ROW - 1:
-                when = f"killed in phase {phase}, time {number}"
-                finish(command(out, 2), when)
-                same(expected, files(out), when)
+    whole = folder / "whole"
+    run = start(command(whole, 1))
+    ends = follow(run)
+    assert run.wait() == 0 and list(ends) == ["place", "grow", "texture", "models", "frames"], ends
+    expected = files(whole)
+    # What is there before a phase, from earlier runs, so that the phase is what a run does after growing.
+    before = {"models": ["*.png"], "frames": ["*.png", "model_*.inc"]}
+    begins = dict(zip(ends, [0, *ends.values()]))
+    for phase in ends:
+        for number in range(0, KILLS, IN_A_ROW):
+            out = folder / f"{phase}{number}"
+            (out / "frames").mkdir(parents=True)
+            for pattern in before.get(phase, []):
+                for path in (whole / "frames").glob(pattern):
+                    shutil.copy(path, out / "frames")
+            for _ in range(IN_A_ROW):
+                run = start(command(out, 2))
+                if phase != "place":
+                    follow(run, "place" if phase == "grow" else "grow")
+                time.sleep(chance.uniform(0, ends[phase] - begins[phase]))
+                kill(run, chance.choice([signal.SIGKILL, signal.SIGTERM]))
+            when = f"killed in phase {phase}, times {number} and before"
+            finish(command(out, 2), when)
+            same(expected, files(out), when)
+            shutil.rmtree(out)
+    keep_models(command, folder / "models")
+
+
+def keep_models(command, out):
+    """Models are grown anew where they are others, and only then."""
+    far = "/scene/camera/location=[0,9,99]"  # one level of detail is enough for all
+
+    def grow(*sets):
+        said = finish(command(out, 2, far, *sets), sets)
+        grown = [line for line in said.splitlines() if line.startswith("models ")][-1:]
+        return grown, {path.name: path.stat().st_mtime_ns for path in (out / "frames").glob("model_*.inc")}
+
+    grown, first = grow()
+    assert grown == ["models 2/2"] and len(first) == 2, (grown, first)
+    assert grow("/seed=9") == ([], first), "another placement"
+    grown, again = grow("/organisms/2/sown/seeds=[5,7]")
+    kept = first.items() & again.items()
+    assert grown == ["models 1/1"] and len(again) == 2 and len(kept) == 1, (grown, first, again)
 
 
 def kill_render(folder):
-    runs = [(setting, "tiny_still", ["--set", f"/scene/setting={setting}", "--quality", "good", "--scale", "1.5"])
-            for setting in ("studio", "forest")] + [("film", "tiny_film", [])]
+    good = ["--quality", "good", "--scale", "1.5"]
+    runs = [("studio", "tiny_still", [*good, "--set", "/scene/setting=studio"]),
+            ("forest", "all_phases", [*good, "--set", "/film/frames=1"]), ("film", "tiny_film", [])]
     kills = -(-KILLS // len(runs))
     continued = 0
     for name, preset, options in runs:

@@ -47,7 +47,7 @@ Errors grow_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, b
     i = end;
   }
   if (to_grow.empty()) return {};
-  Progress progress("grow", static_cast<int>(to_grow.size()), quiet);
+  Progress progress("models", static_cast<int>(to_grow.size()), quiet);
   std::vector<Errors> errors(to_grow.size());
   parallel_for(to_grow.size(), [&](std::size_t i) {
     const Organism& organism = scene.stands[to_grow[i][0].stand].organism;
@@ -60,6 +60,37 @@ Errors grow_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, b
       std::string text = model_text(file, organism, *model);
       file.parts = model_parts(text);
       Result<bool> written = write_file(folder / file.name, text);
+      if (!written) errors[i] = written.errors();
+    }
+    progress.step();
+  });
+  for (const Errors& list : errors)
+    if (!list.empty()) return list;
+  return {};
+}
+
+/// Draws the pictures of bark and leaves that are not there yet.
+Errors draw_pictures(const Scene& scene, const fs::path& folder, bool quiet) {
+  std::vector<const Drawing*> to_draw;
+  std::set<std::string> names;  // organisms may share a picture
+  for (const Drawing& drawing : scene.drawings) {
+    auto is_there = [&](const std::string& name) {
+      std::error_code error;
+      return fs::is_regular_file(folder / name, error);
+    };
+    if (!names.insert(drawing.names[0]).second) continue;
+    if (!std::all_of(drawing.names.begin(), drawing.names.end(), is_there)) to_draw.push_back(&drawing);
+  }
+  Progress progress("texture", static_cast<int>(to_draw.size()), quiet);
+  std::vector<Errors> errors(to_draw.size());
+  parallel_for(to_draw.size(), [&](std::size_t i) {
+    Result<std::vector<Picture>> drawn = to_draw[i]->draw();
+    if (!drawn) {
+      errors[i] = drawn.errors();
+      return;
+    }
+    for (const Picture& picture : *drawn) {
+      Result<bool> written = write_file(folder / picture.name, picture.bytes);
       if (!written) errors[i] = written.errors();
     }
     progress.step();
@@ -194,11 +225,9 @@ int generate(const GenerateArguments& arguments) {
     fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
 
   std::set<std::string> needed;
-  for (const Picture& picture : scene->pictures) {
-    needed.insert(picture.name);
-    Result<bool> written = write_file(out / "frames" / picture.name, picture.bytes);
-    if (!written) return fail(written.errors(), kCouldNot);
-  }
+  for (const Drawing& drawing : scene->drawings) needed.insert(drawing.names.begin(), drawing.names.end());
+  if (Errors errors = draw_pictures(*scene, out / "frames", arguments.quiet); !errors.empty())
+    return fail(errors, kCouldNot);
   CopyPlan plan = plan_copies(*scene);
   for (const ModelFile& file : plan.files) needed.insert(file.name);
   if (Errors errors = grow_models(*scene, plan, out / "frames", arguments.quiet); !errors.empty())

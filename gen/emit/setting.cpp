@@ -226,7 +226,7 @@ std::string includes_text(const Scene& scene) {
   }
   if (water || corals) include("coral"), include("food");
   if (plants) include("plant");
-  if (!scene.pictures.empty()) include("tree");
+  if (!scene.drawings.empty()) include("tree");
   if (std::any_of(scene.branches.begin(), scene.branches.end(),
                   [](const Branches& b) { return b.style.build == Build::voxels; }))
     include("voxel");

@@ -25,7 +25,9 @@ std::string name_of(const BarkCoat& coat, std::string_view what) {
 std::string bark_color_name(const BarkCoat& coat) { return name_of(coat, "color"); }
 std::string bark_height_name(const BarkCoat& coat) { return name_of(coat, "height"); }
 
-Result<std::vector<Picture>> bark_pictures(const BarkCoat& coat) {
+namespace {
+
+Result<std::vector<Picture>> draw_bark(const BarkCoat& coat) {
   int height = std::max(1, static_cast<int>(std::lround(coat.pixels * coat.aspect)));
   Seed seed{11};
   BarkMaps maps = bark_maps(coat.image, coat.pixels, height, seed);
@@ -35,6 +37,12 @@ Result<std::vector<Picture>> bark_pictures(const BarkCoat& coat) {
   if (!relief) return relief.errors();
   return std::vector<Picture>{{bark_color_name(coat), std::move(*color)},
                               {bark_height_name(coat), std::move(*relief)}};
+}
+
+}  // namespace
+
+Drawing bark_drawing(const BarkCoat& coat) {
+  return {{bark_color_name(coat), bark_height_name(coat)}, [coat] { return draw_bark(coat); }};
 }
 
 }  // namespace frond

@@ -22,6 +22,6 @@ std::string bark_color_name(const BarkCoat& coat);
 std::string bark_height_name(const BarkCoat& coat);
 
 /// Both of them.
-Result<std::vector<Picture>> bark_pictures(const BarkCoat& coat);
+Drawing bark_drawing(const BarkCoat& coat);
 
 }  // namespace frond

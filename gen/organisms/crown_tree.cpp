@@ -173,18 +173,10 @@ Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed) {
   return model;
 }
 
-Result<std::vector<Picture>> dress_pictures(const TreeDress& dress, bool leafy) {
-  std::vector<Picture> all;
-  if (leafy) {
-    Result<std::vector<Picture>> leaves = leaf_pictures(look_of(dress));
-    if (!leaves) return leaves.errors();
-    all = std::move(*leaves);
-  }
-  if (dress.coat) {
-    Result<std::vector<Picture>> bark = bark_pictures(*dress.coat);
-    if (!bark) return bark.errors();
-    for (Picture& p : *bark) all.push_back(std::move(p));
-  }
+std::vector<Drawing> dress_drawings(const TreeDress& dress, bool leafy) {
+  std::vector<Drawing> all;
+  if (leafy) all = leaf_drawings(look_of(dress));
+  if (dress.coat) all.push_back(bark_drawing(*dress.coat));
   return all;
 }
 

@@ -68,6 +68,6 @@ Result<Envelope> envelope_of(const EnvelopeParams& params);
 Errors check_colonized(const ColonizedParams& params);
 
 /// All pictures that a tree's frames need.
-Result<std::vector<Picture>> dress_pictures(const TreeDress& dress, bool leafy);
+std::vector<Drawing> dress_drawings(const TreeDress& dress, bool leafy);
 
 }  // namespace frond

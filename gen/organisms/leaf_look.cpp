@@ -10,13 +10,19 @@ namespace frond {
 
 namespace {
 
+/// Where the spots of a leaf of that colour lie: in all seasons the same.
+std::uint64_t spots_of(const LeafLook& look, std::size_t color) {
+  return color < look.colors.size() ? color : 0;
+}
+
 /// A name by all that the picture is made from.
 std::string picture_name(const LeafLook& look, std::size_t color) {
   LeafImage leaf = leaf_image(look, color);
   std::string key;
   for (double r : leaf.outline.radii) append_list(key, 6, r), key += ',';
   const LeafOutline& o = leaf.outline;
-  append_list(key, 6, o.width, o.teeth, o.tooth, o.stalk, o.palmate, leaf.spots, look.pixels, leaf.sprig);
+  append_list(key, 6, o.width, o.teeth, o.tooth, o.stalk, o.palmate, leaf.spots, look.pixels, leaf.sprig,
+              spots_of(look, color));
   for (const Color& c : {leaf.color, leaf.veins, leaf.rim})
     key += ';', append_list(key, 6, c.red, c.green, c.blue);
   if (leaf.sprig) {
@@ -72,17 +78,18 @@ Prototype leaf_prototype(const LeafLook& look) {
   return made;
 }
 
-Result<std::vector<Picture>> leaf_pictures(const LeafLook& look) {
-  std::vector<Picture> pictures;
+std::vector<Drawing> leaf_drawings(const LeafLook& look) {
+  std::vector<Drawing> drawings;
   for (std::size_t i = 0; i < look.looks(); ++i) {
-    // In all seasons a leaf has the same spots.
-    Seed spots{i < look.colors.size() ? i : 0};
-    LeafImage image = leaf_image(look, i);
-    Result<std::string> bytes = png_text(opaque(leaf_picture(image, look.pixels, spots), image.rim));
-    if (!bytes) return bytes.errors();
-    pictures.push_back({picture_name(look, i), std::move(*bytes)});
+    auto draw = [name = picture_name(look, i), image = leaf_image(look, i), pixels = look.pixels,
+                 spots = Seed{spots_of(look, i)}]() -> Result<std::vector<Picture>> {
+      Result<std::string> bytes = png_text(opaque(leaf_picture(image, pixels, spots), image.rim));
+      if (!bytes) return bytes.errors();
+      return std::vector<Picture>{{name, std::move(*bytes)}};
+    };
+    drawings.push_back({{picture_name(look, i)}, std::move(draw)});
   }
-  return pictures;
+  return drawings;
 }
 
 }  // namespace frond

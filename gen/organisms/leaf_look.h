@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,12 @@ namespace frond {
 struct Picture {
   std::string name;
   std::string bytes;
+};
+
+/// Pictures that are drawn in one go. Where files of their names are, there is no need to.
+struct Drawing {
+  std::vector<std::string> names;
+  std::function<Result<std::vector<Picture>>()> draw;  ///< in the same order
 };
 
 enum class LeafShape { birch, beech, oak, maple, ivy, aspen, willow, linden, cherry, ginkgo, own };
@@ -51,7 +58,7 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color);
 /// A leaf as an organ of a model, with the names of its pictures.
 Prototype leaf_prototype(const LeafLook& look);
 
-/// The pictures that its prototype names, in the same order.
-Result<std::vector<Picture>> leaf_pictures(const LeafLook& look);
+/// The pictures that its prototype names, in the same order, each a drawing of its own.
+std::vector<Drawing> leaf_drawings(const LeafLook& look);
 
 }  // namespace frond

@@ -110,13 +110,13 @@ Result<Foresight> foresee(const Organism& organism, Seed seed) {
   return std::visit(Foresee{seed}, organism.body);
 }
 
-Result<std::vector<Picture>> pictures(const Organism& organism) {
+std::vector<Drawing> drawings(const Organism& organism) {
   if (const auto* tree = std::get_if<WeberPennParams>(&organism.body))
-    return dress_pictures(tree->dress, tree->tree.leaves != 0);
+    return dress_drawings(tree->dress, tree->tree.leaves != 0);
   if (const auto* tree = std::get_if<ColonizedParams>(&organism.body))
-    return dress_pictures(tree->dress, tree->leaf_reach > 0);
-  if (const auto* tree = std::get_if<TreeParams>(&organism.body)) return tree_pictures(*tree);
-  return std::vector<Picture>{};
+    return dress_drawings(tree->dress, tree->leaf_reach > 0);
+  if (const auto* tree = std::get_if<TreeParams>(&organism.body)) return tree_drawings(*tree);
+  return {};
 }
 
 Errors check(const Organism& organism) { return std::visit(Check{}, organism.body); }

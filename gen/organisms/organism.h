@@ -65,8 +65,8 @@ struct Foresight {
 /// Foresees the size without growing; a derivation past its limits is refused with the figure and the step.
 Result<Foresight> foresee(const Organism& organism, Seed seed);
 
-/// The picture files that the frames of an organism need, each named by what is in it.
-Result<std::vector<Picture>> pictures(const Organism& organism);
+/// The pictures that the frames of an organism need.
+std::vector<Drawing> drawings(const Organism& organism);
 
 /// The first fault of an organism that only shows when its grammar is compiled.
 Errors check(const Organism& organism);

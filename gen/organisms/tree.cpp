@@ -191,18 +191,10 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
   return model;
 }
 
-Result<std::vector<Picture>> tree_pictures(const TreeParams& params) {
-  std::vector<Picture> all;
-  if (params.leaves.size > 0 && params.leaves.picture) {
-    Result<std::vector<Picture>> leaves = leaf_pictures(look_of(params));
-    if (!leaves) return leaves;
-    all = std::move(*leaves);
-  }
-  if (params.coat) {
-    Result<std::vector<Picture>> bark = bark_pictures(*params.coat);
-    if (!bark) return bark;
-    all.insert(all.end(), std::make_move_iterator(bark->begin()), std::make_move_iterator(bark->end()));
-  }
+std::vector<Drawing> tree_drawings(const TreeParams& params) {
+  std::vector<Drawing> all;
+  if (params.leaves.size > 0 && params.leaves.picture) all = leaf_drawings(look_of(params));
+  if (params.coat) all.push_back(bark_drawing(*params.coat));
   return all;
 }
 

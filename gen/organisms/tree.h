@@ -74,7 +74,7 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
 double year_at(const Growth& growth, int years, double time);
 
 /// All pictures that a tree's frames need.
-Result<std::vector<Picture>> tree_pictures(const TreeParams& params);
+std::vector<Drawing> tree_drawings(const TreeParams& params);
 
 /// One tree by itself, its foot at the origin.
 Model grow_tree(const TreeParams& params, Seed seed);

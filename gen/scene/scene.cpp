@@ -315,7 +315,9 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
       trees.push_back({list[i].organism, list[i].seed, Vec3(list[i].spot.at.x, feet[i], list[i].spot.at.y)});
   std::vector<std::optional<Result<Branches>>> grown(list.size());
   parallel_for(list.size(), [&](std::size_t i) {
-    if (!grows_in_grove(list[i])) grown[i] = plant(b, list[i], feet[i]);
+    if (grows_in_grove(list[i])) return;
+    grown[i] = plant(b, list[i], feet[i]);
+    watch.step();
   });
   std::vector<Branches> grove =
       grow_together(preset, trees, trees.empty() ? std::vector<Surface>{} : bodies(grown));
@@ -325,9 +327,9 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
     dress(**grown[i], preset, list[i]);
     watch.step();
   }
-  Result<std::vector<Picture>> drawn = draw_pictures(preset, watch);
-  if (!drawn) return drawn.errors();
-  b.scene.pictures = std::move(*drawn);
+  for (const Organism& organism : preset.organisms)
+    if (organism.count > 0)
+      for (Drawing& drawing : drawings(organism)) b.scene.drawings.push_back(std::move(drawing));
   auto ground = std::make_shared<const Heights>(b.heights);
   for (auto& result : grown) {
     if (!*result) return result->errors();

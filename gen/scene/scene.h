@@ -138,7 +138,7 @@ struct Scene {
   Plot plot;  ///< of a garden
   std::vector<Branches> branches;
   std::vector<SownStand> stands;
-  std::vector<Picture> pictures;   ///< that frames name, to be put beside them
+  std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
 
   /// Nodes of all skeletons.
@@ -151,7 +151,7 @@ struct Watch {
   std::function<void()> step;  ///< one more of the phase is done; called from several threads
 };
 
-/// Places, grows and draws everything: the phases "place", "grow" and "texture".
+/// Places and grows everything: the phases "place" and "grow".
 Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}});
 
 }  // namespace frond

@@ -1,7 +1,5 @@
 #include "scene/tree_dress.h"
 
-#include "core/parallel.h"
-
 namespace frond {
 
 namespace {
@@ -23,21 +21,5 @@ double wear(Branches& branches, const WeberPennParams& params) {
 }
 
 double wear(Branches& branches, const ColonizedParams& params) { return wear(branches, params.dress); }
-
-Result<std::vector<Picture>> draw_pictures(const Preset& preset, const Watch& watch) {
-  const std::vector<Organism>& organisms = preset.organisms;
-  watch.begin("texture", organisms.size());
-  std::vector<Result<std::vector<Picture>>> drawn(organisms.size(), std::vector<Picture>{});
-  parallel_for(organisms.size(), [&](std::size_t i) {
-    if (organisms[i].count > 0) drawn[i] = pictures(organisms[i]);
-    watch.step();
-  });
-  std::vector<Picture> all;
-  for (Result<std::vector<Picture>>& part : drawn) {
-    if (!part) return part.errors();
-    for (Picture& picture : *part) all.push_back(std::move(picture));
-  }
-  return all;
-}
 
 }  // namespace frond

@@ -8,7 +8,4 @@ namespace frond {
 double wear(Branches& branches, const WeberPennParams& params);
 double wear(Branches& branches, const ColonizedParams& params);
 
-/// The picture files that the frames of a preset need.
-Result<std::vector<Picture>> draw_pictures(const Preset& preset, const Watch& watch);
-
 }  // namespace frond

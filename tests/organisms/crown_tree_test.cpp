@@ -84,6 +84,17 @@ TEST(CrownTree, PicturesAreNamedByWhatIsInThem) {
   p.dress.coat->pixels = 32;
   Organism organism;
   organism.body = p;
+  auto pictures = [](const Organism& of) -> Result<std::vector<Picture>> {
+    std::vector<Picture> all;
+    for (const Drawing& drawing : drawings(of)) {
+      Result<std::vector<Picture>> drawn = drawing.draw();
+      if (!drawn) return drawn;
+      EXPECT_EQ(drawn->size(), drawing.names.size());
+      for (std::size_t i = 0; i < drawn->size(); ++i) EXPECT_EQ((*drawn)[i].name, drawing.names[i]);
+      all.insert(all.end(), drawn->begin(), drawn->end());
+    }
+    return all;
+  };
   Result<std::vector<Picture>> first = pictures(organism);
   ASSERT_TRUE(first.ok());
   ASSERT_EQ(first->size(), p.dress.leaves.colors.size() + 2);

@@ -139,12 +139,12 @@ TEST(Season, PicturesAreDrawnForAllSeasons) {
   params.leaves.picture = LeafLook{};
   params.leaves.picture->pixels = 16;
   Model model = grow_tree(params, Seed{3});
-  Result<std::vector<Picture>> drawn = tree_pictures(params);
-  ASSERT_TRUE(drawn);
+  std::vector<Drawing> drawn = tree_drawings(params);
   const Prototype& leaf = model.prototypes[0];
   ASSERT_EQ(leaf.parts[0].pictures.size(), leaf.colors.size());
-  ASSERT_EQ(drawn->size(), leaf.colors.size());
-  for (std::size_t i = 0; i < leaf.colors.size(); ++i) EXPECT_EQ((*drawn)[i].name, leaf.parts[0].pictures[i]);
+  ASSERT_EQ(drawn.size(), leaf.colors.size());
+  for (std::size_t i = 0; i < leaf.colors.size(); ++i)
+    EXPECT_EQ(drawn[i].names[0], leaf.parts[0].pictures[i]);
   EXPECT_EQ(leaf.colors.size(), 3u + 2 * 3 * 5 + 2 * 5);
 }
 
