@@ -148,6 +148,30 @@ Result<std::string> scaled_size(const Film& film, double scale) {
   return fmt::format("/film/size=[{},{}]", width, height);
 }
 
+/// The files that the shape of an organism depends on, as the preset names them.
+std::vector<std::string> files_of(const Organism& organism) {
+  std::vector<std::string> files;
+  if (const auto* mesh = std::get_if<MeshParams>(&organism.body)) files = {mesh->file};
+  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body)) files = {tree->species};
+  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body)) files = {tree->envelope.file};
+  if (const auto* coral = std::get_if<CoralParams>(&organism.body)) files = {coral->grammar.guide.file};
+  if (const auto* plant = std::get_if<PlantParams>(&organism.body)) {
+    files = {plant->grammar.guide.file};
+    for (const OrganParams& organ : plant->organs) files.push_back(organ.file);
+  }
+  return files;
+}
+
+/// What is sown is grown anew where one of its files has changed.
+void note_files(Organism& organism, const fs::path& preset_path) {
+  if (!organism.sown) return;
+  for (const std::string& file : files_of(organism)) {
+    if (file.empty()) continue;
+    if (Result<std::string> text = read_file(seen_from(preset_path, file)))
+      organism.text += fmt::format(" {:016x}", Seed{}.child(*text).key);
+  }
+}
+
 }  // namespace
 
 Result<fs::path> home() {
@@ -196,6 +220,7 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   }
   if (!preset) return preset;
   if (Errors errors = load_files(*preset, arguments.path); !errors.empty()) return errors;
+  for (Organism& organism : preset->organisms) note_files(organism, arguments.path);
   return preset;
 }
 
