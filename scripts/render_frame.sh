@@ -20,11 +20,11 @@ folder=$(dirname -- "$picture")
 name=.$(basename -- "$picture" .png)
 renderer=$(command -v "${FROND_POVRAY:-povray}") || { echo "${FROND_POVRAY:-povray}: no such program" >&2; exit 1; }
 
-# All that the picture depends on: what the scene may read lies beside it.
-mapfile -d '' -t beside < <(find "$folder" -maxdepth 1 -type f ! -name '.*' ! -name 'frame_*' -print0 | LC_ALL=C sort -z)
+# All that the picture depends on. What lies beside the scene is named by what is in it.
 key=$({
   printf '%s\n' "$size" "$@"
-  sha256sum -- "$renderer" "$scene" "$povinc"/*.inc ${beside[@]+"${beside[@]}"} | cut -d' ' -f1
+  find "$folder" -maxdepth 1 -type f ! -name '.*' ! -name 'frame_*' -printf '%f %s\n' | LC_ALL=C sort
+  sha256sum -- "$renderer" "$scene" "$povinc"/*.inc | cut -d' ' -f1
 } | sha256sum | cut -c-16)
 
 part=$folder/$name.$key.png

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <fstream>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -27,45 +29,41 @@ struct Written {
   std::set<std::string> beside;  // what frames include
 };
 
+/// How many parts a model's file declares, if it is there.
+std::optional<int> parts_of(const fs::path& path) {
+  char head[64] = {};
+  std::ifstream(path, std::ios::binary).read(head, sizeof head - 1);
+  return model_parts(head);
+}
+
 /// Grows the models of stands that are not there yet, each with all its levels, and counts their parts.
 Errors grow_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, bool quiet) {
-  auto count = [&](ModelFile& file) {
-    Result<std::string> text = read_file(folder / file.name);
-    file.parts = text ? model_parts(*text) : 0;
-    return file.parts > 0;
-  };
-  std::vector<std::span<ModelFile>> to_grow;
-  for (std::size_t i = 0; i < plan.files.size();) {
-    std::size_t end = i + 1;
-    auto same = [&](const ModelFile& f) {
-      return f.stand == plan.files[i].stand && f.model == plan.files[i].model;
-    };
-    while (end < plan.files.size() && same(plan.files[end])) ++end;
-    std::span<ModelFile> levels(&plan.files[i], end - i);
-    // Each is looked at, for its parts are to be counted.
-    if (std::count_if(levels.begin(), levels.end(), count) < std::ssize(levels)) to_grow.push_back(levels);
-    i = end;
-  }
-  if (to_grow.empty()) return {};
+  // Stands of one species may share a model, which is grown and written once.
+  std::map<std::uint64_t, std::vector<const ModelFile*>> missing;
+  std::set<std::string_view> names;
+  for (const ModelFile& file : plan.files)
+    if (!parts_of(folder / file.name) && names.insert(file.name).second)
+      missing[copy_key(scene.stands[file.stand].organism, file.model).key].push_back(&file);
+  std::vector<std::vector<const ModelFile*>> to_grow;
+  for (auto& [key, files] : missing) to_grow.push_back(std::move(files));
   Progress progress("models", static_cast<int>(to_grow.size()), quiet);
   std::vector<Errors> errors(to_grow.size());
   parallel_for(to_grow.size(), [&](std::size_t i) {
-    const Organism& organism = scene.stands[to_grow[i][0].stand].organism;
-    Result<Model> model = grow_copy(organism, to_grow[i][0].model);
+    const Organism& organism = scene.stands[to_grow[i][0]->stand].organism;
+    Result<Model> model = grow_copy(organism, to_grow[i][0]->model);
     if (!model) {
       errors[i] = model.errors();
       return;
     }
-    for (ModelFile& file : to_grow[i]) {
-      std::string text = model_text(file, organism, *model);
-      file.parts = model_parts(text);
-      Result<bool> written = write_file(folder / file.name, text);
+    for (const ModelFile* file : to_grow[i]) {
+      Result<bool> written = write_file(folder / file->name, model_text(*file, organism, *model));
       if (!written) errors[i] = written.errors();
     }
     progress.step();
   });
   for (const Errors& list : errors)
     if (!list.empty()) return list;
+  for (ModelFile& file : plan.files) file.parts = parts_of(folder / file.name).value_or(0);
   return {};
 }
 
@@ -133,6 +131,16 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   return result;
 }
 
+/// Whether a file beside frames has a name that only we give.
+bool is_ours(std::string_view name) {
+  for (std::string_view kind : {"bark_", "leaf_", "model_", "part_"}) {
+    if (!name.starts_with(kind)) continue;
+    std::string_view key = name.substr(kind.size(), 16);
+    return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == key.npos;
+  }
+  return false;
+}
+
 /// Removes what no frame reads any more, pictures and models of earlier runs, and what killed runs have left
 /// half written. Frames stay: those of another range may be asked for again.
 void tidy(const fs::path& out, const std::set<std::string>& needed) {
@@ -141,9 +149,9 @@ void tidy(const fs::path& out, const std::set<std::string>& needed) {
   for (const fs::path& folder : {out, out / "frames"})
     for (const auto& entry : fs::directory_iterator(folder, error)) {
       std::string name = entry.path().filename(), type = entry.path().extension();
-      bool half = type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
-      bool ours = folder != out && (type == ".png" || type == ".inc") && name[0] != '.' &&
-                  !name.starts_with("frame_");
+      bool half =
+          type.size() > 4 && type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
+      bool ours = folder != out && is_ours(name);
       if (half || (ours && !needed.contains(name))) gone.push_back(entry.path());
     }
   for (const fs::path& path : gone) fs::remove(path, error);
@@ -220,7 +228,11 @@ int generate(const GenerateArguments& arguments) {
   if (!scene) return fail(scene.errors(), kWrongInput);
   fs::path name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
-  for (const std::string& note : scene->notes) fmt::print(stderr, "note: {}\n", note);
+  for (std::string& note : scene->notes) {
+    std::ranges::replace_if(
+        note, [](unsigned char c) { return c < 32 || c == 127; }, ' ');
+    fmt::print(stderr, "note: {}\n", note);
+  }
   if (!arguments.quiet)
     fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
 

@@ -19,6 +19,7 @@ namespace {
 /// From the nearest on; each is used from where a pixel covers its grain.
 constexpr CopyDetail kLevels[] = {{0.002, 6e5}, {0.008, 3e5}, {0.025, 1.4e5}, {0.08, 5e4}, {0.25, 1.5e4}};
 constexpr int kLevelCount = static_cast<int>(std::size(kLevels));
+constexpr double kModelUnit = 10;     // units a metre in which models are written
 constexpr double kLeastPixels = 1.2;  // of a crown; what is smaller is left out
 constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
                                        "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
@@ -56,14 +57,29 @@ bool in_view(const Eye& eye, Vec3 at, double around) {
   return angle < eye.wide + std::asin(around / far);
 }
 
-std::uint8_t level_of(const std::vector<Eye>& eyes, Vec3 at, double crown, double coarse) {
+/// About how tall an organism may be, metres; rather too much.
+double tallest(const Organism& organism) {
+  double height = 8 * organism.sown->where.radius;
+  if (const auto* tree = std::get_if<TreeParams>(&organism.body)) height = tree->species.height;
+  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body))
+    height = 1.2 * (tree->tree.scale + tree->tree.scale_v);
+  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body))
+    height = tree->envelope.base + tree->envelope.height;
+  if (const auto* plant = std::get_if<PlantParams>(&organism.body); plant && plant->height > 0)
+    height = plant->height;
+  return height;
+}
+
+std::uint8_t level_of(const std::vector<Eye>& eyes, Vec3 foot, double crown, double tall, double coarse) {
   double grain = 1e9;
   bool seen = false;
+  auto half = static_cast<float>(tall / 2);
   for (const Eye& eye : eyes) {
+    Vec3 nearest(foot.x, std::clamp(eye.at.y, foot.y, foot.y + 2 * half), foot.z);
     // Crowns reach toward the eye.
-    double near = std::max<double>(glm::distance(eye.at, at) - 1.5 * crown, 0.3);
+    double near = std::max<double>(glm::distance(eye.at, nearest) - 1.5 * crown, 0.3);
     grain = std::min(grain, near * eye.pixel);
-    seen = seen || in_view(eye, at, 8 * crown + 3);
+    seen = seen || in_view(eye, foot + Vec3(0, half, 0), half + 8 * crown + 3);
   }
   if (!seen || 2 * crown < kLeastPixels * grain) return CopyPlan::kUnseen;
   int level = 0;
@@ -101,6 +117,10 @@ std::string wood_look(const Organism& organism) {
   const Bark* bark = bark_of(organism);
   Bark plain;
   if (!bark) plain.kind = BarkKind::stem;
+  if (const auto* coral = std::get_if<CoralParams>(&organism.body)) {
+    plain.colors = {coral->skin.tint.base};
+    plain.second = coral->skin.tint.secondary;
+  }
   const Bark& b = bark ? *bark : plain;
   text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
   append_color(text, b.colors[0]);
@@ -195,8 +215,7 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
       Vec2 lean = bent(*wave, scene.film.length(), copies.foot[i], time);
       for (int axis = 0; axis < 3; ++axis) frame[axis] += Vec3(lean.x, 0, lean.y) * frame[axis].y;
     }
-    // Models stand in metres.
-    frame *= copies.scale[i] * static_cast<float>(space.unit);
+    frame *= copies.scale[i] * static_cast<float>(space.unit / kModelUnit);
     std::string& lines = groups[{copies.model[i], plan.level[which][i], copies.tint[i]}];
     append_matrix(lines, space, frame, copies.foot[i]);
     lines += "}\n";
@@ -248,10 +267,10 @@ CopyPlan plan_copies(const Scene& scene) {
     const SownStand& stand = scene.stands[s];
     const Organism& organism = stand.organism;
     const Copies& copies = stand.copies;
-    auto crown = static_cast<float>(organism.sown->where.radius);
+    double crown = organism.sown->where.radius, tall = tallest(organism);
     std::vector<std::uint8_t> level(copies.size());
     parallel_for(copies.size(), [&](std::size_t i) {
-      level[i] = level_of(all, copies.foot[i], crown * copies.scale[i], coarse);
+      level[i] = level_of(all, copies.foot[i], crown * copies.scale[i], tall * copies.scale[i], coarse);
     });
     std::set<std::pair<int, int>> used;
     for (std::size_t i = 0; i < copies.size(); ++i)
@@ -269,8 +288,7 @@ std::string model_text(const ModelFile& file, const Organism& organism, const Mo
   std::vector<CopyPart> parts = copy_parts(organism, model, kLevels[file.level]);
   std::string name = model_name(organism, file.model, file.level);
   std::string text;
-  append_comment(text, fmt::format("{} parts: {}, model {}, {} segments, {} organs", parts.size(),
-                                   organism.name, file.model,
+  append_comment(text, fmt::format("{} parts: {} segments, {} organs", parts.size(),
                                    std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
   std::set<std::string_view> includes{"copy"};
   for (const CopyPart& part : parts)
@@ -281,7 +299,7 @@ std::string model_text(const ModelFile& file, const Organism& organism, const Mo
     text += "#declare ";
     append_part_name(text, name, i);
     text += " = ";
-    append_mesh(text, PovSpace{1}, parts[i].surface);
+    append_mesh(text, PovSpace{kModelUnit}, parts[i].surface);
     text += "\n#macro ";
     append_part_name(text, name, i);
     text += "_Look(T) " + look_of(parts[i], organism, model) + " #end\n";
@@ -289,10 +307,14 @@ std::string model_text(const ModelFile& file, const Organism& organism, const Mo
   return text;
 }
 
-int model_parts(std::string_view text) {
+std::optional<int> model_parts(std::string_view text) {
+  constexpr std::string_view kStart = "// ";
+  if (!text.starts_with(kStart)) return std::nullopt;
+  text.remove_prefix(kStart.size());
   int parts = 0;
-  if (text.starts_with("// ")) std::from_chars(text.data() + 3, text.data() + text.size(), parts);
-  return parts;
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parts);
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return error == std::errc{} && text.starts_with(" parts: ") ? std::optional(parts) : std::nullopt;
 }
 
 std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +33,8 @@ CopyPlan plan_copies(const Scene& scene);
 /// The text of a model's file.
 std::string model_text(const ModelFile& file, const Organism& organism, const Model& model);
 
-/// How many parts the file declares, by its first line; 0 where it is none of ours.
-int model_parts(std::string_view text);
+/// How many parts the file declares, by its first line; none where it is not ours.
+std::optional<int> model_parts(std::string_view text);
 
 /// The includes of the models and the tints of the stands, and all copies of stands that stand still.
 std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan);

@@ -11,8 +11,8 @@ namespace frond {
 
 namespace {
 
-constexpr std::uint64_t kFormat = 5;        // of models; another number makes all of them anew
-constexpr std::uint32_t kOwnPlaces = 3600;  // how many leaves can be told apart
+constexpr std::uint64_t kFormat = 6;       // of models; to be raised where anything that makes them changes
+constexpr std::int32_t kOwnPlaces = 3600;  // how many leaves can be told apart
 constexpr int kNeighbours = 6;
 constexpr double kManyPixels = 9;    // the side of a leaf that is drawn with its outline
 constexpr double kFewestPixels = 2;  // the side of a leaf; smaller ones become fewer and larger
@@ -80,42 +80,53 @@ FarShape far_shape(const Surface& shape, double size, double count, const CopyDe
   return far;
 }
 
-/// All organs of one prototype as one mesh, `part` of them.
-Surface merged_organs(const Model& model, std::size_t which, std::size_t part, const CopyDetail& detail) {
-  const Prototype& prototype = model.prototypes[which];
+/// Adds one of `stride` organs of a prototype in place of all of them.
+void merge(Surface& out, const Model& model, std::size_t which, const FarShape& far, int stride) {
   const Organs& o = model.organs;
-  double size = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < o.size(); ++i)
-    if (o.prototype[i] == which) size += std::max({o.scale[i].x, o.scale[i].y, o.scale[i].z}), ++count;
-  Surface out;
-  if (count == 0) return out;
-  FarShape far = far_shape(prototype.parts[part].surface, size / static_cast<double>(count),
-                           static_cast<double>(count), detail);
-  auto colors = static_cast<std::uint32_t>(prototype.colors.size());
-  float larger = std::sqrt(static_cast<float>(far.stride));
+  auto colors = static_cast<std::int32_t>(model.prototypes[which].colors.size());
+  int rank = 0;
+  float larger = std::sqrt(static_cast<float>(stride));
   for (std::size_t i = 0; i < o.size(); ++i) {
     if (o.prototype[i] != which) continue;
     Seed own{o.id[i]};
-    if (own.child(1).bits() % static_cast<std::uint64_t>(far.stride) != 0) continue;
+    if (rank++ % stride != stride / 2) continue;
     auto first = static_cast<std::uint32_t>(out.position.size());
     glm::mat3 frame = glm::mat3_cast(o.turn[i]), normals = frame;
     for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * larger;
     for (const Vec3& p : far.surface.position) out.position.push_back(o.position[i] + frame * p);
     for (const Vec3& n : far.surface.normal) out.normal.push_back(normals * n);
-    std::int32_t color =
-        ((o.color[i] % static_cast<std::int32_t>(colors)) + static_cast<std::int32_t>(colors)) %
-        static_cast<std::int32_t>(colors);
+    std::int32_t color = (o.color[i] % colors + colors) % colors;
     for (std::size_t v = 0; v < far.surface.uv.size(); ++v) {
-      auto k =
-          static_cast<std::uint32_t>(own.child(far.pieces.of[v]).bits() % (kOwnPlaces / colors)) * colors;
+      auto k = static_cast<std::int32_t>(own.child(far.pieces.of[v]).bits() %
+                                         static_cast<std::uint64_t>(kOwnPlaces / colors)) *
+               colors;
       // A place at the far rim would be one on the next leaf.
       Vec2 uv = glm::clamp(far.surface.uv[v], Vec2(0.001f), Vec2(0.999f));
-      out.uv.push_back(uv + Vec2(static_cast<float>(k + static_cast<std::uint32_t>(color)), 0));
+      out.uv.push_back(uv + Vec2(static_cast<float>(k + color), 0));
     }
     for (auto [a, b, c] : far.surface.triangle) out.triangle.push_back({first + a, first + b, first + c});
   }
-  return out;
+}
+
+/// All organs of one prototype, each part of them as one mesh.
+std::vector<Surface> merged_organs(const Model& model, std::size_t which, const CopyDetail& detail) {
+  const Prototype& prototype = model.prototypes[which];
+  const Organs& o = model.organs;
+  double size = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < o.size(); ++i)
+    if (o.prototype[i] == which) size += std::max({o.scale[i].x, o.scale[i].y, o.scale[i].z}), ++count;
+  std::vector<Surface> parts(prototype.parts.size());
+  if (count == 0) return parts;
+  std::vector<FarShape> shapes;
+  int stride = 1;
+  for (const OrganPart& part : prototype.parts) {
+    shapes.push_back(far_shape(part.surface, size / count, count, detail));
+    stride = std::max(stride, shapes.back().stride);
+  }
+  stride = std::min(stride, count);  // one is left at least
+  for (std::size_t k = 0; k < parts.size(); ++k) merge(parts[k], model, which, shapes[k], stride);
+  return parts;
 }
 
 Surface merged_solid(const Solids& solids, std::size_t shape) {
@@ -179,9 +190,14 @@ std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, c
     shape.side = std::max(coat ? coat->facet : 0.02, 4 * detail.grain);
     add(CopyPart::Kind::wood, 0, 0, tube_surface(thinned(model.skeleton, 0.4f * fine, 0.5f * fine), shape));
   }
-  for (std::size_t p = 0; p < model.prototypes.size(); ++p)
-    for (std::size_t k = 0; k < model.prototypes[p].parts.size(); ++k)
-      add(CopyPart::Kind::organ, p, k, merged_organs(model, p, k, detail));
+  CopyDetail each = detail;
+  std::size_t shapes = 0;
+  for (const Prototype& prototype : model.prototypes) shapes += prototype.parts.size();
+  each.leaves /= static_cast<double>(std::max<std::size_t>(1, shapes));
+  for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
+    std::vector<Surface> merged = merged_organs(model, p, each);
+    for (std::size_t k = 0; k < merged.size(); ++k) add(CopyPart::Kind::organ, p, k, std::move(merged[k]));
+  }
   add(CopyPart::Kind::blade, 0, 0, model.blades.surface);
   for (std::size_t s = 0; s < model.solids.shapes.size(); ++s)
     add(CopyPart::Kind::solid, s, 0, merged_solid(model.solids, s));

@@ -72,17 +72,22 @@ void strew_floor(Scene& scene, const ForestLand& land, Seed seed) {
   for (std::uint64_t i = 0; i < kShapes; ++i)
     scene.moss.push_back(moss_surface(1.5 * kSide, seed.child("cushion", i)));
   std::vector<Vec2> eyes = camera_places(scene);
-  Vec2 low = eyes[0], high = low;
-  for (Vec2 eye : eyes) low = glm::min(low, eye), high = glm::max(high, eye);
+  auto [low, high] = std::minmax_element(eyes.begin(), eyes.end(), [](Vec2 a, Vec2 b) { return a.y < b.y; });
   // Patches lie on one grid for the whole world, so that another camera finds the same ones.
   auto first = [](float x) { return static_cast<long long>(std::floor((x - kFar) / kSide)); };
   auto last = [](float x) { return static_cast<long long>(std::ceil((x + kFar) / kSide)); };
-  for (long long row = first(low.y); row <= last(high.y); ++row) {
-    for (long long column = first(low.x); column <= last(high.x); ++column) {
+  for (long long row = first(low->y), end = last(high->y); row <= end; ++row) {
+    std::vector<Vec2> near;  // eyes that see the row
+    for (Vec2 eye : eyes)
+      if (first(eye.y) <= row && row <= last(eye.y)) near.push_back(eye);
+    if (near.empty()) continue;
+    auto [left, right] =
+        std::minmax_element(near.begin(), near.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+    for (long long column = first(left->x), stop = last(right->x); column <= stop; ++column) {
       Seed own = seed.child("row", static_cast<std::uint64_t>(row)).child(static_cast<std::uint64_t>(column));
       Vec2 at(static_cast<float>((static_cast<double>(column) + own.child("x").unit()) * kSide),
               static_cast<float>((static_cast<double>(row) + own.child("z").unit()) * kSide));
-      double away = nearest(eyes, at);
+      double away = nearest(near, at);
       if (own.child("far").unit() < smooth_step(kNear, kFar, away)) continue;
       double edge = land.path(at) + own.child("edge").range(-0.25, 0.25);
       bool green = mossiness(land, scene.stage.forest.moss, at, seed) > own.child("moss").range(0.46, 0.58);

@@ -151,7 +151,11 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
                            const std::vector<std::string>& sets) {
   Result<Document> document = parse_json(text, file_name);
   if (!document) return document.errors();
-  Errors errors = lay_on_base(document->root, file_name);
+  Errors errors;
+  // The base may be set, too, and all else is set over it.
+  for (const std::string& set : sets)
+    if (set.starts_with("/base=")) errors = apply_set(*document, set);
+  if (errors.empty()) errors = lay_on_base(document->root, file_name);
   if (!errors.empty()) return errors;
   for (const std::string& set : sets)
     for (Error& error : apply_set(*document, set)) errors.push_back(std::move(error));

@@ -74,7 +74,7 @@ std::pair<std::string, std::string> texts(const Scene& scene, CopyPlan& plan) {
   for (ModelFile& file : plan.files) {
     const Organism& organism = scene.stands[file.stand].organism;
     std::string text = model_text(file, organism, *grow_copy(organism, file.model));
-    file.parts = model_parts(text);
+    file.parts = model_parts(text).value_or(0);
     EXPECT_EQ(file.parts, 2) << "wood and leaves";
     models += text;
   }
@@ -135,10 +135,11 @@ TEST(CopyText, WhatIsTheSameInAFilmIsWrittenOnce) {
 }
 
 TEST(ModelParts, AreCountedInTheFirstLine) {
-  EXPECT_EQ(model_parts("// 3 parts: oak"), 3);
-  EXPECT_EQ(model_parts("// 12 parts"), 12);
-  EXPECT_EQ(model_parts("#declare"), 0);
-  EXPECT_EQ(model_parts(""), 0);
+  EXPECT_EQ(model_parts("// 3 parts: 7 segments"), 3);
+  EXPECT_EQ(model_parts("// 0 parts: "), 0);
+  EXPECT_EQ(model_parts("// 12 birds"), std::nullopt);
+  EXPECT_EQ(model_parts("#declare"), std::nullopt);
+  EXPECT_EQ(model_parts(""), std::nullopt);
 }
 
 }  // namespace

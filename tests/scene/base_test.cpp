@@ -73,6 +73,14 @@ TEST_F(Base, ThatIsNotThereIsOneMessage) {
   EXPECT_NE(preset.errors().front().text().find("/base: "), std::string::npos);
 }
 
+TEST_F(Base, MayBeSet) {
+  put("a.json", R"({"seed": 5, "organisms": []})");
+  put("b.json", R"({"title": "b"})");
+  Result<Preset> preset = read("b.json", {"/base=a.json"});
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  EXPECT_EQ(preset->seed, 5u);
+}
+
 TEST_F(Base, OfItselfIsRefused) {
   put("above.json", R"({"base": "above.json"})");
   Result<Preset> preset = read("above.json");
