@@ -98,10 +98,10 @@ setup() {
   all="$root/tests/presets/all_phases.json"
   "$frond" generate "$all" -o out -q --frames 1
   ls out/frames >before
-  touch out/manifest.json.tmp7 out/frames/{leaf_old.png,model_old.inc,frame_0001.pov.tmp12,frame_0003.pov,frame_0003.png}
+  touch out/manifest.json.tmp7 out/frames/{leaf_0123456789abcdef.png,model_0123456789abcdef_2.inc,frame_0001.pov.tmp12,frame_0003.pov,frame_0003.png}
   run "$frond" generate "$all" -o out -q --frames 900
   [ "$status" -eq 2 ]
-  [ -e out/frames/leaf_old.png ]
+  [ -e out/frames/leaf_0123456789abcdef.png ]
   "$frond" generate "$all" -o out -q --frames 1
   rm out/frames/frame_0003.*  # frames of another range are left alone
   diff before <(ls out/frames)
