@@ -98,12 +98,12 @@ setup() {
   all="$root/tests/presets/all_phases.json"
   "$frond" generate "$all" -o out -q --frames 1
   ls out/frames >before
-  touch out/manifest.json.tmp7 out/frames/{leaf_0123456789abcdef.png,model_0123456789abcdef_2.inc,frame_0001.pov.tmp12,frame_0003.pov,frame_0003.png}
+  touch out/manifest.json.tmp7 out/frames/{leaf_0123456789abcdef.png,model_0123456789abcdef_2.inc,frame_0001.pov.tmp12,frame_0003.pov,frame_0003.png,mine.png}
   run "$frond" generate "$all" -o out -q --frames 900
   [ "$status" -eq 2 ]
   [ -e out/frames/leaf_0123456789abcdef.png ]
   "$frond" generate "$all" -o out -q --frames 1
-  rm out/frames/frame_0003.*  # frames of another range are left alone
+  rm out/frames/frame_0003.* out/frames/mine.png  # frames of another range are left alone, and what is not ours
   diff before <(ls out/frames)
   [ ! -e out/manifest.json.tmp7 ]
 }
