@@ -92,7 +92,7 @@ void append_part(std::string& text, const PovSpace& space, const Branches& b, co
   bool whole = one_texture(b);
   for (const Chunk& chunk : chunks) {
     if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
-    if (whole) {
+    if (whole && !slanted(b, chunk)) {
       text += "}\n";
       continue;
     }

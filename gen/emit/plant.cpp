@@ -174,6 +174,12 @@ bool patterned(const Bark& bark) {
   return bark.kind == BarkKind::bark || bark.kind == BarkKind::birch || ringed(bark);
 }
 
+bool slanted(const Branches& b, const Chunk& chunk) {
+  if (!b.bark || !patterned(*b.bark) || b.rest.radius[chunk.first] < 0.6 * b.bark->scale) return false;
+  Vec3 way = b.rest.position[chunk.last] - b.rest.position[b.rest.parent[chunk.first]];
+  return std::abs(way.y) < 0.9f * glm::length(way);
+}
+
 bool one_texture(const Branches& b) {
   if (!b.bark || ringed(*b.bark) || b.bark->young_length > 0 ||
       (!b.color.empty() && b.bark->colors.size() > 1))

@@ -13,6 +13,10 @@ bool patterned(const Bark& bark);
 /// Whether that pattern goes round the branch, so that it must lie along it from the start.
 bool ringed(const Bark& bark);
 
+/// Whether a chunk is a limb thick enough to show a bark that lies along it, and not upright, where it does
+/// so anyway.
+bool slanted(const Branches& plant, const Chunk& chunk);
+
 /// Whether all branches of a plant have one and the same texture in the whole film, which then stands on
 /// their union.
 bool one_texture(const Branches& plant);

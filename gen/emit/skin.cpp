@@ -46,7 +46,7 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const Branch
   bool plain = b.bark && !patterned(*b.bark);
   text += "texture{";
   append_skin(text, space, b, pose, chunk, index);
-  if (b.bark && ringed(*b.bark)) lay_along(b.rest, chunk);
+  if (b.bark && (ringed(*b.bark) || slanted(b, chunk))) lay_along(b.rest, chunk);
   if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
   text += '}';
 }

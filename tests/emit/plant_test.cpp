@@ -102,5 +102,23 @@ TEST(Includes, AreThoseOfTheSetting) {
             "#include \"frond_food.inc\"");
 }
 
+TEST(Slanted, AreThickLimbsThatAreNotUpright) {
+  Branches tree;
+  tree.bark = Bark{};
+  std::int32_t top = tree.rest.add(Vec3(0, 1, 0), 0.2f, tree.rest.add(Vec3(0), 0.2f, -1, 0), 0);
+  tree.rest.add(Vec3(1, 1.3f, 0), 0.1f, top, 1);
+  tree.rest.add(Vec3(0, 1.3f, 1), 0.001f, top, 1);
+  auto chunk = [](std::int32_t node) {
+    Chunk c;
+    c.first = c.last = node;
+    return c;
+  };
+  EXPECT_FALSE(slanted(tree, chunk(1))) << "the trunk";
+  EXPECT_TRUE(slanted(tree, chunk(2))) << "a limb";
+  EXPECT_FALSE(slanted(tree, chunk(3))) << "a twig";
+  tree.bark->kind = BarkKind::stem;
+  EXPECT_FALSE(slanted(tree, chunk(2))) << "no pattern";
+}
+
 }  // namespace
 }  // namespace frond
