@@ -28,22 +28,19 @@ int read_number(std::string_view& text) {
   return number;
 }
 
-/// Reads an OBJ file as seen from the preset's folder or, where it is not there, from the working folder.
-Result<Surface> load_mesh(const std::string& file, const fs::path& preset_path) {
-  std::error_code error;
-  fs::path path = preset_path.parent_path() / file;
-  if (!fs::exists(path, error) && fs::exists(file, error)) path = file;
-  Result<std::string> text = read_file(path);
-  Result<Surface> mesh = text ? read_obj(*text) : text.errors();
-  if (!mesh) return Error{path.string(), mesh.errors().front().what};
-  return to_unit(std::move(*mesh));
-}
-
 /// A file as seen from the preset's folder or, where it is not there, from the working folder.
 fs::path seen_from(const fs::path& preset_path, const std::string& file) {
   std::error_code error;
   fs::path path = preset_path.parent_path() / file;
   return !fs::exists(path, error) && fs::exists(file, error) ? fs::path(file) : path;
+}
+
+Result<Surface> load_mesh(const std::string& file, const fs::path& preset_path) {
+  fs::path path = seen_from(preset_path, file);
+  Result<std::string> text = read_file(path);
+  Result<Surface> mesh = text ? read_obj(*text) : text.errors();
+  if (!mesh) return Error{path.string(), mesh.errors().front().what};
+  return to_unit(std::move(*mesh));
 }
 
 Result<Silhouette> load_outline(const fs::path& path) {
