@@ -54,7 +54,7 @@ void add_textures(CLI::App& app, int& result) {
   command->add_option("-o,--out", to->out, "Folder to write to (out/textures)");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", to->quiet, "Does not list the files");
-  command->footer("Example:\n  frond textures presets/oak_and_aspen.json -o out/textures");
+  command->footer("Example:\n  frond textures presets/aspen.json -o out/textures");
   command->callback([&result, to] { result = write_textures(*to); });
 }
 

@@ -59,10 +59,25 @@ class Album {
   Errors errors_;
 };
 
-const TreeDress* dress_of(const Organism& organism) {
-  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body)) return &tree->dress;
-  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body)) return &tree->dress;
-  return nullptr;
+/// What of a tree is drawn from pictures; null where that part is not.
+struct Pictured {
+  const LeafLook* leaves = nullptr;
+  const BarkCoat* coat = nullptr;
+};
+
+template <class T>
+const T* if_given(const std::optional<T>& part) {
+  return part ? &*part : nullptr;
+}
+
+Pictured pictured(const Organism& organism) {
+  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body))
+    return {&tree->dress.leaves, if_given(tree->dress.coat)};
+  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body))
+    return {&tree->dress.leaves, if_given(tree->dress.coat)};
+  if (const auto* tree = std::get_if<TreeParams>(&organism.body))
+    return {if_given(tree->leaves.picture), if_given(tree->coat)};
+  return {};
 }
 
 }  // namespace
@@ -95,18 +110,19 @@ int write_textures(const TextureArguments& arguments) {
   if (!preset) return fail(preset.errors(), kWrongInput);
   bool any = false;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
-    const TreeDress* dress = dress_of(preset->organisms[i]);
-    if (!dress) continue;
+    auto [leaves, coat] = pictured(preset->organisms[i]);
+    if (!leaves && !coat) continue;
     any = true;
     const std::string& own = preset->organisms[i].name;
     std::string name = own.empty() || own.find('/') != own.npos ? fmt::format("organism_{}", i) : own;
-    if (dress->coat) album.bark(name, *dress->coat);
-    album.leaves(name, dress->leaves);
+    if (coat) album.bark(name, *coat);
+    if (leaves) album.leaves(name, *leaves);
   }
   if (!any)
-    return fail(
-        {{arguments.preset.path, "has no trees with pictures; expected the kinds weber_penn or colonized"}},
-        kWrongInput);
+    return fail({{arguments.preset.path,
+                  "has no trees with pictures; expected the kind weber_penn or colonized, or "
+                  "tree with a coat or leaves.picture"}},
+                kWrongInput);
   return album.errors().empty() ? kDone : fail(album.errors(), kCouldNot);
 }
 

@@ -63,6 +63,9 @@ constexpr Parameter kParameters[] = {
      [](Target t, double v) { t.species.tree.pruning.power_high = v; }},
     {"0Scale", false, false, kSome, 100, [](Target t, double v) { t.species.tree.trunk_scale = v; }},
     {"0ScaleV", false, false, 0, 100, [](Target t, double v) { t.species.tree.trunk_scale_v = v; }},
+    {"0Branches", false, true, 1, 1000,
+     [](Target t, double v) { t.species.tree.trunks = static_cast<int>(v); }},
+    {"0BranchDist", false, false, 0, 1000, [](Target t, double v) { t.species.tree.trunk_spread = v; }},
     {"0BaseSplits", false, true, 0, 100,
      [](Target t, double v) { t.species.tree.base_splits = static_cast<int>(v); }},
     {"DownAngle", true, false, -kAny, kAny, [](Target t, double v) { t.level->down_angle = radians(v); }},
@@ -133,6 +136,7 @@ std::string take(ArbaroSpecies& species, std::string_view name, std::string_view
 /// What Arbaro takes where a file says nothing.
 WeberPenn arbaro_defaults() {
   WeberPenn tree;
+  tree.cone_top = 0;  // its cones end in a point
   tree.leaf_stem_length = 0.5;
   tree.level[0] = {0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 3, 0, 0, 0};
   StemLevel branch{radians(30.0), 0, radians(120.0), 0, 5, 1, 0.5, 0, 1, 0, 0, 0, 1, 0, 0, 0};
@@ -140,6 +144,18 @@ WeberPenn arbaro_defaults() {
   tree.level[1].branches = 10;
   tree.level[1].curve_res = 3;
   return tree;
+}
+
+/// Puts into our words what Arbaro says otherwise.
+void translate(WeberPenn& tree) {
+  int bearing = std::min(tree.levels, kStemLevels - 1);  // whose angles are those of the leaves
+  for (int n = 0; n < kStemLevels; ++n) {
+    double& rotate = tree.level[static_cast<std::size_t>(n)].rotate;
+    // Its sides stand so much less than half a turn to either side, ours half of it. A fan takes it as it is.
+    bool fan = tree.leaves < 0 && n == bearing;
+    if (rotate < 0 && !fan) rotate = -2 * std::abs(kPi + rotate);
+  }
+  if (tree.levels == 1) tree.leaves = 0;  // its trunks bear none
 }
 
 }  // namespace
@@ -163,8 +179,7 @@ Result<ArbaroSpecies> read_arbaro(std::string_view xml, const std::string& file_
     if (!wrong.empty()) errors.push_back({place_of(xml, node.offset_debug(), file_name), wrong});
   }
   if (!errors.empty()) return errors;
-  // The trunk counts no branches of its own: there is one.
-  species.tree.level[0].branches = 1;
+  translate(species.tree);
   return species;
 }
 
@@ -172,8 +187,11 @@ std::vector<std::string> arbaro_names() {
   std::vector<std::string> names{"Species", "LeafShape"};
   for (const Parameter& p : kParameters) {
     if (!p.of_level) names.emplace_back(p.name);
-    for (int level = 0; p.of_level && level < kStemLevels; ++level)
-      names.push_back(static_cast<char>('0' + level) + std::string(p.name));
+    for (int level = 0; p.of_level && level < kStemLevels; ++level) {
+      std::string name = static_cast<char>('0' + level) + std::string(p.name);
+      int found = -1;
+      if (find(name, found) == &p) names.push_back(std::move(name));
+    }
   }
   return names;
 }

@@ -9,7 +9,6 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kMostChains = 4096;  // of one stem with all its clones
 const DVec3 kUp{0, 1, 0};
 
 DQuat about_x(double angle) { return glm::angleAxis(angle, DVec3(1, 0, 0)); }
@@ -19,55 +18,67 @@ double vary(double mean, double spread, Seed seed) { return mean + spread * seed
 
 class Tracer {
  public:
-  explicit Tracer(const WeberPenn& tree) : tree_(tree) {}
+  Tracer(const WeberPenn& tree, const Stem& stem, double& left) : tree_(tree), stem_(stem), left_(left) {}
 
-  std::vector<Chain> trace(const Stem& stem) const {
-    std::vector<Chain> chains;
+  std::vector<Chain> trace() {
     Chain first;
-    first.at.push_back(stem.foot);
-    extend(chains, std::move(first), stem, stem.turn, 0);
-    return chains;
+    first.at.push_back(stem_.foot);
+    extend(std::move(first), {stem_.turn});
+    if (points_ > kMostNodes) return {};
+    return std::move(chains_);
   }
 
  private:
-  /// Leads a chain from its last point to the tip, and the clones that split off it. `give_back` is the angle
-  /// that each segment turns back after splits.
-  void extend(std::vector<Chain>& chains, Chain chain, const Stem& stem, DQuat turn, double give_back) const {
-    const StemLevel& level = tree_.stem(stem.level);
+  /// What a split changes.
+  struct Course {
+    DQuat turn;
+    double give_back = 0;  // angle by which each segment turns back
+    double share = 1;      // of the stems that an unsplit stem would bear
+  };
+
+  /// Leads a chain from its last point to the tip, and the clones that split off it.
+  void extend(Chain chain, Course course) {
+    const StemLevel& level = tree_.stem(stem_.level);
     int res = level.curve_res;
-    std::size_t mine = chains.size();
-    chains.emplace_back();
-    Seed seed = stem.seed.child("chain", mine);
-    double start = stem.seed.child("splits").unit();
-    for (int s = chain.first; s < res; ++s) {
-      turn =
-          bend(turn, level, stem, s, seed.child("bend", static_cast<std::uint64_t>(s))) * about_x(give_back);
-      chain.turn.push_back(turn);
-      chain.at.push_back(chain.at.back() + heading(turn) * (stem.length / res));
+    points_ += static_cast<std::size_t>(res - chain.first);
+    if (points_ > kMostNodes) return;
+    std::size_t mine = chains_.size();
+    chains_.emplace_back();
+    Seed seed = stem_.seed.child("chain", mine);
+    for (int s = chain.first; s < res && points_ <= kMostNodes; ++s) {
+      course.turn = bend(course.turn, level, stem_, s, seed.child("bend", static_cast<std::uint64_t>(s))) *
+                    about_x(course.give_back);
+      chain.turn.push_back(course.turn);
+      chain.share.push_back(course.share);
+      chain.at.push_back(chain.at.back() + heading(course.turn) * (stem_.length / res));
       int end = s + 1;
-      int splits = static_cast<int>(std::floor(end * level.seg_splits + start)) -
-                   static_cast<int>(std::floor(s * level.seg_splits + start));
-      bool base = stem.level == 0 && end == 1 && tree_.base_splits > 0;
-      if (base) splits = tree_.base_splits;
-      if (end == res || splits <= 0 || chains.size() > kMostChains) continue;
-      split(chains, static_cast<int>(mine), chain, stem, turn, give_back, end, splits, base,
-            seed.child("split", static_cast<std::uint64_t>(s)));
+      bool base = stem_.level == 0 && end == 1 && tree_.base_splits > 0;
+      int splits = end == res ? 0 : base ? tree_.base_splits : splits_here(level);
+      if (splits > 0)
+        split(static_cast<int>(mine), chain, course, end, splits, base,
+              seed.child("split", static_cast<std::uint64_t>(s)));
     }
-    chain.turn.push_back(turn);
-    Chain& place = chains[mine];
-    place = std::move(chain);
+    chain.turn.push_back(course.turn);
+    chains_[mine] = std::move(chain);
   }
 
-  void split(std::vector<Chain>& chains, int mine, const Chain& chain, const Stem& stem, DQuat& turn,
-             double& give_back, int end, int splits, bool base, Seed seed) const {
-    const StemLevel& level = tree_.stem(stem.level);
-    double slope = std::acos(std::clamp(heading(turn).y, -1.0, 1.0));
+  /// Whole clones at the end of a segment; what is left over counts on at the next, of whatever stem (the
+  /// error diffusion of the paper).
+  int splits_here(const StemLevel& level) {
+    double due = level.seg_splits + left_;
+    int splits = std::max(static_cast<int>(std::floor(due + 0.5)), 0);
+    left_ = due - splits;
+    return splits;
+  }
+
+  void split(int mine, const Chain& chain, Course& course, int end, int splits, bool base, Seed seed) {
+    const StemLevel& level = tree_.stem(stem_.level);
+    DQuat before = course.turn;
+    double slope = std::acos(std::clamp(heading(before).y, -1.0, 1.0));
     double angle = std::max(vary(level.split_angle, level.split_angle_v, seed.child(0)) - slope, 0.0);
-    double back = -angle / (level.curve_res - end);
-    DQuat before = turn;
-    double give_back_before = give_back;
-    turn = before * about_x(angle);
-    give_back += back;
+    course.turn = before * about_x(angle);
+    course.give_back -= angle / (level.curve_res - end);
+    course.share /= splits + 1;
     for (int i = 1; i <= splits; ++i) {
       Seed own = seed.child(static_cast<std::uint64_t>(i));
       double draw_of = own.child(0).unit();
@@ -78,7 +89,9 @@ class Tracer {
       clone.first = end;
       clone.from = mine;
       clone.at.push_back(chain.at.back());
-      extend(chains, std::move(clone), stem, about_y(yaw) * before * about_x(angle), give_back_before + back);
+      Course apart = course;
+      apart.turn = about_y(yaw) * before * about_x(angle);
+      extend(std::move(clone), apart);
     }
   }
 
@@ -116,6 +129,10 @@ class Tracer {
   }
 
   const WeberPenn& tree_;
+  const Stem& stem_;
+  std::vector<Chain> chains_;
+  std::size_t points_ = 0;
+  double& left_;
 };
 
 }  // namespace
@@ -135,6 +152,8 @@ DQuat Chain::frame(double s) const {
   return glm::slerp(turn[i], turn[i + 1], place_of - static_cast<double>(i));
 }
 
-std::vector<Chain> trace_stem(const WeberPenn& tree, const Stem& stem) { return Tracer(tree).trace(stem); }
+std::vector<Chain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left) {
+  return Tracer(tree, stem, left).trace();
+}
 
 }  // namespace frond

@@ -12,6 +12,8 @@ namespace frond {
 
 using DQuat = glm::dquat;
 
+inline constexpr std::size_t kMostNodes = 4'000'000;  // of a tree
+
 /// A stem before it is drawn.
 struct Stem {
   int level = 0;
@@ -29,7 +31,8 @@ struct Chain {
   int first = 0;  // segment that it begins with
   int from = -1;  // chain that it splits off
   std::vector<DVec3> at;
-  std::vector<DQuat> turn;  // of the segment above each point; the last one's twice
+  std::vector<DQuat> turn;    // of the segment above each point; the last one's twice
+  std::vector<double> share;  // of the stems that an unsplit stem would bear there, by segment
 
   double place(double s) const { return std::clamp(s - first, 0.0, static_cast<double>(at.size() - 1)); }
 
@@ -40,7 +43,9 @@ struct Chain {
   DQuat frame(double s) const;
 };
 
-/// A stem and its clones as points; the first is the stem itself.
-std::vector<Chain> trace_stem(const WeberPenn& tree, const Stem& stem);
+/// A stem and its clones as points; the first is the stem itself. `left` is the part of a clone that splits
+/// of stems of its level have left over, 0.5 at most either way, before and after. None where there would be
+/// more than kMostNodes points.
+std::vector<Chain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left);
 
 }  // namespace frond

@@ -11,7 +11,8 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kMostNodes = 4'000'000;
+constexpr std::size_t kMostLeaves = 10'000'000;
+constexpr double kShortest = 0.0005;  // metres, of a stem
 
 DQuat about_x(double angle) { return glm::angleAxis(angle, DVec3(1, 0, 0)); }
 DQuat about_y(double angle) { return glm::angleAxis(angle, DVec3(0, 1, 0)); }
@@ -37,22 +38,15 @@ class Grower {
  public:
   explicit Grower(const WeberPenn& tree, Seed seed) : tree_(tree), seed_(seed) {
     scale_ = std::max(vary(tree.scale, tree.scale_v, seed.child("scale")), 1e-3);
-    bare_ = tree.base_size * scale_;
   }
 
   Result<Crown> grow() {
-    Stem trunk;
-    const StemLevel& level = tree_.stem(0);
-    trunk.seed = seed_.child("trunk");
-    trunk.length = std::max(vary(level.length, level.length_v, seed_.child("length")) * scale_, 1e-3);
-    trunk.radius = trunk.length * tree_.ratio *
-                   std::max(vary(tree_.trunk_scale, tree_.trunk_scale_v, seed_.child("radius")), 0.01);
-    trunk.turn = about_y(trunk.seed.child("turn").range(0, 2 * kPi));
-    bare_ = std::min(bare_, trunk.length);
-    draw(trunk);
+    Whorl whorl;
+    for (int i = 0; i < tree_.trunks && !full_; ++i) draw_trunk(i, whorl);
     if (full_)
-      return Error{
-          "", fmt::format("the tree has more than {} nodes; fewer branches, splits or segments", kMostNodes)};
+      return Error{"", fmt::format("the tree has more than {} nodes or {} leaves; fewer branches, splits, "
+                                   "segments or leaves",
+                                   kMostNodes, kMostLeaves)};
     double tall = std::max(vary(tree_.z_scale, tree_.z_scale_v, seed_.child("tall")), 0.01);
     for (Vec3& p : crown_.skeleton.position) p.y *= static_cast<float>(tall);
     for (LeafSite& l : crown_.leaves) l.position.y *= static_cast<float>(tall);
@@ -61,6 +55,25 @@ class Grower {
   }
 
  private:
+  void draw_trunk(int i, Whorl& whorl) {
+    const StemLevel& level = tree_.stem(0);
+    // The first has the addresses that it has when it stands alone.
+    Seed seed = i == 0 ? seed_ : seed_.child("trunk", static_cast<std::uint64_t>(i));
+    Stem trunk;
+    trunk.seed = seed.child("trunk");
+    trunk.length = std::max(vary(level.length, level.length_v, seed.child("length")) * scale_, 1e-3);
+    trunk.radius = trunk.length * tree_.ratio *
+                   std::max(vary(tree_.trunk_scale, tree_.trunk_scale_v, seed.child("radius")), 0.01);
+    double round = whorl.next(level.rotate, level.rotate_v, seed.child("rotate"));
+    double down = vary(level.down_angle, level.down_angle_v, seed.child("down"));
+    trunk.turn = about_y(trunk.seed.child("turn").range(0, 2 * kPi)) * about_y(round) * about_x(down);
+    double far = tree_.trunk_spread * seed.child("far").unit(),
+           toward = seed.child("toward").range(0, 2 * kPi);
+    trunk.foot = DVec3(far * std::cos(toward), 0, far * std::sin(toward));
+    bare_ = std::min(tree_.base_size * scale_, trunk.length);
+    draw(trunk);
+  }
+
   bool inside(DVec3 p) const {
     double ratio = (scale_ - p.y) / std::max(scale_ - bare_, 1e-9);
     return std::hypot(p.x, p.z) / scale_ <
@@ -75,21 +88,28 @@ class Grower {
   }
 
   /// Shortens a stem until it fits its envelope; false where none of it is left.
-  bool prune(Stem& stem) const {
+  bool prune(Stem& stem) {
     if (tree_.pruning.ratio <= 0 || stem.level == 0) return true;
     double whole = stem.length;
     auto set_length = [&](double length) {
       stem.radius *= std::pow(length / stem.length, tree_.ratio_power);
+      stem.share *= length / stem.length;
       stem.length = length;
     };
-    for (int i = 0; i < 40 && !inside(trace_stem(tree_, stem)); ++i) set_length(stem.length * 0.9);
-    bool fits = inside(trace_stem(tree_, stem));
+    auto fits_in = [&] {
+      double left = left_of(stem);
+      return inside(trace_stem(tree_, stem, left));
+    };
+    for (int i = 0; i < 40 && !fits_in(); ++i) set_length(stem.length * 0.9);
+    bool fits = fits_in();
     double least = fits ? stem.length : 0;
     double final_length = whole * (1 - tree_.pruning.ratio) + least * tree_.pruning.ratio;
     if (final_length < 0.02 * whole) return false;
     set_length(final_length);
     return true;
   }
+
+  double& left_of(const Stem& stem) { return left_[static_cast<std::size_t>(std::min(stem.level, 3))]; }
 
   double radius_at(const Stem& stem, double z) const {
     double r = taper_radius(tree_.stem(stem.level).taper, stem.radius, stem.length, z);
@@ -98,7 +118,8 @@ class Grower {
 
   void draw(const Stem& stem) {
     if (full_) return;
-    std::vector<Chain> chains = trace_stem(tree_, stem);
+    std::vector<Chain> chains = trace_stem(tree_, stem, left_of(stem));
+    full_ = full_ || chains.empty();
     std::vector<std::vector<std::int32_t>> node_at(chains.size());  // of each chain at the ends of segments
     bool last = stem.level + 1 >= tree_.levels;
     for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -121,21 +142,44 @@ class Grower {
     }
   }
 
+  /// Segments of a chain between two splits, which bear equally densely.
+  struct Stretch {
+    double from, to, share;
+    double before;  // weight of those below
+    double weight() const { return (to - from) * share; }
+  };
+
+  static std::vector<Stretch> stretches_of(const Chain& chain, double from, int res) {
+    std::vector<Stretch> all;
+    for (auto s = static_cast<int>(from); s < res; ++s) {
+      double share = chain.share[static_cast<std::size_t>(s - chain.first)];
+      if (!all.empty() && all.back().share == share)
+        all.back().to = s + 1;
+      else
+        all.push_back({std::max<double>(from, s), s + 1.0, share,
+                       all.empty() ? 0 : all.back().before + all.back().weight()});
+    }
+    return all;
+  }
+
   /// Where the stems of the next level stand on a chain, in segments from the stem's foot.
   std::vector<double> places_of_children(const Stem& stem, const Chain& chain) const {
     const StemLevel& own = tree_.stem(stem.level);
     double count = std::max(stem_count(tree_, stem.level, stem.share, stem.offset), 0.0);
     int res = own.curve_res;
     double low = stem.level == 0 ? bare_ / stem.length * res : 0;
-    // Clones bear as densely as the stem would have.
-    double from = std::max(low, static_cast<double>(chain.first)), room = res - low;
-    if (room <= 1e-9 || from >= res) return {};
-    double share = (res - from) / room;
-    int n = static_cast<int>(count * share + stem.seed.child("count", chain.first).unit());
+    double from = std::max(low, static_cast<double>(chain.first));
+    if (res - low <= 1e-9 || from >= res) return {};
+    std::vector<Stretch> stretches = stretches_of(chain, from, res);
+    double weight = stretches.back().before + stretches.back().weight();
+    int n = static_cast<int>(count * (weight / (res - low)) + stem.seed.child("count", chain.first).unit());
     double dist = tree_.stem(stem.level + 1).branch_dist;
     std::vector<double> places;
+    std::size_t at = 0;
     for (int i = 0; i < n; ++i) {
-      double even = from + (res - from) * (i + 0.5) / n;
+      double due = weight * (i + 0.5) / n;
+      while (at + 1 < stretches.size() && due > stretches[at + 1].before) ++at;
+      double even = stretches[at].from + (due - stretches[at].before) / stretches[at].share;
       double whorl = std::max(dist, 1.0);
       double begin = from + std::floor((even - from) / whorl) * whorl;
       double s = dist > 1 ? begin : begin + (even - begin) * dist;
@@ -199,13 +243,13 @@ class Grower {
       double most = std::max(vary(next.length, next.length_v, child.seed.child("length")), 0.0);
       double from_top = stem.level == 0 ? (stem.length - along) / crown_length : 0;
       if (stem.level == 0) {
-        child.share = shape_ratio(tree_.shape, from_top, tree_.pruning);
+        child.share = shape_ratio(tree_.shape, from_top, tree_.pruning, tree_.cone_top);
         child.length = stem.length * most * child.share;
       } else {
         child.length = most * (stem.length - 0.6 * along);
         child.share = most > 0 ? child.length / stem.length / most : 0;
       }
-      if (child.length < 1e-4) continue;
+      if (child.length < kShortest) continue;
       child.radius = std::min(stem.radius * std::pow(child.length / stem.length, tree_.ratio_power),
                               radius_at(stem, child.offset));
       child.below = nodes[i];
@@ -222,7 +266,8 @@ class Grower {
   double down_by_height(const StemLevel& level, const Stem& parent, double along) const {
     double bare = parent.level == 0 ? bare_ : 0;
     double ratio = (parent.length - along) / std::max(parent.length - bare, 1e-9);
-    return level.down_angle + level.down_angle_v * (1 - 2 * shape_ratio(CrownShape::conical, ratio));
+    double rise = shape_ratio(CrownShape::conical, ratio, {}, tree_.cone_top);
+    return level.down_angle + level.down_angle_v * (1 - 2 * rise);
   }
 
   void bear_leaves(const Stem& stem, const Chain& chain, const std::vector<std::int32_t>& nodes, Seed seed) {
@@ -231,9 +276,11 @@ class Grower {
     int res = tree_.stem(stem.level).curve_res;
     double share = static_cast<double>(res - chain.first) / res;
     double wanted = std::abs(tree_.leaves) * tree_.leaf_quality *
-                    shape_ratio(tree_.leaf_distribution, stem.offset, tree_.pruning);
+                    shape_ratio(tree_.leaf_distribution, stem.offset, tree_.pruning, tree_.cone_top);
     bool fan = tree_.leaves < 0;
-    int count = static_cast<int>(wanted * (fan ? 1 : share) + seed.child("count").unit());
+    int count = static_cast<int>(fan ? wanted + 0.5 : wanted * share + seed.child("count").unit());
+    full_ = full_ || crown_.leaves.size() + static_cast<std::size_t>(count) > kMostLeaves;
+    if (full_) return;
     auto size = static_cast<float>(1 / std::sqrt(tree_.leaf_quality));
     Whorl whorl{seed.child("first").range(0, 2 * kPi)};
     for (int i = 0; i < count; ++i) {
@@ -242,15 +289,20 @@ class Grower {
       // The first node is that of the parent.
       auto at = static_cast<std::size_t>(chain.place(s) * tree_.smoothing + 0.5);
       at = std::min(std::max<std::size_t>(at, 1), nodes.size() - 1);
-      double down = vary(next.down_angle, std::abs(next.down_angle_v), own.child(0));
-      double round = fan ? 0 : whorl.next(next.rotate, next.rotate_v, own.child(1));
-      DQuat turn = chain.frame(s) * about_y(round) * about_x(down) * about_y(kPi);
+      double down = next.down_angle_v < 0 && !fan
+                        ? down_by_height(next, stem, s / res * stem.length)
+                        : vary(next.down_angle, std::abs(next.down_angle_v), own.child(0));
+      DQuat turn = chain.frame(s);
       if (fan) {
-        double spread = std::abs(next.rotate) * (count > 1 ? (i - (count - 1) / 2.0) / (count - 1) : 0);
-        turn = chain.frame(s) * about_x(down) * glm::angleAxis(spread, DVec3(0, 0, 1));
+        double spread = vary(std::abs(next.rotate) * (i - (count - 1) / 2.0), next.rotate_v, own.child(1));
+        turn = turn * glm::angleAxis(spread / count, DVec3(0, 0, 1)) * about_x(down);
+      } else {
+        double round = whorl.next(next.rotate, next.rotate_v, own.child(1));
+        turn = turn * about_y(round) * about_x(down) * about_y(kPi);
       }
       DVec3 foot = chain.point(s) + heading(turn) * (fan ? 0 : 0.5 * radius_at(stem, s / res));
       turn = face_light(turn, foot);
+      foot += heading(turn) * (std::min(tree_.leaf_stem_length, 0.0) * tree_.leaf_scale * size);
       crown_.leaves.push_back({Vec3(foot), Quat(glm::normalize(turn)), size, nodes[at]});
     }
   }
@@ -287,6 +339,7 @@ class Grower {
   double scale_ = 1, bare_ = 0;
   Crown crown_;
   bool full_ = false;
+  std::array<double, kStemLevels> left_{};  // of splits, by level
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ struct StemLevel {
   double down_angle_v = 0;  ///< negative: from the base to the top of the parent the angle falls by so much
   double rotate = 0;        ///< about the parent from one stem to the next; negative: to and fro by so much
   double rotate_v = 0;
-  double branches = 0;  ///< stems of this level on one of the level below, at most
+  double branches = 0;  ///< stems of this level on one of the level below, at most; not of trunks
   double branch_dist =
       1;                ///< 0 in whorls at the ends of the parent's segments .. 1 evenly; n: a whorl each n
   double length = 0.5;  ///< share of the parent's; of the trunk, of the tree's scale
@@ -59,7 +59,8 @@ struct Pruning {
 /// each with parameters of its own. Lengths in metres.
 struct WeberPenn {
   CrownShape shape = CrownShape::conical;
-  double base_size = 0.25;                    ///< share of the trunk that is bare
+  double cone_top = 0.2;    ///< length of the topmost branches of a conical crown as a share of the longest
+  double base_size = 0.25;  ///< share of the trunk that is bare
   double scale = 10, scale_v = 0;             ///< size of the tree
   double z_scale = 1, z_scale_v = 0;          ///< factor of the height alone
   int levels = 3;                             ///< of stems, 1 to 9; beyond the fourth all are as the fourth
@@ -70,6 +71,8 @@ struct WeberPenn {
   double lobe_depth = 0;                      ///< share of the radius
   double trunk_scale = 1, trunk_scale_v = 0;  ///< factor of the trunk's radius
   int base_splits = 0;                        ///< clones at the end of the trunk's first segment
+  int trunks = 1;                             ///< > 0; their angles are those of level 0
+  double trunk_spread = 0;                    ///< how far from the middle they stand, at most
   std::array<StemLevel, kStemLevels> level;
   double leaves = 0;  ///< on one stem of the last level; negative: as a fan at its end
   CrownShape leaf_distribution = CrownShape::tapered_cylindrical;  ///< over the level that bears it
@@ -86,7 +89,7 @@ struct WeberPenn {
 };
 
 /// ShapeRatio of the paper: length of a branch at `ratio` from the top (0) to the lowest (1) of the crown.
-double shape_ratio(CrownShape shape, double ratio, const Pruning& pruning = {});
+double shape_ratio(CrownShape shape, double ratio, const Pruning& pruning = {}, double cone_top = 0.2);
 
 /// Radius at `z` (0 foot .. 1 tip) of a stem with that radius and length, by its taper; without flare.
 double taper_radius(double taper, double radius, double length, double z);
@@ -101,7 +104,9 @@ double stem_count(const WeberPenn& tree, int n, double share, double offset);
 /// About how many nodes a tree will have.
 double foresee_nodes(const WeberPenn& tree);
 
-/// Grows one; past four million nodes it is refused. Radii have the flare but not the lobes.
+/// Grows one; past four million nodes or ten million leaves it is refused. Radii have the flare but not the
+/// lobes. From each split on a stem and its clones share the stems that it would have borne, and each bears
+/// the leaves that it would have borne by itself.
 /// Departures: variation of curves turns about random axes, so that stems do not lie in a plane; clones after
 /// a split differ by the seed; fractions of a count are drawn by lot for the whole stem.
 Result<Crown> grow_weber_penn(const WeberPenn& tree, Seed seed);

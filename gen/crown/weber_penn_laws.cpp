@@ -17,10 +17,10 @@ double envelope_ratio(double ratio, const Pruning& p) {
 
 }  // namespace
 
-double shape_ratio(CrownShape shape, double ratio, const Pruning& pruning) {
+double shape_ratio(CrownShape shape, double ratio, const Pruning& pruning, double cone_top) {
   switch (shape) {
     case CrownShape::conical:
-      return 0.2 + 0.8 * ratio;
+      return cone_top + (1 - cone_top) * ratio;
     case CrownShape::spherical:
       return 0.2 + 0.8 * std::sin(kPi * ratio);
     case CrownShape::hemispherical:
@@ -68,15 +68,15 @@ double stem_count(const WeberPenn& tree, int n, double share, double offset) {
 }
 
 double foresee_nodes(const WeberPenn& tree) {
-  double stems = 1, nodes = 1;
+  double stems = tree.trunks, nodes = 1;
   for (int n = 0; n < tree.levels; ++n) {
     const StemLevel& level = tree.stem(n);
     if (n > 0) stems *= level.branches * (n == 1 ? 1 : 0.7);
+    // Clones share what their stem bears.
     double clones = std::pow(1 + level.seg_splits, std::max(level.curve_res - 1, 0) * 0.5);
     if (n == 0) clones *= 1 + tree.base_splits;
-    stems *= clones;
     double borne = n + 1 < tree.levels ? tree.stem(n + 1).branches * 0.7 : 0;
-    nodes += stems * (level.curve_res * tree.smoothing + borne / clones);
+    nodes += stems * (clones * level.curve_res * tree.smoothing + borne);
   }
   return nodes;
 }

@@ -30,7 +30,7 @@ const std::vector<Named>& table() {
       {"ivy",
        {{1, 0.80, 0.56, 0.52, 0.70, 0.84, 0.62, 0.50, 0.56, 0.62, 0.48, 0.24}, 0.95, 0, 0, 0.28, true}},
       {"aspen", {{1, 0.84, 0.80, 0.82, 0.84, 0.82, 0.74}, 0.98, 16, 0.03, 0.36, false}},
-      {"willow", {{1, 0.62, 0.32, 0.20, 0.16, 0.16, 0.20, 0.34, 0.62, 0.92}, 0.85, 0, 0, 0.06, false}},
+      {"willow", {{1, 0.50, 0.28, 0.20, 0.175, 0.17, 0.19, 0.25, 0.44, 0.92}, 0.85, 0, 0, 0.06, false}},
       {"linden", {{1, 0.76, 0.76, 0.82, 0.88, 0.92, 0.88, 0.64}, 0.96, 24, 0.05, 0.26, false}},
       {"cherry", {{1, 0.72, 0.58, 0.54, 0.56, 0.62, 0.72}, 0.90, 26, 0.035, 0.14, false}},
       {"ginkgo", {{0.72, 0.90, 0.98, 1, 0.90, 0.62, 0.55, 0.62, 0.75}, 1.15, 0, 0, 0.34, true}},
@@ -102,15 +102,26 @@ std::vector<LeafPlace> sprig_places(const Sprig& s) {
   return places;
 }
 
-double leaf_half_width(const LeafImage& leaf) {
+PictureFrame picture_frame(const LeafImage& leaf) {
   std::vector<Vec2> rim = leaf_rim(leaf.outline, 64);
   std::vector<LeafPlace> places = leaf.sprig ? sprig_places(leaf.sprigs) : std::vector<LeafPlace>{{}};
-  double half = 0.02;
-  for (const LeafPlace& p : places)
+  PictureFrame frame{0.02, 0, leaf.sprig ? 0.0 : 1.0};
+  for (const LeafPlace& p : places) {
+    double c = std::cos(p.turn), s = std::sin(p.turn);
     for (Vec2 q : rim)
-      for (double x : {static_cast<double>(q.x), -static_cast<double>(q.x)})
-        half = std::max(half, std::abs(p.foot.x + p.size * (x * std::cos(p.turn) + q.y * std::sin(p.turn))));
-  return half * 1.02;
+      for (double x : {static_cast<double>(q.x), -static_cast<double>(q.x)}) {
+        double y = p.foot.y + p.size * (q.y * c - x * s);
+        frame.half = std::max(frame.half, std::abs(p.foot.x + p.size * (x * c + q.y * s)));
+        frame.low = std::min(frame.low, y);
+        frame.high = std::max(frame.high, y);
+      }
+  }
+  frame.half *= 1.02;
+  // The foot and the tip of a leaf touch the edges; whatever goes farther keeps a little off them.
+  double edge = 0.02 * (frame.high - frame.low);
+  if (leaf.sprig || frame.low < 0) frame.low -= edge;
+  if (leaf.sprig || frame.high > 1) frame.high += edge;
+  return frame;
 }
 
 std::vector<Vec2> leaf_rim(const LeafOutline& outline, int points) {

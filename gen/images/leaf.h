@@ -37,7 +37,7 @@ struct Sprig {
   double alternate = 0;          ///< 0 in pairs .. 1 by turns
 };
 
-/// A leaf where it lies on the picture of its sprig, which is one unit high; a leaf alone fills it.
+/// A leaf where it lies on its sprig, whose stalk begins at the origin.
 struct LeafPlace {
   Vec2 foot{0};
   double turn = 0;  ///< to the right, radians
@@ -56,8 +56,13 @@ struct LeafImage {
   double spots = 0.15;  ///< how much the colour varies over it, 0..1
 };
 
-/// Half the width of the picture whose height is 1: leaf and sprig lie in x of -half..half, y of 0..1.
-double leaf_half_width(const LeafImage& leaf);
+/// What part of the plane a picture shows: x of -half..half, y of low..high.
+struct PictureFrame {
+  double half = 0, low = 0, high = 1;
+};
+
+/// All of a leaf, or of a sprig with its leaves.
+PictureFrame picture_frame(const LeafImage& leaf);
 
 /// The right half of a blade's rim from tip to stalk as `points` (3 or more) that keep its shape best; one
 /// unit from the stalk's foot at the origin to the tip.

@@ -12,7 +12,13 @@ constexpr double kStalkWidth = 0.018;  // half, as a share of a leaf's length
 
 /// What leaves of one mesh share.
 struct Bending {
-  double fold, bend, half;  // half: of the picture's width
+  double fold, bend;
+  PictureFrame frame;
+
+  Vec2 uv(Vec2 p) const {
+    return {static_cast<float>(0.5 + 0.5 * p.x / frame.half),
+            static_cast<float>((p.y - frame.low) / (frame.high - frame.low))};
+  }
 };
 
 /// The flat picture folded and bent: a point of the sprig's plane, raised above it by `lift`.
@@ -38,7 +44,7 @@ void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int poi
     Vec2 p = place.foot + size * Vec2(q.x * c + q.y * n, -q.x * n + q.y * c);
     double lift = above + place.size * (std::abs(q.x) * slope - (leaf.sprig ? 0.22 * q.y * q.y : 0));
     s.position.push_back(bent(p, lift, b));
-    s.uv.emplace_back(static_cast<float>(0.5 + 0.5 * p.x / b.half), p.y);
+    s.uv.push_back(b.uv(p));
   };
   for (float side : {1.0f, -1.0f}) {
     auto start = static_cast<std::uint32_t>(s.position.size());
@@ -77,7 +83,7 @@ void add_rachis(Surface& s, double top, const Bending& b) {
     for (double x : {-w, w}) {
       Vec2 p(x, t * top);
       s.position.push_back(bent(p, 0, b));
-      s.uv.emplace_back(static_cast<float>(0.5 + 0.5 * x / b.half), p.y);
+      s.uv.push_back(b.uv(p));
     }
   }
   for (std::uint32_t i = 0; i < kPieces; ++i) {
@@ -91,7 +97,7 @@ void add_rachis(Surface& s, double top, const Bending& b) {
 
 Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend) {
   Surface s;
-  Bending b{fold, bend, leaf_half_width(leaf)};
+  Bending b{fold, bend, picture_frame(leaf)};
   if (leaf.sprig) {
     std::vector<LeafPlace> places = sprig_places(leaf.sprigs);
     double top = 0;

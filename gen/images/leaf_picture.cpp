@@ -16,12 +16,18 @@ constexpr int kSamples = 3;  // a pixel, each way
 
 Rgb rgb(const Color& c) { return {c.red, c.green, c.blue}; }
 
-/// How far a point is from a straight vein, less the more it tapers toward its end.
-double vein(Vec2 p, Vec2 from, Vec2 to, double width) {
+/// 1 on a line .. 0 away from it. Where it is finer than a pixel it is drawn as wide as one and fainter, or
+/// what shows of it would be dots.
+double line(double away, double width, double pixel) {
+  double drawn = std::max(width, 0.8 * pixel);
+  return drawn > 0 ? std::sqrt(width / drawn) * smooth_step(0.0, 1.0, 1.6 - away / drawn) : 0;
+}
+
+/// The same for a straight vein, which tapers toward its end.
+double vein(Vec2 p, Vec2 from, Vec2 to, double width, double pixel) {
   Vec2 way = to - from, off = p - from;
   double t = std::clamp<double>(glm::dot(off, way) / glm::dot(way, way), 0, 1);
-  double d = glm::length(off - way * static_cast<float>(t));
-  return d / (width * (1 - 0.8 * t));
+  return line(glm::length(off - way * static_cast<float>(t)), width * (1 - 0.8 * t), pixel);
 }
 
 class Blade {
@@ -31,7 +37,8 @@ class Blade {
     middle_ = f.middle;
     scale_ = f.scale;
     foot_ = Vec2(0, o_.stalk);
-    for (Vec2 p : leaf_rim(o_, 64)) wide_ = std::max(wide_, 1.03f * p.x);
+    for (Vec2 p : leaf_rim(o_, 64))
+      wide_ = std::max(wide_, 1.03f * p.x), high_ = std::max(high_, 1.01f * p.y);
     if (!o_.palmate) return;
     // Main veins go to the lobes: where the rim is farthest out.
     auto n = static_cast<int>(o_.radii.size());
@@ -45,15 +52,15 @@ class Blade {
 
   /// Whether the leaf or its stalk covers a point of its own plane, one unit long.
   bool covers(Vec2 p) const {
-    if (p.y < -0.01f || p.y > 1.01f || std::abs(p.x) > wide_) return false;
+    if (p.y < -0.01f || p.y > high_ || std::abs(p.x) > wide_) return false;
     return on_stalk(p) || out(p) <= 1;
   }
 
-  /// The colour there; it goes on beyond the rim.
-  Rgb color(Vec2 p, int index) const {
+  /// The colour there; it goes on beyond the rim. `pixel` is the side of one in the leaf's unit.
+  Rgb color(Vec2 p, int index, double pixel) const {
     double away = out(p);
     if (away > 1 && on_stalk(p)) return glm::mix(rgb(leaf_.veins), rgb(leaf_.color), 0.3) * 0.9;
-    double strength = veins(p);
+    double strength = veins(p, pixel);
     Seed own = seed_.child(static_cast<std::uint64_t>(index));
     double blotch = tiling_fractal(p.x * 5 + 8, p.y * 5, 64, 64, 4, 0.6, own.child("blotch"));
     Cells net = tiling_cells(p.x * 46 + 64, p.y * 46, 512, 512, own.child("net"));
@@ -76,25 +83,23 @@ class Blade {
   }
 
   /// 1 on a vein .. 0 away from it.
-  double veins(Vec2 p) const {
-    auto near = [](double d) { return smooth_step(0.0, 1.0, 1.6 - d); };
-    double strongest = near(vein(p, foot_, Vec2(0, 1), 0.013));
+  double veins(Vec2 p, double pixel) const {
+    double strongest = vein(p, foot_, Vec2(0, 1), 0.013, pixel);
     if (o_.palmate) {
       for (Vec2 lobe : lobes_)
         for (float side : {1.0f, -1.0f})
-          strongest = std::max(strongest, near(vein(p, foot_, Vec2(lobe.x * side, lobe.y), 0.010)));
-      return std::max(strongest, 0.5 * side_veins(p, 11, 1.2));
+          strongest = std::max(strongest, vein(p, foot_, Vec2(lobe.x * side, lobe.y), 0.010, pixel));
+      return std::max(strongest, 0.5 * side_veins(p, 11, 1.2, pixel));
     }
-    return std::max(strongest, 0.8 * side_veins(p, 9, 0.75));
+    return std::max(strongest, 0.8 * side_veins(p, 9, 0.75, pixel));
   }
 
   /// Side veins that leave the midrib forward and bend to the tip.
-  double side_veins(Vec2 p, int count, double slope) const {
+  double side_veins(Vec2 p, int count, double slope, double pixel) const {
     double x = std::abs(p.x), along = (p.y - slope * x - 0.5 * x * x - o_.stalk) / (1 - o_.stalk);
     if (along < 0.02) return 0;
     double k = along * count + (p.x > 0 ? 0.15 : 0), d = std::abs(k - std::floor(k) - 0.5) / count;
-    double width = 0.006 * (1 - std::min(1.0, 1.6 * x));
-    return width > 0 ? smooth_step(0.0, 1.0, 1.6 - d / width) : 0;
+    return line(d, 0.006 * (1 - std::min(1.0, 1.6 * x)), pixel / (1 - o_.stalk));
   }
 
   const LeafImage& leaf_;
@@ -102,7 +107,7 @@ class Blade {
   Seed seed_;
   double middle_ = 0.5, scale_ = 1;
   Vec2 foot_{0};
-  float wide_ = 0.02f;
+  float wide_ = 0.02f, high_ = 1.01f;
   std::vector<Vec2> lobes_;
 };
 
@@ -111,6 +116,7 @@ struct Painter {
   const LeafImage& leaf;
   const Blade& blade;
   const std::vector<LeafPlace>& places;
+  double pixel = 0;
 
   Vec2 on_leaf(Vec2 p, const LeafPlace& place) const {
     Vec2 d = (p - place.foot) / static_cast<float>(place.size);
@@ -119,7 +125,7 @@ struct Painter {
   }
 
   bool on_stalk(Vec2 p) const {
-    return leaf.sprig && std::abs(p.x) < 0.012 && p.y < places.back().foot.y + 0.02;
+    return leaf.sprig && std::abs(p.x) < 0.012 && p.y > -0.01 && p.y < places.back().foot.y + 0.02;
   }
 
   bool covers(Vec2 p) const {
@@ -131,26 +137,30 @@ struct Painter {
   /// Of the topmost leaf.
   Rgb color(Vec2 p) const {
     for (std::size_t i = places.size(); i-- > 0;)
-      if (Vec2 q = on_leaf(p, places[i]); blade.covers(q)) return blade.color(q, static_cast<int>(i));
+      if (Vec2 q = on_leaf(p, places[i]); blade.covers(q))
+        return blade.color(q, static_cast<int>(i), pixel / places[i].size);
     if (on_stalk(p)) return glm::mix(rgb(leaf.veins), rgb(leaf.color), 0.4) * 0.85;
-    return blade.color(on_leaf(p, places.back()), 0);
+    return blade.color(on_leaf(p, places.back()), 0, pixel / places.back().size);
   }
 };
 
 }  // namespace
 
 Raster leaf_picture(const LeafImage& leaf, int height, Seed seed) {
-  double half = leaf_half_width(leaf);
-  int width = std::max(8, static_cast<int>(std::lround(2 * half * height)));
+  PictureFrame frame = picture_frame(leaf);
+  double tall = frame.high - frame.low;
+  int width = std::max(8, static_cast<int>(std::lround(2 * frame.half / tall * height)));
   std::vector<LeafPlace> places = leaf.sprig ? sprig_places(leaf.sprigs) : std::vector<LeafPlace>{{}};
   if (places.empty()) places.push_back({});
   Blade blade(leaf, seed.child("leaf"));
-  Painter painter{leaf, blade, places};
+  Painter painter{leaf, blade, places, tall / height};
   Raster raster(width, height, 4);
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
     int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
-      auto point = [&](double px, double py) { return Vec2((px / width * 2 - 1) * half, 1 - py / height); };
+      auto point = [&](double px, double py) {
+        return Vec2((px / width * 2 - 1) * frame.half, frame.high - py / height * tall);
+      };
       int covered = 0;
       Vec2 inside = point(x + 0.5, y + 0.5);
       for (int k = 0; k < kSamples * kSamples; ++k) {

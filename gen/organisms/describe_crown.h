@@ -53,7 +53,8 @@ void describe(Visitor& v, StemLevel& s) {
           "Its variation; negative: it falls by so much from the parent's base to its top");
   v.angle("rotate", s.rotate, kAngle, "About the parent from stem to stem; negative: to and fro");
   v.angle("rotate_v", s.rotate_v, kAngle, "Its variation");
-  v.number("branches", s.branches, {.min = 0, .max = 2000}, "Stems of this level on one of the level below");
+  v.number("branches", s.branches, {.min = 0, .max = 2000},
+           "Stems of this level on one of the level below, which it shares with its clones");
   v.number("branch_dist", s.branch_dist, {.min = 0, .max = 100},
            "0: in whorls at each segment; 1: evenly; more: a whorl each so many segments");
   v.number("length", s.length, {.min = 0, .max = 100}, "Share of the parent's, of a trunk: of the scale");
@@ -81,6 +82,8 @@ void describe(Visitor& v, Pruning& p) {
 template <class Visitor>
 void describe(Visitor& v, WeberPenn& t) {
   v.choice("shape", t.shape, kCrownShapes, "How long branches are by their height");
+  v.number("cone_top", t.cone_top, {.min = 0, .max = 1},
+           "Of a conical crown: its topmost branches as a share of the longest");
   v.number("base_size", t.base_size, {.min = 0, .max = 1}, "Share of the tree without branches");
   v.number("scale", t.scale, {.min = 0.01, .max = 500, .unit = "m"}, "Size of the tree");
   v.number("scale_v", t.scale_v, {.min = 0, .max = 500, .unit = "m"}, "Its variation");
@@ -95,12 +98,15 @@ void describe(Visitor& v, WeberPenn& t) {
   v.number("trunk_scale", t.trunk_scale, {.min = 0.01, .max = 20}, "Factor of the trunk's radius");
   v.number("trunk_scale_v", t.trunk_scale_v, {.min = 0, .max = 20}, "Its variation");
   v.integer("base_splits", t.base_splits, {.min = 0, .max = 20}, "Clones above the trunk's first segment");
+  v.integer("trunks", t.trunks, {.min = 1, .max = 1000}, "How many stand beside each other");
+  v.number("trunk_spread", t.trunk_spread, {.min = 0, .max = 100, .unit = "m"},
+           "How far from the middle they stand, at most");
   v.object("trunk", t.level[0], "Level 0");
   v.object("branches", t.level[1], "Level 1");
   v.object("twigs", t.level[2], "Level 2");
   v.object("shoots", t.level[3], "Level 3 and all beyond");
   v.number("leaves", t.leaves, {.min = -2000, .max = 2000},
-           "On one stem of the last level; negative: a fan at its end");
+           "On one stem of the last level, and on each clone; negative: a fan at its end");
   v.choice("leaf_distribution", t.leaf_distribution, kCrownShapes, "Over the level that bears them");
   v.number("leaf_scale", t.leaf_scale, {.min = 0.001, .max = 20, .unit = "m"}, "Length of a leaf");
   v.number("leaf_scale_x", t.leaf_scale_x, {.min = 0.01, .max = 10}, "Its width as a share of the length");

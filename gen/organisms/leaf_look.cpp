@@ -29,7 +29,7 @@ std::string picture_name(const LeafLook& look, std::size_t color) {
     const Sprig& s = leaf.sprigs;
     append_list(key += ';', 6, s.pairs, s.end_leaf, s.angle, s.length, s.shrink, s.alternate);
   }
-  return fmt::format("leaf_{:016x}.png", Seed{3}.child(key).key);
+  return fmt::format("leaf_{:016x}.png", Seed{4}.child(key).key);
 }
 
 /// A picture without opacity, for the mesh has the outline: to POV-Ray a leaf with an opacity is one that

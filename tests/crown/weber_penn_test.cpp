@@ -176,6 +176,57 @@ TEST(WeberPenn, SplitsMakeClones) {
   EXPECT_EQ(c->skeleton.size(), 1u + 1 + 2 + 4 + 8 + 16);  // doubled at each segment's end
 }
 
+TEST(WeberPenn, AStemAndItsClonesShareWhatItWouldBear) {
+  WeberPenn t = plain();
+  t.level[1].branches = 120;
+  t.level[0].split_angle = radians(20.0);
+  t.base_size = 0;
+  for (int clones : {0, 1, 3, 7}) {
+    t.base_splits = clones;
+    EXPECT_NEAR(static_cast<double>(branches(grow_weber_penn(t, Seed{2})->skeleton, 1).size()), 120,
+                clones + 1)
+        << clones;
+  }
+  // As dense over the foot as ever, over the split a share on each.
+  t.base_splits = 3;
+  t.level[0].split_angle = 0;
+  double low = 0, high = 0;
+  for (const Branch& b : branches(grow_weber_penn(t, Seed{2})->skeleton, 1)) (b.foot.y < 2 ? low : high) += 1;
+  EXPECT_NEAR(low, 24, 1);
+  EXPECT_NEAR(high, 96, 4);
+  // Splits of single segments, too.
+  t.base_splits = 0;
+  t.level[0].seg_splits = 0.5;
+  EXPECT_NEAR(static_cast<double>(branches(grow_weber_penn(t, Seed{2})->skeleton, 1).size()), 120, 6);
+}
+
+TEST(WeberPenn, PartsOfSplitsCountOnFromStemToStem) {
+  WeberPenn t = plain();
+  t.level[1].branches = 40;
+  t.level[1].curve_res = 2;
+  t.level[1].seg_splits = 0.2;
+  t.level[1].split_angle = radians(30.0);
+  // Each branch asks at the end of its first segment; whatever the seed, every fifth of them splits.
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Skeleton s = grow_weber_penn(t, Seed{seed})->skeleton;
+    EXPECT_EQ(std::count(s.order.begin(), s.order.end(), 1), 40 * 2 + 8) << seed;
+  }
+}
+
+TEST(WeberPenn, APrunedBranchBearsNoMoreThanItsLengthAllows) {
+  WeberPenn t = plain();
+  t.levels = 3;
+  t.shape = CrownShape::cylindrical;
+  t.level[1].down_angle = radians(90.0);
+  t.level[2] = t.level[1];
+  t.level[2].branches = 50;
+  t.level[2].length = 0.02;
+  std::size_t whole = branches(grow_weber_penn(t, Seed{6})->skeleton, 2).size();
+  t.pruning = {1, 0.2, 0.5, 0.01, 0.01};  // to half their length
+  std::size_t pruned = branches(grow_weber_penn(t, Seed{6})->skeleton, 2).size();
+  EXPECT_NEAR(static_cast<double>(pruned) / static_cast<double>(whole), 0.2 + 0.8 * 0.5, 0.08);
+}
+
 TEST(WeberPenn, PruningKeepsBranchesInTheEnvelope) {
   WeberPenn t = plain();
   t.shape = CrownShape::cylindrical;
@@ -245,6 +296,33 @@ TEST(WeberPenn, LeavesStandOnTheLastLevel) {
   EXPECT_EQ(grow_weber_penn(t, Seed{2})->leaves.size(), 14u * 5);
 }
 
+TEST(WeberPenn, AngleOfLeavesFallsTowardTheTipWhereItsVariationIsNegative) {
+  WeberPenn t = plain();
+  t.leaves = 12;
+  t.leaf_bend = 0;
+  t.leaf_distribution = CrownShape::cylindrical;
+  t.level[2].down_angle = radians(50.0);
+  t.level[2].down_angle_v = radians(-40.0);
+  t.level[2].rotate = radians(140.0);
+  Result<Crown> c = grow_weber_penn(t, Seed{2});
+  Vec3 along(0);
+  for (std::size_t i = 0; i < c->leaves.size(); ++i) {
+    if (i % 12 == 0) along = glm::normalize(c->leaves[i + 11].position - c->leaves[i].position);
+    double angle = std::acos(glm::dot(c->leaves[i].turn * Vec3(0, 1, 0), along));
+    double ratio = 1 - (static_cast<double>(i % 12) + 0.5) / 12;
+    EXPECT_NEAR(degrees(angle), 50 - 40 * (1 - 2 * (0.2 + 0.8 * ratio)), 3);
+  }
+}
+
+TEST(WeberPenn, TooManyLeavesAreRefused) {
+  WeberPenn t = plain();
+  t.leaf_distribution = CrownShape::cylindrical;
+  t.leaves = 2e7;
+  Result<Crown> c = grow_weber_penn(t, Seed{2});
+  ASSERT_FALSE(c.ok());
+  EXPECT_NE(c.errors()[0].what.find("leaves"), std::string::npos);
+}
+
 TEST(WeberPenn, TheSameSeedIsTheSameTree) {
   WeberPenn t = plain();
   t.scale_v = 2;
@@ -256,6 +334,11 @@ TEST(WeberPenn, TheSameSeedIsTheSameTree) {
 }
 
 TEST(WeberPenn, RunawaySplitsAreRefused) {
+  WeberPenn split = plain();
+  split.levels = 1;
+  split.level[0].curve_res = 100000;
+  split.level[0].seg_splits = 1;
+  EXPECT_FALSE(grow_weber_penn(split, Seed{1}).ok());
   WeberPenn t = plain();
   t.levels = 4;
   t.level[1].branches = 400;

@@ -38,10 +38,11 @@ TEST(Leaf, TheMeshCoversWhatThePictureShows) {
   for (std::string_view name : leaf_names()) {
     LeafImage leaf = leaf_of(name);
     Raster picture = leaf_picture(leaf, 200, Seed{1});
+    PictureFrame frame = picture_frame(leaf);
     double opaque = 0;
     for (int y = 0; y < picture.height; ++y)
       for (int x = 0; x < picture.width; ++x) opaque += picture.at(x, y, 3) / 255.0;
-    double pictured = opaque / (200.0 * picture.width) * 2 * leaf_half_width(leaf);
+    double pictured = opaque / (200.0 * picture.width) * 2 * frame.half * (frame.high - frame.low);
     Surface mesh = leaf_mesh(leaf, 48, 0, 0);
     EXPECT_EQ(mesh.check(), "") << name;
     EXPECT_NEAR(area(mesh) / pictured, 1, 0.08) << name;
@@ -64,6 +65,56 @@ TEST(Leaf, EveryTrianglesMiddleIsOpaque) {
       }
       EXPECT_LE(clear / static_cast<double>(mesh.triangle.size()), 0.04) << name << sprig;
     }
+  }
+}
+
+TEST(Leaf, NoLeafOrSprigIsCutOffAtTheEdgeOfItsPicture) {
+  for (std::string_view name : leaf_names()) {
+    for (int kind = 0; kind < 3; ++kind) {
+      LeafImage leaf = leaf_of(name);
+      leaf.sprig = kind > 0;
+      leaf.sprigs.end_leaf = kind == 1;
+      for (Vec2 uv : leaf_mesh(leaf, 24, 0, 0).uv) {
+        EXPECT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1) << name << kind;
+      }
+      if (!leaf.sprig) continue;
+      Raster picture = leaf_picture(leaf, 200, Seed{1});
+      int drawn = 0;
+      for (int x = 0; x < picture.width; ++x) drawn += picture.at(x, 0, 3) + picture.at(x, 199, 3);
+      for (int y = 0; y < 200; ++y) drawn += picture.at(0, y, 3) + picture.at(picture.width - 1, y, 3);
+      EXPECT_EQ(drawn, 0) << name << kind;
+    }
+  }
+}
+
+TEST(Leaf, VeinsOfTurnedLeafletsAreWholeLines) {
+  LeafImage leaf = leaf_of("aspen");
+  leaf.sprig = true;
+  leaf.sprigs.pairs = 1;
+  leaf.sprigs.end_leaf = false;
+  leaf.spots = 0;
+  leaf.color = leaf.rim = {0, 0, 0};
+  leaf.veins = {1, 1, 1};
+  PictureFrame frame = picture_frame(leaf);
+  Raster picture = leaf_picture(leaf, 256, Seed{1});
+  LeafPlace place = sprig_places(leaf.sprigs)[0];
+  auto brightness = [&](Vec2 p) {
+    double c = std::cos(place.turn), s = std::sin(place.turn);
+    double x = place.foot.x + place.size * (p.x * c + p.y * s),
+           y = place.foot.y + place.size * (p.y * c - p.x * s);
+    double column = (x / frame.half * 0.5 + 0.5) * picture.width - 0.5,
+           row = (frame.high - y) / (frame.high - frame.low) * picture.height - 0.5;
+    int most = 0;
+    for (int i = 0; i < 4; ++i)
+      most =
+          std::max<int>(most, picture.at(static_cast<int>(column) + i % 2, static_cast<int>(row) + i / 2, 0));
+    return most;
+  };
+  // Along the third side vein: wherever one looks, some of the four pixels round the place show it.
+  double stalk = leaf.outline.stalk;
+  for (double x = 0.04; x < 0.2; x += 0.004) {
+    double y = 0.75 * x + 0.5 * x * x + stalk + (2.35 / 9) * (1 - stalk);
+    EXPECT_GT(brightness(Vec2(x, y)), 10) << x;
   }
 }
 
