@@ -146,3 +146,24 @@ for row in json.load(sys.stdin):
   [ "$status" -eq 2 ]
   [[ "$output" == *"more than the limit of 4 GB"* ]]
 }
+
+@test "textures draws trees that grow by light, as it does the others" {
+  echo '{"organisms": [{"kind": "tree", "name": "oak", "coat": {"pixels": 16},
+    "leaves": {"picture": {"shape": "oak", "pixels": 32}}}]}' >tree.json
+  run "$frond" textures tree.json -q -o pictures
+  [ "$status" -eq 0 ]
+  [ -s pictures/oak_bark_color.png ]
+  [ -s pictures/oak_sprig.png ]
+  echo '{"organisms": [{"kind": "tree"}]}' >plain.json
+  run "$frond" textures plain.json -q -o pictures
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"tree with a coat or leaves.picture"* ]]
+}
+
+@test "every preset that a help names is there" {
+  for command in generate export textures check info; do
+    for preset in $("$frond" "$command" --help | grep -o 'presets/[a-z_/]*\.json'); do
+      [ -e "$root/$preset" ]
+    done
+  done
+}
