@@ -73,6 +73,7 @@ void load_tree(Organism& organism, std::size_t i, const fs::path& preset_path, E
     Result<ArbaroSpecies> species = text ? read_arbaro(*text, path.string()) : text.errors();
     if (!species) return note("/species", species.errors());
     tree->tree = species->tree;
+    note("/species", check(organism));
   }
   auto* tree = std::get_if<ColonizedParams>(&organism.body);
   if (!tree || tree->envelope.file.empty()) return;

@@ -23,7 +23,11 @@ class PointGrid {
     double volume = static_cast<double>(size.x) * size.y * size.z;
     side_ = static_cast<float>(
         std::max(side, std::cbrt(volume / (4.0 * static_cast<double>(points.size()) + 64))));
-    for (int k = 0; k < 3; ++k) count_[k] = static_cast<int>(size[k] / side_) + 1;
+    // A flat box would still have many.
+    double most = 16.0 * static_cast<double>(points.size()) + 4096;
+    auto along = [&](int k) { return std::floor(static_cast<double>(size[k] / side_)) + 1; };
+    while (along(0) * along(1) * along(2) > most) side_ *= 1.5f;
+    for (int k = 0; k < 3; ++k) count_[k] = static_cast<int>(along(k));
     start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
     for (Vec3 p : points) ++start_[cell(p) + 1];
     for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];

@@ -1,9 +1,27 @@
 #include "crown/silhouette.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace frond {
+
+namespace {
+
+constexpr float kLongest = 100;  // times as wide as high, or as high as wide
+
+/// Nothing where a silhouette may be so wide and high.
+Errors refuse_size(float width, float height) {
+  if (!(height > 0) || !(width > 0)) return {{"", "the silhouette is flat"}};
+  float ratio = width / height;
+  if (ratio <= kLongest && ratio >= 1 / kLongest) return {};
+  return {
+      {"", fmt::format("the silhouette is {:.3g} times as {}; expected {:g} times at most",
+                       std::max(ratio, 1 / ratio), ratio > 1 ? "wide as high" : "high as wide", kLongest)}};
+}
+
+}  // namespace
 
 Result<Silhouette> Silhouette::from_outlines(std::vector<std::vector<Vec2>> outlines) {
   std::erase_if(outlines, [](const std::vector<Vec2>& o) { return o.size() < 3; });
@@ -12,7 +30,7 @@ Result<Silhouette> Silhouette::from_outlines(std::vector<std::vector<Vec2>> outl
   for (const auto& o : outlines)
     for (Vec2 p : o) low = glm::min(low, p), high = glm::max(high, p);
   float height = high.y - low.y, middle = (low.x + high.x) / 2;
-  if (!(height > 0) || !(high.x > low.x)) return Error{"", "the silhouette is flat"};
+  if (Errors errors = refuse_size(high.x - low.x, height); !errors.empty()) return errors;
   for (auto& o : outlines)
     for (Vec2& p : o) p = (p - Vec2(middle, low.y)) / height;
   Silhouette made;
@@ -43,6 +61,8 @@ Result<Silhouette> Silhouette::from_picture(const Raster& picture) {
   Silhouette made;
   made.columns_ = right - left + 1;
   made.rows_ = bottom - top + 1;
+  Errors errors = refuse_size(static_cast<float>(made.columns_), static_cast<float>(made.rows_));
+  if (!errors.empty()) return errors;
   made.width_ = static_cast<float>(made.columns_) / static_cast<float>(made.rows_);
   for (int y = bottom; y >= top; --y)
     for (int x = left; x <= right; ++x) made.filled_.push_back(is_filled(x, y));

@@ -12,7 +12,8 @@ namespace frond {
 
 namespace {
 
-constexpr int kPieces = 16;  // of a curve
+constexpr int kPieces = 16;    // of a curve
+constexpr double kMost = 1e9;  // of a number; what curves reach beyond it still is one to a float
 
 double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -54,7 +55,7 @@ class PathReader {
     skip();
     std::size_t from = at_ < data_.size() && data_[at_] == '+' ? at_ + 1 : at_;
     auto [end, error] = std::from_chars(data_.data() + from, data_.data() + data_.size(), x);
-    if (error != std::errc{} || !std::isfinite(x)) return wanted_ = "a number", false;
+    if (error != std::errc{} || !(std::abs(x) <= kMost)) return wanted_ = "a number from -1e9 to 1e9", false;
     at_ = static_cast<std::size_t>(end - data_.data());
     return true;
   }

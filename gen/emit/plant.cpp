@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "core/text.h"
 #include "motion/unfold.h"
@@ -212,21 +212,32 @@ void append_bark(std::string& text, const Branches& b, std::size_t first) {
 }
 
 std::string prototypes_text(const PovSpace& space, const Scene& scene) {
-  std::string text;
-  std::set<std::size_t> entries;
+  // The plants of an entry share shapes, but one that bears nothing need not have any. Those that none bears
+  // are left out.
+  struct Shapes {
+    std::size_t entry;
+    std::vector<const Prototype*> used;  // null where none bears it
+  };
+  std::vector<Shapes> entries;
+  std::map<std::size_t, std::size_t> index;  // in `entries`, which are in the order of the scene
   for (const Branches& b : scene.branches) {
-    if (!b.bark || !entries.insert(b.entry).second) continue;
-    // Shapes that no plant of this entry bears are left out.
-    std::vector<bool> used(b.prototypes.size(), b.develops());
-    for (const Branches& other : scene.branches)
-      if (other.bark && other.entry == b.entry)
-        for (std::uint16_t which : other.organs.prototype) used[which] = true;
-    for (std::size_t p = 0; p < b.prototypes.size(); ++p) {
-      for (std::size_t part = 0; used[p] && part < b.prototypes[p].parts.size(); ++part) {
+    if (!b.bark) continue;
+    auto [at, fresh] = index.try_emplace(b.entry, entries.size());
+    if (fresh) entries.push_back({b.entry, {}});
+    std::vector<const Prototype*>& used = entries[at->second].used;
+    used.resize(std::max(used.size(), b.prototypes.size()));
+    auto use = [&](std::size_t p) { used[p] = used[p] ? used[p] : &b.prototypes[p]; };
+    for (std::size_t p = 0; b.develops() && p < b.prototypes.size(); ++p) use(p);
+    for (std::uint16_t which : b.organs.prototype) use(which);
+  }
+  std::string text;
+  for (const Shapes& shapes : entries) {
+    for (std::size_t p = 0; p < shapes.used.size(); ++p) {
+      for (std::size_t part = 0; shapes.used[p] && part < shapes.used[p]->parts.size(); ++part) {
         text += "#declare ";
-        append_organ_name(text, b.entry, p, part);
+        append_organ_name(text, shapes.entry, p, part);
         text += " = ";
-        append_mesh(text, space, b.prototypes[p].parts[part].surface);
+        append_mesh(text, space, shapes.used[p]->parts[part].surface);
         text += '\n';
       }
     }

@@ -9,7 +9,8 @@ namespace frond {
 
 namespace {
 
-constexpr png_uint_32 kMostPixels = 16384;
+constexpr png_uint_32 kLongestSide = 16384;
+constexpr std::uint64_t kMostPixels = 100'000'000;
 
 png_uint_32 format_of(int channels) {
   return channels == 1 ? PNG_FORMAT_GRAY : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
@@ -42,9 +43,10 @@ Result<Raster> read_png(std::string_view bytes) {
   image.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
     return Error{"", std::string("no PNG: ") + image.message};
-  if (image.width > kMostPixels || image.height > kMostPixels) {
+  if (image.width > kLongestSide || image.height > kLongestSide ||
+      std::uint64_t{image.width} * image.height > kMostPixels) {
     png_image_free(&image);
-    return Error{"", "the picture is larger than 16384 pixels a side"};
+    return Error{"", "the picture is larger than 16384 pixels a side, or 100 million in all"};
   }
   bool color = image.format & PNG_FORMAT_FLAG_COLOR, alpha = image.format & PNG_FORMAT_FLAG_ALPHA;
   int channels = alpha ? 4 : color ? 3 : 1;

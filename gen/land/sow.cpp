@@ -12,7 +12,8 @@ namespace frond {
 
 namespace {
 
-constexpr int kDarts = 40;  // thrown for each plant before it is given up
+constexpr int kDarts = 40;       // thrown for each plant before it is given up
+constexpr int kPatience = 2000;  // plants of a kind in a row that find no room before all of it is given up
 constexpr std::size_t kLayers = 3;
 
 std::size_t layer_of(const SowOrder& order) { return static_cast<std::size_t>(order.rules.layer); }
@@ -104,12 +105,15 @@ void sow_layer(std::span<const SowOrder> orders, std::size_t layer, Field& field
   for (std::size_t o = 0; o < orders.size(); ++o)
     if (layer_of(orders[o]) == layer)
       likings[o].emplace(orders[o].rules, field.land, std::span(field.beds).first(layer), orders[o].seed);
+  std::vector<int> missed(orders.size());  // in a row
   for (const Turn& turn : turns_of(orders, layer)) {
+    if (missed[turn.order]++ >= kPatience) continue;
     const SowOrder& order = orders[turn.order];
     Seed own = seed_of(order, turn.index);
     double size = size_of(order, own);
     std::optional<Vec2> at = find_room(field, *likings[turn.order], order, own, size);
     if (!at) continue;
+    missed[turn.order] = 0;
     field.plant(*at, order, size);
     places[turn.order][static_cast<std::size_t>(turn.index)] = at;
   }

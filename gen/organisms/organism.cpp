@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "organisms/picture_bounds.h"
+
 namespace frond {
 
 namespace {
@@ -51,11 +53,14 @@ struct Check {
     return profile ? Errors{} : profile.errors();
   }
   Errors operator()(const WeberPennParams& params) const {
-    if (foresee_nodes(params.tree) < 8e6) return {};
+    if (foresee_nodes(params.tree) < 8e6) return check_pictures(params.dress);
     return {{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}};
   }
-  Errors operator()(const ColonizedParams& params) const { return check_colonized(params); }
-  Errors operator()(const TreeParams&) const { return {}; }
+  Errors operator()(const ColonizedParams& params) const {
+    Errors errors = check_colonized(params);
+    return errors.empty() ? check_pictures(params.dress) : errors;
+  }
+  Errors operator()(const TreeParams& params) const { return check_pictures(params); }
   Errors operator()(const IvyParams&) const { return {}; }
 };
 

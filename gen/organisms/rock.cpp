@@ -1,5 +1,7 @@
 #include "organisms/rock.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,8 @@ struct KindRow {
   Color color, second;
   double gloss;
 };
+
+constexpr double kMostTriangles = 1e8;  // of all shapes of pebbles
 
 constexpr KindRow kKinds[] = {
     {StoneKind::granite, Matter::granite, {0.62f, 0.58f, 0.54f}, {0.27f, 0.26f, 0.26f}, 0.12},
@@ -65,6 +69,13 @@ Errors check_rock(const RockShape& shape) {
 
 Errors check_pebbles(const PebblesParams& params) {
   Errors errors = check_rock(params.shape);
+  // A shape has about so many triangles where its finest cells are all over.
+  double triangles = params.shapes * 8 * std::pow(4.0, params.shape.cells.depth);
+  if (triangles > kMostTriangles)
+    errors.push_back(
+        {"/shapes", fmt::format("so many shapes of that depth may have {:.2g} triangles; expected "
+                                "{:.2g} at most, by fewer shapes or a smaller depth",
+                                triangles, kMostTriangles)});
   if (params.least_size > params.most_size) errors.push_back({"", "least_size is above most_size"});
   return errors;
 }
@@ -105,7 +116,7 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
   }
   solids.follow_ground = true;
 
-  std::vector<Spot> taken;
+  TakenSpots taken;
   for (int i = 0; i < params.number; ++i) {
     Seed own = seed.child("pebble", static_cast<std::uint64_t>(i));
     // The number falls with the square of the size, as that of broken stone does; the large ones come first.
@@ -115,7 +126,6 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
         static_cast<float>(params.least_size / std::sqrt(ratio * ratio + (1 - ratio * ratio) * share));
     auto spots = scatter(Vec2(0), params.inner, params.radius, 0.46f * size, 1, taken, own.child("spot"));
     if (spots.empty()) continue;
-    taken.push_back(spots[0]);
     auto which =
         static_cast<std::uint16_t>(own.child("which").bits() % static_cast<std::uint64_t>(params.shapes));
     Quat turn = glm::angleAxis(static_cast<float>(own.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0));

@@ -8,7 +8,8 @@ namespace frond {
 
 namespace {
 
-constexpr double kRadius = 150;  // metres
+constexpr double kRadius = 150;  // metres, at least
+constexpr double kBeyond = 50;   // metres from what stands farthest out to the edge, at least
 constexpr int kTurfShapes = 4;
 
 /// The size of the squares that a piece of ground is covered with: halved up to `kHalvings` times where an
@@ -97,18 +98,20 @@ void gravel(Scene& scene, const Heights& heights, Seed seed) {
 
 }  // namespace
 
-void lay_lawn(Scene& scene, const Ground& ground, Seed seed) {
+void lay_lawn(Scene& scene, const Ground& ground, double reach, Seed seed) {
+  double radius = std::max(kRadius, reach + kBeyond), finer = std::sqrt(radius / kRadius);
+  auto rings = [&](int usual) { return static_cast<int>(std::lround(usual * finer)); };
   if (scene.stage.setting == Setting::meadow) {
-    scene.floor = ground_surface(ground, Vec2(0), kRadius, 110);
+    scene.floor = ground_surface(ground, Vec2(0), radius, rings(110));
     return;
   }
   const Garden& garden = scene.stage.garden;
   scene.plot = Plot(garden.pond, garden.path, seed.child("plot"));
   auto height = [&](Vec2 at) {
-    double lawn = ground_height(ground, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / kRadius));
+    double lawn = ground_height(ground, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / radius));
     return scene.plot.height(at, lawn);
   };
-  scene.floor = ground_surface(height, Vec2(0), kRadius, 150);
+  scene.floor = ground_surface(height, Vec2(0), radius, rings(150));
   Solids lilies = water_lilies(scene.plot, garden.lilies, seed.child("lilies"));
   if (lilies.size() == 0) return;
   Branches& pads = scene.branches.emplace_back();

@@ -12,6 +12,7 @@
 #include "preset/override.h"
 #include "preset/reader.h"
 #include "preset/schema.h"
+#include "scene/bounds.h"
 #include "scene/describe.h"
 
 namespace frond {
@@ -89,6 +90,7 @@ void check_organism(Organism& organism, const Value& written, std::size_t index,
                               "ivy cannot be sown, for it grows on what stands; expected another kind"));
   for (const Error& error : check(organism)) {
     std::string pointer = grammar ? "/grammar" + grammar_pointer(*grammar, error) : "";
+    if (error.where.starts_with('/')) pointer = error.where;
     faults.add(organism_fault(written, index, pointer, error.what));
   }
 }
@@ -106,6 +108,23 @@ void check_hosts(const Preset& preset, const Value& root, Faults& faults) {
         faults.add(organism_fault(
             merged_organism(root, i), i, fmt::format("/on/{}", k),
             fmt::format("no organism \"{}\" to grow on{}", ivy->on[k], expected_names(ivy->on[k], names))));
+  }
+}
+
+/// What would be too much of something.
+void check_bounds(const Preset& preset, const Value& root, Faults& faults) {
+  constexpr std::string_view kOrganism = "/organisms/";
+  std::vector<Excess> all = beyond_bounds(preset);
+  for (Excess& excess : without_room(preset)) all.push_back(std::move(excess));
+  for (Excess& excess : all) {
+    Origin origin = origin_at(root, excess.pointer);
+    if (excess.pointer.starts_with(kOrganism)) {
+      // It may stand in the defaults.
+      std::size_t slash = excess.pointer.find('/', kOrganism.size());
+      auto index = static_cast<std::size_t>(std::stoul(excess.pointer.substr(kOrganism.size())));
+      origin = origin_at(merged_organism(root, index), excess.pointer.substr(slash));
+    }
+    faults.add({origin, excess.pointer, std::move(excess.what)});
   }
 }
 
@@ -174,6 +193,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
     preset->organisms[i].text = serialize(written);
   }
   check_hosts(*preset, document->root, faults);
+  check_bounds(*preset, document->root, faults);
   check_stage(preset->stage, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
   return preset;

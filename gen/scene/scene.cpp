@@ -9,12 +9,14 @@
 #include "core/parallel.h"
 #include "geometry/ground.h"
 #include "geometry/scatter.h"
+#include "scene/bounds.h"
 #include "scene/camera.h"
 #include "scene/creep.h"
 #include "scene/forest_floor.h"
 #include "scene/grove.h"
 #include "scene/lawn.h"
 #include "scene/put.h"
+#include "scene/remarks.h"
 #include "scene/sowing.h"
 #include "scene/style.h"
 #include "scene/tree_dress.h"
@@ -25,7 +27,8 @@ namespace {
 
 constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
-constexpr double kFloorRadius = 32;  // metres, as far as the water lets one see
+constexpr double kFloorRadius = 32;  // metres, at least: as far as the water lets one see
+constexpr double kFloorBeyond = 4;   // metres from what stands farthest out to the edge, at least
 
 /// A place for one organism to be grown at.
 struct Planting {
@@ -39,7 +42,7 @@ struct Builder {
   const Preset& preset;
   Seed seed;
   Ground ground;
-  std::vector<Spot> taken;  // by organisms and stones
+  TakenSpots taken;  // by organisms and stones
   std::vector<Stone> shapes;
   Scene scene;
   Heights heights;  // of the scene's floor
@@ -54,17 +57,14 @@ std::vector<Planting> plantings(Builder& b) {
     const Place& place = organism.place;
     Seed seed = b.seed.child("organism", o);
     if (organism.count == 0 || organism.sown || std::holds_alternative<IvyParams>(organism.body)) continue;
-    bool on_rock = b.preset.stage.setting == Setting::underwater;
-    float room = static_cast<float>(std::max(place.spacing, on_rock ? place.rock / 2 : 0.0));
+    auto room = static_cast<float>(room_of(place, b.preset.stage.setting));
     std::vector<Spot> spots;
     for (Vec2 at : place.at) spots.push_back({at, room});
-    b.taken.insert(b.taken.end(), spots.begin(), spots.end());
+    for (const Spot& spot : spots) b.taken.take(spot);
     int more = organism.count - static_cast<int>(spots.size());
     for (const Spot& spot :
-         scatter(place.center, place.inner, place.radius, room, more, b.taken, seed.child("scatter"))) {
+         scatter(place.center, place.inner, place.radius, room, more, b.taken, seed.child("scatter")))
       spots.push_back(spot);
-      b.taken.push_back(spot);
-    }
     if (spots.size() < static_cast<std::size_t>(organism.count))
       b.scene.notes.push_back(
           fmt::format("{}: only {} of {} found room; place.radius larger or place.spacing less?",
@@ -109,10 +109,7 @@ void lay_stones(Builder& b) {
     double width = floor.stone_size * (0.12 + 0.88 * std::pow(seed.child("width").unit(), 4.0));
     auto spots =
         scatter(Vec2(0), 0, floor.extent, static_cast<float>(width / 2), 1, b.taken, seed.child("scatter"));
-    for (const Spot& spot : spots) {
-      lay_stone(b, spot.at, static_cast<float>(width), 0.35f, seed);
-      b.taken.push_back(spot);
-    }
+    for (const Spot& spot : spots) lay_stone(b, spot.at, static_cast<float>(width), 0.35f, seed);
   }
 }
 
@@ -253,14 +250,17 @@ namespace {
 /// Lays the ground of the setting.
 void lay_ground(Builder& b) {
   switch (b.preset.stage.setting) {
-    case Setting::underwater:
-      b.scene.floor = ground_surface(b.ground, Vec2(0), kFloorRadius, 60);
+    case Setting::underwater: {
+      double radius = std::max(kFloorRadius, reach_of(b.preset) + kFloorBeyond);
+      int rings = static_cast<int>(std::lround(60 * std::sqrt(radius / kFloorRadius)));
+      b.scene.floor = ground_surface(b.ground, Vec2(0), radius, rings);
       break;
+    }
     case Setting::studio:
       break;
     case Setting::meadow:
     case Setting::garden:
-      lay_lawn(b.scene, b.ground, b.seed);
+      lay_lawn(b.scene, b.ground, reach_of(b.preset), b.seed);
       break;
     case Setting::forest: {
       auto terrain = std::make_shared<const Terrain>(b.preset.stage.forest.terrain, b.seed.child("terrain"));
@@ -304,7 +304,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
     mark_floor(b.scene, land, seed.child("floor"));
     strew_floor(b.scene, land, seed.child("floor"));
   }
-  sow_stands(b.scene, preset, b.heights, b.taken);
+  sow_stands(b.scene, preset, b.heights, b.taken.list());
   std::vector<float> feet;
   for (const Planting& p : list) feet.push_back(foot_of(b, p));
   watch.step();
@@ -344,6 +344,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
   }
   if (Errors errors = creep(preset, b.scene, b.heights); !errors.empty()) return errors;
   if (Errors errors = take_styles(b.scene, preset); !errors.empty()) return errors;
+  note_studio(b.scene);
   return std::move(b.scene);
 }
 

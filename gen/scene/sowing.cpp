@@ -7,9 +7,6 @@
 
 namespace frond {
 
-namespace {
-
-/// Metres, the side of the square that is sown.
 double sown_size(const Stage& stage) {
   switch (stage.setting) {
     case Setting::underwater:
@@ -24,6 +21,8 @@ double sown_size(const Stage& stage) {
   }
   return 0;
 }
+
+namespace {
 
 /// Up from the ground.
 Vec3 ground_normal(const Heights& heights, Vec2 at) {

@@ -8,6 +8,15 @@
 namespace frond {
 namespace {
 
+TEST(Colonize, AFlatEnvelopeTakesNoMoreMemoryThanItsPoints) {
+  // 50 km wide: a grid as fine as its height would have a billion cells.
+  Envelope disc(ConeCrown{{0, 1, 0}, 0.01, 25000, 25000});
+  Colonization how;
+  how.attractors = 50;
+  how.most_nodes = 10;
+  EXPECT_TRUE(colonize(disc, how, Seed{1}).ok());
+}
+
 TEST(Colonize, StaysInTheEnvelopeAndFillsIt) {
   Envelope ball(EllipsoidCrown{{0, 5, 0}, {2, 2, 2}});
   Colonization how;

@@ -34,7 +34,8 @@ TEST(SvgPath, DrawsEveryCommand) {
 }
 
 TEST(SvgPath, SaysWhereItCannotRead) {
-  for (const char* path : {"L 1 1", "M 1", "M 1 x", "M0 0 K 3", "M0 0 A 1 1 0 2 0 3 3", "5 5"}) {
+  for (const char* path :
+       {"M0 0 L1e30 0 L0 1Z", "L 1 1", "M 1", "M 1 x", "M0 0 K 3", "M0 0 A 1 1 0 2 0 3 3", "5 5"}) {
     Result<std::vector<std::vector<Vec2>>> read = read_svg_path(path);
     ASSERT_FALSE(read.ok()) << path;
     EXPECT_NE(read.errors()[0].what.find("expected"), std::string::npos);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -55,6 +56,20 @@ TEST(PlantText, DeclaresWhatItUses) {
   // Two colours of bark, two skins.
   EXPECT_NE(text.find("#declare Skin = array[2];"), text.npos);
   EXPECT_EQ(count(text, "Plant_Bark("), 2u);
+}
+
+TEST(PlantText, ATreeWithoutLeavesAmongOthersThatBearThemIsWritten) {
+  std::string preset = R"({"seed": 2, "film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [
+    {"kind": "weber_penn", "count": 12, "tree": {"levels": 1, "leaves": 1}}]})";
+  Scene scene = *build_scene(*read_preset(preset, "x", {}));
+  auto bears = [](const Branches& b) { return b.organs.size() > 0; };
+  ASSERT_TRUE(std::any_of(scene.branches.begin(), scene.branches.end(), bears));
+  ASSERT_FALSE(std::all_of(scene.branches.begin(), scene.branches.end(), bears));
+  // Whichever comes first.
+  for (int turn = 0; turn < 2; ++turn) {
+    EXPECT_EQ(count(text_of(scene, 1), "#declare Organ0_0_0 = mesh2{"), 1u);
+    std::stable_partition(scene.branches.begin(), scene.branches.end(), bears);
+  }
 }
 
 TEST(PlantText, HoldsNoNumberThatPovRayMisreads) {

@@ -304,5 +304,15 @@ TEST(Sow, TakesExtremes) {
   EXPECT_EQ(sow(orders, land)[1].size(), 1u);  // it stands out on all sides
 }
 
+TEST(Sow, AMillionWithoutRoomAreGivenUpAtOnce) {
+  Land land;
+  int asked = 0;
+  constexpr int kCorners = 161 * 161;  // that the land is looked at before sowing
+  land.slope = [&](Vec2) { return asked++ < kCorners ? 0.0 : 9.0; };
+  SowOrder order = order_of(1'000'000, 0.01);
+  EXPECT_TRUE(sow(std::vector{order}, land)[0].empty());
+  EXPECT_LT(asked, 10 * kCorners);  // of 40 million darts
+}
+
 }  // namespace
 }  // namespace frond

@@ -103,12 +103,12 @@ TEST(Sowing, KeepsClearOfPondPathAndWhatStands) {
 }
 
 TEST(Sowing, TellsWhereRoomRanOut) {
-  Scene scene = scene_of("forest", R"({"kind": "weber_penn", "name": "oak", "count": 500,
+  Scene scene = scene_of("forest", R"({"kind": "weber_penn", "name": "oak", "count": 200,
       "sown": {"where": {"radius": 6}}})",
                          kHills);
   ASSERT_EQ(scene.notes.size(), 1u);
   EXPECT_EQ(scene.notes[0].substr(0, 10), "oak: only ");
-  EXPECT_NE(scene.notes[0].find(" of 500 found room"), std::string::npos);
+  EXPECT_NE(scene.notes[0].find(" of 200 found room"), std::string::npos);
 }
 
 TEST(Sowing, IvyCannotBeSownAndDoesNotGrowOnWhatIs) {

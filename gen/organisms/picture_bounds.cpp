@@ -1,0 +1,46 @@
+#include "organisms/picture_bounds.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace frond {
+
+namespace {
+
+constexpr double kMostPixels = 1 << 26;  // as many as a square of 8192
+
+void check_pixels(Errors& errors, const char* pointer, double wide, double high, const char* narrower) {
+  if (wide * high <= kMostPixels) return;
+  errors.push_back(
+      {pointer, fmt::format("makes a picture of {:.6g} x {:.6g} pixels; expected {:.2g} pixels at "
+                            "most, by a smaller number or a smaller {}",
+                            wide, high, kMostPixels, narrower)});
+}
+
+void check_coat(Errors& errors, const std::optional<BarkCoat>& coat) {
+  if (coat) check_pixels(errors, "/coat/pixels", coat->pixels, coat->pixels * coat->aspect, "aspect");
+}
+
+void check_leaves(Errors& errors, const LeafLook& look, const char* pointer) {
+  check_pixels(errors, pointer, 2 * leaf_half_width(leaf_image(look, 0)) * look.pixels, look.pixels, "width");
+}
+
+}  // namespace
+
+Errors check_pictures(const TreeDress& dress) {
+  Errors errors;
+  check_coat(errors, dress.coat);
+  check_leaves(errors, dress.leaves, "/leaves/pixels");
+  return errors;
+}
+
+Errors check_pictures(const TreeParams& tree) {
+  Errors errors;
+  check_coat(errors, tree.coat);
+  if (tree.leaves.picture) check_leaves(errors, *tree.leaves.picture, "/leaves/picture/pixels");
+  return errors;
+}
+
+}  // namespace frond
