@@ -60,8 +60,7 @@ stop() {
 }
 trap stop TERM INT HUP
 
-# The words of a failing program, but for a full disk. POV-Ray's own do not tell that; so it is tried what still fits, up to
-# what this picture needs.
+# POV-Ray does not tell a full disk from others; so it is tried what still fits, up to what this picture needs.
 no_room_left() {
   local bytes=$((${size%x*} * ${size#*x} * 4))
   full_disk "$(head -c $((bytes < 1 << 24 ? bytes : 1 << 24)) /dev/zero 2>&1 >"$plain")"
@@ -118,9 +117,11 @@ if ((status == 0)) && whole_png "$part" "$size"; then
 fi
 # What matters of POV-Ray's many lines: the file, the line and what was wrong.
 errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
-if [[ -z $errors ]]; then
-  if ((status == 0)); then errors="povray left no whole picture"; fi
-  if ((status > 128)); then errors="povray was ended by signal $((status - 128)) (out of memory?)"; fi
-  errors+=${errors:+$'\n'}$(tail -n 5 "$log")
+if [[ -z $errors ]] && grep -q 'Cannot access data in file' "$log"; then
+  errors="povray could not write; is there $no_room?"  # another frame may have made some since
+elif [[ -z $errors ]]; then
+  if ((status == 0)); then errors="povray left no whole picture"$'\n'; fi
+  if ((status > 128)); then errors="povray was ended by signal $((status - 128)) (out of memory?)"$'\n'; fi
+  errors+=$(tail -n 5 "$log")
 fi
 give_up "$errors"
