@@ -53,7 +53,6 @@ put_in_place() {
     full_disk "$said" && said=$no_room
     fail 1 "$2 could not be written: $said"
   fi
-  sync -- "$(dirname -- "$2")" 2>/dev/null || true  # its name, too; not every file system does that
 }
 
 # whole_png FILE [WIDTHxHEIGHT]: whether it begins as a PNG, of that size, and ends as one.

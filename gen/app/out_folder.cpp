@@ -71,8 +71,7 @@ Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange ran
     if (states[i] == State::damaged) damaged.push_back(pictures[i]);
     std::error_code error;
     fs::remove(pictures[i], error);
-    if (error)
-      return Error{pictures[i].string(), "cannot be removed: " + reason_of(error)};
+    if (error) return Error{pictures[i].string(), "cannot be removed: " + reason_of(error)};
   }
   return damaged;
 }
