@@ -44,9 +44,17 @@ give_up() {
   fail 1 "could not $1; the whole log is $root/$log"
 }
 
+# The notes of a build name its folder: those of a copied or moved checkout are another's.
+fresh=()
+noted() { sed -n "s/^$1:INTERNAL=//p" build/CMakeCache.txt; }
+if [[ -f build/CMakeCache.txt ]] && ! [[ $(noted CMAKE_HOME_DIRECTORY) -ef . && $(noted CMAKE_CACHEFILE_DIR) -ef build ]]; then
+  say "build/ was configured for $(noted CMAKE_HOME_DIRECTORY); configuring it afresh"
+  fresh=(--fresh)
+  rm -f build/build.ninja
+fi
 if [[ ! -f build/build.ninja ]] || { [[ -n $tests ]] && ! grep -qx 'FROND_TESTS:BOOL=ON' build/CMakeCache.txt; }; then
   say "Configuring the build"
-  cmake --preset release "-DFROND_TESTS=$([[ -n $tests ]] && echo ON || echo OFF)" >>"$log" 2>&1 || give_up "configure the build"
+  cmake ${fresh[@]+"${fresh[@]}"} --preset release "-DFROND_TESTS=$([[ -n $tests ]] && echo ON || echo OFF)" >>"$log" 2>&1 || give_up "configure the build"
 fi
 
 quarter=-1

@@ -1,8 +1,9 @@
 # shellcheck shell=bash
-# What the scripts share: messages and the progress of a run of ninja. Sourced, never run.
+# What the scripts share: messages, files put in their place and the progress of a run of ninja. Sourced, never run.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 export root
+export LC_ALL=C.UTF-8  # so that what programs say can be read
 
 # A colour is for a terminal, and only where nobody asked for none.
 _error_mark='error:'
@@ -34,21 +35,57 @@ draw_bar() {
 # clock SECONDS: 3:07
 clock() { printf '%d:%02d' $(($1 / 60)) $(($1 % 60)); }
 
+# tied PROGRAM...: in place of this process, a program that is ended when the one that started it is, however that ends.
+tied() { exec setpriv --pdeathsig TERM -- "$@"; }
+
+# help_where_asked ARGUMENT...: prints what `usage` says and ends where the first of them asks for it.
+help_where_asked() { case ${1:-} in -h | --help) usage; exit 0 ;; esac; }
+
+# full_disk TEXT: whether a program's words are those of a full disk. Each has its own, this is what we say.
+full_disk() { [[ $1 == *'No space left on device'* || $1 == *'Disk quota exceeded'* ]]; }
+no_room='no room on the disk'
+
+# put_in_place PART FILE: renames a finished file once it lies on the disk, so that not even a crash leaves half of it.
+put_in_place() {
+  local said
+  if [[ -d $2 ]]; then fail 1 "$2 is a folder; expected a file, or none"; fi
+  if ! said=$(sync -- "$1" 2>&1 && mv -fT -- "$1" "$2" 2>&1); then
+    full_disk "$said" && said=$no_room
+    fail 1 "$2 could not be written: $said"
+  fi
+}
+
+# whole_png FILE [WIDTHxHEIGHT]: whether it begins as a PNG, of that size, and ends as one.
+whole_png() {
+  local begin end size='.{16}'
+  begin=$(od -An -v -tx1 -N 24 -- "$1" 2>/dev/null | tr -d ' \n')
+  end=$(tail -c 12 -- "$1" 2>/dev/null | od -An -v -tx1 | tr -d ' \n')
+  if [[ -n ${2:-} ]]; then printf -v size '%08x%08x' "${2%x*}" "${2#*x}"; fi
+  [[ $begin =~ ^89504e470d0a1a0a0000000d49484452$size$ && $end == 0000000049454e44ae426082 ]]
+}
+
+# frames_in FILM: how many pictures a film holds, by what is there of them and not by its header.
+frames_in() {
+  "${FROND_FFMPEG:-ffmpeg}" -hide_banner -nostdin -loglevel quiet -nostats -i "file:$1" -map 0:v -c copy -progress pipe:1 \
+    -f null - 2>/dev/null | sed -n 's/^frame= *//p' | tail -n 1
+}
+
 # Marks the progress lines of ninja, so that they are told from what failing commands print.
 ninja_status=$'\001%f %t %e '
 
 # start_ninja ARGUMENTS...: ninja as a child that ends when this script does, however it ends, its output on $ninja_out.
 start_ninja() {
   export NINJA_STATUS=$ninja_status
-  exec {ninja_out}< <(exec setpriv --pdeathsig TERM -- ninja "$@" 2>&1)
+  exec {ninja_out}< <(tied ninja "$@" 2>&1)
   ninja_pid=$!
 }
 
 # follow_ninja STEP TELL [IDLE]: calls `STEP finished all seconds description` for each command that ended well,
 # `TELL line` for each line that a failing command prints, and IDLE after each second without a line. Returns ninja's
-# exit code.
+# exit code; $failed then holds the files that could not be made.
 follow_ninja() {
   local line step=$1 tell=$2 idle=${3:-:} skip='' pending='' finished all elapsed what begun='' status
+  failed=''
   told() {  # a command is counted when the next line shows that it did not fail
     [[ -n $pending ]] || return 0
     IFS=' ' read -r finished all elapsed what <<<"$pending"
@@ -77,6 +114,7 @@ follow_ninja() {
         ;;
       'FAILED: '*)
         pending=''
+        failed+=" ${line#FAILED: }"
         skip=yes
         ;;
       'ninja: no work to do.' | 'ninja: build stopped'* | 'ninja: Entering directory'*) ;;

@@ -34,6 +34,36 @@ povray and ffmpeg.
 TEXT
 }
 
+# near_presets NAME: the presets of that name or, where there is none, of the nearest, by Levenshtein's distance.
+near_presets() {
+  local here=$root/presets
+  if [[ $PWD -ef $root ]]; then here=presets; fi
+  { find "$here" -name '*.json' ! -path "$here/grammars/*" 2>/dev/null || true; } | LC_ALL=C sort | awk -v name="$1" '
+    function least(a, b) { return a < b ? a : b }
+    function distance(a, b,   i, j, row, last, up) {
+      for (j = 0; j <= length(b); ++j) row[j] = j
+      for (i = 1; i <= length(a); ++i) {
+        last = row[0]
+        row[0] = i
+        for (j = 1; j <= length(b); ++j) {
+          up = row[j]
+          row[j] = least(least(up, row[j - 1]) + 1, last + (substr(a, i, 1) != substr(b, j, 1)))
+          last = up
+        }
+      }
+      return row[length(b)]
+    }
+    BEGIN { best = 1 + int(length(name) / 3) }
+    {
+      stem = $0
+      gsub(/.*\/|\.json$/, "", stem)
+      d = distance(tolower(name), stem)
+      if (d < best) { best = d; found = "" }
+      if (d == best) found = found (found ? " and " : "") $0
+    }
+    END { print found }'
+}
+
 preset='' out='' jobs='' pass=()
 set_preset() {
   [[ -z $preset ]] || bad_usage "one preset at a time: '$preset', and then '$1'"
@@ -71,11 +101,8 @@ done
 
 [[ -n $preset ]] || bad_usage "which preset?"
 if [[ ! -f $preset ]]; then
-  hint=''
-  if [[ -f $root/presets/$(basename -- "$preset" .json).json ]]; then
-    hint="; there is $root/presets/$(basename -- "$preset" .json).json"
-  fi
-  fail 2 "$preset: no such preset$hint"
+  near=$(near_presets "$(basename -- "$preset" .json)")
+  fail 2 "$preset: no such preset${near:+; there is $near}"
 fi
 if [[ -z $out ]]; then out=out/$(basename -- "$preset" .json); fi
 # A name that begins with a dash is a path, not an option.
@@ -83,7 +110,7 @@ if [[ -z $out ]]; then out=out/$(basename -- "$preset" .json); fi
 [[ $out == -* ]] && out=./$out
 
 "$root/scripts/setup.sh" --quiet
-if [[ -z ${FROND_BIN:-} ]]; then "$root/scripts/build.sh"; fi
+if [[ -z ${FROND_BIN:-} ]]; then (tied "$root/scripts/build.sh"); fi
 
 mkdir -p -- "$out" 2>/dev/null || fail 1 "$out: the folder cannot be made"
 { exec {lock}>"$out/.lock"; } 2>/dev/null || fail 1 "$out: cannot be written to"
@@ -92,12 +119,13 @@ if ! flock --nonblock "$lock"; then
   flock "$lock"
 fi
 
-ninja_pid=''
+ninja_pid='' frond_pid=''
 interrupted() {
-  if [[ -n $ninja_pid ]]; then
-    kill -TERM "$ninja_pid" 2>/dev/null || true
-    wait "$ninja_pid" 2>/dev/null || true
-  fi
+  local running
+  for running in $ninja_pid $frond_pid; do
+    kill -TERM "$running" 2>/dev/null || true
+    wait "$running" 2>/dev/null || true
+  done
   say "Interrupted. What is finished is kept: the same command goes on from there."
   exit 130
 }
@@ -106,7 +134,11 @@ trap interrupted INT TERM HUP
 export FROND_HOME=${FROND_HOME:-$root}  # templates and includes, wherever the program lies
 say "Generating $out"
 status=0
-"${FROND_BIN:-$root/build/frond}" generate "$preset" "--out=$out" ${pass[@]+"${pass[@]}"} || status=$?
+# As a child that is waited for, so that a signal to this script alone is heeded at once.
+(tied "${FROND_BIN:-$root/build/frond}" generate "$preset" "--out=$out" ${pass[@]+"${pass[@]}"}) &
+frond_pid=$!
+wait "$frond_pid" || status=$?
+frond_pid=''
 case $status in
   0) ;;
   1 | 2) exit "$status" ;;
@@ -117,9 +149,17 @@ cd -- "$out"
 
 targets() { ninja -t targets rule "$1" 2>/dev/null || true; }
 still=$(targets still)
-if [[ -n $still ]]; then rm -f film.mp4 contact.png; else rm -f still.png; fi
+results=(film.mp4 contact.png) others=(still.png)
+if [[ -n $still ]]; then results=(still.png) others=(film.mp4 contact.png); fi
+for result in "${results[@]}"; do
+  if [[ -d $result ]]; then fail 1 "$out/$result is a folder; expected a file, or none"; fi
+done
+for result in "${others[@]}"; do
+  if [[ -f $result ]]; then rm -f -- "$result"; fi
+done
 
 frames=$(targets frame | grep -c '' || true)
+if [[ -f film.mp4 && $(frames_in film.mp4) != "$frames" ]]; then rm -f film.mp4; fi  # damaged, or another film's
 to_do=$(NINJA_STATUS='' ninja -n | grep -c '^frame ' || true)
 if ((to_do == 0)); then
   say "Nothing to render: all $frames frames are up to date."
@@ -173,9 +213,22 @@ jobs=${jobs:-$(nproc)}
 # Processors that no frame of their own keeps busy help with another.
 export FROND_THREADS=$((to_do > 0 && jobs > to_do ? jobs / to_do : 1))
 start_ninja -j "$jobs"
-follow_ninja step say picture || fail 1 "not all frames of $out could be rendered; those that are finished are kept"
-find frames -maxdepth 1 -name '.frame_*' -delete  # unfinished pictures that are no part of this film
+room_told=''
+tell() {
+  if full_disk "$1"; then set -- "ninja: $no_room"; fi
+  if [[ $1 == *": $no_room" && -n $room_told ]]; then return; fi  # once is enough
+  if [[ $1 == *": $no_room" ]]; then room_told=yes; fi
+  say "$1"
+}
+follow_ninja step tell picture || case $failed in
+  *frames/*) fail 1 "not all frames of $out could be rendered; those that are finished are kept" ;;
+  *film.mp4*) fail 1 "the film could not be encoded; the frames of $out are kept" ;;
+  *) fail 1 "not all of $out could be made; the frames that are finished are kept" ;;
+esac
+if [[ -z $still ]]; then
+  encoded=$(frames_in film.mp4)
+  [[ $encoded == "$frames" ]] || fail 1 "$out/film.mp4 holds ${encoded:-0} of $frames frames"
+fi
+find frames -maxdepth 1 -name '.frame_*' -exec rm -rf -- {} +  # unfinished pictures that are no part of this film
 
-results=(film.mp4 contact.png)
-if [[ -n $still ]]; then results=(still.png); fi
 for result in "${results[@]}"; do printf '%s\n' "$out/$result"; done

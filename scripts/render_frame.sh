@@ -1,24 +1,37 @@
 #!/usr/bin/env bash
-# Renders one frame: render_frame.sh SCENE.pov PICTURE.png WIDTHxHEIGHT POVRAY_FLAG...
+# Renders one frame.
 #
 # The picture is seen whole or not at all, and has the same bytes however often its rendering was killed: POV-Ray notes
 # each block of pixels in a state file, and the next call goes on from there. The state bears a hash of all that makes the
 # picture, so that nothing of another scene, size or quality is taken for it.
 #
-# FROND_THREADS is how many threads trace it (1); the pixels do not depend on it. Called by ninja in the folder of the
-# film; when ninja ends, so does this. FROND_POVRAY names another povray.
+# A scene is a program that may open files: POV-Ray is kept to the folders of the film and of the includes. Its own I/O
+# restrictions (povray.conf) are no help: in Debian's 3.7.0.10 the setting "restricted" is read and never heeded.
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 
-if [[ ${FROND_TIED:-} != "$$" ]]; then
-  FROND_TIED=$$ exec setpriv --pdeathsig TERM -- "$BASH" "$0" "$@"
-fi
+usage() {
+  cat <<TEXT
+Usage: scripts/render_frame.sh SCENE.pov PICTURE.png WIDTHxHEIGHT [POVRAY_FLAG...]
+
+Renders one frame. Called by ninja in the folder of the film; when ninja ends, so does this.
+
+FROND_THREADS is how many threads trace it (1); the pixels do not depend on it. FROND_POVRAY names another povray.
+FROND_UNCONFINED=1 lets POV-Ray open any file that you may open, where the kernel has no Landlock (Linux 5.13).
+TEXT
+}
+help_where_asked "$@"
+[[ ${3:-} =~ ^[0-9]+x[0-9]+$ ]] || bad_usage "expected SCENE.pov PICTURE.png WIDTHxHEIGHT [POVRAY_FLAG...]"
+
+if [[ ${FROND_TIED:-} != "$$" ]]; then FROND_TIED=$$ tied "$BASH" "$0" "$@"; fi
 
 scene=$1 picture=$2 size=$3
 shift 3
-povinc=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../povinc" && pwd)
+povinc=$root/povinc
 folder=$(dirname -- "$picture")
 name=.$(basename -- "$picture" .png)
-renderer=$(command -v "${FROND_POVRAY:-povray}") || { echo "${FROND_POVRAY:-povray}: no such program" >&2; exit 1; }
+renderer=$(command -v "${FROND_POVRAY:-povray}") || fail 1 "${FROND_POVRAY:-povray}: no such program"
 
 # All that the picture depends on. What lies beside the scene is named by what is in it.
 key=$({
@@ -32,33 +45,54 @@ state=$folder/$name.$key.pov-state  # so POV-Ray calls it
 kept=$folder/$name.$key.kept
 plain=$folder/$name.$key.plain
 log=$folder/$name.$key.log
+large=$folder/$name.$key.large  # where POV-Ray keeps the pixels of a large picture
 for left in "$folder/$name".*; do
-  if [[ $left != "$folder/$name.$key".* ]]; then rm -f -- "$left"; fi
+  if [[ $left != "$folder/$name.$key".* ]]; then rm -rf -- "$left"; fi
 done
-rm -f -- "$part" "$plain"  # not finished, or they would be in their place
+rm -rf -- "$part" "$plain" "$large"  # not finished, or they would be in their place
 
-povray=''
+povray='' status=0
 # shellcheck disable=SC2317  # called by a trap
 stop() {
   if [[ -n $povray ]]; then kill -KILL "$povray" 2>/dev/null || true; fi
-  rm -f -- "$log" "$part" "$plain"
+  rm -rf -- "$log" "$part" "$plain" "$large"
   exit 143
 }
 trap stop TERM INT HUP
 
+# POV-Ray does not tell a full disk from others; so it is tried what still fits, up to what this picture needs.
+no_room_left() {
+  local bytes=$((${size%x*} * ${size#*x} * 4))
+  full_disk "$(head -c $((bytes < 1 << 24 ? bytes : 1 << 24)) /dev/zero 2>&1 >"$plain")"
+}
+give_up() {
+  local why=$1
+  if no_room_left; then why=$no_room; fi
+  rm -rf -- "$log" "$part" "$plain" "$large"
+  # What was traced before it was killed is good; after any other end it is not trusted.
+  if ((status != 0 && status != 137)); then rm -f -- "$state" "$kept"; fi
+  fail 1 "$scene could not be rendered: $why"
+}
+
 # POV-Ray removes its state before it writes the picture, which takes long if that is large: a second name keeps it.
-: >>"$kept"
+if ! { mkdir -p -- "$large" && : >>"$kept"; } 2>/dev/null; then give_up "$folder: cannot be written to"; fi
 ln -f -- "$kept" "$state" 2>/dev/null || true
 
-# POV-Ray parses its options by itself and stumbles over quotes in a path: the includes come through a descriptor.
-exec {includes}<"$povinc" {pictures}<"$(dirname -- "$scene")"
+# POV-Ray parses its options by itself and stumbles over quotes in a path: folders come through descriptors.
+exec {includes}<"$povinc" {pictures}<"$(dirname -- "$scene")" {scripts}<"$root/scripts"
 library=/proc/self/fd/$includes
 
+confined=()
+if [[ -z ${FROND_UNCONFINED:-} ]]; then
+  confined=("$root/scripts/confined.pl" --write "$folder" --read "$(dirname -- "$scene")" --read "$povinc"
+    --read "$root/scripts/povray.ini" --)
+fi
 # In a session of its own: a signal to the whole group would make POV-Ray end in its own way, with half a picture.
-setsid setpriv --pdeathsig KILL -- "$renderer" "+I$scene" "+O$part" +FN8 "+W${size%x*}" "+H${size#*x}" \
+POVINI=/proc/self/fd/$scripts/povray.ini POV_TEMP_DIR=$large \
+  setsid setpriv --pdeathsig KILL --no-new-privs -- ${confined[@]+"${confined[@]}"} \
+  "$renderer" "+I$scene" "+O$part" +FN8 "+W${size%x*}" "+H${size#*x}" \
   "+L$library" "+L/proc/self/fd/$pictures" "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
 povray=$!
-status=0
 wait "$povray" || status=$?
 
 # A PNG without its chunks of time and text: POV-Ray writes the hour into its pictures.
@@ -75,24 +109,19 @@ timeless() {
   tail -c +$((at + 1)) -- "$1"
 }
 
-if ((status == 0)) && [[ -s $part ]]; then
-  timeless "$part" >"$plain"
-  mv -f -- "$plain" "$picture"
-  rm -f -- "$part" "$log" "$kept"
+if ((status == 0)) && whole_png "$part" "$size"; then
+  { timeless "$part" >"$plain"; } 2>/dev/null || give_up "its picture could not be written"
+  put_in_place "$plain" "$picture"
+  rm -rf -- "$part" "$log" "$kept" "$large"
   exit 0
 fi
-{
-  printf '%s could not be rendered:\n' "$scene"
-  # What matters of POV-Ray's many lines: the file, the line and what was wrong.
-  errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
-  if [[ -n $errors ]]; then
-    printf '%s\n' "$errors"
-  else
-    if ((status > 128)); then printf 'povray was ended by signal %d (out of memory?)\n' $((status - 128)); fi
-    tail -n 5 "$log"
-  fi
-} >&2
-rm -f -- "$log" "$part"
-# What was traced before it was killed is good; after any other end it is not trusted.
-if ((status != 137)); then rm -f -- "$state" "$kept"; fi
-exit 1
+# What matters of POV-Ray's many lines: the file, the line and what was wrong.
+errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
+if [[ -z $errors ]] && grep -q 'Cannot access data in file' "$log"; then
+  errors="povray could not write; is there $no_room?"  # another frame may have made some since
+elif [[ -z $errors ]]; then
+  if ((status == 0)); then errors="povray left no whole picture"$'\n'; fi
+  if ((status > 128)); then errors="povray was ended by signal $((status - 128)) (out of memory?)"$'\n'; fi
+  errors+=$(tail -n 5 "$log")
+fi
+give_up "$errors"

@@ -32,11 +32,9 @@ std::vector<Entry> entries(const fs::path& root) {
   for (const auto& row : kOrganismKinds)
     list.push_back({"growers", std::string(row.name), std::string(row.doc)});
   for (const auto& row : kSettings) list.push_back({"settings", std::string(row.name), std::string(row.doc)});
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& file : fs::recursive_directory_iterator(root / "presets", error))
-    if (file.path().extension() == ".json" && !is_grammar(file.path().string())) files.push_back(file.path());
-  std::sort(files.begin(), files.end());
+  std::vector<fs::path> files = files_below(root / "presets");
+  std::erase_if(
+      files, [](const fs::path& file) { return file.extension() != ".json" || is_grammar(file.string()); });
   for (const fs::path& file : files) {
     Result<std::string> text = read_file(file);
     Result<Preset> preset = text ? read_preset(*text, file.string(), {}) : text.errors();

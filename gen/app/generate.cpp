@@ -10,10 +10,12 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/out_folder.h"
 #include "app/progress.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "emit/frame.h"
+#include "images/whole.h"
 #include "jobs/jobs.h"
 #include "scene/scene.h"
 
@@ -73,8 +75,8 @@ Errors draw_pictures(const Scene& scene, const fs::path& folder, bool quiet) {
   std::set<std::string> names;  // organisms may share a picture
   for (const Drawing& drawing : scene.drawings) {
     auto is_there = [&](const std::string& name) {
-      std::error_code error;
-      return fs::is_regular_file(folder / name, error);
+      Result<std::string> picture = read_file(folder / name);
+      return picture && whole_png(*picture);
     };
     if (!names.insert(drawing.names[0]).second) continue;
     if (!std::all_of(drawing.names.begin(), drawing.names.end(), is_there)) to_draw.push_back(&drawing);
@@ -131,32 +133,6 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   return result;
 }
 
-/// Whether a file beside frames has a name that only we give.
-bool is_ours(std::string_view name) {
-  for (std::string_view kind : {"bark_", "leaf_", "model_", "part_"}) {
-    if (!name.starts_with(kind)) continue;
-    std::string_view key = name.substr(kind.size(), 16);
-    return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == key.npos;
-  }
-  return false;
-}
-
-/// Removes what no frame reads any more, pictures and models of earlier runs, and what killed runs have left
-/// half written. Frames stay: those of another range may be asked for again.
-void tidy(const fs::path& out, const std::set<std::string>& needed) {
-  std::vector<fs::path> gone;
-  std::error_code error;
-  for (const fs::path& folder : {out, out / "frames"})
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-      std::string name = entry.path().filename(), type = entry.path().extension();
-      bool half =
-          type.size() > 4 && type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
-      bool ours = folder != out && is_ours(name);
-      if (half || (ours && !needed.contains(name))) gone.push_back(entry.path());
-    }
-  for (const fs::path& path : gone) fs::remove(path, error);
-}
-
 /// Writes build.ninja and manifest.json for the frames of a range.
 Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, const fs::path& out,
                   const std::string& name) {
@@ -170,12 +146,10 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   std::error_code error;
   jobs.povinc = fs::relative(root / "povinc", out, error).string();
   jobs.scripts = fs::relative(root / "scripts", out, error).string();
-  for (const auto& entry : fs::directory_iterator(root / "povinc", error))
-    if (entry.path().extension() == ".inc" && entry.is_regular_file(error))
-      jobs.includes.push_back(entry.path().filename());
+  for (const fs::path& file : files_in(root / "povinc"))
+    if (file.extension() == ".inc") jobs.includes.push_back(file.filename());
   if (error || jobs.includes.empty())
     return {{(root / "povinc").string(), "holds no .inc files; set FROND_HOME to the folder of Frond"}};
-  std::sort(jobs.includes.begin(), jobs.includes.end());
 
   Manifest manifest;
   manifest.version = FROND_VERSION;
@@ -236,6 +210,7 @@ int generate(const GenerateArguments& arguments) {
   if (!arguments.quiet)
     fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
 
+  FolderInUse in_use(out / "frames");
   std::set<std::string> needed;
   for (const Drawing& drawing : scene->drawings) needed.insert(drawing.names.begin(), drawing.names.end());
   if (Errors errors = draw_pictures(*scene, out / "frames", arguments.quiet); !errors.empty())
@@ -248,8 +223,12 @@ int generate(const GenerateArguments& arguments) {
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
+  Result<std::vector<fs::path>> damaged = remove_damaged(out, range, preset->film.size);
+  if (!damaged) return fail(damaged.errors(), kCouldNot);
+  for (const fs::path& picture : *damaged)
+    fmt::print(stderr, "note: {} is damaged; it is made again\n", picture.string());
   needed.merge(written.beside);
-  tidy(out, needed);
+  if (in_use.by_us_alone()) tidy(out, needed);
   if (!arguments.quiet)
     fmt::print(stderr, "{}: {} frames, {} of them changed\n", out.string(), range.last - range.first + 1,
                written.frames);

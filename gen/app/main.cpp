@@ -1,9 +1,13 @@
 // The command line of Frond. Each command is one function in commands.h.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "app/commands.h"
+#include "core/text.h"
 
 using namespace frond;
 
@@ -126,6 +130,16 @@ void add_catalogue(CLI::App& app, int& result) {
   list_command->callback([&result, json] { result = list_everything(*json); });
 }
 
+/// What is wrong with the name of a command, or nothing.
+std::string unknown_command(const CLI::App& app, std::string_view word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word.empty() || word.starts_with('-') || std::ranges::find(names, word) != names.end()) return {};
+  std::string text = fmt::format("{}: no such command; expected one of {}", word, fmt::join(names, ", "));
+  std::string_view near = nearest_name(word, names);
+  return near.empty() ? text : fmt::format("{}; did you mean \"{}\"?", text, near);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -136,6 +150,10 @@ int main(int count, char** words) {
   for (auto add :
        {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle, add_catalogue})
     add(app, result);
+  if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
+    fmt::print(stderr, "{}\n", wrong);
+    return kWrongInput;
+  }
   try {
     app.parse(count, words);
   } catch (const CLI::ParseError& error) {

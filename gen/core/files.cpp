@@ -1,7 +1,9 @@
 #include "core/files.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -31,27 +33,64 @@ bool holds(const fs::path& path, std::string_view text) {
   return now.ok() && *now == text;
 }
 
+/// Writes a file that lies on the disk when this returns.
+std::error_code write_through(const fs::path& path, std::string_view text) {
+  auto error_now = [] { return std::error_code(errno, std::generic_category()); };
+  int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return error_now();
+  std::error_code error;
+  while (!text.empty() && !error) {
+    ssize_t written = ::write(file, text.data(), text.size());
+    if (written >= 0)
+      text.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error = error_now();
+  }
+  if (!error && ::fsync(file) != 0 && errno != EINVAL) error = error_now();  // EINVAL: a pipe, a device
+  if (::close(file) != 0 && !error) error = error_now();
+  return error;
+}
+
+template <class Iterator>
+std::vector<fs::path> found_by(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (Iterator at(folder, error), end; !error && at != end; at.increment(error)) found.push_back(at->path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 }  // namespace
+
+std::string reason_of(std::error_code error) {
+  if (error == std::errc::no_space_on_device || error == std::error_code(EDQUOT, std::generic_category()))
+    return "no room on the disk";
+  return error.message();
+}
 
 Result<bool> write_file(const fs::path& path, std::string_view text) {
   if (holds(path, text)) return false;
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
-  if (error) return Error{path.parent_path().string(), "cannot be made: " + error.message()};
+  if (error) return Error{path.parent_path().string(), "cannot be made: " + reason_of(error)};
   fs::path temporary = path;
   temporary += ".tmp" + std::to_string(::getpid());
-  auto failed = [&](std::string_view what) {
-    Error result{path.string(), std::string(what) + ": " + std::strerror(errno)};
-    fs::remove(temporary, error);
-    return result;
-  };
-  std::ofstream out(temporary, std::ios::binary);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out) return failed("cannot be written");
-  fs::rename(temporary, path, error);
-  if (error) return failed("cannot be put in place");
-  return true;
+  std::string_view what = "cannot be written: ";
+  error = write_through(temporary, text);
+  if (!error) {
+    what = "cannot be put in place: ";
+    fs::rename(temporary, path, error);
+  }
+  if (!error) return true;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  return Error{path.string(), std::string(what) + reason_of(error)};
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) { return found_by<fs::directory_iterator>(folder); }
+
+std::vector<fs::path> files_below(const fs::path& folder) {
+  return found_by<fs::recursive_directory_iterator>(folder);
 }
 
 }  // namespace frond

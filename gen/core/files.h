@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 
@@ -11,9 +12,18 @@ namespace frond {
 /// The whole of a file.
 Result<std::string> read_file(const std::filesystem::path& path);
 
-/// Writes a file so that it is seen whole or not at all (a temporary beside it, then a rename), making the
-/// folders above it. A file that already holds just this text is left alone with its time stamp. True where
-/// the file was written.
+/// Writes a file so that it is seen whole or not at all, even after a crash of the machine (a temporary
+/// beside it that lies on the disk before it is renamed), making the folders above it. A file that already
+/// holds just this text is left alone with its time stamp. True where the file was written.
 Result<bool> write_file(const std::filesystem::path& path, std::string_view text);
+
+/// What lies in a folder, sorted; nothing of a folder that is not there, and what there was of one that goes
+/// away meanwhile. (The increment of std::filesystem's iterators throws.)
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
+/// The same of a folder and all folders below it.
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
+
+/// What the system says of an error, but "no room on the disk" of a full one.
+std::string reason_of(std::error_code error);
 
 }  // namespace frond

@@ -121,7 +121,8 @@ std::string ninja_text(const JobList& jobs) {
   append_frames(text, jobs);
 
   if (jobs.still) {
-    append_rule(text, "still", "cp $in $out.part && mv $out.part $out", "still.png");
+    append_variable(text += '\n', "keep_still", shell_quoted(jobs.scripts + "/keep_still.sh"));
+    append_rule(text, "still", "exec $keep_still $in $out", "still.png");
     append_build(text, "still.png", "still", {jobs.frames.front()});
     return text;
   }

@@ -12,7 +12,7 @@
 ///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     scripts/render_frame.sh
 ///     all frames                -> DIR/film.mp4                  scripts/encode_film.sh
 ///     some frames               -> DIR/contact.png               scripts/contact_sheet.sh
-///     the frame of a still      -> DIR/still.png
+///     the frame of a still      -> DIR/still.png                 scripts/keep_still.sh
 ///
 ///     write_file(dir / "build.ninja", ninja_text(jobs));
 ///     write_file(dir / "manifest.json", manifest_text(manifest));

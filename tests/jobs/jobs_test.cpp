@@ -79,6 +79,7 @@ TEST(NinjaText, StillHasNoFilm) {
   jobs.still = true;
   std::string text = ninja_text(jobs);
   EXPECT_TRUE(contains(text, "build still.png: still $\n    frames/frame_0001.png\n"));
+  EXPECT_TRUE(contains(text, "command = exec $keep_still $in $out\n"));
   EXPECT_FALSE(contains(text, "film"));
 }
 

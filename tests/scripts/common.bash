@@ -10,6 +10,7 @@ export NO_COLOR=1
 # $RENDERED.continued names the scenes it found such notes of, $RENDERED.threads the threads it was given.
 make_fake_povray() {
   export RENDERED=$BATS_TEST_TMPDIR/rendered FROND_POVRAY=$BATS_TEST_TMPDIR/fake-povray
+  export FROND_UNCONFINED=1  # it takes its notes elsewhere
   : >"$RENDERED"
   cat >"$FROND_POVRAY" <<'SH'
 #!/usr/bin/env bash
@@ -37,6 +38,8 @@ echo "$scene" >>"$RENDERED"
 SH
   chmod +x "$FROND_POVRAY"
 }
+
+use_real_povray() { unset FROND_POVRAY FROND_UNCONFINED; }
 
 # A preset in the folder of the test: make_preset NAME FRAMES
 make_preset() {

@@ -108,6 +108,37 @@ setup() {
   [ ! -e out/manifest.json.tmp7 ]
 }
 
+@test "what another run of generate has half written is left to it" {
+  tiny="$root/tests/presets/tiny_still.json"
+  "$frond" generate "$tiny" -o out -q
+  touch out/manifest.json.tmp7
+  exec {other}<out/frames
+  flock --shared "$other"  # as another run holds it
+  "$frond" generate "$tiny" -o out -q
+  [ -e out/manifest.json.tmp7 ]
+  exec {other}<&-
+  "$frond" generate "$tiny" -o out -q
+  [ ! -e out/manifest.json.tmp7 ]
+}
+
+@test "a damaged texture is drawn again" {
+  "$frond" generate "$root/tests/presets/all_phases.json" -o out -q --frames 1
+  leaf=$(find out/frames -name 'leaf_*.png' | head -n 1)
+  cp "$leaf" whole.png
+  truncate -s -20 "$leaf"
+  "$frond" generate "$root/tests/presets/all_phases.json" -o out -q --frames 1
+  cmp whole.png "$leaf"
+}
+
+@test "an unknown command is told with those there are and the nearest" {
+  run "$frond" genrate x.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == 'genrate: no such command; expected one of generate, export, '*'; did you mean "generate"?' ]]
+  run "$frond" preview
+  [ "$status" -eq 2 ]
+  [[ "$output" == 'preview: no such command; expected one of generate, '* ]]
+}
+
 @test "list and schema are for machines too" {
   "$frond" list --json | python3 -c 'import json, sys; assert any(r["name"] == "coral" for r in json.load(sys.stdin))'
   "$frond" schema | cmp - "$root/docs/preset.schema.json"

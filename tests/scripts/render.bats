@@ -253,7 +253,7 @@ SH
   copy="cl'one \$x \"é:|"
   mkdir -p "$copy"
   cp -r "$ROOT/scripts" "$ROOT/povinc" "$ROOT/templates" "$copy"
-  unset FROND_POVRAY
+  use_real_povray
   run "$copy/scripts/render.sh" film.json --frames 6-6 --size 32x24
   echo "$output"
   [ "$status" -eq 0 ]
@@ -261,7 +261,7 @@ SH
 }
 
 @test "POV-Ray itself renders frames that are not blank and differ" {
-  unset FROND_POVRAY
+  use_real_povray
   run "$RENDER" film.json
   echo "$output"
   [ "$status" -eq 0 ]

@@ -1,0 +1,91 @@
+#include "app/out_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <string_view>
+
+#include "core/files.h"
+#include "core/parallel.h"
+#include "images/whole.h"
+#include "jobs/jobs.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether a file beside frames has a name that only we give.
+bool is_ours(std::string_view name) {
+  for (std::string_view kind : {"bark_", "leaf_", "model_", "part_"}) {
+    if (!name.starts_with(kind)) continue;
+    std::string_view key = name.substr(kind.size(), 16);
+    return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == key.npos;
+  }
+  return false;
+}
+
+}  // namespace
+
+FolderInUse::FolderInUse(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);  // where it cannot be made, whoever writes there says so
+  file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file_ >= 0) ::flock(file_, LOCK_SH);
+}
+
+FolderInUse::~FolderInUse() {
+  if (file_ >= 0) ::close(file_);
+}
+
+bool FolderInUse::by_us_alone() { return file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0; }
+
+Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange range, std::array<int, 2> size) {
+  enum class State { good, damaged, other_size, folder };
+  std::vector<fs::path> pictures = {out / "still.png", out / "contact.png"};
+  std::size_t results = pictures.size();
+  for (int frame = range.first; frame <= range.last; ++frame)
+    pictures.push_back(out / "frames" / (frame_name(frame) + ".png"));
+  std::vector<State> states(pictures.size(), State::good);
+  parallel_for(pictures.size(), [&](std::size_t i) {
+    std::error_code error;
+    fs::file_status status = fs::status(pictures[i], error);
+    if (!fs::exists(status)) return;
+    Result<std::string> bytes = read_file(pictures[i]);
+    std::optional<std::array<int, 2>> found = bytes ? whole_png(*bytes) : std::nullopt;
+    if (fs::is_directory(status))
+      states[i] = State::folder;
+    else if (!found)
+      states[i] = State::damaged;
+    else if (i >= results && *found != size)
+      states[i] = State::other_size;
+  });
+  std::vector<fs::path> damaged;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    if (states[i] == State::good) continue;
+    if (states[i] == State::folder && i < results) continue;  // not every film makes it
+    if (states[i] == State::folder)
+      return Error{pictures[i].string(), "is a folder; expected a picture, or none"};
+    if (states[i] == State::damaged) damaged.push_back(pictures[i]);
+    std::error_code error;
+    fs::remove(pictures[i], error);
+    if (error) return Error{pictures[i].string(), "cannot be removed: " + reason_of(error)};
+  }
+  return damaged;
+}
+
+void tidy(const fs::path& out, const std::set<std::string>& needed) {
+  std::error_code error;
+  for (const fs::path& folder : {out, out / "frames"})
+    for (const fs::path& path : files_in(folder)) {
+      std::string name = path.filename(), type = path.extension();
+      bool half =
+          type.size() > 4 && type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
+      bool ours = folder != out && is_ours(name);
+      if (half || (ours && !needed.contains(name))) fs::remove(path, error);
+    }
+}
+
+}  // namespace frond

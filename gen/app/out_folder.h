@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/inputs.h"
+#include "core/result.h"
+
+namespace frond {
+
+/// Says to other runs that a folder is at work in, as long as it lives: a shared lock on the folder itself.
+/// Waits while another run tidies it up. Where the file system knows no locks, nobody is ever alone.
+class FolderInUse {
+ public:
+  /// Makes the folder where it is not there.
+  explicit FolderInUse(const std::filesystem::path& folder);
+  ~FolderInUse();
+  FolderInUse(const FolderInUse&) = delete;
+  FolderInUse& operator=(const FolderInUse&) = delete;
+
+  /// Whether no other run is at work there. If so, others wait from now on.
+  bool by_us_alone();
+
+ private:
+  int file_ = -1;
+};
+
+/// Removes the pictures of earlier runs that do not count as done, so that they are made again: frames of the
+/// range that are not whole or not of that size, and a damaged still or contact sheet. Gives those that
+/// are damaged. An error where a folder stands in the place of a picture.
+Result<std::vector<std::filesystem::path>> remove_damaged(const std::filesystem::path& out, FrameRange range,
+                                                          std::array<int, 2> size);
+
+/// Removes what no frame reads any more, pictures and models of earlier runs, and what killed runs have left
+/// half written. Frames stay: those of another range may be asked for again.
+void tidy(const std::filesystem::path& out, const std::set<std::string>& needed);
+
+}  // namespace frond

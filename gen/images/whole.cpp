@@ -1,0 +1,39 @@
+#include "images/whole.h"
+
+#include <zlib.h>
+
+#include <cstdint>
+
+namespace frond {
+
+namespace {
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+}  // namespace
+
+std::optional<std::array<int, 2>> whole_png(std::string_view bytes) {
+  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+  constexpr std::size_t kAround = 12;  // length, name and sum of a chunk
+  if (!bytes.starts_with(kSignature)) return std::nullopt;
+  bytes.remove_prefix(kSignature.size());
+  std::optional<std::array<int, 2>> size;
+  while (bytes.size() >= kAround) {
+    std::size_t length = number_at(bytes, 0);
+    if (length > bytes.size() - kAround) return std::nullopt;
+    std::string_view named = bytes.substr(4, 4 + length), name = named.substr(0, 4);
+    auto sum = crc32(0, reinterpret_cast<const Bytef*>(named.data()), static_cast<uInt>(named.size()));
+    if (sum != number_at(bytes, 8 + length)) return std::nullopt;
+    if (!size && (name != "IHDR" || length < 8)) return std::nullopt;
+    if (!size) size = {static_cast<int>(number_at(bytes, 8)), static_cast<int>(number_at(bytes, 12))};
+    bytes.remove_prefix(kAround + length);
+    if (name == "IEND") return bytes.empty() ? size : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace frond

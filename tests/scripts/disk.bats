@@ -1,0 +1,183 @@
+# What lies on the disk: damaged, full, in the way, or left by a script that was killed.
+
+setup() {
+  load common
+  need_frond
+  make_fake_povray
+  cd "$BATS_TEST_TMPDIR"
+  make_preset film.json 6
+  frames=out/film/frames
+}
+
+# The ways a picture may be damaged: damage HOW FILE
+damage() {
+  case $1 in
+    empty) : >"$2" ;;
+    short) truncate -s -20 "$2" ;;
+    long) echo more >>"$2" ;;
+    wrong) printf x | dd of="$2" bs=1 seek=60 conv=notrunc status=none ;;
+    zeros) head -c "$(stat -c %s "$2")" /dev/zero >"$2.zeros" && mv "$2.zeros" "$2" ;;
+    other) ffmpeg -nostdin -loglevel error -f lavfi -i color=red:s=10x10 -frames:v 1 -update 1 -y "$2" ;;
+  esac
+}
+
+@test "a damaged frame is rendered again, not left out of the film" {
+  "$RENDER" film.json
+  cp out/film/film.mp4 whole.mp4
+  for how in empty short long wrong zeros other; do
+    damage "$how" "$frames/frame_0003.png"
+    : >"$RENDERED"
+    run "$RENDER" film.json
+    echo "$how: $output"
+    [ "$status" -eq 0 ]
+    [ "$(cat "$RENDERED")" = frames/frame_0003.pov ]
+    [ "$how" = other ] || [[ $output == *"note: $frames/frame_0003.png is damaged; it is made again"* ]]
+    cmp whole.mp4 out/film/film.mp4
+  done
+}
+
+@test "a damaged result is made again" {
+  make_preset still.json 1
+  "$RENDER" still.json
+  "$RENDER" film.json
+  sha256sum out/*/*.png out/*/*.mp4 >before
+  damage short out/still/still.png
+  damage wrong out/film/contact.png
+  truncate -s 800 out/film/film.mp4
+  "$RENDER" still.json
+  "$RENDER" film.json
+  sha256sum out/*/*.png out/*/*.mp4 | diff before -
+  [ "$(count_rendered)" -eq 7 ]
+}
+
+@test "no film and no sheet is made of damaged pictures" {
+  "$RENDER" film.json
+  ls "$frames"/*.png >list
+  cp out/film/film.mp4 film.mp4
+  cp out/film/contact.png contact.png
+  for how in empty short wrong zeros; do
+    cp "$frames/frame_0003.png" kept.png
+    damage "$how" "$frames/frame_0003.png"
+    run "$ROOT/scripts/encode_film.sh" list film.mp4 24
+    echo "$how: $output"
+    [ "$status" -eq 1 ]
+    [[ $output == *"film.mp4 could not be encoded: "*" of 6 frames"* ]]
+    [ "$how" = wrong ] || [[ $output == "$frames/frame_0003.png is damaged, or no PNG"* ]]
+    run "$ROOT/scripts/contact_sheet.sh" list contact.png 3
+    [ "$status" -eq 1 ]
+    [[ $output == *"contact.png could not be made: "* ]]
+    mv kept.png "$frames/frame_0003.png"
+  done
+  cmp film.mp4 out/film/film.mp4
+  cmp contact.png out/film/contact.png
+}
+
+@test "a picture that POV-Ray left half written does not count" {
+  sed -i 's/^rm "$state"/truncate -s -9 "$picture"/' "$FROND_POVRAY"
+  run "$RENDER" film.json --frames 2-2
+  echo "$output"
+  [ "$status" -eq 1 ]
+  [[ $output == *"frames/frame_0002.pov could not be rendered: povray left no whole picture"* ]]
+  [ ! -e "$frames/frame_0002.png" ]
+}
+
+@test "a folder in the place of a result is told" {
+  for name in film.mp4 contact.png frames/frame_0002.png; do
+    rm -rf out
+    mkdir -p "out/film/$name"
+    run "$RENDER" film.json
+    echo "$output"
+    [ "$status" -eq 1 ]
+    [[ $output == *"$name"*" is a folder; expected a "* ]]
+    [ -z "$(ls -A "out/film/$name")" ]
+  done
+  make_preset still.json 1
+  mkdir -p out/still/still.png out/still/film.mp4/mine
+  run "$RENDER" still.json
+  [ "$status" -eq 1 ]
+  rmdir out/still/still.png
+  "$RENDER" still.json
+  [ -s out/still/still.png ]
+  [ -d out/still/film.mp4/mine ]
+}
+
+@test "scripts put nothing into a folder in the place of their file" {
+  "$RENDER" film.json --frames 1-1
+  ls "$frames"/*.png >list
+  mkdir folder
+  for call in "render_frame.sh $frames/frame_0001.pov folder 64x48" "encode_film.sh list folder 24" \
+    "contact_sheet.sh list folder 1" "keep_still.sh $frames/frame_0001.png folder"; do
+    # shellcheck disable=SC2086
+    run "$ROOT"/scripts/$call
+    echo "$call: $output"
+    [ "$status" -eq 1 ]
+    [[ $output == *"folder is a folder; expected a file, or none"* ]]
+    [ -z "$(ls -A folder)" ]
+  done
+}
+
+@test "a failing encoder is told as that" {
+  printf '#!/bin/sh\necho no such encoder >&2\nexit 1\n' >ffmpeg
+  chmod +x ffmpeg
+  FROND_FFMPEG=$PWD/ffmpeg run "$RENDER" film.json
+  echo "$output"
+  [ "$status" -eq 1 ]
+  [[ $output == *"no such encoder"* ]]
+  [[ $output == *"error: the film could not be encoded; the frames of out/film are kept" ]]
+  [[ $output != *"not all frames"* ]]
+}
+
+# with_disk KILOBYTES COMMAND...: runs it with a small disk of its own at ./small
+with_disk() {
+  local size=$1
+  shift
+  mkdir -p small
+  # shellcheck disable=SC2016
+  unshare --map-root-user --mount bash -c 'mount -t tmpfs -o "size=$1k" frond small && shift && "$@"' - "$size" "$@"
+}
+
+@test "a full disk is told in plain words, whatever filled it up" {
+  with_disk 100 true || skip "no disk can be mounted here"
+  "$RENDER" film.json -o whole --frames 1-2
+  use_real_povray
+  local scenes
+  scenes=$(du -k -c whole/frames/*.pov | tail -n 1 | cut -f1)
+  for row in "8 64x48" "$((scenes + 60)) 64x48" "$((scenes + 900)) 320x180"; do  # scenes, notes of blocks, those of a picture
+    run with_disk "${row% *}" "$RENDER" film.json -o small/film --frames 1-2 --size "${row#* }"
+    echo "$row: $output"
+    [ "$status" -eq 1 ]
+    [[ $output == *"no room on the disk"* ]]
+    [[ $output != *"space left"* ]]
+  done
+  # Noise makes everything larger than its disk.
+  ffmpeg -nostdin -loglevel error -f lavfi -i "nullsrc=s=160x120,geq='random(1)*255:128:128'" -frames:v 1 -update 1 noise.png
+  echo noise.png >list
+  for call in "encode_film.sh list small/film.mp4 24" "contact_sheet.sh list small/sheet.png 1" \
+    "keep_still.sh noise.png small/still.png"; do
+    # shellcheck disable=SC2086
+    run with_disk 4 "$ROOT"/scripts/$call
+    echo "$call: $output"
+    [ "$status" -eq 1 ]
+    [[ $output == *": no room on the disk" ]]
+  done
+}
+
+# A killed script and what it has started: its pids stand in the file pids.
+killed_while_generating() {
+  printf '#!/bin/sh\necho $$ >pid\nexec sleep 600\n' >slow
+  chmod +x slow
+  FROND_BIN=$PWD/slow "$RENDER" film.json >log 2>&1 3>&- &
+  local script=$!
+  until [ -s pid ]; do sleep 0.05; done
+  kill "-$1" "$script"
+  wait "$script" || true
+  for _ in $(seq 200); do
+    if ! kill -0 "$(cat pid)" 2>/dev/null; then return 0; fi
+    sleep 0.05
+  done
+  kill "$(cat pid)"
+  return 1
+}
+
+@test "a killed script leaves no generate alive" { killed_while_generating KILL; }
+@test "a stopped script waits for no generate" { killed_while_generating TERM; }

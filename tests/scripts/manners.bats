@@ -1,0 +1,75 @@
+# What the scripts say to one who is new to them.
+
+setup() {
+  load common
+  cd "$BATS_TEST_TMPDIR"
+}
+
+@test "every script has help, and says what it wants" {
+  for script in "$ROOT"/scripts/*; do
+    case $script in */lib.sh | *.ini | */__pycache__) continue ;; esac
+    run "$script" --help
+    echo "$script: $output"
+    [ "$status" -eq 0 ]
+    [[ ${output,,} == usage:* ]]
+  done
+  for script in render render_frame encode_film contact_sheet keep_still; do
+    run "$ROOT/scripts/$script.sh"
+    echo "$script: $output"
+    [ "$status" -eq 2 ]
+    [[ $output == "error: "*"See $script.sh --help" ]]
+  done
+}
+
+@test "a preset that is not there is looked for under all presets" {
+  run "$RENDER" oak.json
+  [ "$status" -eq 2 ]
+  [ "$output" = "error: oak.json: no such preset; there is $ROOT/presets/trees/oak.json" ]
+  cd "$ROOT"
+  for row in "oak presets/trees/oak.json" "presets/Oak.json presets/trees/oak.json" "birhc presets/trees/birch.json" \
+    "brick-wall presets/ivy/brick_wall.json"; do
+    run "$RENDER" "${row% *}"
+    echo "$row: $output"
+    [ "$output" = "error: ${row% *}: no such preset; there is ${row#* }" ]
+  done
+  run "$RENDER" bush
+  [ "$output" = "error: bush: no such preset; there is presets/bush.json and presets/garden/bush.json" ]
+  run "$RENDER" nothing_of_the_kind
+  [ "$output" = "error: nothing_of_the_kind: no such preset" ]
+}
+
+@test "a copied checkout configures itself, not the one it was copied from" {
+  mkdir -p bin one/build
+  cp -r "$ROOT/scripts" one
+  cat >bin/cmake <<'SH'
+#!/bin/sh
+echo "$PWD: $*" >>"$CALLS"
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_CACHEFILE_DIR:INTERNAL=%s/build\n' "$PWD" "$PWD" >build/CMakeCache.txt
+: >build/build.ninja
+SH
+  printf '#!/bin/sh\nexit 0\n' >bin/ninja
+  chmod +x bin/*
+  export CALLS=$PWD/calls PATH=$PWD/bin:$PATH
+  one/scripts/build.sh
+  one/scripts/build.sh
+  [ "$(cat calls)" = "$PWD/one: --preset release -DFROND_TESTS=OFF" ]
+  cp -r one two
+  run two/scripts/build.sh
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"build/ was configured for $PWD/one; configuring it afresh"* ]]
+  [ "$(tail -n 1 calls)" = "$PWD/two: --fresh --preset release -DFROND_TESTS=OFF" ]
+  mv two three
+  three/scripts/build.sh
+  [ "$(tail -n 1 calls)" = "$PWD/three: --fresh --preset release -DFROND_TESTS=OFF" ]
+  mkdir link && ln -s "$PWD/three" link/three  # another name of the same folder
+  link/three/scripts/build.sh
+  [ "$(grep -c '' calls)" -eq 3 ]
+}
+
+@test "the pictures of README.md are there, and none twice" {
+  cd "$ROOT"
+  grep -o 'docs/gallery/[^)]*' README.md | sort >"$BATS_TEST_TMPDIR/shown"
+  [ -z "$(uniq -d "$BATS_TEST_TMPDIR/shown")" ]
+  xargs ls <"$BATS_TEST_TMPDIR/shown" >/dev/null
+}
