@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <set>
 
 #include "grammar/corpus.h"
 
@@ -63,12 +63,18 @@ TEST(Review, SymbolsThatSomebodyLooksForAreNoSlip) {
 }
 
 TEST(Review, KnownGrammarsRaiseNoFalseAlarm) {
+  std::set<std::string> told;
   for (const auto& c : corpus()) {
     if (!c.contains("rules")) continue;
     Result<Grammar> grammar = compile(grammar_of(c));
     ASSERT_TRUE(grammar.ok()) << grammar.errors()[0].text();
-    for (const Error& warning : grammar->warnings) ADD_FAILURE() << c["name"] << ": " << warning.text();
+    for (const Error& warning : grammar->warnings)
+      told.insert(c["name"].get<std::string>() + warning.text().substr(0, warning.text().find('`')));
   }
+  // These end in letters that truly do nothing.
+  std::set<std::string> silent{"cpfg-basipetal-Drule 4: column 20: ", "cpfg-basipetal-Drule 6: column 16: ",
+                               "seed-bushrule 7: column 9: "};
+  EXPECT_EQ(told, silent);
 }
 
 }  // namespace
