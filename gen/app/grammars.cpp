@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "core/files.h"
@@ -7,6 +9,7 @@
 #include "grammar/forecast.h"
 #include "grammar/import.h"
 #include "grammar/picture.h"
+#include "grammar/review.h"
 #include "preset/json.h"
 #include "preset/reader.h"
 #include "scene/describe.h"
@@ -27,6 +30,7 @@ Result<Grammar> import_file(const std::string& path, const std::string& text) {
   Result<Import> import = import_grammar(path, text);
   if (!import) return import.errors();
   for (const std::string& note : import->notes) fmt::print(stderr, "{}: note: {}\n", path, note);
+  import->grammar.where = path;
   return compile(import->grammar);
 }
 
@@ -41,6 +45,7 @@ Result<Grammar> load_grammar(const std::string& path) {
     Result<GrammarText> grammar = read_preset<GrammarText>(*document);
     if (!grammar) return grammar.errors();
     if (Errors errors = load_guide(grammar->guide, path, ""); !errors.empty()) return errors;
+    grammar->where = fmt::format("{}: /steps", origin_at(document->root, "/steps").text());
     return compile(*grammar);
   }
   PresetArguments named;
@@ -54,27 +59,35 @@ Result<Grammar> load_grammar(const std::string& path) {
   return Error{path, "the preset has no organism that grows by a grammar"};
 }
 
+/// A mistake in a rule knows the rule; here it learns the file.
+Errors in_file(Errors errors, const std::string& path) {
+  for (Error& error : errors)
+    if (!error.where.starts_with(path)) error.where = path + (error.where.empty() ? "" : ": " + error.where);
+  return errors;
+}
+
+/// Says why a derivation came to no end.
+int fail_derivation(const Errors& errors, const Grammar& grammar, const std::string& path) {
+  return fail(in_file(placed(errors, grammar.text), path), kWrongInput);
+}
+
 Result<Loaded> load(const GrammarArguments& arguments) {
   Result<Grammar> grammar = load_grammar(arguments.path);
-  if (!grammar) {
-    // A mistake in a rule knows the rule; here it learns the file.
-    Errors errors = grammar.errors();
-    for (Error& error : errors)
-      if (!error.where.starts_with(arguments.path))
-        error.where = arguments.path + (error.where.empty() ? "" : ": " + error.where);
-    return errors;
-  }
-  for (const Error& warning : grammar->warnings)
-    fmt::print(stderr, "{}: warning: {}\n", arguments.path, warning.text());
+  if (!grammar) return in_file(grammar.errors(), arguments.path);
+  // Those of a preset have been told with it.
+  if (is_grammar(arguments.path))
+    for (const Error& warning : in_file(grammar->warnings, arguments.path))
+      fmt::print(stderr, "warning: {}\n", warning.text());
   double steps = arguments.steps.value_or(grammar->text.steps);
+  if (std::isnan(steps)) return Error{"--steps", "found nan; expected a number of 0 or more"};
   Seed seed{arguments.seed.value_or(grammar->text.seed)};
   return Loaded{std::move(*grammar), steps, seed};
 }
 
 /// Writes a picture, if one was asked for.
-int write_picture(const std::optional<std::string>& path, const Result<std::string>& svg) {
-  if (!svg) return fail(svg.errors(), kWrongInput);
-  Result<bool> written = write_file(*path, *svg);
+int write_picture(const GrammarArguments& arguments, const Grammar& grammar, const Result<std::string>& svg) {
+  if (!svg) return fail_derivation(svg.errors(), grammar, arguments.path);
+  Result<bool> written = write_file(*arguments.picture, *svg);
   return written ? kDone : fail(written.errors(), kCouldNot);
 }
 
@@ -87,15 +100,15 @@ int info_grammar(const std::string& path, bool json) {
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
   Forecast size = forecast(grammar, static_cast<int>(steps), seed, grammar.text.limits);
-  constexpr const char* kKinds[] = {"exact", "expected", "extrapolated"};
+  constexpr const char* kKinds[] = {"exact", "expected", "extrapolated", "at least"};
   std::string_view form =
-      json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.0f}, \"segments\": {:.0f}, \"bytes\": "
-             "{:.0f}}}\n"
-           : "{}: after {} steps {:.0f} modules, {:.0f} segments, {:.0f} bytes\n";
+      json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.15g}, \"segments\": {:.15g}, "
+             "\"bytes\": {:.15g}}}\n"
+           : "{}: after {} steps {:.15g} modules, {:.15g} segments, {:.15g} bytes\n";
   fmt::print(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
              size.bytes);
   Errors errors = refuse(size, grammar.text.limits);
-  return errors.empty() ? kDone : fail(errors, kWrongInput);
+  return errors.empty() ? kDone : fail_derivation(errors, grammar, path);
 }
 
 int derive_word(const GrammarArguments& arguments) {
@@ -103,9 +116,9 @@ int derive_word(const GrammarArguments& arguments) {
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, exact, seed] = *loaded;
   auto steps = static_cast<int>(exact);
-  if (arguments.picture) return write_picture(arguments.picture, derivation_tree_svg(grammar, steps, seed));
+  if (arguments.picture) return write_picture(arguments, grammar, derivation_tree_svg(grammar, steps, seed));
   Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
-  if (!word) return fail(word.errors(), kWrongInput);
+  if (!word) return fail_derivation(word.errors(), grammar, arguments.path);
   if (arguments.counts) {
     for (const auto& [name, count] : counts(grammar, *word)) fmt::print("{} {}\n", name, count);
   } else {
@@ -119,9 +132,9 @@ int walk_turtle(const GrammarArguments& arguments) {
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
   if (arguments.picture)
-    return write_picture(arguments.picture, turtle_svg(grammar, steps, seed, grammar.text.limits));
+    return write_picture(arguments, grammar, turtle_svg(grammar, steps, seed, grammar.text.limits));
   Result<TurtleStats> stats = stats_of(grammar, steps, seed, grammar.text.limits);
-  if (!stats) return fail(stats.errors(), kWrongInput);
+  if (!stats) return fail_derivation(stats.errors(), grammar, arguments.path);
   std::string ends;
   for (DVec3 end : stats->end_positions) ends += (ends.empty() ? "" : ", ") + list(end);
   fmt::print(

@@ -218,6 +218,7 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   }
   if (!preset) return preset;
   if (Errors errors = load_files(*preset, arguments.path); !errors.empty()) return errors;
+  for (const Error& doubt : preset->doubts) fmt::print(stderr, "warning: {}\n", doubt.text());
   for (Organism& organism : preset->organisms) note_files(organism, arguments.path);
   return preset;
 }

@@ -15,7 +15,7 @@ std::vector<std::size_t> offsets_of(const Grammar& grammar, const Word& word) {
 }
 
 /// How far a module takes the turtle, what its interpretation puts into brackets left out.
-double reach_of(const Grammar& grammar, SymbolId symbol, const double* parameters) {
+double reach_of(const Grammar& grammar, Expander& expander, SymbolId symbol, const double* parameters) {
   double reach = 0;
   int depth = 0;
   auto emit = [&](SymbolId id, const double* values) {
@@ -29,13 +29,14 @@ double reach_of(const Grammar& grammar, SymbolId symbol, const double* parameter
   };
   Evaluation at;
   at.tables = grammar.tables;
-  expand(grammar, grammar.interpretation, symbol, parameters, grammar.text.interpretation_depth, at, emit);
+  expander.run(symbol, parameters, grammar.text.interpretation_depth, at, emit);
   return reach;
 }
 
 /// One parent and the run of modules that it became.
 struct Family {
   const Grammar& grammar;
+  Expander& expander;
   const Word& before;
   Word& after;
   const std::vector<std::size_t>& before_at;
@@ -53,12 +54,14 @@ struct Family {
 
   void grow(std::size_t parent, std::size_t first, std::size_t last, std::vector<Unfolding>& growth) {
     if (goes_on(parent, first, last)) return;
-    double was = reach_of(grammar, before.symbols[parent], before.parameters.data() + before_at[parent]),
+    double was = reach_of(grammar, expander, before.symbols[parent],
+                          before.parameters.data() + before_at[parent]),
            is = 0;
     int depth = 0;
     for (std::size_t i = first; i < last; ++i) {
       depth += after.symbols[i] == grammar.open ? 1 : after.symbols[i] == grammar.close ? -1 : 0;
-      if (depth == 0) is += reach_of(grammar, after.symbols[i], after.parameters.data() + after_at[i]);
+      if (depth == 0)
+        is += reach_of(grammar, expander, after.symbols[i], after.parameters.data() + after_at[i]);
     }
     double axis = is > 0 ? age + (1 - age) * was / is : age;
     const Symbol& old = grammar.symbols[before.symbols[parent]];
@@ -103,7 +106,7 @@ Result<Between> between(const Grammar& grammar, double steps, Seed seed, const L
   std::vector<std::uint32_t> parents;
   for (int step = names ? 0 : whole; step <= whole && errors.empty(); ++step) {
     before = state.word;
-    errors = advance_tracked(grammar, state, seed, parents);
+    errors = advance_tracked(grammar, state, seed, parents, limits);
     if (names) result.name = named(before, result.name, state.word, parents);
   }
   if (!errors.empty()) return errors;
@@ -112,7 +115,9 @@ Result<Between> between(const Grammar& grammar, double steps, Seed seed, const L
   if (whole < 0) return result;
   std::vector<std::size_t> before_at = offsets_of(grammar, before),
                            after_at = offsets_of(grammar, result.word);
-  Family family{grammar, before, result.word, before_at, after_at, smooth_step(0.0, 1.0, steps - whole)};
+  Expander expander(grammar, grammar.interpretation);
+  Family family{
+      grammar, expander, before, result.word, before_at, after_at, smooth_step(0.0, 1.0, steps - whole)};
   for (std::size_t first = 0, last = 0; first < parents.size(); first = last) {
     while (last < parents.size() && parents[last] == parents[first]) ++last;
     family.grow(parents[first], first, last, result.growth);

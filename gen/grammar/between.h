@@ -42,6 +42,7 @@ Result<TurtleState> draw_between(const Grammar& grammar, double steps, Seed seed
     turtle.feed(symbol, parameters);
     parameters += grammar.symbols[symbol].arity;
   }
+  if (Errors errors = turtle.trouble(); !errors.empty()) return errors;
   return turtle.finish();
 }
 

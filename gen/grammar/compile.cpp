@@ -4,10 +4,14 @@
 #include <cmath>
 
 #include "grammar/read.h"
+#include "grammar/review.h"
 
 namespace frond {
 
 namespace {
+
+constexpr std::size_t kMostRules = 32767;     // that the indices of rules can tell apart
+constexpr std::size_t kLongestContext = 256;  // modules
 
 /// Whether a formula holds an instruction for which `test` is true.
 template <class Test>
@@ -40,9 +44,11 @@ class Compiler {
     check_interpretation();
     read_visibility();
     read_guide();
+    if (errors_.empty()) errors_ = find_endless(grammar_);
     if (!errors_.empty()) return errors_;
+    grammar_.making.resize(grammar_.symbols.size());
     summarize();
-    find_unmatched();
+    grammar_.warnings = find_idle(grammar_);
     return std::move(grammar_);
   }
 
@@ -131,6 +137,7 @@ class Compiler {
     modules_.read_modules(reader, {}, modules, arguments);
     note(reader, "axiom");
     if (reader.failed()) return;
+    note_making(modules, "axiom", reader.text);
     grammar_.axiom.symbols.assign(modules.begin(), modules.end());
     Evaluation at;
     at.tables = grammar_.tables;
@@ -146,6 +153,9 @@ class Compiler {
   }
 
   void read_rules(const std::vector<GrammarText::Rule>& texts, RuleSet& set, std::string_view kind) {
+    if (texts.size() > kMostRules)
+      return errors_.push_back({"", fmt::format("{} {}s are more than can be told apart; {} are the most",
+                                                texts.size(), kind, kMostRules)});
     for (std::size_t i = 0; i < texts.size(); ++i) {
       Production rule;
       rule.where = texts[i].where.empty() ? fmt::format("{} {}", kind, i + 1) : texts[i].where;
@@ -155,6 +165,8 @@ class Compiler {
       read_rule(reader, rule);
       if (rule.limit < 1)
         reader.fail(fmt::format("the limit is {}; it must be 1 or more, or left out", rule.limit), 0);
+      if (&set != &grammar_.rules && rule.limit != GrammarText::kUnlimited)
+        reader.fail(fmt::format("a {} has no limit of its own; remove `limit`", kind), 0);
       if (&set != &grammar_.rules && !rule.context_free())
         reader.fail(fmt::format("a {} has no context; remove `<` and `>`", kind), 0);
       note(reader, rule.where);
@@ -198,6 +210,14 @@ class Compiler {
     if (is_empty_word(reader.text.substr(parts->successor.begin))) return;
     within(reader, parts->successor,
            [&](Cursor& part) { modules_.read_modules(part, variables, rule.successor, rule.arguments); });
+    if (!reader.failed()) note_making(rule.successor, rule.where, reader.text);
+  }
+
+  void note_making(const std::vector<SymbolId>& modules, const std::string& where, std::string_view text) {
+    grammar_.making.resize(grammar_.symbols.size());
+    for (std::size_t i = 0; i < modules.size(); ++i)
+      if (std::optional<Making>& first = grammar_.making[modules[i]]; !first)
+        first = Making{where, std::string(text), modules_.places[i]};
   }
 
   static bool is_empty_word(std::string_view text) {
@@ -212,6 +232,9 @@ class Compiler {
         is_empty_word(reader.text.substr(part.begin, part.end - part.begin)))
       return;
     within(reader, part, [&](Cursor& inner) { modules_.read_pattern(inner, variables, modules); });
+    if (modules.size() > kLongestContext)
+      reader.fail(fmt::format("the context has {} modules; {} are the most", modules.size(), kLongestContext),
+                  part.begin);
   }
 
   void check_contexts(Cursor& reader, const RuleParts& parts, const Production& rule) {
@@ -355,25 +378,6 @@ class Compiler {
       }
     }
     for (const auto& of : g.rules.of) g.single &= of.size() <= 1;
-  }
-
-  /// A name that is rewritten with one number of parameters and used with another is most often a slip.
-  void find_unmatched() {
-    std::array<bool, 256> made{};  // by the axiom or a rule, and so ever rewritten
-    for (SymbolId id : grammar_.axiom.symbols) made[id] = true;
-    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition})
-      for (const Production& rule : set->rules)
-        for (SymbolId id : rule.successor) made[id] = true;
-    for (std::size_t i = 0; i < grammar_.symbols.size(); ++i) {
-      const Symbol& symbol = grammar_.symbols[i];
-      if (!made[i] || !grammar_.rules.of[i].empty()) continue;
-      for (std::size_t j = 0; j < grammar_.symbols.size(); ++j)
-        if (grammar_.symbols[j].name == symbol.name && !grammar_.rules.of[j].empty())
-          grammar_.warnings.push_back(
-              {grammar_.rules.rules[grammar_.rules.of[j][0]].where,
-               fmt::format("`{}` is rewritten with {} parameter(s) only; with {} it stays as it is",
-                           symbol.name, grammar_.symbols[j].arity, symbol.arity)});
-    }
   }
 
   Grammar grammar_;

@@ -39,7 +39,22 @@ void cut(const Grammar& grammar, Word& word, std::vector<std::uint32_t>* kept = 
   word.parameters.resize(parameters_to);
 }
 
-constexpr int kDeepest = 4000;  // levels of decomposition
+constexpr int kDeepest = 100'000;  // levels of decomposition: beyond them there is no end to be seen
+
+/// Why a step's decomposition was given up.
+Error trouble(const Expander& expander, int step, const Limits& limits) {
+  if (expander.stop() == Expander::Stop::size)
+    return {"", fmt::format("step {} passes the limit of {} modules and {} bytes by decomposition; use fewer "
+                            "steps, or conditions that end sooner",
+                            step, limits.modules, limits.bytes)};
+  const Production& rule = expander.rule();
+  if (expander.stop() == Expander::Stop::depth)
+    return {rule.where,
+            fmt::format("step {}: `{}` takes its own outcome apart again and again, still so after "
+                        "{} times; add a condition that ends it",
+                        step, rule.text, kDeepest)};
+  return {rule.where, fmt::format("step {}: {}", step, fault_in(rule))};
+}
 
 /// Applies decomposition rules until none applies any more; `parents`, where given, follow.
 Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Limits& limits,
@@ -49,18 +64,19 @@ Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Lim
   Evaluation at;
   at.tables = grammar.tables;
   at.step = state.steps + 1;
+  // What is taken apart and erased takes time, too.
+  Expander expander(grammar, grammar.decomposition, limits.modules + 1);
   auto emit = [&](SymbolId symbol, const double* parameters) {
     out.symbols.push_back(symbol);
     out.parameters.insert(out.parameters.end(), parameters, parameters + grammar.symbols[symbol].arity);
-    return out.size() <= limits.modules;
+    return out.size() <= limits.modules && out.bytes() <= limits.bytes;
   };
   Seed place = seed.child("decompose", static_cast<std::uint64_t>(state.steps) + 1);
   const double* parameters = state.word.parameters.data();
   for (std::size_t i = 0; i < state.word.size(); ++i) {
     at.seed = place.child(i);
-    if (!expand(grammar, grammar.decomposition, state.word.symbols[i], parameters, kDeepest, at, emit))
-      return {{"decomposition",
-               fmt::format("step {} passes the limit of {} modules", state.steps + 1, limits.modules)}};
+    if (!expander.run(state.word.symbols[i], parameters, kDeepest, at, emit))
+      return {trouble(expander, state.steps + 1, limits)};
     parameters += grammar.symbols[state.word.symbols[i]].arity;
     if (parents) from.resize(out.size(), (*parents)[i]);
   }
@@ -70,6 +86,13 @@ Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Lim
 }
 
 }  // namespace
+
+std::string fault_in(const Production& rule) {
+  return fmt::format(
+      "division by zero or a number that is not finite in `{}`; add a condition that keeps the "
+      "rule away from there",
+      rule.text);
+}
 
 Derivation begin(const Grammar& grammar, Seed seed, Environment environment) {
   Derivation state;
@@ -123,8 +146,7 @@ Errors advance_plainly(const Grammar& grammar, Derivation& state, int steps, See
 }
 
 Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed,
-                       std::vector<std::uint32_t>& parents) {
-  Limits limits;
+                       std::vector<std::uint32_t>& parents, const Limits& limits) {
   std::vector<std::uint32_t> kept;
   Word next;
   parents.clear();
@@ -157,6 +179,7 @@ Word interpret(const Grammar& grammar, const Word& word, Seed seed) {
   Word out;
   Evaluation at;
   at.tables = grammar.tables;
+  Expander expander(grammar, grammar.interpretation);
   auto emit = [&](SymbolId symbol, const double* parameters) {
     out.symbols.push_back(symbol);
     out.parameters.insert(out.parameters.end(), parameters, parameters + grammar.symbols[symbol].arity);
@@ -166,8 +189,7 @@ Word interpret(const Grammar& grammar, const Word& word, Seed seed) {
   const double* parameters = word.parameters.data();
   for (std::size_t i = 0; i < word.size(); ++i) {
     at.seed = place.child(i);
-    expand(grammar, grammar.interpretation, word.symbols[i], parameters, grammar.text.interpretation_depth,
-           at, emit);
+    expander.run(word.symbols[i], parameters, grammar.text.interpretation_depth, at, emit);
     parameters += grammar.symbols[word.symbols[i]].arity;
   }
   return out;

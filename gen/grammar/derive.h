@@ -27,7 +27,7 @@ Derivation begin(const Grammar& grammar, Seed seed, Environment environment = {}
 /// Makes so many steps more. Random choices depend on the seed, the number of the step and the place in the
 /// word, and so neither on threads nor on how the steps are shared among calls. Empty when all went well;
 /// otherwise what stopped it (a number that is not finite, a word past the limits), and the word is of no
-/// use.
+/// use. Only an error about the limits has no place.
 Errors advance(const Grammar& grammar, Derivation& derivation, int steps, Seed seed,
                const Limits& limits = {});
 
@@ -37,7 +37,7 @@ Errors advance_plainly(const Grammar& grammar, Derivation& derivation, int steps
 
 /// Makes one step and tells for each module of the new word which of the old it came from.
 Errors advance_tracked(const Grammar& grammar, Derivation& derivation, Seed seed,
-                       std::vector<std::uint32_t>& parents);
+                       std::vector<std::uint32_t>& parents, const Limits& limits = {});
 
 /// The word after so many steps from the axiom.
 Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {},

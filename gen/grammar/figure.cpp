@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "grammar/between.h"
 #include "grammar/stream.h"
@@ -9,6 +10,11 @@
 namespace frond {
 
 namespace {
+
+template <class V>
+bool finite(const V& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 struct Measure {
   TurtleStats stats;
@@ -25,6 +31,14 @@ struct Measure {
   void push(TurtleState& state) { stats.max_stack_depth = std::max(stats.max_stack_depth, state.depth + 1); }
   void polygon(std::span<const DVec3>, const TurtleState&) { ++stats.polygons; }
   void end(const TurtleState& state) { stats.end_positions.push_back(state.position); }
+
+  /// A line that is not finite leaves its mark on the total length.
+  Errors check(const TurtleState& end) const {
+    bool good =
+        std::isfinite(stats.total_length) && finite(end.heading) && finite(end.left) && finite(end.up);
+    for (DVec3 place : stats.end_positions) good &= finite(place);
+    return good ? Errors{} : out_of_range();
+  }
 
   TurtleStats finish(const TurtleState& end) {
     stats.end_position = end.position;
@@ -131,6 +145,25 @@ struct Answers {
 
 }  // namespace
 
+Errors out_of_range() {
+  return {{"",
+           "the turtle walks beyond all that can be drawn: a length, a width or an angle grows too large; "
+           "use fewer steps or smaller factors"}};
+}
+
+Errors check_places(const Figure& f) {
+  constexpr float kFarthest = 1e18f;
+  auto near = [](Vec3 p) { return finite(p) && glm::all(glm::lessThan(glm::abs(p), Vec3(kFarthest))); };
+  bool good = true;
+  for (const Vec3& p : f.skeleton.position) good &= near(p);
+  for (float radius : f.skeleton.radius) good &= radius < kFarthest;
+  for (const Outline& outline : f.outlines)
+    for (const Vec3& p : outline.points) good &= near(p);
+  for (const Site& s : f.sites)
+    good &= near(s.position) && near(s.scale) && finite(s.heading) && finite(s.up);
+  return good ? Errors{} : out_of_range();
+}
+
 TurtleState start_of(const Grammar& grammar) {
   TurtleState start;
   start.length = grammar.text.length;
@@ -152,6 +185,7 @@ Result<TurtleStats> stats_of(const Grammar& grammar, double steps, Seed seed, co
   Measure measure;
   Result<TurtleState> end = draw_between(grammar, steps, seed, measure, limits);
   if (!end) return end.errors();
+  if (Errors errors = measure.check(*end); !errors.empty()) return errors;
   return measure.finish(*end);
 }
 
@@ -168,11 +202,17 @@ Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const 
     builder.sites[i] = std::find(organs.begin(), organs.end(), grammar.symbols[i].name) != organs.end();
   Result<TurtleState> end = draw_between(grammar, steps, seed, builder, limits, named);
   if (!end) return end.errors();
+  if (Errors errors = check_places(builder.figure); !errors.empty()) return errors;
   return std::move(builder.figure);
 }
 
-Skeleton skeleton_of(const Grammar& grammar, const Word& word, Seed seed) {
-  return std::move(figure_of(grammar, word, seed).skeleton);
+Result<Skeleton> skeleton_of(const Grammar& grammar, const Word& word, Seed seed) {
+  Builder builder{grammar, {}, {}};
+  Errors errors;
+  walk(grammar, word, seed, builder, &errors);
+  if (errors.empty()) errors = check_places(builder.figure);
+  if (!errors.empty()) return errors;
+  return std::move(builder.figure.skeleton);
 }
 
 void answer_queries(const Grammar& grammar, Word& word, Seed seed, const Environment& environment) {

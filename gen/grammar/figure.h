@@ -20,6 +20,9 @@ TurtleStats stats_of(const Grammar& grammar, const Word& word, Seed seed);
 /// next (between.h). The word is not stored where it need not be.
 Result<TurtleStats> stats_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {});
 
+/// What is said where a turtle walks beyond what can be drawn.
+Errors out_of_range();
+
 /// A filled outline: a leaf, a petal.
 struct Outline {
   std::vector<Vec3> points;
@@ -49,6 +52,9 @@ struct Figure {
   std::vector<Site> sites;
 };
 
+/// Whether all of it lies where single precision can measure it; out_of_range() where not.
+Errors check_places(const Figure& figure);
+
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 
 /// The same after so many steps, which need not be whole. The symbols named in `organs` are sites also where
@@ -60,6 +66,6 @@ Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const 
 /// The branches alone. A root where the turtle starts to draw and a node at the end of each segment, in the
 /// order of the word; the order of a node is the number of brackets around it. Segments without length are
 /// left out.
-Skeleton skeleton_of(const Grammar& grammar, const Word& word, Seed seed);
+Result<Skeleton> skeleton_of(const Grammar& grammar, const Word& word, Seed seed);
 
 }  // namespace frond

@@ -11,18 +11,22 @@ namespace frond {
 
 namespace {
 
+constexpr double kEnough = 1e300;   // of modules: no forecast goes on beyond it
+constexpr int kMostStreamed = 100;  // steps: a path so deep needs no more than 100 KB of the stack
+
 /// What one module of a symbol becomes in a step: how many of each symbol, on average.
 using Row = std::vector<std::pair<SymbolId, double>>;
 
+void add(Row& row, SymbolId symbol, double count) {
+  auto same = std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == symbol; });
+  if (same != row.end())
+    same->second += count;
+  else
+    row.emplace_back(symbol, count);
+}
+
 void add_successor(Row& row, const Production& rule, double share) {
-  for (SymbolId symbol : rule.successor) {
-    auto same =
-        std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == symbol; });
-    if (same != row.end())
-      same->second += share;
-    else
-      row.emplace_back(symbol, share);
-  }
+  for (SymbolId symbol : rule.successor) add(row, symbol, share);
 }
 
 /// Whether all rules of a symbol are weighted by numbers and apply everywhere, or the first applies always.
@@ -44,10 +48,37 @@ Row row_of(const RuleSet& set, SymbolId symbol) {
   for (std::uint16_t index : of) {
     const Production& rule = set.rules[index];
     if (!rule.weighted) return add_successor(row, rule, 1), row;
-    if (total > 0) add_successor(row, rule, rule.weight.value / total);
+    if (rule.weight.value > 0) add_successor(row, rule, rule.weight.value / total);
   }
   if (of.empty() || total <= 0) row.emplace_back(symbol, 1);
   return row;
+}
+
+/// What decomposition leaves of one module of each symbol: by rules that lead to an end whatever happens.
+/// Nothing where there are others.
+std::optional<std::vector<Row>> decomposed(const Grammar& grammar) {
+  const RuleSet& set = grammar.decomposition;
+  std::vector<Row> rows(grammar.symbols.size());
+  std::vector<char> known(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!has_row(set, static_cast<SymbolId>(i))) return std::nullopt;
+    if (!set.of[i].empty()) continue;
+    rows[i].emplace_back(static_cast<SymbolId>(i), 1);
+    known[i] = true;
+  }
+  for (bool progress = true; progress;) {
+    progress = false;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (known[i]) continue;
+      Row once = row_of(set, static_cast<SymbolId>(i));
+      if (!std::ranges::all_of(once, [&](const auto& entry) { return known[entry.first] != 0; })) continue;
+      for (auto [symbol, count] : once)
+        for (auto [last, times] : rows[symbol]) add(rows[i], last, count * times);
+      known[i] = progress = true;
+    }
+  }
+  if (std::ranges::find(known, 0) != known.end()) return std::nullopt;
+  return rows;
 }
 
 /// How many turtles a guide may make of one.
@@ -99,24 +130,26 @@ std::vector<double> times_in(const Grammar& grammar, const Word& word) {
 }
 
 void note(Forecast& forecast, const Sizes& sizes, int step, const Limits& limits) {
-  forecast.modules = sizes.modules;
-  forecast.bytes = sizes.bytes;
-  forecast.segments = sizes.segments;
+  forecast.modules = std::min(sizes.modules, kEnough);
+  forecast.bytes = std::min(sizes.bytes, kEnough);
+  forecast.segments = std::min(sizes.segments, kEnough);
   auto most = static_cast<double>(limits.modules);
   bool passes =
       sizes.modules > most || sizes.segments > most || sizes.bytes > static_cast<double>(limits.bytes);
   if (!passes || forecast.passes_at >= 0) return;
   forecast.passes_at = step;
-  forecast.passes_with = std::max(sizes.modules, sizes.segments);
+  forecast.passes_with = std::max(forecast.modules, forecast.segments);
 }
 
 void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast& forecast) {
-  std::vector<Row> rows;
-  for (std::size_t i = 0; i < grammar.symbols.size(); ++i) {
-    rows.push_back(row_of(grammar.rules, static_cast<SymbolId>(i)));
-    for (std::uint16_t index : grammar.rules.of[i])
-      if (grammar.rules.rules[index].weighted) forecast.kind = Forecast::Kind::expected;
-  }
+  const std::vector<Row> parts = *decomposed(grammar);
+  std::vector<Row> rows(grammar.symbols.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (auto [symbol, count] : row_of(grammar.rules, static_cast<SymbolId>(i)))
+      for (auto [last, times] : parts[symbol]) add(rows[i], last, count * times);
+  for (const RuleSet* set : {&grammar.rules, &grammar.decomposition})
+    for (const Production& rule : set->rules)
+      if (rule.weighted) forecast.kind = Forecast::Kind::expected;
   std::vector<double> segments = segments_of_symbols(grammar), times = times_in(grammar, grammar.axiom);
   note(forecast, sizes_of(grammar, times, segments), 0, limits);
   for (int step = 1; step <= steps; ++step) {
@@ -127,7 +160,7 @@ void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast
     if (next == times) break;
     times = std::move(next);
     note(forecast, sizes_of(grammar, times, segments), step, limits);
-    if (!std::isfinite(forecast.modules) || forecast.modules > 1e300) break;
+    if (forecast.modules >= kEnough) break;
   }
 }
 
@@ -139,11 +172,24 @@ void by_dry_run(const Grammar& grammar, int steps, Seed seed, const Limits& limi
                std::min<std::size_t>(limits.bytes, 64u << 20)};
   Sizes now = sizes_of(grammar, times_in(grammar, state.word), segments), before = now, earlier = now;
   note(forecast, now, 0, limits);
+  double largest = 1;  // module, in bytes
+  for (const Symbol& symbol : grammar.symbols)
+    largest = std::max(largest, sizeof(SymbolId) + sizeof(double) * static_cast<double>(symbol.arity));
   int step = 0;
   std::size_t work = 0;
   while (step < steps && now.modules < 1e5 && work < 4'000'000) {
-    if (!advance(grammar, state, 1, seed, small).empty()) break;
+    Errors errors = advance(grammar, state, 1, seed, small);
+    if (!errors.empty() && !errors[0].where.empty()) return forecast.trouble = std::move(errors), void();
     ++step;
+    if (!errors.empty()) {  // more than the dry run may have
+      forecast.kind = Forecast::Kind::at_least;
+      earlier = now;
+      now.modules =
+          1 + std::min(static_cast<double>(small.modules), static_cast<double>(small.bytes) / largest);
+      now.bytes = std::max(now.bytes, now.modules);
+      note(forecast, now, step, limits);
+      break;
+    }
     work += state.word.size() + 1;
     earlier = before, before = now;
     now = sizes_of(grammar, times_in(grammar, state.word), segments);
@@ -159,7 +205,7 @@ void by_dry_run(const Grammar& grammar, int steps, Seed seed, const Limits& limi
     double factor = linear ? (now.modules + added) / std::max(1.0, now.modules) : rate;
     now = {now.modules * factor, now.bytes * factor, now.segments * factor};
     note(forecast, now, step + 1, limits);
-    if (now.modules > 1e300) return;
+    if (now.modules >= kEnough) return;
   }
 }
 
@@ -167,11 +213,12 @@ void by_dry_run(const Grammar& grammar, int steps, Seed seed, const Limits& limi
 
 bool can_stream(const Grammar& grammar, int steps) {
   return grammar.context_free && !grammar.limited && !grammar.cuts && !grammar.queries &&
-         grammar.decomposition.empty() && grammar.text.mode == GrammarText::Mode::parallel && steps <= 2000;
+         grammar.decomposition.empty() && grammar.text.mode == GrammarText::Mode::parallel &&
+         steps <= kMostStreamed;
 }
 
 bool has_growth_matrix(const Grammar& grammar) {
-  if (grammar.text.mode == GrammarText::Mode::sequential || grammar.cuts || !grammar.decomposition.empty())
+  if (grammar.text.mode == GrammarText::Mode::sequential || grammar.cuts || !decomposed(grammar))
     return false;
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
     if (!has_row(grammar.rules, static_cast<SymbolId>(i))) return false;
@@ -189,9 +236,11 @@ Forecast forecast(const Grammar& grammar, int steps, Seed seed, const Limits& li
 }
 
 Errors refuse(const Forecast& forecast, const Limits& limits) {
+  if (!forecast.trouble.empty()) return forecast.trouble;
   if (forecast.passes_at < 0) return {};
   std::string_view how = forecast.kind == Forecast::Kind::exact      ? "would have"
                          : forecast.kind == Forecast::Kind::expected ? "would have on average"
+                         : forecast.kind == Forecast::Kind::at_least ? "would have at least"
                                                                      : "would have about";
   return {{"", fmt::format("step {} {} {:.4g} modules or segments, past the limit of {} modules and {} "
                            "bytes; the last step {} {:.4g} "

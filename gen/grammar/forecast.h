@@ -6,7 +6,7 @@ namespace frond {
 
 /// How large a derivation will be, without making it.
 struct Forecast {
-  enum class Kind { exact, expected, extrapolated };
+  enum class Kind { exact, expected, extrapolated, at_least };
 
   Kind kind = Kind::exact;
   double modules = 0;      ///< of the last word
@@ -14,15 +14,16 @@ struct Forecast {
   double bytes = 0;        ///< of the last word
   int passes_at = -1;      ///< first step whose word passes the limits; -1: none
   double passes_with = 0;  ///< modules at that step, or segments where they are more
+  Errors trouble;          ///< what else will stop the derivation, where that showed
 };
 
 /// Predicts a derivation: exactly by the growth matrix where each symbol has one rule that always applies, as
 /// the mean where rules draw lots with fixed weights, and otherwise from a dry run of at most 100,000
-/// modules.
+/// modules. Where its last step makes more than it may, the figures are what there is at least.
 Forecast forecast(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 
-/// Why the derivation is refused: the figure and the step at which it passes the limits. Empty when it is
-/// not.
+/// Why the derivation is refused: its trouble, or the figure and the step at which it passes the limits.
+/// Empty when it is not.
 Errors refuse(const Forecast& forecast, const Limits& limits);
 
 /// Whether the growth matrix holds for the grammar, which makes a forecast cheap.

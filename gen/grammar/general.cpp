@@ -28,7 +28,7 @@ struct Step {
   Derivation& state;
   const Neighbours& near;
   Seed seed;
-  std::size_t limit;
+  const Limits& limits;
   bool leftmost;
   std::vector<std::uint32_t>* parents;
 };
@@ -62,7 +62,7 @@ class Rewriter {
       }
       if (step_.parents) step_.parents->resize(out.size(), static_cast<std::uint32_t>(i));
       if (at_.fault) chunk.errors = {trouble(i, symbol, parameters, index)};
-      if (at_.fault || out.size() > step_.limit) return;
+      if (at_.fault || out.size() > step_.limits.modules || out.bytes() > step_.limits.bytes) return;
       parameters += arity;
     }
   }
@@ -154,7 +154,7 @@ Errors step_generally(const Grammar& grammar, Derivation& state, Word& out, Seed
   Neighbours near;
   if (!grammar.context_free) near.find(grammar, state.word);
   auto number = static_cast<std::uint64_t>(state.steps) + 1;
-  Step step{grammar, state, near, seed.child("step", number), limits.modules, leftmost, parents};
+  Step step{grammar, state, near, seed.child("step", number), limits, leftmost, parents};
   std::vector<Chunk> chunks = chunks_of(step);
   std::atomic<std::size_t> size{0}, bytes{0};
   auto too_large = [&] { return size > limits.modules || bytes > limits.bytes; };

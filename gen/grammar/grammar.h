@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,9 @@ struct GrammarText {
   DVec3 start{0};  ///< where the turtle starts
   DVec3 start_heading{0, 1, 0};
   GuideText guide;  ///< what `?` follows
+  std::vector<std::string> organs =
+      {};                  ///< names that stand for shapes although the turtle does not know them
+  std::string where = {};  ///< for messages: where the grammar stands
 };
 
 /// A name with its number of parameters: F and F(l) are two symbols.
@@ -67,6 +71,12 @@ struct Symbol {
   int arity = 0;
   Act act = Act::none;
   bool context = true;  ///< whether contexts see it
+};
+
+/// Where a symbol is first made: a rule or the axiom, its text and the place in it.
+struct Making {
+  std::string where, text;
+  std::size_t at = 0;
 };
 
 /// One rule, compiled. The variables of its formulas are the parameters of the left context, the predecessor
@@ -116,6 +126,8 @@ struct Grammar {
   bool queries = false;  ///< the turtle answers questions between steps
 
   SymbolId open = 0, close = 0;  ///< the brackets
+
+  std::vector<std::optional<Making>> making;  ///< of each symbol
 };
 
 /// Checks and compiles a grammar. All mistakes are reported, each naming the rule, the place in it and what

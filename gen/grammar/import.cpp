@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "grammar/import_text.h"
 
@@ -48,8 +49,13 @@ std::optional<double> number(std::string_view text) {
   text = trim(text);
   double value = 0;
   auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+Error not_a_count(const Line& line, double most) {
+  return {fmt::format("line {}", line.number),
+          fmt::format("`{}`: expected a number from 0 to {:.0f}", line.text, most)};
 }
 
 std::size_t last_outside(std::string_view text, char sign) {
@@ -84,8 +90,9 @@ class CpfgReader {
   Result<Import> read(std::string_view text) {
     std::string clean = without_comments(text);
     for (const Line& line : lines_of(clean)) {
-      if (!read_define(line.text) && !read_setting(line.text)) read_rule(line);
+      if (!read_define(line.text) && !read_setting(line)) read_rule(line);
     }
+    if (!errors_.empty()) return errors_;
     if (!has_axiom_) return Error{"", "there is no `axiom:`; this is not a cpfg file"};
     note("turning angle, line width and colours stand in the view file of cpfg: set `angle`, `width` here");
     return std::move(import_);
@@ -113,14 +120,22 @@ class CpfgReader {
     return replaced(replaced(std::string(text), "ran(", "rand(0,"), "nran(", "nrand(");
   }
 
-  /// A number, or a constant that is one.
+  /// A formula of the constants so far.
   std::optional<double> value_of(std::string_view text) const {
-    for (const auto& [name, value] : import_.grammar.constants)
-      if (name == text) return number(value);
-    return number(text);
+    std::vector<Constant> known;
+    auto value = [&](std::string_view formula) -> std::optional<double> {
+      Cursor reader{formula};
+      Expression read = read_expression(reader, {{}, known});
+      if (reader.failed() || !reader.at_end() || read.form != Expression::Form::constant) return std::nullopt;
+      return read.value;
+    };
+    for (const auto& [name, text_of] : import_.grammar.constants)
+      if (std::optional<double> constant = value(text_of)) known.push_back({name, {*constant}});
+    return value(text);
   }
 
-  bool read_setting(std::string_view line) {
+  bool read_setting(const Line& whole) {
+    std::string_view line = whole.text;
     GrammarText& g = import_.grammar;
     std::size_t colon = line.find(':');
     std::string_view name = trim(line.substr(0, colon));
@@ -129,9 +144,9 @@ class CpfgReader {
     if (name == "axiom" || name == "Axiom")
       g.axiom = formula(value), has_axiom_ = true;
     else if (name == "derivation length")
-      g.steps = static_cast<int>(value_of(value).value_or(1));
+      take_count(g.steps, value_of(value), kMostSteps, whole, errors_);
     else if (name == "seed")
-      g.seed = static_cast<std::uint64_t>(value_of(value).value_or(1));
+      take_count(g.seed, value_of(value), kMostSeed, whole, errors_);
     else if (name == "ignore")
       g.ignore = value;
     else if (name == "consider")
@@ -145,7 +160,8 @@ class CpfgReader {
     else if (name == "production" || name == "productions")
       rules_ = &g.rules;
     else if (name == "maximum depth") {
-      if (rules_ == &g.interpretation) g.interpretation_depth = static_cast<int>(value_of(value).value_or(1));
+      if (rules_ == &g.interpretation)
+        take_count(g.interpretation_depth, value_of(value), kMostDepth, whole, errors_);
     } else if (name != "lsystem" && name != "endlsystem" && name != "Lsystem" &&
                !name.starts_with("warnings") && !name.starts_with("no warnings")) {
       for (std::string_view block : {"Start", "StartEach", "EndEach", "End"})
@@ -182,6 +198,7 @@ class CpfgReader {
   Import import_;
   std::vector<GrammarText::Rule>* rules_ = &import_.grammar.rules;
   bool has_axiom_ = false;
+  Errors errors_;
 };
 
 /// Condition, successor and probability of a Houdini rule: `head = successor : probability`.
@@ -210,7 +227,8 @@ std::optional<std::string> houdini_rule(std::string_view line) {
 }
 
 /// Takes a line `name: value` or `name = value`; false where it is none.
-bool houdini_setting(std::string_view line, Import& import) {
+bool houdini_setting(const Line& whole, Import& import, Errors& errors) {
+  std::string_view line = whole.text;
   std::size_t colon = line.find(':');
   std::string_view name = trim(line.substr(0, colon)),
                    value = colon == line.npos ? "" : trim(line.substr(colon + 1));
@@ -225,7 +243,7 @@ bool houdini_setting(std::string_view line, Import& import) {
   else if (name == "angle" || name == "Angle")
     g.angle = *given;
   else if (name == "generations" || name == "Generations")
-    g.steps = static_cast<int>(*given);
+    take_count(g.steps, given, kMostSteps, whole, errors);
   else if (name == "stepsize" || name == "Step Size")
     g.length = *given;
   else if (name == "thickness" || name == "Thickness")
@@ -235,7 +253,7 @@ bool houdini_setting(std::string_view line, Import& import) {
   else if (name == "thickscale" || name == "Thickness Scale")
     g.width_scale = *given;
   else if (name == "seed" || name == "Random Seed")
-    g.seed = static_cast<std::uint64_t>(*given);
+    take_count(g.seed, given, kMostSeed, whole, errors);
   else if (is_identifier(name) && name.size() == 1)
     g.constants.emplace_back(name, value);
   else
@@ -250,8 +268,9 @@ Result<Import> import_cpfg(std::string_view text) { return CpfgReader().read(tex
 Result<Import> import_houdini(std::string_view text) {
   Import import;
   import.grammar.dialect = Dialect::houdini;
+  Errors errors;
   for (const Line& line : lines_of(text)) {
-    if (line.text.starts_with('#') || houdini_setting(line.text, import)) continue;
+    if (line.text.starts_with('#') || houdini_setting(line, import, errors)) continue;
     if (std::optional<std::string> rule = houdini_rule(line.text)) {
       import.grammar.rules.push_back({*rule, GrammarText::kUnlimited, fmt::format("line {}", line.number)});
       for (char sign : {'J', 'K', 'M', 'T'})
@@ -263,6 +282,7 @@ Result<Import> import_houdini(std::string_view text) {
       import.notes.push_back(fmt::format("line {}: `{}` is left out", line.number, line.text));
     }
   }
+  if (!errors.empty()) return errors;
   if (import.grammar.rules.empty())
     return Error{"", "there is no rule `A=…`; this is not a Houdini rule list"};
   return import;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/result.h"
+
 /// What readers of other tools' grammars share.
 namespace frond::import_text {
 
@@ -22,7 +24,22 @@ std::vector<Line> lines_of(std::string_view text);
 /// The text without `/* … */`.
 std::string without_comments(std::string_view text);
 
+/// A finite number, nothing else.
 std::optional<double> number(std::string_view text);
+
+/// That the line's value is none from 0 to `most`.
+Error not_a_count(const Line& line, double most);
+
+/// A number as a setting that counts: cut to a whole one, from 0 to `most`. Notes what it cannot be.
+template <class T>
+void take_count(T& out, std::optional<double> value, double most, const Line& line, Errors& errors) {
+  if (value && *value >= 0 && *value < most + 1)
+    out = static_cast<T>(*value);
+  else
+    errors.push_back(not_a_count(line, most));
+}
+
+inline constexpr double kMostSteps = 1e6, kMostSeed = 9e15, kMostDepth = 100;
 
 /// The last place of a sign outside parentheses, or npos.
 std::size_t last_outside(std::string_view text, char sign);

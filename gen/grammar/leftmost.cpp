@@ -54,6 +54,7 @@ class LeftmostRewriter {
   }
 
   std::size_t size() const { return state_.word.size() + right_.size(); }
+  std::size_t bytes() const { return state_.word.bytes() + right_.bytes(); }
 
   /// Puts the word together again.
   void finish() {
@@ -121,9 +122,9 @@ Errors advance_leftmost(const Grammar& grammar, Derivation& state, int steps, Se
       return advance_plainly(grammar, state, steps, seed, limits);
     }
     ++state.steps;
-    if (cursor.size() > limits.modules)
-      return {{"", fmt::format("step {} passes the limit of {} modules; use fewer steps", state.steps,
-                               limits.modules)}};
+    if (cursor.size() > limits.modules || cursor.bytes() > limits.bytes)
+      return {{"", fmt::format("step {} passes the limit of {} modules and {} bytes; use fewer steps",
+                               state.steps, limits.modules, limits.bytes)}};
   }
   cursor.finish();
   return {};

@@ -64,7 +64,9 @@ Result<Import> import_lparser(std::string_view text) {
     return Error{fmt::format("line {}", data[0].number), "depth, angle and thickness are numbers"};
   Import import;
   GrammarText& g = import.grammar;
-  g.steps = static_cast<int>(*depth);
+  Errors errors;
+  take_count(g.steps, depth, kMostSteps, data[0], errors);
+  if (!errors.empty()) return errors;
   g.angle = *angle;
   g.width = *thickness / 100;  // a share of the step, which is 1
   g.axiom = word_of(data[3].text);

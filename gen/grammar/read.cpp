@@ -84,6 +84,7 @@ std::string_view ModuleReader::take_name(Cursor& reader) const {
 void ModuleReader::read_modules(Cursor& reader, std::span<const std::string> variables,
                                 std::vector<SymbolId>& modules, std::vector<Expression>& arguments) {
   std::vector<std::size_t> open;
+  places.clear();
   while (!reader.at_end() && !reader.failed()) {
     std::size_t start = reader.at;
     std::string_view name = take_name(reader);
@@ -102,7 +103,7 @@ void ModuleReader::read_modules(Cursor& reader, std::span<const std::string> var
         reader.fail(fmt::format("the parameters of `{}` are not closed; a `,` or `)` is expected", name),
                     reader.at);
     }
-    if (!reader.failed()) modules.push_back(id(name, arity, reader));
+    if (!reader.failed()) modules.push_back(id(name, arity, reader)), places.push_back(start);
   }
   if (!open.empty()) reader.fail("this `[` is not closed; add a `]`", open.back());
 }

@@ -17,6 +17,9 @@ class ModuleReader {
   /// The constants as far as they are known.
   std::vector<Constant> constants;
 
+  /// Where in its text each of the modules read last begins.
+  std::vector<std::size_t> places;
+
   /// Id of a name with so many parameters; a new one where it is not known yet. Fails when there are 256 of
   /// them.
   SymbolId id(std::string_view name, int arity, Cursor& reader);

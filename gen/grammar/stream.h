@@ -9,7 +9,7 @@ namespace frond {
 
 /// Whether a derivation can go to the turtle module by module without its words being stored: rules without
 /// contexts or limits, made in parallel, and no cuts, questions or decomposition. Many steps would need a
-/// deep stack and are stored.
+/// deep stack of the machine and are stored.
 bool can_stream(const Grammar& grammar, int steps);
 
 /// A derivation made depth first: the first module of the axiom grows to its end before the second one
@@ -18,7 +18,11 @@ template <class Sink>
 class Stream {
  public:
   Stream(const Grammar& grammar, int steps, Seed seed, Turtle<Sink>& turtle, const Limits& limits)
-      : grammar_(grammar), turtle_(turtle), places_(static_cast<std::size_t>(steps)), left_(limits.modules) {
+      : grammar_(grammar),
+        turtle_(turtle),
+        places_(static_cast<std::size_t>(steps)),
+        left_(limits.modules),
+        limit_(limits.modules) {
     for (int i = 1; i <= steps; ++i) seeds_.push_back(seed.child("step", static_cast<std::uint64_t>(i)));
   }
 
@@ -33,7 +37,7 @@ class Stream {
     }
     turtle_.feed(symbol, parameters);
     if (left_-- > 0) return true;
-    trouble_ = {"", "the word passes the limit of modules; use fewer steps"};
+    trouble_ = {"", fmt::format("the word passes the limit of {} modules; use fewer steps", limit_)};
     return false;
   }
 
@@ -66,10 +70,7 @@ class Stream {
   }
 
   bool fail(const Production& rule, std::size_t level) {
-    trouble_ = {rule.where,
-                fmt::format("step {}: division by zero or a number that is not finite in `{}`; add a "
-                            "condition that keeps the rule away from there",
-                            level + 1, rule.text)};
+    trouble_ = {rule.where, fmt::format("step {}: {}", level + 1, fault_in(rule))};
     return false;
   }
 
@@ -77,7 +78,7 @@ class Stream {
   Turtle<Sink>& turtle_;
   std::vector<Seed> seeds_;            // of each step
   std::vector<std::uint64_t> places_;  // modules so far of the word before each step
-  std::size_t left_;                   // modules that may still come
+  std::size_t left_, limit_;           // modules that may still come, and in all
   Error trouble_;
 };
 
@@ -88,7 +89,10 @@ Result<TurtleState> draw(const Grammar& grammar, int steps, Seed seed, Sink& sin
   if (steps < 0 || !can_stream(grammar, steps)) {
     Result<Word> word = derive(grammar, steps, seed, limits);
     if (!word) return word.errors();
-    return walk(grammar, *word, seed, sink);
+    Errors errors;
+    TurtleState end = walk(grammar, *word, seed, sink, &errors);
+    if (!errors.empty()) return errors;
+    return end;
   }
   if (has_growth_matrix(grammar))
     if (Errors errors = refuse(forecast(grammar, steps, seed, limits), limits); !errors.empty())
@@ -100,6 +104,7 @@ Result<TurtleState> draw(const Grammar& grammar, int steps, Seed seed, Sink& sin
     if (!stream.grow(symbol, parameters, 0)) return stream.trouble();
     parameters += grammar.symbols[symbol].arity;
   }
+  if (Errors errors = turtle.trouble(); !errors.empty()) return errors;
   return turtle.finish();
 }
 

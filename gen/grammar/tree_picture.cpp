@@ -128,7 +128,7 @@ Result<std::string> derivation_tree_svg(const Grammar& grammar, int steps, Seed 
                                    state.word.size(), step, kMostModules)};
     rows.push_back(row_of(grammar, state.word, parents));
     if (step == steps) break;
-    Errors errors = advance_tracked(grammar, state, seed, parents);
+    Errors errors = advance_tracked(grammar, state, seed, parents, grammar.text.limits);
     if (!errors.empty()) return errors;
   }
   double width = place(rows);

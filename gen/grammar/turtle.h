@@ -40,8 +40,11 @@ class Turtle {
       return act(symbol, parameters), void(++fed_);
     at_.seed = seed_.child("interpret").child(fed_++);
     auto emit = [&](SymbolId s, const double* p) { return act(s, p), true; };
-    expand(grammar_, grammar_.interpretation, symbol, parameters, text_.interpretation_depth, at_, emit);
+    if (!expander_.run(symbol, parameters, text_.interpretation_depth, at_, emit)) wrong_ = &expander_.rule();
   }
+
+  /// What is wrong with an interpretation rule that was met; the rest of its outcome was left out.
+  Errors trouble() const { return wrong_ ? Errors{{wrong_->where, fault_in(*wrong_)}} : Errors{}; }
 
   /// How far the modules fed from now on have grown.
   void set_growth(const Unfolding& growth) {
@@ -336,10 +339,10 @@ class Turtle {
       case Act::divide_angle:
         return scale(now_.angle, 1 / angle_by);
       case Act::next_color:
-        now_.color = given ? static_cast<int>(value) : now_.color + 1;
+        now_.color = given ? color_index(value) : now_.color + 1;
         return;
       case Act::previous_color:
-        now_.color = given ? static_cast<int>(value) : now_.color - 1;
+        now_.color = given ? color_index(value) : now_.color - 1;
         return;
       case Act::set_elasticity:
         if (given) set(now_.elasticity, value);
@@ -356,6 +359,8 @@ class Turtle {
   Sink& sink_;
   Seed seed_;
   Evaluation at_;
+  Expander expander_{grammar_, grammar_.interpretation};
+  const Production* wrong_ = nullptr;
   TurtleState now_;
   std::vector<TurtleState> stack_;
   std::vector<DVec3> vertices_;           // of all polygons open
@@ -372,15 +377,16 @@ class Turtle {
 /// The turtle as a grammar sets it up: at the origin, heading up.
 TurtleState start_of(const Grammar& grammar);
 
-/// Walks a whole word. The state at its end.
+/// Walks a whole word. The state at its end; what was wrong on the way goes to `errors`.
 template <class Sink>
-TurtleState walk(const Grammar& grammar, const Word& word, Seed seed, Sink& sink) {
+TurtleState walk(const Grammar& grammar, const Word& word, Seed seed, Sink& sink, Errors* errors = nullptr) {
   Turtle<Sink> turtle(grammar, seed, sink, start_of(grammar));
   const double* parameters = word.parameters.data();
   for (SymbolId symbol : word.symbols) {
     turtle.feed(symbol, parameters);
     parameters += grammar.symbols[symbol].arity;
   }
+  if (errors) *errors = turtle.trouble();
   return turtle.finish();
 }
 

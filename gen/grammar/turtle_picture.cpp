@@ -2,6 +2,7 @@
 
 #include "core/text.h"
 #include "grammar/between.h"
+#include "grammar/figure.h"
 #include "grammar/picture.h"
 
 namespace frond {
@@ -37,10 +38,12 @@ struct Canvas {
   std::vector<Fill> fills;
   std::vector<Ball> balls;
   DVec3 low{1e300}, high{-1e300};
+  double wrong = 0;  ///< not finite as soon as a place is not
 
-  void reach(DVec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
+  void reach(DVec3 p) { low = glm::min(low, p), high = glm::max(high, p), wrong += (p.x + p.y + p.z) * 0; }
   void segment(const Segment& s, TurtleState& state) {
     lines.push_back({s.from, s.to, (s.width_from + s.width_to) / 2, state.color});
+    wrong += lines.back().width * 0;
     reach(s.from), reach(s.to);
   }
   void polygon(std::span<const DVec3> points, const TurtleState& state) {
@@ -51,6 +54,7 @@ struct Canvas {
     if (act != Act::sphere && act != Act::disc) return;
     double radius = (parameters.empty() ? state.width : parameters[0]) / 2;
     balls.push_back({state.position, radius, state.color});
+    wrong += radius * 0;
     reach(state.position - radius), reach(state.position + radius);
   }
 };
@@ -67,6 +71,7 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
   // The picture is 1000 units along its longer side, whatever the plant measures.
   double size = std::max({canvas.high.x - canvas.low.x, canvas.high.y - canvas.low.y, 1e-9}),
          scale = 1000 / size;
+  if (!std::isfinite(size + canvas.wrong)) return out_of_range();
   auto x = [&](DVec3 p) { return (p.x - canvas.low.x) * scale + 20; };
   auto y = [&](DVec3 p) { return (canvas.high.y - p.y) * scale + 20; };
   double width = (canvas.high.x - canvas.low.x) * scale + 40,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -39,6 +40,12 @@ struct Unfolding {
   double from = 0;     ///< where its first parameter comes from, if `has_from`
   bool has_from = false;
 };
+
+/// The colour index that a parameter gives. They are picked round and round, so it matters little which one
+/// stands for what is beyond an int.
+inline int color_index(double value) {
+  return std::isfinite(value) ? static_cast<int>(std::clamp(value, -1e9, 1e9)) : 0;
+}
 
 /// The pull on a drawn segment (ABOP 2.3.3): turned by e|H x T| about H x T.
 inline void bend(TurtleState& turtle, DVec3 pull) {

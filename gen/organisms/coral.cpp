@@ -6,6 +6,7 @@
 #include "core/noise.h"
 #include "geometry/smooth.h"
 #include "grammar/figure.h"
+#include "grammar/review.h"
 
 namespace frond {
 
@@ -13,6 +14,7 @@ namespace {
 
 GrammarText coral_text(const CoralParams& params) {
   GrammarText text = params.form == CoralForm::own ? params.grammar : GrammarText{};
+  text.where = params.grammar.where;
   if (params.form != CoralForm::own) {
     text.axiom = "A";
     text.steps = params.steps;
@@ -90,11 +92,14 @@ Result<Grammar> coral_grammar(const CoralParams& params) { return compile(coral_
 Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   Result<Grammar> grammar = coral_grammar(params);
   if (!grammar) return grammar.errors();
-  Result<Word> word = derive(*grammar, grammar->text.steps, seed.child("derive"), grammar->text.limits);
-  if (!word) return word.errors();
-  Skeleton coarse = skeleton_of(*grammar, *word, seed.child("turtle"));
-  if (coarse.size() == 0) return Error{"", "the grammar draws nothing: its turtle never meets an F"};
-  float start_radius = static_cast<float>(grammar->text.width / 2);
+  const GrammarText& text = grammar->text;
+  Result<Word> word = derive(*grammar, text.steps, seed.child("derive"), text.limits);
+  if (!word) return placed(word.errors(), text);
+  Result<Skeleton> drawn = skeleton_of(*grammar, *word, seed.child("turtle"));
+  if (!drawn) return placed(drawn.errors(), text);
+  Skeleton coarse = std::move(*drawn);
+  if (coarse.size() == 0) return Error{text.where, "the grammar draws nothing: its turtle never meets an F"};
+  float start_radius = static_cast<float>(text.width / 2);
   scale_to_height(coarse, params.height);
   measure(coarse);
   distort(coarse, params.distortion, seed.child("distort"));
@@ -102,6 +107,9 @@ Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   set_tip_distances(fine);
   thicken(fine, params.thickness, start_radius);
   set_births(fine);
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    if (!std::isfinite(glm::dot(fine.position[i], fine.position[i])) || !std::isfinite(fine.radius[i]))
+      return placed(out_of_range(), text);
   return fine;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grammar/review.h"
 #include "organisms/picture_bounds.h"
 
 namespace frond {
@@ -31,18 +32,33 @@ struct Grow {
   Result<Model> operator()(const IvyParams&) const { return Error{"", "ivy grows on other bodies"}; }
 };
 
+/// Why a derivation is sure not to come to its end. What is only extrapolated is tried when it grows.
+Errors foreseen_trouble(const Grammar& grammar) {
+  const GrammarText& text = grammar.text;
+  Forecast word = forecast(grammar, text.steps, Seed{1}, text.limits);
+  bool guess = word.kind == Forecast::Kind::extrapolated && word.trouble.empty();
+  return guess ? Errors{} : refuse(word, text.limits);
+}
+
+/// What a grammar's word and skeleton will be.
+Result<Foresight> foresee_word(const Result<Grammar>& grammar, Seed seed, int smoothing) {
+  if (!grammar) return grammar.errors();
+  const GrammarText& text = grammar->text;
+  Forecast word = forecast(*grammar, text.steps, seed, text.limits);
+  if (Errors errors = refuse(word, text.limits); !errors.empty()) return placed(errors, text);
+  return Foresight{word, 1 + word.segments * smoothing};
+}
+
 struct Check {
   Errors operator()(const CoralParams& params) const {
     Result<Grammar> grammar = coral_grammar(params);
-    if (!grammar) return grammar.errors();
-    return refuse(forecast(*grammar, grammar->text.steps, Seed{1}, grammar->text.limits),
-                  grammar->text.limits);
+    return grammar ? foreseen_trouble(*grammar) : grammar.errors();
   }
   Errors operator()(const RockParams& params) const { return check_rock(params.shape); }
   Errors operator()(const PebblesParams& params) const { return check_pebbles(params); }
   Errors operator()(const PlantParams& params) const {
     Result<Grammar> grammar = plant_grammar(params);
-    return grammar ? Errors{} : grammar.errors();
+    return grammar ? foreseen_trouble(*grammar) : grammar.errors();
   }
   Errors operator()(const WallParams&) const { return {}; }
   Errors operator()(const ColumnParams&) const { return {}; }
@@ -78,18 +94,10 @@ struct Foresee {
     return tree;
   }
   Result<Foresight> operator()(const PlantParams& params) const {
-    Result<Grammar> grammar = plant_grammar(params);
-    if (!grammar) return grammar.errors();
-    Forecast word = forecast(*grammar, grammar->text.steps, seed);
-    if (Errors errors = refuse(word, {}); !errors.empty()) return errors;
-    return Foresight{word, 1 + word.segments * params.smoothing};
+    return foresee_word(plant_grammar(params), seed, params.smoothing);
   }
   Result<Foresight> operator()(const CoralParams& params) const {
-    Result<Grammar> grammar = coral_grammar(params);
-    if (!grammar) return grammar.errors();
-    Forecast word = forecast(*grammar, grammar->text.steps, seed, grammar->text.limits);
-    if (Errors errors = refuse(word, grammar->text.limits); !errors.empty()) return errors;
-    return Foresight{word, 1 + word.segments * params.smoothing};
+    return foresee_word(coral_grammar(params), seed, params.smoothing);
   }
   // Bodies have no branches.
   Result<Foresight> operator()(const WallParams&) const { return Foresight{}; }
@@ -125,5 +133,12 @@ std::vector<Drawing> drawings(const Organism& organism) {
 }
 
 Errors check(const Organism& organism) { return std::visit(Check{}, organism.body); }
+
+Errors doubts(const Organism& organism) {
+  Result<Grammar> grammar = Error{};
+  if (const auto* coral = std::get_if<CoralParams>(&organism.body)) grammar = coral_grammar(*coral);
+  if (const auto* plant = std::get_if<PlantParams>(&organism.body)) grammar = plant_grammar(*plant);
+  return grammar ? grammar->warnings : Errors{};
+}
 
 }  // namespace frond

@@ -71,4 +71,7 @@ std::vector<Drawing> drawings(const Organism& organism);
 /// The first fault of an organism that only shows when its grammar is compiled.
 Errors check(const Organism& organism);
 
+/// What of an organism without faults is most likely not meant.
+Errors doubts(const Organism& organism);
+
 }  // namespace frond

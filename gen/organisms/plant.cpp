@@ -6,6 +6,7 @@
 #include "geometry/outline.h"
 #include "geometry/smooth.h"
 #include "grammar/figure.h"
+#include "grammar/review.h"
 #include "organisms/organ_prototypes.h"
 
 namespace frond {
@@ -229,7 +230,9 @@ void find_missing_organs(const Grammar& grammar, std::span<const SymbolId> modul
 }
 
 Result<Grammar> plant_grammar(const PlantParams& params) {
-  Result<Grammar> grammar = compile(params.grammar);
+  GrammarText text = params.grammar;
+  for (const OrganParams& organ : params.organs) text.organs.push_back(organ.symbol);
+  Result<Grammar> grammar = compile(text);
   if (!grammar) return grammar;
   Errors errors;
   for (const OrganParams& organ : params.organs) {
@@ -249,27 +252,27 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
 Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
   Result<Grammar> grammar = plant_grammar(params);
   if (!grammar) return grammar.errors();
-  std::vector<std::string> names;
-  for (const OrganParams& organ : params.organs) names.push_back(organ.symbol);
+  const GrammarText& text = grammar->text;
   auto after = [&](double steps) {
-    return figure_of(*grammar, steps, seed.child("derive"), {}, names, params.by_steps);
+    return figure_of(*grammar, steps, seed.child("derive"), text.limits, text.organs, params.by_steps);
   };
-  Result<Figure> figure = after(grammar->text.steps);
-  if (!figure) return figure.errors();
+  Result<Figure> figure = after(text.steps);
+  if (!figure) return placed(figure.errors(), text);
   if (figure->skeleton.size() == 0 && figure->sites.empty() && figure->outlines.empty())
-    return Error{"", "the grammar draws nothing: its turtle meets no F, no outline and no organ"};
+    return Error{text.where, "the grammar draws nothing: its turtle meets no F, no outline and no organ"};
 
   Stature stature = stature_of(*figure, params);
   Girth girth = params.thickness;
   if (share < 1) {
-    figure = after(grammar->text.steps * share);
-    if (!figure) return figure.errors();
+    figure = after(text.steps * share);
+    if (!figure) return placed(figure.errors(), text);
     // What is still short is thin.
     if (girth.from != GirthFrom::turtle && stature.longest > 0)
       girth.radius = (girth.radius > 0 ? girth.radius : stature.start_radius) *
                      std::min(1.0f, figure->skeleton.longest() / stature.longest);
   }
   fit(*figure, stature);
+  if (Errors errors = check_places(*figure); !errors.empty()) return placed(errors, text);
   std::vector<std::int32_t> order = order_branches(figure->skeleton);
   std::vector<std::int32_t> color(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) color[static_cast<std::size_t>(order[i])] = figure->color[i];
@@ -292,7 +295,7 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
   model.prototypes = organ_prototypes(params);
   if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ"));
       !errors.empty())
-    return errors;
+    return placed(errors, text);
   return model;
 }
 

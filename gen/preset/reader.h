@@ -28,6 +28,8 @@ class Reader {
   explicit Reader(bool partial = false) : partial_(partial) {}
 
   const Faults& faults() const { return faults_; }
+  /// What is no fault, but most likely not meant.
+  const Faults& doubts() const { return doubts_; }
 
   /// Reads a whole document; "$schema" is allowed there.
   template <class T>
@@ -59,6 +61,8 @@ class Reader {
     static_assert(std::is_floating_point_v<Held<T>>);
     member(name, [&](const Value& v) {
       auto degrees = number_at(v, in_degrees(within<Held<T>>(range)));
+      if constexpr (std::is_same_v<T, Held<T>>)
+        if (degrees) doubt_radians(v, *degrees, frond::degrees(static_cast<double>(out)));
       return keep(out, degrees ? std::optional(static_cast<Held<T>>(radians(*degrees))) : std::nullopt);
     });
   }
@@ -240,6 +244,8 @@ class Reader {
     if (range.unit.empty()) range.unit = "degrees";
     return range;
   }
+  /// Notes an angle that would be usual in radians, where degrees are expected and `usual`.
+  void doubt_radians(const Value& value, double found, double usual);
   std::optional<double> whole_at(const Value& value, const Range& range);
   bool numbers_at(const Value& value, const Range& range, std::span<double> out);
   template <class T, class Read>
@@ -293,15 +299,17 @@ class Reader {
   bool partial_;
   std::string pointer_;
   std::vector<Frame> frames_;
-  Faults faults_;
+  Faults faults_, doubts_;
 };
 
-/// Reads a document into a described struct, or tells everything that is wrong with it.
+/// Reads a document into a described struct, or tells everything that is wrong with it. What is only doubtful
+/// goes to `doubts`.
 template <class T>
-Result<T> read_preset(const Document& document) {
+Result<T> read_preset(const Document& document, Faults* doubts = nullptr) {
   T preset{};
   Reader reader;
   reader.read_root(document.root, preset);
+  if (doubts) *doubts = reader.doubts();
   if (reader.faults().list().empty()) return preset;
   return reader.faults().errors();
 }

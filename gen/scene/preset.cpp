@@ -62,15 +62,31 @@ std::string grammar_pointer(const GrammarText& grammar, const Error& error) {
   return error.what.starts_with('`') ? pointer_step("", in_backquotes(error.what)) : "";
 }
 
+/// Rules that a coral does not grow by, or that it lacks. Defaults may hold rules for other corals.
+void check_form(const CoralParams& coral, const Value& written, const Value& own_part, std::size_t index,
+                Faults& faults) {
+  bool own = coral.form == CoralForm::own;
+  if (own && !written.find("grammar"))
+    faults.add(organism_fault(written, index, "/form", "found \"own\" and no rules; expected a \"grammar\""));
+  if (!own && own_part.find("grammar"))
+    faults.add(
+        organism_fault(written, index, "/grammar",
+                       "found rules, but the coral grows by those of its form; expected \"form\": \"own\""));
+}
+
 /// Tells the rules where they stand and finds what is wrong with them, and with where it stands: within
 /// `ground` metres.
 void check_organism(Organism& organism, const Value& written, std::size_t index, double ground,
-                    Faults& faults) {
+                    Faults& faults, Faults& doubtful) {
   auto* coral = std::get_if<CoralParams>(&organism.body);
   auto* plant = std::get_if<PlantParams>(&organism.body);
   GrammarText* grammar = plant                                    ? &plant->grammar
                          : coral && coral->form == CoralForm::own ? &coral->grammar
                                                                   : nullptr;
+  if (grammar || coral) {
+    GrammarText& text = grammar ? *grammar : coral->grammar;
+    text.where = organism_fault(written, index, grammar ? "/grammar" : "/steps", "").error().where;
+  }
   if (grammar) {
     for (const RuleList& list : kRuleLists) {
       std::size_t i = 0;
@@ -88,11 +104,16 @@ void check_organism(Organism& organism, const Value& written, std::size_t index,
   if (organism.sown && std::holds_alternative<IvyParams>(organism.body))
     faults.add(organism_fault(written, index, "/sown",
                               "ivy cannot be sown, for it grows on what stands; expected another kind"));
-  for (const Error& error : check(organism)) {
-    std::string pointer = grammar ? "/grammar" + grammar_pointer(*grammar, error) : "";
-    if (error.where.starts_with('/')) pointer = error.where;
-    faults.add(organism_fault(written, index, pointer, error.what));
-  }
+  auto add = [&](Faults& list, const Errors& errors) {
+    for (const Error& error : errors) {
+      std::string pointer = grammar ? "/grammar" + grammar_pointer(*grammar, error) : "";
+      if (error.where.starts_with('/')) pointer = error.where;
+      list.add(organism_fault(written, index, pointer, error.what));
+    }
+  };
+  Errors errors = check(organism);
+  add(faults, errors);
+  if (errors.empty()) add(doubtful, doubts(organism));
 }
 
 /// Ivy that names what is not there, or what is no body.
@@ -180,15 +201,17 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
     for (Error& error : apply_set(*document, set)) errors.push_back(std::move(error));
   if (!errors.empty()) return errors;
 
-  Result<Preset> preset = read_preset<Preset>(*document);
+  Faults faults, doubtful;
+  Result<Preset> preset = read_preset<Preset>(*document, &doubtful);
   if (!preset) return preset;
   preset->text = serialize(document->root);
-  Faults faults;
   const Stage& stage = preset->stage;
   double ground = stage.setting == Setting::forest ? std::max(30.0, stage.forest.terrain.size) : 30;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     Value written = merged_organism(document->root, i);
-    check_organism(preset->organisms[i], written, i, ground, faults);
+    if (const auto* coral = std::get_if<CoralParams>(&preset->organisms[i].body))
+      check_form(*coral, written, document->root.find("organisms")->items[i], i, faults);
+    check_organism(preset->organisms[i], written, i, ground, faults, doubtful);
     for (std::string_view other : {"name", "count", "place", "sown", "wave", "growth"}) written.remove(other);
     preset->organisms[i].text = serialize(written);
   }
@@ -196,6 +219,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   check_bounds(*preset, document->root, faults);
   check_stage(preset->stage, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
+  preset->doubts = doubtful.errors();
   return preset;
 }
 

@@ -116,6 +116,8 @@ struct Preset {
   Stage stage;
   std::vector<Organism> organisms;
 
+  Errors doubts;  ///< what is no fault, but most likely not meant
+
   std::string text;  ///< what it was read from, overrides included, as canonical JSON; for hashes
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "grammar/picture.h"
+
 namespace frond {
 namespace {
 
@@ -14,7 +16,7 @@ Grammar grammar_for(const std::string& axiom) {
 
 TEST(Figure, BranchesBecomeChains) {
   Grammar grammar = grammar_for("FF[+FF]F[-F]F");
-  Skeleton s = skeleton_of(grammar, grammar.axiom, Seed{1});
+  Skeleton s = *skeleton_of(grammar, grammar.axiom, Seed{1});
   EXPECT_EQ(s.check(), "");
   EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, 1, 2, 3, 2, 5, 5}));
   EXPECT_EQ(s.order, (std::vector<std::uint16_t>{0, 0, 0, 1, 1, 0, 1, 0}));
@@ -24,7 +26,7 @@ TEST(Figure, BranchesBecomeChains) {
 
 TEST(Figure, MovesStartNewRootsAndEmptySegmentsAreLeftOut) {
   Grammar grammar = grammar_for("F(0)FfF(1,0)[F(0)]");
-  Skeleton s = skeleton_of(grammar, grammar.axiom, Seed{1});
+  Skeleton s = *skeleton_of(grammar, grammar.axiom, Seed{1});
   EXPECT_EQ(s.check(), "");
   EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, -1, 2}));
 }
@@ -40,6 +42,25 @@ TEST(Figure, OrgansStandOnTheirNode) {
   ASSERT_EQ(figure.outlines.size(), 1u);
   EXPECT_EQ(figure.outlines[0].points.size(), 3u);
   EXPECT_EQ(figure.color.size(), figure.skeleton.size());
+}
+
+TEST(Figure, WhatIsNotFiniteIsRefused) {
+  for (const char* axiom : {"F(1e308)F(1e308)", "[F(1e200)]", "f(1e308)f(1e308)", "\"(1e300)\"(1e300)F"}) {
+    GrammarText text;
+    text.axiom = axiom;
+    Grammar grammar = std::move(*compile(text));
+    EXPECT_FALSE(stats_of(grammar, 0, Seed{1}).ok()) << axiom;
+    if (std::string(axiom).find('F') == std::string::npos) continue;
+    EXPECT_FALSE(figure_of(grammar, 0, Seed{1}).ok()) << axiom;
+    EXPECT_FALSE(skeleton_of(grammar, grammar.axiom, Seed{1}).ok()) << axiom;
+    EXPECT_EQ(turtle_svg(grammar, 0, Seed{1}).ok(), axiom[0] == '[') << axiom;  // doubles reach so far
+  }
+}
+
+TEST(Figure, ColoursBeyondAllIntsAreStillColours) {
+  GrammarText text;
+  text.axiom = ";(1e300)F,(-1e300)F;(1e18);F";
+  EXPECT_TRUE(figure_of(*compile(text), 0, Seed{1}).ok());
 }
 
 }  // namespace

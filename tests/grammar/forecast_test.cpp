@@ -54,5 +54,47 @@ TEST(Forecast, GivesTheMeanWhereLotsAreDrawn) {
   }
 }
 
+Grammar decomposing(std::vector<GrammarText::Rule> decomposition, const std::string& axiom = "AB") {
+  GrammarText text;
+  text.axiom = axiom;
+  text.rules = {{"A -> AA"}};
+  text.decomposition = std::move(decomposition);
+  return std::move(*compile(text));
+}
+
+TEST(Forecast, SeesWhatDecompositionMakes) {
+  Grammar grammar = decomposing({{"B -> CCC"}, {"C -> FF[+F]"}});
+  EXPECT_TRUE(has_growth_matrix(grammar));
+  Forecast predicted = forecast(grammar, 5, Seed{1});
+  Word word = *derive(grammar, 5, Seed{1});
+  EXPECT_EQ(predicted.kind, Forecast::Kind::exact);
+  EXPECT_EQ(predicted.modules, static_cast<double>(word.size()));
+  EXPECT_EQ(predicted.segments, 9);
+  // Four times as many with each of the rules: refused at once, although the axiom has one module.
+  std::vector<GrammarText::Rule> fourfold;
+  for (char c = 'a'; c < 'z'; ++c)
+    fourfold.push_back({std::string{c} + " -> " + std::string(4, static_cast<char>(c + 1))});
+  predicted = forecast(decomposing(fourfold, "a"), 1, Seed{1});
+  EXPECT_EQ(predicted.passes_at, 1);
+  EXPECT_GT(predicted.modules, 1e9);
+}
+
+TEST(Forecast, SaysAtLeastWhereOneStepOfTheDryRunIsTooMuch) {
+  Grammar grammar = decomposing({{"B(i) : i > 0 -> B(i-1)B(i-1)"}}, "B(24)");
+  Forecast predicted = forecast(grammar, 1, Seed{1});
+  EXPECT_EQ(predicted.kind, Forecast::Kind::at_least);
+  EXPECT_GE(predicted.modules, 1e6);
+  EXPECT_LE(predicted.modules, 16777216);
+  EXPECT_FALSE(refuse(forecast(grammar, 1, Seed{1}, {1000, 1 << 20}), {1000, 1 << 20}).empty());
+}
+
+TEST(Forecast, StaysFinite) {
+  GrammarText text;
+  text.rules = {{"F -> FFFFFFFFFF"}};
+  Forecast predicted = forecast(*compile(text), 100'000, Seed{1});
+  EXPECT_TRUE(std::isfinite(predicted.modules) && std::isfinite(predicted.segments) &&
+              std::isfinite(predicted.bytes) && std::isfinite(predicted.passes_with));
+}
+
 }  // namespace
 }  // namespace frond

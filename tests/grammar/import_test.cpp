@@ -58,5 +58,25 @@ TEST(Import, HoudiniRules) {
   EXPECT_EQ(import->notes.size(), 2u);
 }
 
+std::string said(const Result<Import>& import) { return import ? "" : import.errors()[0].text(); }
+
+TEST(Import, NumbersThatNoCountCanHoldAreRefused) {
+  for (std::string length : {"1e300", "-1", "nan", "1e6+1", "N", "2*", ""})
+    EXPECT_NE(said(import_cpfg("#define M 2\nderivation length: " + length + "\naxiom: A\nA --> AA\n"))
+                  .find("line 2: `derivation length:"),
+              std::string::npos)
+        << length;
+  EXPECT_EQ(
+      import_cpfg("#define M 2\n#define N (M+1)\nderivation length: 2*N+0.9\naxiom: A\n")->grammar.steps, 6);
+  EXPECT_NE(said(import_cpfg("axiom: A\nseed: 1e300\n")).find("line 2: `seed: 1e300`"), std::string::npos);
+  EXPECT_NE(said(import_cpfg("axiom: A\nhomomorphism\nmaximum depth: 1e10\n")).find("line 3"),
+            std::string::npos);
+  EXPECT_NE(said(import_lparser("1e99\n30\n20\nA\nA=FA\n")).find("line 1: `1e99`"), std::string::npos);
+  EXPECT_NE(said(import_lparser("inf\n30\n20\nA\nA=FA\n")).find("are numbers"), std::string::npos);
+  EXPECT_NE(said(import_houdini("generations: 1e300\nA=FA\n")).find("line 1: `generations"),
+            std::string::npos);
+  EXPECT_NE(said(import_houdini("seed: -5\nA=FA\n")).find("line 1: `seed"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace frond

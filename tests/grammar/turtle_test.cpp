@@ -124,7 +124,7 @@ TEST(Figure, TubesJoinTheirPointsOverMoves) {
     GrammarText text;
     text.axiom = axiom;
     Grammar grammar = std::move(*compile(text));
-    return skeleton_of(grammar, *derive(grammar, 0, Seed{1}), Seed{1});
+    return *skeleton_of(grammar, *derive(grammar, 0, Seed{1}), Seed{1});
   };
   Skeleton tube = nodes("@Gsf@Gc+f@Gcf@Ge");
   ASSERT_EQ(tube.size(), 4u);

@@ -119,5 +119,22 @@ TEST(Coral, TellsOfABrokenGrammar) {
   EXPECT_FALSE(grow_coral(params, Seed{1}).ok());
 }
 
+TEST(Coral, WhatStopsItsGrammarNamesThePlace) {
+  CoralParams params;
+  params.form = CoralForm::own;
+  params.grammar.where = "reef.json:3:5: /organisms/0/grammar";
+  params.grammar.rules.emplace_back().text = "F(x) : x > 0 -> F(x)F(x)";
+  params.grammar.axiom = "F(1)";
+  params.grammar.steps = 30;
+  params.grammar.limits.modules = 1000;
+  Result<Skeleton> coral = grow_coral(params, Seed{1});
+  ASSERT_FALSE(coral.ok());
+  EXPECT_EQ(coral.errors()[0].where, params.grammar.where);
+  params.grammar.limits = {};
+  params.grammar.steps = 1;
+  params.grammar.axiom = "F(1e30)";
+  EXPECT_EQ(grow_coral(params, Seed{1}).errors()[0].where, params.grammar.where);
+}
+
 }  // namespace
 }  // namespace frond

@@ -39,6 +39,28 @@ TEST(Plant, DrawsEachSegmentOfItsGrammar) {
   EXPECT_EQ(grown(herb("F-F-F-F", {"F -> F-F+F+FF-F-F+F"}, 2, 90)).skeleton.size(), 257u);
 }
 
+TEST(Plant, HeedsTheLimitsOfItsGrammar) {
+  PlantParams params = herb("F(1)", {"F(x) : x > 0 -> F(x)F(x)"}, 8, 20);
+  params.grammar.where = "p.json:1:2: /organisms/0/grammar";
+  EXPECT_TRUE(grow_plant(params, Seed{1}).ok());
+  params.grammar.limits.modules = 100;
+  for (double share : {1.0, 0.95})
+    for (bool by_steps : {false, true}) {
+      params.by_steps = by_steps;
+      Result<Model> model = grow_plant(params, Seed{1}, share);
+      ASSERT_FALSE(model.ok());
+      EXPECT_EQ(model.errors()[0].where, params.grammar.where);
+      EXPECT_NE(model.errors()[0].what.find("limit of 100 modules"), std::string::npos);
+    }
+}
+
+TEST(Plant, WhatIsNotFiniteIsRefused) {
+  EXPECT_FALSE(grow_plant(herb("F(1e30)", {}, 0, 20), Seed{1}).ok());
+  PlantParams flat = herb("+(90)F(1e17)+(90)F(1e-30)", {}, 0, 20);
+  flat.height = 1000;
+  EXPECT_FALSE(grow_plant(flat, Seed{1}).ok());
+}
+
 TEST(Plant, SmoothingMultipliesNodesAndKeepsOrgansAtTheirs) {
   PlantParams params = herb("X", {"X -> F[+X]F[-X]+X", "F -> FF"}, 4, 20);
   params.organs = {organ("X", OrganShape::flower)};

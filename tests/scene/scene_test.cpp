@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "core/files.h"
 #include "core/parallel.h"
 #include "geometry/ground.h"
@@ -63,6 +65,33 @@ TEST(Preset, RulesKnowWhereTheyStand) {
   const GrammarText& grammar = coral(preset, 0).grammar;
   EXPECT_EQ(grammar.rules.at(0).where, "test.json:1:37: /organisms/0/grammar/rules/0");
   EXPECT_EQ(grammar.interpretation.at(0).where, "test.json:2:80: /organisms/0/grammar/interpretation/0");
+}
+
+TEST(Preset, DoubtsAreToldWithTheirPlace) {
+  Preset preset = preset_of(R"({"organisms": [
+  {"kind": "tree", "branching_angle": 1.08},
+  {"kind": "coral", "pitch": 0.43},
+  {"kind": "coral", "pitch": 1},
+  {"kind": "plant", "grammar": {"rules": ["F -> F[+X]K"]}, "organs": [{"symbol": "K"}]}]})");
+  ASSERT_EQ(preset.doubts.size(), 3u);
+  EXPECT_EQ(preset.doubts[0].where, "test.json:2:39: /organisms/0/branching_angle");
+  EXPECT_NE(preset.doubts[0].what.find("if radians were meant, write 61.9"), std::string::npos);
+  EXPECT_EQ(preset.doubts[1].where, "test.json:3:30: /organisms/1/pitch");
+  EXPECT_EQ(preset.doubts[2].text().find(
+                "test.json:5:43: /organisms/3/grammar/rules/0: column 9: `X` does nothing"),
+            0u);
+}
+
+TEST(Preset, ShippedOnesRaiseNoDoubts) {
+  int tried = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(FROND_ROOT "/presets")) {
+    if (entry.path().extension() != ".json" || entry.path().parent_path().filename() == "grammars") continue;
+    Result<Preset> preset = read_preset(*read_file(entry.path()), entry.path().string(), {});
+    ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
+    for (const Error& doubt : preset->doubts) ADD_FAILURE() << doubt.text();
+    ++tried;
+  }
+  EXPECT_GT(tried, 40);
 }
 
 TEST(Scene, IsTheSameAtAnyThreadCount) {

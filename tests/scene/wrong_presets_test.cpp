@@ -317,6 +317,33 @@ const WrongPreset kWrongGrammars[] = {
  "organisms": [{"kind": "coral"}, {"kind": "coral"}]})",
      {},
      {"2:24: /organisms/0/grammar/axiom: column 2: this `[` is not closed; add a `]`; in `F[`"}},
+    {"Rules that no coral grows by, and a coral without its own",
+     R"({"organisms": [
+  {"kind": "coral", "grammar": {"rules": ["F -> FF"]}},
+  {"kind": "coral", "form": "own"}]})",
+     {},
+     {R"(2:32: /organisms/0/grammar: found rules, but the coral grows by those of its form; expected "form": "own")",
+      R"(3:29: /organisms/1/form: found "own" and no rules; expected a "grammar")"}},
+    {"Words past their limits",
+     R"({"organisms": [
+  {"kind": "coral", "form": "own", "grammar": {"rules": ["F -> FF"], "steps": 60}},
+  {"kind": "plant", "grammar": {"rules": ["F -> FF"], "steps": 5, "limits": {"modules": 20}}}]})",
+     {},
+     {"2:47: /organisms/0/grammar: step 28 would have 2.684e+08 modules or segments, past the limit of "
+      "200000000 "
+      "modules and 4294967296 bytes; the last step would have 1.153e+18 (1.15e+18 bytes): use at most 27 "
+      "steps, or "
+      "raise `limits`",
+      "3:32: /organisms/1/grammar: step 5 would have 32 modules or segments, past the limit of 20 modules "
+      "and "
+      "4294967296 bytes; the last step would have 32 (32 bytes): use at most 4 steps, or raise `limits`"}},
+    {"A decomposition without end",
+     R"({"organisms": [{"kind": "plant", "grammar": {
+  "decomposition": ["F -> FX"]}}]})",
+     {},
+     {"2:21: /organisms/0/grammar/decomposition/0: `F -> FX` never ends: what it makes is taken apart into "
+      "`F` again; "
+      "give it a condition, or put it among `rules`"}},
 };
 
 // Overrides of the command line.

@@ -60,6 +60,59 @@ setup() {
   [ "$status" -eq 2 ]
 }
 
+@test "what explodes names the file and the place" {
+  printf '{"axiom": "F",\n "steps": 60, "rules": ["F -> FF"]}' > wild.json
+  for command in info derive turtle; do
+    run "$frond" $command wild.json
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"wild.json:2:11: /steps: step 28 would have"* ]]
+  done
+  echo '{"axiom": "F(1)", "rules": ["A -> A"], "decomposition": ["F(x) : x > 0 -> F(x+1)X"]}' > endless.json
+  for command in info derive turtle; do
+    run "$frond" $command endless.json
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"endless.json: decomposition rule 1: step 1: "* ]]
+  done
+}
+
+@test "expansion needs no deep stack of the machine" {
+  echo '{"axiom": "A(90000)", "steps": 1, "decomposition": ["A(i) : i > 0 -> A(i-1)B", "A(i) -> *"]}' > deep.json
+  ulimit -s 256
+  run "$frond" derive deep.json --format counts
+  [ "$status" -eq 0 ]
+  [ "$output" = "B 90000" ]
+}
+
+@test "numbers in what turtle and info print are JSON" {
+  echo '{"axiom": "F(1e308)F(1e308)"}' > far.json
+  run "$frond" turtle far.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == "far.json:"*"the turtle walks beyond all that can be drawn"* ]]
+  run "$frond" turtle far.json --svg far.svg
+  [ "$status" -eq 2 ]
+  [ ! -e far.svg ]
+  run "$frond" turtle koch.json --steps nan
+  [ "$status" -eq 2 ]
+  echo '{"axiom": "F", "steps": 100000, "rules": ["F -> FFFFFFFF"]}' > wild.json
+  run --separate-stderr "$frond" info wild.json --json
+  [ "$status" -eq 2 ]
+  python3 -c 'import json, sys; json.loads(sys.argv[1], parse_constant=sys.exit)' "$output"
+}
+
+@test "symbols that nothing knows are told, once" {
+  echo '{"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}' > idle.json
+  run --separate-stderr "$frond" derive idle.json
+  [ "$status" -eq 0 ]
+  [ "$stderr" = 'warning: idle.json: rule 1: column 9: `X` does nothing: no rule rewrites it and the turtle does not know it; in `A -> F[+X]A`' ]
+  echo '{"organisms": [{"kind": "plant", "grammar": {"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}}]}' > herb.json
+  for command in check info derive; do
+    run --separate-stderr "$frond" $command herb.json
+    [ "$status" -eq 0 ]
+    [ "${#stderr_lines[@]}" -eq 1 ]
+    [[ "$stderr" == "warning: herb.json:1:"*"/organisms/0/grammar/rules/0: column 9: "* ]]
+  done
+}
+
 @test "a mistake in a rule names the file, the rule and the column" {
   echo '{"axiom": "F", "rules": ["F -> F[+F"]}' > broken.json
   run "$frond" derive broken.json
