@@ -2,11 +2,13 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/named_files.h"
 #include "core/files.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
 #include "grammar/import.h"
 #include "grammar/picture.h"
+#include "preset/fault.h"
 #include "preset/json.h"
 #include "preset/reader.h"
 #include "scene/describe.h"
@@ -26,12 +28,12 @@ struct Loaded {
 Result<Grammar> import_file(const std::string& path, const std::string& text) {
   Result<Import> import = import_grammar(path, text);
   if (!import) return import.errors();
-  for (const std::string& note : import->notes) fmt::print(stderr, "{}: note: {}\n", path, note);
+  for (const std::string& note : import->notes) tell(fmt::format("{}: note: {}", path, note));
   return compile(import->grammar);
 }
 
 /// The grammar of a file: a grammar itself, or that of the first organism of a preset that has one.
-Result<Grammar> load_grammar(const std::string& path) {
+Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets) {
   Result<std::string> text = read_file(path);
   if (!text) return text.errors();
   if (!path.ends_with(".json")) return import_file(path, *text);
@@ -40,11 +42,15 @@ Result<Grammar> load_grammar(const std::string& path) {
     if (!document) return document.errors();
     Result<GrammarText> grammar = read_preset<GrammarText>(*document);
     if (!grammar) return grammar.errors();
-    if (Errors errors = load_guide(grammar->guide, path, ""); !errors.empty()) return errors;
+    Result<Assets> files = assets_of(path, assets);
+    if (!files) return files.errors();
+    for (Error& error : load_guide(grammar->guide, *files))
+      return Fault{origin_at(document->root, "/guide/file"), "/guide/file", std::move(error.what)}.error();
     return compile(*grammar);
   }
   PresetArguments named;
   named.path = path;
+  named.assets = assets;
   Result<Preset> preset = load_preset(named);
   if (!preset) return preset.errors();
   for (const Organism& organism : preset->organisms) {
@@ -55,7 +61,7 @@ Result<Grammar> load_grammar(const std::string& path) {
 }
 
 Result<Loaded> load(const GrammarArguments& arguments) {
-  Result<Grammar> grammar = load_grammar(arguments.path);
+  Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets);
   if (!grammar) {
     // A mistake in a rule knows the rule; here it learns the file.
     Errors errors = grammar.errors();
@@ -65,7 +71,7 @@ Result<Loaded> load(const GrammarArguments& arguments) {
     return errors;
   }
   for (const Error& warning : grammar->warnings)
-    fmt::print(stderr, "{}: warning: {}\n", arguments.path, warning.text());
+    tell(fmt::format("{}: warning: {}", arguments.path, warning.text()));
   double steps = arguments.steps.value_or(grammar->text.steps);
   Seed seed{arguments.seed.value_or(grammar->text.seed)};
   return Loaded{std::move(*grammar), steps, seed};
@@ -82,8 +88,8 @@ std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 }  // namespace
 
-int info_grammar(const std::string& path, bool json) {
-  Result<Loaded> loaded = load({path, {}, {}, false, {}});
+int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json) {
+  Result<Loaded> loaded = load({path, {}, {}, false, {}, assets});
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
   Forecast size = forecast(grammar, static_cast<int>(steps), seed, grammar.text.limits);
