@@ -11,7 +11,7 @@ int export_scene(const ExportArguments& arguments) {
   if (!format) return fail(format.errors(), kWrongInput);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  tell_notes(preset->notes);
+  if (!arguments.quiet) tell_notes(preset->notes);
   const Film& film = preset->film;
   if (arguments.frame < 1 || arguments.frame > film.frames)
     return fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", arguments.frame,

@@ -31,10 +31,12 @@ bool below(const fs::path& path, const fs::path& folder) {
 Assets::Assets(const fs::path& preset, const std::optional<fs::path>& only)
     : folder_(folder_of(preset)), only_(only) {}
 
-bool Assets::allows(const fs::path& path) const {
+std::optional<fs::path> Assets::allowed(const fs::path& path) const {
+  if (!only_) return path;
   std::error_code error;
   fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
-  return !error && (below(real, folder_) || below(real, *only_));
+  bool inside = !error && (below(real, folder_) || below(real, *only_));
+  return inside ? std::optional(real) : std::nullopt;
 }
 
 Result<NamedFile> Assets::read(const std::string& name, const fs::path& folder) const {
@@ -46,14 +48,11 @@ Result<NamedFile> Assets::read(const std::string& name, const fs::path& folder) 
   bool outside = false;
   for (const fs::path& path : places) {
     // What lies outside is not even asked for, so that nobody learns whether it is there.
-    if (only_ && !allows(path)) {
-      outside = true;
-      continue;
-    }
+    std::optional<fs::path> real = allowed(path);
+    outside = outside || !real;
     std::error_code error;
-    if (!fs::exists(path, error)) continue;
-    // The path without links is the one that was judged.
-    Result<std::string> text = read_file(only_ ? fs::canonical(path, error) : path);
+    if (!real || !fs::exists(*real, error)) continue;
+    Result<std::string> text = read_file(*real);
     if (!text) return Error{"", fmt::format("{} {}", path.string(), text.errors().front().what)};
     return NamedFile{path, std::move(*text)};
   }

@@ -30,8 +30,8 @@ class Assets {
   Result<NamedFile> read(const std::string& name) const { return read(name, folder_); }
 
  private:
-  /// Whether the path may be read; always where there is no `only`.
-  bool allows(const std::filesystem::path& path) const;
+  /// The path as it may be read, with `only` without links; nothing where it may not.
+  std::optional<std::filesystem::path> allowed(const std::filesystem::path& path) const;
 
   std::filesystem::path folder_;
   std::optional<std::filesystem::path> only_;

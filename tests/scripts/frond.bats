@@ -126,6 +126,15 @@ body_preset() {
   [[ "$output" == '--assets: "nowhere" is no folder'* ]]
 }
 
+@test "render.sh hands --assets on" {
+  printf '#!/bin/sh\necho "$@" >args\nexit 2\n' >fake
+  chmod +x fake
+  body_preset body.obj >preset.json
+  FROND_BIN=$PWD/fake run "$root/scripts/render.sh" preset.json --assets shared -o out
+  [ "$status" -eq 2 ]
+  grep -q -- ' --assets=shared' args
+}
+
 @test "a file that is not there is told with the property that names it and the folders that were searched" {
   mkdir there
   body_preset none.obj >there/preset.json
