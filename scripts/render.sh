@@ -17,6 +17,7 @@ interrupted or killed at any moment and run again it goes on where it stopped, a
   --scale N                   multiplies it, by 1 to 16: --scale 4 for the wall, --scale 1.5
   --quality draft|good|best   how well they are rendered
   --set POINTER=VALUE         overrides one value of the preset; may be given again
+  --assets DIR                reads no file but below the preset's own folder and DIR
   --jobs N                    how many processors render (all): frames at once, or parts of a picture
   --threads N                 how many threads generate the scenes (as many)
   -h, --help                  this text
@@ -74,12 +75,12 @@ while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --) shift; for argument in "$@"; do set_preset "$argument"; done; break ;;
-    -o | --out | --frames | --size | --scale | --quality | --set | --jobs | --threads)
+    -o | --out | --frames | --size | --scale | --quality | --set | --assets | --jobs | --threads)
       (($# > 1)) || bad_usage "$1 needs a value"
       option=$1 value=$2
       shift 2
       ;;
-    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --set=* | --jobs=* | --threads=*)
+    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --set=* | --assets=* | --jobs=* | --threads=*)
       option=${1%%=*} value=${1#*=}
       shift
       ;;

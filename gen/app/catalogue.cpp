@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "core/files.h"
+#include "core/printable.h"
 #include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
@@ -48,17 +49,24 @@ std::vector<Entry> entries(const fs::path& root) {
 
 }  // namespace
 
-int check(const std::vector<std::string>& paths) {
+int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets) {
   int result = kDone;
   for (const std::string& path : paths) {
-    Result<Preset> preset = load_preset({path, {}, {}, {}, {}});
-    if (!preset) result = fail(preset.errors(), kWrongInput);
+    PresetArguments named;
+    named.path = path;
+    named.assets = assets;
+    Result<Preset> preset = load_preset(named);
+    if (preset) {
+      tell_notes(preset->notes);
+    } else {
+      result = fail(preset.errors(), kWrongInput);
+    }
   }
   return result;
 }
 
 int info(const PresetArguments& arguments, bool json) {
-  if (is_grammar(arguments.path)) return info_grammar(arguments.path, json);
+  if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
   double organisms = 0, nodes = 0, modules = 0, word_bytes = 0;
@@ -98,7 +106,7 @@ int list_everything(bool json) {
     }
     if (entry.group != group) fmt::print("{}\n", entry.group);
     group = entry.group;
-    fmt::print("  {:24} {}\n", entry.name, entry.doc);
+    fmt::print("  {:24} {}\n", printable(entry.name), printable(entry.doc));
   }
   if (json) fmt::print("{}", serialize_pretty(all) + "\n");
   return kDone;

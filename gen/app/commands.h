@@ -17,6 +17,7 @@ struct PresetArguments {
   std::optional<std::string> size;     ///< WxH
   std::optional<double> scale;         ///< multiplies the size, 1..16
   std::optional<std::string> quality;  ///< draft, good or best
+  std::optional<std::string> assets;   ///< the only folder to read from besides the preset's own
 };
 
 struct GenerateArguments {
@@ -42,6 +43,7 @@ struct GrammarArguments {
   std::optional<std::uint64_t> seed;   ///< the same
   bool counts = false;                 ///< how often each symbol occurs, instead of the word
   std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws
+  std::optional<std::string> assets;   ///< as of a preset
 };
 
 struct TextureArguments {
@@ -55,9 +57,9 @@ struct TextureArguments {
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
 int export_scene(const ExportArguments& arguments);
-int check(const std::vector<std::string>& paths);
+int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
 int info(const PresetArguments& arguments, bool json);
-int info_grammar(const std::string& path, bool json);
+int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);
 int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int list_everything(bool json);

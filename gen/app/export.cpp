@@ -11,6 +11,7 @@ int export_scene(const ExportArguments& arguments) {
   if (!format) return fail(format.errors(), kWrongInput);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  if (!arguments.quiet) tell_notes(preset->notes);
   const Film& film = preset->film;
   if (arguments.frame < 1 || arguments.frame > film.frames)
     return fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", arguments.frame,
@@ -27,7 +28,7 @@ int export_scene(const ExportArguments& arguments) {
                                           bytes / 1e9, (*format)->most_bytes / 1e9)}},
         kWrongInput);
   if (!arguments.quiet && bytes > 0)
-    fmt::print(stderr, "{}: up to about {:.2g} MB\n", arguments.out, bytes / 1e6);
+    tell(fmt::format("{}: up to about {:.2g} MB", arguments.out, bytes / 1e6));
   Result<bool> written = (*format)->write(*scene, film.time(arguments.frame), options, arguments.out);
   if (written) return kDone;
   // What the disk says stands at a path; all else is what was asked for.

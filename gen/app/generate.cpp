@@ -202,11 +202,8 @@ int generate(const GenerateArguments& arguments) {
   if (!scene) return fail(scene.errors(), kWrongInput);
   fs::path name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
-  for (std::string& note : scene->notes) {
-    std::ranges::replace_if(
-        note, [](unsigned char c) { return c < 32 || c == 127; }, ' ');
-    fmt::print(stderr, "note: {}\n", note);
-  }
+  tell_notes(preset->notes);
+  for (const std::string& note : scene->notes) tell("note: " + note);
   if (!arguments.quiet)
     fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
 
@@ -230,8 +227,8 @@ int generate(const GenerateArguments& arguments) {
   needed.merge(written.beside);
   if (in_use.by_us_alone()) tidy(out, needed);
   if (!arguments.quiet)
-    fmt::print(stderr, "{}: {} frames, {} of them changed\n", out.string(), range.last - range.first + 1,
-               written.frames);
+    tell(fmt::format("{}: {} frames, {} of them changed", out.string(), range.last - range.first + 1,
+                     written.frames));
   return kDone;
 }
 

@@ -4,12 +4,14 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/named_files.h"
 #include "core/files.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
 #include "grammar/import.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
+#include "preset/fault.h"
 #include "preset/json.h"
 #include "preset/reader.h"
 #include "scene/describe.h"
@@ -29,13 +31,13 @@ struct Loaded {
 Result<Grammar> import_file(const std::string& path, const std::string& text) {
   Result<Import> import = import_grammar(path, text);
   if (!import) return import.errors();
-  for (const std::string& note : import->notes) fmt::print(stderr, "{}: note: {}\n", path, note);
+  for (const std::string& note : import->notes) tell(fmt::format("{}: note: {}", path, note));
   import->grammar.where = path;
   return compile(import->grammar);
 }
 
 /// The grammar of a file: a grammar itself, or that of the first organism of a preset that has one.
-Result<Grammar> load_grammar(const std::string& path) {
+Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets) {
   Result<std::string> text = read_file(path);
   if (!text) return text.errors();
   if (!path.ends_with(".json")) return import_file(path, *text);
@@ -44,12 +46,16 @@ Result<Grammar> load_grammar(const std::string& path) {
     if (!document) return document.errors();
     Result<GrammarText> grammar = read_preset<GrammarText>(*document);
     if (!grammar) return grammar.errors();
-    if (Errors errors = load_guide(grammar->guide, path, ""); !errors.empty()) return errors;
+    Result<Assets> files = assets_of(path, assets);
+    if (!files) return files.errors();
+    for (Error& error : load_guide(grammar->guide, *files))
+      return Fault{origin_at(document->root, "/guide/file"), "/guide/file", std::move(error.what)}.error();
     grammar->where = fmt::format("{}: /steps", origin_at(document->root, "/steps").text());
     return compile(*grammar);
   }
   PresetArguments named;
   named.path = path;
+  named.assets = assets;
   Result<Preset> preset = load_preset(named);
   if (!preset) return preset.errors();
   for (const Organism& organism : preset->organisms) {
@@ -72,12 +78,12 @@ int fail_derivation(const Errors& errors, const Grammar& grammar, const std::str
 }
 
 Result<Loaded> load(const GrammarArguments& arguments) {
-  Result<Grammar> grammar = load_grammar(arguments.path);
+  Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets);
   if (!grammar) return in_file(grammar.errors(), arguments.path);
   // Those of a preset have been told with it.
   if (is_grammar(arguments.path))
     for (const Error& warning : in_file(grammar->warnings, arguments.path))
-      fmt::print(stderr, "warning: {}\n", warning.text());
+      tell("warning: " + warning.text());
   double steps = arguments.steps.value_or(grammar->text.steps);
   if (std::isnan(steps)) return Error{"--steps", "found nan; expected a number of 0 or more"};
   Seed seed{arguments.seed.value_or(grammar->text.seed)};
@@ -95,8 +101,8 @@ std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 }  // namespace
 
-int info_grammar(const std::string& path, bool json) {
-  Result<Loaded> loaded = load({path, {}, {}, false, {}});
+int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json) {
+  Result<Loaded> loaded = load({path, {}, {}, false, {}, assets});
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
   Forecast size = forecast(grammar, static_cast<int>(steps), seed, grammar.text.limits);

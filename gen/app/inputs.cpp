@@ -8,10 +8,11 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "app/named_files.h"
 #include "core/files.h"
-#include "crown/arbaro.h"
-#include "geometry/obj.h"
 #include "preset/json.h"
+#include "preset/range_text.h"
+#include "scene/describe.h"
 
 namespace frond {
 
@@ -28,110 +29,6 @@ int read_number(std::string_view& text) {
   return number;
 }
 
-/// A file as seen from the preset's folder or, where it is not there, from the working folder.
-fs::path seen_from(const fs::path& preset_path, const std::string& file) {
-  std::error_code error;
-  fs::path path = preset_path.parent_path() / file;
-  return !fs::exists(path, error) && fs::exists(file, error) ? fs::path(file) : path;
-}
-
-Result<Surface> load_mesh(const std::string& file, const fs::path& preset_path) {
-  fs::path path = seen_from(preset_path, file);
-  Result<std::string> text = read_file(path);
-  Result<Surface> mesh = text ? read_obj(*text) : text.errors();
-  if (!mesh) return Error{path.string(), mesh.errors().front().what};
-  return to_unit(std::move(*mesh));
-}
-
-Result<Silhouette> load_outline(const fs::path& path) {
-  Result<std::string> text = read_file(path);
-  if (!text) return text.errors();
-  if (path.extension() == ".svg") {
-    Result<std::vector<std::vector<Vec2>>> drawn = read_svg(*text);
-    if (!drawn) return Error{path.string(), drawn.errors().front().what};
-    for (auto& outline : *drawn)
-      for (Vec2& p : outline) p.y = -p.y;  // SVG's y runs down
-    return Silhouette::from_outlines(std::move(*drawn));
-  }
-  Result<Raster> picture = read_png(*text);
-  if (!picture)
-    return Error{path.string(), picture.errors().front().what + "; expected an SVG or a PNG file"};
-  return Silhouette::from_picture(*picture);
-}
-
-/// Reads what a tree names: a species of Arbaro, the mesh or the silhouette of an envelope.
-template <class LoadMesh>
-void load_tree(Organism& organism, std::size_t i, const fs::path& preset_path, Errors& errors,
-               const LoadMesh& load) {
-  auto note = [&](std::string_view pointer, const Errors& found) {
-    for (const Error& error : found)
-      errors.push_back({fmt::format("{}: /organisms/{}{}", preset_path.string(), i, pointer), error.text()});
-  };
-  if (auto* tree = std::get_if<WeberPennParams>(&organism.body); tree && !tree->species.empty()) {
-    fs::path path = seen_from(preset_path, tree->species);
-    Result<std::string> text = read_file(path);
-    Result<ArbaroSpecies> species = text ? read_arbaro(*text, path.string()) : text.errors();
-    if (!species) return note("/species", species.errors());
-    tree->tree = species->tree;
-    note("/species", check(organism));
-  }
-  auto* tree = std::get_if<ColonizedParams>(&organism.body);
-  if (!tree || tree->envelope.file.empty()) return;
-  EnvelopeParams& e = tree->envelope;
-  if (e.kind == EnvelopeKind::mesh)
-    return load(e.file, fmt::format("/organisms/{}/envelope/file", i), e.mesh);
-  if (e.kind != EnvelopeKind::outline) return;
-  Result<Silhouette> outline = load_outline(seen_from(preset_path, e.file));
-  if (!outline) return note("/envelope/file", outline.errors());
-  e.outline = std::move(*outline);
-}
-
-/// Reads the map that says how densely an organism is sown.
-void load_map(Organism& organism, std::size_t i, const fs::path& preset_path, Errors& errors) {
-  if (!organism.sown || organism.sown->where.map.empty()) return;
-  fs::path path = seen_from(preset_path, organism.sown->where.map);
-  Result<std::string> text = read_file(path);
-  Result<Raster> picture = text ? read_png(*text) : text.errors();
-  if (picture) {
-    organism.sown->where.density = density_of(*picture);
-    return;
-  }
-  const std::string& what = picture.errors().front().what;
-  errors.push_back(
-      {fmt::format("{}: /organisms/{}/sown/where/map", preset_path.string(), i),
-       text ? path.string() + ": " + what + "; expected a PNG file" : text.errors().front().text()});
-}
-
-/// Reads the files that the preset names.
-Errors load_files(Preset& preset, const fs::path& preset_path) {
-  Errors errors;
-  auto load = [&](const std::string& file, const std::string& pointer, Surface& mesh) {
-    Result<Surface> loaded = load_mesh(file, preset_path);
-    if (loaded) {
-      mesh = std::move(*loaded);
-      return;
-    }
-    const Error& error = loaded.errors().front();
-    errors.push_back({fmt::format("{}: {}", preset_path.string(), pointer),
-                      fmt::format("{} {}", error.where, error.what)});
-  };
-  for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
-    if (auto* body = std::get_if<MeshParams>(&preset.organisms[i].body))
-      load(body->file, fmt::format("/organisms/{}/file", i), body->mesh);
-    load_tree(preset.organisms[i], i, preset_path, errors, load);
-    load_map(preset.organisms[i], i, preset_path, errors);
-    auto* plant = std::get_if<PlantParams>(&preset.organisms[i].body);
-    auto* coral = std::get_if<CoralParams>(&preset.organisms[i].body);
-    if (GrammarText* grammar = plant ? &plant->grammar : coral ? &coral->grammar : nullptr)
-      for (Error& error : load_guide(grammar->guide, preset_path, fmt::format("/organisms/{}/grammar", i)))
-        errors.push_back(std::move(error));
-    for (std::size_t k = 0; plant && k < plant->organs.size(); ++k)
-      if (OrganParams& organ = plant->organs[k]; organ.shape == OrganShape::obj)
-        load(organ.file, fmt::format("/organisms/{}/organs/{}/file", i, k), organ.mesh);
-  }
-  return errors;
-}
-
 /// What sets the size of a film to so many times what it is.
 Result<std::string> scaled_size(const Film& film, double scale) {
   constexpr double kMost = 16;
@@ -146,28 +43,34 @@ Result<std::string> scaled_size(const Film& film, double scale) {
   return fmt::format("/film/size=[{},{}]", width, height);
 }
 
-/// The files that the shape of an organism depends on, as the preset names them.
-std::vector<std::string> files_of(const Organism& organism) {
-  std::vector<std::string> files;
-  if (const auto* mesh = std::get_if<MeshParams>(&organism.body)) files = {mesh->file};
-  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body)) files = {tree->species};
-  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body)) files = {tree->envelope.file};
-  if (const auto* coral = std::get_if<CoralParams>(&organism.body)) files = {coral->grammar.guide.file};
-  if (const auto* plant = std::get_if<PlantParams>(&organism.body)) {
-    files = {plant->grammar.guide.file};
-    for (const OrganParams& organ : plant->organs) files.push_back(organ.file);
-  }
-  return files;
+/// The folder of `--assets`; empty: any file is read.
+Result<std::optional<fs::path>> assets_folder(const std::optional<std::string>& named) {
+  if (!named) return std::optional<fs::path>{};
+  std::error_code error;
+  if (!fs::is_directory(*named, error))
+    return Error{"--assets", fmt::format("\"{}\" is no folder; expected one that may be read", *named)};
+  return std::optional<fs::path>(*named);
 }
 
-/// What is sown is grown anew where one of its files has changed.
-void note_files(Organism& organism, const fs::path& preset_path) {
-  if (!organism.sown) return;
-  for (const std::string& file : files_of(organism)) {
-    if (file.empty()) continue;
-    if (Result<std::string> text = read_file(seen_from(preset_path, file)))
-      organism.text += fmt::format(" {:016x}", Seed{}.child(*text).key);
-  }
+/// The size that `--size` asks for, as what sets it.
+Result<std::string> asked_size(const std::string& asked) {
+  std::string_view rest = asked;
+  int width = read_number(rest);
+  bool cross = !rest.empty() && rest.front() == 'x';
+  if (cross) rest.remove_prefix(1);
+  int height = read_number(rest);
+  if (!cross || width == 0 || height == 0 || !rest.empty())
+    return Error{"--size", fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", asked)};
+  if (!kSides.holds(width) || !kSides.holds(height))
+    return Error{"--size", fmt::format("found {}; expected sides{}", asked, range_text(kSides))};
+  return fmt::format("/film/size=[{},{}]", width, height);
+}
+
+Result<std::string> asked_quality(const std::string& asked) {
+  std::vector<std::string_view> names;
+  for (const auto& row : kQualities) names.push_back(row.name);
+  if (std::ranges::find(names, asked) != names.end()) return "/film/quality=" + asked;
+  return Error{"--quality", "found " + found_text(make_text(asked)) + expected_names(asked, names)};
 }
 
 }  // namespace
@@ -181,45 +84,33 @@ Result<fs::path> home() {
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
 }
 
-Errors load_guide(GuideText& guide, const fs::path& file, const std::string& pointer) {
-  if (guide.file.empty()) return {};
-  fs::path path = file.parent_path() / guide.file;
-  Result<std::string> text = read_file(path);
-  Result<LineSet> lines = text ? read_obj_lines(*text) : text.errors();
-  if (!lines)
-    return {{fmt::format("{}: {}/guide/file", file.string(), pointer),
-             fmt::format("{} {}", path.string(), lines.errors().front().what)}};
-  guide.lines = {std::move(lines->place), std::move(lines->line)};
-  return {};
+Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named) {
+  Result<std::optional<fs::path>> only = assets_folder(named);
+  if (!only) return only.errors();
+  return Assets(path, *only);
 }
 
 Result<Preset> load_preset(const PresetArguments& arguments) {
   Result<std::string> text = read_file(arguments.path);
   if (!text) return text.errors();
+  Result<std::optional<fs::path>> only = assets_folder(arguments.assets);
+  if (!only) return only.errors();
   std::vector<std::string> sets = arguments.sets;
-  if (arguments.size) {
-    std::string_view rest = *arguments.size;
-    int width = read_number(rest);
-    bool cross = !rest.empty() && rest.front() == 'x';
-    if (cross) rest.remove_prefix(1);
-    int height = read_number(rest);
-    if (!cross || width == 0 || height == 0 || !rest.empty())
-      return Error{"--size",
-                   fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", *arguments.size)};
-    sets.push_back(fmt::format("/film/size=[{},{}]", width, height));
+  for (const auto& [asked, read] :
+       {std::pair(arguments.size, &asked_size), std::pair(arguments.quality, &asked_quality)}) {
+    Result<std::string> set = asked ? read(*asked) : std::string();
+    if (!set) return set.errors();
+    if (asked) sets.push_back(*set);
   }
-  if (arguments.quality) sets.push_back("/film/quality=" + *arguments.quality);
-  Result<Preset> preset = read_preset(*text, arguments.path, sets);
+  Result<Preset> preset = read_preset(*text, arguments.path, sets, *only);
   if (preset && arguments.scale) {
     Result<std::string> size = scaled_size(preset->film, *arguments.scale);
     if (!size) return size.errors();
     sets.push_back(*size);
-    preset = read_preset(*text, arguments.path, sets);
+    preset = read_preset(*text, arguments.path, sets, *only);
   }
   if (!preset) return preset;
-  if (Errors errors = load_files(*preset, arguments.path); !errors.empty()) return errors;
-  for (const Error& doubt : preset->doubts) fmt::print(stderr, "warning: {}\n", doubt.text());
-  for (Organism& organism : preset->organisms) note_files(organism, arguments.path);
+  if (Errors errors = load_files(*preset, Assets(arguments.path, *only)); !errors.empty()) return errors;
   return preset;
 }
 
@@ -242,11 +133,6 @@ Result<FrameRange> read_frames(const std::string& text, int count) {
     return Error{"--frames",
                  fmt::format("\"{}\" is no range of frames; expected A-B within 1-{}", text, count)};
   return range;
-}
-
-int fail(const Errors& errors, ExitCode code) {
-  for (const Error& error : errors) fmt::print(stderr, "{}\n", error.text());
-  return code;
 }
 
 }  // namespace frond

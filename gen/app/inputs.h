@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/messages.h"
+#include "core/assets.h"
 #include "core/result.h"
 #include "scene/preset.h"
 
@@ -14,9 +16,8 @@ Result<std::filesystem::path> home();
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
 
-/// Reads the OBJ file of lines that a grammar's guide names, if it names one, from the folder of the file
-/// that the grammar stands in.
-Errors load_guide(GuideText& guide, const std::filesystem::path& file, const std::string& pointer);
+/// The files that a preset or a grammar of that path may name; `named` is `--assets`.
+Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named);
 
 /// Whether a file holds a grammar rather than a preset: one of another tool, or JSON without organisms.
 bool is_grammar(const std::string& path);
@@ -26,8 +27,5 @@ struct FrameRange {
   int first, last;
 };
 Result<FrameRange> read_frames(const std::string& text, int count);
-
-/// Prints errors to stderr, one a line; returns the given exit code.
-int fail(const Errors& errors, ExitCode code);
 
 }  // namespace frond

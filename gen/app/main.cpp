@@ -4,14 +4,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/messages.h"
 #include "core/text.h"
 
 using namespace frond;
 
 namespace {
+
+void add_assets(CLI::App* command, std::optional<std::string>& assets) {
+  command->add_option("--assets", assets,
+                      "DIR: reads no file but below the preset's own folder and this one");
+}
 
 void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("preset", preset.path, "The preset, a JSON file")->required();
@@ -20,6 +27,7 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("--size", preset.size, "WxH: size of the pictures, in pixels");
   command->add_option("--scale", preset.scale, "N: multiplies the size, by 1 to 16");
   command->add_option("--quality", preset.quality, "draft, good or best");
+  add_assets(command, preset.assets);
 }
 
 /// Returns the option of the steps, which may take a further check.
@@ -30,6 +38,7 @@ CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar) {
           "A grammar or a preset in JSON, or a grammar of cpfg (.l), LParser (.ls) or Houdini (.txt)")
       ->required();
   command->add_option("--seed", grammar.seed, "For random choices, instead of the grammar's");
+  add_assets(command, grammar.assets);
   return command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
       ->check(CLI::Range(0.0, 1e6));
 }
@@ -80,9 +89,11 @@ void add_export(CLI::App& app, int& result) {
 void add_check(CLI::App& app, int& result) {
   auto paths = std::make_shared<std::vector<std::string>>();
   auto* command = app.add_subcommand("check", "Tells what is wrong in presets");
+  auto assets = std::make_shared<std::optional<std::string>>();
   command->add_option("presets", *paths, "JSON files")->required();
+  add_assets(command, *assets);
   command->footer("Example:\n  frond check presets/*.json");
-  command->callback([&result, paths] { result = check(*paths); });
+  command->callback([&result, paths, assets] { result = check(*paths, *assets); });
 }
 
 void add_info(CLI::App& app, int& result) {
@@ -140,6 +151,20 @@ std::string unknown_command(const CLI::App& app, std::string_view word) {
   return near.empty() ? text : fmt::format("{}; did you mean \"{}\"?", text, near);
 }
 
+/// The words of the command line. One that begins with a dash as no option does, and names a file, is that
+/// file.
+std::vector<std::string> words_of(int count, char** words) {
+  constexpr std::string_view kOptions = "-ohq";  // first letters, and that of long ones
+  std::vector<std::string> list(words, words + count);
+  for (std::string& word : list) {
+    if (word == "--") break;
+    std::error_code error;
+    bool option = word.size() < 2 || word[0] != '-' || kOptions.find(word[1]) != kOptions.npos;
+    if (!option && std::filesystem::is_regular_file(word, error)) word.insert(0, "./");
+  }
+  return list;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -151,13 +176,19 @@ int main(int count, char** words) {
        {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle, add_catalogue})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
-    fmt::print(stderr, "{}\n", wrong);
+    tell(wrong);
     return kWrongInput;
   }
   try {
-    app.parse(count, words);
+    std::vector<std::string> list = words_of(count, words);
+    std::vector<const char*> named;
+    for (const std::string& word : list) named.push_back(word.c_str());
+    app.parse(count, named.data());
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kWrongInput;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    tell(error.what());
+    tell("Run with --help for more information.");
+    return kWrongInput;
   }
   return result;
 }

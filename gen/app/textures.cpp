@@ -4,6 +4,7 @@
 #include "app/inputs.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "core/printable.h"
 #include "images/bark.h"
 #include "images/leaf.h"
 #include "organisms/bark_coat.h"
@@ -108,13 +109,15 @@ int write_textures(const TextureArguments& arguments) {
   }
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  tell_notes(preset->notes);
   bool any = false;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     auto [leaves, coat] = pictured(preset->organisms[i]);
     if (!leaves && !coat) continue;
     any = true;
     const std::string& own = preset->organisms[i].name;
-    std::string name = own.empty() || own.find('/') != own.npos ? fmt::format("organism_{}", i) : own;
+    bool fit = !own.empty() && own.find('/') == own.npos && printable(own) == own;
+    std::string name = fit ? own : fmt::format("organism_{}", i);
     if (coat) album.bark(name, *coat);
     if (leaves) album.leaves(name, *leaves);
   }

@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "geometry/obj_text.h"
+
 namespace frond {
 
 namespace {
@@ -49,18 +51,35 @@ class Vertices {
   bool complete_ = true;
 };
 
-Errors parse(tinyobj::ObjReader& reader, std::string_view text) {
+/// The same lines, each without its comment.
+std::string without_comments(std::string_view text) {
+  std::string bare;
+  bare.reserve(text.size());
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    bare += line.substr(0, line.find('#'));
+    if (line.size() < text.size()) bare += '\n';
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return bare;
+}
+
+Errors parse(tinyobj::ObjReader& reader, std::string_view text, const std::string& name) {
+  // The library reads no comment behind a face, passes over much of what is wrong, and what it says shows the
+  // text.
+  std::string bare = without_comments(text);
+  if (Errors errors = check_obj(bare, name); !errors.empty()) return errors;
   tinyobj::ObjReaderConfig config;
   config.triangulate = true;
-  if (reader.ParseFromString(std::string(text), "", config)) return {};
-  return {{"", "is no OBJ file: " + (reader.Error().empty() ? "nothing in it can be read" : reader.Error())}};
+  if (reader.ParseFromString(bare, "", config)) return {};
+  return {{name, "is no OBJ file that can be read"}};
 }
 
 }  // namespace
 
-Result<Surface> read_obj(std::string_view text) {
+Result<Surface> read_obj(std::string_view text, const std::string& name) {
   tinyobj::ObjReader reader;
-  if (Errors errors = parse(reader, text); !errors.empty()) return errors;
+  if (Errors errors = parse(reader, text, name); !errors.empty()) return errors;
   Surface surface;
   Vertices vertices(reader.GetAttrib(), surface);
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
@@ -76,14 +95,14 @@ Result<Surface> read_obj(std::string_view text) {
           {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
     }
   }
-  if (surface.triangle.empty()) return Error{"", "holds no face that could be drawn"};
+  if (surface.triangle.empty()) return Error{name, "holds no face that could be drawn"};
   if (!vertices.complete()) set_normals(surface);
   return surface;
 }
 
-Result<LineSet> read_obj_lines(std::string_view text) {
+Result<LineSet> read_obj_lines(std::string_view text, const std::string& name) {
   tinyobj::ObjReader reader;
-  if (Errors errors = parse(reader, text); !errors.empty()) return errors;
+  if (Errors errors = parse(reader, text, name); !errors.empty()) return errors;
   LineSet set;
   const auto& given = reader.GetAttrib().vertices;
   for (std::size_t i = 0; i + 2 < given.size(); i += 3)
@@ -101,7 +120,7 @@ Result<LineSet> read_obj_lines(std::string_view text) {
       first = last;
     }
   }
-  if (set.line.empty()) return Error{"", "holds no line (`l` element)"};
+  if (set.line.empty()) return Error{name, "holds no line (`l` element)"};
   return set;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,9 +12,10 @@
 namespace frond {
 
 /// A Wavefront OBJ text as one mesh: all its objects, faces of any number of corners, with its normals or,
-/// where it has none, smooth ones. Materials do not count. Degenerate faces are left out; a text without a
-/// usable face is an error.
-Result<Surface> read_obj(std::string_view text);
+/// where it has none, smooth ones. Materials do not count. Faces without area are left out. Numbers that are
+/// none, corners that do not exist and a text without a usable face are errors, which call the text `name`
+/// and give the line.
+Result<Surface> read_obj(std::string_view text, const std::string& name = "");
 
 /// Lines between numbered places.
 struct LineSet {
@@ -22,8 +24,8 @@ struct LineSet {
 };
 
 /// The `l` elements of a Wavefront OBJ text, each piece of them one line, in the order written. A text
-/// without any is an error.
-Result<LineSet> read_obj_lines(std::string_view text);
+/// without any is an error; else as above.
+Result<LineSet> read_obj_lines(std::string_view text, const std::string& name = "");
 
 /// The same mesh with its box one unit long at its longest, standing on the origin: an organ's own size.
 Surface to_unit(Surface surface);

@@ -92,14 +92,13 @@ void describe(Visitor& v, Wave& w) {
           "Where in the swing the film begins; single corals differ");
   v.number("length", w.length, {.min = 0.01, .max = 1000, .unit = "m"},
            "From crest to crest along the current");
-  v.vector("direction", w.direction, "Of the current; only x and z count");
+  v.direction("direction", w.direction, Across::xz, "Of the current; only x and z count");
   v.boolean("loop", w.loop, "Whole swings over the film, so that it can be repeated");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Food& f) {
-  v.number("strength", f.strength, {.min = 0, .max = 3},
-           "Angle in radians, about, by which whole branches bend toward it");
+  v.angle("strength", f.strength, {.min = 0, .max = 180}, "About how far whole branches bend toward it");
   v.number("reach", f.reach, {.min = 0.02, .max = 100, .unit = "m"}, "Nearer than this the pull fades");
   v.animated("position", f.position, {.min = -1000, .max = 1000, .unit = "m"},
              "Where the food is, or keyframes of it");
@@ -128,7 +127,7 @@ struct Tropism {
 
 template <class Visitor>
 void describe(Visitor& v, Tropism& t) {
-  v.vector("vector", t.vector, "The direction that branches turn toward");
+  v.direction("vector", t.vector, "The direction that branches turn toward; a longer one pulls more");
   v.number("elasticity", t.elasticity, {.min = -10, .max = 10}, "How readily they do");
 }
 
@@ -140,7 +139,7 @@ struct TurtleStart {
 template <class Visitor>
 void describe(Visitor& v, TurtleStart& s) {
   v.vector("position", s.position, "Its place");
-  v.vector("heading", s.heading, "Where it looks");
+  v.direction("heading", s.heading, "Where it looks");
 }
 
 template <class Visitor>
@@ -215,7 +214,9 @@ void describe(Visitor& v, CoralParams& c) {
 
 template <class Visitor>
 void describe(Visitor& v, Place& p) {
-  v.list("at", p.at, "x, z of the first ones; the others are scattered");
+  v.list("at", p.at,
+         "x, z of the first ones, within 30 m of the middle or on the land of a forest; the others are "
+         "scattered");
   v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"}, "x, z of the ring to scatter in");
   v.number("inner", p.inner, {.min = 0, .max = 28, .unit = "m"}, "Inner edge of the ring");
   v.number("radius", p.radius, {.min = 0, .max = 28, .unit = "m"}, "Outer edge of the ring");

@@ -61,7 +61,7 @@ void describe(Visitor& v, IvyLeaves& l) {
   v.number("bare", l.bare, {.min = 0, .max = 100, .unit = "m"}, "Above the root, without leaves");
   v.number("overlap", l.overlap, {.min = 0, .max = 20},
            "Share of a leaf that others may cover; what finds no such place does not grow");
-  v.vector("light", l.light, {.min = -1000, .max = 1000}, "Toward the light");
+  v.direction("light", l.light, "Toward the light");
   v.number("turn", l.turn, {.min = 0, .max = 1}, "0: flat on the surface, 1: square to the light");
   v.number("adult", l.adult, {.min = 0, .max = 1}, "Share of heart-shaped leaves on the oldest shoots");
   v.number("young_length", l.young_length, {.min = 0, .max = 10, .unit = "m"},
@@ -79,13 +79,13 @@ void describe(Visitor& v, Flutter& f) {
   v.angle("amplitude", f.amplitude, {.min = 0, .max = 60}, "Of a leaf on a petiole of 5 cm in a gust");
   v.number("speed", f.speed, {.min = 0, .max = 20, .unit = "1/s"}, "Swings a second; single leaves differ");
   v.number("gust", f.gust, {.min = 0.05, .max = 1000, .unit = "m"}, "From gust to gust");
-  v.vector("direction", f.direction, {.min = -1000, .max = 1000}, "In which gusts travel; x and z count");
+  v.direction("direction", f.direction, Across::xz, "In which gusts travel; only x and z count");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Breeze& b) {
   v.angle("amplitude", b.amplitude, {.min = 0, .max = 60}, "How far the free end of a hanging strand swings");
-  v.vector("direction", b.direction, {.min = -1000, .max = 1000}, "Of the wind; x and z count");
+  v.direction("direction", b.direction, Across::xz, "Of the wind; only x and z count");
 }
 
 template <class Visitor>

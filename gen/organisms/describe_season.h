@@ -7,6 +7,8 @@
 
 namespace frond {
 
+inline constexpr std::string_view kSeasonTimes = "winter is 0, spring 0.25, summer 0.5, autumn 0.8";
+
 template <class Visitor>
 void describe(Visitor& v, Blossom& b) {
   v.number("share", b.share, {.min = 0, .max = 1}, "Of the leaves' places that bear flowers");
@@ -22,7 +24,7 @@ void describe(Visitor& v, Blossom& b) {
 template <class Visitor>
 void describe(Visitor& v, Seasons& s) {
   v.shorthand("at");
-  v.animated("at", s.at, {.min = -1000, .max = 1000, .unit = "years"},
+  v.animated("at", s.at, {.min = -1000, .max = 1000, .unit = "years", .sense = kSeasonTimes},
              "0 new year, 0.25 spring, 0.5 midsummer, 0.8 autumn, 1.5 the next summer");
   v.number("opening", s.opening, {.min = 0, .max = 1, .unit = "years"},
            "Time of the year at which leaves unfold");

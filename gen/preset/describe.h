@@ -36,6 +36,7 @@ namespace frond {
 //     text(name, s, doc)                   std::string
 //     choice(name, e, table, doc)          an enum by its name in a constexpr array of Choice (below)
 //     vector(name, v, [range,] doc)        Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
+//     direction(name, v, [across,] doc)    Vec3, DVec3 of some length; across: what of it counts
 //     size(name, s, range, doc)            std::array<int, 2> from [width, height]
 //     color(name, c, doc)                  Color from "#rrggbb" or [r, g, b], each 0 to 1 (sRGB)
 //     curve(name, c, doc)                  Curve from [[x, y], ...], two or more points, x increasing
@@ -59,15 +60,23 @@ namespace frond {
 // Each that reads a property also takes a std::optional of its type, which stays empty where it is not given.
 // The doc says what a property is, range.unit in which unit; both stand in the schema.
 
-/// The numbers that are allowed, ends included. The unit is for the reader of the documentation only.
+/// The numbers that are allowed, ends included. The unit is for the reader of the documentation only, the
+/// sense (what single numbers mean) for who wrote something else.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool above_min = false;  ///< min itself is not allowed
   std::string_view unit = {};
+  std::string_view sense = {};
 
   bool holds(double x) const { return (above_min ? x > min : x >= min) && x <= max; }
 };
+
+/// What of a direction counts.
+enum class Across { all, xz };
+
+/// What a component of a direction may be: its square is still a number to reckon with.
+inline constexpr Range kDirections{.min = -1e6, .max = 1e6};
 
 /// How many elements a list may have.
 struct Count {

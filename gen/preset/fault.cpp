@@ -18,7 +18,9 @@ bool holds(std::string_view outer, std::string_view inner) {
 }  // namespace
 
 Error Fault::error() const {
-  std::string where = fmt::format("{}: {}", origin.text(), pointer.empty() ? "/" : pointer);
+  std::string where = origin.text(), shown = pointer.empty() ? "/" : pointer;
+  // `--set /film/fps` says the pointer itself.
+  if (origin.line > 0 || !where.ends_with(" " + shown)) where += ": " + shown;
   if (!unknown) return {where, what};
   return {where, fmt::format("unknown property {}{}", serialize(make_text(*unknown)),
                              expected_names(*unknown, names))};

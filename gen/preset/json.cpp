@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "core/utf8.h"
 #include "preset/syntax.h"
-#include "preset/utf8.h"
 
 namespace frond {
 namespace {

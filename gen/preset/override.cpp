@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "preset/utf8.h"
+#include "core/utf8.h"
 
 namespace frond {
 namespace {

@@ -8,7 +8,9 @@
 
 namespace frond {
 
-std::string range_text(const Range& range) {
+namespace {
+
+std::string bounds_text(const Range& range) {
   auto digits = [](double x) { return serialize(make_number(x)); };
   std::string unit = range.unit.empty() ? "" : fmt::format(" {}", range.unit);
   constexpr double kNatural = 1e30;  // beyond it a bound is that of float or double
@@ -23,6 +25,12 @@ std::string range_text(const Range& range) {
     return fmt::format(" {} {}{}", range.above_min ? "above" : "of at least", digits(range.min), unit);
   if (to) return fmt::format(" of at most {}{}", digits(range.max), unit);
   return range.unit.empty() ? "" : fmt::format(" ({})", range.unit);
+}
+
+}  // namespace
+
+std::string range_text(const Range& range) {
+  return bounds_text(range) + (range.sense.empty() ? "" : fmt::format(" ({})", range.sense));
 }
 
 }  // namespace frond

@@ -96,6 +96,17 @@ class Reader {
     vector(name, out, Range{}, doc);
   }
   template <class T>
+  void direction(std::string_view name, T& out, Across across, std::string_view) {
+    member(name, [&](const Value& v) {
+      auto read = vector_at<Held<T>>(v, kDirections);
+      return read && has_length(v, DVec3(*read), across) && keep(out, read);
+    });
+  }
+  template <class T>
+  void direction(std::string_view name, T& out, std::string_view doc) {
+    direction(name, out, Across::all, doc);
+  }
+  template <class T>
   void size(std::string_view name, T& out, const Range& range, std::string_view) {
     member(name, [&](const Value& v) { return keep(out, size_at(v, range)); });
   }
@@ -246,6 +257,8 @@ class Reader {
   }
   /// Notes an angle that would be usual in radians, where degrees are expected and `usual`.
   void doubt_radians(const Value& value, double found, double usual);
+  /// Notes a direction that is none.
+  bool has_length(const Value& value, const DVec3& direction, Across across);
   std::optional<double> whole_at(const Value& value, const Range& range);
   bool numbers_at(const Value& value, const Range& range, std::span<double> out);
   template <class T, class Read>

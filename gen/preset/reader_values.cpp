@@ -70,6 +70,16 @@ bool Reader::numbers_at(const Value& value, const Range& range, std::span<double
   return good;
 }
 
+bool Reader::has_length(const Value& value, const DVec3& direction, Across across) {
+  constexpr double kShortest = 1e-3;  // what is much shorter is written as 0
+  DVec3 counts = across == Across::all ? direction : DVec3(direction.x, 0, direction.z);
+  if (glm::length(counts) >= kShortest) return true;
+  faults_.add({value.origin, pointer_,
+               fmt::format("found {}; expected a direction{} of length {} or more", serialize(value),
+                           across == Across::all ? "" : " along x and z", kShortest)});
+  return false;
+}
+
 std::optional<std::array<int, 2>> Reader::size_at(const Value& value, const Range& range) {
   if (!value.is(Value::Type::list) || value.items.size() != 2) {
     fault(value, "[width, height]");

@@ -78,6 +78,14 @@ class SchemaWriter {
     vector(name, v, Range{}, doc);
   }
   template <class T>
+  void direction(std::string_view name, const T& v, Across across, std::string_view doc) {
+    add(name, direction_schema(across), doc, "", initial(v, &vector_default<Held<T>>));
+  }
+  template <class T>
+  void direction(std::string_view name, const T& v, std::string_view doc) {
+    direction(name, v, Across::all, doc);
+  }
+  template <class T>
   void size(std::string_view name, const T& s, const Range& range, std::string_view doc) {
     add(name, vector_schema(integer_schema(whole_range<int>(range)), 2), doc, range.unit,
         initial(s, [](const std::array<int, 2>& v) {

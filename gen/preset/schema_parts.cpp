@@ -60,6 +60,14 @@ Value vector_schema(const Value& component, std::size_t length) {
   return list_schema(component, {.min = length, .max = length});
 }
 
+Value direction_schema(Across across) {
+  Value zero = make_object().set("const", make_number(0));
+  Value any = make_object();
+  Value nowhere = make_list({zero, across == Across::all ? zero : any, zero});
+  Value schema = vector_schema(number_schema(kDirections), 3);
+  return schema.set("not", make_object().set("items", std::move(nowhere)));
+}
+
 Value color_schema() {
   Value hex = typed("string").set("pattern", make_text("^#[0-9a-fA-F]{6}$"));
   Value rgb = vector_schema(number_schema({.min = 0, .max = 1}), 3);

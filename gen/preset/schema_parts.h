@@ -17,6 +17,7 @@ namespace frond {
 Value number_schema(const Range& range);
 Value integer_schema(const Range& range);
 Value vector_schema(const Value& component, std::size_t length);
+Value direction_schema(Across across);
 Value color_schema();
 Value curve_schema();
 /// A value or keyframes of it.

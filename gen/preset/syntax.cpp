@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "preset/utf8.h"
+#include "core/utf8.h"
 
 namespace frond {
 namespace {
@@ -95,6 +95,7 @@ std::size_t skip_blanks(std::string_view text, std::size_t offset) {
 
 SyntaxFault find_fault(std::string_view text, std::size_t offset, Expected expected, std::size_t position,
                        std::string_view reason) {
+  const std::size_t end = offset;
   offset = skip_blanks(text, offset);
   auto here = [&] { return offset < text.size() ? text[offset] : '\0'; };
   auto value_fault = [&] { return token_fault(text, offset, true, "a value", position, reason); };
@@ -102,6 +103,13 @@ SyntaxFault find_fault(std::string_view text, std::size_t offset, Expected expec
     std::string_view name = "a name in double quotes";
     if (here() != '"') return unexpected(text, offset, false, name);
     return token_fault(text, offset, false, name, position, reason);
+  };
+  // Where the next member or element begins, its comma is missing: right behind the value, which may be lines
+  // above.
+  auto no_comma = [&](std::string_view beginnings, std::string_view expected_there) {
+    if (here() == '\0' || beginnings.find(here()) == beginnings.npos)
+      return unexpected(text, offset, false, expected_there);
+    return SyntaxFault{end, false, fmt::format("no comma behind the value; expected {}", expected_there)};
   };
   // Behind the comma, if there is one: whether the closing bracket follows it.
   std::size_t comma = offset;
@@ -120,11 +128,11 @@ SyntaxFault find_fault(std::string_view text, std::size_t offset, Expected expec
       offset = skip_blanks(text, offset + 1);
       return value_fault();
     case Expected::comma_or_bracket:
-      if (here() != ',') return unexpected(text, offset, false, "',' or ']'");
+      if (here() != ',') return no_comma("\"{[-0123456789tfn", "',' or ']'");
       if (!ends_behind_comma(']')) return value_fault();
       return {comma, false, "a comma before the closing ']'; expected no comma behind the last element"};
     case Expected::comma_or_brace:
-      if (here() != ',') return unexpected(text, offset, false, "',' or '}'");
+      if (here() != ',') return no_comma("\"", "',' or '}'");
       if (!ends_behind_comma('}')) return name_fault();
       return {comma, false, "a comma before the closing '}'; expected no comma behind the last member"};
     case Expected::end:

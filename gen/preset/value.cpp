@@ -129,12 +129,18 @@ Origin origin_at(const Value& root, std::string_view pointer) {
 std::string expected_names(std::string_view found, std::span<const std::string_view> names) {
   constexpr std::size_t kShort = 8;
   constexpr std::size_t kLong = 24;
+  constexpr std::size_t kLongestName = 64;  // none that is known is longer
   if (names.empty()) return "; expected no further name";
+  found = found.substr(0, kLongestName);
   std::string_view near = nearest_name(found, names);
-  bool listed = names.size() <= (near.empty() ? kLong : kShort);
+  std::vector<std::string_view> shown(names.begin(), names.end());
+  if (shown.size() > (near.empty() ? kLong : kShort))
+    std::ranges::stable_sort(shown, {}, [&](std::string_view name) { return edit_distance(found, name); });
+  std::size_t more = shown.size() > kLong ? shown.size() - kLong : 0;
+  shown.resize(shown.size() - more);
   std::string text =
-      listed ? fmt::format("; expected {}{}", names.size() > 1 ? "one of " : "", fmt::join(names, ", "))
-             : fmt::format("; expected one of {} known names", names.size());
+      fmt::format("; expected {}{}", names.size() > 1 ? "one of " : "", fmt::join(shown, ", "));
+  if (more > 0) text += fmt::format(" and {} more", more);
   if (!near.empty()) text += fmt::format("; did you mean \"{}\"?", near);
   return text;
 }

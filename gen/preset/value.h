@@ -82,8 +82,8 @@ std::string pointer_step(std::string_view pointer, std::string_view name);
 /// faults that are found only after reading.
 Origin origin_at(const Value& root, std::string_view pointer);
 
-/// The part of a message that follows what was found: `; expected one of a, b, c; did you mean "b"?`. A long
-/// list is counted, not told.
+/// The part of a message that follows what was found: `; expected one of a, b, c; did you mean "b"?`. Of a
+/// long list the names that are nearest come first, and the farthest are only counted.
 std::string expected_names(std::string_view found, std::span<const std::string_view> names);
 
 }  // namespace frond

@@ -9,4 +9,7 @@ namespace frond {
 /// hill and dale, small bumps smoothed.
 Camera over_ground(const Camera& camera, const Heights& heights);
 
+/// What to say of a camera that goes under the ground while the film lasts; empty where it does not.
+std::string under_ground(const Camera& camera, const Film& film, const Heights& heights);
+
 }  // namespace frond

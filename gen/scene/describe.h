@@ -18,11 +18,15 @@ inline constexpr Choice<Setting> kSettings[] = {
     {"garden", Setting::garden, "a lawn with pond and path at any hour of the day"},
     {"forest", Setting::forest, "wooded hills at any hour of the day"}};
 
+/// The sides of a picture, and the hours of a day.
+inline constexpr Range kSides{.min = 16, .max = 16384, .unit = "pixels"};
+inline constexpr Range kHours{.min = 0, .max = 24, .unit = "h", .sense = "dawn is 6, noon 12, dusk 19"};
+
 template <class Visitor>
 void describe(Visitor& v, Film& f) {
   v.integer("frames", f.frames, {.min = 1, .max = 100000}, "1: a still");
   v.number("fps", f.fps, {.min = 0.1, .max = 1000}, "Frames a second");
-  v.size("size", f.size, {.min = 16, .max = 16384, .unit = "pixels"}, "Width and height");
+  v.size("size", f.size, kSides, "Width and height");
   v.choice("quality", f.quality, kQualities, "How carefully the pictures are rendered");
 }
 
@@ -40,7 +44,7 @@ void describe(Visitor& v, Water& w) {
   v.color("deep", w.deep, "Of the depth below the horizon");
   v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
            "Until two thirds of a colour are lost");
-  v.vector("sun", w.sun, {.min = -100, .max = 100}, "Toward the sun");
+  v.direction("sun", w.sun, "Toward the sun");
   v.number("caustics", w.caustics, {.min = 0, .max = 1.5}, "How strongly waves focus the light");
   v.number("shafts", w.shafts, {.min = 0, .max = 1}, "Beams of light");
   v.integer("particles", w.particles, {.min = 0, .max = 1000}, "Specks that drift before the camera");
@@ -51,7 +55,7 @@ void describe(Visitor& v, Studio& s) {
   v.color("wall", s.wall, "Of wall and floor");
   v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"},
            "From the middle to the wall behind it");
-  v.vector("key", s.key, "Toward the main light");
+  v.direction("key", s.key, "Toward the main light");
   v.number("softness", s.softness, {.min = 0, .max = 3}, "Of shadows");
 }
 
@@ -60,7 +64,7 @@ void describe(Visitor& v, Meadow& m) {
   v.color("zenith", m.zenith, "Of the sky above");
   v.color("horizon", m.horizon, "Of the sky far off, and of the haze");
   v.color("grass", m.grass, "Of the grass");
-  v.vector("sun", m.sun, "Toward the sun");
+  v.direction("sun", m.sun, "Toward the sun");
   v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"}, "Until two thirds of a colour are lost");
   v.number("clouds", m.clouds, {.min = 0, .max = 1}, "How much of the sky they cover");
   v.number("blade", m.blade, {.min = 0, .max = 5, .unit = "m"}, "Length of the grass; 0: none stands");
@@ -87,7 +91,7 @@ void describe(Visitor& v, PathShape& p) {
 
 template <class Visitor>
 void describe(Visitor& v, Garden& g) {
-  v.number("hour", g.hour, {.min = 0, .max = 24, .unit = "h"}, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.number("hour", g.hour, kHours, "Of the day: 6 dawn, 12 noon, 19 dusk");
   v.angle("south", g.south, {.min = -360, .max = 360},
           "Where the sun stands at noon: 0 toward +z, 90 toward +x");
   v.object("pond", g.pond, "The pond");
@@ -108,7 +112,7 @@ void describe(Visitor& v, TerrainShape& t) {
 
 template <class Visitor>
 void describe(Visitor& v, Forest& f) {
-  v.number("hour", f.hour, {.min = 0, .max = 24, .unit = "h"}, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.number("hour", f.hour, kHours, "Of the day: 6 dawn, 12 noon, 19 dusk");
   v.angle("south", f.south, {.min = -360, .max = 360},
           "Where the sun stands at noon: 0 toward +z, 90 toward +x");
   v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"}, "How high it fills the valleys; 0: none");

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +16,8 @@
 #include "organisms/organism.h"
 
 namespace frond {
+
+struct Value;
 
 enum class Quality { draft, good, best };
 
@@ -116,15 +121,19 @@ struct Preset {
   Stage stage;
   std::vector<Organism> organisms;
 
-  Errors doubts;  ///< what is no fault, but most likely not meant
-
   std::string text;  ///< what it was read from, overrides included, as canonical JSON; for hashes
+  std::shared_ptr<const Value> written;  ///< the same with its places, defaults merged into the organisms
+  Errors notes;                          ///< no faults, but what the user should know
 };
 
 /// Reads a preset, and the one that it builds on. `file_name` is for messages and tells the folder; `sets`
-/// are `/json/pointer=value` overrides, applied in order. All faults are reported.
+/// are `/json/pointer=value` overrides, applied in order; `only` is that of Assets. All faults are reported.
 Result<Preset> read_preset(std::string_view text, const std::string& file_name,
-                           const std::vector<std::string>& sets);
+                           const std::vector<std::string>& sets,
+                           const std::optional<std::filesystem::path>& only = {});
+
+/// What is found wrong with the value at a JSON pointer after reading, with its place.
+Error fault_at(const Preset& preset, const std::string& pointer, std::string what);
 
 /// The JSON Schema (draft-07) of presets.
 std::string preset_schema();

@@ -292,6 +292,8 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
   watch.begin("place", 3);
   lay_ground(b);
   if (preset.stage.camera.follow) b.scene.stage.camera = over_ground(preset.stage.camera, b.heights);
+  if (std::string said = under_ground(b.scene.stage.camera, preset.film, b.heights); !said.empty())
+    b.scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
   watch.step();
   std::vector<Planting> list = plantings(b);
   watch.step();

@@ -29,6 +29,42 @@ TEST(ReadObj, PassesOverWhatCannotBeDrawn) {
   EXPECT_FALSE(read_obj("").ok());
 }
 
+TEST(ReadObj, WhatIsWrongIsToldWithItsLine) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  struct {
+    std::string text, said;
+  } const cases[] = {
+      {"v 0 0 0\nv nan 0 0\n", "m.obj:2: a place whose number 1 is none; expected three finite numbers"},
+      {"v 0 0 0\nv 1 1e99 0\n", "m.obj:2: a place whose number 2 is none; expected three finite numbers"},
+      {"v 0 0\n", "m.obj:1: a place whose number 3 is none; expected three finite numbers"},
+      {"v 0 0 root:x:0\n", "m.obj:1: a place whose number 3 is none; expected three finite numbers"},
+      {"vn inf 0 0\n", "m.obj:1: a normal whose number 1 is none; expected three finite numbers"},
+      {corners + "f 1 2 4\n",
+       "m.obj:4: a corner names a place that is not there; expected one of the 3 that the file has"},
+      {corners + "\r\nf 1 2 0\r\n",
+       "m.obj:5: a corner names a place that is not there; expected one of the 3 that the file has"},
+      {corners + "f -1 -2 -4\n",
+       "m.obj:4: a corner names a place that is not there; expected one of the 3 that the file has"},
+      {corners + "f 1 2 99999999999999999999\n",
+       "m.obj:4: a corner names a place that is not there; expected one of the 3 that the file has"},
+      {corners + "f 1//1 2//1 3//2\nvn 0 0 1\n",
+       "m.obj:4: a corner names a normal that is not there; expected one of the 1 that the file has"},
+      {corners + "f 1 2 x\n",
+       "m.obj:4: a corner names a place that is not there; expected one of the 3 that the file has"},
+      {corners + "f 1 2\n", "m.obj:4: a face of 2 corners; expected 3 or more"},
+      {corners + "l 1\n", "m.obj:4: a line of 1 corners; expected 2 or more"},
+      {corners, "m.obj: holds no face that could be drawn"},
+      {"root:x:0:0:root:/root:/bin/bash\n", "m.obj: holds no face that could be drawn"},
+  };
+  for (const auto& c : cases) {
+    Result<Surface> mesh = read_obj(c.text, "m.obj");
+    ASSERT_FALSE(mesh.ok()) << c.text;
+    EXPECT_EQ(mesh.errors()[0].text(), c.said) << c.text;
+  }
+  EXPECT_EQ(read_obj_lines(corners + "l 1 9\n", "m.obj").errors()[0].where, "m.obj:4");
+  EXPECT_TRUE(read_obj("f 1/7/1 2/7/1 3/7/1 # first\nvn 0 0 +1\n" + corners).ok()) << "in any order";
+}
+
 TEST(ToUnit, StandsOnTheOrigin) {
   Surface mesh = to_unit(*read_obj("v 2 3 0\nv 4 3 0\nv 3 7 0\nf 1 2 3\n"));
   EXPECT_EQ(mesh.position[0], Vec3(-0.25f, 0, 0));

@@ -77,10 +77,9 @@ TEST(Override, FaultsNameTheOverride) {
   Result<reef::Preset> preset = read_preset<reef::Preset>(document);
   ASSERT_FALSE(preset);
   ASSERT_EQ(preset.errors().size(), 3u);
-  EXPECT_EQ(
-      preset.errors()[0].text(),
-      "--set /film/fraems: /film/fraems: unknown property \"fraems\"; expected one of frames, size, quality; "
-      "did you mean \"frames\"?");
+  EXPECT_EQ(preset.errors()[0].text(),
+            "--set /film/fraems: unknown property \"fraems\"; expected one of frames, size, quality; "
+            "did you mean \"frames\"?");
   EXPECT_EQ(preset.errors()[1].text(),
             "--set /swell: /swell/speed: found -1; expected a number from 0 to 10");
   EXPECT_EQ(preset.errors()[2].text(), "--set /swell: /swell/loop: found 3; expected true or false");

@@ -34,6 +34,8 @@ TEST(FindFault, SaysWhatMustFollow) {
       {" x", Expected::colon, 1, false, "'x'; expected ':' behind the name"},
       {" : x", Expected::colon, 3, true, "'x'; expected a value"},
       {" x", Expected::comma_or_bracket, 1, false, "'x'; expected ',' or ']'"},
+      {"\n\n\"x", Expected::comma_or_brace, 0, false, "no comma behind the value; expected ',' or '}'"},
+      {" // x\n1", Expected::comma_or_bracket, 0, false, "no comma behind the value; expected ',' or ']'"},
       {" , x", Expected::comma_or_bracket, 3, true, "'x'; expected a value"},
       {" x", Expected::comma_or_brace, 1, false, "'x'; expected ',' or '}'"},
       {" , x", Expected::comma_or_brace, 3, false, "'x'; expected a name in double quotes"},

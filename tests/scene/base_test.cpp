@@ -81,6 +81,51 @@ TEST_F(Base, MayBeSet) {
   EXPECT_EQ(preset->seed, 5u);
 }
 
+TEST_F(Base, OutsideOfTheAssetsIsNotRead) {
+  put("mine/above.json", R"({"base": "../below/wood.json"})");
+  put("below/wood.json", R"({"base": "../tree.json"})");
+  put("tree.json", R"({"seed": 5, "organisms": []})");
+  std::string path = (folder / "mine/above.json").string(), text = *read_file(path);
+  EXPECT_TRUE(read_preset(text, path, {}).ok());
+  EXPECT_TRUE(read_preset(text, path, {}, folder).ok());
+  Result<Preset> preset = read_preset(text, path, {}, folder / "mine");
+  ASSERT_FALSE(preset);
+  EXPECT_NE(
+      preset.errors()[0].text().find("/mine/above.json:1:10: /base: \"../below/wood.json\" lies outside"),
+      std::string::npos)
+      << preset.errors()[0].text();
+  preset = read_preset(text, path, {}, folder / "below");
+  ASSERT_FALSE(preset) << "the base of a base";
+  EXPECT_NE(preset.errors()[0].text().find("/below/wood.json:1:10: /base: \"../tree.json\" lies outside"),
+            std::string::npos)
+      << preset.errors()[0].text();
+}
+
+TEST_F(Base, ThatIsNoPresetIsNotShown) {
+  put("above.json", R"({"base": "below.json"})");
+  for (const char* text : {"hunter2:x:0", "{\"hunter2\": 1}", "{\"film\": {\"hunter2\": 1, \"hunter2\": 2}}",
+                           "[\"hunter2\"]", "\"hunter2\"", "{\"seed\": 1,\n \"hunter2\": {}}"}) {
+    put("below.json", text);
+    Result<Preset> preset = read("above.json");
+    ASSERT_FALSE(preset) << text;
+    ASSERT_EQ(preset.errors().size(), 1u);
+    std::string said = preset.errors()[0].text();
+    EXPECT_EQ(said.find("hunter2"), std::string::npos) << said;
+    EXPECT_NE(said.find("below.json:"), std::string::npos) << said;
+    EXPECT_NE(said.find("expected a preset, see `frond check "), std::string::npos) << said;
+  }
+}
+
+TEST_F(Base, OfABaseThatIsNoTextIsRefused) {
+  put("above.json", R"({"base": "below.json"})");
+  put("below.json", R"({"base": 7})");
+  Result<Preset> preset = read("above.json");
+  ASSERT_FALSE(preset);
+  EXPECT_NE(preset.errors()[0].text().find("below.json:1:10: /base: found 7; expected a text"),
+            std::string::npos)
+      << preset.errors()[0].text();
+}
+
 TEST_F(Base, OfItselfIsRefused) {
   put("above.json", R"({"base": "above.json"})");
   Result<Preset> preset = read("above.json");

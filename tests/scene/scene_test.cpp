@@ -73,13 +73,13 @@ TEST(Preset, DoubtsAreToldWithTheirPlace) {
   {"kind": "coral", "pitch": 0.43},
   {"kind": "coral", "pitch": 1},
   {"kind": "plant", "grammar": {"rules": ["F -> F[+X]K"]}, "organs": [{"symbol": "K"}]}]})");
-  ASSERT_EQ(preset.doubts.size(), 3u);
-  EXPECT_EQ(preset.doubts[0].where, "test.json:2:39: /organisms/0/branching_angle");
-  EXPECT_NE(preset.doubts[0].what.find("if radians were meant, write 61.9"), std::string::npos);
-  EXPECT_EQ(preset.doubts[1].where, "test.json:3:30: /organisms/1/pitch");
-  EXPECT_EQ(preset.doubts[2].text().find(
-                "test.json:5:43: /organisms/3/grammar/rules/0: column 9: `X` does nothing"),
-            0u);
+  ASSERT_EQ(preset.notes.size(), 3u);
+  EXPECT_EQ(preset.notes[0].where, "test.json:2:39: /organisms/0/branching_angle");
+  EXPECT_NE(preset.notes[0].what.find("if radians were meant, write 61.9"), std::string::npos);
+  EXPECT_EQ(preset.notes[1].where, "test.json:3:30: /organisms/1/pitch");
+  EXPECT_EQ(
+      preset.notes[2].text().find("test.json:5:43: /organisms/3/grammar/rules/0: column 9: `X` does nothing"),
+      0u);
 }
 
 TEST(Preset, ShippedOnesRaiseNoDoubts) {
@@ -88,7 +88,7 @@ TEST(Preset, ShippedOnesRaiseNoDoubts) {
     if (entry.path().extension() != ".json" || entry.path().parent_path().filename() == "grammars") continue;
     Result<Preset> preset = read_preset(*read_file(entry.path()), entry.path().string(), {});
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
-    for (const Error& doubt : preset->doubts) ADD_FAILURE() << doubt.text();
+    for (const Error& doubt : preset->notes) ADD_FAILURE() << doubt.text();
     ++tried;
   }
   EXPECT_GT(tried, 40);

@@ -141,6 +141,120 @@ setup() {
   [ "$status" -eq 0 ]
 }
 
+# A preset of one body from a file: body_preset FILE
+body_preset() {
+  printf '{"film": {"frames": 1}, "scene": {"setting": "studio"},\n "organisms": [{"kind": "mesh",\n  "file": "%s"}]}\n' "$1"
+}
+
+@test "with --assets nothing is read but below the preset's folder and that one, and nothing of it is shown" {
+  mkdir mine shared secret
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' | tee mine/own.obj shared/lent.obj >secret/hidden.obj
+  echo 'v hunter2 1 2' >secret/password
+  ln -s ../secret/hidden.obj mine/link.obj
+  for name in own.obj ../shared/lent.obj lent.obj; do
+    body_preset "$name" >mine/preset.json
+    "$frond" check --assets shared mine/preset.json
+    "$frond" info --assets shared mine/preset.json
+    "$frond" generate --assets shared mine/preset.json -o out -q
+    "$frond" export --assets=shared mine/preset.json -o out/body.obj -q
+  done
+  for name in ../secret/hidden.obj link.obj "$PWD/secret/hidden.obj" ../secret/nothing; do
+    body_preset "$name" >mine/preset.json
+    for command in check info generate "export -o out/x.obj" textures; do
+      # shellcheck disable=SC2086
+      run "$frond" $command --assets shared mine/preset.json
+      [ "$status" -eq 2 ]
+      [[ "$output" == "mine/preset.json:3:11: /organisms/0/file: "*" lies outside of what may be read; "* ]]
+    done
+  done
+  body_preset ../secret/hidden.obj >mine/preset.json
+  "$frond" check mine/preset.json
+  body_preset ../secret/password >mine/preset.json
+  run "$frond" check mine/preset.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"/organisms/0/file: mine/../secret/password:1: a place whose number 1 is none"* ]]
+  [[ "$output" != *hunter2* ]]
+  run "$frond" check --assets nowhere mine/preset.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == '--assets: "nowhere" is no folder'* ]]
+}
+
+@test "render.sh hands --assets on" {
+  printf '#!/bin/sh\necho "$@" >args\nexit 2\n' >fake
+  chmod +x fake
+  body_preset body.obj >preset.json
+  FROND_BIN=$PWD/fake run "$root/scripts/render.sh" preset.json --assets shared -o out
+  [ "$status" -eq 2 ]
+  grep -q -- ' --assets=shared' args
+}
+
+@test "a file that is not there is told with the property that names it and the folders that were searched" {
+  mkdir there
+  body_preset none.obj >there/preset.json
+  run "$frond" check there/preset.json
+  [ "$output" = "there/preset.json:3:11: /organisms/0/file: there is no file \"none.obj\"; looked for in there and in $PWD" ]
+}
+
+@test "guides are looked for where all other files are" {
+  mkdir there
+  printf 'v 0 0 0\nv 0 1 0\nl 1 2\n' >way.obj
+  echo '{"axiom": "?F", "guide": {"file": "way.obj"}}' >there/grammar.json
+  echo '{"organisms": [{"kind": "plant", "grammar": {"axiom": "?F", "guide": {"file": "way.obj"}}}]}' >there/preset.json
+  "$frond" derive there/grammar.json
+  "$frond" check there/preset.json
+  run "$frond" derive there/grammar.json --assets there
+  [ "$status" -eq 2 ]
+  [[ "$output" == 'there/grammar.json:1:35: /guide/file: there is no file "way.obj"; looked for in there and in there' ]]
+}
+
+@test "nothing of a preset steers the terminal, and messages are short but keep their place" {
+  printf '{"film": {"\\u001b[31m%s\\u202e": 1}, "scene": {"setting": "\\u009b2J"}}' "$(head -c 100000 /dev/zero | tr '\0' x)" >loud.json
+  run "$frond" check loud.json
+  [ "$status" -eq 2 ]
+  [ "${#output}" -lt 5000 ]
+  [[ "${lines[0]}" == 'loud.json:1:11: /film/\x1b[31mxxx'* ]]
+  run "$frond" check "$(printf 'no\033[2Jthing')"
+  [[ "$output" == 'no\x1b[2Jthing: cannot be read'* ]]
+  run "$frond" check --wrong"$(printf '\033[2J')" loud.json
+  [ "$status" -eq 2 ]
+  [[ "$output" != *$'\033'* ]]
+  python3 -c 'print("{\"organisms\": [" + ",".join(["{\"kind\": 1}"] * 5000) + "]}")' >many.json
+  run "$frond" check many.json
+  [ "${#lines[@]}" -eq 101 ]
+  [ "${lines[100]}" = "and 4900 more" ]
+}
+
+@test "a file whose name begins with a dash is taken" {
+  cp "$root/tests/presets/tiny_still.json" ./-still.json
+  "$frond" check -still.json
+  "$frond" check -- -still.json
+  "$frond" generate -still.json --out=-out -q
+  [ -s ./-out/frames/frame_0001.pov ]
+  run "$frond" check -nothing.json
+  [ "$status" -eq 2 ]
+}
+
+@test "options of the command line are named as they were given" {
+  still=$root/tests/presets/tiny_still.json
+  run "$frond" check "$still"
+  run "$frond" info "$still" --quality high
+  [ "$output" = '--quality: found the text "high"; expected one of draft, good, best' ]
+  run "$frond" info "$still" --size 8x200
+  [ "$output" = "--size: found 8x200; expected sides from 16 to 16384 pixels" ]
+  run "$frond" info "$still" --set /film/quality=high
+  [ "$output" = '--set /film/quality: found the text "high"; expected one of draft, good, best' ]
+}
+
+@test "what does nothing in a preset is noted by check and generate" {
+  echo '{"film": {"frames": 1}, "scene": {"setting": "studio", "water": {"shafts": 0}}, "organisms": []}' >idle.json
+  run "$frond" check idle.json
+  [ "$status" -eq 0 ]
+  [ "$output" = "note: idle.json:1:65: /scene/water: does nothing here: the setting is studio; it is for underwater" ]
+  run "$frond" generate idle.json -o out -q
+  [ "$status" -eq 0 ]
+  [[ "$output" == "note: idle.json:1:65: "* ]]
+}
+
 @test "a frame generated alone is the frame of the whole film" {
   "$frond" generate "$root/tests/presets/tiny_film.json" -o all -q --threads 2
   "$frond" generate "$root/tests/presets/tiny_film.json" -o one -q --frames 4 --threads 1

@@ -1,4 +1,4 @@
-#include "preset/utf8.h"
+#include "core/utf8.h"
 
 namespace frond {
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+#include "app/commands.h"
+#include "core/result.h"
+
+namespace frond {
+
+// All that the program says to people goes through here, so that nothing from a file or a command line steers
+// the terminal, and nothing fills it.
+
+/// Prints a line to stderr.
+void tell(std::string_view line);
+
+/// Prints notes to stderr, one a line.
+void tell_notes(const Errors& notes);
+
+/// Prints errors to stderr, one a line; returns the given exit code.
+int fail(const Errors& errors, ExitCode code);
+
+}  // namespace frond

@@ -1,0 +1,77 @@
+#include "core/printable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/utf8.h"
+
+namespace frond {
+
+namespace {
+
+constexpr std::size_t kMostPlace = 400, kMostPointer = 400;
+constexpr std::string_view kGap = "[...]";
+
+/// The number of a character that is right UTF-8.
+char32_t code_of(std::string_view character) {
+  auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return first;
+  char32_t code = first & (0x7fu >> character.size());
+  for (char c : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3fu);
+  return code;
+}
+
+/// Whether a terminal does something else with it than to show it.
+bool steers(char32_t code) {
+  bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
+  bool direction = code == 0x061c || code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) ||
+                   (code >= 0x2066 && code <= 0x2069);
+  return control || direction || code == 0x2028 || code == 0x2029;
+}
+
+/// Whether a character goes on at that byte.
+bool continues(std::string_view text, std::size_t at) {
+  return at < text.size() && (text[at] & 0xc0) == 0x80;
+}
+
+/// The text without its middle, where it is longer than that. No character is cut in two.
+std::string cut(std::string_view text, std::size_t most) {
+  most = std::max<std::size_t>(most, 16);
+  if (text.size() <= most) return std::string(text);
+  std::size_t front = (most - kGap.size()) * 2 / 3, back = text.size() - (most - kGap.size() - front);
+  for (int i = 0; i < 3 && continues(text, front); ++i) --front;
+  for (int i = 0; i < 3 && continues(text, back); ++i) ++back;
+  return fmt::format("{}{}{}", text.substr(0, front), kGap, text.substr(back));
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t most) {
+  // What is cut away need not be escaped first.
+  std::string near = cut(text, most), shown;
+  for (std::size_t i = 0; i < near.size();) {
+    std::string_view rest = std::string_view(near).substr(i);
+    std::size_t size = character_size(rest.substr(0, 4));
+    std::string_view character = rest.substr(0, std::max<std::size_t>(size, 1));
+    char32_t code = size > 0 ? code_of(character) : static_cast<unsigned char>(character[0]);
+    if (size > 0 && !steers(code)) {
+      shown += character;
+    } else {
+      shown += size > 1 ? fmt::format("\\u{:04x}", static_cast<unsigned>(code))
+                        : fmt::format("\\x{:02x}", static_cast<unsigned>(code));
+    }
+    i += character.size();
+  }
+  return cut(shown, most);
+}
+
+std::string printable(const Error& error) {
+  std::size_t pointer = std::min(error.where.find(": /"), error.where.size());
+  std::string text = printable(std::string_view(error.where).substr(0, pointer), kMostPlace);
+  if (pointer < error.where.size())
+    text += ": " + printable(std::string_view(error.where).substr(pointer + 2), kMostPointer);
+  return (text.empty() ? text : text + ": ") + printable(error.what);
+}
+
+}  // namespace frond
