@@ -11,9 +11,10 @@ namespace frond {
 
 /// What a printer wants to know of a mesh. Vertices at one place count as one.
 struct PrintedPieces {
-  std::size_t crowded = 0;    ///< edges that are not of exactly two triangles, one each way
-  std::size_t flat = 0;       ///< triangles that have a corner twice
-  std::vector<double> volume; ///< m3, of each piece that hangs together by edges; below 0 for the wall of a void
+  std::size_t crowded = 0;  ///< edges that are not of exactly two triangles, one each way
+  std::size_t flat = 0;     ///< triangles that have a corner twice
+  std::vector<double>
+      volume;  ///< m3, of each piece that hangs together by edges; below 0 for the wall of a void
 };
 
 inline PrintedPieces printed_pieces(const Surface& s) {

@@ -81,8 +81,7 @@ class Caster {
     const Bark& bark = *b_.bark;
     auto bark_material = [&](std::size_t k) {
       std::size_t made_of =
-          material(fmt::format("bark_{}", k), scaled(bark.colors[k], b_.brightness),
-                                     bark_gloss(bark), false);
+          material(fmt::format("bark_{}", k), scaled(bark.colors[k], b_.brightness), bark_gloss(bark), false);
       cast_.materials[made_of].metal = is_metal(bark);
       return made_of;
     };
@@ -137,7 +136,8 @@ class Caster {
     const OrganPart& shape = prototype.parts[part];
     Color paint = shape.tissue == Tissue::heart ? prototype.second : prototype.colors[color];
     std::string name = fmt::format("{}_{}_{}_{}", plain_name(prototype.name, "organ"), which, color, part);
-    cast_.meshes.push_back({name_ + '_' + name, shape.surface, material(name, paint, 0.2, is_leaf(shape.tissue))});
+    cast_.meshes.push_back(
+        {name_ + '_' + name, shape.surface, material(name, paint, 0.2, is_leaf(shape.tissue))});
     return cast_.meshes.size() - 1;
   }
 
@@ -245,7 +245,8 @@ Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& opti
     if (!errors.empty()) return errors;
   }
   if (Errors errors = add_sown(cast, scene); !errors.empty()) return errors;
-  if (cast.placements.empty()) return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
+  if (cast.placements.empty())
+    return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
   return cast;
 }
 

@@ -42,7 +42,7 @@ constexpr Format kFormats[] = {
      [](const CastSize& s) { return 85 * s.all_vertices + 60 * s.all_triangles; }, kAny, write_obj},
     {".ply", "binary PLY with colours at the vertices",
      [](const CastSize& s) { return kPlyVertex * s.all_vertices + 13 * s.all_triangles; },
-     kPlyVertex * kMostIndices, write_ply},
+     kPlyVertex* kMostIndices, write_ply},
     {".glb", "binary glTF 2.0 with materials and instances",
      [](const CastSize& s) { return 32 * s.vertices + 12 * s.triangles + 160 * s.placements; }, 4294967295.0,
      write_glb},
@@ -53,14 +53,16 @@ constexpr Format kFormats[] = {
 /// Why so many bytes are not written, if they are not.
 Errors refuse_bytes(const Format& format, double bytes) {
   // A file is put together in memory, beside the meshes.
-  double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  double memory =
+      0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (bytes > format.most_bytes)
-    return {Error{"", fmt::format("would take about {:.2g} GB; such a file holds {:.2g} GB at most", bytes / 1e9,
-                                  format.most_bytes / 1e9)}};
+    return {Error{"", fmt::format("would take about {:.2g} GB; such a file holds {:.2g} GB at most",
+                                  bytes / 1e9, format.most_bytes / 1e9)}};
   if (bytes > memory)
-    return {Error{"", fmt::format("would take about {:.2g} GB, more than the {:.2g} GB that this machine's "
-                                  "memory has for it; a .glb holds each model once, however many copies stand",
-                                  bytes / 1e9, memory / 1e9)}};
+    return {
+        Error{"", fmt::format("would take about {:.2g} GB, more than the {:.2g} GB that this machine's "
+                              "memory has for it; a .glb holds each model once, however many copies stand",
+                              bytes / 1e9, memory / 1e9)}};
   return {};
 }
 

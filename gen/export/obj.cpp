@@ -33,7 +33,8 @@ Welded welded(const std::vector<Vec3>& position) {
     first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
   Welded result;
   for (std::uint32_t v = 0; v < position.size(); ++v) {
-    result.of.push_back(first[v] == v ? static_cast<std::uint32_t>(result.place.size()) : result.of[first[v]]);
+    result.of.push_back(first[v] == v ? static_cast<std::uint32_t>(result.place.size())
+                                      : result.of[first[v]]);
     if (first[v] == v) result.place.push_back(position[v]);
   }
   return result;

@@ -136,17 +136,18 @@ std::vector<SownMesh> meshes_of(const Organism& organism, const Model& model) {
       meshes.push_back({"wood", wood_material(organism), std::move(part.surface)});
     } else if (part.kind == CopyPart::Kind::solid) {
       const Material& m = model.solids.shapes[part.which].material;
-      meshes.push_back({fmt::format("solid_{}", part.which), {"", m.color, m.gloss, false, false},
+      meshes.push_back({fmt::format("solid_{}", part.which),
+                        {"", m.color, m.gloss, false, false},
                         std::move(part.surface)});
     } else {
       auto [colors, tissue] = leaf_look(organism, model, part);
       for (std::size_t k = 0; k < colors.size(); ++k)
         if (Surface leaves = of_color(part.surface, k, colors.size()); !leaves.triangle.empty())
-          meshes.push_back({fmt::format("{}_{}_{}_{}",
-                                        part.kind == CopyPart::Kind::blade ? "blades" : "organ", part.which,
-                                        part.part, k),
-                            {"", colors[k], 0.2, false, is_leaf(tissue)},
-                            std::move(leaves)});
+          meshes.push_back(
+              {fmt::format("{}_{}_{}_{}", part.kind == CopyPart::Kind::blade ? "blades" : "organ", part.which,
+                           part.part, k),
+               {"", colors[k], 0.2, false, is_leaf(tissue)},
+               std::move(leaves)});
     }
   }
   return meshes;
@@ -175,13 +176,12 @@ Errors add_sown(Cast& cast, const Scene& scene) {
 
 Result<std::vector<SownBranches>> sown_branches(const Scene& scene) {
   std::vector<SownModel> models = models_of(scene);
-  auto grown = each_grown<Skeleton>(
-      models, [](const Organism&, Model& model) { return std::move(model.skeleton); });
+  auto grown =
+      each_grown<Skeleton>(models, [](const Organism&, Model& model) { return std::move(model.skeleton); });
   if (!grown) return grown.errors();
   std::vector<SownBranches> branches;
   for (std::size_t m = 0; m < models.size(); ++m)
-    if ((*grown)[m].size() > 1)
-      branches.push_back({std::move((*grown)[m]), std::move(models[m].copies)});
+    if ((*grown)[m].size() > 1) branches.push_back({std::move((*grown)[m]), std::move(models[m].copies)});
   return branches;
 }
 

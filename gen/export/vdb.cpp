@@ -11,9 +11,9 @@ namespace frond {
 
 namespace {
 
-constexpr double kVoxels = 400;      // along a volume that nothing says the voxel of
+constexpr double kVoxels = 400;       // along a volume that nothing says the voxel of
 constexpr double kSegmentBytes = 60;  // of memory, for one of a branch
-constexpr double kLeastLimit = 4e9;  // bytes of memory, where no organism says more
+constexpr double kLeastLimit = 4e9;   // bytes of memory, where no organism says more
 
 struct Box {
   Vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
@@ -54,9 +54,10 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
     bytes += kSegmentBytes * static_cast<double>(shapes.back().size() * model.copies.size());
   }
   if (bytes > all.options.limit)
-    return {Error{"", fmt::format("the branches of all copies would take about {:.2g} GB of memory, more than "
-                                  "the limit of {:.2g} GB; a larger --voxel leaves more of the thin ones out",
-                                  bytes / 1e9, all.options.limit / 1e9)}};
+    return {
+        Error{"", fmt::format("the branches of all copies would take about {:.2g} GB of memory, more than "
+                              "the limit of {:.2g} GB; a larger --voxel leaves more of the thin ones out",
+                              bytes / 1e9, all.options.limit / 1e9)}};
   std::vector<Vec3> position;
   std::vector<float> radius;
   for (std::size_t m = 0; m < sown.size(); ++m)

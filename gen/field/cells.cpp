@@ -24,8 +24,8 @@ int most_held(unsigned window, std::initializer_list<int> candidates) {
   return best;
 }
 
-/// What to add to a window of 2 x 2 x 2 cells, bit 4 i + 2 j + k each, where cells of it touch along an edge or
-/// at a corner alone, or the cells that are not there do.
+/// What to add to a window of 2 x 2 x 2 cells, bit 4 i + 2 j + k each, where cells of it touch along an edge
+/// or at a corner alone, or the cells that are not there do.
 int missing_in(unsigned window) {
   auto is = [&](int c) { return (window >> c & 1) != 0; };
   for (int axis : {1, 2, 4}) {
@@ -79,8 +79,8 @@ void mend_contacts(CellSet& cells) {
   cells.visit([&](Cell cell) {
     bool inner = true;
     for (int d : {-1, 1})
-      inner = inner && cells.holds({cell.i + d, cell.j, cell.k}) && cells.holds({cell.i, cell.j + d, cell.k}) &&
-              cells.holds({cell.i, cell.j, cell.k + d});
+      inner = inner && cells.holds({cell.i + d, cell.j, cell.k}) &&
+              cells.holds({cell.i, cell.j + d, cell.k}) && cells.holds({cell.i, cell.j, cell.k + d});
     if (!inner) open.push_back(cell);
   });
   while (!open.empty()) {

@@ -162,8 +162,7 @@ Result<Cubes> cubes_of(const Boughs& limbs, const VolumeOptions& options) {
     std::int32_t before = cubes.node.empty() ? limbs.cones[0].node : cubes.node.back();
     cubes.cell.push_back(cell);
     cubes.shown.push_back(shown);
-    cubes.node.push_back(sample.cone < 0 ? before
-                                         : limbs.cones[static_cast<std::size_t>(sample.cone)].node);
+    cubes.node.push_back(sample.cone < 0 ? before : limbs.cones[static_cast<std::size_t>(sample.cone)].node);
   });
   keep_outsides(cubes, limbs);
   return cubes;
@@ -173,7 +172,8 @@ Surface cubes_surface(const Cubes& cubes, std::vector<std::uint32_t>& cube) {
   Surface surface;
   cube.clear();
   visit_faces(cubes, [&](std::size_t c, std::size_t f) {
-    Vec3 out(static_cast<float>(kSteps[f].i), static_cast<float>(kSteps[f].j), static_cast<float>(kSteps[f].k));
+    Vec3 out(static_cast<float>(kSteps[f].i), static_cast<float>(kSteps[f].j),
+             static_cast<float>(kSteps[f].k));
     auto first = static_cast<std::uint32_t>(surface.position.size());
     for (Cell corner : face_corners(cubes.cell[c], f)) {
       // Of all faces that meet there the same numbers, or there would be gaps of the last digit.

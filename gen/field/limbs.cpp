@@ -105,7 +105,8 @@ void add_limbs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> positi
     float foot = radius[static_cast<std::size_t>(p)];
     // A branch leaves its parent little thicker than it goes on, or the fork would swell.
     if (p != node - 1) foot = std::min(foot, 1.25f * radius[i]);
-    Cone cone = make_cone(position[static_cast<std::size_t>(p)], foot, position[i], radius[i], first_node + node);
+    Cone cone =
+        make_cone(position[static_cast<std::size_t>(p)], foot, position[i], radius[i], first_node + node);
     cone.root = first_node + root[i];
     joiner.add_cone(node, cone);
   }

@@ -118,7 +118,8 @@ TEST(Obj, is_read_back_by_tinyobjloader) {
     Surface surface = placed(cast.meshes[cast.placements[o].mesh], cast.placements[o]);
     for (std::size_t i = 0; i < shapes[o].mesh.indices.size(); ++i) {
       Vec3 at = surface.position[surface.triangle[i / 3][i % 3]];
-      const float* read = &attrib.vertices[3 * static_cast<std::size_t>(shapes[o].mesh.indices[i].vertex_index)];
+      const float* read =
+          &attrib.vertices[3 * static_cast<std::size_t>(shapes[o].mesh.indices[i].vertex_index)];
       ASSERT_LT(glm::distance(at, Vec3(read[0], read[1], read[2])), 2e-6f);
     }
   }
@@ -336,8 +337,8 @@ TEST(Formats, an_obj_does_not_stay_without_its_materials) {
   namespace fs = std::filesystem;
   fs::path folder = fs::temp_directory_path() / ("frond_no_mtl_" + std::to_string(getpid()));
   fs::create_directories(folder / "garden.mtl" / "in_the_way");
-  Result<bool> written = write_scene(**format_of("garden.obj"), garden(), 2, {}, folder / "garden.obj",
-                                     [](double) {});
+  Result<bool> written =
+      write_scene(**format_of("garden.obj"), garden(), 2, {}, folder / "garden.obj", [](double) {});
   EXPECT_FALSE(written);
   EXPECT_FALSE(fs::exists(folder / "garden.obj"));
   fs::remove_all(folder);
