@@ -22,9 +22,11 @@ Scene scene_of(const std::string& preset, const std::vector<std::string>& sets) 
   return *scene;
 }
 
-/// A film, on a grid that takes a moment only: the finer one of the preset has more voids and specks to lose.
-std::vector<std::string> coarse(std::vector<std::string> sets = {}) {
-  sets.insert(sets.end(), {"/film/frames=48", "/defaults/body/voxel=0.008"});
+/// A film of a preset, its fused bodies on a grid that takes a moment only.
+std::vector<std::string> film_of(const std::string& preset, std::vector<std::string> sets = {}) {
+  sets.push_back("/film/frames=48");
+  if (preset == "fused.json")
+    sets.insert(sets.end(), {"/defaults/body/voxel=0.01", "/organisms/0/body/voxel=0.01"});
   return sets;
 }
 
@@ -50,7 +52,7 @@ class Printed : public testing::TestWithParam<const char*> {};
 
 TEST_P(Printed, bodies_are_one_piece_without_voids_at_any_seed_and_frame) {
   for (int seed : {0, 1, 2, 5}) {
-    std::vector<std::string> sets = coarse();
+    std::vector<std::string> sets = film_of(GetParam());
     if (seed > 0) sets.push_back("/seed=" + std::to_string(seed));
     Scene scene = scene_of(GetParam(), sets);
     for (double time : {0.0, 1.3})
@@ -58,8 +60,12 @@ TEST_P(Printed, bodies_are_one_piece_without_voids_at_any_seed_and_frame) {
   }
 }
 
+TEST_P(Printed, bodies_are_one_piece_as_shipped) {
+  expect_printable(scene_of(GetParam(), {}), 0, GetParam());
+}
+
 TEST_P(Printed, bodies_are_one_piece_while_they_grow) {
-  Scene scene = scene_of(GetParam(), coarse({"/defaults/growth={\"duration\": 1.5}"}));
+  Scene scene = scene_of(GetParam(), film_of(GetParam(), {"/defaults/growth={\"duration\": 1.5}"}));
   for (double time : {0.3, 0.7, 1.1}) expect_printable(scene, time, "growing at " + std::to_string(time));
 }
 
