@@ -8,15 +8,20 @@ build_packages=(g++ cmake ninja-build ccache libglm-dev nlohmann-json3-dev libfm
   libtinyobjloader-dev libpng-dev libpugixml-dev libembree-dev libopenvdb-dev libboost-iostreams-dev)
 run_packages=(povray ffmpeg)
 test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev bats clang-format shellcheck python3)
+# Of "large" tests. A node that came from elsewhere does, so its programs are looked for, not its packages.
+large_packages=()
+command -v node >/dev/null || large_packages+=(nodejs)
+command -v npm >/dev/null || large_packages+=(npm)
 
 usage() {
   cat <<TEXT
-Usage: scripts/setup.sh [--tests] [--quiet]
+Usage: scripts/setup.sh [--tests] [--all] [--quiet]
 
 Installs the Debian packages that are missing, as root or through sudo. Where nothing is missing it does nothing
 and needs neither root nor network.
 
   --tests   also what scripts/test.sh needs
+  --all     also what scripts/test.sh --all needs: node and npm, and glTF's validator from npm in build/gltf
   --quiet   one line only, and none where nothing is missing; apt's own words are shown if it fails
   --help    this text
 
@@ -26,10 +31,11 @@ to test:   ${test_packages[*]}
 TEXT
 }
 
-tests='' quiet=''
+tests='' all='' quiet=''
 for argument in "$@"; do
   case $argument in
     --tests) tests=yes ;;
+    --all) tests=yes all=yes ;;
     --quiet) quiet=yes ;;
     -h | --help) usage; exit 0 ;;
     *) bad_usage "unknown argument '$argument'" ;;
@@ -38,6 +44,18 @@ done
 
 packages=("${build_packages[@]}" "${run_packages[@]}")
 if [[ -n $tests ]]; then packages+=("${test_packages[@]}"); fi
+if [[ -n $all ]]; then packages+=("${large_packages[@]}"); fi
+
+# The pinned packages of tests/gltf, where they are not there yet.
+install_from_npm() {
+  local from=$root/tests/gltf to=${FROND_GLTF:-$root/build/gltf}
+  if cmp -s "$from/package-lock.json" "$to/node_modules/installed-lock.json"; then return 0; fi
+  say "Installing glTF's validator"
+  mkdir -p -- "$to"
+  cp -- "$from/package.json" "$from/package-lock.json" "$to/"
+  npm --prefix "$to" ci --no-audit --no-fund --loglevel=error >/dev/null || fail 1 "npm could not install $from/package.json"
+  cp -- "$from/package-lock.json" "$to/node_modules/installed-lock.json"
+}
 
 command -v dpkg-query >/dev/null || fail 1 "dpkg-query is missing: only Debian is known here. Needed: ${packages[*]}"
 
@@ -49,6 +67,7 @@ for package in "${packages[@]}"; do
 done
 
 if ((${#missing[@]} == 0)); then
+  if [[ -n $all ]]; then install_from_npm; fi
   if [[ -z $quiet ]]; then say "Nothing to install: all ${#packages[@]} packages are there."; fi
   exit 0
 fi
@@ -78,4 +97,5 @@ if ! { known && install; }; then
     fail 1 "apt-get could not install: ${missing[*]}"
   fi
 fi
+if [[ -n $all ]]; then install_from_npm; fi
 say "Installed in $(clock "$SECONDS")."

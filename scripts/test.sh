@@ -6,16 +6,35 @@ set -euo pipefail
 
 usage() {
   cat <<TEXT
-Usage: scripts/test.sh [CTEST_OPTION...]
+Usage: scripts/test.sh [--all] [CTEST_OPTION...]
 
-Runs every test; the summary is ctest's. Options go to ctest: -L scripts runs the tests of one label, -LE slow
-leaves the slow ones out, -R NAME runs those of a name.
+Runs the tests; the summary is ctest's. Those labelled "large", which need large programs, are left out and named
+unless --all is given. Options go to ctest: -L scripts runs the tests of one label, -LE slow leaves the slow ones
+out, -R NAME runs those of a name.
+
+  --all     also the tests labelled "large", and installs what they need
+  --help    this text
+
 Exit codes: 0 all passed, 1 not.
 TEXT
 }
-case ${1:-} in -h | --help) usage; exit 0 ;; esac
+# ctest leaves out only what all of several -LE name, so they are made one.
+setup=--tests excluded='^large$' options=()
+while (($# > 0)); do
+  case $1 in
+    -h | --help) usage; exit 0 ;;
+    --all) setup=--all excluded=${excluded#'^large$'} ;;
+    -LE | --label-exclude) excluded+=${excluded:+|}${2:-} && shift ;;
+    *) options+=("$1") ;;
+  esac
+  shift
+done
 
-"$root/scripts/setup.sh" --tests --quiet
+"$root/scripts/setup.sh" "$setup" --quiet
 "$root/scripts/build.sh" --tests
 cd -- "$root"
-ctest --preset release -j "$(nproc)" --no-tests=error "$@" || fail 1 "not all tests passed"
+if [[ $setup != --all ]]; then
+  left=$(ctest --preset release -N -L '^large$' | sed -n 's/^ *Test *#[0-9]*: //p' | paste -sd ' ')
+  say "Left out without --all: ${left:-nothing}"
+fi
+ctest --preset release -j "$(nproc)" --no-tests=error ${excluded:+-LE "$excluded"} "${options[@]}" || fail 1 "not all tests passed"

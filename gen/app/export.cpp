@@ -20,16 +20,11 @@ int export_scene(const ExportArguments& arguments) {
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
 
-  CastOptions options{arguments.sides, arguments.voxel};
-  double bytes = (*format)->bytes(foresee_cast(*scene, options));
-  if (bytes > (*format)->most_bytes)
-    return fail(
-        {Error{arguments.out, fmt::format("would take about {:.2g} GB; such a file holds {:.2g} GB at most",
-                                          bytes / 1e9, (*format)->most_bytes / 1e9)}},
-        kWrongInput);
-  if (!arguments.quiet && bytes > 0)
-    tell(fmt::format("{}: up to about {:.2g} MB", arguments.out, bytes / 1e6));
-  Result<bool> written = (*format)->write(*scene, film.time(arguments.frame), options, arguments.out);
+  auto foretell = [&](double bytes) {
+    if (!arguments.quiet) tell(fmt::format("{}: about {:.2g} MB", arguments.out, bytes / 1e6));
+  };
+  Result<bool> written = write_scene(**format, *scene, film.time(arguments.frame),
+                                     {arguments.sides, arguments.voxel}, arguments.out, foretell);
   if (written) return kDone;
   // What the disk says stands at a path; all else is what was asked for.
   Errors errors = written.errors();

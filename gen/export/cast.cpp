@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "export/look.h"
+#include "export/sown.h"
 #include "field/cubes.h"
 #include "geometry/tube.h"
 #include "motion/unfold.h"
@@ -13,34 +15,6 @@
 namespace frond {
 
 namespace {
-
-std::size_t wrapped(std::int32_t color, std::size_t count) {
-  auto n = static_cast<std::int32_t>(count);
-  return static_cast<std::size_t>(((color % n) + n) % n);
-}
-
-Color scaled(Color c, double factor) {
-  auto part = [&](float x) { return static_cast<float>(std::clamp(x * factor, 0.0, 1.0)); };
-  return {part(c.red), part(c.green), part(c.blue)};
-}
-
-/// The colour of a coral as povinc/frond_coral.inc has it: turned round grey, with saturation and value.
-Color tinted(const Tint& tint, double brightness) {
-  Vec3 c(tint.base.red, tint.base.green, tint.base.blue);
-  c = glm::angleAxis(static_cast<float>(tint.hue), glm::normalize(Vec3(1))) * c;
-  float grey = c.x * 0.30f + c.y * 0.59f + c.z * 0.11f;
-  c = glm::mix(Vec3(grey), c, static_cast<float>(tint.saturation));
-  return scaled({c.x, c.y, c.z}, tint.value * brightness);
-}
-
-std::string plain_name(const std::string& name, std::string_view otherwise) {
-  std::string text;
-  for (char c : name) {
-    bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-    text += fine ? c : '_';
-  }
-  return text.empty() ? std::string(otherwise) : text;
-}
 
 /// Takes the meshes of one organism to a cast.
 class Caster {
@@ -105,11 +79,10 @@ class Caster {
       return stand("branches", std::move(surface),
                    material("skin", tinted(b_.skin->tint, b_.brightness), 0.1, false));
     const Bark& bark = *b_.bark;
-    double gloss = bark.kind == BarkKind::metal || bark.kind == BarkKind::wax ? 0.8 : 0.1;
     auto bark_material = [&](std::size_t k) {
       std::size_t made_of =
-          material(fmt::format("bark_{}", k), scaled(bark.colors[k], b_.brightness), gloss, false);
-      cast_.materials[made_of].metal = bark.kind == BarkKind::metal;
+          material(fmt::format("bark_{}", k), scaled(bark.colors[k], b_.brightness), bark_gloss(bark), false);
+      cast_.materials[made_of].metal = is_metal(bark);
       return made_of;
     };
     if (b_.color.empty() || bark.colors.size() == 1)
@@ -162,9 +135,9 @@ class Caster {
     const Prototype& prototype = b_.prototypes[which];
     const OrganPart& shape = prototype.parts[part];
     Color paint = shape.tissue == Tissue::heart ? prototype.second : prototype.colors[color];
-    bool leaf = shape.tissue == Tissue::leaf || shape.tissue == Tissue::petal || shape.tissue == Tissue::ivy;
     std::string name = fmt::format("{}_{}_{}_{}", plain_name(prototype.name, "organ"), which, color, part);
-    cast_.meshes.push_back({name_ + '_' + name, shape.surface, material(name, paint, 0.2, leaf)});
+    cast_.meshes.push_back(
+        {name_ + '_' + name, shape.surface, material(name, paint, 0.2, is_leaf(shape.tissue))});
     return cast_.meshes.size() - 1;
   }
 
@@ -232,6 +205,14 @@ void count_branches(CastSize& size, const Branches& b, const CastOptions& option
 
 }  // namespace
 
+CastSize size_of(const Cast& cast) {
+  CastSize size;
+  for (const CastMesh& mesh : cast.meshes) count(size, mesh.surface, 0, true);
+  for (const CastPlacement& p : cast.placements) count(size, cast.meshes[p.mesh].surface, 1, false);
+  size.placements = static_cast<double>(cast.placements.size());
+  return size;
+}
+
 CastSize foresee_cast(const Scene& scene, const CastOptions& options) {
   CastSize size;
   for (const Branches& b : scene.branches) {
@@ -263,6 +244,9 @@ Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& opti
     }
     if (!errors.empty()) return errors;
   }
+  if (Errors errors = add_sown(cast, scene); !errors.empty()) return errors;
+  if (cast.placements.empty())
+    return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
   return cast;
 }
 

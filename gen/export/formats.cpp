@@ -1,12 +1,11 @@
 #include "export/formats.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <limits>
-#include <vector>
 
 #include "core/files.h"
-#include "core/text.h"
 
 namespace frond {
 
@@ -14,49 +13,58 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kVoxels = 400;  // along a volume that nothing says the voxel of
 constexpr double kAny = std::numeric_limits<double>::infinity();
+constexpr double kPlyVertex = 35;
+constexpr double kMostIndices = 2147483647;  // whole numbers of a PLY
 
-Result<bool> write_obj(const Scene& scene, double time, const CastOptions& options, const fs::path& path) {
-  Result<Cast> cast = cast_scene(scene, time, options);
-  if (!cast) return cast.errors();
+Result<bool> write_obj(const Cast& cast, const fs::path& path) {
   fs::path materials = path;
   materials.replace_extension(".mtl");
-  Result<bool> written = write_file(materials, mtl_text(*cast));
-  return written ? write_file(path, obj_text(*cast, materials.filename().string())) : written;
+  // The large file first: where the disk is full the small one would be left alone.
+  Result<bool> written = write_file(path, obj_text(cast, materials.filename().string()));
+  if (!written) return written;
+  Result<bool> beside = write_file(materials, mtl_text(cast));
+  std::error_code error;
+  if (!beside && *written) fs::remove(path, error);
+  return beside;
 }
 
-Result<bool> write_ply(const Scene& scene, double time, const CastOptions& options, const fs::path& path) {
-  Result<Cast> cast = cast_scene(scene, time, options);
-  if (!cast) return cast.errors();
-  return write_file(path, ply_bytes(*cast));
-}
+Result<bool> write_ply(const Cast& cast, const fs::path& path) { return write_file(path, ply_bytes(cast)); }
 
-Result<bool> write_glb(const Scene& scene, double time, const CastOptions& options, const fs::path& path) {
-  Result<Cast> cast = cast_scene(scene, time, options);
-  if (!cast) return cast.errors();
-  Result<std::string> bytes = glb_bytes(*cast);
+Result<bool> write_glb(const Cast& cast, const fs::path& path) {
+  Result<std::string> bytes = glb_bytes(cast);
   if (!bytes) return bytes.errors();
   return write_file(path, *bytes);
-}
-
-Result<bool> write_volume(const Scene& scene, double time, const CastOptions& options, const fs::path& path) {
-  Result<Volume> volume = cast_volume(scene, time, options);
-  if (!volume) return volume.errors();
-  return write_vdb(path, *volume);
 }
 
 constexpr Format kFormats[] = {
     {".obj", "Wavefront OBJ, with an MTL file beside it",
      [](const CastSize& s) { return 85 * s.all_vertices + 60 * s.all_triangles; }, kAny, write_obj},
     {".ply", "binary PLY with colours at the vertices",
-     [](const CastSize& s) { return 35 * s.all_vertices + 13 * s.all_triangles; }, kAny, write_ply},
+     [](const CastSize& s) { return kPlyVertex * s.all_vertices + 13 * s.all_triangles; },
+     kPlyVertex* kMostIndices, write_ply},
     {".glb", "binary glTF 2.0 with materials and instances",
      [](const CastSize& s) { return 32 * s.vertices + 12 * s.triangles + 160 * s.placements; }, 4294967295.0,
      write_glb},
     {".vdb", "OpenVDB: the branches as a level set named \"surface\"", [](const CastSize&) { return 0.0; },
-     kAny, write_volume},
+     kAny, nullptr},
 };
+
+/// Why so many bytes are not written, if they are not.
+Errors refuse_bytes(const Format& format, double bytes) {
+  // A file is put together in memory, beside the meshes.
+  double memory =
+      0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (bytes > format.most_bytes)
+    return {Error{"", fmt::format("would take about {:.2g} GB; such a file holds {:.2g} GB at most",
+                                  bytes / 1e9, format.most_bytes / 1e9)}};
+  if (bytes > memory)
+    return {
+        Error{"", fmt::format("would take about {:.2g} GB, more than the {:.2g} GB that this machine's "
+                              "memory has for it; a .glb holds each model once, however many copies stand",
+                              bytes / 1e9, memory / 1e9)}};
+  return {};
+}
 
 }  // namespace
 
@@ -73,33 +81,22 @@ Result<const Format*> format_of(const fs::path& path) {
                fmt::format("\"{}\" is no format that is known; expected one of {}", extension, known)};
 }
 
-Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options) {
-  Boughs limbs;
-  VolumeOptions volume{options.voxel, 0, 0};
-  std::int32_t first_node = 0;
-  Vec3 low(std::numeric_limits<float>::max()), high = -low;
-  for (const Branches& organism : scene.branches) {
-    Branches stage;
-    if (organism.develops()) {
-      Result<Branches> now = developed(organism, time);
-      if (!now) return now.errors();
-      stage = std::move(*now);
-    }
-    const Branches& b = organism.develops() ? stage : organism;
-    if (b.rest.size() < 2 || (!b.skin && !b.bark)) continue;
-    Pose pose;
-    pose_branches(b, time, pose);
-    add_limbs(limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend),
-              first_node);
-    first_node += static_cast<std::int32_t>(b.rest.size());
-    for (const Vec3& p : pose.position) low = glm::min(low, p), high = glm::max(high, p);
-    if (options.voxel <= 0 && b.style.build != Build::sweeps)
-      volume.voxel = volume.voxel > 0 ? std::min(volume.voxel, b.style.voxel) : b.style.voxel;
-    volume.limit = std::max(volume.limit, b.style.limit);
+Result<bool> write_scene(const Format& format, const Scene& scene, double time, const CastOptions& options,
+                         const fs::path& path, const std::function<void(double)>& tell) {
+  if (!format.write) {
+    Result<Volume> volume = cast_volume(scene, time, options);
+    if (!volume) return volume.errors();
+    return write_vdb(path, *volume);
   }
-  if (limbs.cones.empty()) return Error{"", "there are no branches at that frame to make a volume of"};
-  if (volume.voxel <= 0) volume.voxel = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) / kVoxels;
-  return volume_of(limbs, volume);
+  // Foreseen before anything large is made, and again once what is sown has grown.
+  if (Errors errors = refuse_bytes(format, format.bytes(foresee_cast(scene, options))); !errors.empty())
+    return errors;
+  Result<Cast> cast = cast_scene(scene, time, options);
+  if (!cast) return cast.errors();
+  double bytes = format.bytes(size_of(*cast));
+  tell(bytes);
+  if (Errors errors = refuse_bytes(format, bytes); !errors.empty()) return errors;
+  return format.write(*cast, path);
 }
 
 }  // namespace frond

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -16,15 +17,20 @@ struct Format {
   /// About how many bytes a cast of that size takes.
   double (*bytes)(const CastSize& size);
   double most_bytes;  ///< that the format can hold
-  /// Writes a scene as it is at a time, seconds: each file whole or not at all.
-  Result<bool> (*write)(const Scene& scene, double time, const CastOptions& options,
-                        const std::filesystem::path& path);
+  /// Writes a cast: each file whole or not at all. Null for the format of volumes.
+  Result<bool> (*write)(const Cast& cast, const std::filesystem::path& path);
 };
 
 std::span<const Format> formats();
 
 /// The format of a file's name, or an error that names those there are.
 Result<const Format*> format_of(const std::filesystem::path& path);
+
+/// Writes a scene as it is at a time, seconds. `tell` is told about how many bytes it will take as soon as
+/// that is known; more than the format or this machine's memory holds is refused, and so is a scene of which
+/// nothing would be written. Errors of the disk stand at a path, those of what was asked for at none.
+Result<bool> write_scene(const Format& format, const Scene& scene, double time, const CastOptions& options,
+                         const std::filesystem::path& path, const std::function<void(double)>& tell);
 
 // The texts of the formats, pure functions of the cast.
 
@@ -38,7 +44,7 @@ std::string ply_bytes(const Cast& cast);
 /// A binary glTF 2.0: a mesh for each of the cast's, a node for each placement.
 Result<std::string> glb_bytes(const Cast& cast);
 
-/// The branches of a whole scene as one volume.
+/// The branches of a whole scene, those of what is sown with them, as one volume.
 Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options);
 
 }  // namespace frond

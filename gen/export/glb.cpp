@@ -15,16 +15,18 @@ constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;  // targets of buffe
 constexpr int kFloat = 5126, kUnsigned = 5125;               // types of components
 
 /// glTF's colours are linear.
-double linear(float c) { return c <= 0.04045f ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
-
-void append_numbers(std::string& json, std::initializer_list<double> numbers) {
-  json += '[';
-  for (double n : numbers) {
-    if (json.back() != '[') json += ',';
-    append(json, n, 9);
-  }
-  json += ']';
+float linear(float c) {
+  return static_cast<float>(c <= 0.04045f ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
+
+/// `[1,2.5e-9]`: as many digits as it takes to read back the same numbers.
+template <class Number>
+void append_numbers(std::string& json, std::initializer_list<Number> numbers) {
+  json += fmt::format("[{}]", fmt::join(numbers, ","));
+}
+
+/// The same for what must be equal to the floats of the binary part in whatever precision it is read.
+void append_exactly(std::string& json, Vec3 v) { append_numbers<double>(json, {v.x, v.y, v.z}); }
 
 void append_count(std::string& json, std::size_t n) { append_integer(json, static_cast<long long>(n)); }
 
@@ -52,9 +54,9 @@ std::string bounds_text(const Surface& surface) {
   Vec3 low = surface.position[0], high = low;
   for (const Vec3& p : surface.position) low = glm::min(low, p), high = glm::max(high, p);
   std::string text = ",\"min\":";
-  append_numbers(text, {low.x, low.y, low.z});
+  append_exactly(text, low);
   text += ",\"max\":";
-  append_numbers(text, {high.x, high.y, high.z});
+  append_exactly(text, high);
   return text;
 }
 
@@ -76,7 +78,7 @@ std::string mesh_text(BinaryPart& buffer, const CastMesh& mesh) {
 
 std::string material_text(const CastMaterial& m) {
   std::string text = "{\"name\":\"" + m.name + "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":";
-  append_numbers(text, {linear(m.color.red), linear(m.color.green), linear(m.color.blue), 1});
+  append_numbers<float>(text, {linear(m.color.red), linear(m.color.green), linear(m.color.blue), 1});
   text += ",\"metallicFactor\":";
   text += m.metal ? '1' : '0';
   text += ",\"roughnessFactor\":";

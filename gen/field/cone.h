@@ -16,6 +16,7 @@ struct Cone {
   float taper = 0;     ///< by how much the radius shrinks on a metre of the axis; within -0.98..0.98
   float lean = 0;      ///< how far along the axis the foot of a perpendicular slides for a metre away from it
   std::int32_t node = 0;  ///< of the skeleton, at its end
+  std::int32_t root = 0;  ///< that it grew from: cones of one root hang together
 
   float end_radius() const { return radius - taper * length; }
   Vec3 to() const { return from + axis * length; }
@@ -23,7 +24,7 @@ struct Cone {
 
 /// The hull of two spheres. Where one of them holds the other it is that one alone.
 inline Cone make_cone(Vec3 from, float from_radius, Vec3 to, float to_radius, std::int32_t node) {
-  Cone cone{from, Vec3(0, 1, 0), 0, from_radius, 0, 0, node};
+  Cone cone{from, Vec3(0, 1, 0), 0, from_radius, 0, 0, node, 0};
   Vec3 way = to - from;
   float length = glm::length(way), drop = from_radius - to_radius;
   if (std::abs(drop) >= 0.98f * length) {

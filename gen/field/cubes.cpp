@@ -6,28 +6,14 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "field/cells.h"
+#include "field/whole.h"
 
 namespace frond {
 
 namespace {
 
 constexpr std::array<Cell, 6> kSteps{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
-
-/// Which voxels of a block are in the body.
-struct Mask {
-  std::uint64_t key;
-  std::array<std::uint64_t, 8> bits{};
-};
-
-std::size_t index_in(Cell cell) {
-  return static_cast<std::size_t>((cell.i & 7) << 6 | (cell.j & 7) << 3 | (cell.k & 7));
-}
-
-Cell cell_of(std::uint64_t key, std::size_t index) {
-  Cell first = block_origin(key);
-  auto at = static_cast<std::int32_t>(index);
-  return {first.i + (at >> 6), first.j + (at >> 3 & 7), first.k + (at & 7)};
-}
 
 Cell plus(Cell a, Cell b) { return {a.i + b.i, a.j + b.j, a.k + b.k}; }
 
@@ -58,51 +44,96 @@ void walk(Vec3 from, Vec3 to, float side, const Visit& visit) {
   }
 }
 
-/// All cells of the body, as masks in the order of their keys.
-std::vector<Mask> occupied(const Boughs& limbs, const Blocks& blocks) {
-  std::vector<Mask> masks;
+/// All cells of the body.
+CellSet occupied(const Boughs& limbs, const Blocks& blocks) {
+  CellSet cells;
   for (const BlockList& list : blocks.lists) {
-    std::size_t start = masks.size();
-    masks.resize(start + list.blocks.size());
+    std::vector<std::array<bool, kBlockVoxels>> within(list.blocks.size());
     parallel_for(list.blocks.size(), [&](std::size_t b) {
-      Mask& mask = masks[start + b];
-      mask.key = list.blocks[b].key;
       std::array<float, kBlockVoxels> distance;
       Filling filling = fill_block(limbs, blocks, {&list, &list.blocks[b]}, distance);
       for (std::size_t i = 0; i < kBlockVoxels; ++i)
-        if (filling == Filling::inside || distance[i] < 0) mask.bits[i >> 6] |= std::uint64_t{1} << (i & 63);
+        within[b][i] = filling == Filling::inside || distance[i] < 0;
     });
+    for (std::size_t b = 0; b < within.size(); ++b) {
+      Cell first = block_origin(list.blocks[b].key);
+      for (std::int32_t i = 0; i < kBlockVoxels; ++i)
+        if (within[b][static_cast<std::size_t>(i)])
+          cells.add({first.i + (i >> 6), first.j + (i >> 3 & 7), first.k + (i & 7)});
+    }
   }
   for (const Cone& cone : limbs.cones)
-    walk(cone.from, cone.to(), blocks.voxel, [&](Cell cell) {
-      std::size_t i = index_in(cell);
-      std::uint64_t key = block_key(cell);
-      if (masks.empty() || masks.back().key != key) masks.push_back({key, {}});
-      masks.back().bits[i >> 6] |= std::uint64_t{1} << (i & 63);
-    });
-  std::stable_sort(masks.begin(), masks.end(), [](const Mask& a, const Mask& b) { return a.key < b.key; });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < masks.size(); ++i) {
-    if (kept > 0 && masks[kept - 1].key == masks[i].key)
-      for (std::size_t w = 0; w < 8; ++w) masks[kept - 1].bits[w] |= masks[i].bits[w];
-    else
-      masks[kept++] = masks[i];
-  }
-  masks.resize(kept);
-  return masks;
+    walk(cone.from, cone.to(), blocks.voxel, [&](Cell cell) { cells.add(cell); });
+  mend_contacts(cells);
+  return cells;
 }
 
-bool holds(const std::vector<Mask>& masks, const Mask& here, Cell cell) {
-  std::uint64_t key = block_key(cell);
-  std::size_t i = index_in(cell);
-  const Mask* mask = &here;
-  if (key != here.key) {
-    auto at = std::lower_bound(masks.begin(), masks.end(), key,
-                               [](const Mask& m, std::uint64_t k) { return m.key < k; });
-    if (at == masks.end() || at->key != key) return false;
-    mask = &*at;
+/// The corners of a face, counter-clockwise seen from outside. Corner (i, j, k) of the grid is the lowest of
+/// cell (i, j, k).
+std::array<Cell, 4> face_corners(Cell cell, std::size_t face) {
+  Cell out = kSteps[face];
+  Cell up = out.j != 0 ? Cell{0, 0, 1} : Cell{0, 1, 0};
+  Cell right{up.j * out.k - up.k * out.j, up.k * out.i - up.i * out.k, up.i * out.j - up.j * out.i};
+  std::array<Cell, 4> corners;
+  for (int c = 0; c < 4; ++c) {
+    int x = c == 1 || c == 2 ? 1 : -1, y = c >= 2 ? 1 : -1;
+    corners[static_cast<std::size_t>(c)] = {cell.i + (1 + out.i + x * right.i + y * up.i) / 2,
+                                            cell.j + (1 + out.j + x * right.j + y * up.j) / 2,
+                                            cell.k + (1 + out.k + x * right.k + y * up.k) / 2};
   }
-  return mask->bits[i >> 6] >> (i & 63) & 1;
+  return corners;
+}
+
+template <class Visit>
+void visit_faces(const Cubes& cubes, const Visit& visit) {
+  for (std::size_t c = 0; c < cubes.size(); ++c)
+    for (std::size_t f = 0; f < kSteps.size(); ++f)
+      if (cubes.shown[c] >> f & 1) visit(c, f);
+}
+
+/// The faces that show as a mesh whose triangles share their corners, in cells.
+Surface joined_faces(const Cubes& cubes, std::vector<std::int32_t>& node) {
+  using Corner = std::array<std::int32_t, 3>;
+  std::vector<Corner> all;
+  visit_faces(cubes, [&](std::size_t c, std::size_t f) {
+    for (Cell corner : face_corners(cubes.cell[c], f)) all.push_back({corner.i, corner.j, corner.k});
+  });
+  std::vector<Corner> corners = all;
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  Surface s;
+  for (auto [i, j, k] : corners)
+    s.position.emplace_back(static_cast<float>(i), static_cast<float>(j), static_cast<float>(k));
+  node.assign(corners.size(), 0);
+  std::size_t next = 0;
+  visit_faces(cubes, [&](std::size_t c, std::size_t) {
+    std::array<std::uint32_t, 4> v{};
+    for (std::uint32_t& corner : v) {
+      auto at = std::lower_bound(corners.begin(), corners.end(), all[next++]);
+      corner = static_cast<std::uint32_t>(at - corners.begin());
+      node[corner] = cubes.node[c];
+    }
+    s.triangle.push_back({v[0], v[1], v[2]});
+    s.triangle.push_back({v[0], v[2], v[3]});
+  });
+  return s;
+}
+
+/// Hides the walls of voids, and cubes that lie apart.
+void keep_outsides(Cubes& cubes, const Boughs& limbs) {
+  std::vector<std::int32_t> node;
+  Surface faces = joined_faces(cubes, node);
+  std::vector<bool> outside = outsides(faces, node, limbs);
+  std::size_t next = 0, kept = 0;
+  std::vector<std::uint8_t> shown(cubes.size());
+  visit_faces(cubes, [&](std::size_t c, std::size_t f) {
+    if (outside[2 * next++]) shown[c] |= static_cast<std::uint8_t>(1u << f);
+  });
+  for (std::size_t c = 0; c < cubes.size(); ++c) {
+    if (shown[c] == 0) continue;
+    cubes.cell[kept] = cubes.cell[c], cubes.node[kept] = cubes.node[c], cubes.shown[kept++] = shown[c];
+  }
+  cubes.cell.resize(kept), cubes.node.resize(kept), cubes.shown.resize(kept);
 }
 
 }  // namespace
@@ -111,50 +142,48 @@ Result<Cubes> cubes_of(const Boughs& limbs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
   auto side = static_cast<float>(options.voxel);
   Blocks blocks = gather_blocks(limbs, side, side);
-  std::vector<Mask> masks = occupied(limbs, blocks);
+  CellSet cells = occupied(limbs, blocks);
   Cubes cubes{side, {}, {}, {}};
   Nearby near;
-  for (const Mask& mask : masks) {
-    FoundBlock found = find_block(blocks, block_origin(mask.key));
-    near = {};
-    if (found.block) near_block(limbs, blocks, found, near);
-    for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-      if (!(mask.bits[i >> 6] >> (i & 63) & 1)) continue;
-      Cell cell = cell_of(mask.key, i);
-      std::uint8_t shown = 0;
-      for (std::size_t f = 0; f < kSteps.size(); ++f)
-        if (!holds(masks, mask, plus(cell, kSteps[f]))) shown |= static_cast<std::uint8_t>(1u << f);
-      if (shown == 0) continue;
-      FieldSample sample = sample_limbs(limbs, near, voxel_middle(cell, side));
-      cubes.cell.push_back(cell);
-      cubes.shown.push_back(shown);
-      cubes.node.push_back(sample.cone < 0 ? 0 : limbs.cones[static_cast<std::size_t>(sample.cone)].node);
+  std::uint64_t last = UINT64_MAX;
+  cells.visit([&](Cell cell) {
+    std::uint8_t shown = 0;
+    for (std::size_t f = 0; f < kSteps.size(); ++f)
+      if (!cells.holds(plus(cell, kSteps[f]))) shown |= static_cast<std::uint8_t>(1u << f);
+    if (shown == 0) return;
+    if (std::uint64_t key = block_key(cell); key != last) {
+      FoundBlock found = find_block(blocks, cell);
+      near = {};
+      if (found.block) near_block(limbs, blocks, found, near);
+      last = key;
     }
-  }
+    FieldSample sample = sample_limbs(limbs, near, voxel_middle(cell, side));
+    // A cube that was added far from all cones is of the one before it.
+    std::int32_t before = cubes.node.empty() ? limbs.cones[0].node : cubes.node.back();
+    cubes.cell.push_back(cell);
+    cubes.shown.push_back(shown);
+    cubes.node.push_back(sample.cone < 0 ? before : limbs.cones[static_cast<std::size_t>(sample.cone)].node);
+  });
+  keep_outsides(cubes, limbs);
   return cubes;
 }
 
 Surface cubes_surface(const Cubes& cubes, std::vector<std::uint32_t>& cube) {
   Surface surface;
   cube.clear();
-  for (std::size_t c = 0; c < cubes.size(); ++c) {
-    Vec3 middle = voxel_middle(cubes.cell[c], cubes.side);
-    for (std::size_t f = 0; f < kSteps.size(); ++f) {
-      if (!(cubes.shown[c] >> f & 1)) continue;
-      Cell step = kSteps[f];
-      Vec3 out(static_cast<float>(step.i), static_cast<float>(step.j), static_cast<float>(step.k));
-      Vec3 up = step.j != 0 ? Vec3(0, 0, 1) : Vec3(0, 1, 0), right = glm::cross(up, out);
-      auto first = static_cast<std::uint32_t>(surface.position.size());
-      for (int corner = 0; corner < 4; ++corner) {
-        float x = corner == 1 || corner == 2 ? 1.0f : -1.0f, y = corner >= 2 ? 1.0f : -1.0f;
-        surface.position.push_back(middle + 0.5f * cubes.side * (out + x * right + y * up));
-        surface.normal.push_back(out);
-      }
-      surface.triangle.push_back({first, first + 1, first + 2});
-      surface.triangle.push_back({first, first + 2, first + 3});
-      cube.push_back(static_cast<std::uint32_t>(c));
+  visit_faces(cubes, [&](std::size_t c, std::size_t f) {
+    Vec3 out(static_cast<float>(kSteps[f].i), static_cast<float>(kSteps[f].j),
+             static_cast<float>(kSteps[f].k));
+    auto first = static_cast<std::uint32_t>(surface.position.size());
+    for (Cell corner : face_corners(cubes.cell[c], f)) {
+      // Of all faces that meet there the same numbers, or there would be gaps of the last digit.
+      surface.position.push_back(voxel_middle(corner, cubes.side) - Vec3(0.5f * cubes.side));
+      surface.normal.push_back(out);
     }
-  }
+    surface.triangle.push_back({first, first + 1, first + 2});
+    surface.triangle.push_back({first, first + 2, first + 3});
+    cube.push_back(static_cast<std::uint32_t>(c));
+  });
   return surface;
 }
 

@@ -1,5 +1,7 @@
 #include "field/limbs.h"
 
+#include <algorithm>
+
 namespace frond {
 
 namespace {
@@ -94,17 +96,33 @@ class Joiner {
 void add_limbs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
                std::span<const float> radius, float front, float blend, std::int32_t first_node) {
   Joiner joiner(limbs, rest, radius, blend);
+  std::vector<std::int32_t> root(rest.size());
   for (std::size_t i = 0; i < rest.size(); ++i) {
     std::int32_t p = rest.parent[i];
-    if (p == Skeleton::kRoot || rest.birth[p] >= front) continue;
     auto node = static_cast<std::int32_t>(i);
+    root[i] = p == Skeleton::kRoot ? node : root[static_cast<std::size_t>(p)];
+    if (p == Skeleton::kRoot || rest.birth[p] >= front) continue;
     float foot = radius[static_cast<std::size_t>(p)];
     // A branch leaves its parent little thicker than it goes on, or the fork would swell.
     if (p != node - 1) foot = std::min(foot, 1.25f * radius[i]);
-    joiner.add_cone(node, make_cone(position[static_cast<std::size_t>(p)], foot, position[i], radius[i],
-                                    first_node + node));
+    Cone cone =
+        make_cone(position[static_cast<std::size_t>(p)], foot, position[i], radius[i], first_node + node);
+    cone.root = first_node + root[i];
+    joiner.add_cone(node, cone);
   }
   if (blend > 0) joiner.add_forks();
+}
+
+Boughs at_least_as_thick(const Boughs& limbs, float radius) {
+  Boughs thick = limbs;
+  for (Cone& cone : thick.cones) {
+    if (std::min(cone.radius, cone.end_radius()) >= radius) continue;
+    std::int32_t root = cone.root;
+    cone = make_cone(cone.from, std::max(cone.radius, radius), cone.to(), std::max(cone.end_radius(), radius),
+                     cone.node);
+    cone.root = root;
+  }
+  return thick;
 }
 
 Boughs limbs_of(const Skeleton& rest, float blend) {

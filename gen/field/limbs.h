@@ -55,6 +55,9 @@ struct Nearby {
 void add_limbs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
                std::span<const float> radius, float front, float blend, std::int32_t first_node = 0);
 
+/// The same with no branch thinner than that; metres.
+Boughs at_least_as_thick(const Boughs& limbs, float radius);
+
 /// The same for a skeleton as it rests, fully grown.
 Boughs limbs_of(const Skeleton& rest, float blend);
 

@@ -1,17 +1,20 @@
 #include "field/volume.h"
 
 #include <fmt/format.h>
+#include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/SignedFloodFill.h>
 #include <openvdb/tools/VolumeToMesh.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <sstream>
 
+#include "core/files.h"
 #include "core/parallel.h"
 #include "field/settle.h"
+#include "field/whole.h"
 
 // The only place that sees OpenVDB.
 
@@ -25,6 +28,8 @@ namespace {
 
 constexpr float kBand = 3;      // voxels to each side of the surface
 constexpr float kMeshBand = 2;  // what a mesh needs of them
+// Voxels; the radius of branches is no less, or there would be none of them between the voxels' middles.
+constexpr float kThinnest = 0.87f;
 constexpr const char* kName = "surface";
 
 // Measured over corals of different kinds; see docs/volumes.md.
@@ -121,6 +126,29 @@ Surface contour(const openvdb::FloatGrid& grid, double adaptivity) {
   return surface;
 }
 
+/// Leaves what is seen from outside.
+void keep_outsides(FusedMesh& mesh, const Boughs& limbs) {
+  Surface& s = mesh.surface;
+  std::vector<bool> outside = outsides(s, mesh.node, limbs), used(s.position.size());
+  if (std::find(outside.begin(), outside.end(), false) == outside.end()) return;
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < s.triangle.size(); ++t)
+    if (outside[t]) s.triangle[count++] = s.triangle[t];
+  s.triangle.resize(count);
+  for (const auto& t : s.triangle)
+    for (std::uint32_t v : t) used[v] = true;
+  std::vector<std::uint32_t> index(s.position.size());
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    s.position[kept] = s.position[v], s.normal[kept] = s.normal[v], mesh.node[kept] = mesh.node[v];
+    index[v] = kept++;
+  }
+  s.position.resize(kept), s.normal.resize(kept), mesh.node.resize(kept);
+  for (auto& t : s.triangle)
+    for (std::uint32_t& v : t) v = index[v];
+}
+
 }  // namespace
 
 VolumeForecast foresee_volume(const Boughs& limbs, double voxel) {
@@ -153,7 +181,8 @@ Result<Volume> volume_of(const Boughs& limbs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<Volume> {
     auto voxel = static_cast<float>(options.voxel);
-    return fill_volume(limbs, gather_blocks(limbs, voxel, kBand * voxel));
+    Boughs held = at_least_as_thick(limbs, kThinnest * voxel);
+    return fill_volume(held, gather_blocks(held, voxel, kBand * voxel));
   });
 }
 
@@ -169,38 +198,28 @@ Result<FusedMesh> fuse(const Boughs& limbs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<FusedMesh> {
     auto voxel = static_cast<float>(options.voxel);
-    Blocks blocks = gather_blocks(limbs, voxel, kMeshBand * voxel);
+    Boughs held = at_least_as_thick(limbs, kThinnest * voxel);
+    Blocks blocks = gather_blocks(held, voxel, kMeshBand * voxel);
     FusedMesh mesh;
     {
-      Volume volume = fill_volume(limbs, blocks);
+      Volume volume = fill_volume(held, blocks);
       mesh.surface = contour(*volume.grid().level_set, options.adaptivity);
     }
-    settle(limbs, blocks, mesh);
+    settle(held, blocks, mesh);
+    keep_outsides(mesh, held);
     return mesh;
   });
 }
 
 Result<bool> write_vdb(const std::filesystem::path& path, const Volume& volume) {
-  namespace fs = std::filesystem;
   prepare();
-  std::error_code error;
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
-  if (error) return Error{path.parent_path().string(), "cannot be made: " + error.message()};
-  fs::path temporary = path;
-  temporary += ".tmp" + std::to_string(::getpid());
-  Result<bool> written = guarded(path.string(), [&]() -> Result<bool> {
-    openvdb::io::File file(temporary.string());
-    file.write({volume.grid().level_set});
-    file.close();
-    return true;
+  // The library's own files do not tell whether all of them came to the disk.
+  Result<std::string> bytes = guarded(path.string(), [&]() -> Result<std::string> {
+    std::ostringstream out(std::ios::binary);
+    openvdb::io::Stream(out).write(openvdb::GridCPtrVec{volume.grid().level_set});
+    return std::move(out).str();
   });
-  if (written) fs::rename(temporary, path, error);
-  if (!written || error) {
-    std::string reason = error.message();
-    fs::remove(temporary, error);
-    if (written) return Error{path.string(), "cannot be put in place: " + reason};
-  }
-  return written;
+  return bytes ? write_file(path, *bytes) : Result<bool>(bytes.errors());
 }
 
 Result<Volume> read_vdb(const std::filesystem::path& path) {

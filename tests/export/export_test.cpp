@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <tiny_obj_loader.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -107,11 +109,20 @@ TEST(Obj, is_read_back_by_tinyobjloader) {
     for (std::size_t v = 0; v < surface.position.size(); ++v, ++vertex)
       for (std::size_t a = 0; a < 3; ++a) {
         auto axis = static_cast<int>(a);
-        ASSERT_NEAR(attrib.vertices[3 * vertex + a], surface.position[v][axis], 1e-6);
         ASSERT_NEAR(attrib.normals[3 * vertex + a], surface.normal[v][axis], 1e-5);
       }
   }
-  EXPECT_EQ(attrib.vertices.size(), 3 * vertex);
+  EXPECT_EQ(attrib.normals.size(), 3 * vertex);
+  EXPECT_LT(attrib.vertices.size(), 3 * vertex);  // seams are not of the body
+  for (std::size_t o = 0; o < shapes.size(); ++o) {
+    Surface surface = placed(cast.meshes[cast.placements[o].mesh], cast.placements[o]);
+    for (std::size_t i = 0; i < shapes[o].mesh.indices.size(); ++i) {
+      Vec3 at = surface.position[surface.triangle[i / 3][i % 3]];
+      const float* read =
+          &attrib.vertices[3 * static_cast<std::size_t>(shapes[o].mesh.indices[i].vertex_index)];
+      ASSERT_LT(glm::distance(at, Vec3(read[0], read[1], read[2])), 2e-6f);
+    }
+  }
   EXPECT_NEAR(materials[0].diffuse[0], cast.materials[0].color.red, 1e-4);
 }
 
@@ -206,12 +217,131 @@ TEST(Glb, keeps_to_the_format) {
     }
     for (int a = 0; a < 3; ++a) {
       auto axis = static_cast<std::size_t>(a);
-      EXPECT_NEAR(at["min"][axis].get<double>(), low[a], 1e-8);
-      EXPECT_NEAR(at["max"][axis].get<double>(), high[a], 1e-8);
+      EXPECT_EQ(at["min"][axis].get<double>(), low[a]);
+      EXPECT_EQ(at["max"][axis].get<double>(), high[a]);
     }
     for (std::size_t i = 0; i < index["count"].get<std::size_t>(); ++i)
       ASSERT_LT(take<std::uint32_t>(corners), at["count"].get<std::uint32_t>());
   }
+}
+
+/// A lawn with herbs and stones that are sown, and nothing else.
+Scene sown_lawn() {
+  Result<Preset> preset = read_preset(R"({"seed": 4, "scene": {"setting": "studio"}, "organisms": [
+      {"kind": "plant", "name": "herb", "count": 30, "height": 0.2,
+       "sown": {"models": 2, "where": {"radius": 0.05}},
+       "grammar": {"axiom": "F[+L]F[-L]FL", "angle": 50, "length": 1, "width": 0.1},
+       "organs": [{"symbol": "L", "shape": "flower", "size": 0.05, "colors": ["#ff0000", "#00ff00"]}]},
+      {"kind": "rock", "name": "stone", "count": 5, "sown": {"models": 1, "where": {"radius": 0.1}}}]})",
+                                      "lawn.json", {});
+  EXPECT_TRUE(preset) << preset.errors()[0].text();
+  return *build_scene(*preset);
+}
+
+TEST(Cast, holds_each_sown_model_once_and_each_copy_of_it) {
+  Scene scene = sown_lawn();
+  ASSERT_EQ(scene.stands.size(), 2u);
+  ASSERT_GT(scene.stands[0].copies.size(), 20u);
+  Cast cast = cast_of(scene, 0);
+  std::map<std::size_t, std::size_t> copies;
+  for (const CastPlacement& p : cast.placements) ++copies[p.mesh];
+  EXPECT_EQ(copies.size(), cast.meshes.size());
+  std::size_t herbs = 0, stones = 0;
+  std::set<std::string> names;
+  for (std::size_t m = 0; m < cast.meshes.size(); ++m) {
+    const CastMesh& mesh = cast.meshes[m];
+    EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
+    EXPECT_EQ(mesh.surface.check(), "") << mesh.name;
+    for (Vec2 at : mesh.surface.uv) EXPECT_TRUE(mesh.name.find("organ") == mesh.name.npos || at.x < 1);
+    if (mesh.name.starts_with("herb") && mesh.name.find("wood") != mesh.name.npos) herbs += copies[m];
+    if (mesh.name.starts_with("stone")) stones += copies[m];
+  }
+  EXPECT_EQ(herbs, scene.stands[0].copies.size());
+  EXPECT_EQ(stones, scene.stands[1].copies.size());
+  // The copies stand where they are sown.
+  Surface first = placed(cast.meshes[0], cast.placements[0]);
+  EXPECT_LT(glm::distance(first.position[0], scene.stands[0].copies.foot[0]), 0.3f);
+  // A file is as large as its copies are many, but for instances.
+  CastSize size = size_of(cast);
+  EXPECT_GT(size.all_vertices, 5 * size.vertices);
+}
+
+TEST(Volume, holds_what_is_sown) {
+  Result<Volume> volume = cast_volume(sown_lawn(), 0, {.voxel = 0.004});
+  ASSERT_TRUE(volume) << volume.errors()[0].text();
+  EXPECT_GT(volume->active_voxels(), 10'000u);
+}
+
+TEST(Formats, refuse_a_scene_of_which_nothing_would_be_written) {
+  namespace fs = std::filesystem;
+  Result<Preset> preset = read_preset(R"({"organisms": []})", "bare.json", {});
+  ASSERT_TRUE(preset);
+  Scene scene = *build_scene(*preset);
+  for (const Format& format : formats()) {
+    fs::path path = fs::temp_directory_path() / ("frond_nothing" + std::string(format.extension));
+    Result<bool> written = write_scene(format, scene, 0, {}, path, [](double) {});
+    ASSERT_FALSE(written) << format.extension;
+    EXPECT_EQ(written.errors()[0].where, "");  // of what was asked for, not of the disk
+    EXPECT_FALSE(fs::exists(path));
+  }
+}
+
+TEST(Formats, refuse_more_than_they_hold_before_they_make_it) {
+  Scene scene = sown_lawn();
+  for (const Format& format : formats()) {
+    if (!format.write) continue;
+    Format small = format;
+    small.most_bytes = 1e4;
+    double told = 0;
+    Result<bool> written = write_scene(small, scene, 0, {}, "/nowhere/at/all", [&](double b) { told = b; });
+    ASSERT_FALSE(written);
+    EXPECT_GT(told, 1e4);
+    EXPECT_NE(written.errors()[0].what.find("GB at most"), std::string::npos) << written.errors()[0].what;
+  }
+}
+
+/// No file of this process may become longer than that, as if the disk were full.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(Formats, leave_nothing_where_the_disk_is_full) {
+  namespace fs = std::filesystem;
+  fs::path folder = fs::temp_directory_path() / ("frond_full_disk_" + std::to_string(getpid()));
+  Scene scene = garden();
+  for (const Format& format : formats()) {
+    fs::create_directories(folder);
+    fs::path path = folder / ("garden" + std::string(format.extension));
+    {
+      SmallDisk disk(8192);  // the .mtl would find room
+      Result<bool> written = write_scene(format, scene, 2, {}, path, [](double) {});
+      ASSERT_FALSE(written) << format.extension;
+      EXPECT_NE(written.errors()[0].where, "") << format.extension;
+    }
+    EXPECT_TRUE(fs::is_empty(folder)) << format.extension;
+    fs::remove_all(folder);
+  }
+}
+
+TEST(Formats, an_obj_does_not_stay_without_its_materials) {
+  namespace fs = std::filesystem;
+  fs::path folder = fs::temp_directory_path() / ("frond_no_mtl_" + std::to_string(getpid()));
+  fs::create_directories(folder / "garden.mtl" / "in_the_way");
+  Result<bool> written =
+      write_scene(**format_of("garden.obj"), garden(), 2, {}, folder / "garden.obj", [](double) {});
+  EXPECT_FALSE(written);
+  EXPECT_FALSE(fs::exists(folder / "garden.obj"));
+  fs::remove_all(folder);
 }
 
 TEST(Formats, write_whole_files) {
@@ -220,12 +350,14 @@ TEST(Formats, write_whole_files) {
   Scene scene = garden();
   for (const Format& format : formats()) {
     fs::path path = folder / ("garden" + std::string(format.extension));
-    Result<bool> written = format.write(scene, 2, {}, path);
+    double told = 0;
+    Result<bool> written = write_scene(format, scene, 2, {}, path, [&](double bytes) { told = bytes; });
     ASSERT_TRUE(written) << written.errors()[0].text();
     double foreseen = format.bytes(foresee_cast(scene, {})), size = static_cast<double>(fs::file_size(path));
     EXPECT_GT(size, 10'000);
     if (foreseen > 0) {
       EXPECT_NEAR(foreseen / size, 1, 0.7) << format.extension;
+      EXPECT_NEAR(told / size, 1, 0.7) << format.extension;
     }
   }
   EXPECT_TRUE(fs::exists(folder / "garden.mtl"));

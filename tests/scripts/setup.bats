@@ -65,3 +65,34 @@ fake() {
   run "$ROOT/scripts/setup.sh" --test
   [ "$status" -eq 2 ]
 }
+
+@test "what large tests need is only installed for them, and node not where it is there from elsewhere" {
+  export FROND_GLTF=$BATS_TEST_TMPDIR/gltf
+  fake node :
+  fake npm 'echo "npm $*" >>"$APT_LOG"; mkdir -p "$FROND_GLTF/node_modules"'
+  MISSING="nodejs npm" run "$ROOT/scripts/setup.sh" --tests --quiet
+  [ "$status" -eq 0 ]
+  [ ! -s "$APT_LOG" ]
+  MISSING="nodejs npm" run "$ROOT/scripts/setup.sh" --all --quiet
+  echo "$output"
+  [ "$status" -eq 0 ]
+  grep -qx "npm --prefix $FROND_GLTF ci .*" "$APT_LOG"
+  ! grep -q nodejs "$APT_LOG"
+  # The same pinned packages are not asked for again.
+  : >"$APT_LOG"
+  run "$ROOT/scripts/setup.sh" --all --quiet
+  [ "$status" -eq 0 ]
+  [ ! -s "$APT_LOG" ]
+}
+
+@test "node and npm come from apt where they are missing" {
+  export FROND_GLTF=$BATS_TEST_TMPDIR/gltf
+  tools=$BATS_TEST_TMPDIR/tools
+  mkdir "$tools"
+  for tool in bash dirname grep sed mktemp rm cat env cmp mkdir cp tail; do ln -s "$(command -v "$tool")" "$tools/"; done
+  fake apt-get 'echo "$*" >>"$APT_LOG"; printf "#!/bin/bash\n/bin/mkdir -p $FROND_GLTF/node_modules\n" >"${0%/*}/npm"; /bin/chmod +x "${0%/*}/npm"'
+  MISSING="nodejs npm" PATH=$fakes:$tools run "$ROOT/scripts/setup.sh" --all --quiet
+  echo "$output"
+  [ "$status" -eq 0 ]
+  grep -q "install --no-install-recommends nodejs npm" "$APT_LOG"
+}

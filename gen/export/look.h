@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "export/cast.h"
+#include "organisms/organism.h"
+
+namespace frond {
+
+/// A name of letters, digits, - and _ alone; `otherwise` where nothing is left of it.
+std::string plain_name(const std::string& name, std::string_view otherwise);
+
+/// Which of `count` colours, round and round, an index of the turtle picks.
+std::size_t wrapped(std::int32_t color, std::size_t count);
+
+Color scaled(Color color, double factor);
+
+/// The colour of a coral as povinc/frond_coral.inc has it.
+Color tinted(const Tint& tint, double brightness);
+
+/// How a bark shines: its gloss, and whether it is of metal.
+double bark_gloss(const Bark& bark);
+bool is_metal(const Bark& bark);
+
+/// Whether a tissue is a thin sheet, seen from both sides.
+bool is_leaf(Tissue tissue);
+
+}  // namespace frond

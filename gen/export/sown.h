@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "export/cast.h"
+
+namespace frond {
+
+/// Adds what is sown in a scene: each model that has copies once, fully grown, drawn as finely as its size
+/// asks for, and a placement for each copy. Copies stand still and share the colours of their model.
+Errors add_sown(Cast& cast, const Scene& scene);
+
+/// The branches of a model, its foot at the origin, and where its copies stand.
+struct SownBranches {
+  Skeleton rest;
+  std::vector<CastPlacement> copies;  ///< their `mesh` means nothing
+};
+
+/// All that are sown in a scene and have branches.
+Result<std::vector<SownBranches>> sown_branches(const Scene& scene);
+
+}  // namespace frond

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "export/formats.h"
+#include "export/sown.h"
+#include "geometry/far.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kVoxels = 400;       // along a volume that nothing says the voxel of
+constexpr double kSegmentBytes = 60;  // of memory, for one of a branch
+constexpr double kLeastLimit = 4e9;   // bytes of memory, where no organism says more
+
+struct Box {
+  Vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
+
+  void hold(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
+  double edge() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+
+/// The branches of a scene as they are put together.
+struct Gathered {
+  Boughs limbs;
+  std::int32_t nodes = 0;
+  Box box;
+  VolumeOptions options;
+};
+
+void add_posed(Gathered& all, const Branches& b, double time, bool own_voxel) {
+  Pose pose;
+  pose_branches(b, time, pose);
+  add_limbs(all.limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend),
+            all.nodes);
+  all.nodes += static_cast<std::int32_t>(b.rest.size());
+  for (const Vec3& p : pose.position) all.box.hold(p);
+  if (own_voxel && b.style.build != Build::sweeps)
+    all.options.voxel = all.options.voxel > 0 ? std::min(all.options.voxel, b.style.voxel) : b.style.voxel;
+  all.options.limit = std::max(all.options.limit, b.style.limit);
+}
+
+Vec3 at_copy(const CastPlacement& copy, Vec3 p) { return copy.at + copy.turn * (p * copy.scale); }
+
+/// Adds the copies of what is sown, without branches that are much thinner than a voxel.
+Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
+  auto voxel = static_cast<float>(all.options.voxel);
+  std::vector<Skeleton> shapes;
+  double bytes = 0;
+  for (const SownBranches& model : sown) {
+    shapes.push_back(thinned(model.rest, 0.25f * voxel, 0.25f * voxel));
+    bytes += kSegmentBytes * static_cast<double>(shapes.back().size() * model.copies.size());
+  }
+  if (bytes > all.options.limit)
+    return {
+        Error{"", fmt::format("the branches of all copies would take about {:.2g} GB of memory, more than "
+                              "the limit of {:.2g} GB; a larger --voxel leaves more of the thin ones out",
+                              bytes / 1e9, all.options.limit / 1e9)}};
+  std::vector<Vec3> position;
+  std::vector<float> radius;
+  for (std::size_t m = 0; m < sown.size(); ++m)
+    for (const CastPlacement& copy : sown[m].copies) {
+      position.clear(), radius.clear();
+      for (const Vec3& p : shapes[m].position) position.push_back(at_copy(copy, p));
+      for (float r : shapes[m].radius) radius.push_back(r * copy.scale.x);
+      add_limbs(all.limbs, shapes[m], position, radius, 2, 1, all.nodes);
+      all.nodes += static_cast<std::int32_t>(shapes[m].size());
+    }
+  return {};
+}
+
+}  // namespace
+
+Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options) {
+  Gathered all;
+  all.options = {options.voxel, 0, 0};
+  for (const Branches& organism : scene.branches) {
+    Branches stage;
+    if (organism.develops()) {
+      Result<Branches> now = developed(organism, time);
+      if (!now) return now.errors();
+      stage = std::move(*now);
+    }
+    const Branches& b = organism.develops() ? stage : organism;
+    if (b.rest.size() < 2 || (!b.skin && !b.bark)) continue;
+    add_posed(all, b, time, options.voxel <= 0);
+  }
+  Result<std::vector<SownBranches>> sown = sown_branches(scene);
+  if (!sown) return sown.errors();
+  for (const SownBranches& model : *sown)
+    for (const CastPlacement& copy : model.copies)
+      for (const Vec3& p : model.rest.position) all.box.hold(at_copy(copy, p));
+  if (all.limbs.cones.empty() && sown->empty())
+    return Error{"", "there are no branches at that frame to make a volume of"};
+  if (all.options.limit <= 0) all.options.limit = kLeastLimit;
+  if (all.options.voxel <= 0) all.options.voxel = all.box.edge() / kVoxels;
+  if (Errors errors = add_copies(all, *sown); !errors.empty()) return errors;
+  return volume_of(all.limbs, all.options);
+}
+
+}  // namespace frond

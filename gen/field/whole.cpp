@@ -1,0 +1,60 @@
+#include "field/whole.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace frond {
+
+namespace {
+
+/// Sets that are joined by and by; the least member stands for each.
+struct Joined {
+  std::vector<std::uint32_t> up;
+
+  explicit Joined(std::size_t count) : up(count) { std::iota(up.begin(), up.end(), 0u); }
+
+  std::uint32_t top(std::uint32_t i) {
+    while (up[i] != i) i = up[i] = up[up[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = top(a), b = top(b);
+    up[std::max(a, b)] = std::min(a, b);
+  }
+};
+
+std::vector<std::int32_t> root_of_nodes(const Boughs& limbs) {
+  std::vector<std::int32_t> root;
+  for (const Cone& cone : limbs.cones) {
+    auto node = static_cast<std::size_t>(cone.node);
+    if (node >= root.size()) root.resize(node + 1, 0);
+    root[node] = cone.root;
+  }
+  return root;
+}
+
+}  // namespace
+
+std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node, const Boughs& limbs) {
+  Joined joined(s.position.size());
+  for (auto [a, b, c] : s.triangle) joined.join(a, b), joined.join(b, c);
+  std::vector<double> volume(s.position.size());  // of each piece, at the vertex that stands for it
+  for (auto [a, b, c] : s.triangle)
+    volume[joined.top(a)] +=
+        glm::dot(DVec3(s.position[a]), glm::cross(DVec3(s.position[b]), DVec3(s.position[c])));
+  // The largest piece of each root.
+  std::vector<std::int32_t> root = root_of_nodes(limbs);
+  std::vector<std::uint32_t> largest(root.size(), UINT32_MAX);
+  for (std::uint32_t v = 0; v < s.position.size(); ++v) {
+    std::uint32_t piece = joined.top(v);
+    std::uint32_t& best = largest[static_cast<std::size_t>(root[static_cast<std::size_t>(node[v])])];
+    if (volume[piece] > 0 && (best == UINT32_MAX || volume[piece] > volume[best])) best = piece;
+  }
+  std::vector<bool> kept(s.position.size()), outside(s.triangle.size());
+  for (std::uint32_t piece : largest)
+    if (piece != UINT32_MAX) kept[piece] = true;
+  for (std::size_t t = 0; t < s.triangle.size(); ++t) outside[t] = kept[joined.top(s.triangle[t][0])];
+  return outside;
+}
+
+}  // namespace frond

@@ -1,0 +1,31 @@
+// Exports the last frame of a preset as .glb and shows it to Khronos' validator: no error and no warning.
+//   node validate.js FROND VALIDATOR_FOLDER PRESET [--set POINTER=VALUE]...
+'use strict';
+const {execFileSync} = require('child_process');
+const fs = require('fs');
+const os = require('os');
+const path = require('path');
+
+async function main([frond, folder, preset, ...sets]) {
+  const validator = require(path.resolve(folder, 'node_modules/gltf-validator'));
+  const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'frond_gltf_'));
+  try {
+    const file = path.join(scratch, 'scene.glb');
+    const {frames} = JSON.parse(execFileSync(frond, ['info', preset, '--json', ...sets]));
+    const words = ['export', preset, '--frame', String(frames), '-q', '-o', file, ...sets];
+    execFileSync(frond, words, {stdio: 'inherit'});
+    // It stops at a limit of issues, so there is none; places on textures may be there without a texture.
+    const options = {maxIssues: 0, ignoredIssues: ['UNUSED_OBJECT']};
+    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), options);
+    const {numErrors, numWarnings, messages} = report.issues;
+    const faults = messages.filter(m => m.severity < 2).slice(0, 20);
+    for (const m of faults) console.log(`${m.code} ${m.pointer}: ${m.message}`);
+    if (!report.info) throw new Error(`${preset}: not read whole: ${JSON.stringify(report)}`);
+    console.log(`${preset}: ${numErrors} errors, ${numWarnings} warnings, ${report.info.totalTriangleCount} triangles`);
+    return numErrors + numWarnings === 0 ? 0 : 1;
+  } finally {
+    fs.rmSync(scratch, {recursive: true});
+  }
+}
+
+main(process.argv.slice(2)).then(code => process.exitCode = code);
