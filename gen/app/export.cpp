@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/streams.h"
 #include "export/formats.h"
 
 namespace frond {
@@ -16,6 +17,7 @@ int export_scene(const ExportArguments& arguments) {
     return fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", arguments.frame,
                                               film.frames)}},
                 kWrongInput);
+  now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
 
@@ -27,7 +29,8 @@ int export_scene(const ExportArguments& arguments) {
                                           bytes / 1e9, (*format)->most_bytes / 1e9)}},
         kWrongInput);
   if (!arguments.quiet && bytes > 0)
-    fmt::print(stderr, "{}: up to about {:.2g} MB\n", arguments.out, bytes / 1e6);
+    tell(fmt::format("{}: up to about {:.2g} MB\n", arguments.out, bytes / 1e6));
+  now_doing("writing the mesh or the volume");
   Result<bool> written = (*format)->write(*scene, film.time(arguments.frame), options, arguments.out);
   if (written) return kDone;
   // What the disk says stands at a path; all else is what was asked for.

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/streams.h"
 #include "core/files.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
@@ -26,7 +27,7 @@ struct Loaded {
 Result<Grammar> import_file(const std::string& path, const std::string& text) {
   Result<Import> import = import_grammar(path, text);
   if (!import) return import.errors();
-  for (const std::string& note : import->notes) fmt::print(stderr, "{}: note: {}\n", path, note);
+  for (const std::string& note : import->notes) tell(fmt::format("{}: note: {}\n", path, note));
   return compile(import->grammar);
 }
 
@@ -65,7 +66,7 @@ Result<Loaded> load(const GrammarArguments& arguments) {
     return errors;
   }
   for (const Error& warning : grammar->warnings)
-    fmt::print(stderr, "{}: warning: {}\n", arguments.path, warning.text());
+    tell(fmt::format("{}: warning: {}\n", arguments.path, warning.text()));
   double steps = arguments.steps.value_or(grammar->text.steps);
   Seed seed{arguments.seed.value_or(grammar->text.seed)};
   return Loaded{std::move(*grammar), steps, seed};
@@ -92,8 +93,8 @@ int info_grammar(const std::string& path, bool json) {
       json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.0f}, \"segments\": {:.0f}, \"bytes\": "
              "{:.0f}}}\n"
            : "{}: after {} steps {:.0f} modules, {:.0f} segments, {:.0f} bytes\n";
-  fmt::print(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
-             size.bytes);
+  put(fmt::format(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
+                  size.bytes));
   Errors errors = refuse(size, grammar.text.limits);
   return errors.empty() ? kDone : fail(errors, kWrongInput);
 }
@@ -102,14 +103,16 @@ int derive_word(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, exact, seed] = *loaded;
+  now_doing("deriving the word");
   auto steps = static_cast<int>(exact);
   if (arguments.picture) return write_picture(arguments.picture, derivation_tree_svg(grammar, steps, seed));
   Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
   if (!word) return fail(word.errors(), kWrongInput);
   if (arguments.counts) {
-    for (const auto& [name, count] : counts(grammar, *word)) fmt::print("{} {}\n", name, count);
+    for (const auto& [name, count] : counts(grammar, *word)) put(fmt::format("{} {}\n", name, count));
   } else {
-    fmt::print("{}\n", text(grammar, *word));
+    put(text(grammar, *word));
+    put("\n");
   }
   return kDone;
 }
@@ -118,20 +121,21 @@ int walk_turtle(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
+  now_doing("deriving the word and walking along it");
   if (arguments.picture)
     return write_picture(arguments.picture, turtle_svg(grammar, steps, seed, grammar.text.limits));
   Result<TurtleStats> stats = stats_of(grammar, steps, seed, grammar.text.limits);
   if (!stats) return fail(stats.errors(), kWrongInput);
   std::string ends;
   for (DVec3 end : stats->end_positions) ends += (ends.empty() ? "" : ", ") + list(end);
-  fmt::print(
+  put(fmt::format(
       "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
       "{}, "
       "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, "
       "\"turtles_at_end\": {}, \"end_positions\": [{}]}}\n",
       stats->segments, stats->total_length, list(stats->end_position), list(stats->end_heading),
       list(stats->end_left), list(stats->end_up), list(stats->low), list(stats->high), stats->max_stack_depth,
-      stats->polygons, stats->end_positions.size(), ends);
+      stats->polygons, stats->end_positions.size(), ends));
   return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "app/streams.h"
 #include "core/files.h"
 #include "crown/arbaro.h"
 #include "geometry/obj.h"
@@ -193,6 +194,7 @@ Errors load_guide(GuideText& guide, const fs::path& file, const std::string& poi
 }
 
 Result<Preset> load_preset(const PresetArguments& arguments) {
+  now_doing("reading the preset");
   Result<std::string> text = read_file(arguments.path);
   if (!text) return text.errors();
   std::vector<std::string> sets = arguments.sets;
@@ -243,7 +245,7 @@ Result<FrameRange> read_frames(const std::string& text, int count) {
 }
 
 int fail(const Errors& errors, ExitCode code) {
-  for (const Error& error : errors) fmt::print(stderr, "{}\n", error.text());
+  for (const Error& error : errors) tell(error.text() + "\n");
   return code;
 }
 

@@ -93,12 +93,14 @@ Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   Result<Word> word = derive(*grammar, grammar->text.steps, seed.child("derive"), grammar->text.limits);
   if (!word) return word.errors();
   Skeleton coarse = skeleton_of(*grammar, *word, seed.child("turtle"));
+  *word = {};
   if (coarse.size() == 0) return Error{"", "the grammar draws nothing: its turtle never meets an F"};
   float start_radius = static_cast<float>(grammar->text.width / 2);
   scale_to_height(coarse, params.height);
   measure(coarse);
   distort(coarse, params.distortion, seed.child("distort"));
   Skeleton fine = smooth(coarse, params.smoothing);
+  coarse = {};
   set_tip_distances(fine);
   thicken(fine, params.thickness, start_radius);
   set_births(fine);
