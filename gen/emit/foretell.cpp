@@ -22,6 +22,7 @@ constexpr double kPlacement = 122;                                // of an organ
 constexpr double kTriangle = 45, kGrassTriangle = 100;  // of a mesh; of one whose triangles share few corners
 constexpr double kCorner = 86;                          // of a leaf that the turtle outlined
 constexpr double kLayout = 5000;
+constexpr double kAside = 5e6;  // of what goes to a file of its own, see frame.cpp
 // Bytes of memory.
 constexpr double kProgram = 4e7;
 constexpr double kHeldNode = 40, kGrowingNode = 60, kPosedNode = 50;
@@ -237,7 +238,7 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
   f.frames = frames;
   f.scene_memory = kProgram;
   f.frame_memory = kFrameBuffers;
-  double ground = 0, text = kLayout, most = 0, growing = 0;
+  double ground = 0, materials = 0, text = kLayout, most = 0, growing = 0;
   add_ground(preset, f, ground);
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
@@ -285,15 +286,16 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
                       kPosedOrgan * share.organs + (wood > kMovingNode ? own : 0);
     growing = std::max(growing, (ivy ? count : 1) * grows);
     text += count * own;
-    ground += count * (kTriangle * share.triangles + kPlacement * share.blocks) + kTriangle * share.shapes;
+    ground += count * (kTriangle * share.triangles + kPlacement * share.blocks);
+    materials += kTriangle * share.shapes;
     f.growth_seconds += count * made;
     if (count * own > most) most = count * own, f.largest = o;
   }
-  f.scene_memory += 2 * ground;
+  f.scene_memory += 2 * (ground + materials);
   f.growth_memory = f.scene_memory + growing;
-  // Where it is long, what all frames share is written once.
-  bool aside = preset.film.frames > 1 && ground > 4e6;
-  (aside ? f.shared_bytes : text) += ground;
+  // What all frames share is written once where it is surely long.
+  for (double same : {ground, materials})
+    (preset.film.frames > 1 && same > kAside ? f.shared_bytes : text) += same;
   f.frame_bytes = text;
   f.frame_seconds = text / kBytesWritten;
   return f;

@@ -64,7 +64,7 @@ struct Check {
 constexpr double kToldBy = 20'000;
 
 /// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once its crown is
-/// closed it grows about as much each year, and half as much when it is as tall as it will be. So it is grown
+/// closed it grows about as much each year, and less when it is as tall as it will be. So it is grown
 /// until then, in two or three goes, and the years that are left are reckoned.
 double foresee_tree(const TreeParams& params, Seed seed) {
   TreeParams young = params;
@@ -85,7 +85,8 @@ double foresee_tree(const TreeParams& params, Seed seed) {
   if (young.years == params.years) return nodes;
   double added = (nodes - before) / std::max(1, young.years - since), left = params.years - young.years;
   double rising = std::clamp(young.years * (params.species.height / std::max(tall, 0.1) - 1), 0.0, left);
-  return nodes + added * (rising + 0.6 * (left - rising));
+  // It added less while its crown was still closing.
+  return nodes + added * (1.25 * rising + 0.75 * (left - rising));
 }
 
 struct Foresee {
