@@ -4,8 +4,10 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/streams.h"
 #include "core/files.h"
 #include "core/printable.h"
+#include "emit/foretell.h"
 #include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
@@ -17,11 +19,6 @@ namespace frond {
 namespace fs = std::filesystem;
 
 namespace {
-
-// As measured over the presets.
-constexpr double kBytesANode = 85;           // of a frame's text
-constexpr double kBytesANodeInMemory = 130;  // the skeleton and its pose
-constexpr double kBytesOfGround = 1.4e6;     // floor and stones in a frame's text
 
 /// One thing that can be named in a preset.
 struct Entry {
@@ -69,25 +66,27 @@ int info(const PresetArguments& arguments, bool json) {
   if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  double organisms = 0, nodes = 0, modules = 0, word_bytes = 0;
-  for (const Organism& organism : preset->organisms) {
-    Result<Foresight> foresight = foresee(organism, Seed{preset->seed});
-    if (!foresight) return fail(foresight.errors(), kWrongInput);
-    double count = std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
-    organisms += count;
-    nodes += count * foresight->nodes;
-    modules += count * foresight->word.modules;
-    word_bytes = std::max(word_bytes, foresight->word.bytes);
-  }
-  double memory = word_bytes + nodes * kBytesANodeInMemory, frame = nodes * kBytesANode + kBytesOfGround;
-  std::string_view form =
-      json ? "{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"memory_bytes\": {:.0f}, "
-             "\"frames\": {}, \"bytes_a_frame\": {:.0f}}}\n"
-           : "up to {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.3g} bytes of memory; {} frames of "
-             "about "
-             "{:.3g} bytes\n";
-  fmt::print(fmt::runtime(form), organisms, modules, nodes, memory, preset->film.frames, frame);
-  return kDone;
+  Result<Foretold> foretold = foretell(*preset, preset->film.frames);
+  if (!foretold) return fail(foretold.errors(), kWrongInput);
+  const Foretold& f = *foretold;
+  Machine machine = this_machine(".");
+  double memory = f.memory(f.at_once(machine)), seconds = f.seconds(machine.threads);
+  if (json)
+    put(
+        fmt::format("{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"organs\": {:.0f}, "
+                    "\"copies\": {:.0f}, \"models\": {:.0f}, \"memory_bytes\": {:.0f}, \"frames\": {}, "
+                    "\"bytes_a_frame\": {:.0f}, \"disk_bytes\": {:.0f}, \"seconds\": {:.1f}}}\n",
+                    f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, memory, f.frames,
+                    f.frame_bytes, f.disk(), seconds));
+  else
+    put(fmt::format(
+        "about {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.0f} organs; {:.0f} copies of {:.0f} "
+        "models; {} of memory; {} frames of {}, {} in all; {:.2g} s to generate\n",
+        f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, bytes_text(memory), f.frames,
+        bytes_text(f.frame_bytes), bytes_text(f.disk()), seconds));
+  Errors errors = refuse(f, machine);
+  for (Error& error : errors) error.where = arguments.path;
+  return errors.empty() ? kDone : fail(errors, kWrongInput);
 }
 
 int list_everything(bool json) {
@@ -104,16 +103,16 @@ int list_everything(bool json) {
       all.items.push_back(std::move(row));
       continue;
     }
-    if (entry.group != group) fmt::print("{}\n", entry.group);
+    if (entry.group != group) put(entry.group + "\n");
     group = entry.group;
-    fmt::print("  {:24} {}\n", printable(entry.name), printable(entry.doc));
+    put(fmt::format("  {:24} {}\n", printable(entry.name), printable(entry.doc)));
   }
-  if (json) fmt::print("{}", serialize_pretty(all) + "\n");
+  if (json) put(serialize_pretty(all) + "\n");
   return kDone;
 }
 
 int print_schema() {
-  fmt::print("{}", preset_schema());
+  put(preset_schema());
   return kDone;
 }
 

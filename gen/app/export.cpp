@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/streams.h"
 #include "export/formats.h"
 
 namespace frond {
@@ -17,12 +18,14 @@ int export_scene(const ExportArguments& arguments) {
     return fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", arguments.frame,
                                               film.frames)}},
                 kWrongInput);
+  now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
 
   auto foretell = [&](double bytes) {
     if (!arguments.quiet) tell(fmt::format("{}: about {:.2g} MB", arguments.out, bytes / 1e6));
   };
+  now_doing("writing the mesh or the volume");
   Result<bool> written = write_scene(**format, *scene, film.time(arguments.frame),
                                      {arguments.sides, arguments.voxel}, arguments.out, foretell);
   if (written) return kDone;

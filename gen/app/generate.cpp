@@ -12,8 +12,12 @@
 #include "app/inputs.h"
 #include "app/out_folder.h"
 #include "app/progress.h"
+#include "app/streams.h"
 #include "core/files.h"
+#include "core/growing_file.h"
+#include "core/machine.h"
 #include "core/parallel.h"
+#include "emit/foretell.h"
 #include "emit/frame.h"
 #include "images/whole.h"
 #include "jobs/jobs.h"
@@ -100,9 +104,18 @@ Errors draw_pictures(const Scene& scene, const fs::path& folder, bool quiet) {
   return {};
 }
 
-/// Writes the frames of a range, several at a time.
+/// Writes one frame; true where it was not there just so.
+Result<bool> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
+                              const fs::path& path, int frame) {
+  GrowingFile file(path);
+  Errors errors = write_frame(scene, parts, layout, frame, [&](std::string_view text) { file.add(text); });
+  if (!errors.empty()) return errors;
+  return file.close();
+}
+
+/// Writes the frames of a range, up to `at_once` at a time.
 Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layout, const fs::path& out,
-                     FrameRange range, bool quiet) {
+                     FrameRange range, int at_once, bool quiet) {
   FrameParts parts = prepare_frames(scene, std::move(plan));
   std::set<std::string> beside;
   for (const Picture& file : parts.files) {
@@ -112,21 +125,19 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   }
   int count = range.last - range.first + 1;
   Progress progress("frames", count, quiet);
-  std::atomic<int> changed = 0;
+  std::atomic<int> changed = 0, next = 0;
   std::vector<Errors> errors(static_cast<std::size_t>(count));
-  parallel_for(static_cast<std::size_t>(count), [&](std::size_t i) {
-    int frame = range.first + static_cast<int>(i);
-    Result<std::string> text = frame_text(scene, parts, layout, frame);
-    if (!text) {
-      errors[i] = text.errors();
-      return;
+  parallel_for(static_cast<std::size_t>(std::min(at_once, count)), [&](std::size_t) {
+    for (int i; (i = next++) < count;) {
+      int frame = range.first + i;
+      Result<bool> written =
+          write_frame_file(scene, parts, layout, out / "frames" / (frame_name(frame) + ".pov"), frame);
+      if (!written)
+        errors[static_cast<std::size_t>(i)] = written.errors();
+      else if (*written)
+        ++changed;
+      progress.step();
     }
-    Result<bool> written = write_file(out / "frames" / (frame_name(frame) + ".pov"), *text);
-    if (!written)
-      errors[i] = written.errors();
-    else if (*written)
-      ++changed;
-    progress.step();
   });
   Written result{changed, {}, std::move(beside)};
   for (const Errors& list : errors) result.errors.insert(result.errors.end(), list.begin(), list.end());
@@ -175,6 +186,19 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   return errors;
 }
 
+/// The machine that a run is held to: what an earlier one has left in its folder makes room for the new.
+Machine machine_for(const fs::path& out) {
+  Machine machine = this_machine(out);
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(out / "frames", error)) {
+    std::error_code gone;
+    fs::path type = entry.path().extension();
+    auto size = type == ".pov" || type == ".inc" ? entry.file_size(gone) : 0;
+    if (!gone) machine.disk += static_cast<double>(size);
+  }
+  return machine;
+}
+
 }  // namespace
 
 int generate(const GenerateArguments& arguments) {
@@ -192,38 +216,51 @@ int generate(const GenerateArguments& arguments) {
   Result<std::string> layout = read_file(*root / "templates" / "frame.pov");
   if (!layout) return fail(layout.errors(), kCouldNot);
 
+  fs::path name = fs::path(arguments.preset.path).stem();
+  fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
+  now_doing("foreseeing how much there will be");
+  Result<Foretold> foretold = foretell(*preset, range.last - range.first + 1);
+  Machine machine = machine_for(out);
+  Errors refused = foretold ? refuse(*foretold, machine) : foretold.errors();
+  for (Error& error : refused)
+    error.where = arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
+  if (!refused.empty()) return fail(refused, kWrongInput);
+
   std::optional<Progress> shown;
   Watch watch{[&](std::string_view phase, std::size_t steps) {
                 shown.emplace(std::string(phase), static_cast<int>(steps), arguments.quiet);
               },
               [&] { shown->step(); }};
+  now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset, watch);
   shown.reset();
   if (!scene) return fail(scene.errors(), kWrongInput);
-  fs::path name = fs::path(arguments.preset.path).stem();
-  fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
   tell_notes(preset->notes);
   for (const std::string& note : scene->notes) tell("note: " + note);
   if (!arguments.quiet)
-    fmt::print(stderr, "grown: {} organisms, {} nodes\n", scene->branches.size(), scene->nodes());
+    tell(fmt::format("grown: {} organisms, {} nodes", scene->branches.size(), scene->nodes()));
 
   FolderInUse in_use(out / "frames");
   std::set<std::string> needed;
   for (const Drawing& drawing : scene->drawings) needed.insert(drawing.names.begin(), drawing.names.end());
+  now_doing("drawing bark and leaves");
   if (Errors errors = draw_pictures(*scene, out / "frames", arguments.quiet); !errors.empty())
     return fail(errors, kCouldNot);
+  now_doing("growing the models of what is sown");
   CopyPlan plan = plan_copies(*scene);
   for (const ModelFile& file : plan.files) needed.insert(file.name);
   if (Errors errors = grow_models(*scene, plan, out / "frames", arguments.quiet); !errors.empty())
     return fail(errors, kCouldNot);
-  Written written = write_frames(*scene, std::move(plan), *layout, out, range, arguments.quiet);
+  now_doing("writing frames");
+  Written written =
+      write_frames(*scene, std::move(plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   Result<std::vector<fs::path>> damaged = remove_damaged(out, range, preset->film.size);
   if (!damaged) return fail(damaged.errors(), kCouldNot);
   for (const fs::path& picture : *damaged)
-    fmt::print(stderr, "note: {} is damaged; it is made again\n", picture.string());
+    tell(fmt::format("note: {} is damaged; it is made again", picture.string()));
   needed.merge(written.beside);
   if (in_use.by_us_alone()) tidy(out, needed);
   if (!arguments.quiet)

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/named_files.h"
+#include "app/streams.h"
 #include "core/files.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
@@ -111,8 +112,8 @@ int info_grammar(const std::string& path, const std::optional<std::string>& asse
       json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.15g}, \"segments\": {:.15g}, "
              "\"bytes\": {:.15g}}}\n"
            : "{}: after {} steps {:.15g} modules, {:.15g} segments, {:.15g} bytes\n";
-  fmt::print(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
-             size.bytes);
+  put(fmt::format(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
+                  size.bytes));
   Errors errors = refuse(size, grammar.text.limits);
   return errors.empty() ? kDone : fail_derivation(errors, grammar, path);
 }
@@ -121,14 +122,16 @@ int derive_word(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, exact, seed] = *loaded;
+  now_doing("deriving the word");
   auto steps = static_cast<int>(exact);
   if (arguments.picture) return write_picture(arguments, grammar, derivation_tree_svg(grammar, steps, seed));
   Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
   if (!word) return fail_derivation(word.errors(), grammar, arguments.path);
   if (arguments.counts) {
-    for (const auto& [name, count] : counts(grammar, *word)) fmt::print("{} {}\n", name, count);
+    for (const auto& [name, count] : counts(grammar, *word)) put(fmt::format("{} {}\n", name, count));
   } else {
-    fmt::print("{}\n", text(grammar, *word));
+    put(text(grammar, *word));
+    put("\n");
   }
   return kDone;
 }
@@ -137,20 +140,21 @@ int walk_turtle(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
+  now_doing("deriving the word and walking along it");
   if (arguments.picture)
     return write_picture(arguments, grammar, turtle_svg(grammar, steps, seed, grammar.text.limits));
   Result<TurtleStats> stats = stats_of(grammar, steps, seed, grammar.text.limits);
   if (!stats) return fail_derivation(stats.errors(), grammar, arguments.path);
   std::string ends;
   for (DVec3 end : stats->end_positions) ends += (ends.empty() ? "" : ", ") + list(end);
-  fmt::print(
+  put(fmt::format(
       "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
       "{}, "
       "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, "
       "\"turtles_at_end\": {}, \"end_positions\": [{}]}}\n",
       stats->segments, stats->total_length, list(stats->end_position), list(stats->end_heading),
       list(stats->end_left), list(stats->end_up), list(stats->low), list(stats->high), stats->max_stack_depth,
-      stats->polygons, stats->end_positions.size(), ends);
+      stats->polygons, stats->end_positions.size(), ends));
   return kDone;
 }
 

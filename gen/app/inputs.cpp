@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/named_files.h"
+#include "app/streams.h"
 #include "core/files.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
@@ -91,6 +92,7 @@ Result<Assets> assets_of(const std::string& path, const std::optional<std::strin
 }
 
 Result<Preset> load_preset(const PresetArguments& arguments) {
+  now_doing("reading the preset");
   Result<std::string> text = read_file(arguments.path);
   if (!text) return text.errors();
   Result<std::optional<fs::path>> only = assets_folder(arguments.assets);

@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <new>
+#include <stdexcept>
 
 #include "app/commands.h"
+#include "app/inputs.h"
 #include "app/messages.h"
+#include "app/streams.h"
+#include "core/machine.h"
 #include "core/text.h"
 
 using namespace frond;
@@ -165,9 +170,7 @@ std::vector<std::string> words_of(int count, char** words) {
   return list;
 }
 
-}  // namespace
-
-int main(int count, char** words) {
+int run(int count, char** words) {
   CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
   app.require_subcommand(1);
   app.set_version_flag("--version", FROND_VERSION);
@@ -191,4 +194,35 @@ int main(int count, char** words) {
     return kWrongInput;
   }
   return result;
+}
+
+/// Says what was being done as memory ran out, and what there is of it.
+int tell_shortage() {
+  Machine machine = this_machine(".");
+  tell(fmt::format(
+      "frond: memory ran out while {}: this process holds {} and may take {} more; fewer, smaller "
+      "or less finely drawn organisms need less, and so do fewer --threads",
+      what_is_done(), bytes_text(memory_in_use()), bytes_text(machine.memory)));
+  return kCouldNot;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  open_streams();
+  int result = kCouldNot;
+  // No library is believed not to throw, nor memory not to run out: here is the last place to say so.
+  try {
+    result = run(count, words);
+  } catch (const std::bad_alloc&) {
+    result = tell_shortage();
+  } catch (const std::length_error&) {
+    result = tell_shortage();
+  } catch (const std::exception& error) {
+    tell(fmt::format("frond: failed while {}: {}", what_is_done(), error.what()));
+  }
+  Errors lost = close_out();
+  if (lost.empty()) return result;
+  fail(lost, kCouldNot);
+  return result == kDone ? kCouldNot : result;
 }

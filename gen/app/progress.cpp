@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "app/streams.h"
 
 namespace frond {
 
@@ -16,14 +16,14 @@ void Progress::step() {
   ++done_;
   if (quiet_) return;
   if (terminal_) {
-    fmt::print(stderr, "\r{} {}/{}", stage_, done_, total_);
+    put_words(fmt::format("\r{} {}/{}", stage_, done_, total_));
   } else if (done_ * 10 / total_ > before) {
-    fmt::print(stderr, "{} {}/{}\n", stage_, done_, total_);
+    put_words(fmt::format("{} {}/{}\n", stage_, done_, total_));
   }
 }
 
 Progress::~Progress() {
-  if (terminal_ && !quiet_ && done_ > 0) fmt::print(stderr, "\n");
+  if (terminal_ && !quiet_ && done_ > 0) put_words("\n");
 }
 
 }  // namespace frond

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/streams.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/printable.h"
@@ -25,7 +26,7 @@ class Album {
     if (!bytes) return take(bytes.errors());
     Result<bool> written = write_file(folder_ / (name + ".png"), *bytes);
     if (!written) return take(written.errors());
-    if (!quiet_) fmt::print("{}\n", (folder_ / (name + ".png")).string());
+    if (!quiet_) put((folder_ / (name + ".png")).string() + "\n");
   }
 
   void bark(const std::string& name, const BarkCoat& coat) {
@@ -85,6 +86,7 @@ Pictured pictured(const Organism& organism) {
 
 int write_textures(const TextureArguments& arguments) {
   limit_threads(arguments.threads);
+  now_doing("drawing bark and leaves");
   Album album(arguments.out.empty() ? "out/textures" : arguments.out, arguments.quiet);
   if (arguments.preset.path.empty()) {
     // All that there is.

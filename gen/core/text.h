@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,17 +21,19 @@ void append_list(std::string& text, int decimals, double first, Numbers... rest)
   ((text += ',', append(text, static_cast<double>(rest), decimals)), ...);
 }
 
-/// Fills the named holes `{{name}}` of a template from a lookup `value(name)`, which returns the text of the
-/// hole. What is filled in is not searched for holes again.
-template <class Lookup>
-std::string fill(std::string_view layout, const Lookup& value) {
-  std::string text;
+/// Where a long text goes, piece by piece.
+using Out = std::function<void(std::string_view)>;
+
+/// Writes a template, with `hole(name)` called to write what stands in its place at each `{{name}}`. What is
+/// filled in is not searched for holes.
+template <class Hole>
+void fill(std::string_view layout, const Out& out, const Hole& hole) {
   for (;;) {
     std::size_t open = layout.find("{{");
     std::size_t close = open == layout.npos ? open : layout.find("}}", open);
-    text += layout.substr(0, close == layout.npos ? layout.npos : open);
-    if (close == layout.npos) return text;
-    text += value(layout.substr(open + 2, close - open - 2));
+    out(layout.substr(0, close == layout.npos ? layout.npos : open));
+    if (close == layout.npos) return;
+    hole(layout.substr(open + 2, close - open - 2));
     layout.remove_prefix(close + 2);
   }
 }

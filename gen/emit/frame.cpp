@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
@@ -21,7 +21,9 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kPartNodes = 50'000;  // of one organism, written by one thread at a time
+constexpr std::int32_t kPartNodes = 20'000;    // of one organism, written by one thread at a time
+constexpr std::size_t kPartsAtOnce = 16;       // such parts, whose text is held
+constexpr std::size_t kLinesAtOnce = 200'000;  // of organisms, whose text is held
 
 std::string number(double value, int decimals = 5) {
   std::string text;
@@ -86,37 +88,100 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   return text;
 }
 
-/// The sweeps of chunks first..last of one organism.
-void append_part(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
-                 std::size_t index, std::span<const Chunk> chunks) {
-  bool whole = one_texture(b);
-  for (const Chunk& chunk : chunks) {
-    if (!append_sweep(text, space, b.rest, pose, chunk)) continue;
-    if (whole && !slanted(b, chunk)) {
-      text += "}\n";
+/// Objects, one a line, in one group; none where there is none.
+class Group {
+ public:
+  explicit Group(const Out& out) : out_(out) {}
+
+  void add(std::string_view lines) {
+    if (open_) return out_(lines);
+    held_ += lines;
+    if (std::count(held_.begin(), held_.end(), '\n') < 2) return;  // which opening it takes is not known yet
+    open_ = true;
+    out_(group_opening(held_));
+    out_(std::exchange(held_, {}));
+  }
+
+  void close(std::string_view texture) {
+    if (!open_ && held_.empty()) return;
+    if (!open_) out_(group_opening(held_)), out_(held_);
+    out_(texture);
+  }
+
+ private:
+  const Out& out_;
+  std::string held_;
+  bool open_ = false;
+};
+
+std::string skin_texture(std::size_t index) {
+  std::string text = "texture{Skin[";
+  append_integer(text, static_cast<long long>(index));
+  return text + "]}";
+}
+
+/// The first nodes of parts of about kPartNodes nodes that are whole chains, and one behind the last.
+std::vector<std::int32_t> parts_of(const Skeleton& s) {
+  std::vector<std::int32_t> first{0};
+  auto n = static_cast<std::int32_t>(s.size());
+  for (std::int32_t i = kPartNodes; i < n;) {
+    if (s.parent[i] == i - 1) {
+      ++i;
       continue;
     }
-    text += ' ';
-    append_chunk_texture(text, space, b, pose, chunk, index);
-    text += "}\n";
+    first.push_back(i);
+    i += kPartNodes;
+  }
+  first.push_back(n);
+  return first;
+}
+
+/// Writes a line for each chunk in turn, `append(text, chunk)`; parts of them at a time by several threads,
+/// so that neither all chunks nor all lines are held at once.
+template <class Append>
+void write_chunks(const Branches& b, const Pose& pose, const ChunkOptions& options, Group& group,
+                  const Append& append) {
+  std::vector<std::int32_t> first = parts_of(b.rest);
+  float longest = b.rest.longest();
+  std::vector<std::string> texts(std::min<std::size_t>(first.size() - 1, kPartsAtOnce));
+  for (std::size_t done = 0; done + 1 < first.size(); done += texts.size()) {
+    std::size_t count = std::min(texts.size(), first.size() - 1 - done);
+    parallel_for(count, [&](std::size_t i) {
+      texts[i].clear();
+      for (const Chunk& chunk :
+           cut_chunks(b.rest, pose, options, longest, first[done + i], first[done + i + 1]))
+        append(texts[i], chunk);
+    });
+    for (std::size_t i = 0; i < count; ++i) group.add(texts[i]);
   }
 }
 
-/// Takes twigs out of the chunks: one union with one texture.
+/// The sweeps of twigs: one union with one texture.
 template <class IsTwig>
-std::string take_twigs(std::vector<Chunk>& chunks, const PovSpace& space, const Branches& b, const Pose& pose,
-                       std::size_t index, const IsTwig& is_twig) {
-  std::string lines;
-  std::erase_if(chunks, [&](const Chunk& chunk) {
-    if (!is_twig(chunk.first)) return false;
-    if (append_sweep(lines, space, b.rest, pose, chunk)) lines += "}\n";
-    return true;
+void write_twigs(const PovSpace& space, const Branches& b, const Pose& pose, const ChunkOptions& options,
+                 std::size_t index, const IsTwig& is_twig, const Out& out) {
+  Group group(out);
+  write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
+    if (is_twig(chunk.first) && append_sweep(text, space, b.rest, pose, chunk)) text += "}\n";
   });
-  if (lines.empty()) return lines;
-  std::string text(group_opening(lines));
-  text += lines + "texture{Skin[";
-  append_integer(text, static_cast<long long>(index));
-  return text + "]}}\n";
+  group.close(skin_texture(index) + "}\n");
+}
+
+/// The sweeps of all other chunks.
+template <class IsTwig>
+void write_sweeps(const PovSpace& space, const Branches& b, const Pose& pose, const ChunkOptions& options,
+                  std::size_t index, const IsTwig& is_twig, const Out& out) {
+  Group group(out);
+  bool whole = one_texture(b);
+  write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
+    if (is_twig(chunk.first) || !append_sweep(text, space, b.rest, pose, chunk)) return;
+    if (!whole || slanted(b, chunk)) {
+      text += ' ';
+      append_chunk_texture(text, space, b, pose, chunk, index);
+    }
+    text += "}\n";
+  });
+  group.close(whole ? skin_texture(index) + "}\n" : "}\n");
 }
 
 ChunkOptions chunk_options(const Branches& b) {
@@ -137,86 +202,81 @@ ChunkOptions chunk_options(const Branches& b) {
   return options;
 }
 
-/// The sweeps of all chunks.
-std::string sweeps_text(const PovSpace& space, const Branches& b, const Pose& pose,
-                        const std::vector<Chunk>& chunks, std::size_t index) {
-  std::size_t parts = b.rest.size() / kPartNodes + 1;
-  std::vector<std::string> texts(parts);
-  parallel_for(parts, [&](std::size_t p) {
-    std::span<const Chunk> all(chunks);
-    std::size_t from = chunks.size() * p / parts, to = chunks.size() * (p + 1) / parts;
-    append_part(texts[p], space, b, pose, index, all.subspan(from, to - from));
-  });
-  std::string body;
-  for (const std::string& text : texts) body += text;
-  if (body.empty()) return body;
-  std::string text(group_opening(body));
-  if (one_texture(b)) {
-    body += "texture{Skin[";
-    append_integer(body, static_cast<long long>(index));
-    body += "]}";
+Errors write_wood(const PovSpace& space, const Branches& b, const Pose& pose, std::size_t index,
+                  const Out& out) {
+  ChunkOptions options = chunk_options(b);
+  if (b.coat && b.style.build == Build::sweeps) {
+    out(coat_text(space, b, pose));
+    if (b.coat->twigs <= 0) return {};
+    options.tolerance = std::numeric_limits<float>::infinity();
+    std::vector<bool> bare = coatless(b);
+    auto is_twig = [&](std::int32_t i) { return static_cast<bool>(bare[static_cast<std::size_t>(i)]); };
+    write_twigs(space, b, pose, options, index, is_twig, out);
+    return {};
   }
-  return text + body + "}\n";
+  if (b.style.build == Build::sweeps) {
+    auto is_twig = [&](std::int32_t i) { return b.rest.radius[i] < options.thin; };
+    if (options.thin > 0) write_twigs(space, b, pose, options, index, is_twig, out);
+    write_sweeps(space, b, pose, options, index, is_twig, out);
+    return {};
+  }
+  Result<std::string> body = body_text(space, b, pose, cut_chunks(b.rest, pose, options), index);
+  if (!body) return body.errors();
+  out(*body);
+  return {};
 }
 
-Result<std::string> branches_text(const PovSpace& space, const Branches& b, std::size_t index, double time) {
-  if (!b.skin && !b.bark) return std::string();
+Errors write_branches(const PovSpace& space, const Branches& b, std::size_t index, double time,
+                      const Out& out) {
+  if (!b.skin && !b.bark) return {};
   Pose pose;
   pose_branches(b, time, pose);
-  Result<std::string> body = std::string();
-  bool coated = b.coat && b.style.build == Build::sweeps;
-  if (coated) body = coat_text(space, b, pose);
-  if (!coated || b.coat->twigs > 0) {
-    ChunkOptions options = chunk_options(b);
-    if (coated) options.tolerance = std::numeric_limits<float>::infinity();
-    std::vector<Chunk> chunks = cut_chunks(b.rest, pose, options);
-    if (coated) {
-      std::vector<bool> bare = coatless(b);
-      *body += take_twigs(chunks, space, b, pose, index, [&](std::int32_t i) {
-        return static_cast<bool>(bare[static_cast<std::size_t>(i)]);
-      });
-    } else if (b.style.build == Build::sweeps) {
-      std::string twigs = take_twigs(chunks, space, b, pose, index,
-                                     [&](std::int32_t i) { return b.rest.radius[i] < options.thin; });
-      body = twigs + sweeps_text(space, b, pose, chunks, index);
-    } else {
-      body = body_text(space, b, pose, chunks, index);
-    }
-  }
-  if (!body) return body;
-  std::string foliage = foliage_text(space, b, pose, time), text;
-  if (body->empty() && foliage.empty()) return text;
-  append_comment(text, b.name);
-  return text + *body + foliage;
+  bool named = false;
+  Out under_name = [&](std::string_view piece) {
+    if (piece.empty()) return;
+    std::string name;
+    if (!std::exchange(named, true)) append_comment(name, b.name);
+    out(name);
+    out(piece);
+  };
+  if (Errors errors = write_wood(space, b, pose, index, under_name); !errors.empty()) return errors;
+  write_foliage(space, b, pose, time, under_name);
+  return {};
 }
 
-std::string all_branches_text(const FrameParts& parts, const Scene& scene, double time, Errors& errors) {
-  std::vector<std::string> texts(scene.branches.size());
-  std::vector<Errors> faults(texts.size());
-  parallel_for(texts.size(), [&](std::size_t i) {
-    const Branches& b = scene.branches[i];
-    auto text_of = [&](const Branches& now) {
-      return branches_text(parts.space, now, parts.first_skin[i], time);
-    };
-    auto text_of_stage = [&]() -> Result<std::string> {
-      Result<Branches> now = developed(b, time);
-      return now ? text_of(*now) : now.errors();
-    };
-    Result<std::string> text = b.develops() ? text_of_stage() : text_of(b);
-    if (text)
-      texts[i] = std::move(*text);
-    else
-      faults[i] = text.errors();
-  });
-  for (const Errors& fault : faults) errors.insert(errors.end(), fault.begin(), fault.end());
-  std::string text;
-  text.reserve(std::accumulate(texts.begin(), texts.end(), std::size_t{0},
-                               [](std::size_t sum, const std::string& t) { return sum + t.size(); }));
-  for (std::string& part : texts) {
-    text += part;
-    part = {};
+/// Writes organism i as it is at a time.
+Errors write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
+                      const Out& out) {
+  const Branches& b = scene.branches[i];
+  if (!b.develops()) return write_branches(parts.space, b, parts.first_skin[i], time, out);
+  Result<Branches> now = developed(b, time);
+  return now ? write_branches(parts.space, *now, parts.first_skin[i], time, out) : now.errors();
+}
+
+/// About how many lines an organism takes.
+std::size_t lines_of(const Branches& b) { return b.rest.size() + b.organs.size() + b.blades.size(); }
+
+/// Small ones are written side by side and put together, large ones one by one with nothing held.
+void write_organisms(const FrameParts& parts, const Scene& scene, double time, Errors& errors,
+                     const Out& out) {
+  for (std::size_t from = 0, to = 0; from < scene.branches.size() && errors.empty(); from = to) {
+    for (std::size_t lines = 0; to < scene.branches.size(); ++to) {
+      lines += lines_of(scene.branches[to]);
+      if (lines > kLinesAtOnce && to > from) break;
+    }
+    if (to == from + 1) {
+      errors = write_organism(parts, scene, from, time, out);
+      continue;
+    }
+    std::vector<std::string> texts(to - from);
+    std::vector<Errors> faults(texts.size());
+    parallel_for(texts.size(), [&](std::size_t i) {
+      faults[i] =
+          write_organism(parts, scene, from + i, time, [&](std::string_view piece) { texts[i] += piece; });
+    });
+    for (const Errors& fault : faults) errors.insert(errors.end(), fault.begin(), fault.end());
+    for (const std::string& text : texts) out(text);
   }
-  return text;
 }
 
 constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
@@ -257,35 +317,42 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
   return parts;
 }
 
-Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
-                               int frame) {
+Errors write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame,
+                   const Out& out) {
   const Film& film = scene.film;
   double time = film.time(frame);
   std::string padded = number(frame);
   padded.insert(0, padded.size() < 4 ? 4 - padded.size() : 0, '0');
   Errors errors;
-  std::string text = fill(layout, [&](std::string_view hole) -> std::string {
-    if (hole == "frame") return number(frame);
-    if (hole == "frames") return number(film.frames);
-    if (hole == "number") return padded;
-    if (hole == "width") return number(film.size[0]);
-    if (hole == "height") return number(film.size[1]);
-    if (hole == "unit") return number(parts.space.unit);
-    if (hole == "quality") return number(static_cast<int>(film.quality));
-    if (hole == "time") return number(time);
-    if (hole == "loop") return number(film.length());
-    if (hole == "includes") return includes_text(scene);
-    if (hole == "setting") return setting_text(scene, time);
-    if (hole == "camera") return camera_text(parts.space, scene.stage.camera, time);
-    if (hole == "materials") return parts.materials;
-    if (hole == "ground") return parts.ground;
-    if (hole == "organisms")
-      return all_branches_text(parts, scene, time, errors) +
-             swaying_copies_text(parts.space, scene, parts.plan, time);
-    if (hole == "food") return food_text(parts.space, scene, time);
+  fill(layout, out, [&](std::string_view hole) {
+    if (hole == "frame") return out(number(frame));
+    if (hole == "frames") return out(number(film.frames));
+    if (hole == "number") return out(padded);
+    if (hole == "width") return out(number(film.size[0]));
+    if (hole == "height") return out(number(film.size[1]));
+    if (hole == "unit") return out(number(parts.space.unit));
+    if (hole == "quality") return out(number(static_cast<int>(film.quality)));
+    if (hole == "time") return out(number(time));
+    if (hole == "loop") return out(number(film.length()));
+    if (hole == "includes") return out(includes_text(scene));
+    if (hole == "setting") return out(setting_text(scene, time));
+    if (hole == "camera") return out(camera_text(parts.space, scene.stage.camera, time));
+    if (hole == "materials") return out(parts.materials);
+    if (hole == "ground") return out(parts.ground);
+    if (hole == "organisms") {
+      write_organisms(parts, scene, time, errors, out);
+      return out(swaying_copies_text(parts.space, scene, parts.plan, time));
+    }
+    if (hole == "food") return out(food_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
-    return {};
   });
+  return errors;
+}
+
+Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
+                               int frame) {
+  std::string text;
+  Errors errors = write_frame(scene, parts, layout, frame, [&](std::string_view piece) { text += piece; });
   if (!errors.empty()) return errors;
   return text;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "core/text.h"
 #include "emit/copies.h"
 #include "emit/pov.h"
 #include "scene/scene.h"
@@ -28,5 +29,9 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {});
 /// of its arguments; `layout` is templates/frame.pov. An unknown hole is an error.
 Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame);
+
+/// The same, piece by piece: the text of a large frame is held nowhere as a whole.
+Errors write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame,
+                   const Out& out);
 
 }  // namespace frond

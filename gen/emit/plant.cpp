@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "core/text.h"
 #include "motion/unfold.h"
@@ -13,8 +14,9 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kShades = 3;  // of each colour, so that leaves differ
-constexpr std::size_t kSteps = 8;   // from the colour of a bud to that of the leaf
+constexpr std::size_t kShades = 3;         // of each colour, so that leaves differ
+constexpr std::size_t kPiece = 1'000'000;  // bytes that are handed on at once
+constexpr std::size_t kSteps = 8;          // from the colour of a bud to that of the leaf
 
 constexpr const char* kTissueMacros[] = {"Plant_Leaf",  "Plant_Petal", "Plant_Heart",
                                          "Plant_Fruit", "Plant_Fruit", "Ivy_Leaf"};
@@ -99,58 +101,87 @@ void append_placement(std::string& text, const PovSpace& space, const Branches& 
   text += "}\n";
 }
 
-std::string organs_text(const PovSpace& space, const Branches& b, const Pose& pose, double time) {
-  // Buckets by prototype, colour, step of unfolding and shade; each line is written once and used by all
-  // parts.
-  std::vector<std::size_t> start;
-  std::size_t count = 0;
+/// The organs in the order of their buckets: by prototype, colour, step of unfolding and shade.
+struct Buckets {
+  std::vector<std::size_t> first_of;  // bucket of each prototype
+  std::vector<std::size_t> begin;     // of each bucket in `organ`, and of one behind the last
+  std::vector<std::uint32_t> organ;
+};
+
+Buckets buckets_of(const Branches& b, const Pose& pose) {
+  constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  Buckets buckets;
+  std::size_t count = 0, n = b.organs.size();
   for (const Prototype& p : b.prototypes) {
-    start.push_back(count);
+    buckets.first_of.push_back(count);
     count += p.colors.size() * steps_of(p) * kShades;
   }
-  std::vector<std::string> buckets(count);
-  for (std::size_t i = 0; i < b.organs.size(); ++i) {
+  std::vector<std::uint32_t> bucket(n, kNone);
+  buckets.begin.assign(count + 1, 0);
+  for (std::size_t i = 0; i < n; ++i) {
     float size = unfolded(b.organs.birth[i], pose.front, unfold_time(b.motion));
     if (size < kUnfoldedLeast) continue;
     std::size_t which = b.organs.prototype[i], steps = steps_of(b.prototypes[which]);
     std::size_t color = wrapped(b.organs.color[i], b.prototypes[which].colors.size());
     // Colour lags behind size: a leaf is fully grown before it is dark.
     auto step = std::min(static_cast<std::size_t>(size * size * static_cast<float>(steps)), steps - 1);
-    std::size_t bucket = (color * steps + step) * kShades + shade_of(b.organs.id[i]);
-    append_placement(buckets[start[which] + bucket], space, b, pose, i, size, time);
+    std::size_t at = buckets.first_of[which] + (color * steps + step) * kShades + shade_of(b.organs.id[i]);
+    bucket[i] = static_cast<std::uint32_t>(at);
+    ++buckets.begin[at + 1];
   }
-  std::string text;
-  for (std::size_t p = 0; p < b.prototypes.size(); ++p) {
-    const Prototype& prototype = b.prototypes[p];
-    std::size_t steps = steps_of(prototype);
-    for (std::size_t k = 0; k < prototype.colors.size() * steps * kShades; ++k) {
-      const std::string& lines = buckets[start[p] + k];
-      if (lines.empty()) continue;
-      Color color = unfolding_color(prototype, k / kShades / steps, k / kShades % steps);
-      for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
-        text += group_opening(lines);
-        for (std::size_t from = 0; from < lines.size();) {
-          std::size_t to = lines.find('\n', from) + 1;
-          text += "object{";
-          append_organ_name(text, b.entry, p, part);
-          text += ' ';
-          text.append(lines, from, to - from);
-          from = to;
-        }
-        if (!prototype.parts[part].pictures.empty())
-          append_picture(text, prototype.parts[part].pictures[k / kShades / steps], k % kShades);
-        else
-          append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kShades);
-        text += "}\n";
-      }
-    }
-  }
-  return text;
+  for (std::size_t k = 0; k < count; ++k) buckets.begin[k + 1] += buckets.begin[k];
+  buckets.organ.resize(buckets.begin[count]);
+  std::vector<std::size_t> next = buckets.begin;
+  for (std::size_t i = 0; i < n; ++i)
+    if (bucket[i] != kNone) buckets.organ[next[bucket[i]]++] = static_cast<std::uint32_t>(i);
+  return buckets;
 }
 
-std::string blades_text(const PovSpace& space, const Branches& b, const Pose& pose) {
+/// Bucket k of a prototype: each line is made once and used by all its parts.
+void write_bucket(const PovSpace& space, const Branches& b, const Pose& pose, double time, std::size_t p,
+                  std::size_t k, std::span<const std::uint32_t> organs, const Out& out) {
+  const Prototype& prototype = b.prototypes[p];
+  std::size_t steps = steps_of(prototype);
+  std::string lines;
+  for (std::uint32_t i : organs) {
+    float size = unfolded(b.organs.birth[i], pose.front, unfold_time(b.motion));
+    append_placement(lines, space, b, pose, i, size, time);
+  }
+  if (lines.empty()) return;
+  Color color = unfolding_color(prototype, k / kShades / steps, k / kShades % steps);
   std::string text;
-  if (b.blades.size() == 0) return text;
+  for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
+    text += group_opening(lines);
+    for (std::size_t from = 0; from < lines.size();) {
+      std::size_t to = lines.find('\n', from) + 1;
+      text += "object{";
+      append_organ_name(text, b.entry, p, part);
+      text += ' ';
+      text.append(lines, from, to - from);
+      from = to;
+      if (text.size() > kPiece) out(text), text.clear();
+    }
+    if (!prototype.parts[part].pictures.empty())
+      append_picture(text, prototype.parts[part].pictures[k / kShades / steps], k % kShades);
+    else
+      append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kShades);
+    text += "}\n";
+  }
+  out(text);
+}
+
+void write_organs(const PovSpace& space, const Branches& b, const Pose& pose, double time, const Out& out) {
+  Buckets buckets = buckets_of(b, pose);
+  for (std::size_t p = 0; p < b.prototypes.size(); ++p)
+    for (std::size_t k = 0; k < b.prototypes[p].colors.size() * steps_of(b.prototypes[p]) * kShades; ++k) {
+      std::size_t at = buckets.first_of[p] + k, from = buckets.begin[at];
+      write_bucket(space, b, pose, time, p, k,
+                   std::span(buckets.organ).subspan(from, buckets.begin[at + 1] - from), out);
+    }
+}
+
+void write_blades(const PovSpace& space, const Branches& b, const Pose& pose, const Out& out) {
+  if (b.blades.size() == 0) return;
   const BladeParams& look = b.blade_look;
   for (std::size_t k = 0; k < look.colors.size() * kShades; ++k) {
     Surface surface = posed_blades(b.rest, pose, b.blades, b.motion.growth.ripen, [&](std::size_t i) {
@@ -158,12 +189,12 @@ std::string blades_text(const PovSpace& space, const Branches& b, const Pose& po
              shade_of(b.blades.id[i]) == k % kShades;
     });
     if (surface.triangle.empty()) continue;
-    text += "object{";
+    std::string text = "object{";
     append_mesh(text, space, surface);
     append_tissue(text, look.tissue, look.colors[k / kShades], look.second, k % kShades);
     text += "}\n";
+    out(text);
   }
-  return text;
 }
 
 }  // namespace
@@ -245,9 +276,9 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-std::string foliage_text(const PovSpace& space, const Branches& b, const Pose& pose, double time) {
-  if (b.organs.size() == 0 && b.blades.size() == 0) return {};
-  return organs_text(space, b, pose, time) + blades_text(space, b, pose);
+void write_foliage(const PovSpace& space, const Branches& b, const Pose& pose, double time, const Out& out) {
+  if (b.organs.size() > 0) write_organs(space, b, pose, time, out);
+  write_blades(space, b, pose, out);
 }
 
 }  // namespace frond

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/text.h"
 #include "emit/pov.h"
 #include "scene/scene.h"
 
@@ -30,7 +31,8 @@ void append_bark(std::string& text, const Branches& plant, std::size_t first);
 /// Declares the organs of all plants, once for each entry of the preset, and what they are made of.
 std::string prototypes_text(const PovSpace& space, const Scene& scene);
 
-/// The organs and blades of one plant at a pose and a time: for each material one union or one mesh.
-std::string foliage_text(const PovSpace& space, const Branches& plant, const Pose& pose, double time);
+/// Writes the organs and blades of one plant at a pose and a time: for each material one union or one mesh.
+void write_foliage(const PovSpace& space, const Branches& plant, const Pose& pose, double time,
+                   const Out& out);
 
 }  // namespace frond

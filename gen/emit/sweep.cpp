@@ -38,8 +38,9 @@ void carry(const Skeleton& rest, const Pose& pose, Chunk& chunk) {
 
 class Cutter {
  public:
-  Cutter(const Skeleton& rest, const Pose& pose, const ChunkOptions& options, std::vector<Chunk>& out)
-      : rest_(rest), pose_(pose), options_(options), longest_(rest.longest()), out_(out) {}
+  Cutter(const Skeleton& rest, const Pose& pose, const ChunkOptions& options, float longest,
+         std::vector<Chunk>& out)
+      : rest_(rest), pose_(pose), options_(options), longest_(longest), out_(out) {}
 
   /// One chunk of first..last, or halves of it where the pattern would slide too far. `end` is the last node
   /// that growth has reached; the halving does not depend on it, so that cuts stay where they are.
@@ -112,10 +113,14 @@ float youth(const Skeleton& rest, const Pose& pose, float longest, float young_l
 }
 
 std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options) {
+  return cut_chunks(rest, pose, options, rest.longest(), 0, static_cast<std::int32_t>(rest.size()));
+}
+
+std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options,
+                              float longest, std::int32_t first, std::int32_t n) {
   std::vector<Chunk> chunks;
-  Cutter cutter(rest, pose, options, chunks);
-  std::int32_t n = static_cast<std::int32_t>(rest.size());
-  for (std::int32_t start = 0; start < n;) {
+  Cutter cutter(rest, pose, options, longest, chunks);
+  for (std::int32_t start = first; start < n;) {
     if (rest.parent[start] == Skeleton::kRoot) {
       ++start;
       continue;

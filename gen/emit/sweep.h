@@ -42,6 +42,10 @@ struct ChunkOptions {
 /// pattern along: turned as its middle node is, and stretched across the branch as the branch has thickened.
 std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options);
 
+/// The same of the nodes first..end - 1 alone, which must be whole chains. `longest` is that of the skeleton.
+std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options,
+                              float longest, std::int32_t first, std::int32_t end);
+
 /// Takes the pattern of a chunk, which lies along the y axis, to the branch: its y is the way along the
 /// branch from the base, and then it goes with the moving skin.
 void lay_along(const Skeleton& rest, Chunk& chunk);

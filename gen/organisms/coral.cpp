@@ -97,6 +97,7 @@ Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   if (!word) return placed(word.errors(), text);
   Result<Skeleton> drawn = skeleton_of(*grammar, *word, seed.child("turtle"));
   if (!drawn) return placed(drawn.errors(), text);
+  *word = {};
   Skeleton coarse = std::move(*drawn);
   if (coarse.size() == 0) return Error{text.where, "the grammar draws nothing: its turtle never meets an F"};
   float start_radius = static_cast<float>(text.width / 2);
@@ -104,6 +105,7 @@ Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
   measure(coarse);
   distort(coarse, params.distortion, seed.child("distort"));
   Skeleton fine = smooth(coarse, params.smoothing);
+  coarse = {};
   set_tip_distances(fine);
   thicken(fine, params.thickness, start_radius);
   set_births(fine);

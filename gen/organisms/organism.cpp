@@ -1,6 +1,7 @@
 #include "organisms/organism.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "grammar/review.h"
 #include "organisms/picture_bounds.h"
@@ -80,16 +81,44 @@ struct Check {
   Errors operator()(const IvyParams&) const { return {}; }
 };
 
+/// As large as a tree must be for its later growth to be told from it.
+constexpr double kToldBy = 20'000;
+
+/// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once its crown is
+/// closed it grows about as much each year, and less when it is as tall as it will be. So it is grown
+/// until then, in two or three goes, and the years that are left are reckoned.
+double foresee_tree(const TreeParams& params, Seed seed) {
+  TreeParams young = params;
+  double before = 0, nodes = 0, tall = 0;
+  int since = 0;
+  young.years = std::min(params.years, 10);
+  for (;;) {
+    Skeleton s = grow_tree(young, seed).skeleton;
+    before = nodes;
+    nodes = static_cast<double>(s.size());
+    for (const Vec3& p : s.position) tall = std::max<double>(tall, p.y);
+    if (young.years == params.years || nodes > kToldBy) break;
+    since = young.years;
+    // A crown that is not closed yet grows by a third to a half in a year.
+    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
+    young.years = std::min(params.years, young.years + more);
+  }
+  if (young.years == params.years) return nodes;
+  double added = (nodes - before) / std::max(1, young.years - since), left = params.years - young.years;
+  double rising = std::clamp(young.years * (params.species.height / std::max(tall, 0.1) - 1), 0.0, left);
+  // It added less while its crown was still closing.
+  return nodes + added * (1.25 * rising + 0.75 * (left - rising));
+}
+
 struct Foresee {
   Seed seed;
   Result<Foresight> operator()(const BridgeParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const VaseParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const RockParams&) const { return Foresight{}; }
   Result<Foresight> operator()(const PebblesParams&) const { return Foresight{}; }
-  /// How much light will leave of a tree is not known before it has grown.
   Result<Foresight> operator()(const TreeParams& params) const {
     Foresight tree;
-    tree.nodes = static_cast<double>(grow_tree(params, seed).skeleton.size());
+    tree.nodes = foresee_tree(params, seed);
     tree.word.modules = tree.word.segments = tree.nodes;
     return tree;
   }
@@ -107,12 +136,20 @@ struct Foresee {
     return Foresight{{}, foresee_nodes(params.tree)};
   }
   Result<Foresight> operator()(const ColonizedParams& params) const {
-    // About two segments end at each point that is taken; not all are.
-    double nodes = std::min<double>(2.0 * params.growth_into.attractors, params.growth_into.most_nodes);
-    return Foresight{{}, nodes * params.smoothing};
+    // Of the points no more count than have room beside each other, and many are taken by the way.
+    const Colonization& how = params.growth_into;
+    const EnvelopeParams& e = params.envelope;
+    double room = e.width * e.height * (e.depth > 0 ? e.depth : e.width) / std::pow(how.kill, 3);
+    double nodes = std::min({0.8 * how.attractors, 0.8 * room, static_cast<double>(how.most_nodes)});
+    return Foresight{{}, (nodes + e.base / how.step) * params.smoothing};
   }
-  // How far ivy comes shows only on its host.
-  Result<Foresight> operator()(const IvyParams&) const { return Foresight{}; }
+  // How far ivy comes shows only on its host: here it always finds room.
+  Result<Foresight> operator()(const IvyParams& params) const {
+    const Crawl& crawl = params.crawl;
+    double length = std::min(crawl.max_age * crawl.speed, crawl.max_length);
+    double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
+    return Foresight{{}, std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes))};
+  }
 };
 
 }  // namespace

@@ -101,11 +101,15 @@ std::vector<std::int32_t> smoothed_index(const Skeleton& coarse, int pieces) {
   return index;
 }
 
-/// Colours of the smoothed nodes: those of a segment are that of its end.
-std::vector<std::int32_t> smoothed_colors(const std::vector<std::int32_t>& index,
-                                          const std::vector<std::int32_t>& color) {
-  if (std::all_of(color.begin(), color.end(), [](std::int32_t c) { return c == 0; })) return {};
-  std::vector<std::int32_t> fine;
+/// Colours of the smoothed nodes, from those of the nodes as they were drawn: those of a segment are that of
+/// its end. Empty where all are 0.
+std::vector<std::int32_t> smoothed_colors(const std::vector<std::int32_t>& drawn,
+                                          const std::vector<std::int32_t>& order,
+                                          const std::vector<std::int32_t>& index) {
+  if (std::all_of(drawn.begin(), drawn.end(), [](std::int32_t c) { return c == 0; })) return {};
+  std::vector<std::int32_t> color(order.size()), fine;
+  for (std::size_t i = 0; i < order.size(); ++i) color[static_cast<std::size_t>(order[i])] = drawn[i];
+  fine.reserve(static_cast<std::size_t>(index.back()) + 1);
   for (std::size_t i = 0; i < index.size(); ++i)
     fine.resize(static_cast<std::size_t>(index[i]) + 1, color[i]);
   return fine;
@@ -273,25 +277,29 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
   }
   fit(*figure, stature);
   if (Errors errors = check_places(*figure); !errors.empty()) return placed(errors, text);
-  std::vector<std::int32_t> order = order_branches(figure->skeleton);
-  std::vector<std::int32_t> color(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) color[static_cast<std::size_t>(order[i])] = figure->color[i];
-  measure(figure->skeleton);
-  std::vector<std::int32_t> index = smoothed_index(figure->skeleton, params.smoothing);
-  auto moved = [&](std::int32_t& node) {
-    if (node != Skeleton::kRoot)
-      node = index[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
-  };
-  for (Outline& outline : figure->outlines) moved(outline.node);
-  for (Site& site : figure->sites) moved(site.node);
-
   Model model;
-  model.skeleton = smooth(figure->skeleton, params.smoothing);
-  model.color = smoothed_colors(index, color);
+  {
+    std::vector<std::int32_t> order = order_branches(figure->skeleton);
+    std::vector<std::int32_t> index = smoothed_index(figure->skeleton, params.smoothing);
+    auto moved = [&](std::int32_t& node) {
+      if (node != Skeleton::kRoot)
+        node = index[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
+    };
+    for (Outline& outline : figure->outlines) moved(outline.node);
+    for (Site& site : figure->sites) moved(site.node);
+    model.color = smoothed_colors(figure->color, order, index);
+  }
+  // Large plants fill the memory: nothing is kept that is not needed any more.
+  std::vector<std::int32_t>().swap(figure->color);
+  measure(figure->skeleton);
+  model.skeleton =
+      params.smoothing == 1 ? std::move(figure->skeleton) : smooth(figure->skeleton, params.smoothing);
+  figure->skeleton = {};
   set_tip_distances(model.skeleton);
   set_births(model.skeleton);
   set_girth(model.skeleton, girth, stature.start_radius, params.by_steps);
   add_blades(model, figure->outlines);
+  std::vector<Outline>().swap(figure->outlines);
   model.prototypes = organ_prototypes(params);
   if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ"));
       !errors.empty())

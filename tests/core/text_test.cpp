@@ -34,11 +34,15 @@ TEST(AppendList, PutsCommasBetween) {
 }
 
 TEST(Fill, FillsNamedHoles) {
-  auto twice = [](std::string_view name) { return std::string(name) + std::string(name); };
-  EXPECT_EQ(fill("a{{b}}c{{d}}", twice), "abbcdd");
-  EXPECT_EQ(fill("no hole", twice), "no hole");
-  EXPECT_EQ(fill("open {{ only", twice), "open {{ only");
-  EXPECT_EQ(fill("{{x}}", [](std::string_view) { return std::string("{{y}}"); }), "{{y}}");
+  auto filled = [](std::string_view layout) {
+    std::string text;
+    auto out = [&](std::string_view piece) { text += piece; };
+    fill(layout, out, [&](std::string_view name) { out(name), out(name); });
+    return text;
+  };
+  EXPECT_EQ(filled("a{{b}}c{{d}}"), "abbcdd");
+  EXPECT_EQ(filled("no hole"), "no hole");
+  EXPECT_EQ(filled("open {{ only"), "open {{ only");
 }
 
 TEST(NearestName, FindsWhatWasMeant) {

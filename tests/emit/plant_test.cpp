@@ -37,7 +37,8 @@ TEST(PlantText, WritesEachPartOfEachOrganOnce) {
   ASSERT_GT(herb.organs.size(), 5u);
   Pose pose;
   pose_skeleton(herb.rest, {}, 0, pose);
-  std::string text = foliage_text({}, herb, pose, 0);
+  std::string text;
+  write_foliage({}, herb, pose, 0, [&](std::string_view piece) { text += piece; });
   EXPECT_EQ(count(text, "object{Organ0_0_0 matrix<"), herb.organs.size());
   EXPECT_EQ(count(text, "object{Organ0_0_1 matrix<"), herb.organs.size());
   std::size_t faces = 0;

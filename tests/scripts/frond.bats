@@ -365,3 +365,56 @@ for row in json.load(sys.stdin):
     done
   done
 }
+@test "a full or closed stdout ends each command with 1 and one message" {
+  for command in "turtle koch.json" "derive koch.json" "derive koch.json --format counts" "info koch.json" \
+    "info $root/presets/bush.json --json" "list" "list --json" "schema" "--help" "--version"; do
+    for where in ">/dev/full" ">&-"; do
+      run bash -c "'$frond' $command 2>message $where"
+      [ "$status" -eq 1 ]
+      [[ "$(cat message)" == "stdout: cannot be written: "* ]]
+      [ "$(wc -l <message)" -eq 1 ]
+    done
+  done
+}
+
+@test "a full or closed stderr loses words and nothing else" {
+  for where in "2>/dev/full" "2>&-"; do
+    run bash -c "'$frond' generate '$root/tests/presets/tiny_still.json' -o out $where"
+    [ "$status" -eq 0 ]
+    [ -s out/frames/frame_0001.pov ]
+    rm -r out
+  done
+}
+
+@test "no file is written into in place of a closed stdout" {
+  run bash -c "'$frond' generate '$root/tests/presets/tiny_still.json' -o out -q 0<&- >&- 2>&-"
+  [ "$status" -eq 0 ]
+  head -c 200 out/frames/frame_0001.pov | grep -q '^//'
+}
+
+@test "what the memory cannot hold is refused with the figure before it is grown" {
+  sed 's/"steps": [0-9]*/"steps": 11/' >large.json <<'JSON'
+{"film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [{"kind": "plant", "smoothing": 1,
+ "grammar": {"axiom": "F", "angle": 25, "steps": 1, "rules": ["F -> F[+F][-F]F"]}}]}
+JSON
+  run bash -c "ulimit -v 400000; '$frond' generate large.json -o out -q --threads 1"
+  [ "$status" -eq 2 ]
+  [[ "$output" == "large.json: the run would take about "*" of memory, and "*" can be had"* ]]
+  [ ! -e out ]
+}
+
+@test "memory that runs out is told with what was being done" {
+  echo '{"axiom": "F(1)", "steps": 24, "rules": ["F(x) : x > 0 -> F(x)F(x)"]}' >words.json
+  run bash -c "ulimit -v 300000; '$frond' derive words.json --format counts"
+  [ "$status" -eq 1 ]
+  [[ "$output" == "frond: memory ran out while deriving the word: "* ]]
+}
+
+@test "a film that the disk cannot hold is refused" {
+  run "$frond" info "$root/presets/staghorn.json" --set /film/frames=100000
+  figure=$output
+  [[ "$figure" == *"100000 frames of "*" GB in all"* ]]
+  run "$frond" generate "$root/presets/staghorn.json" --set /film/frames=100000 --set /film/size=[64,36] -o /proc/none -q
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"of the disk are free"* ]]
+}

@@ -1,0 +1,49 @@
+#include "core/growing_file.h"
+
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+
+namespace frond {
+namespace {
+
+namespace fs = std::filesystem;
+
+class GrowingFileTest : public testing::Test {
+ protected:
+  GrowingFileTest() { fs::remove_all(folder_); }
+  ~GrowingFileTest() override { fs::remove_all(folder_); }
+
+  Result<bool> write(std::size_t pieces) {
+    GrowingFile file(folder_ / "a" / "text");
+    for (std::size_t i = 0; i < pieces; ++i) file.add(std::string(1'000'000, static_cast<char>('a' + i)));
+    return file.close();
+  }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_ / "a"), {}));
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / "growing_file";
+};
+
+TEST_F(GrowingFileTest, WritesShortAndLongFilesAndLeavesThemAloneWhereTheyAreTheSame) {
+  for (std::size_t pieces : {0u, 1u, 11u}) {
+    EXPECT_TRUE(*write(pieces)) << pieces;
+    EXPECT_FALSE(*write(pieces)) << pieces;
+    EXPECT_EQ(read_file(folder_ / "a" / "text")->size(), pieces * 1'000'000);
+    EXPECT_EQ(files(), 1u);
+  }
+  EXPECT_EQ(read_file(folder_ / "a" / "text")->back(), 'k');
+}
+
+TEST_F(GrowingFileTest, LeavesNothingHalfWritten) {
+  {
+    GrowingFile file(folder_ / "a" / "text");
+    for (int i = 0; i < 9; ++i) file.add(std::string(1'000'000, 'x'));
+    EXPECT_EQ(files(), 1u);
+  }
+  EXPECT_EQ(files(), 0u);
+}
+
+}  // namespace
+}  // namespace frond

@@ -1,0 +1,102 @@
+#include "emit/foretell.h"
+
+#include <gtest/gtest.h>
+
+#include "core/files.h"
+#include "emit/frame.h"
+
+namespace frond {
+namespace {
+
+Preset preset_at(const std::string& path, const std::vector<std::string>& sets = {}) {
+  return *read_preset(*read_file(FROND_ROOT "/" + path), path, sets);
+}
+
+Foretold foretold_of(const Preset& preset) { return *foretell(preset, preset.film.frames); }
+
+TEST(Foretell, IsWithinAFactorOfTwoOfWhatIsWritten) {
+  std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
+  for (const char* path :
+       {"presets/bush.json", "presets/fan.json", "presets/staghorn.json", "presets/tufted.json",
+        "presets/lsystems/trees-2.6.json", "presets/lsystems/plants-1.24.json",
+        "presets/lsystems/sunflower-4.json", "presets/garden/bush.json", "presets/garden/tree.json",
+        "presets/garden/palm.json", "presets/ivy/brick_wall.json", "presets/heart_tree.json",
+        "presets/trees/poplar.json", "presets/aspen.json"}) {
+    SCOPED_TRACE(path);
+    // The last frame, in which all is grown.
+    Preset preset = preset_at(path);
+    Foretold f = foretold_of(preset);
+    Scene scene = *build_scene(preset);
+    FrameParts parts = prepare_frames(scene);
+    auto nodes = static_cast<double>(scene.nodes());
+    auto bytes = static_cast<double>(frame_text(scene, parts, layout, preset.film.frames)->size());
+    EXPECT_GE(f.nodes, nodes / 2);
+    EXPECT_LE(f.nodes, nodes * 2 + 50);
+    EXPECT_GE(f.frame_bytes, bytes / 2);
+    EXPECT_LE(f.frame_bytes, bytes * 2);
+  }
+}
+
+TEST(Foretell, CountsModelsOfWhatIsSownAndNotTheirCopies) {
+  auto with = [](const char* count) {
+    return foretold_of(
+        preset_at("tests/presets/all_phases.json", {std::string("/organisms/2/count=") + count}));
+  };
+  Foretold few = with("30"), many = with("3000");
+  EXPECT_EQ(many.copies - few.copies, 2970);
+  EXPECT_EQ(many.models, few.models);
+  EXPECT_EQ(many.nodes, few.nodes);
+  EXPECT_LT(many.scene_memory, 1.1 * few.scene_memory);
+}
+
+TEST(Foretell, RefusesAFilmThatTheDiskCannotHold) {
+  Preset preset = preset_at("presets/staghorn.json", {"/film/frames=100000"});
+  Foretold f = foretold_of(preset);
+  Machine machine;
+  EXPECT_TRUE(refuse(f, machine).empty());
+  machine.disk = 80e9;
+  Errors errors = refuse(f, machine);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NE(errors[0].what.find("GB, 100000 frames"), std::string::npos) << errors[0].what;
+  EXPECT_NE(errors[0].what.find("80 GB of the disk are free"), std::string::npos) << errors[0].what;
+  EXPECT_TRUE(refuse(*foretell(preset, 24), machine).empty());
+}
+
+TEST(Foretell, RefusesWhatTheMemoryCannotHold) {
+  Preset preset = preset_at("presets/lsystems/trees-2.8.json", {"/organisms/0/grammar/steps=14"});
+  Foretold f = foretold_of(preset);
+  EXPECT_GT(f.nodes, 1e7);
+  Machine machine;
+  machine.memory = 1e9;
+  Errors errors = refuse(f, machine);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NE(errors[0].what.find("1 GB can be had; /organisms/0 takes most"), std::string::npos)
+      << errors[0].what;
+  machine.memory = 1e11;
+  EXPECT_TRUE(refuse(f, machine).empty());
+}
+
+TEST(Foretell, WritesFewerFramesAtATimeWhereMemoryIsShort) {
+  Foretold f;
+  f.scene_memory = 1e9;
+  f.frame_memory = 2e9;
+  Machine machine{1e12, 1e12, 16};
+  EXPECT_EQ(f.at_once(machine), 16);
+  machine.memory = 10e9;
+  EXPECT_EQ(f.at_once(machine), 3);
+  machine.memory = 2e9;
+  EXPECT_EQ(f.at_once(machine), 1);
+}
+
+TEST(Foretell, DoesNotGrowAnOldTreeToForeseeIt) {
+  auto nodes = [](const char* years) {
+    return foretold_of(preset_at("presets/trees/oak.json", {std::string("/organisms/0/years=") + years}))
+        .nodes;
+  };
+  double young = nodes("34"), old = nodes("400");
+  EXPECT_GT(old, 3 * young);
+  EXPECT_LT(old, 40 * young);
+}
+
+}  // namespace
+}  // namespace frond
