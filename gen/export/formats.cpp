@@ -1,11 +1,11 @@
 #include "export/formats.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <limits>
 
 #include "core/files.h"
+#include "core/machine.h"
 
 namespace frond {
 
@@ -53,8 +53,7 @@ constexpr Format kFormats[] = {
 /// Why so many bytes are not written, if they are not.
 Errors refuse_bytes(const Format& format, double bytes) {
   // A file is put together in memory, beside the meshes.
-  double memory =
-      0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  double memory = 0.9 * this_machine(".").memory;
   if (bytes > format.most_bytes)
     return {Error{"", fmt::format("would take about {:.2g} GB; such a file holds {:.2g} GB at most",
                                   bytes / 1e9, format.most_bytes / 1e9)}};
