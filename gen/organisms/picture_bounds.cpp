@@ -24,7 +24,9 @@ void check_coat(Errors& errors, const std::optional<BarkCoat>& coat) {
 }
 
 void check_leaves(Errors& errors, const LeafLook& look, const char* pointer) {
-  check_pixels(errors, pointer, 2 * leaf_half_width(leaf_image(look, 0)) * look.pixels, look.pixels, "width");
+  PictureFrame frame = picture_frame(leaf_image(look, 0));
+  double wide = 2 * frame.half / (frame.high - frame.low);
+  check_pixels(errors, pointer, wide * look.pixels, look.pixels, "width");
 }
 
 }  // namespace
