@@ -23,13 +23,9 @@ struct Free {
   float radius;
 };
 
-/// Whether a leaf that touches no skin is within a body where that overlaps another: the way from there to
-/// its foot comes out of one.
-bool swallowed(const Support& under, std::span<const Free> free, const Vec3& foot) {
-  return std::ranges::any_of(free, [&](const Free& ball) {
-    std::optional<Crossing> skin = under.host.crossing(DVec3(ball.middle), DVec3(foot));
-    return skin && glm::dot(skin->normal, DVec3(foot - ball.middle)) > 0;
-  });
+/// Whether a leaf that touches no skin is within a body where that overlaps another.
+bool swallowed(const Support& under, std::span<const Free> free) {
+  return std::ranges::any_of(free, [&](const Free& ball) { return under.host.inside(DVec3(ball.middle)); });
 }
 
 /// How a leaf touches what is under it; empty where it lies free.
@@ -101,7 +97,7 @@ bool lie_on(const Support& under, std::span<const Vec3> feelers, float size, flo
   double slid = 0;
   for (int round = 0; round < kRounds; ++round) {
     touches_of(under, feelers, size, rest, free, touches);
-    if (touches.empty()) return !swallowed(under, free, rest.foot);
+    if (touches.empty()) return !swallowed(under, free);
     // The least turn and slide that clear all of them at once, in the sense of least squares.
     glm::dmat4 squares(0.02);
     squares[3][3] = slid < slide ? 0.1 : 1e6;
@@ -123,7 +119,7 @@ bool lie_on(const Support& under, std::span<const Vec3> feelers, float size, flo
     rest.foot += out * static_cast<float>(along * size);
   }
   touches_of(under, feelers, size, rest, free, touches);
-  return touches.empty() && !swallowed(under, free, rest.foot);
+  return touches.empty() && !swallowed(under, free);
 }
 
 }  // namespace frond
