@@ -57,14 +57,15 @@ Disc placed(const Disc& disc, const LeafSite& site, const Quat& turn) {
 
 /// How much of a disc earlier ones cover, seen along its normal.
 float covered_area(const Disc& disc, std::span<const Disc> others, float depth) {
-  float sum = 0;
+  float sum = 0, deep = depth * disc.radius;
   for (const Disc& other : others) {
     Vec3 way = other.middle - disc.middle;
+    float touch = disc.radius + other.radius, far = glm::dot(way, way);
+    if (far > touch * touch + deep * deep) continue;
     float high = glm::dot(way, disc.normal), facing = glm::dot(other.normal, disc.normal);
-    if (std::abs(high) > depth * disc.radius || facing <= 0.2f) continue;
-    float apart = std::sqrt(std::max(glm::dot(way, way) - high * high, 0.0f));
-    if (apart < disc.radius + other.radius)
-      sum += facing * static_cast<float>(lens_area(disc.radius, other.radius, apart));
+    if (std::abs(high) > deep || facing <= 0.2f) continue;
+    float apart = std::sqrt(std::max(far - high * high, 0.0f));
+    if (apart < touch) sum += facing * static_cast<float>(lens_area(disc.radius, other.radius, apart));
   }
   return sum;
 }
@@ -83,14 +84,25 @@ Sizes sizes_of(std::span<const LeafForm> forms) {
   return s;
 }
 
+/// acos(x) - x sqrt(1 - x^2) to 1e-7 (Abramowitz and Stegun 1964, 4.4.46): half the segment that a chord cuts
+/// off a circle of radius 1, x from its middle.
+double segment(double x) {
+  double a = std::min(std::abs(x), 1.0), root = std::sqrt(1 - a);
+  constexpr double kTerms[] = {-0.0012624911, 0.0066700901, -0.0170881256, 0.0308918810,
+                               -0.0501743046, 0.0889789874, -0.2145988016, 1.5707963050};
+  double sum = 0;
+  for (double term : kTerms) sum = sum * a + term;
+  double half = root * (sum - a * std::sqrt(1 + a));
+  return x < 0 ? kPi - half : half;
+}
+
 }  // namespace
 
 double lens_area(double r, double s, double d) {
   if (d >= r + s) return 0;
   if (d <= std::abs(r - s)) return kPi * std::min(r, s) * std::min(r, s);
-  double a = std::acos(std::clamp((d * d + r * r - s * s) / (2 * d * r), -1.0, 1.0));
-  double b = std::acos(std::clamp((d * d + s * s - r * r) / (2 * d * s), -1.0, 1.0));
-  return r * r * (a - std::sin(2 * a) / 2) + s * s * (b - std::sin(2 * b) / 2);
+  return r * r * segment((d * d + r * r - s * s) / (2 * d * r)) +
+         s * s * segment((d * d + s * s - r * r) / (2 * d * s));
 }
 
 Quat leaf_turn(Vec3 normal, Vec3 tip) {
@@ -109,9 +121,14 @@ std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<cons
   for (const LeafSite& site : sites) largest = std::max(largest, site.size);
   if (!(largest * sizes.disc > 0)) return laid;
   DiscGrid grid(sites.size(), 2 * largest * sizes.disc);
+  std::vector<float> areas;
+  for (const LeafForm& form : forms) {
+    areas.push_back(0);
+    for (const Disc& disc : form.discs) areas.back() += static_cast<float>(kPi) * disc.radius * disc.radius;
+  }
   std::vector<Disc> near;
   int turns = std::max(1, options.turns);
-  for (std::uint32_t i = 0; i < sites.size(); ++i) {
+  for (std::uint32_t i = 0; i < sites.size() && laid.size() < options.most; ++i) {
     const LeafSite& site = sites[i];
     grid.near(site.foot, site.size * sizes.reach + largest * sizes.disc, near);
     LaidLeaf best{i, site.first};
@@ -123,13 +140,11 @@ std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<cons
       Quat turn = preferred * glm::angleAxis(static_cast<float>(options.swing * share), Vec3(0, 0, 1));
       for (std::uint32_t k = 0; k < site.forms && least > 0; ++k) {
         std::uint32_t f = site.first + (site.prefer + k) % site.forms;
-        float area = 0, covered = 0;
+        float covered = 0, area = areas[f] * site.size * site.size;
         for (const Disc& disc : forms[f].discs) {
-          Disc own = placed(disc, site, turn);
-          area += static_cast<float>(kPi) * own.radius * own.radius;
-          covered += covered_area(own, near, static_cast<float>(options.depth));
+          covered += covered_area(placed(disc, site, turn), near, static_cast<float>(options.depth)) / area;
+          if (covered >= least) break;
         }
-        covered /= area;
         if (covered >= least) continue;
         least = covered;
         best.form = f, best.turn = turn, best.covered = covered;

@@ -44,6 +44,7 @@ struct MosaicOptions {
   double swing = radians(70.0);  ///< how far a leaf's tip may be turned aside for a free place
   int turns = 7;                 ///< directions that are tried within that
   double depth = 3;              ///< radii of a leaf within which another one before or behind it counts
+  std::size_t most = SIZE_MAX;   ///< no more leaves are laid
 };
 
 /// Lays leaves into the gaps that earlier ones have left, as a shoot does that turns its petioles until each

@@ -14,6 +14,7 @@ namespace {
 /// Everything while it grows.
 struct Growing {
   const Host& host;
+  const GroundHeight& ground;
   const Crawl& crawl;
   std::vector<Tip> tips;            // of all strands, living or not
   std::vector<std::int32_t> alive;  // which tips grow
@@ -102,7 +103,7 @@ bool take(Growing& g, std::int32_t t) {
 
 void step_all(Growing& g, int step) {
   const Crowd* crowd = g.crawl.spacing > 0 ? &g.crowd : nullptr;
-  auto one = [&](std::size_t i) { advance(g.tips[g.alive[i]], g.host, crowd, g.crawl, step); };
+  auto one = [&](std::size_t i) { advance(g.tips[g.alive[i]], g.host, g.ground, crowd, g.crawl, step); };
   // Tips only read what the last step left: the order in which they are asked does not matter.
   constexpr std::size_t kBlock = 32;
   std::size_t blocks = (g.alive.size() + kBlock - 1) / kBlock;
@@ -129,13 +130,27 @@ void rest_all(Growing& g) {
   for (std::int32_t t : hanging) set_hung(g, g.tips[t]);
 }
 
+/// Where a strand begins, or nothing where that is buried in the host or the ground.
+std::optional<Tread> begin_at(const Growing& g, const Start& start) {
+  double lift = lift_of(g.crawl);
+  std::optional<Tread> tread = tread_at(g.host, start.place, start.heading, lift);
+  auto sunk = [&] {
+    return g.ground ? g.ground(tread->place.x, tread->place.z) + g.crawl.radius - tread->place.y : 0;
+  };
+  for (int i = 0; i < 4 && tread && sunk() > 0; ++i)
+    tread = tread_at(g.host, tread->place + DVec3(0, sunk() + lift, 0), start.heading, lift);
+  if (tread && (sunk() > 0 || g.host.inside(tread->place))) return std::nullopt;
+  return tread;
+}
+
 }  // namespace
 
-Strands grow_strands(const Host& host, const std::vector<Start>& starts, const Crawl& crawl, Seed seed) {
-  Growing g{host, crawl, {}, {}, {}, Crowd(crawl.spacing > 0 ? crawl.spacing : 1), {}};
+Strands grow_strands(const Host& host, const std::vector<Start>& starts, const Crawl& crawl, Seed seed,
+                     const GroundHeight& ground) {
+  Growing g{host, ground, crawl, {}, {}, {}, Crowd(crawl.spacing > 0 ? crawl.spacing : 1), {}};
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    std::optional<Tread> tread = tread_at(host, starts[i].place, starts[i].heading, lift_of(crawl));
-    if (!tread || (host.inside(tread->place))) continue;
+    std::optional<Tread> tread = begin_at(g, starts[i]);
+    if (!tread) continue;
     begin(g, sprout(*tread, crawl, seed.child("start", i)), -1);
     remember(g, g.tips.back(), {*tread, 0, 0, false, false});
   }
@@ -153,7 +168,7 @@ Strands grow_strands(const Host& host, const std::vector<Start>& starts, const C
   for (const Tip& tip : g.tips) strands.push_back({0, 0, tip.parent, tip.end});
   std::vector<int> depths;
   for (const Tip& tip : g.tips) depths.push_back(tip.depth);
-  return gather(host, g.nodes, strands, depths, crawl);
+  return gather(host, ground, g.nodes, strands, depths, crawl);
 }
 
 }  // namespace frond

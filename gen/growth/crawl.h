@@ -76,7 +76,7 @@ struct Strands {
   std::vector<Vec3> contact;          ///< on the surface under the node; of hanging nodes, the node itself
   std::vector<float> age;             ///< steps since the node was laid down
   std::vector<std::uint8_t> hanging;  ///< 1: held by its neighbours only
-  std::vector<float> room;            ///< of hanging nodes, metres from their skin to the host; else 0
+  std::vector<float> room;            ///< of hanging nodes, metres from their skin to host and ground; else 0
   std::vector<std::int32_t> of;       ///< the strand of each node
   std::vector<Strand> strands;
 
@@ -84,8 +84,11 @@ struct Strands {
 };
 
 /// Grows strands over a host; no strand where there is no start. The same bytes at any number of threads.
-/// Starts need not lie on the host, nor keep apart; those that lie buried within it are left out.
-Strands grow_strands(const Host& host, const std::vector<Start>& starts, const Crawl& crawl, Seed seed);
+/// Starts need not lie on the host, nor keep apart; those that lie buried within it are left out. What creeps
+/// stops at the ground, what hangs lies down on it and ends; starts below it are put up to where it meets the
+/// host.
+Strands grow_strands(const Host& host, const std::vector<Start>& starts, const Crawl& crawl, Seed seed,
+                     const GroundHeight& ground = {});
 
 /// `count` starts along the foot of a host, about evenly spaced: where its surface is cut by the level plane
 /// `above` metres over its lowest point. With `facing` (of any length but 0) only where the surface looks

@@ -15,42 +15,49 @@ std::int32_t cell_of(double x, double size) {
   return static_cast<std::int32_t>(std::clamp(std::floor(x / size), -2e9, 2e9));
 }
 
+/// Where in its block a cell is.
+std::int32_t within_block(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return ((x & 3) * 4 + (y & 3)) * 4 + (z & 3);
+}
+
 }  // namespace
 
-Crowd::Crowd(double spacing) : spacing_(spacing), size_(kCell * spacing), cells_(1024) {}
+Crowd::Crowd(double spacing) : spacing_(spacing), size_(kCell * spacing), blocks_(1024) {}
 
-/// Where a cell is, or would be.
+/// Where a block is, or would be.
 std::size_t Crowd::slot(std::int32_t x, std::int32_t y, std::int32_t z) const {
   auto word = [](std::int32_t v) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)); };
-  std::size_t mask = cells_.size() - 1;
+  std::size_t mask = blocks_.size() - 1;
   std::size_t i = Seed::mix((word(x) << 32 | word(y)) ^ word(z) * 0x9e3779b97f4a7c15ull) & mask;
-  while (cells_[i].last >= 0 && (cells_[i].x != x || cells_[i].y != y || cells_[i].z != z))
+  while (blocks_[i].cells >= 0 && (blocks_[i].x != x || blocks_[i].y != y || blocks_[i].z != z))
     i = (i + 1) & mask;
   return i;
 }
 
 void Crowd::grow() {
-  std::vector<Cell> old(cells_.size() * 2);
-  old.swap(cells_);
-  for (const Cell& c : old)
-    if (c.last >= 0) cells_[slot(c.x, c.y, c.z)] = c;
+  std::vector<Block> old(blocks_.size() * 2);
+  old.swap(blocks_);
+  for (const Block& b : old)
+    if (b.cells >= 0) blocks_[slot(b.x, b.y, b.z)] = b;
 }
 
 void Crowd::add(const Member& member) {
-  if (2 * used_ >= cells_.size()) grow();
+  if (2 * used_ >= blocks_.size()) grow();
   std::int32_t x = cell_of(member.place.x, size_), y = cell_of(member.place.y, size_),
                z = cell_of(member.place.z, size_);
-  Cell& cell = cells_[slot(x, y, z)];
-  if (cell.last < 0) {
-    cell = {x, y, z, -1};
+  Block& block = blocks_[slot(x >> 2, y >> 2, z >> 2)];
+  if (block.cells < 0) {
+    block = {x >> 2, y >> 2, z >> 2, static_cast<std::int32_t>(cells_.size())};
+    cells_.resize(cells_.size() + 64, -1);
     ++used_;
   }
-  if (cell.last < 0 || chunks_[cell.last].count == 7) {
+  std::int32_t& last = cells_[block.cells + within_block(x, y, z)];
+  if (last < 0 || chunks_[last].count == 7) {
     chunks_.emplace_back();
-    chunks_.back().before = cell.last;
-    cell.last = static_cast<std::int32_t>(chunks_.size()) - 1;
+    chunks_.back().before = last;
+    last = static_cast<std::int32_t>(chunks_.size()) - 1;
   }
-  Chunk& chunk = chunks_[cell.last];
+  Chunk& chunk = chunks_[last];
   chunk.member[chunk.count++] = member;
 }
 
@@ -76,11 +83,19 @@ void Crowd::gather(const DVec3& place, const DVec3& normal, const Own& own, doub
     low[i] = cell_of(place[i] - reach, size_);
     high[i] = cell_of(place[i] + reach, size_);
   }
-  for (std::int32_t x = low[0]; x <= high[0]; ++x)
-    for (std::int32_t y = low[1]; y <= high[1]; ++y)
-      for (std::int32_t z = low[2]; z <= high[2]; ++z)
-        for (std::int32_t c = cells_[slot(x, y, z)].last; c >= 0; c = chunks_[c].before)
-          for (std::int32_t m = 0; m < chunks_[c].count; ++m) consider(chunks_[c].member[m]);
+  auto look_into = [&](const Block& block) {
+    std::int32_t from[3] = {block.x * 4, block.y * 4, block.z * 4}, to[3];
+    for (int i = 0; i < 3; ++i) to[i] = std::min(high[i], from[i] + 3), from[i] = std::max(low[i], from[i]);
+    for (std::int32_t x = from[0]; x <= to[0]; ++x)
+      for (std::int32_t y = from[1]; y <= to[1]; ++y)
+        for (std::int32_t z = from[2]; z <= to[2]; ++z)
+          for (std::int32_t c = cells_[block.cells + within_block(x, y, z)]; c >= 0; c = chunks_[c].before)
+            for (std::int32_t m = 0; m < chunks_[c].count; ++m) consider(chunks_[c].member[m]);
+  };
+  for (std::int32_t x = low[0] >> 2; x <= high[0] >> 2; ++x)
+    for (std::int32_t y = low[1] >> 2; y <= high[1] >> 2; ++y)
+      for (std::int32_t z = low[2] >> 2; z <= high[2] >> 2; ++z)
+        if (const Block& block = blocks_[slot(x, y, z)]; block.cells >= 0) look_into(block);
 }
 
 Crowd::View Crowd::view(std::span<const DVec3> near, const DVec3& place) const {

@@ -45,8 +45,9 @@ class Crowd {
   double spacing() const { return spacing_; }
 
  private:
-  struct Cell {
-    std::int32_t x = 0, y = 0, z = 0, last = -1;  // chunk
+  /// 4 x 4 x 4 cells: who looks round finds those beside one another in one place.
+  struct Block {
+    std::int32_t x = 0, y = 0, z = 0, cells = -1;  // where they begin
   };
   struct Chunk {
     std::array<Member, 7> member;
@@ -55,8 +56,9 @@ class Crowd {
   std::size_t slot(std::int32_t x, std::int32_t y, std::int32_t z) const;
   void grow();
 
-  double spacing_, size_;    // of a cell
-  std::vector<Cell> cells_;  // hashed, open addressing
+  double spacing_, size_;            // of a cell
+  std::vector<Block> blocks_;        // hashed, open addressing
+  std::vector<std::int32_t> cells_;  // the last chunk of each, or -1
   std::size_t used_ = 0;
   std::vector<Chunk> chunks_;
 };

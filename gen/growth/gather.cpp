@@ -68,11 +68,13 @@ DVec3 lifted(const Host& host, const Tread& t, double radius) {
 }
 
 /// The places of all nodes. What hangs moves along as the node that holds it is lifted, if there is room.
-std::vector<DVec3> places(const Host& host, const Nodes& nodes, const std::vector<std::int32_t>& order,
-                          const std::vector<std::int32_t>& parent, const std::vector<float>& radius) {
+std::vector<DVec3> places(const Host& host, const GroundHeight& ground, const Nodes& nodes,
+                          const std::vector<std::int32_t>& order, const std::vector<std::int32_t>& parent,
+                          const std::vector<float>& radius) {
   std::size_t n = order.size();
   std::vector<DVec3> place(n);
   auto laid = [&](std::size_t i) -> const Laid& { return nodes.laid[order[i]]; };
+  auto height = [&](const DVec3& p) { return ground ? p.y - ground(p.x, p.z) : 1; };
   parallel_for((n + 255) / 256, [&](std::size_t block) {
     for (std::size_t i = block * 256; i < std::min(n, (block + 1) * 256); ++i)
       place[i] = laid(i).hanging ? laid(i).tread.place : lifted(host, laid(i).tread, radius[i]);
@@ -84,7 +86,8 @@ std::vector<DVec3> places(const Host& host, const Nodes& nodes, const std::vecto
       DVec3 root = place[parent[i]], shift = root - laid(parent[i]).tread.place;
       bool free = true;
       for (std::size_t k = i; k < end && free; ++k) {
-        free = !host.crossing(root, place[k] + shift) && !host.crossing(place[k], place[k] + shift);
+        free = height(place[k] + shift) > 0 && !host.crossing(root, place[k] + shift) &&
+               !host.crossing(place[k], place[k] + shift);
         root = place[k] + shift;
       }
       // The next one holds again.
@@ -99,8 +102,8 @@ std::vector<DVec3> places(const Host& host, const Nodes& nodes, const std::vecto
 
 }  // namespace
 
-Strands gather(const Host& host, const Nodes& nodes, const std::vector<Strand>& strands,
-               const std::vector<int>& depths, const Crawl& crawl) {
+Strands gather(const Host& host, const GroundHeight& ground, const Nodes& nodes,
+               const std::vector<Strand>& strands, const std::vector<int>& depths, const Crawl& crawl) {
   Strands out;
   std::vector<std::int32_t> number = keep_strands(nodes, strands, out);
   std::vector<std::int32_t> order = order_by_strand(nodes, number, out);
@@ -119,7 +122,7 @@ Strands gather(const Host& host, const Nodes& nodes, const std::vector<Strand>& 
     out.age[i] = static_cast<float>(end - nodes.laid[order[i]].time);
   }
   std::vector<float> radius = radii(out, parent, crawl);
-  std::vector<DVec3> place = places(host, nodes, order, parent, radius);
+  std::vector<DVec3> place = places(host, ground, nodes, order, parent, radius);
   parallel_for((n + 255) / 256, [&](std::size_t block) {
     for (std::size_t i = block * 256; i < std::min(n, (block + 1) * 256); ++i) {
       const Laid& laid = nodes.laid[order[i]];
@@ -128,7 +131,9 @@ Strands gather(const Host& host, const Nodes& nodes, const std::vector<Strand>& 
       if (!laid.hanging) continue;
       double far = 2 * crawl.hang_most;
       std::optional<Contact> near = host.closest(place[i], far);
-      out.room[i] = std::max(static_cast<float>(near ? near->distance : far) - radius[i], 0.0f);
+      double room = near ? near->distance : far;
+      if (ground) room = std::min(room, 0.5 * (place[i].y - ground(place[i].x, place[i].z)));
+      out.room[i] = std::max(static_cast<float>(room) - radius[i], 0.0f);
     }
   });
   out.skeleton.reserve(n);

@@ -7,6 +7,8 @@ namespace frond {
 
 namespace {
 
+constexpr double kSlope = 0.5;  // the ground is no nearer than this share of the height above it
+
 /// What hinders the end of link `i`, which begins at `at`, from being at `to`: the way to push it, or
 /// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
 /// from now on.
@@ -16,6 +18,8 @@ std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, co
   double gone = glm::length(way), reach = 4 * chain.link;
   double room = chain.room[i] - gone;
   if (room < chain.lift) {
+    double height = chain.ground ? to.y - (*chain.ground)(to.x, to.z) : reach / kSlope;
+    if (height < 0.98 * chain.lift) return DVec3(0, chain.lift - height, 0);
     if (std::optional<Crossing> wall = host.crossing(chain.clear[i], to)) {
       DVec3 face = glm::dot(wall->normal, way) > 0 ? -wall->normal : wall->normal;
       return face * (chain.lift - (1 - wall->share) * glm::dot(way, face));
@@ -26,6 +30,7 @@ std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, co
       if (room < 1e-6 * chain.lift) return -way;
       return (to - near->point) * (chain.lift / room - 1);
     }
+    room = std::min(room, kSlope * height);
   }
   // Where balls of free room round both ends do not meet, the link between may cut an edge.
   double below = i == 0 ? 0 : chain.room[i - 1] - glm::distance(chain.clear[i - 1], at);

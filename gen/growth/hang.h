@@ -6,16 +6,17 @@ namespace frond {
 
 /// A strand that has lost its hold: links of one length, held at their upper end only.
 struct Chain {
-  DVec3 root{0};             ///< the last place that holds
-  DVec3 heading{0, 1, 0};    ///< of length 1: how the strand comes out of it
-  double link = 0.02;        ///< metres
-  double stiffness = 0.1;    ///< metres that it stands out before its own weight bends it down
-  double lift = 0.003;       ///< metres that it keeps off the host
-  std::vector<DVec3> place;  ///< ends of the links
+  DVec3 root{0};                         ///< the last place that holds
+  DVec3 heading{0, 1, 0};                ///< of length 1: how the strand comes out of it
+  double link = 0.02;                    ///< metres
+  double stiffness = 0.1;                ///< metres that it stands out before its own weight bends it down
+  double lift = 0.003;                   ///< metres that it keeps off the host
+  const GroundHeight* ground = nullptr;  ///< off which it keeps as well
+  std::vector<DVec3> place;              ///< ends of the links
   std::vector<DVec3> curl;   ///< by which each link turns from the one before where it bears no weight
   std::vector<DVec3> load;   ///< what the host pushes each link's end with, in metres of strand
   std::vector<DVec3> clear;  ///< where room was measured last, for each
-  std::vector<double> room;  ///< metres from there to the host
+  std::vector<double> room;  ///< metres from there to the host and the ground, or less
 
   double length() const { return link * static_cast<double>(place.size()); }
 };

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,6 +15,9 @@
 namespace frond {
 
 struct Soup;
+
+/// How high the ground lies at (x, z), metres; empty: there is none.
+using GroundHeight = std::function<double(double, double)>;
 
 /// The point of a host that is nearest to some place.
 struct Contact {

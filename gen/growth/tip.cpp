@@ -32,8 +32,10 @@ DVec3 lured(const Crawl& crawl, const Tread& tread, double& share) {
   return toward;
 }
 
-bool in_box(const Crawl& crawl, const DVec3& p) {
-  return glm::all(glm::greaterThanEqual(p, DVec3(crawl.low))) &&
+/// Within the box, and a strand's radius above the ground.
+bool in_bounds(const Crawl& crawl, const GroundHeight& ground, const DVec3& p) {
+  return (!ground || p.y >= ground(p.x, p.z) + crawl.radius) &&
+         glm::all(glm::greaterThanEqual(p, DVec3(crawl.low))) &&
          glm::all(glm::lessThanEqual(p, DVec3(crawl.high)));
 }
 
@@ -46,7 +48,7 @@ void block(Tip& tip, const Crawl& crawl, End why) {
   if (++tip.blocked >= crawl.patience) stop(tip, why);
 }
 
-void let_go(Tip& tip, const Crawl& crawl) {
+void let_go(Tip& tip, const GroundHeight& ground, const Crawl& crawl) {
   tip.hangs = true;
   tip.chain = Chain{};
   tip.chain.root = tip.tread.place;
@@ -54,6 +56,7 @@ void let_go(Tip& tip, const Crawl& crawl) {
   tip.chain.link = crawl.speed;
   tip.chain.stiffness = crawl.stiffness;
   tip.chain.lift = 0.5 * crawl.radius;
+  if (ground) tip.chain.ground = &ground;
 }
 
 /// Notes a node at the tip's tread, and the bud that is due there.
@@ -73,7 +76,7 @@ bool falls_away(const Host& host, const Tip& tip, const Crawl& crawl) {
 }
 
 /// Walks a step over the surface, in strides.
-void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) {
+void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& crawl, int step, Seed draw) {
   double lift = lift_of(crawl), rest = crawl.speed, unlaid = 0;
   const double least = 0.05 * crawl.speed;
   for (int strides = 0; rest > least && strides < 24; ++strides) {
@@ -87,13 +90,13 @@ void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) 
     if (overhang ||
         (s.footing == Footing::edge && tip.calm > 3 * crawl.speed && falls_away(host, tip, crawl))) {
       tip.calm = 0;
-      if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, crawl);
+      if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, ground, crawl);
     }
     if (s.footing == Footing::edge && !crawl.backs && host.behind(s.tread.triangle, s.tread.normal) &&
         !host.behind(tip.tread.triangle, tip.tread.normal)) {
       // A rim: hang over it or turn away.
       Seed rim = draw.child(64 + strides);
-      if (rim.child(1).unit() < crawl.let_go) return let_go(tip, crawl);
+      if (rim.child(1).unit() < crawl.let_go) return let_go(tip, ground, crawl);
       double angle = rim.child(2).range(0.5 * kPi, kPi) * (rim.child(3).unit() < 0.5 ? -1 : 1);
       tip.tread.heading = turned(tip.tread.heading, tip.tread.normal, angle);
       if (tip.laid.empty()) block(tip, crawl, End::stuck);
@@ -104,7 +107,7 @@ void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) 
     tip.tread = s.tread;
     unlaid += s.length;
     rest -= std::max(s.length, 0.02 * crawl.speed);
-    if (!in_box(crawl, s.tread.place)) return stop(tip, End::box);
+    if (!in_bounds(crawl, ground, s.tread.place)) return stop(tip, End::box);
     if (unlaid > std::min(least, 0.5 * lift) || rest <= least) {
       lay(tip, crawl, step + 1 - std::max(rest, 0.0) / crawl.speed);
       unlaid = 0;
@@ -114,7 +117,7 @@ void creep(Tip& tip, const Host& host, const Crawl& crawl, int step, Seed draw) 
   if (tip.along >= crawl.max_length) stop(tip, End::length);
 }
 
-/// Takes hold again where the end of the chain touches the host.
+/// Takes hold again where the end of the chain touches the host; ends where it has come down on the ground.
 void grip(Tip& tip, const Host& host, const Crawl& crawl) {
   Chain& chain = tip.chain;
   auto touches = [&] {
@@ -125,7 +128,8 @@ void grip(Tip& tip, const Host& host, const Crawl& crawl) {
   settle(chain, host, 100);
   if (!touches()) return;
   std::optional<Contact> under = host.closest(chain.place.back(), 4 * chain.lift);
-  if (!under || under->distance < 1e-3 * chain.lift) return;
+  if (!under) return stop(tip, End::box);
+  if (under->distance < 1e-3 * chain.lift) return;
   std::size_t n = chain.place.size();
   DVec3 last = chain.place[n - 1] - chain.place[n - 2];
   if (!crawl.backs && host.behind(under->triangle, (chain.place[n - 1] - under->point) / under->distance))
@@ -161,7 +165,7 @@ void dangle(Tip& tip, const Host& host, const Crawl& crawl, int step) {
   lay(tip, crawl, step + 1);
   grip(tip, host, crawl);
   if (tip.along >= crawl.max_length) stop(tip, End::length);
-  if (!in_box(crawl, tip.tread.place)) stop(tip, End::box);
+  if (!in_bounds(crawl, {}, tip.tread.place)) stop(tip, End::box);
 }
 
 }  // namespace
@@ -206,7 +210,8 @@ std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, c
   return std::nullopt;
 }
 
-void advance(Tip& tip, const Host& host, const Crowd* crowd, const Crawl& crawl, int step) {
+void advance(Tip& tip, const Host& host, const GroundHeight& ground, const Crowd* crowd, const Crawl& crawl,
+             int step) {
   tip.laid.clear();
   tip.gripped = false;
   Seed draw = tip.seed.child(static_cast<std::uint64_t>(step));
@@ -223,7 +228,7 @@ void advance(Tip& tip, const Host& host, const Crowd* crowd, const Crawl& crawl,
     heading = tangent(*free, normal);
   }
   tip.tread.heading = heading;
-  creep(tip, host, crawl, step, draw);
+  creep(tip, host, ground, crawl, step, draw);
 }
 
 }  // namespace frond

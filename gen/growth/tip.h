@@ -46,8 +46,9 @@ inline double lift_of(const Crawl& crawl) { return 0.1 * crawl.radius; }
 /// A tip that begins at a tread.
 Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed);
 
-/// One step of a tip, the `step`th (from 0) of all.
-void advance(Tip& tip, const Host& host, const Crowd* crowd, const Crawl& crawl, int step);
+/// One step of a tip, the `step`th (from 0) of all. The ground must outlive the tip.
+void advance(Tip& tip, const Host& host, const GroundHeight& ground, const Crowd* crowd, const Crawl& crawl,
+             int step);
 
 /// A heading near the one that is asked for in which there is room; nothing where there is none. `near` is
 /// overwritten.

@@ -3,18 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "organisms/ivy_rest.h"
+
 namespace frond {
 
 namespace {
 
 /// Where the plants stand on the host.
-std::vector<Start> starts_of(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
+std::vector<Start> starts_of(const IvyParams& params, const Support& under, const IvyRoots& roots, int count,
                              Seed seed) {
+  const Host& host = under.host;
   std::vector<Start> starts;
   for (const Vec3& root : roots) starts.push_back({DVec3(root), DVec3(0)});
   int more = count - static_cast<int>(roots.size());
   if (more <= 0) return starts;
-  std::vector<Start> others = starts_at_foot(host, more, params.above, params.facing, seed.child("foot"));
+  // The foot of a buried host is where it comes out of the ground.
+  DVec3 middle = 0.5 * (host.low() + host.high());
+  double buried = under.ground ? std::max(under.ground(middle.x, middle.z) - host.low().y, 0.0) : 0;
+  std::vector<Start> others =
+      starts_at_foot(host, more, buried + params.above, params.facing, seed.child("foot"));
   // A host without a foot, such as a floating one, is rooted all round.
   if (others.empty() && roots.empty())
     others =
@@ -37,20 +44,19 @@ std::vector<std::int32_t> bark_ages(const Skeleton& s, std::size_t colors, doubl
 }  // namespace
 
 Result<Ivy> grow_ivy(const IvyParams& params, const Surface& surface, const IvyRoots& roots, int count,
-                     double ground, Seed seed) {
+                     const GroundHeight& ground, Seed seed) {
   Result<Host> host = Host::build(surface, "what the ivy grows on");
   if (!host) return host.errors();
-  Crawl crawl = params.crawl;
-  if (!std::isfinite(crawl.low.y)) crawl.low.y = static_cast<float>(ground + crawl.radius);
-  std::vector<Start> starts = starts_of(params, *host, roots, count, seed);
+  Support under{*host, ground};
+  std::vector<Start> starts = starts_of(params, under, roots, count, seed);
   Ivy ivy;
-  ivy.strands = grow_strands(*host, starts, crawl, seed.child("crawl"));
+  ivy.strands = grow_strands(*host, starts, params.crawl, seed.child("crawl"), ground);
   if (ivy.strands.size() < 2)
     return Error{
         "", "finds no place to root; expected place.at near what it grows on, or another above and facing"};
   ivy.model.skeleton = ivy.strands.skeleton;
-  ivy.model.color = bark_ages(ivy.model.skeleton, params.bark.colors.size(), crawl.radius);
-  add_ivy_leaves(ivy.model, ivy.strands, params.leaves, seed.child("leaves"));
+  ivy.model.color = bark_ages(ivy.model.skeleton, params.bark.colors.size(), params.crawl.radius);
+  add_ivy_leaves(ivy.model, ivy.strands, params.leaves, under, seed.child("leaves"));
   return ivy;
 }
 

@@ -13,6 +13,8 @@
 
 namespace frond {
 
+struct Support;
+
 enum class IvyDetail {
   fitting,  ///< single leaves up to kMostSingleLeaves, sprigs for more
   leaves,   ///< each leaf by itself, on its own petiole
@@ -63,12 +65,14 @@ struct Ivy {
 };
 
 /// Grows over a host: `count` plants, the first from the points of the host nearest to `roots`, the others
-/// from its foot. The floor, `ground` metres high, is where strands turn back unless the preset says where.
+/// from its foot. Nothing of it sinks into the ground.
 Result<Ivy> grow_ivy(const IvyParams& params, const Surface& host, const IvyRoots& roots, int count,
-                     double ground, Seed seed);
+                     const GroundHeight& ground, Seed seed);
 
-/// Puts leaves on strands: sites along them, laid out as a mosaic (geometry/mosaic.h). Prototypes and organs
-/// of the model are set. The number of single leaves, sprigs taken apart.
-std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves, Seed seed);
+/// Puts leaves on strands: sites along them, laid out as a mosaic (geometry/mosaic.h), and each turned until
+/// it lies on what is under it. Prototypes and organs of the model are set. The number of single leaves,
+/// sprigs taken apart.
+std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves,
+                           const Support& under, Seed seed);
 
 }  // namespace frond

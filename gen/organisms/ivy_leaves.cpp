@@ -3,9 +3,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/parallel.h"
 #include "geometry/ivy_leaf.h"
 #include "geometry/mosaic.h"
 #include "organisms/ivy.h"
+#include "organisms/ivy_rest.h"
 
 namespace frond {
 
@@ -14,6 +16,7 @@ namespace {
 constexpr std::array<double, 3> kStalks{0.75, 0.45, 1.15};  // shares of the blade's length
 constexpr std::array<double, 2> kRises{radians(58.0), radians(32.0)};
 constexpr std::uint32_t kPetioles = 6;       // kinds of petiole a shape of leaf has
+constexpr std::uint32_t kTallest = 4;        // the one that holds its blade farthest off
 constexpr std::uint32_t kHeadings = 8;       // directions of the stem that sprigs are made for
 constexpr std::uint32_t kSprigVariants = 3;  // of each
 constexpr int kSprigLeaves = 6;
@@ -43,6 +46,7 @@ std::vector<LeafForm> leaf_forms() {
 struct Plan {
   const Strands& strands;
   const IvyLeaves& leaves;
+  const Support& under;
   Vec3 light;
   Seed seed;
 };
@@ -137,6 +141,33 @@ std::vector<Bud> buds_along(const Plan& plan, double step) {
   return buds;
 }
 
+/// Lays leaves down on what is under them, some on another petiole or smaller. What finds no rest is dropped.
+void rest_all(const Plan& plan, const std::vector<std::vector<Vec3>>& feelers, float slide,
+              std::vector<Bud>& buds, std::vector<LaidLeaf>& laid) {
+  constexpr std::size_t kBlock = 64;
+  std::vector<std::uint8_t> rests(laid.size(), 0);
+  auto lay_down = [&](std::size_t i) {
+    LeafSite& site = buds[laid[i].site].site;
+    Vec3 out = plan.strands.normal[buds[laid[i].site].node];
+    std::uint32_t tallest = site.forms == kPetioles ? site.first + kTallest : laid[i].form;
+    for (auto [form, size] : {std::pair(laid[i].form, 1.0f), {tallest, 1.0f}, {tallest, 0.6f}}) {
+      Rest rest{site.foot, laid[i].turn};
+      if (!lie_on(plan.under, feelers[form], size * site.size, slide, out, rest)) continue;
+      laid[i].form = form, laid[i].turn = rest.turn;
+      site.foot = rest.foot, site.size *= size;
+      rests[i] = 1;
+      return;
+    }
+  };
+  parallel_for((laid.size() + kBlock - 1) / kBlock, [&](std::size_t b) {
+    for (std::size_t i = b * kBlock; i < std::min((b + 1) * kBlock, laid.size()); ++i) lay_down(i);
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < laid.size(); ++i)
+    if (rests[i]) laid[kept++] = laid[i];
+  laid.resize(kept);
+}
+
 std::vector<LeafSite> sites_of(const std::vector<Bud>& buds) {
   std::vector<LeafSite> sites;
   for (const Bud& bud : buds) sites.push_back(bud.site);
@@ -227,11 +258,16 @@ void add_organ(Model& model, const Plan& plan, const Bud& bud, const LaidLeaf& l
   o.supple.push_back(supple);
 }
 
-std::size_t add_single_leaves(Model& model, const Plan& plan, const std::vector<Bud>& buds,
-                              const std::vector<LeafForm>& forms, const std::vector<LaidLeaf>& laid) {
+std::size_t add_single_leaves(Model& model, const Plan& plan, std::vector<Bud>& buds,
+                              const std::vector<LeafForm>& forms, std::vector<LaidLeaf>& laid) {
   int detail = laid.size() < 6000 ? 2 : 1;
-  for (std::uint32_t i = 0; i < forms.size(); ++i)
-    add_prototype(model, plan.leaves, "leaf", ivy_leaf_surface(leaf_shape(i, detail)));
+  std::vector<std::vector<Vec3>> feelers;
+  for (std::uint32_t i = 0; i < forms.size(); ++i) {
+    Surface leaf = ivy_leaf_surface(leaf_shape(i, detail));
+    feelers.push_back(feelers_of(leaf, 0.09f));
+    add_prototype(model, plan.leaves, "leaf", std::move(leaf));
+  }
+  rest_all(plan, feelers, 0.1f, buds, laid);
   for (const LaidLeaf& leaf : laid) {
     const Bud& bud = buds[leaf.site];
     double stalk = leaf_shape(leaf.form, 0).stalk * bud.site.size;
@@ -240,12 +276,23 @@ std::size_t add_single_leaves(Model& model, const Plan& plan, const std::vector<
   return laid.size();
 }
 
+/// Whether so few leaves may find room that each can be one by itself. Of sites on long strands a tenth does
+/// at least, so that with very many there is no need to try.
+bool may_be_single(const Strands& strands, const IvyLeaves& leaves) {
+  double length = 0;
+  for (const Strand& s : strands.strands)
+    length += strands.skeleton.distance[s.first + s.count - 1] - strands.skeleton.distance[s.first];
+  return length < 10 * kMostSingleLeaves * leaves.spacing;
+}
+
 std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafForm>& leaf_forms) {
   std::vector<LeafForm> forms;
+  std::vector<std::vector<Vec3>> feelers;
   for (std::uint32_t h = 0; h < kHeadings; ++h)
     for (std::uint32_t v = 0; v < kSprigVariants; ++v) {
       Seed own = plan.seed.child("sprig", h * kSprigVariants + v);
       Sprig sprig = sprig_of(leaf_forms, plan.leaves, 2 * kPi * h / kHeadings, own);
+      feelers.push_back(feelers_of(sprig.surface, 0.16f));
       add_prototype(model, plan.leaves, "sprig", std::move(sprig.surface));
       forms.push_back(std::move(sprig.form));
     }
@@ -265,6 +312,7 @@ std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafFor
   MosaicOptions options;
   options.overlap = plan.leaves.overlap, options.swing = radians(20.0), options.turns = 3;
   std::vector<LaidLeaf> laid = lay_leaves(sites_of(buds), forms, options);
+  rest_all(plan, feelers, 0.6f, buds, laid);
   std::size_t count = 0;
   for (const LaidLeaf& leaf : laid) {
     add_organ(model, plan, buds[leaf.site], leaf, 0.25f);
@@ -275,19 +323,21 @@ std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafFor
 
 }  // namespace
 
-std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves, Seed seed) {
+std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves,
+                           const Support& under, Seed seed) {
   float length = glm::length(leaves.light);
-  Plan plan{strands, leaves, length > 0 ? leaves.light / length : Vec3(0, 1, 0), seed};
+  Plan plan{strands, leaves, under, length > 0 ? leaves.light / length : Vec3(0, 1, 0), seed};
   model.prototypes.clear();
   model.organs = {};
   std::vector<LeafForm> forms = leaf_forms();
-  if (leaves.detail != IvyDetail::sprigs) {
+  bool all = leaves.detail == IvyDetail::leaves;
+  if (all || (leaves.detail == IvyDetail::fitting && may_be_single(strands, leaves))) {
     std::vector<Bud> buds = buds_along(plan, leaves.spacing);
     MosaicOptions options;
     options.overlap = leaves.overlap;
+    if (!all) options.most = kMostSingleLeaves + 1;
     std::vector<LaidLeaf> laid = lay_leaves(sites_of(buds), forms, options);
-    if (leaves.detail == IvyDetail::leaves || laid.size() <= kMostSingleLeaves)
-      return add_single_leaves(model, plan, buds, forms, laid);
+    if (all || laid.size() <= kMostSingleLeaves) return add_single_leaves(model, plan, buds, forms, laid);
   }
   return add_sprigs(model, plan, forms);
 }

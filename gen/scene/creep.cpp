@@ -31,15 +31,11 @@ Result<Branches> ivy_of(const Preset& preset, const Scene& scene, std::size_t en
   const IvyParams& params = std::get<IvyParams>(organism.body);
   Seed seed = Seed{preset.seed}.child("organism", entry);
   bool level = preset.stage.setting == Setting::studio;  // its floor is one with the wall
-  auto height = [&](Vec2 at) { return level ? 0.0 : heights(at.x, at.y); };
-  double floor = 0;
+  auto ground = [&](double x, double z) { return level ? 0.0 : heights(x, z); };
   IvyRoots roots;
-  for (Vec2 at : organism.place.at) {
-    roots.emplace_back(at.x, height(at) + organism.place.raise, at.y);
-    floor = std::min(floor, height(at));
-  }
+  for (Vec2 at : organism.place.at) roots.emplace_back(at.x, ground(at.x, at.y) + organism.place.raise, at.y);
   Result<Ivy> ivy =
-      grow_ivy(params, support(scene, params), roots, organism.count, floor, seed.child("grow"));
+      grow_ivy(params, support(scene, params), roots, organism.count, ground, seed.child("grow"));
   if (!ivy) {
     Errors errors = ivy.errors();
     for (Error& error : errors)

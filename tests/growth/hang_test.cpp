@@ -126,7 +126,7 @@ TEST(Swing, IsAFunctionOfTimeThatRepeatsAndKeepsLengths) {
     widest = std::max<double>(widest, glm::distance(at[i], s.skeleton.position[i]));
     fastest = std::max<double>(fastest, glm::distance(at[i], later[i]));
   }
-  EXPECT_GT(widest, 0.05);
+  EXPECT_GT(widest, 0.04);
   EXPECT_LT(fastest, 0.05);
 }
 
