@@ -66,6 +66,7 @@ int info(const PresetArguments& arguments, bool json) {
   if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  tell_notes(preset->notes);
   Result<Foretold> foretold = foretell(*preset, preset->film.frames);
   if (!foretold) return fail(foretold.errors(), kWrongInput);
   const Foretold& f = *foretold;

@@ -59,6 +59,7 @@ Result<Grammar> load_grammar(const std::string& path, const std::optional<std::s
   named.assets = assets;
   Result<Preset> preset = load_preset(named);
   if (!preset) return preset.errors();
+  tell_notes(preset->notes);
   for (const Organism& organism : preset->organisms) {
     if (const auto* coral = std::get_if<CoralParams>(&organism.body)) return coral_grammar(*coral);
     if (const auto* plant = std::get_if<PlantParams>(&organism.body)) return plant_grammar(*plant);
@@ -83,8 +84,7 @@ Result<Loaded> load(const GrammarArguments& arguments) {
   if (!grammar) return in_file(grammar.errors(), arguments.path);
   // Those of a preset have been told with it.
   if (is_grammar(arguments.path))
-    for (const Error& warning : in_file(grammar->warnings, arguments.path))
-      tell("warning: " + warning.text());
+    tell_notes(in_file(grammar->warnings, arguments.path));
   double steps = arguments.steps.value_or(grammar->text.steps);
   if (std::isnan(steps)) return Error{"--steps", "found nan; expected a number of 0 or more"};
   Seed seed{arguments.seed.value_or(grammar->text.seed)};

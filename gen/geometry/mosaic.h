@@ -57,7 +57,8 @@ std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<cons
 /// The turn that takes a form's axes to upper side `normal` and, as nearly as that lets it, `tip`.
 Quat leaf_turn(Vec3 normal, Vec3 tip);
 
-/// The area that two circles have in common.
+/// The area that two circles have in common, to 1e-7 of the square of the larger radius: more than its float
+/// users can tell.
 double lens_area(double radius, double other, double distance);
 
 }  // namespace frond

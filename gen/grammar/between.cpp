@@ -107,7 +107,7 @@ Result<Between> between(const Grammar& grammar, double steps, Seed seed, const L
   for (int step = names ? 0 : whole; step <= whole && errors.empty(); ++step) {
     before = state.word;
     errors = advance_tracked(grammar, state, seed, parents, limits);
-    if (names) result.name = named(before, result.name, state.word, parents);
+    if (names && errors.empty()) result.name = named(before, result.name, state.word, parents);
   }
   if (!errors.empty()) return errors;
   result.word = std::move(state.word);

@@ -55,12 +55,14 @@ std::string grammar_pointer(const GrammarText& grammar, const Error& error) {
   for (const RuleList& list : kRuleLists) {
     const std::vector<GrammarText::Rule>& rules = grammar.*list.rules;
     auto rule = std::ranges::find(rules, error.where, &GrammarText::Rule::where);
-    if (rule != rules.end()) return fmt::format("/{}/{}", list.name, rule - rules.begin());
+    if (rule != rules.end()) return fmt::format("/grammar/{}/{}", list.name, rule - rules.begin());
   }
-  if (error.where.starts_with("constant `")) return pointer_step("/constants", in_backquotes(error.where));
-  if (!error.where.empty()) return pointer_step("", error.where);
+  if (error.where.starts_with('/')) return error.where;
+  if (error.where.starts_with("constant `"))
+    return pointer_step("/grammar/constants", in_backquotes(error.where));
+  if (!error.where.empty()) return pointer_step("/grammar", error.where);
   // A number that is out of range is named first of all.
-  return error.what.starts_with('`') ? pointer_step("", in_backquotes(error.what)) : "";
+  return error.what.starts_with('`') ? pointer_step("/grammar", in_backquotes(error.what)) : "/grammar";
 }
 
 /// Rules that a coral does not grow by, or that it lacks. Defaults may hold rules for other corals.
@@ -109,8 +111,9 @@ void check_organism(Organism& organism, const Value& written, std::size_t index,
                               "ivy cannot be sown, for it grows on what stands; expected another kind"));
   auto add = [&](Faults& list, const Errors& errors) {
     for (const Error& error : errors) {
-      std::string pointer = grammar ? "/grammar" + grammar_pointer(*grammar, error) : "";
-      if (error.where.starts_with('/')) pointer = error.where;
+      std::string pointer = grammar                         ? grammar_pointer(*grammar, error)
+                            : error.where.starts_with('/') ? error.where
+                                                            : "";
       list.add(organism_fault(written, index, pointer, error.what));
     }
   };

@@ -1,6 +1,7 @@
 #include "core/assets.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/files.h"
 
@@ -14,7 +15,7 @@ class AssetsTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    top_ = fs::temp_directory_path() / (std::string("frond_assets_") + test->name());
+    top_ = fs::temp_directory_path() / ("frond_assets_" + std::to_string(getpid()) + test->name());
     fs::remove_all(top_);
     for (const char* file : {"mine/a.obj", "mine/deep/b.obj", "shared/c.obj", "secret/key"})
       ASSERT_TRUE(write_file(top_ / file, file).ok());

@@ -1,6 +1,7 @@
 #include "core/growing_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/files.h"
 
@@ -23,7 +24,7 @@ class GrowingFileTest : public testing::Test {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_ / "a"), {}));
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "growing_file";
+  fs::path folder_ = fs::path(testing::TempDir()) / ("frond_growing_file_" + std::to_string(getpid()));
 };
 
 TEST_F(GrowingFileTest, WritesShortAndLongFilesAndLeavesThemAloneWhereTheyAreTheSame) {

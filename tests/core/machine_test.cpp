@@ -1,6 +1,7 @@
 #include "core/machine.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/files.h"
 
@@ -21,7 +22,7 @@ class MachineTest : public testing::Test {
   void put(const std::string& path, const std::string& text) { ASSERT_TRUE(write_file(root_ / path, text)); }
   double memory() const { return this_machine(".", root_).memory; }
 
-  fs::path root_ = fs::path(testing::TempDir()) / "machine";
+  fs::path root_ = fs::path(testing::TempDir()) / ("frond_machine_" + std::to_string(getpid()));
 };
 
 TEST_F(MachineTest, HasTheMemoryThatIsAvailable) { EXPECT_EQ(memory(), 8000000.0 * 1024); }

@@ -56,7 +56,7 @@ TEST(Plant, HeedsTheLimitsOfItsGrammar) {
 
 TEST(Plant, WhatIsNotFiniteIsRefused) {
   EXPECT_FALSE(grow_plant(herb("F(1e30)", {}, 0, 20), Seed{1}).ok());
-  PlantParams flat = herb("+(90)F(1e17)+(90)F(1e-30)", {}, 0, 20);
+  PlantParams flat = herb("+(90)F(1e17)-(90)F(1e-30)", {}, 0, 20);
   flat.height = 1000;
   EXPECT_FALSE(grow_plant(flat, Seed{1}).ok());
 }

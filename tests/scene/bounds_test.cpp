@@ -40,7 +40,7 @@ TEST(Bounds, NumbersThatBecomeTooManyAreRefusedWhereTheyStand) {
       {R"({"scene": {"setting": "meadow"}, "organisms": [{"kind": "tree", "coat": {"pixels": 8192, "aspect": 16}}]})",
        "/organisms/0/coat/pixels: makes a picture of 8192 x 131072 pixels"},
       {R"({"scene": {"setting": "meadow"}, "organisms": [{"kind": "colonized", "leaves":
-          {"shape": "own", "outline": [0.001, 1e12, 0.001]}}]})",
+          {"shape": "own", "pixels": 4096, "width": 4, "outline": [1, 1, 1, 100, 1, 1, 1]}}]})",
        "/organisms/0/leaves/pixels: makes a picture"},
       {R"({"scene": {"setting": "forest", "forest": {"terrain": {"size": 4000}}}, "organisms":
           [{"kind": "tree", "count": 2, "light": {"voxel": 0.05}, "place": {"at": [[-1900, 0], [1900, 0]]}}]})",
@@ -51,7 +51,7 @@ TEST(Bounds, NumbersThatBecomeTooManyAreRefusedWhereTheyStand) {
       {R"({"scene": {"setting": "meadow"}, "organisms": [{"kind": "colonized", "envelope":
           {"shape": "outline", "path": "M0 0 L1e9 0 L0 1Z"}}]})",
        "the silhouette is 1e+09 times as wide as high; expected 100 times at most"}};
-  for (auto [text, expected] : cases) EXPECT_NE(fault(text).find(expected), std::string::npos) << fault(text);
+  for (auto [text, expected] : cases) EXPECT_NE(fault(text).find(expected), std::string::npos) << text << fault(text);
 }
 
 TEST(Bounds, MoreThanCouldStandIsRefusedBeforeItIsScattered) {

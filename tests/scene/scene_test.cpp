@@ -67,14 +67,24 @@ TEST(Preset, RulesKnowWhereTheyStand) {
   EXPECT_EQ(grammar.interpretation.at(0).where, "test.json:2:80: /organisms/0/grammar/interpretation/0");
 }
 
+TEST(Preset, MistakesInRulesAreToldOnceByAFullPathToo) {
+  auto first_of = [](const char* rule) {
+    std::string text = R"({"organisms": [{"kind": "plant", "grammar": {"rules": [")" + std::string(rule) + "\"]}}]}";
+    Result<Preset> preset = read_preset(text, "/home/x.json", {});
+    return preset ? preset->notes.at(0).where : preset.errors().at(0).where;
+  };
+  for (const char* rule : {"F -> F[", "F -> F[+X]"})
+    EXPECT_EQ(first_of(rule), "/home/x.json:1:56: /organisms/0/grammar/rules/0");
+}
+
 TEST(Preset, DoubtsAreToldWithTheirPlace) {
   Preset preset = preset_of(R"({"organisms": [
-  {"kind": "tree", "branching_angle": 1.08},
+  {"kind": "tree", "habit": {"branching_angle": 1.08}},
   {"kind": "coral", "pitch": 0.43},
   {"kind": "coral", "pitch": 1},
   {"kind": "plant", "grammar": {"rules": ["F -> F[+X]K"]}, "organs": [{"symbol": "K"}]}]})");
   ASSERT_EQ(preset.notes.size(), 3u);
-  EXPECT_EQ(preset.notes[0].where, "test.json:2:39: /organisms/0/branching_angle");
+  EXPECT_EQ(preset.notes[0].where, "test.json:2:49: /organisms/0/habit/branching_angle");
   EXPECT_NE(preset.notes[0].what.find("if radians were meant, write 61.9"), std::string::npos);
   EXPECT_EQ(preset.notes[1].where, "test.json:3:30: /organisms/1/pitch");
   EXPECT_EQ(

@@ -103,13 +103,13 @@ setup() {
   echo '{"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}' > idle.json
   run --separate-stderr "$frond" derive idle.json
   [ "$status" -eq 0 ]
-  [ "$stderr" = 'warning: idle.json: rule 1: column 9: `X` does nothing: no rule rewrites it and the turtle does not know it; in `A -> F[+X]A`' ]
+  [ "$stderr" = 'note: idle.json: rule 1: column 9: `X` does nothing: no rule rewrites it and the turtle does not know it; in `A -> F[+X]A`' ]
   echo '{"organisms": [{"kind": "plant", "grammar": {"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}}]}' > herb.json
   for command in check info derive; do
     run --separate-stderr "$frond" $command herb.json
     [ "$status" -eq 0 ]
     [ "${#stderr_lines[@]}" -eq 1 ]
-    [[ "$stderr" == "warning: herb.json:1:"*"/organisms/0/grammar/rules/0: column 9: "* ]]
+    [[ "$stderr" == "note: herb.json:1:"*"/organisms/0/grammar/rules/0: column 9: "* ]]
   done
 }
 
