@@ -127,23 +127,27 @@ damage() {
   [[ $output != *"not all frames"* ]]
 }
 
-# with_disk KILOBYTES COMMAND...: runs it with a small disk of its own at ./small
+# with_disk FOLDER KILOBYTES COMMAND...: runs it with a small disk of its own in place of the folder
 with_disk() {
-  local size=$1
-  shift
-  mkdir -p small
+  local folder=$1 size=$2
+  shift 2
+  mkdir -p "$folder"
   # shellcheck disable=SC2016
-  unshare --map-root-user --mount bash -c 'mount -t tmpfs -o "size=$1k" frond small && shift && "$@"' - "$size" "$@"
+  unshare --map-root-user --mount bash -c 'mount -t tmpfs -o "size=$2k" frond "$1" && shift 2 && "$@"' - "$folder" "$size" "$@"
 }
 
 @test "a full disk is told in plain words, whatever filled it up" {
-  with_disk 100 true || skip "no disk can be mounted here"
+  with_disk small 100 true || skip "no disk can be mounted here"
   "$RENDER" film.json -o whole --frames 1-2
   use_real_povray
   local scenes
   scenes=$(du -k -c whole/frames/*.pov | tail -n 1 | cut -f1)
+  run with_disk small 8 "$RENDER" film.json -o small/film --frames 1-2
+  [ "$status" -ne 0 ]
+  [[ $output == *"8.19 kB of the disk are free"* ]]
+  # The folder of the frames alone has a small disk: the room that is foretold is that of the film's folder.
   for row in "8 64x48" "$((scenes + 60)) 64x48" "$((scenes + 900)) 320x180"; do  # scenes, notes of blocks, those of a picture
-    run with_disk "${row% *}" "$RENDER" film.json -o small/film --frames 1-2 --size "${row#* }"
+    run with_disk small/film/frames "${row% *}" "$RENDER" film.json -o small/film --frames 1-2 --size "${row#* }"
     echo "$row: $output"
     [ "$status" -eq 1 ]
     [[ $output == *"no room on the disk"* ]]
@@ -155,7 +159,7 @@ with_disk() {
   for call in "encode_film.sh list small/film.mp4 24" "contact_sheet.sh list small/sheet.png 1" \
     "keep_still.sh noise.png small/still.png"; do
     # shellcheck disable=SC2086
-    run with_disk 4 "$ROOT"/scripts/$call
+    run with_disk small 4 "$ROOT"/scripts/$call
     echo "$call: $output"
     [ "$status" -eq 1 ]
     [[ $output == *": no room on the disk" ]]
