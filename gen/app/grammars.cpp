@@ -83,8 +83,7 @@ Result<Loaded> load(const GrammarArguments& arguments) {
   Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets);
   if (!grammar) return in_file(grammar.errors(), arguments.path);
   // Those of a preset have been told with it.
-  if (is_grammar(arguments.path))
-    tell_notes(in_file(grammar->warnings, arguments.path));
+  if (is_grammar(arguments.path)) tell_notes(in_file(grammar->warnings, arguments.path));
   double steps = arguments.steps.value_or(grammar->text.steps);
   if (std::isnan(steps)) return Error{"--steps", "found nan; expected a number of 0 or more"};
   Seed seed{arguments.seed.value_or(grammar->text.seed)};

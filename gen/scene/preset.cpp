@@ -111,9 +111,9 @@ void check_organism(Organism& organism, const Value& written, std::size_t index,
                               "ivy cannot be sown, for it grows on what stands; expected another kind"));
   auto add = [&](Faults& list, const Errors& errors) {
     for (const Error& error : errors) {
-      std::string pointer = grammar                         ? grammar_pointer(*grammar, error)
+      std::string pointer = grammar                        ? grammar_pointer(*grammar, error)
                             : error.where.starts_with('/') ? error.where
-                                                            : "";
+                                                           : "";
       list.add(organism_fault(written, index, pointer, error.what));
     }
   };

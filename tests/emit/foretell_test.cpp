@@ -39,9 +39,8 @@ TEST(Foretell, IsWithinAFactorOfTwoOfWhatIsWritten) {
 
 TEST(Foretell, CountsModelsOfWhatIsSownAndNotTheirCopies) {
   auto with = [](const char* count) {
-    return foretold_of(
-        preset_at("tests/presets/all_phases.json",
-                  {std::string("/organisms/2/count=") + count, "/organisms/2/sown/where/radius=0.3"}));
+    return foretold_of(preset_at("tests/presets/all_phases.json", {std::string("/organisms/2/count=") + count,
+                                                                   "/organisms/2/sown/where/radius=0.3"}));
   };
   Foretold few = with("30"), many = with("3000");
   EXPECT_EQ(many.copies - few.copies, 2970);

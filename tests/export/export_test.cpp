@@ -278,7 +278,8 @@ TEST(Formats, refuse_a_scene_of_which_nothing_would_be_written) {
   ASSERT_TRUE(preset);
   Scene scene = *build_scene(*preset);
   for (const Format& format : formats()) {
-    fs::path path = fs::temp_directory_path() / ("frond_nothing_" + std::to_string(getpid()) + std::string(format.extension));
+    fs::path path = fs::temp_directory_path() /
+                    ("frond_nothing_" + std::to_string(getpid()) + std::string(format.extension));
     Result<bool> written = write_scene(format, scene, 0, {}, path, [](double) {});
     ASSERT_FALSE(written) << format.extension;
     EXPECT_EQ(written.errors()[0].where, "");  // of what was asked for, not of the disk

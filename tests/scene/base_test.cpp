@@ -14,7 +14,8 @@ class Base : public testing::Test {
  protected:
   void SetUp() override {
     folder = std::filesystem::path(testing::TempDir()) /
-             ("base_" + std::to_string(getpid()) + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+             ("base_" + std::to_string(getpid()) +
+              std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     std::filesystem::create_directories(folder / "below");
   }
   void TearDown() override { std::filesystem::remove_all(folder); }

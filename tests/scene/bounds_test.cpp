@@ -51,7 +51,8 @@ TEST(Bounds, NumbersThatBecomeTooManyAreRefusedWhereTheyStand) {
       {R"({"scene": {"setting": "meadow"}, "organisms": [{"kind": "colonized", "envelope":
           {"shape": "outline", "path": "M0 0 L1e9 0 L0 1Z"}}]})",
        "the silhouette is 1e+09 times as wide as high; expected 100 times at most"}};
-  for (auto [text, expected] : cases) EXPECT_NE(fault(text).find(expected), std::string::npos) << text << fault(text);
+  for (auto [text, expected] : cases)
+    EXPECT_NE(fault(text).find(expected), std::string::npos) << text << fault(text);
 }
 
 TEST(Bounds, MoreThanCouldStandIsRefusedBeforeItIsScattered) {

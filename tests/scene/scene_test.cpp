@@ -69,7 +69,8 @@ TEST(Preset, RulesKnowWhereTheyStand) {
 
 TEST(Preset, MistakesInRulesAreToldOnceByAFullPathToo) {
   auto first_of = [](const char* rule) {
-    std::string text = R"({"organisms": [{"kind": "plant", "grammar": {"rules": [")" + std::string(rule) + "\"]}}]}";
+    std::string text =
+        R"({"organisms": [{"kind": "plant", "grammar": {"rules": [")" + std::string(rule) + "\"]}}]}";
     Result<Preset> preset = read_preset(text, "/home/x.json", {});
     return preset ? preset->notes.at(0).where : preset.errors().at(0).where;
   };
