@@ -19,10 +19,10 @@ class DiscGrid {
   }
 
   void add(const Disc& disc) {
-    std::size_t slot = slot_of(glm::ivec3(glm::floor(disc.middle / cell_)));
-    next_.push_back(head_[slot]);
-    head_[slot] = static_cast<std::int32_t>(discs_.size());
-    discs_.push_back(disc);
+    glm::ivec3 cell(glm::floor(disc.middle / cell_));
+    std::int32_t& head = head_[slot_of(cell)];
+    held_.push_back({disc, cell, head});
+    head = static_cast<std::int32_t>(held_.size()) - 1;
   }
 
   /// The discs whose middle is within `reach` of a place.
@@ -32,14 +32,20 @@ class DiscGrid {
     for (int x = low.x; x <= high.x; ++x)
       for (int y = low.y; y <= high.y; ++y)
         for (int z = low.z; z <= high.z; ++z)
-          for (std::int32_t i = head_[slot_of({x, y, z})]; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
-            const Disc& disc = discs_[static_cast<std::size_t>(i)];
-            if (glm::ivec3(glm::floor(disc.middle / cell_)) != glm::ivec3(x, y, z)) continue;
-            if (glm::distance(disc.middle, at) <= reach) found.push_back(disc);
+          for (std::int32_t i = head_[slot_of({x, y, z})]; i >= 0;) {
+            const Held& held = held_[static_cast<std::size_t>(i)];
+            i = held.next;
+            if (held.cell != glm::ivec3(x, y, z)) continue;
+            if (glm::distance(held.disc.middle, at) <= reach) found.push_back(held.disc);
           }
   }
 
  private:
+  struct Held {
+    Disc disc;
+    glm::ivec3 cell;
+    std::int32_t next;  // of the same bucket
+  };
   std::size_t slot_of(glm::ivec3 c) const {
     auto bits = [](int v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)); };
     return Seed::mix(bits(c.x) * 0x9e3779b97f4a7c15ull ^ Seed::mix(bits(c.y) + Seed::mix(bits(c.z)))) &
@@ -47,8 +53,8 @@ class DiscGrid {
   }
 
   float cell_;
-  std::vector<std::int32_t> head_, next_;
-  std::vector<Disc> discs_;
+  std::vector<std::int32_t> head_;
+  std::vector<Held> held_;
 };
 
 Disc placed(const Disc& disc, const LeafSite& site, const Quat& turn) {

@@ -51,7 +51,7 @@ bool branch(Growing& g, std::int32_t from, const Tread& at, std::int32_t node) {
     if (spacing > 0) {
       DVec3 ahead = t.place + t.heading * (0.8 * spacing);
       g.crowd.gather(ahead, t.normal, {-2, from, 0}, spacing, g.near);
-      if (g.crowd.view(g.near, ahead).nearest < 0.8 * spacing) continue;
+      if (g.crowd.nearest(g.near, ahead) < 0.8 * spacing) continue;
     }
     Tip tip = sprout(t, g.crawl, seed);
     tip.parent = from;

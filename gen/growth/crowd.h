@@ -42,16 +42,28 @@ class Crowd {
   /// What of such places is seen from one among them.
   View view(std::span<const DVec3> near, const DVec3& place) const;
 
+  /// The same, but only how near the next one is.
+  double nearest(std::span<const DVec3> near, const DVec3& place) const;
+
   double spacing() const { return spacing_; }
 
  private:
   /// 4 x 4 x 4 cells: who looks round finds those beside one another in one place.
   struct Block {
     std::int32_t x = 0, y = 0, z = 0, cells = -1;  // where they begin
+    std::uint64_t taken = 0;                       // the cells in which somebody is, a bit each
   };
-  struct Chunk {
-    std::array<Member, 7> member;
+  /// Places apart from the rest, so that most are refused by a few lines of memory and several at once.
+  struct alignas(64) Chunk {
+    static constexpr std::int32_t kMost = 7;
+    struct Rest {
+      std::int32_t strand;
+      float since;
+      Vec3 normal;
+    };
+    std::array<std::array<float, 8>, 3> place{};  // x, y and z, endlessly far where nobody is
     std::int32_t count = 0, before = -1;
+    std::array<Rest, kMost> rest{};
   };
   std::size_t slot(std::int32_t x, std::int32_t y, std::int32_t z) const;
   void grow();

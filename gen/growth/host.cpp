@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "growth/soup.h"
 
@@ -320,6 +321,7 @@ bool Host::inside(const DVec3& place) const {
     way.all = true;
     tree_->walk(way);
     votes += way.winding > 0 ? 1 : -1;  // more ways out than in
+    if (std::abs(votes) == 3) break;
   }
   return votes > 0;
 }

@@ -183,13 +183,12 @@ std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, c
   double spacing = crowd.spacing(), probe = std::max(step, 0.5 * spacing);
   crowd.gather(tread.place, tread.normal, own, spacing + probe, near);
   if (near.empty()) return heading;
-  auto ahead = [&](const DVec3& h) { return crowd.view(near, tread.place + h * probe); };
-  Crowd::View straight = ahead(heading);
+  Crowd::View straight = crowd.view(near, tread.place + heading * probe);
   if (straight.nearest >= spacing) return heading;
   DVec3 best = heading;
   double room = straight.nearest;
   auto consider = [&](const DVec3& h) {
-    double there = ahead(h).nearest;
+    double there = crowd.nearest(near, tread.place + h * probe);
     if (there <= room) return;
     best = h;
     room = there;
@@ -206,7 +205,7 @@ std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, c
     if (room >= kTooNear * spacing) return best;
   }
   // Who is crowded already may go where it is less so.
-  if (room > kMuchTooNear * spacing && room > crowd.view(near, tread.place).nearest) return best;
+  if (room > kMuchTooNear * spacing && room > crowd.nearest(near, tread.place)) return best;
   return std::nullopt;
 }
 

@@ -25,7 +25,16 @@ struct Free {
 
 /// Whether a leaf that touches no skin is within a body where that overlaps another.
 bool swallowed(const Support& under, std::span<const Free> free) {
-  return std::ranges::any_of(free, [&](const Free& ball) { return under.host.inside(DVec3(ball.middle)); });
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    // Balls that overlap are on the same side of everything.
+    bool known = std::ranges::any_of(free.first(i), [&](const Free& other) {
+      Vec3 apart = free[i].middle - other.middle;
+      float both = 0.99f * (free[i].radius + other.radius);
+      return glm::dot(apart, apart) < both * both;
+    });
+    if (!known && under.host.inside(DVec3(free[i].middle))) return true;
+  }
+  return false;
 }
 
 /// How a leaf touches what is under it; empty where it lies free.
