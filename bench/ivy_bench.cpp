@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 
 #include "core/parallel.h"
-#include "geometry/stone.h"
-#include "growth/crawl.h"
-#include "growth/swing.h"
-#include "growth/tread.h"
+#include "creeping/crawl.h"
+#include "creeping/swing.h"
+#include "creeping/tread.h"
+#include "rocks/stone.h"
 
 // Strands on a rock of 82,000 triangles, about one metre wide. Reported as nodes, steps or questions a second
 // of the processor, so that other work on the machine counts little.

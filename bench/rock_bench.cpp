@@ -3,8 +3,8 @@
 #include <unordered_map>
 
 #include "core/parallel.h"
-#include "geometry/blob_surface.h"
-#include "geometry/cube_loops.h"
+#include "rocks/blob_surface.h"
+#include "rocks/cube_loops.h"
 
 // A rock of six blobs at depth 8: the adaptive octree beside the plain method, which samples the field at
 // each point of a full grid, marches each cube and shares vertices by a table.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "trees/grove.h"
+#include "grove/grove.h"
 
 // Growth by light: groves of ten thousand to a million living internodes. Also the light field by itself.
 

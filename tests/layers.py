@@ -11,12 +11,15 @@ import sys
 
 MAX_LINES = 400
 
+# A kind of organism is a folder of its own below this module; nobody outside knows its parameters.
+KINDS = "organisms"
+
 # What only some files may include: header -> who may.
 RESERVED = {
     "nlohmann/": lambda path: path.parent.name == "preset" and path.suffix == ".cpp",
     "tbb/": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
     "oneapi/tbb": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
-    "embree3/": lambda path: path.parent.name == "growth" and path.name == "host.cpp",
+    "embree3/": lambda path: path.parent.name == "creeping" and path.name == "host.cpp",
     "openvdb/": lambda path: path.parent.name == "field" and path.suffix == ".cpp",
     "CLI/": lambda path: path.parent.name == "app",
 }
@@ -35,7 +38,8 @@ LEFT_BEHIND = {r"\b(?:TODO|FIXME|XXX)\b": "left behind: do it"}
 
 
 def read_modules(text):
-    """name -> what it may include, itself among them: the transitive DEPENDS of gen_module()."""
+    """name -> what it may include, itself among them: the DEPENDS of gen_module(), which must not go in a circle.
+    What a header brings along is held to that too, since each file on the way is."""
     direct = {}
     for call in re.finditer(r"^gen_module\(\s*(\w+)([^)]*)\)", text, re.MULTILINE):
         depends = re.search(r"DEPENDS((?:\s+[a-z_]+)+)", call.group(2))
@@ -46,7 +50,9 @@ def read_modules(text):
             sys.exit("gen/CMakeLists.txt: the modules depend in a circle: " + " -> ".join((*above, name)))
         return {name}.union(*(reach(child, (*above, name)) for child in direct.get(name, [])))
 
-    return {name: reach(name) for name in direct}
+    for name in direct:
+        reach(name)
+    return {name: {name, *depends} for name, depends in direct.items()}
 
 
 def without_comments(text):
@@ -63,9 +69,21 @@ def line_of(text, position):
     return text.count("\n", 0, position) + 1
 
 
+def check_kind(path, shown, text):
+    """A kind includes no other kind, and what stands outside includes none and names no parameters of one."""
+    kind = shown.parts[2] if len(shown.parts) == 4 else None
+    for include in re.finditer(rf'^\s*#\s*include\s*"{KINDS}/(\w+)/', text, re.MULTILINE):
+        if include.group(1) != kind:
+            yield f"{shown}:{line_of(text, include.start(1))}: the kind {include.group(1)} is known in its own folder only"
+    if kind is None:
+        for name in re.finditer(r"\b[A-Z]\w*Params\b", without_comments(text)):
+            yield f"{shown}:{line_of(text, name.start())}: {name.group(0)} is known to its kind only"
+
+
 def check_file(path, shown, modules):
     text = path.read_text(encoding="utf-8")
-    module = path.parent.name
+    module = shown.parts[1]
+    yield from check_kind(path, shown, text)
     lines = text.count("\n")
     if lines > MAX_LINES:
         yield f"{shown}: {lines} lines; a file has at most {MAX_LINES}"
@@ -99,8 +117,8 @@ def main():
             continue
         files += 1
         shown = path.relative_to(root)
-        if len(shown.parts) != 3:
-            faults.append(f"{shown}: gen/ has two levels, gen/<module>/<file>")
+        if len(shown.parts) != (4 if shown.parts[1] == KINDS and len(shown.parts) > 3 else 3):
+            faults.append(f"{shown}: gen/ has two levels, gen/<module>/<file>, and {KINDS} a third, its kinds")
             continue
         if shown.parts[1] not in modules and shown.parts[1] != "app":
             faults.append(f"{shown}: {shown.parts[1]} is no module of gen/CMakeLists.txt")

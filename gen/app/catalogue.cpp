@@ -27,9 +27,10 @@ struct Entry {
 
 std::vector<Entry> entries(const fs::path& root) {
   std::vector<Entry> list;
-  for (const auto& row : kOrganismKinds)
+  for (const auto& row : organism_kinds())
     list.push_back({"growers", std::string(row.name), std::string(row.doc)});
-  for (const auto& row : kSettings) list.push_back({"settings", std::string(row.name), std::string(row.doc)});
+  for (const auto& row : settings())
+    list.push_back({"settings", std::string(row.name), std::string(row.doc)});
   std::vector<fs::path> files = files_below(root / "presets");
   std::erase_if(
       files, [](const fs::path& file) { return file.extension() != ".json" || is_grammar(file.string()); });

@@ -13,6 +13,7 @@
 #include "app/out_folder.h"
 #include "app/progress.h"
 #include "app/streams.h"
+#include "core/content.h"
 #include "core/files.h"
 #include "core/growing_file.h"
 #include "core/machine.h"
@@ -45,24 +46,24 @@ std::optional<int> parts_of(const fs::path& path) {
 /// Grows the models of stands that are not there yet, each with all its levels, and counts their parts.
 Errors grow_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, bool quiet) {
   // Stands of one species may share a model, which is grown and written once.
-  std::map<std::uint64_t, std::vector<const ModelFile*>> missing;
+  std::map<std::string, std::vector<const ModelFile*>> missing;
   std::set<std::string_view> names;
   for (const ModelFile& file : plan.files)
     if (!parts_of(folder / file.name) && names.insert(file.name).second)
-      missing[copy_key(scene.stands[file.stand].organism, file.model).key].push_back(&file);
+      missing[copy_id(scene.stands[file.stand].organism, file.model)].push_back(&file);
   std::vector<std::vector<const ModelFile*>> to_grow;
   for (auto& [key, files] : missing) to_grow.push_back(std::move(files));
   Progress progress("models", static_cast<int>(to_grow.size()), quiet);
   std::vector<Errors> errors(to_grow.size());
   parallel_for(to_grow.size(), [&](std::size_t i) {
-    const Organism& organism = scene.stands[to_grow[i][0]->stand].organism;
-    Result<Model> model = grow_copy(organism, to_grow[i][0]->model);
+    const SownStand& stand = scene.stands[to_grow[i][0]->stand];
+    Result<Model> model = grow_copy(stand.organism, to_grow[i][0]->model);
     if (!model) {
       errors[i] = model.errors();
       return;
     }
     for (const ModelFile* file : to_grow[i]) {
-      Result<bool> written = write_file(folder / file->name, model_text(*file, organism, *model));
+      Result<bool> written = write_file(folder / file->name, model_text(*file, stand, *model));
       if (!written) errors[i] = written.errors();
     }
     progress.step();
@@ -166,7 +167,7 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   manifest.version = FROND_VERSION;
   manifest.preset = name;
   manifest.title = preset.title;
-  manifest.preset_hash = fmt::format("{:016x}", Seed{}.child(preset.text).key);
+  manifest.preset_hash = content_id(preset.text);
   manifest.seed = preset.seed;
   manifest.fps = film.fps;
   manifest.size = film.size;
@@ -238,7 +239,7 @@ int generate(const GenerateArguments& arguments) {
   tell_notes(preset->notes);
   for (const std::string& note : scene->notes) tell("note: " + note);
   if (!arguments.quiet)
-    tell(fmt::format("grown: {} organisms, {} nodes", scene->branches.size(), scene->nodes()));
+    tell(fmt::format("grown: {} organisms, {} nodes", scene->specimens.size(), scene->nodes()));
 
   FolderInUse in_use(out / "frames");
   std::set<std::string> needed;

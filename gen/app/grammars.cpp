@@ -4,7 +4,6 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
-#include "app/named_files.h"
 #include "app/streams.h"
 #include "core/files.h"
 #include "grammar/figure.h"
@@ -12,10 +11,10 @@
 #include "grammar/import.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
+#include "organisms/describe_grammar.h"
 #include "preset/fault.h"
 #include "preset/json.h"
 #include "preset/reader.h"
-#include "scene/describe.h"
 
 namespace frond {
 
@@ -45,12 +44,10 @@ Result<Grammar> load_grammar(const std::string& path, const std::optional<std::s
   if (is_grammar(path)) {
     Result<Document> document = parse_json(*text, path);
     if (!document) return document.errors();
-    Result<GrammarText> grammar = read_preset<GrammarText>(*document);
-    if (!grammar) return grammar.errors();
     Result<Assets> files = assets_of(path, assets);
     if (!files) return files.errors();
-    for (Error& error : load_guide(grammar->guide, *files))
-      return Fault{origin_at(document->root, "/guide/file"), "/guide/file", std::move(error.what)}.error();
+    Result<GrammarText> grammar = read_preset<GrammarText>(*document, nullptr, &*files);
+    if (!grammar) return grammar.errors();
     grammar->where = fmt::format("{}: /steps", origin_at(document->root, "/steps").text());
     return compile(*grammar);
   }
@@ -60,10 +57,8 @@ Result<Grammar> load_grammar(const std::string& path, const std::optional<std::s
   Result<Preset> preset = load_preset(named);
   if (!preset) return preset.errors();
   tell_notes(preset->notes);
-  for (const Organism& organism : preset->organisms) {
-    if (const auto* coral = std::get_if<CoralParams>(&organism.body)) return coral_grammar(*coral);
-    if (const auto* plant = std::get_if<PlantParams>(&organism.body)) return plant_grammar(*plant);
-  }
+  for (const Organism& organism : preset->organisms)
+    if (auto grammar = organism.grower->grammar()) return *grammar;
   return Error{path, "the preset has no organism that grows by a grammar"};
 }
 

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "app/named_files.h"
 #include "app/streams.h"
 #include "core/files.h"
 #include "preset/json.h"
@@ -112,7 +111,6 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
     preset = read_preset(*text, arguments.path, sets, *only);
   }
   if (!preset) return preset;
-  if (Errors errors = load_files(*preset, Assets(arguments.path, *only)); !errors.empty()) return errors;
   return preset;
 }
 

@@ -6,9 +6,9 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/printable.h"
+#include "dress/bark_coat.h"
 #include "images/bark.h"
 #include "images/leaf.h"
-#include "organisms/bark_coat.h"
 
 namespace frond {
 
@@ -61,27 +61,6 @@ class Album {
   Errors errors_;
 };
 
-/// What of a tree is drawn from pictures; null where that part is not.
-struct Pictured {
-  const LeafLook* leaves = nullptr;
-  const BarkCoat* coat = nullptr;
-};
-
-template <class T>
-const T* if_given(const std::optional<T>& part) {
-  return part ? &*part : nullptr;
-}
-
-Pictured pictured(const Organism& organism) {
-  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body))
-    return {&tree->dress.leaves, if_given(tree->dress.coat)};
-  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body))
-    return {&tree->dress.leaves, if_given(tree->dress.coat)};
-  if (const auto* tree = std::get_if<TreeParams>(&organism.body))
-    return {if_given(tree->leaves.picture), if_given(tree->coat)};
-  return {};
-}
-
 }  // namespace
 
 int write_textures(const TextureArguments& arguments) {
@@ -114,14 +93,14 @@ int write_textures(const TextureArguments& arguments) {
   tell_notes(preset->notes);
   bool any = false;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
-    auto [leaves, coat] = pictured(preset->organisms[i]);
-    if (!leaves && !coat) continue;
+    Look look = preset->organisms[i].grower->dress().look;
+    if (!look.leaves && !look.coat) continue;
     any = true;
     const std::string& own = preset->organisms[i].name;
     bool fit = !own.empty() && own.find('/') == own.npos && printable(own) == own;
     std::string name = fit ? own : fmt::format("organism_{}", i);
-    if (coat) album.bark(name, *coat);
-    if (leaves) album.leaves(name, *leaves);
+    if (look.coat) album.bark(name, *look.coat);
+    if (look.leaves) album.leaves(name, *look.leaves);
   }
   if (!any)
     return fail({{arguments.preset.path,

@@ -34,6 +34,12 @@ void append(std::string& text, double value, int decimals) {
   text.append(buffer, out);
 }
 
+std::string number_text(double value, int decimals) {
+  std::string text;
+  append(text, value, decimals);
+  return text;
+}
+
 void append_integer(std::string& text, long long value) {
   char buffer[24];
   text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);

@@ -11,6 +11,9 @@ namespace frond {
 /// written, and 0 for what is no number: models hold neither.
 void append(std::string& text, double value, int decimals = 5);
 
+/// The same as a text of its own.
+std::string number_text(double value, int decimals = 5);
+
 /// Appends a whole number.
 void append_integer(std::string& text, long long value);
 

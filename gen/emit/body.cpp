@@ -87,10 +87,10 @@ struct ChunkTextures {
   std::vector<std::string> texts;
 };
 
-ChunkTextures chunk_textures(const PovSpace& space, const Branches& b, const Pose& pose,
+ChunkTextures chunk_textures(const PovSpace& space, const Specimen& b, const Pose& pose,
                              std::span<const Chunk> chunks, std::size_t skin) {
   ChunkTextures textures;
-  textures.of_node.assign(b.rest.size(), 0);
+  textures.of_node.assign(b.model.skeleton.size(), 0);
   for (const Chunk& chunk : chunks) {
     std::string text;
     append_chunk_texture(text, space, b, pose, chunk, skin);
@@ -138,16 +138,16 @@ std::string fused_text(const PovSpace& space, const FusedMesh& mesh, const Chunk
 }
 
 /// `texture{Voxel_Skin(...)}` of one age and shade.
-std::string cube_texture(const Branches& b, std::int32_t node, int age, int shade) {
+std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shade) {
   std::string text = "texture{Voxel_Skin(";
   auto add_colors = [&](const Color& base, const Color& second, const Color& young) {
     for (const Color& color : {base, second, young}) append_color(text, color), text += ',';
   };
   double brightness = b.brightness, hue = 0, saturation = 1;
-  if (b.bark) {
-    add_colors(b.bark->colors[bark_color(b, node)], b.bark->second, b.bark->young);
+  if (b.look.bark) {
+    add_colors(b.look.bark->colors[bark_color(b, node)], b.look.bark->second, b.look.bark->young);
   } else {
-    const Tint& t = b.skin->tint;
+    const Tint& t = b.look.skin->tint;
     auto pale = [&](float c) { return static_cast<float>(c + (0.96 - c) * 0.62 * t.young); };
     add_colors(t.base, t.secondary, {pale(t.base.red), pale(t.base.green), pale(t.base.blue)});
     brightness *= t.value, hue = degrees(t.hue), saturation = t.saturation;
@@ -157,26 +157,26 @@ std::string cube_texture(const Branches& b, std::int32_t node, int age, int shad
   return text + ")}";
 }
 
-Result<std::string> cubes_text(const PovSpace& space, const Branches& b, const Pose& pose,
+Result<std::string> cubes_text(const PovSpace& space, const Specimen& b, const Pose& pose,
                                const Boughs& limbs) {
   Result<Cubes> cubes = cubes_of(limbs, options_of(b.style));
   if (!cubes) return cubes.errors();
   std::vector<std::uint32_t> cube;
   Surface surface = cubes_surface(*cubes, cube);
-  double young = b.bark ? b.bark->young_length : b.skin->tint.young_length;
-  float longest = b.rest.longest();
+  double young = b.look.bark ? b.look.bark->young_length : b.look.skin->tint.young_length;
+  float longest = b.model.skeleton.longest();
   // The looks of cubes: colour of the bark, age and shade.
-  std::size_t colors = b.bark ? b.bark->colors.size() : 1;
+  std::size_t colors = b.look.bark ? b.look.bark->colors.size() : 1;
   std::vector<std::uint32_t> look(cubes->size());
   std::vector<std::int32_t> example(colors * kAges * kShades, -1);
   for (std::size_t c = 0; c < cubes->size(); ++c) {
     std::int32_t node = cubes->node[c];
     Cell cell = cubes->cell[c];
     std::uint64_t lot = Seed{block_key({cell.i * 8, cell.j * 8, cell.k * 8})}.bits();
-    float age = youth(b.rest, pose, longest, static_cast<float>(young), node);
+    float age = youth(b.model.skeleton, pose, longest, static_cast<float>(young), node);
     // Between two ages lots are drawn, so that one runs into the other.
     float level = age * (kAges - 1) + static_cast<float>(Seed{lot}.unit()) * 0.999f;
-    std::size_t color = b.bark ? bark_color(b, node) : 0;
+    std::size_t color = b.look.bark ? bark_color(b, node) : 0;
     look[c] = static_cast<std::uint32_t>((color * kAges + static_cast<std::size_t>(level)) * kShades +
                                          lot % kShades);
     if (example[look[c]] < 0) example[look[c]] = node;
@@ -204,10 +204,11 @@ Result<std::string> cubes_text(const PovSpace& space, const Branches& b, const P
 
 }  // namespace
 
-Result<std::string> body_text(const PovSpace& space, const Branches& b, const Pose& pose,
+Result<std::string> body_text(const PovSpace& space, const Specimen& b, const Pose& pose,
                               std::span<const Chunk> chunks, std::size_t skin) {
   Boughs limbs;
-  add_limbs(limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend));
+  add_boughs(limbs, b.model.skeleton, pose.position, pose.radius, pose.front,
+             static_cast<float>(b.style.blend));
   if (limbs.cones.empty()) return std::string();
   if (b.style.build == Build::voxels) return cubes_text(space, b, pose, limbs);
   Result<FusedMesh> mesh = fuse(limbs, options_of(b.style));

@@ -7,24 +7,24 @@ namespace frond {
 
 namespace {
 
-TubeShape shape_of(const Branches& tree) {
-  const BarkCoat& coat = *tree.coat;
+TubeShape shape_of(const Specimen& tree) {
+  const BarkCoat& coat = *tree.look.coat;
   TubeShape shape;
   shape.wrap = coat.wrap;
   shape.aspect = coat.aspect;
   shape.side = coat.facet;
-  shape.lobes = tree.lobes;
-  shape.lobe_depth = tree.lobe_depth;
+  shape.lobes = tree.look.lobes;
+  shape.lobe_depth = tree.look.lobe_depth;
   shape.least = static_cast<float>(coat.twigs);
-  shape.girth = tree.girth;
+  shape.girth = tree.model.girth;
   return shape;
 }
 
 }  // namespace
 
-std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& pose) {
-  const BarkCoat& coat = *tree.coat;
-  Surface wood = tube_surface(tree.rest, pose.position, pose.radius, pose.turn, shape_of(tree));
+std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose) {
+  const BarkCoat& coat = *tree.look.coat;
+  Surface wood = tube_surface(tree.model.skeleton, pose.position, pose.radius, pose.turn, shape_of(tree));
   if (wood.triangle.empty()) return {};
   std::string text = "object{\n";
   append_mesh(text, space, wood);
@@ -34,6 +34,6 @@ std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& p
   return text;
 }
 
-std::vector<bool> coatless(const Branches& tree) { return left_out(tree.rest, shape_of(tree)); }
+std::vector<bool> coatless(const Specimen& tree) { return left_out(tree.model.skeleton, shape_of(tree)); }
 
 }  // namespace frond

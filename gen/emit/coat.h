@@ -10,9 +10,9 @@ namespace frond {
 
 /// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
 /// has grown.
-std::string coat_text(const PovSpace& space, const Branches& tree, const Pose& pose);
+std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose);
 
 /// Which nodes it leaves out, for they are of twigs too thin for a picture.
-std::vector<bool> coatless(const Branches& tree);
+std::vector<bool> coatless(const Specimen& tree);
 
 }  // namespace frond

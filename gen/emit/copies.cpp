@@ -59,15 +59,8 @@ bool in_view(const Eye& eye, Vec3 at, double around) {
 
 /// About how tall an organism may be, metres; rather too much.
 double tallest(const Organism& organism) {
-  double height = 8 * organism.sown->where.radius;
-  if (const auto* tree = std::get_if<TreeParams>(&organism.body)) height = tree->species.height;
-  if (const auto* tree = std::get_if<WeberPennParams>(&organism.body))
-    height = 1.2 * (tree->tree.scale + tree->tree.scale_v);
-  if (const auto* tree = std::get_if<ColonizedParams>(&organism.body))
-    height = tree->envelope.base + tree->envelope.height;
-  if (const auto* plant = std::get_if<PlantParams>(&organism.body); plant && plant->height > 0)
-    height = plant->height;
-  return height;
+  double height = organism.grower->tallest();
+  return height > 0 ? height : 8 * organism.sown->where.radius;
 }
 
 std::uint8_t level_of(const std::vector<Eye>& eyes, Vec3 foot, double crown, double tall, double coarse) {
@@ -89,7 +82,7 @@ std::uint8_t level_of(const std::vector<Eye>& eyes, Vec3 foot, double crown, dou
 
 /// `Model_0123456789abcdef_2`, of the model and the level.
 std::string model_name(const Organism& organism, int model, int level) {
-  return fmt::format("Model_{:016x}_{}", copy_key(organism, model).key, level);
+  return fmt::format("Model_{}_{}", copy_id(organism, model), level);
 }
 
 void append_part_name(std::string& text, std::string_view model, std::size_t part) {
@@ -107,21 +100,20 @@ void append_colors(std::string& text, const std::vector<Color>& colors) {
   text += '}';
 }
 
-std::string wood_look(const Organism& organism) {
+std::string wood_look(const Look& look) {
   std::string text;
-  if (const BarkCoat* coat = coat_of(organism)) {
-    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*coat), bark_height_name(*coat));
-    append(text, coat->relief, 4);
+  if (look.coat) {
+    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*look.coat), bark_height_name(*look.coat));
+    append(text, look.coat->relief, 4);
     return text + ",T)";
   }
-  const Bark* bark = bark_of(organism);
   Bark plain;
-  if (!bark) plain.kind = BarkKind::stem;
-  if (const auto* coral = std::get_if<CoralParams>(&organism.body)) {
-    plain.colors = {coral->skin.tint.base};
-    plain.second = coral->skin.tint.secondary;
+  plain.kind = BarkKind::stem;
+  if (look.skin) {
+    plain.colors = {look.skin->tint.base};
+    plain.second = look.skin->tint.secondary;
   }
-  const Bark& b = bark ? *bark : plain;
+  const Bark& b = look.bark ? *look.bark : plain;
   text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
   append_color(text, b.colors[0]);
   text += ',';
@@ -140,15 +132,12 @@ std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tis
 }
 
 /// What the macro of a part holds: a texture for the tint T.
-std::string look_of(const CopyPart& part, const Organism& organism, const Model& model) {
+std::string look_of(const CopyPart& part, const Look& look, const Model& model) {
   switch (part.kind) {
     case CopyPart::Kind::wood:
-      return "texture{" + wood_look(organism) + "}";
-    case CopyPart::Kind::blade: {
-      const auto* plant = std::get_if<PlantParams>(&organism.body);
-      BladeParams look = plant ? plant->blades : BladeParams{};
-      return leaf_look(look.colors, look.second, look.tissue);
-    }
+      return "texture{" + wood_look(look) + "}";
+    case CopyPart::Kind::blade:
+      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue);
     case CopyPart::Kind::organ: {
       const Prototype& prototype = model.prototypes[part.which];
       const OrganPart& organ = prototype.parts[part.part];
@@ -179,9 +168,8 @@ std::string tints_text(std::size_t stand, const Organism& organism) {
   return text + "}\n";
 }
 
-bool sways(const Organism& organism, const Film& film) {
-  const Wave* wave = wave_of(organism);
-  return wave && wave->amplitude > 0 && film.frames > 1;
+bool sways(const SownStand& stand, const Film& film) {
+  return stand.dress.motion.wave.amplitude > 0 && film.frames > 1;
 }
 
 /// How far the wind bends something at a place over, as a shear: metres a metre of height.
@@ -206,7 +194,7 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
   const SownStand& stand = scene.stands[which];
   const Organism& organism = stand.organism;
   const Copies& copies = stand.copies;
-  const Wave* wave = sways(organism, scene.film) ? wave_of(organism) : nullptr;
+  const Wave* wave = sways(stand, scene.film) ? &stand.dress.motion.wave : nullptr;
   std::map<std::array<int, 3>, std::string> groups;  // model, level, tint: lines without what they place
   for (std::size_t i = 0; i < copies.size(); ++i) {
     if (plan.level[which][i] == CopyPlan::kUnseen) continue;
@@ -249,8 +237,7 @@ std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPla
                         bool swaying) {
   std::vector<std::string> texts(plan.level.size());  // no plan: no copies
   parallel_for(texts.size(), [&](std::size_t s) {
-    if (sways(scene.stands[s].organism, scene.film) == swaying)
-      texts[s] = stand_text(space, scene, plan, s, time);
+    if (sways(scene.stands[s], scene.film) == swaying) texts[s] = stand_text(space, scene, plan, s, time);
   });
   std::string text;
   for (const std::string& part : texts) text += part;
@@ -276,7 +263,7 @@ CopyPlan plan_copies(const Scene& scene) {
     for (std::size_t i = 0; i < copies.size(); ++i)
       if (level[i] != CopyPlan::kUnseen) used.insert({copies.model[i], level[i]});
     for (auto [model, which] : used) {
-      std::string name = fmt::format("model_{:016x}_{}.inc", copy_key(organism, model).key, which);
+      std::string name = fmt::format("model_{}_{}.inc", copy_id(organism, model), which);
       plan.files.push_back({s, model, which, std::move(name), 0});
     }
     plan.level.push_back(std::move(level));
@@ -284,8 +271,10 @@ CopyPlan plan_copies(const Scene& scene) {
   return plan;
 }
 
-std::string model_text(const ModelFile& file, const Organism& organism, const Model& model) {
-  std::vector<CopyPart> parts = copy_parts(organism, model, kLevels[file.level]);
+std::string model_text(const ModelFile& file, const SownStand& stand, const Model& model) {
+  const Organism& organism = stand.organism;
+  const Look& look = stand.dress.look;
+  std::vector<CopyPart> parts = copy_parts(look, model, kLevels[file.level]);
   std::string name = model_name(organism, file.model, file.level);
   std::string text;
   append_comment(text, fmt::format("{} parts: {} segments, {} organs", parts.size(),
@@ -302,7 +291,7 @@ std::string model_text(const ModelFile& file, const Organism& organism, const Mo
     append_mesh(text, PovSpace{kModelUnit}, parts[i].surface);
     text += "\n#macro ";
     append_part_name(text, name, i);
-    text += "_Look(T) " + look_of(parts[i], organism, model) + " #end\n";
+    text += "_Look(T) " + look_of(parts[i], look, model) + " #end\n";
   }
   return text;
 }

@@ -31,7 +31,7 @@ struct CopyPlan {
 CopyPlan plan_copies(const Scene& scene);
 
 /// The text of a model's file.
-std::string model_text(const ModelFile& file, const Organism& organism, const Model& model);
+std::string model_text(const ModelFile& file, const SownStand& stand, const Model& model);
 
 /// How many parts the file declares, by its first line; none where it is not ours.
 std::optional<int> model_parts(std::string_view text);

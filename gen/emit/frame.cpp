@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/content.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/body.h"
@@ -25,27 +26,21 @@ constexpr std::int32_t kPartNodes = 20'000;    // of one organism, written by on
 constexpr std::size_t kPartsAtOnce = 16;       // such parts, whose text is held
 constexpr std::size_t kLinesAtOnce = 200'000;  // of organisms, whose text is held
 
-std::string number(double value, int decimals = 5) {
-  std::string text;
-  append(text, value, decimals);
-  return text;
-}
-
 /// The skin of each organism, at all its ages.
 void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first) {
-  for (std::size_t i = 0; i < scene.branches.size(); ++i) {
-    const Branches& b = scene.branches[i];
-    if (b.bark) {
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
+    const Specimen& b = scene.specimens[i];
+    if (b.look.bark) {
       append_bark(text, b, first[i]);
       continue;
     }
-    if (!b.skin) continue;
-    const Pores& pores = b.skin->pores;
-    const Tint& tint = b.skin->tint;
+    if (!b.look.skin) continue;
+    const Pores& pores = b.look.skin->pores;
+    const Tint& tint = b.look.skin->tint;
     text += "Coral_Skin(";
     append_integer(text, static_cast<long long>(first[i]));
     text += ',';
-    append_integer(text, static_cast<int>(b.skin->kind));
+    append_integer(text, static_cast<int>(b.look.skin->kind));
     text += ',';
     append_color(text, tint.base);
     text += ',';
@@ -76,8 +71,8 @@ std::string camera_text(const PovSpace& space, const Camera& camera, double time
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   std::vector<Vec3> places;
   std::string text;
-  for (const Branches& b : scene.branches) {
-    if (b.motion.food.strength == 0 || !b.skin) continue;
+  for (const Specimen& b : scene.specimens) {
+    if (b.motion.food.strength == 0 || !b.look.skin) continue;
     Vec3 at = b.motion.food.position.at(time);
     if (std::find(places.begin(), places.end(), at) != places.end()) continue;
     places.push_back(at);
@@ -139,17 +134,17 @@ std::vector<std::int32_t> parts_of(const Skeleton& s) {
 /// Writes a line for each chunk in turn, `append(text, chunk)`; parts of them at a time by several threads,
 /// so that neither all chunks nor all lines are held at once.
 template <class Append>
-void write_chunks(const Branches& b, const Pose& pose, const ChunkOptions& options, Group& group,
+void write_chunks(const Specimen& b, const Pose& pose, const ChunkOptions& options, Group& group,
                   const Append& append) {
-  std::vector<std::int32_t> first = parts_of(b.rest);
-  float longest = b.rest.longest();
+  std::vector<std::int32_t> first = parts_of(b.model.skeleton);
+  float longest = b.model.skeleton.longest();
   std::vector<std::string> texts(std::min<std::size_t>(first.size() - 1, kPartsAtOnce));
   for (std::size_t done = 0; done + 1 < first.size(); done += texts.size()) {
     std::size_t count = std::min(texts.size(), first.size() - 1 - done);
     parallel_for(count, [&](std::size_t i) {
       texts[i].clear();
       for (const Chunk& chunk :
-           cut_chunks(b.rest, pose, options, longest, first[done + i], first[done + i + 1]))
+           cut_chunks(b.model.skeleton, pose, options, longest, first[done + i], first[done + i + 1]))
         append(texts[i], chunk);
     });
     for (std::size_t i = 0; i < count; ++i) group.add(texts[i]);
@@ -158,23 +153,23 @@ void write_chunks(const Branches& b, const Pose& pose, const ChunkOptions& optio
 
 /// The sweeps of twigs: one union with one texture.
 template <class IsTwig>
-void write_twigs(const PovSpace& space, const Branches& b, const Pose& pose, const ChunkOptions& options,
+void write_twigs(const PovSpace& space, const Specimen& b, const Pose& pose, const ChunkOptions& options,
                  std::size_t index, const IsTwig& is_twig, const Out& out) {
   Group group(out);
   write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
-    if (is_twig(chunk.first) && append_sweep(text, space, b.rest, pose, chunk)) text += "}\n";
+    if (is_twig(chunk.first) && append_sweep(text, space, b.model.skeleton, pose, chunk)) text += "}\n";
   });
   group.close(skin_texture(index) + "}\n");
 }
 
 /// The sweeps of all other chunks.
 template <class IsTwig>
-void write_sweeps(const PovSpace& space, const Branches& b, const Pose& pose, const ChunkOptions& options,
+void write_sweeps(const PovSpace& space, const Specimen& b, const Pose& pose, const ChunkOptions& options,
                   std::size_t index, const IsTwig& is_twig, const Out& out) {
   Group group(out);
   bool whole = one_texture(b);
   write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
-    if (is_twig(chunk.first) || !append_sweep(text, space, b.rest, pose, chunk)) return;
+    if (is_twig(chunk.first) || !append_sweep(text, space, b.model.skeleton, pose, chunk)) return;
     if (!whole || slanted(b, chunk)) {
       text += ' ';
       append_chunk_texture(text, space, b, pose, chunk, index);
@@ -184,30 +179,30 @@ void write_sweeps(const PovSpace& space, const Branches& b, const Pose& pose, co
   group.close(whole ? skin_texture(index) + "}\n" : "}\n");
 }
 
-ChunkOptions chunk_options(const Branches& b) {
+ChunkOptions chunk_options(const Specimen& b) {
   ChunkOptions options;
-  if (b.skin) {
-    options.tolerance = static_cast<float>(0.15 * b.skin->pores.cell);
-    options.young_length = static_cast<float>(b.skin->tint.young_length);
+  if (b.look.skin) {
+    options.tolerance = static_cast<float>(0.15 * b.look.skin->pores.cell);
+    options.young_length = static_cast<float>(b.look.skin->tint.young_length);
   }
-  if (b.bark) {
-    options.tolerance = patterned(*b.bark) ? static_cast<float>(0.15 * b.bark->scale)
-                                           : std::numeric_limits<float>::infinity();
-    options.young_length = static_cast<float>(b.bark->young_length);
-    options.color = b.color;
-    if (ringed(*b.bark)) options.nodes = 5;  // so that rings lie across also where it bends
+  if (b.look.bark) {
+    options.tolerance = patterned(*b.look.bark) ? static_cast<float>(0.15 * b.look.bark->scale)
+                                                : std::numeric_limits<float>::infinity();
+    options.young_length = static_cast<float>(b.look.bark->young_length);
+    options.color = b.model.color;
+    if (ringed(*b.look.bark)) options.nodes = 5;  // so that rings lie across also where it bends
     // Of a swaying tree only what is thick has a bark that one could see slide.
-    if (b.motion.limbs && !one_texture(b)) options.thin = static_cast<float>(0.6 * b.bark->scale);
+    if (b.motion.limbs && !one_texture(b)) options.thin = static_cast<float>(0.6 * b.look.bark->scale);
   }
   return options;
 }
 
-Errors write_wood(const PovSpace& space, const Branches& b, const Pose& pose, std::size_t index,
+Errors write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, std::size_t index,
                   const Out& out) {
   ChunkOptions options = chunk_options(b);
-  if (b.coat && b.style.build == Build::sweeps) {
+  if (b.look.coat && b.style.build == Build::sweeps) {
     out(coat_text(space, b, pose));
-    if (b.coat->twigs <= 0) return {};
+    if (b.look.coat->twigs <= 0) return {};
     options.tolerance = std::numeric_limits<float>::infinity();
     std::vector<bool> bare = coatless(b);
     auto is_twig = [&](std::int32_t i) { return static_cast<bool>(bare[static_cast<std::size_t>(i)]); };
@@ -215,22 +210,22 @@ Errors write_wood(const PovSpace& space, const Branches& b, const Pose& pose, st
     return {};
   }
   if (b.style.build == Build::sweeps) {
-    auto is_twig = [&](std::int32_t i) { return b.rest.radius[i] < options.thin; };
+    auto is_twig = [&](std::int32_t i) { return b.model.skeleton.radius[i] < options.thin; };
     if (options.thin > 0) write_twigs(space, b, pose, options, index, is_twig, out);
     write_sweeps(space, b, pose, options, index, is_twig, out);
     return {};
   }
-  Result<std::string> body = body_text(space, b, pose, cut_chunks(b.rest, pose, options), index);
+  Result<std::string> body = body_text(space, b, pose, cut_chunks(b.model.skeleton, pose, options), index);
   if (!body) return body.errors();
   out(*body);
   return {};
 }
 
-Errors write_branches(const PovSpace& space, const Branches& b, std::size_t index, double time,
+Errors write_branches(const PovSpace& space, const Specimen& b, std::size_t index, double time,
                       const Out& out) {
-  if (!b.skin && !b.bark) return {};
+  if (!b.look.skin && !b.look.bark) return {};
   Pose pose;
-  pose_branches(b, time, pose);
+  pose_specimen(b, time, pose);
   bool named = false;
   Out under_name = [&](std::string_view piece) {
     if (piece.empty()) return;
@@ -247,21 +242,23 @@ Errors write_branches(const PovSpace& space, const Branches& b, std::size_t inde
 /// Writes organism i as it is at a time.
 Errors write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
                       const Out& out) {
-  const Branches& b = scene.branches[i];
-  if (!b.develops()) return write_branches(parts.space, b, parts.first_skin[i], time, out);
-  Result<Branches> now = developed(b, time);
+  const Specimen& b = scene.specimens[i];
+  if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], time, out);
+  Result<Specimen> now = developed(b, time);
   return now ? write_branches(parts.space, *now, parts.first_skin[i], time, out) : now.errors();
 }
 
 /// About how many lines an organism takes.
-std::size_t lines_of(const Branches& b) { return b.rest.size() + b.organs.size() + b.blades.size(); }
+std::size_t lines_of(const Specimen& b) {
+  return b.model.skeleton.size() + b.model.organs.size() + b.model.blades.size();
+}
 
 /// Small ones are written side by side and put together, large ones one by one with nothing held.
 void write_organisms(const FrameParts& parts, const Scene& scene, double time, Errors& errors,
                      const Out& out) {
-  for (std::size_t from = 0, to = 0; from < scene.branches.size() && errors.empty(); from = to) {
-    for (std::size_t lines = 0; to < scene.branches.size(); ++to) {
-      lines += lines_of(scene.branches[to]);
+  for (std::size_t from = 0, to = 0; from < scene.specimens.size() && errors.empty(); from = to) {
+    for (std::size_t lines = 0; to < scene.specimens.size(); ++to) {
+      lines += lines_of(scene.specimens[to]);
       if (lines > kLinesAtOnce && to > from) break;
     }
     if (to == from + 1) {
@@ -284,7 +281,7 @@ constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
 /// Puts what is the same in all frames of a film into a file that they include, named by what is in it.
 void put_aside(std::string& text, std::vector<Picture>& files) {
   if (text.size() < kAside) return;
-  std::string name = fmt::format("part_{:016x}.inc", Seed{}.child(text).key);
+  std::string name = fmt::format("part_{}.inc", content_id(text));
   files.push_back({name, std::move(text)});
   text = "#include \"" + name + "\"";
 }
@@ -293,16 +290,16 @@ void put_aside(std::string& text, std::vector<Picture>& files) {
 
 FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
   float thinnest = std::numeric_limits<float>::infinity();
-  for (const Branches& b : scene.branches)
-    for (float radius : b.rest.radius) thinnest = std::min(thinnest, radius);
+  for (const Specimen& b : scene.specimens)
+    for (float radius : b.model.skeleton.radius) thinnest = std::min(thinnest, radius);
   FrameParts parts;
   parts.space = space_for(thinnest);
   std::size_t skins = 0;
-  for (const Branches& b : scene.branches) {
+  for (const Specimen& b : scene.specimens) {
     parts.first_skin.push_back(skins);
-    skins += b.bark ? b.bark->colors.size() : b.skin ? 1 : 0;
+    skins += b.look.bark ? b.look.bark->colors.size() : b.look.skin ? 1 : 0;
   }
-  std::string count = number(static_cast<double>(std::max<std::size_t>(1, skins)));
+  std::string count = number_text(static_cast<double>(std::max<std::size_t>(1, skins)));
   parts.materials =
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene, parts.first_skin);
@@ -321,19 +318,19 @@ Errors write_frame(const Scene& scene, const FrameParts& parts, std::string_view
                    const Out& out) {
   const Film& film = scene.film;
   double time = film.time(frame);
-  std::string padded = number(frame);
+  std::string padded = number_text(frame);
   padded.insert(0, padded.size() < 4 ? 4 - padded.size() : 0, '0');
   Errors errors;
   fill(layout, out, [&](std::string_view hole) {
-    if (hole == "frame") return out(number(frame));
-    if (hole == "frames") return out(number(film.frames));
+    if (hole == "frame") return out(number_text(frame));
+    if (hole == "frames") return out(number_text(film.frames));
     if (hole == "number") return out(padded);
-    if (hole == "width") return out(number(film.size[0]));
-    if (hole == "height") return out(number(film.size[1]));
-    if (hole == "unit") return out(number(parts.space.unit));
-    if (hole == "quality") return out(number(static_cast<int>(film.quality)));
-    if (hole == "time") return out(number(time));
-    if (hole == "loop") return out(number(film.length()));
+    if (hole == "width") return out(number_text(film.size[0]));
+    if (hole == "height") return out(number_text(film.size[1]));
+    if (hole == "unit") return out(number_text(parts.space.unit));
+    if (hole == "quality") return out(number_text(static_cast<int>(film.quality)));
+    if (hole == "time") return out(number_text(time));
+    if (hole == "loop") return out(number_text(film.length()));
     if (hole == "includes") return out(includes_text(scene));
     if (hole == "setting") return out(setting_text(scene, time));
     if (hole == "camera") return out(camera_text(parts.space, scene.stage.camera, time));

@@ -35,11 +35,6 @@ void append_organ_name(std::string& text, std::size_t entry, std::size_t prototy
   append_index(text, part);
 }
 
-std::size_t wrapped(std::int32_t color, std::size_t count) {
-  auto n = static_cast<std::int32_t>(count);
-  return static_cast<std::size_t>(((color % n) + n) % n);
-}
-
 /// `texture{Plant_Leaf(color, second, shade)}`; `opening` is all before the first colour.
 void append_look(std::string& text, std::string_view opening, const Color& color, const Color& second,
                  std::size_t shade) {
@@ -82,9 +77,9 @@ void append_picture(std::string& text, std::string_view name, std::size_t shade)
 
 std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
 
-void append_placement(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+void append_placement(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
                       std::size_t i, float size, double time) {
-  const Organs& o = b.organs;
+  const Organs& o = b.model.organs;
   Quat turn = organ_turn(pose, o, i);
   float flutter = pose.flutter * (o.loose.empty() ? 1 : 1 - o.loose[i]);
   if (flutter > 0) {
@@ -97,7 +92,7 @@ void append_placement(std::string& text, const PovSpace& space, const Branches& 
         turn * fluttering(b.motion.flutter, b.motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
   glm::mat3 frame = glm::mat3_cast(turn);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
-  append_matrix(text, space, frame, organ_place(b.rest, pose, o, i));
+  append_matrix(text, space, frame, organ_place(b.model.skeleton, pose, o, i));
   text += "}\n";
 }
 
@@ -108,24 +103,25 @@ struct Buckets {
   std::vector<std::uint32_t> organ;
 };
 
-Buckets buckets_of(const Branches& b, const Pose& pose) {
+Buckets buckets_of(const Specimen& b, const Pose& pose) {
   constexpr auto kNone = static_cast<std::uint32_t>(-1);
   Buckets buckets;
-  std::size_t count = 0, n = b.organs.size();
-  for (const Prototype& p : b.prototypes) {
+  std::size_t count = 0, n = b.model.organs.size();
+  for (const Prototype& p : b.model.prototypes) {
     buckets.first_of.push_back(count);
     count += p.colors.size() * steps_of(p) * kShades;
   }
   std::vector<std::uint32_t> bucket(n, kNone);
   buckets.begin.assign(count + 1, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    float size = unfolded(b.organs.birth[i], pose.front, unfold_time(b.motion));
+    float size = unfolded(b.model.organs.birth[i], pose.front, unfold_time(b.motion));
     if (size < kUnfoldedLeast) continue;
-    std::size_t which = b.organs.prototype[i], steps = steps_of(b.prototypes[which]);
-    std::size_t color = wrapped(b.organs.color[i], b.prototypes[which].colors.size());
+    std::size_t which = b.model.organs.prototype[i], steps = steps_of(b.model.prototypes[which]);
+    std::size_t color = color_index(b.model.organs.color[i], b.model.prototypes[which].colors.size());
     // Colour lags behind size: a leaf is fully grown before it is dark.
     auto step = std::min(static_cast<std::size_t>(size * size * static_cast<float>(steps)), steps - 1);
-    std::size_t at = buckets.first_of[which] + (color * steps + step) * kShades + shade_of(b.organs.id[i]);
+    std::size_t at =
+        buckets.first_of[which] + (color * steps + step) * kShades + shade_of(b.model.organs.id[i]);
     bucket[i] = static_cast<std::uint32_t>(at);
     ++buckets.begin[at + 1];
   }
@@ -138,13 +134,13 @@ Buckets buckets_of(const Branches& b, const Pose& pose) {
 }
 
 /// Bucket k of a prototype: each line is made once and used by all its parts.
-void write_bucket(const PovSpace& space, const Branches& b, const Pose& pose, double time, std::size_t p,
+void write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, double time, std::size_t p,
                   std::size_t k, std::span<const std::uint32_t> organs, const Out& out) {
-  const Prototype& prototype = b.prototypes[p];
+  const Prototype& prototype = b.model.prototypes[p];
   std::size_t steps = steps_of(prototype);
   std::string lines;
   for (std::uint32_t i : organs) {
-    float size = unfolded(b.organs.birth[i], pose.front, unfold_time(b.motion));
+    float size = unfolded(b.model.organs.birth[i], pose.front, unfold_time(b.motion));
     append_placement(lines, space, b, pose, i, size, time);
   }
   if (lines.empty()) return;
@@ -170,24 +166,26 @@ void write_bucket(const PovSpace& space, const Branches& b, const Pose& pose, do
   out(text);
 }
 
-void write_organs(const PovSpace& space, const Branches& b, const Pose& pose, double time, const Out& out) {
+void write_organs(const PovSpace& space, const Specimen& b, const Pose& pose, double time, const Out& out) {
   Buckets buckets = buckets_of(b, pose);
-  for (std::size_t p = 0; p < b.prototypes.size(); ++p)
-    for (std::size_t k = 0; k < b.prototypes[p].colors.size() * steps_of(b.prototypes[p]) * kShades; ++k) {
+  for (std::size_t p = 0; p < b.model.prototypes.size(); ++p)
+    for (std::size_t k = 0;
+         k < b.model.prototypes[p].colors.size() * steps_of(b.model.prototypes[p]) * kShades; ++k) {
       std::size_t at = buckets.first_of[p] + k, from = buckets.begin[at];
       write_bucket(space, b, pose, time, p, k,
                    std::span(buckets.organ).subspan(from, buckets.begin[at + 1] - from), out);
     }
 }
 
-void write_blades(const PovSpace& space, const Branches& b, const Pose& pose, const Out& out) {
-  if (b.blades.size() == 0) return;
-  const BladeParams& look = b.blade_look;
+void write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, const Out& out) {
+  if (b.model.blades.size() == 0) return;
+  const BladeLook& look = b.look.blades;
   for (std::size_t k = 0; k < look.colors.size() * kShades; ++k) {
-    Surface surface = posed_blades(b.rest, pose, b.blades, b.motion.growth.ripen, [&](std::size_t i) {
-      return wrapped(b.blades.color[i], look.colors.size()) == k / kShades &&
-             shade_of(b.blades.id[i]) == k % kShades;
-    });
+    Surface surface =
+        posed_blades(b.model.skeleton, pose, b.model.blades, b.motion.growth.ripen, [&](std::size_t i) {
+          return color_index(b.model.blades.color[i], look.colors.size()) == k / kShades &&
+                 shade_of(b.model.blades.id[i]) == k % kShades;
+        });
     if (surface.triangle.empty()) continue;
     std::string text = "object{";
     append_mesh(text, space, surface);
@@ -205,25 +203,28 @@ bool patterned(const Bark& bark) {
   return bark.kind == BarkKind::bark || bark.kind == BarkKind::birch || ringed(bark);
 }
 
-bool slanted(const Branches& b, const Chunk& chunk) {
-  if (!b.bark || !patterned(*b.bark) || b.rest.radius[chunk.first] < 0.6 * b.bark->scale) return false;
-  Vec3 way = b.rest.position[chunk.last] - b.rest.position[b.rest.parent[chunk.first]];
+bool slanted(const Specimen& b, const Chunk& chunk) {
+  if (!b.look.bark || !patterned(*b.look.bark) ||
+      b.model.skeleton.radius[chunk.first] < 0.6 * b.look.bark->scale)
+    return false;
+  Vec3 way =
+      b.model.skeleton.position[chunk.last] - b.model.skeleton.position[b.model.skeleton.parent[chunk.first]];
   return std::abs(way.y) < 0.9f * glm::length(way);
 }
 
-bool one_texture(const Branches& b) {
-  if (!b.bark || ringed(*b.bark) || b.bark->young_length > 0 ||
-      (!b.color.empty() && b.bark->colors.size() > 1))
+bool one_texture(const Specimen& b) {
+  if (!b.look.bark || ringed(*b.look.bark) || b.look.bark->young_length > 0 ||
+      (!b.model.color.empty() && b.look.bark->colors.size() > 1))
     return false;
-  return !patterned(*b.bark) || (b.motion.wave.amplitude == 0 && b.motion.growth.duration <= 0);
+  return !patterned(*b.look.bark) || (b.motion.wave.amplitude == 0 && b.motion.growth.duration <= 0);
 }
 
-std::size_t bark_color(const Branches& b, std::int32_t node) {
-  return b.color.empty() ? 0 : wrapped(b.color[node], b.bark->colors.size());
+std::size_t bark_color(const Specimen& b, std::int32_t node) {
+  return b.model.color.empty() ? 0 : color_index(b.model.color[node], b.look.bark->colors.size());
 }
 
-void append_bark(std::string& text, const Branches& b, std::size_t first) {
-  const Bark& bark = *b.bark;
+void append_bark(std::string& text, const Specimen& b, std::size_t first) {
+  const Bark& bark = *b.look.bark;
   for (std::size_t i = 0; i < bark.colors.size(); ++i) {
     text += "Plant_Bark(";
     append_index(text, first + i);
@@ -251,15 +252,15 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   };
   std::vector<Shapes> entries;
   std::map<std::size_t, std::size_t> index;  // in `entries`, which are in the order of the scene
-  for (const Branches& b : scene.branches) {
-    if (!b.bark) continue;
+  for (const Specimen& b : scene.specimens) {
+    if (!b.look.bark) continue;
     auto [at, fresh] = index.try_emplace(b.entry, entries.size());
     if (fresh) entries.push_back({b.entry, {}});
     std::vector<const Prototype*>& used = entries[at->second].used;
-    used.resize(std::max(used.size(), b.prototypes.size()));
-    auto use = [&](std::size_t p) { used[p] = used[p] ? used[p] : &b.prototypes[p]; };
-    for (std::size_t p = 0; b.develops() && p < b.prototypes.size(); ++p) use(p);
-    for (std::uint16_t which : b.organs.prototype) use(which);
+    used.resize(std::max(used.size(), b.model.prototypes.size()));
+    auto use = [&](std::size_t p) { used[p] = used[p] ? used[p] : &b.model.prototypes[p]; };
+    for (std::size_t p = 0; b.life.changes() && p < b.model.prototypes.size(); ++p) use(p);
+    for (std::uint16_t which : b.model.organs.prototype) use(which);
   }
   std::string text;
   for (const Shapes& shapes : entries) {
@@ -276,8 +277,8 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-void write_foliage(const PovSpace& space, const Branches& b, const Pose& pose, double time, const Out& out) {
-  if (b.organs.size() > 0) write_organs(space, b, pose, time, out);
+void write_foliage(const PovSpace& space, const Specimen& b, const Pose& pose, double time, const Out& out) {
+  if (b.model.organs.size() > 0) write_organs(space, b, pose, time, out);
   write_blades(space, b, pose, out);
 }
 

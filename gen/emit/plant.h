@@ -16,23 +16,23 @@ bool ringed(const Bark& bark);
 
 /// Whether a chunk is a limb thick enough to show a bark that lies along it, and not upright, where it does
 /// so anyway.
-bool slanted(const Branches& plant, const Chunk& chunk);
+bool slanted(const Specimen& plant, const Chunk& chunk);
 
 /// Whether all branches of a plant have one and the same texture in the whole film, which then stands on
 /// their union.
-bool one_texture(const Branches& plant);
+bool one_texture(const Specimen& plant);
 
 /// Which of the colours of its bark a node has.
-std::size_t bark_color(const Branches& plant, std::int32_t node);
+std::size_t bark_color(const Specimen& plant, std::int32_t node);
 
 /// Appends the calls that declare the skins of a plant, one for each colour of its bark, from `first` on.
-void append_bark(std::string& text, const Branches& plant, std::size_t first);
+void append_bark(std::string& text, const Specimen& plant, std::size_t first);
 
 /// Declares the organs of all plants, once for each entry of the preset, and what they are made of.
 std::string prototypes_text(const PovSpace& space, const Scene& scene);
 
 /// Writes the organs and blades of one plant at a pose and a time: for each material one union or one mesh.
-void write_foliage(const PovSpace& space, const Branches& plant, const Pose& pose, double time,
+void write_foliage(const PovSpace& space, const Specimen& plant, const Pose& pose, double time,
                    const Out& out);
 
 }  // namespace frond

@@ -1,19 +1,27 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "emit/pov.h"
 #include "scene/scene.h"
 
 namespace frond {
 
+/// How a setting is written: a row a setting, in the order of settings().
+struct SettingText {
+  std::vector<std::string_view> includes;  ///< files of povinc, as `sand` for frond_sand.inc
+  /// The surroundings as the camera sees them at one time: light, air and backdrop.
+  std::string (*surroundings)(const Scene& scene, double time);
+  /// The ground with what lies on it; the same in each frame.
+  std::string (*ground)(const PovSpace& space, const Scene& scene);
+};
+
 /// The `#include` lines of the files that a scene needs.
 std::string includes_text(const Scene& scene);
 
-/// The surroundings as the camera sees them at one time: light, air and backdrop.
 std::string setting_text(const Scene& scene, double time);
-
-/// The ground with what lies or stands on it; the same in each frame.
 std::string ground_text(const PovSpace& space, const Scene& scene);
 
 }  // namespace frond

@@ -11,10 +11,10 @@ namespace {
 
 /// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
 /// chunk.
-void append_skin(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+void append_skin(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
                  const Chunk& chunk, std::size_t index) {
-  const Skeleton& rest = b.rest;
-  if (b.bark) index += bark_color(b, chunk.first);
+  const Skeleton& rest = b.model.skeleton;
+  if (b.look.bark) index += bark_color(b, chunk.first);
   Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
   if (rest.birth[chunk.last] > pose.front) {
     // Where the growing tip is on its way from the node below.
@@ -32,7 +32,7 @@ void append_skin(std::string& text, const PovSpace& space, const Branches& b, co
   }
   Vec3 slope = way * ((chunk.young_to - chunk.young_from) / length2);
   double at_zero = chunk.young_from - glm::dot(slope, from), unit = space.unit;
-  text += b.bark ? "Plant_Tip(" : "Coral_Tip(";
+  text += b.look.bark ? "Plant_Tip(" : "Coral_Tip(";
   append_integer(text, static_cast<long long>(index));
   text += ',';
   append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
@@ -41,12 +41,12 @@ void append_skin(std::string& text, const PovSpace& space, const Branches& b, co
 
 }  // namespace
 
-void append_chunk_texture(std::string& text, const PovSpace& space, const Branches& b, const Pose& pose,
+void append_chunk_texture(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
                           Chunk chunk, std::size_t index) {
-  bool plain = b.bark && !patterned(*b.bark);
+  bool plain = b.look.bark && !patterned(*b.look.bark);
   text += "texture{";
   append_skin(text, space, b, pose, chunk, index);
-  if (b.bark && (ringed(*b.bark) || slanted(b, chunk))) lay_along(b.rest, chunk);
+  if (b.look.bark && (ringed(*b.look.bark) || slanted(b, chunk))) lay_along(b.model.skeleton, chunk);
   if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
   text += '}';
 }

@@ -192,8 +192,8 @@ std::string_view material_include(const Material& material) { return row_of(mate
 
 std::vector<std::string_view> solid_includes(const Scene& scene) {
   std::vector<std::string_view> names;
-  for (const Branches& b : scene.branches)
-    for (const Solid& solid : b.solids.shapes) names.push_back(material_include(solid.material));
+  for (const Specimen& b : scene.specimens)
+    for (const Solid& solid : b.model.solids.shapes) names.push_back(material_include(solid.material));
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
@@ -201,11 +201,12 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
 
 std::string solids_text(const PovSpace& space, const Scene& scene) {
   std::string text;
-  for (std::size_t o = 0; o < scene.branches.size(); ++o) {
-    const Branches& b = scene.branches[o];
-    if (b.solids.size() == 0) continue;
+  for (std::size_t o = 0; o < scene.specimens.size(); ++o) {
+    const Specimen& b = scene.specimens[o];
+    if (b.model.solids.size() == 0) continue;
     append_comment(text, b.name);
-    for (std::size_t s = 0; s < b.solids.shapes.size(); ++s) append_shape(text, space, b.solids, o, s);
+    for (std::size_t s = 0; s < b.model.solids.shapes.size(); ++s)
+      append_shape(text, space, b.model.solids, o, s);
   }
   return text;
 }

@@ -19,14 +19,14 @@ namespace {
 /// Takes the meshes of one organism to a cast.
 class Caster {
  public:
-  Caster(Cast& cast, const Branches& b, std::size_t index, double time, const CastOptions& options)
+  Caster(Cast& cast, const Specimen& b, std::size_t index, double time, const CastOptions& options)
       : cast_(cast), b_(b), options_(options) {
     name_ = fmt::format("{}_{}", plain_name(b.name, "organism"), index);
-    pose_branches(b, time, pose_);
+    pose_specimen(b, time, pose_);
   }
 
   Errors add() {
-    if (b_.skin || b_.bark)
+    if (b_.look.skin || b_.look.bark)
       if (Errors errors = add_branches(); !errors.empty()) return errors;
     add_organs();
     add_blades();
@@ -52,10 +52,11 @@ class Caster {
     VolumeOptions volume{b_.style.voxel, b_.style.adaptivity, b_.style.limit};
     Boughs limbs;
     if (b_.style.build != Build::sweeps)
-      add_limbs(limbs, b_.rest, pose_.position, pose_.radius, pose_.front,
-                static_cast<float>(b_.style.blend));
+      add_boughs(limbs, b_.model.skeleton, pose_.position, pose_.radius, pose_.front,
+                 static_cast<float>(b_.style.blend));
     if (b_.style.build == Build::sweeps) {
-      TubeMesh tubes = branch_tubes(b_.rest, pose_.position, pose_.radius, pose_.front, options_.sides);
+      TubeMesh tubes =
+          branch_tubes(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
       surface = std::move(tubes.surface), node = std::move(tubes.node);
     } else if (b_.style.build == Build::fused) {
       Result<FusedMesh> mesh = fuse(limbs, volume);
@@ -73,25 +74,26 @@ class Caster {
     return {};
   }
 
-  /// Branches of several colours are parted by the colour of each triangle's first vertex.
+  /// Specimen of several colours are parted by the colour of each triangle's first vertex.
   void add_by_color(Surface&& surface, const std::vector<std::int32_t>& node) {
-    if (!b_.bark)
+    if (!b_.look.bark)
       return stand("branches", std::move(surface),
-                   material("skin", tinted(b_.skin->tint, b_.brightness), 0.1, false));
-    const Bark& bark = *b_.bark;
+                   material("skin", tinted(b_.look.skin->tint, b_.brightness), 0.1, false));
+    const Bark& bark = *b_.look.bark;
     auto bark_material = [&](std::size_t k) {
       std::size_t made_of =
           material(fmt::format("bark_{}", k), scaled(bark.colors[k], b_.brightness), bark_gloss(bark), false);
       cast_.materials[made_of].metal = is_metal(bark);
       return made_of;
     };
-    if (b_.color.empty() || bark.colors.size() == 1)
+    if (b_.model.color.empty() || bark.colors.size() == 1)
       return stand("branches", std::move(surface), bark_material(0));
     for (std::size_t k = 0; k < bark.colors.size(); ++k) {
       Surface part;
       std::vector<std::uint32_t> index(surface.position.size(), UINT32_MAX);
       for (const auto& t : surface.triangle) {
-        if (wrapped(b_.color[static_cast<std::size_t>(node[t[0]])], bark.colors.size()) != k) continue;
+        if (color_index(b_.model.color[static_cast<std::size_t>(node[t[0]])], bark.colors.size()) != k)
+          continue;
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t c = 0; c < 3; ++c) corners[c] = copied(surface, t[c], index, part);
         part.triangle.push_back(corners);
@@ -114,25 +116,26 @@ class Caster {
   void add_organs() {
     // One mesh for each part and colour of a prototype that is there, placed as often as it occurs.
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> meshes;
-    for (std::size_t i = 0; i < b_.organs.size(); ++i) {
-      float size = unfolded(b_.organs.birth[i], pose_.front, unfold_time(b_.motion));
+    for (std::size_t i = 0; i < b_.model.organs.size(); ++i) {
+      float size = unfolded(b_.model.organs.birth[i], pose_.front, unfold_time(b_.motion));
       if (size < kUnfoldedLeast) continue;
-      std::size_t which = b_.organs.prototype[i];
-      const Prototype& prototype = b_.prototypes[which];
-      std::size_t color = wrapped(b_.organs.color[i], prototype.colors.size());
+      std::size_t which = b_.model.organs.prototype[i];
+      const Prototype& prototype = b_.model.prototypes[which];
+      std::size_t color = color_index(b_.model.organs.color[i], prototype.colors.size());
       auto [at, fresh] = meshes.try_emplace({which, color});
       if (fresh)
         for (std::size_t part = 0; part < prototype.parts.size(); ++part)
           if (!prototype.parts[part].surface.triangle.empty())
             at->second.push_back(organ_mesh(which, color, part));
-      CastPlacement placement{0, organ_place(b_.rest, pose_, b_.organs, i),
-                              glm::normalize(organ_turn(pose_, b_.organs, i)), b_.organs.scale[i] * size};
+      CastPlacement placement{0, organ_place(b_.model.skeleton, pose_, b_.model.organs, i),
+                              glm::normalize(organ_turn(pose_, b_.model.organs, i)),
+                              b_.model.organs.scale[i] * size};
       for (std::size_t mesh : at->second) placement.mesh = mesh, cast_.placements.push_back(placement);
     }
   }
 
   std::size_t organ_mesh(std::size_t which, std::size_t color, std::size_t part) {
-    const Prototype& prototype = b_.prototypes[which];
+    const Prototype& prototype = b_.model.prototypes[which];
     const OrganPart& shape = prototype.parts[part];
     Color paint = shape.tissue == Tissue::heart ? prototype.second : prototype.colors[color];
     std::string name = fmt::format("{}_{}_{}_{}", plain_name(prototype.name, "organ"), which, color, part);
@@ -142,11 +145,11 @@ class Caster {
   }
 
   void add_blades() {
-    const BladeParams& look = b_.blade_look;
-    for (std::size_t k = 0; b_.blades.size() > 0 && k < look.colors.size(); ++k) {
-      Surface surface = posed_blades(b_.rest, pose_, b_.blades, b_.motion.growth.ripen, [&](std::size_t i) {
-        return wrapped(b_.blades.color[i], look.colors.size()) == k;
-      });
+    const BladeLook& look = b_.look.blades;
+    for (std::size_t k = 0; b_.model.blades.size() > 0 && k < look.colors.size(); ++k) {
+      Surface surface = posed_blades(
+          b_.model.skeleton, pose_, b_.model.blades, b_.motion.growth.ripen,
+          [&](std::size_t i) { return color_index(b_.model.blades.color[i], look.colors.size()) == k; });
       if (surface.triangle.empty()) continue;
       std::string name = fmt::format("blades_{}", k);
       stand(name, std::move(surface), material(name, look.colors[k], 0.2, true));
@@ -154,23 +157,23 @@ class Caster {
   }
 
   void add_solids() {
-    std::vector<std::size_t> mesh(b_.solids.shapes.size(), SIZE_MAX);
-    for (std::size_t s = 0; s < b_.solids.shapes.size(); ++s) {
-      const Solid& solid = b_.solids.shapes[s];
+    std::vector<std::size_t> mesh(b_.model.solids.shapes.size(), SIZE_MAX);
+    for (std::size_t s = 0; s < b_.model.solids.shapes.size(); ++s) {
+      const Solid& solid = b_.model.solids.shapes[s];
       if (solid.surface.triangle.empty()) continue;
       std::string name = fmt::format("solid_{}", s);
       mesh[s] = cast_.meshes.size();
       cast_.meshes.push_back({name_ + '_' + name, solid.surface,
                               material(name, solid.material.color, solid.material.gloss, false)});
     }
-    for (std::size_t i = 0; i < b_.solids.size(); ++i)
-      if (mesh[b_.solids.shape[i]] != SIZE_MAX)
-        cast_.placements.push_back(
-            {mesh[b_.solids.shape[i]], b_.solids.position[i], b_.solids.turn[i], b_.solids.scale[i]});
+    for (std::size_t i = 0; i < b_.model.solids.size(); ++i)
+      if (mesh[b_.model.solids.shape[i]] != SIZE_MAX)
+        cast_.placements.push_back({mesh[b_.model.solids.shape[i]], b_.model.solids.position[i],
+                                    b_.model.solids.turn[i], b_.model.solids.scale[i]});
   }
 
   Cast& cast_;
-  const Branches& b_;
+  const Specimen& b_;
   const CastOptions& options_;
   std::string name_;
   Pose pose_;
@@ -184,18 +187,18 @@ void count(CastSize& size, const Surface& surface, double times, bool fresh) {
 }
 
 /// Of the branches of one organism.
-void count_branches(CastSize& size, const Branches& b, const CastOptions& options) {
+void count_branches(CastSize& size, const Specimen& b, const CastOptions& options) {
   double vertices = 0, triangles = 0;
-  auto nodes = static_cast<double>(b.rest.size());
+  auto nodes = static_cast<double>(b.model.skeleton.size());
   if (b.style.build == Build::sweeps) {
     double ends = 0;
-    for (std::size_t i = 1; i < b.rest.size(); ++i)
-      ends += b.rest.parent[i] != static_cast<std::int32_t>(i) - 1;
+    for (std::size_t i = 1; i < b.model.skeleton.size(); ++i)
+      ends += b.model.skeleton.parent[i] != static_cast<std::int32_t>(i) - 1;
     vertices = (nodes + 4 * ends) * (options.sides + 1);
     triangles = (nodes + 4 * ends) * options.sides * 2;
   } else {
     // A block that the surface passes has about a square of its side in it, and somewhat more aslant.
-    double blocks = foresee_volume(limbs_of(b.rest, 0), b.style.voxel).blocks;
+    double blocks = foresee_volume(boughs_of(b.model.skeleton, 0), b.style.voxel).blocks;
     vertices = blocks * 64, triangles = 2 * vertices;
   }
   size.vertices += vertices, size.triangles += triangles;
@@ -215,29 +218,31 @@ CastSize size_of(const Cast& cast) {
 
 CastSize foresee_cast(const Scene& scene, const CastOptions& options) {
   CastSize size;
-  for (const Branches& b : scene.branches) {
-    if ((b.skin || b.bark) && b.rest.size() > 1) count_branches(size, b, options);
-    std::vector<bool> seen(b.prototypes.size());
-    for (std::uint16_t which : b.organs.prototype) {
-      for (const OrganPart& part : b.prototypes[which].parts) count(size, part.surface, 1, !seen[which]);
-      size.placements += static_cast<double>(b.prototypes[which].parts.size());
+  for (const Specimen& b : scene.specimens) {
+    if ((b.look.skin || b.look.bark) && b.model.skeleton.size() > 1) count_branches(size, b, options);
+    std::vector<bool> seen(b.model.prototypes.size());
+    for (std::uint16_t which : b.model.organs.prototype) {
+      for (const OrganPart& part : b.model.prototypes[which].parts)
+        count(size, part.surface, 1, !seen[which]);
+      size.placements += static_cast<double>(b.model.prototypes[which].parts.size());
       seen[which] = true;
     }
-    count(size, b.blades.surface, 1, true);
-    for (const Solid& solid : b.solids.shapes) count(size, solid.surface, 0, true);
-    for (std::uint16_t which : b.solids.shape) count(size, b.solids.shapes[which].surface, 1, false);
-    size.placements += static_cast<double>(b.solids.size()) + 1;
+    count(size, b.model.blades.surface, 1, true);
+    for (const Solid& solid : b.model.solids.shapes) count(size, solid.surface, 0, true);
+    for (std::uint16_t which : b.model.solids.shape)
+      count(size, b.model.solids.shapes[which].surface, 1, false);
+    size.placements += static_cast<double>(b.model.solids.size()) + 1;
   }
   return size;
 }
 
 Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options) {
   Cast cast;
-  for (std::size_t i = 0; i < scene.branches.size(); ++i) {
-    const Branches& b = scene.branches[i];
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
+    const Specimen& b = scene.specimens[i];
     Errors errors;
-    if (b.develops()) {
-      Result<Branches> now = developed(b, time);
+    if (b.life.changes()) {
+      Result<Specimen> now = developed(b, time);
       errors = now ? Caster(cast, *now, i, time, options).add() : now.errors();
     } else {
       errors = Caster(cast, b, i, time, options).add();

@@ -56,7 +56,7 @@ CastSize size_of(const Cast& cast);
 /// About how large the cast of a scene will be, by its fully grown organisms; what is sown not counted.
 CastSize foresee_cast(const Scene& scene, const CastOptions& options);
 
-/// Makes the meshes of a scene at a time, in seconds. Branches are tubes, or what their style makes of them;
+/// Makes the meshes of a scene at a time, in seconds. Specimen are tubes, or what their style makes of them;
 /// ground, stones and grass are left out. An error where nothing is left.
 Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options);
 

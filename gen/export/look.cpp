@@ -13,11 +13,6 @@ std::string plain_name(const std::string& name, std::string_view otherwise) {
   return text.empty() ? std::string(otherwise) : text;
 }
 
-std::size_t wrapped(std::int32_t color, std::size_t count) {
-  auto n = static_cast<std::int32_t>(count);
-  return static_cast<std::size_t>(((color % n) + n) % n);
-}
-
 Color scaled(Color c, double factor) {
   auto part = [&](float x) { return static_cast<float>(std::clamp(x * factor, 0.0, 1.0)); };
   return {part(c.red), part(c.green), part(c.blue)};

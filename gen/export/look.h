@@ -11,9 +11,6 @@ namespace frond {
 /// A name of letters, digits, - and _ alone; `otherwise` where nothing is left of it.
 std::string plain_name(const std::string& name, std::string_view otherwise);
 
-/// Which of `count` colours, round and round, an index of the turtle picks.
-std::size_t wrapped(std::int32_t color, std::size_t count);
-
 Color scaled(Color color, double factor);
 
 /// The colour of a coral as povinc/frond_coral.inc has it.

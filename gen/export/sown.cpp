@@ -27,14 +27,14 @@ struct SownModel {
 
 std::vector<SownModel> models_of(const Scene& scene) {
   std::vector<SownModel> models;
-  std::map<std::uint64_t, std::size_t> index;  // by the key of the model
+  std::map<std::string, std::size_t> index;  // by the model
   for (const SownStand& stand : scene.stands) {
     std::map<int, std::size_t> own;  // by its number in this stand
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {
       int which = stand.copies.model[i];
       auto [at, fresh] = own.try_emplace(which);
       if (fresh) {
-        at->second = index.try_emplace(copy_key(stand.organism, which).key, models.size()).first->second;
+        at->second = index.try_emplace(copy_id(stand.organism, which), models.size()).first->second;
         if (at->second == models.size()) models.push_back({&stand, which, {}});
       }
       models[at->second].copies.push_back(
@@ -44,16 +44,16 @@ std::vector<SownModel> models_of(const Scene& scene) {
   return models;
 }
 
-/// What visit(organism, model) gives for each of the models, several at a time.
+/// What visit(look, model) gives for each of the models, several at a time.
 template <class Value, class Visit>
 Result<std::vector<Value>> each_grown(const std::vector<SownModel>& models, const Visit& visit) {
   std::vector<Value> values(models.size());
   std::vector<Errors> errors(models.size());
   parallel_for(models.size(), [&](std::size_t i) {
-    const Organism& organism = models[i].stand->organism;
-    Result<Model> model = grow_copy(organism, models[i].which);
+    const SownStand& stand = *models[i].stand;
+    Result<Model> model = grow_copy(stand.organism, models[i].which);
     if (model)
-      values[i] = visit(organism, *model);
+      values[i] = visit(stand.dress.look, *model);
     else
       errors[i] = model.errors();
   });
@@ -84,21 +84,15 @@ struct SownMesh {
   Surface surface;
 };
 
-CastMaterial wood_material(const Organism& organism) {
-  if (const Bark* bark = bark_of(organism))
-    return {"", bark->colors[0], bark_gloss(*bark), is_metal(*bark), false};
-  if (const auto* coral = std::get_if<CoralParams>(&organism.body))
-    return {"", tinted(coral->skin.tint, 1), 0.1, false, false};
+CastMaterial wood_material(const Look& look) {
+  if (look.bark) return {"", look.bark->colors[0], bark_gloss(*look.bark), is_metal(*look.bark), false};
+  if (look.skin) return {"", tinted(look.skin->tint, 1), 0.1, false, false};
   return {"", Bark{}.colors[0], 0.1, false, false};
 }
 
 /// The colours and the tissue of the leaves that a part is made of.
-std::pair<std::vector<Color>, Tissue> leaf_look(const Organism& organism, const Model& model,
-                                                const CopyPart& part) {
-  if (part.kind == CopyPart::Kind::blade) {
-    const auto* plant = std::get_if<PlantParams>(&organism.body);
-    return {plant ? plant->blades.colors : BladeParams{}.colors, Tissue::leaf};
-  }
+std::pair<std::vector<Color>, Tissue> leaf_look(const Look& look, const Model& model, const CopyPart& part) {
+  if (part.kind == CopyPart::Kind::blade) return {look.blades.colors, Tissue::leaf};
   const Prototype& prototype = model.prototypes[part.which];
   Tissue tissue = prototype.parts[part.part].tissue;
   if (tissue == Tissue::heart) return {{prototype.second}, tissue};
@@ -111,7 +105,7 @@ Surface of_color(const Surface& leaves, std::size_t color, std::size_t colors) {
   if (leaves.uv.empty()) return color == 0 ? leaves : out;
   std::vector<std::uint32_t> index(leaves.position.size(), UINT32_MAX);
   for (const auto& t : leaves.triangle) {
-    if (wrapped(static_cast<std::int32_t>(std::floor(leaves.uv[t[0]].x)), colors) != color) continue;
+    if (color_index(static_cast<std::int32_t>(std::floor(leaves.uv[t[0]].x)), colors) != color) continue;
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t c = 0; c < 3; ++c) {
       std::uint32_t& at = index[t[c]];
@@ -128,19 +122,19 @@ Surface of_color(const Surface& leaves, std::size_t color, std::size_t colors) {
   return out;
 }
 
-std::vector<SownMesh> meshes_of(const Organism& organism, const Model& model) {
+std::vector<SownMesh> meshes_of(const Look& look, const Model& model) {
   std::vector<SownMesh> meshes;
   double grain = size_of(model) / kGrains;
-  for (CopyPart& part : copy_parts(organism, model, {grain, kLeaves})) {
+  for (CopyPart& part : copy_parts(look, model, {grain, kLeaves})) {
     if (part.kind == CopyPart::Kind::wood) {
-      meshes.push_back({"wood", wood_material(organism), std::move(part.surface)});
+      meshes.push_back({"wood", wood_material(look), std::move(part.surface)});
     } else if (part.kind == CopyPart::Kind::solid) {
       const Material& m = model.solids.shapes[part.which].material;
       meshes.push_back({fmt::format("solid_{}", part.which),
                         {"", m.color, m.gloss, false, false},
                         std::move(part.surface)});
     } else {
-      auto [colors, tissue] = leaf_look(organism, model, part);
+      auto [colors, tissue] = leaf_look(look, model, part);
       for (std::size_t k = 0; k < colors.size(); ++k)
         if (Surface leaves = of_color(part.surface, k, colors.size()); !leaves.triangle.empty())
           meshes.push_back(
@@ -177,7 +171,7 @@ Errors add_sown(Cast& cast, const Scene& scene) {
 Result<std::vector<SownBranches>> sown_branches(const Scene& scene) {
   std::vector<SownModel> models = models_of(scene);
   auto grown =
-      each_grown<Skeleton>(models, [](const Organism&, Model& model) { return std::move(model.skeleton); });
+      each_grown<Skeleton>(models, [](const Look&, Model& model) { return std::move(model.skeleton); });
   if (!grown) return grown.errors();
   std::vector<SownBranches> branches;
   for (std::size_t m = 0; m < models.size(); ++m)

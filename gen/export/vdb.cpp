@@ -30,12 +30,12 @@ struct Gathered {
   VolumeOptions options;
 };
 
-void add_posed(Gathered& all, const Branches& b, double time, bool own_voxel) {
+void add_posed(Gathered& all, const Specimen& b, double time, bool own_voxel) {
   Pose pose;
-  pose_branches(b, time, pose);
-  add_limbs(all.limbs, b.rest, pose.position, pose.radius, pose.front, static_cast<float>(b.style.blend),
-            all.nodes);
-  all.nodes += static_cast<std::int32_t>(b.rest.size());
+  pose_specimen(b, time, pose);
+  add_boughs(all.limbs, b.model.skeleton, pose.position, pose.radius, pose.front,
+             static_cast<float>(b.style.blend), all.nodes);
+  all.nodes += static_cast<std::int32_t>(b.model.skeleton.size());
   for (const Vec3& p : pose.position) all.box.hold(p);
   if (own_voxel && b.style.build != Build::sweeps)
     all.options.voxel = all.options.voxel > 0 ? std::min(all.options.voxel, b.style.voxel) : b.style.voxel;
@@ -65,7 +65,7 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
       position.clear(), radius.clear();
       for (const Vec3& p : shapes[m].position) position.push_back(at_copy(copy, p));
       for (float r : shapes[m].radius) radius.push_back(r * copy.scale.x);
-      add_limbs(all.limbs, shapes[m], position, radius, 2, 1, all.nodes);
+      add_boughs(all.limbs, shapes[m], position, radius, 2, 1, all.nodes);
       all.nodes += static_cast<std::int32_t>(shapes[m].size());
     }
   return {};
@@ -76,15 +76,15 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
 Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options) {
   Gathered all;
   all.options = {options.voxel, 0, 0};
-  for (const Branches& organism : scene.branches) {
-    Branches stage;
-    if (organism.develops()) {
-      Result<Branches> now = developed(organism, time);
+  for (const Specimen& organism : scene.specimens) {
+    Specimen stage;
+    if (organism.life.changes()) {
+      Result<Specimen> now = developed(organism, time);
       if (!now) return now.errors();
       stage = std::move(*now);
     }
-    const Branches& b = organism.develops() ? stage : organism;
-    if (b.rest.size() < 2 || (!b.skin && !b.bark)) continue;
+    const Specimen& b = organism.life.changes() ? stage : organism;
+    if (b.model.skeleton.size() < 2 || (!b.look.skin && !b.look.bark)) continue;
     add_posed(all, b, time, options.voxel <= 0);
   }
   Result<std::vector<SownBranches>> sown = sown_branches(scene);

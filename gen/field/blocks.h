@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "field/limbs.h"
+#include "field/boughs.h"
 
 namespace frond {
 

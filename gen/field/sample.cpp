@@ -1,7 +1,7 @@
 #include <array>
 #include <limits>
 
-#include "field/limbs.h"
+#include "field/boughs.h"
 
 namespace frond {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "field/limbs.h"
+#include "field/boughs.h"
 #include "model/surface.h"
 
 namespace frond {

@@ -134,4 +134,11 @@ Surface to_unit(Surface surface) {
   return surface;
 }
 
+Errors load_unit_mesh(const NamedFile& file, Surface& mesh) {
+  Result<Surface> read = read_obj(file.text, file.path.string());
+  if (!read) return read.errors();
+  mesh = to_unit(std::move(*read));
+  return {};
+}
+
 }  // namespace frond

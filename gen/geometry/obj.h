@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/assets.h"
 #include "core/result.h"
 #include "model/surface.h"
 
@@ -29,5 +30,8 @@ Result<LineSet> read_obj_lines(std::string_view text, const std::string& name = 
 
 /// The same mesh with its box one unit long at its longest, standing on the origin: an organ's own size.
 Surface to_unit(Surface surface);
+
+/// Reads the mesh of a file to_unit(), for properties that name one.
+Errors load_unit_mesh(const NamedFile& file, Surface& mesh);
 
 }  // namespace frond

@@ -6,7 +6,7 @@
 
 namespace frond {
 
-/// Which symbol came from which (L7) as SVG: one level a row from the axiom down, a line from each module to
+/// Which symbol came from which as SVG: one level a row from the axiom down, a line from each module to
 /// every one of its successors. A parent stands above the middle of its children. Words of more than 2000
 /// modules are refused: they cannot be read.
 Result<std::string> derivation_tree_svg(const Grammar& grammar, int steps, Seed seed);

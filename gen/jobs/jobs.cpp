@@ -13,12 +13,6 @@ namespace {
 /// Pictures of a contact sheet: 6 columns and 4 rows at most.
 constexpr std::size_t kSheetPictures = 24;
 
-std::string number(double value) {
-  std::string text;
-  append(text, value, 6);
-  return text;
-}
-
 std::string scene_file(int frame) { return "frames/" + frame_name(frame) + ".pov"; }
 std::string picture_file(int frame) { return "frames/" + frame_name(frame) + ".png"; }
 
@@ -129,7 +123,7 @@ std::string ninja_text(const JobList& jobs) {
   text += '\n';
   append_variable(text, "encode_film", shell_quoted(jobs.scripts + "/encode_film.sh"));
   append_variable(text, "contact_sheet", shell_quoted(jobs.scripts + "/contact_sheet.sh"));
-  append_variable(text, "fps", number(jobs.fps));
+  append_variable(text, "fps", number_text(jobs.fps, 6));
   append_variable(text, "title", shell_quoted(jobs.title));
   append_list_rule(text, "film", "exec $encode_film $out.list $out $fps $title", "film.mp4");
   append_build(text, "film.mp4", "film", jobs.frames);
@@ -156,7 +150,7 @@ std::string manifest_text(const Manifest& manifest) {
   line("title", json_quoted(manifest.title));
   line("preset_hash", json_quoted(manifest.preset_hash));
   line("seed", std::to_string(manifest.seed));
-  line("fps", number(manifest.fps));
+  line("fps", number_text(manifest.fps, 6));
   line("size", "[" + std::to_string(manifest.size[0]) + ", " + std::to_string(manifest.size[1]) + "]");
   line("quality", json_quoted(manifest.quality));
   line("still", manifest.still ? "true" : "false");
@@ -164,7 +158,7 @@ std::string manifest_text(const Manifest& manifest) {
   std::string_view between = "\n    ";
   for (const Manifest::Frame& frame : manifest.frames) {
     text += between;
-    text += "{\"number\": " + std::to_string(frame.number) + ", \"time\": " + number(frame.time) +
+    text += "{\"number\": " + std::to_string(frame.number) + ", \"time\": " + number_text(frame.time, 6) +
             ", \"file\": " + json_quoted(scene_file(frame.number)) + "}";
     between = ",\n    ";
   }

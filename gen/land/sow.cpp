@@ -232,4 +232,11 @@ std::vector<std::vector<Sprout>> sow(std::span<const SowOrder> orders, const Lan
   return sown;
 }
 
+Errors load_density(const NamedFile& file, SowRules& rules) {
+  Result<Raster> picture = read_png(file.text);
+  if (!picture) return {{file.path.string(), picture.errors().front().what + "; expected a PNG file"}};
+  rules.density = density_of(*picture);
+  return {};
+}
+
 }  // namespace frond

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/assets.h"
+#include "core/result.h"
 #include "core/seed.h"
 #include "core/vec.h"
-#include "geometry/scatter.h"
 #include "images/raster.h"
+#include "land/scatter.h"
 
 namespace frond {
 
@@ -36,6 +38,9 @@ struct SowRules {
 
 /// How bright a picture is, 0 to 1; what is transparent is dark.
 Grid density_of(const Raster& picture);
+
+/// Takes the density that a PNG file holds, for properties that name one.
+Errors load_density(const NamedFile& file, SowRules& rules);
 
 /// The ground as sowing asks of it. Functions that are empty: level, nothing to keep clear of.
 struct Land {

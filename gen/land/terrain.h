@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/seed.h"
-#include "geometry/plot.h"
+#include "land/plot.h"
 #include "model/surface.h"
 
 namespace frond {

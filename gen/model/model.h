@@ -30,6 +30,12 @@ struct Prototype {
   std::size_t summer = 0;  ///< so many colours are of summer, those that follow of other seasons; 0: all
 };
 
+/// Which of so many colours a turtle's colour index picks, round and round.
+inline std::size_t color_index(std::int32_t color, std::size_t count) {
+  auto n = static_cast<std::int32_t>(count);
+  return static_cast<std::size_t>(((color % n) + n) % n);
+}
+
 /// Leaves, flowers, berries: one entry an organ. Metres.
 struct Organs {
   std::vector<std::uint16_t> prototype;

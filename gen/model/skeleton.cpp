@@ -53,6 +53,13 @@ std::string Skeleton::check() const {
   return {};
 }
 
+void set_distances(Skeleton& s) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    std::int32_t p = s.parent[i];
+    s.distance[i] = p == Skeleton::kRoot ? 0 : s.distance[p] + glm::distance(s.position[p], s.position[i]);
+  }
+}
+
 void set_tip_distances(Skeleton& s) {
   std::fill(s.to_tip.begin(), s.to_tip.end(), 0.0f);
   for (std::size_t i = s.size(); i-- > 0;) {

@@ -18,9 +18,9 @@ struct Skeleton {
   std::vector<Vec3> position;
   std::vector<float> radius;         ///< > 0
   std::vector<std::int32_t> parent;  ///< index of the parent, or kRoot
-  std::vector<float> distance;       ///< along the branches from the root (C6)
+  std::vector<float> distance;       ///< along the branches from the root
   std::vector<float> to_tip;         ///< along the branches to the farthest tip above; see set_tip_distances
-  std::vector<float> birth;          ///< 0..1: the share of growth after which the node is reached (C9)
+  std::vector<float> birth;          ///< 0..1: the share of growth after which the node is reached
   std::vector<std::uint16_t> order;  ///< brackets deep: 0 on the trunk
 
   std::size_t size() const { return position.size(); }
@@ -35,6 +35,9 @@ struct Skeleton {
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;
 };
+
+/// Sets each node's distance: its way along the branches from the root.
+void set_distances(Skeleton& skeleton);
 
 /// Sets `to_tip` of each node from the positions.
 void set_tip_distances(Skeleton& skeleton);

@@ -38,15 +38,10 @@ std::string Solids::check() const {
 
 Surface merged(const Solids& solids) {
   Surface all;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const Surface& own = solids.shapes[solids.shape[i]].surface;
-    auto offset = static_cast<std::uint32_t>(all.position.size());
-    for (const Vec3& p : own.position)
-      all.position.push_back(solids.position[i] + solids.turn[i] * (p * solids.scale[i]));
-    for (const Vec3& n : own.normal)
-      all.normal.push_back(glm::normalize(solids.turn[i] * (n / solids.scale[i])));
-    for (auto [a, b, c] : own.triangle) all.triangle.push_back({a + offset, b + offset, c + offset});
-  }
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    append_placed(all, solids.shapes[solids.shape[i]].surface, solids.position[i], solids.turn[i],
+                  solids.scale[i]);
+  all.uv.clear();
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -21,6 +22,30 @@ std::string Surface::check() const {
     if (a == b || b == c || c == a) return fmt::format("triangle {} names a vertex twice", i);
   }
   return {};
+}
+
+void append(Surface& to, const Surface& more) {
+  assert(to.position.empty() || to.uv.empty() == more.uv.empty());
+  auto offset = static_cast<std::uint32_t>(to.position.size());
+  to.position.insert(to.position.end(), more.position.begin(), more.position.end());
+  to.normal.insert(to.normal.end(), more.normal.begin(), more.normal.end());
+  to.uv.insert(to.uv.end(), more.uv.begin(), more.uv.end());
+  for (auto [a, b, c] : more.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+}
+
+void append_placed(Surface& to, const Surface& more, Vec3 at, Quat turn, Vec3 scale) {
+  auto offset = static_cast<std::uint32_t>(to.position.size());
+  for (const Vec3& p : more.position) to.position.push_back(at + turn * (p * scale));
+  for (const Vec3& n : more.normal) to.normal.push_back(glm::normalize(turn * (n / scale)));
+  to.uv.insert(to.uv.end(), more.uv.begin(), more.uv.end());
+  for (auto [a, b, c] : more.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+}
+
+double area(const Surface& s) {
+  double sum = 0;
+  for (auto [a, b, c] : s.triangle)
+    sum += 0.5 * glm::length(glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]));
+  return sum;
 }
 
 void set_normals(Surface& surface) {

@@ -21,6 +21,15 @@ struct Surface {
   std::string check() const;
 };
 
+/// Adds a mesh to another; both have `uv` or neither, unless there is nothing yet.
+void append(Surface& to, const Surface& more);
+
+/// The same, scaled along its own axes (each > 0), turned and moved.
+void append_placed(Surface& to, const Surface& more, Vec3 at, Quat turn, Vec3 scale);
+
+/// The surface's area, m2.
+double area(const Surface& surface);
+
 /// Sets the normals from the triangles, each weighted by its area.
 void set_normals(Surface& surface);
 

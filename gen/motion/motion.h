@@ -9,7 +9,7 @@
 
 namespace frond {
 
-/// When and how an organism grows (C9). The shape is final from the start; time only reveals it.
+/// When and how an organism grows. The shape is final from the start; time only reveals it.
 struct Growth {
   double start = 0;     ///< seconds
   double duration = 0;  ///< seconds; 0: fully grown from the start
@@ -17,7 +17,7 @@ struct Growth {
   double ripen = 0.35;  ///< share of the growth that a place needs to reach its full thickness, > 0
 };
 
-/// Swaying in a current (C5): a bend that grows toward the tips and travels through the water.
+/// Swaying in a current: a bend that grows toward the tips and travels through the water.
 struct Wave {
   double amplitude = 0;        ///< radians at the tips
   double speed = 0.25;         ///< swings a second
@@ -27,7 +27,7 @@ struct Wave {
   bool loop = true;            ///< whole swings over the film, so that its end meets its start
 };
 
-/// A pull toward food (C3).
+/// A pull toward food.
 struct Food {
   double strength = 0;  ///< about the angle in radians by which a whole branch may bend
   double reach = 0.25;  ///< metres; the pull fades nearer than this, so that tips do not whirl round the food

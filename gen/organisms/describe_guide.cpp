@@ -1,4 +1,6 @@
-#include "organisms/describe_guide.h"
+#include "organisms/describe_grammar.h"
+
+#include "geometry/obj.h"
 
 namespace frond {
 
@@ -72,6 +74,13 @@ bool read_line(Reader& reader, const Value& value, std::int32_t parent, std::vec
 
 bool read_guide_line(Reader& reader, const Value& value, std::vector<GuidePoint>& points) {
   return read_line(reader, value, GuidePoint::kRoot, points);
+}
+
+Errors load_guide(const NamedFile& file, GuideText& guide) {
+  Result<LineSet> lines = read_obj_lines(file.text, file.path.string());
+  if (!lines) return lines.errors();
+  guide.lines = {std::move(lines->place), std::move(lines->line)};
+  return {};
 }
 
 }  // namespace frond

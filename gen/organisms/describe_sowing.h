@@ -26,7 +26,9 @@ void describe(Visitor& v, SowRules& s) {
            "That it keeps from the edge of a path");
   v.vector("center", s.center, {.min = -1e4, .max = 1e4, .unit = "m"}, "x, z of its place");
   v.number("reach", s.reach, {.min = 0, .max = 1e4, .unit = "m"}, "Round that; 0: all of the land");
-  v.text("map", s.map, "A PNG whose brightness is the density, as seen from the preset's folder");
+  v.file(
+      "map", s.map, [&](const NamedFile& file) { return load_density(file, s); },
+      "A PNG whose brightness is the density, as seen from the preset's folder");
 }
 
 template <class Visitor>

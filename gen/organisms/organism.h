@@ -1,25 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
-#include "core/result.h"
-#include "grammar/forecast.h"
-#include "model/model.h"
-#include "organisms/bridge.h"
-#include "organisms/coral.h"
-#include "organisms/crown_tree.h"
-#include "organisms/host.h"
-#include "organisms/ivy.h"
-#include "organisms/plant.h"
-#include "organisms/rock.h"
+#include "core/vec.h"
+#include "organisms/grower.h"
 #include "organisms/sowing.h"
-#include "organisms/style.h"
-#include "organisms/tree.h"
-#include "organisms/vase.h"
+#include "world/style.h"
 
 namespace frond {
 
@@ -46,32 +35,8 @@ struct Organism {
   Place place;
   std::optional<Sowing> sown;  ///< copies of a few models, sown over the land
   Style style;
-  std::variant<CoralParams, PlantParams, RockParams, PebblesParams, WallParams, ColumnParams, MeshParams,
-               BridgeParams, VaseParams, WeberPennParams, ColonizedParams, TreeParams, IvyParams>
-      body;
+  std::shared_ptr<const Grower> grower;  ///< its kind with its parameters; never null once it is read
   std::string text;  ///< all that its shape depends on, as it was written (canonical JSON); for hashes
 };
-
-/// What an organism is made of at the end of its growth, with its foot at the origin. Ivy grows on others, by
-/// grow_ivy().
-Result<Model> grow(const Organism& organism, Seed seed);
-
-/// How large one of them will be.
-struct Foresight {
-  Forecast word;     ///< of its grammar
-  double nodes = 0;  ///< of its skeleton
-};
-
-/// Foresees the size without growing; a derivation past its limits is refused with the figure and the step.
-Result<Foresight> foresee(const Organism& organism, Seed seed);
-
-/// The pictures that the frames of an organism need.
-std::vector<Drawing> drawings(const Organism& organism);
-
-/// The first fault of an organism that only shows when its grammar is compiled.
-Errors check(const Organism& organism);
-
-/// What of an organism without faults is most likely not meant.
-Errors doubts(const Organism& organism);
 
 }  // namespace frond

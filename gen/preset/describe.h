@@ -34,6 +34,9 @@ namespace frond {
 //     integer(name, n, range, doc)         any integer type; beyond the type and 2^53 is refused by itself
 //     boolean(name, b, doc)
 //     text(name, s, doc)                   std::string
+//     file(name, s, load, doc [, needed])  std::string, the name of a file; `Errors load(const NamedFile&)`
+//     takes
+//                                          what it holds, where it is needed and files are to be read
 //     choice(name, e, table, doc)          an enum by its name in a constexpr array of Choice (below)
 //     vector(name, v, [range,] doc)        Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
 //     direction(name, v, [across,] doc)    Vec3, DVec3 of some length; across: what of it counts
@@ -51,8 +54,10 @@ namespace frond {
 //     tagged(name, t, kinds, doc)          an object whose "kind" says how it is read (Kind, below)
 //     tagged_list(name, l, kinds, doc)     a list of such
 //     inheriting_list(names, l, kinds, doc)  a list of such, with defaults behind it (Inheritance, below)
-//     required(name)                       that property must be given; after the line that reads it
-//     shorthand(name)                      first of all: a bare value in place of the object is read as this
+//     origin(s [, name])                   std::string: where the object, or that property, stands in its
+//     file given(name, b)                       whether the object itself gives that property required(name)
+//     that property must be given; after the line that reads it shorthand(name)                      first of
+//     all: a bare value in place of the object is read as this
 //                                          property of it, so "A -> B" as {"rule": "A -> B"}. Not for a Kind.
 //     custom(name, x, read, schema, doc)   all else: `bool read(Reader&, const Value&, X&)` notes faults by
 //                                          Reader::fault and says whether x was read; `schema` is JSON text

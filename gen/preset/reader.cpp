@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/content.h"
+
 namespace frond {
 
 const Value* Reader::take(std::string_view name) {
@@ -24,6 +26,33 @@ void Reader::doubt_radians(const Value& value, double found, double usual) {
 }
 
 void Reader::shorthand(std::string_view name) { frames_.back().bare = name; }
+
+std::optional<NamedFile> Reader::file_at(const Value& value) {
+  if (value.text.empty()) return std::nullopt;
+  Result<NamedFile> file = assets_->read(value.text);
+  if (file) return std::move(*file);
+  for (const Error& error : file.errors()) faults_.add({value.origin, pointer_, error.text()});
+  return std::nullopt;
+}
+
+void Reader::note_file(const Value& value, const NamedFile& file, const Errors& errors) {
+  files_.emplace_back(pointer_, content_id(file.text));
+  for (const Error& error : errors)
+    faults_.add({value.origin, pointer_,
+                 error.where.empty() ? Error{file.path.string(), error.what}.text() : error.text()});
+}
+
+void Reader::origin(std::string& out, std::string_view name) const {
+  const Value& object = *frames_.back().value;
+  const Value* member = name.empty() ? &object : object.find(name);
+  std::string pointer = name.empty() ? pointer_ : pointer_step(pointer_, name);
+  out = Fault{(member ? member : &object)->origin, std::move(pointer), ""}.error().where;
+}
+
+void Reader::given(std::string_view name, bool& out) const {
+  const Value* member = frames_.back().value->find(name);
+  out = member && !member->inherited;
+}
 
 void Reader::required(std::string_view name) {
   const Value& object = *frames_.back().value;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/assets.h"
 #include "core/curve.h"
 #include "core/vec.h"
 #include "preset/describe.h"
@@ -26,6 +27,11 @@ class Reader {
  public:
   /// With `partial`, missing properties are no fault: what is read are defaults for something else.
   explicit Reader(bool partial = false) : partial_(partial) {}
+
+  /// Files that properties name are read from there; without it their names are all that is read.
+  void read_files(const Assets& assets) { assets_ = &assets; }
+  /// The pointers of the properties that named files, and what stands for what those hold.
+  const std::vector<std::pair<std::string, std::string>>& files() const { return files_; }
 
   const Faults& faults() const { return faults_; }
   /// What is no fault, but most likely not meant.
@@ -77,6 +83,13 @@ class Reader {
   template <class T>
   void text(std::string_view name, T& out, std::string_view) {
     member(name, [&](const Value& v) { return keep(out, text_at(v)); });
+  }
+  template <class Load>
+  void file(std::string_view name, std::string& out, const Load& load, std::string_view, bool needed = true) {
+    member(name, [&](const Value& v) {
+      if (!keep(out, text_at(v)) || !assets_ || !needed) return;
+      if (std::optional<NamedFile> found = file_at(v)) note_file(v, *found, load(*found));
+    });
   }
   template <class T, class Table>
   void choice(std::string_view name, T& out, const Table& table, std::string_view) {
@@ -181,6 +194,10 @@ class Reader {
       if (read(*this, v, held)) out = std::move(held);
     });
   }
+  /// Where the object that is being read stands, or that property of it, as messages say it.
+  void origin(std::string& out, std::string_view name = {}) const;
+  /// Whether the object gives the property itself, not some defaults behind it.
+  void given(std::string_view name, bool& out) const;
   void required(std::string_view name);
   void shorthand(std::string_view name);
 
@@ -259,6 +276,9 @@ class Reader {
   void doubt_radians(const Value& value, double found, double usual);
   /// Notes a direction that is none.
   bool has_length(const Value& value, const DVec3& direction, Across across);
+  /// The file that a text names; an empty text names none.
+  std::optional<NamedFile> file_at(const Value& value);
+  void note_file(const Value& value, const NamedFile& file, const Errors& errors);
   std::optional<double> whole_at(const Value& value, const Range& range);
   bool numbers_at(const Value& value, const Range& range, std::span<double> out);
   template <class T, class Read>
@@ -313,16 +333,21 @@ class Reader {
   std::string pointer_;
   std::vector<Frame> frames_;
   Faults faults_, doubts_;
+  const Assets* assets_ = nullptr;
+  std::vector<std::pair<std::string, std::string>> files_;
 };
 
 /// Reads a document into a described struct, or tells everything that is wrong with it. What is only doubtful
-/// goes to `doubts`.
+/// goes to `doubts`. The files that it names are read from `assets`; `files` gets those of Reader.
 template <class T>
-Result<T> read_preset(const Document& document, Faults* doubts = nullptr) {
+Result<T> read_preset(const Document& document, Faults* doubts = nullptr, const Assets* assets = nullptr,
+                      std::vector<std::pair<std::string, std::string>>* files = nullptr) {
   T preset{};
   Reader reader;
+  if (assets) reader.read_files(*assets);
   reader.read_root(document.root, preset);
   if (doubts) *doubts = reader.doubts();
+  if (files) *files = reader.files();
   if (reader.faults().list().empty()) return preset;
   return reader.faults().errors();
 }

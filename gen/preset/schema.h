@@ -55,6 +55,10 @@ class SchemaWriter {
   void text(std::string_view name, const T& s, std::string_view doc) {
     add(name, type("string"), doc, "", initial(s, [](const std::string& v) { return make_text(v); }));
   }
+  template <class Load>
+  void file(std::string_view name, const std::string& out, const Load&, std::string_view doc, bool = true) {
+    text(name, out, doc);
+  }
   template <class T, class Table>
   void choice(std::string_view name, const T& e, const Table& table, std::string_view doc) {
     std::vector<std::string_view> names;
@@ -158,6 +162,8 @@ class SchemaWriter {
   void custom(std::string_view name, const T&, Read, std::string_view schema, std::string_view doc) {
     add(name, written_schema(schema), doc);
   }
+  void origin(std::string&, std::string_view = {}) const {}
+  void given(std::string_view, bool&) const {}
   void required(std::string_view name) { required_.push_back(name); }
   void shorthand(std::string_view name) { bare_ = name; }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/ground.h"
+#include "land/ground.h"
 #include "scene/preset.h"
 
 namespace frond {

@@ -23,8 +23,8 @@ struct CopyPart {
 /// organism and its `seeds` alone, not on the scene's seed.
 Result<Model> grow_copy(const Organism& organism, int which);
 
-/// What stands for model `which` of a sown organism: a number that differs where the model does.
-Seed copy_key(const Organism& organism, int which);
+/// What stands for model `which` of a sown organism in names: it differs where the model does.
+std::string copy_id(const Organism& organism, int which);
 
 /// How a model is drawn.
 struct CopyDetail {
@@ -33,15 +33,6 @@ struct CopyDetail {
 };
 
 /// A model as meshes. What is left of its leaves has the area of all of them.
-std::vector<CopyPart> copy_parts(const Organism& organism, const Model& model, const CopyDetail& detail);
-
-/// The bark of an organism's branches as a picture, or nullptr.
-const BarkCoat* coat_of(const Organism& organism);
-/// Their bark without pictures, or nullptr.
-const Bark* bark_of(const Organism& organism);
-/// Its leaves' year, or nullptr.
-const Seasons* seasons_of(const Organism& organism);
-/// How it sways, or nullptr.
-const Wave* wave_of(const Organism& organism);
+std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail);
 
 }  // namespace frond

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <vector>
 
 #include "preset/fault.h"
@@ -14,32 +13,6 @@ namespace frond {
 
 namespace {
 
-/// A property, and the settings that heed it.
-struct Heeded {
-  std::string_view pointer;
-  std::initializer_list<Setting> settings;
-};
-
-const Heeded kHeeded[] = {
-    {"/scene/water", {Setting::underwater}},
-    {"/scene/studio", {Setting::studio}},
-    {"/scene/meadow", {Setting::meadow, Setting::garden, Setting::forest}},
-    {"/scene/meadow/zenith", {Setting::meadow}},
-    {"/scene/meadow/horizon", {Setting::meadow}},
-    {"/scene/meadow/sun", {Setting::meadow}},
-    {"/scene/meadow/grass", {Setting::meadow, Setting::garden}},
-    {"/scene/meadow/blade", {Setting::meadow, Setting::garden}},
-    {"/scene/meadow/blades", {Setting::meadow, Setting::garden}},
-    {"/scene/meadow/extent", {Setting::meadow, Setting::garden}},
-    {"/scene/meadow/flowers", {Setting::meadow, Setting::garden}},
-    {"/scene/garden", {Setting::garden}},
-    {"/scene/forest", {Setting::forest}},
-    {"/scene/floor", {Setting::underwater, Setting::meadow, Setting::garden}},
-    {"/scene/floor/stones", {Setting::underwater}},
-    {"/scene/floor/stone_size", {Setting::underwater}},
-    {"/scene/floor/extent", {Setting::underwater}},
-};
-
 /// What of `place` sown copies and ivy pass over.
 constexpr std::string_view kScatter[] = {"center", "inner", "radius", "spacing", "rock"};
 constexpr std::string_view kStance[] = {"size_variation", "turn", "turn_variation", "lean"};
@@ -47,9 +20,18 @@ constexpr std::string_view kStance[] = {"size_variation", "turn", "turn_variatio
 /// An angle that is given as so few degrees was meant as radians.
 constexpr double kRadians = 1.5;
 
-std::string_view name_of(Setting setting) {
-  auto row = std::ranges::find(kSettings, setting, &Choice<Setting>::value);
-  return row == std::end(kSettings) ? "" : row->name;
+/// Whether a setting heeds a property below the scene, by itself or as a part of its block.
+bool heeds(const SettingRow& setting, std::string_view pointer) {
+  return std::ranges::any_of(setting.answers.heeds, [&](std::string_view own) {
+    return pointer == own || (pointer.starts_with(own) && pointer[own.size()] == '/');
+  });
+}
+
+/// Whether it heeds something of a block.
+bool heeds_some(const SettingRow& setting, std::string_view block) {
+  return std::ranges::any_of(setting.answers.heeds, [&](std::string_view own) {
+    return own.starts_with(block) && (own.size() == block.size() || own[block.size()] == '/');
+  });
 }
 
 class Finder {
@@ -60,11 +42,8 @@ class Finder {
     const Value* scene = preset_.written->find("scene");
     const Value* setting = scene ? scene->find("setting") : nullptr;
     bool set = setting && setting->origin.line == 0;
-    for (const Heeded& heeded : kHeeded) {
-      const Value* value = at(*preset_.written, heeded.pointer);
-      // A setting of the command line leaves what the file has for its own.
-      if (value && (!set || value->origin.line == 0)) check(heeded, *value);
-    }
+    for (const SettingRow& row : settings()) check_block(row.block, set);
+    check_block("floor", set);
     const Value* organisms = preset_.written->find("organisms");
     for (std::size_t i = 0; i < preset_.organisms.size(); ++i)
       check(preset_.organisms[i], organisms->items[i], fmt::format("/organisms/{}", i));
@@ -95,16 +74,25 @@ class Finder {
   /// What the defaults say is said once.
   void add(Fault fault) { notes_.add(std::move(fault)); }
 
-  void check(const Heeded& heeded, const Value& value) {
-    Setting setting = preset_.stage.setting;
-    if (std::ranges::find(heeded.settings, setting) != heeded.settings.end()) return;
-    // The whole was told of.
-    if (!told_.empty() && heeded.pointer.starts_with(told_ + "/")) return;
-    told_ = heeded.pointer;
-    std::string names;
-    for (Setting other : heeded.settings)
-      names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(other));
-    note(value, told_, fmt::format("the setting is {}; it is for {}", name_of(setting), names));
+  /// A block of parameters of the scene, or what of it the setting does not heed. Where the setting comes
+  /// from the command line (`set`), what the file has for its own setting is left out.
+  void check_block(std::string_view name, bool set) {
+    std::string block = fmt::format("/{}", name);
+    const Value* value = at(*preset_.written, "/scene" + block);
+    if (!value) return;
+    auto idle = [&](const Value& what, const std::string& pointer, auto heed) {
+      if (set && what.origin.line != 0) return;
+      std::string names;
+      for (const SettingRow& row : settings())
+        if (heed(row, pointer)) names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
+      note(what, "/scene" + pointer,
+           fmt::format("the setting is {}; it is for {}", settings()[preset_.stage.setting].name, names));
+    };
+    const SettingRow& setting = settings()[preset_.stage.setting];
+    if (!heeds_some(setting, block)) return idle(*value, block, heeds_some);
+    for (const Member& member : value->members)
+      if (std::string pointer = block + "/" + member.name; !heeds(setting, pointer))
+        idle(member.value, pointer, heeds);
   }
 
   void check(const Organism& organism, const Value& written, const std::string& pointer) {
@@ -112,14 +100,14 @@ class Finder {
       if (const Value* value = at(written, fmt::format("/place/{}", name)))
         note(*value, fmt::format("{}/place/{}", pointer, name), why);
     };
-    bool ivy = std::holds_alternative<IvyParams>(organism.body);
+    bool ivy = organism.grower->hosts() != nullptr;
     if (ivy || organism.sown)
       for (std::string_view name : kScatter)
         idle(name,
              ivy ? "ivy roots at place.at, or anywhere on its host" : "sown.where says where copies stand");
     if (ivy)
       for (std::string_view name : kStance) idle(name, "ivy takes the shape of its host");
-    if (!ivy && !organism.sown && organism.place.rock > 0 && preset_.stage.setting != Setting::underwater)
+    if (!ivy && !organism.sown && organism.place.rock > 0 && !rocks_)
       idle("rock", "rocks lie under water only");
     check_motion(written, pointer, "wave", "amplitude");
     check_motion(written, pointer, "food", "strength");
@@ -141,7 +129,7 @@ class Finder {
 
   const Preset& preset_;
   const std::string& file_name_;
-  std::string told_;
+  bool rocks_ = settings()[preset_.stage.setting].answers.extent(preset_.stage).rocks;
   Faults notes_;
 };
 

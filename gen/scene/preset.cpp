@@ -19,15 +19,6 @@
 namespace frond {
 namespace {
 
-struct RuleList {
-  std::string_view name;
-  std::vector<GrammarText::Rule> GrammarText::*rules;
-};
-
-constexpr RuleList kRuleLists[] = {{"rules", &GrammarText::rules},
-                                   {"decomposition", &GrammarText::decomposition},
-                                   {"interpretation", &GrammarText::interpretation}};
-
 /// An organism with the defaults behind it, as it was read.
 Value merged_organism(const Value& root, std::size_t index) {
   std::vector<std::string> force;
@@ -42,84 +33,25 @@ Fault organism_fault(const Value& organism, std::size_t index, std::string_view 
   return {origin_at(organism, pointer), fmt::format("/organisms/{}{}", index, pointer), std::move(what)};
 }
 
-/// What stands between the first backquotes of a text.
-std::string_view in_backquotes(std::string_view text) {
-  std::size_t begin = std::min(text.find('`'), text.size());
-  text.remove_prefix(std::min(begin + 1, text.size()));
-  return text.substr(0, text.find('`'));
-}
-
-/// The property of a grammar that an error of compile() is about: "/rules/2", "/axiom", or "" where it does
-/// not say. Rules must have been placed.
-std::string grammar_pointer(const GrammarText& grammar, const Error& error) {
-  for (const RuleList& list : kRuleLists) {
-    const std::vector<GrammarText::Rule>& rules = grammar.*list.rules;
-    auto rule = std::ranges::find(rules, error.where, &GrammarText::Rule::where);
-    if (rule != rules.end()) return fmt::format("/grammar/{}/{}", list.name, rule - rules.begin());
-  }
-  if (error.where.starts_with('/')) return error.where;
-  if (error.where.starts_with("constant `"))
-    return pointer_step("/grammar/constants", in_backquotes(error.where));
-  if (!error.where.empty()) return pointer_step("/grammar", error.where);
-  // A number that is out of range is named first of all.
-  return error.what.starts_with('`') ? pointer_step("/grammar", in_backquotes(error.what)) : "/grammar";
-}
-
-/// Rules that a coral does not grow by, or that it lacks. Defaults may hold rules for other corals.
-void check_form(const CoralParams& coral, const Value& written, const Value& own_part, std::size_t index,
-                Faults& faults) {
-  bool own = coral.form == CoralForm::own;
-  if (own && !written.find("grammar"))
-    faults.add(organism_fault(written, index, "/form", "found \"own\" and no rules; expected a \"grammar\""));
-  if (!own && own_part.find("grammar"))
-    faults.add(
-        organism_fault(written, index, "/grammar",
-                       "found rules, but the coral grows by those of its form; expected \"form\": \"own\""));
-}
-
-/// Tells the rules where they stand and finds what is wrong with them, and with where it stands: within
-/// `ground` metres.
-void check_organism(Organism& organism, const Value& written, std::size_t index, double ground,
+/// Finds what is wrong with an organism as a whole and with where it stands: within `reach` metres.
+void check_organism(const Organism& organism, const Value& written, std::size_t index, double reach,
                     Faults& faults, Faults& doubtful) {
-  auto* coral = std::get_if<CoralParams>(&organism.body);
-  auto* plant = std::get_if<PlantParams>(&organism.body);
-  GrammarText* grammar = plant                                    ? &plant->grammar
-                         : coral && coral->form == CoralForm::own ? &coral->grammar
-                                                                  : nullptr;
-  if (grammar || coral) {
-    GrammarText& text = grammar ? *grammar : coral->grammar;
-    text.where = organism_fault(written, index, grammar ? "/grammar" : "/steps", "").error().where;
-  }
-  if (grammar) {
-    for (const RuleList& list : kRuleLists) {
-      std::size_t i = 0;
-      for (GrammarText::Rule& rule : grammar->*list.rules) {
-        std::string pointer = fmt::format("/grammar/{}/{}", list.name, i++);
-        rule.where = organism_fault(written, index, pointer, "").error().where;
-      }
-    }
-  }
   for (std::size_t i = 0; i < organism.place.at.size(); ++i)
-    if (glm::length(organism.place.at[i]) > ground)
+    if (glm::length(organism.place.at[i]) > reach)
       faults.add(organism_fault(
           written, index, fmt::format("/place/at/{}", i),
           fmt::format(
               "lies off the ground, which reaches {:g} m here; expected a place within that of the middle",
-              ground)));
-  if (organism.sown && std::holds_alternative<IvyParams>(organism.body))
+              reach)));
+  if (organism.sown && organism.grower->hosts())
     faults.add(organism_fault(written, index, "/sown",
                               "ivy cannot be sown, for it grows on what stands; expected another kind"));
   auto add = [&](Faults& list, const Errors& errors) {
-    for (const Error& error : errors) {
-      std::string pointer = grammar                        ? grammar_pointer(*grammar, error)
-                            : error.where.starts_with('/') ? error.where
-                                                           : "";
-      list.add(organism_fault(written, index, pointer, error.what));
-    }
+    for (const Error& error : errors) list.add(organism_fault(written, index, error.where, error.what));
   };
-  Errors errors = check(organism);
+  Errors errors = organism.grower->check();
   add(faults, errors);
-  if (errors.empty()) add(doubtful, doubts(organism));
+  if (errors.empty()) add(doubtful, organism.grower->doubts());
 }
 
 /// Why ivy cannot grow on what it names.
@@ -129,31 +61,28 @@ std::string host_fault(const std::string& name, const std::vector<std::string_vi
   return what + expected_names(name, names);
 }
 
-/// Ivy that names what is not there, or what is no body.
+/// What names hosts that are not there, or that are no bodies.
 void check_hosts(const Preset& preset, Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
-    if (!organism.name.empty() && !organism.sown && !std::holds_alternative<IvyParams>(organism.body))
-      names.push_back(organism.name);
+    if (!organism.name.empty() && !organism.sown && !organism.grower->hosts()) names.push_back(organism.name);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
-    const auto* ivy = std::get_if<IvyParams>(&preset.organisms[i].body);
-    if (!ivy) continue;
-    const Value& written = preset.written->find("organisms")->items[i];
-    if (ivy->crawl.lure != Lure::point && ivy->crawl.bias > 0 && glm::length(ivy->crawl.toward) < 1e-3f)
-      faults.add(organism_fault(written, i, "/crawl/toward",
-                                "found a vector of length 0; expected the direction that strands turn to"));
-    for (std::size_t k = 0; k < ivy->on.size(); ++k)
-      if (std::ranges::find(names, ivy->on[k]) == names.end())
-        faults.add(organism_fault(written, i, fmt::format("/on/{}", k), host_fault(ivy->on[k], names)));
+    const std::vector<std::string>* hosts = preset.organisms[i].grower->hosts();
+    for (std::size_t k = 0; hosts && k < hosts->size(); ++k)
+      if (std::ranges::find(names, (*hosts)[k]) == names.end())
+        faults.add(organism_fault(preset.written->find("organisms")->items[i], i, fmt::format("/on/{}", k),
+                                  host_fault((*hosts)[k], names)));
   }
 }
 
 /// What would be too much of something.
 void check_bounds(const Preset& preset, Faults& faults) {
-  std::vector<Excess> all = beyond_bounds(preset);
-  for (Excess& excess : without_room(preset)) all.push_back(std::move(excess));
-  for (Excess& excess : all)
-    faults.add({origin_at(*preset.written, excess.pointer), excess.pointer, std::move(excess.what)});
+  Errors errors = settings()[preset.stage.setting].answers.check(preset.stage, preset.film);
+  for (Error& error : errors) error.where.insert(0, "/scene");
+  for (auto found : {too_much_together, without_room})
+    for (Error& error : found(preset)) errors.push_back(std::move(error));
+  for (Error& error : errors)
+    faults.add({origin_at(*preset.written, error.where), error.where, std::move(error.what)});
 }
 
 /// What no picture can be made of although each value is one that may be.
@@ -254,23 +183,25 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   };
   // The base may be set, too, and all else is set over it.
   if (!set_all("/base=")) return errors;
-  errors = lay_on_base(document->root, file_name, Assets(file_name, only));
+  Assets assets(file_name, only);
+  errors = lay_on_base(document->root, file_name, assets);
   if (!errors.empty() || !set_all("")) return errors;
 
   Faults faults, doubtful;
-  Result<Preset> preset = read_preset<Preset>(*document, &doubtful);
+  std::vector<std::pair<std::string, std::string>> files;
+  Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets, &files);
   if (!preset) return preset;
   preset->text = serialize(document->root);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
-  const Stage& stage = preset->stage;
-  double ground = stage.setting == Setting::forest ? std::max(30.0, stage.forest.terrain.size) : 30;
+  double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     Value written = preset->written->find("organisms")->items[i];
-    if (const auto* coral = std::get_if<CoralParams>(&preset->organisms[i].body))
-      check_form(*coral, written, document->root.find("organisms")->items[i], i, faults);
-    check_organism(preset->organisms[i], written, i, ground, faults, doubtful);
+    check_organism(preset->organisms[i], written, i, reach, faults, doubtful);
     for (std::string_view other : {"name", "count", "place", "sown", "wave", "growth"}) written.remove(other);
     preset->organisms[i].text = serialize(written);
+    // What is sown is grown anew where one of its files has changed.
+    for (const auto& [pointer, content] : files)
+      if (pointer.starts_with(fmt::format("/organisms/{}/", i))) preset->organisms[i].text += " " + content;
   }
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);

@@ -4,7 +4,7 @@
 
 namespace frond {
 
-/// Notes of a scene in the studio what stands through its wall, and round its main light.
-void note_studio(Scene& scene);
+/// Notes what of a scene does not fit into its setting, such as what stands through the studio's wall.
+void note_fit(Scene& scene);
 
 }  // namespace frond

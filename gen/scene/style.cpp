@@ -19,11 +19,11 @@ Style settled(Style style, const Skeleton& rest) {
   return style;
 }
 
-Errors take_style(Branches& b, const Style& style) {
-  b.style = settled(style, b.rest);
-  if (b.style.build == Build::sweeps || b.rest.size() < 2) return {};
+Errors take_style(Specimen& b, const Style& style) {
+  b.style = settled(style, b.model.skeleton);
+  if (b.style.build == Build::sweeps || b.model.skeleton.size() < 2) return {};
   VolumeOptions options{b.style.voxel, b.style.adaptivity, b.style.limit};
-  Errors errors = refuse_volume(limbs_of(b.rest, static_cast<float>(b.style.blend)), options);
+  Errors errors = refuse_volume(boughs_of(b.model.skeleton, static_cast<float>(b.style.blend)), options);
   for (Error& error : errors) error.where = fmt::format("/organisms/{}/body/voxel", b.entry);
   return errors;
 }
@@ -31,7 +31,7 @@ Errors take_style(Branches& b, const Style& style) {
 }  // namespace
 
 Errors take_styles(Scene& scene, const Preset& preset) {
-  for (Branches& b : scene.branches) {
+  for (Specimen& b : scene.specimens) {
     if (b.entry >= preset.organisms.size()) continue;  // of the setting itself
     if (Errors errors = take_style(b, preset.organisms[b.entry].style); !errors.empty()) return errors;
   }

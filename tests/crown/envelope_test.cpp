@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "geometry/stone.h"
+#include "rocks/stone.h"
 
 namespace frond {
 namespace {

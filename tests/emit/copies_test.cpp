@@ -72,8 +72,8 @@ TEST(CopyPlan, TheSameFilmLargerIsFiner) {
 std::pair<std::string, std::string> texts(const Scene& scene, CopyPlan& plan) {
   std::string models;
   for (ModelFile& file : plan.files) {
-    const Organism& organism = scene.stands[file.stand].organism;
-    std::string text = model_text(file, organism, *grow_copy(organism, file.model));
+    const SownStand& stand = scene.stands[file.stand];
+    std::string text = model_text(file, stand, *grow_copy(stand.organism, file.model));
     file.parts = model_parts(text).value_or(0);
     EXPECT_EQ(file.parts, 2) << "wood and leaves";
     models += text;

@@ -38,7 +38,7 @@ TEST(Frame, HoldsNoNumberThatPovRayMisreads) {
 
 TEST(Frame, WritesANameThatCannotBreakOut) {
   Scene scene = scene_at("tests/presets/tiny_still.json");
-  scene.branches[0].name = "x\n#include \"/etc/passwd\"y\r#error \"no\"";
+  scene.specimens[0].name = "x\n#include \"/etc/passwd\"y\r#error \"no\"";
   std::string text = text_of(scene, 1);
   EXPECT_EQ(text.find("\n#include \"/etc"), text.npos);
   EXPECT_EQ(text.find("\r"), text.npos);

@@ -11,6 +11,7 @@
 #include "emit/frame.h"
 #include "emit/setting.h"
 #include "motion/unfold.h"
+#include "settings/settings.h"
 
 namespace frond {
 namespace {
@@ -33,18 +34,18 @@ std::size_t count(const std::string& text, const std::string& what) {
 
 TEST(PlantText, WritesEachPartOfEachOrganOnce) {
   Scene scene = tiny_plant();
-  const Branches& herb = scene.branches[0];
-  ASSERT_GT(herb.organs.size(), 5u);
+  const Specimen& herb = scene.specimens[0];
+  ASSERT_GT(herb.model.organs.size(), 5u);
   Pose pose;
-  pose_skeleton(herb.rest, {}, 0, pose);
+  pose_skeleton(herb.model.skeleton, {}, 0, pose);
   std::string text;
   write_foliage({}, herb, pose, 0, [&](std::string_view piece) { text += piece; });
-  EXPECT_EQ(count(text, "object{Organ0_0_0 matrix<"), herb.organs.size());
-  EXPECT_EQ(count(text, "object{Organ0_0_1 matrix<"), herb.organs.size());
+  EXPECT_EQ(count(text, "object{Organ0_0_0 matrix<"), herb.model.organs.size());
+  EXPECT_EQ(count(text, "object{Organ0_0_1 matrix<"), herb.model.organs.size());
   std::size_t faces = 0;
   for (std::size_t at = text.find("face_indices{"); at != text.npos; at = text.find("face_indices{", at + 1))
     faces += static_cast<std::size_t>(std::atoi(text.c_str() + at + 13));
-  EXPECT_EQ(faces, herb.blades.surface.triangle.size());
+  EXPECT_EQ(faces, herb.model.blades.surface.triangle.size());
 }
 
 TEST(PlantText, DeclaresWhatItUses) {
@@ -63,13 +64,13 @@ TEST(PlantText, ATreeWithoutLeavesAmongOthersThatBearThemIsWritten) {
   std::string preset = R"({"seed": 2, "film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [
     {"kind": "weber_penn", "count": 12, "tree": {"levels": 1, "leaves": 1}}]})";
   Scene scene = *build_scene(*read_preset(preset, "x", {}));
-  auto bears = [](const Branches& b) { return b.organs.size() > 0; };
-  ASSERT_TRUE(std::any_of(scene.branches.begin(), scene.branches.end(), bears));
-  ASSERT_FALSE(std::all_of(scene.branches.begin(), scene.branches.end(), bears));
+  auto bears = [](const Specimen& b) { return b.model.organs.size() > 0; };
+  ASSERT_TRUE(std::any_of(scene.specimens.begin(), scene.specimens.end(), bears));
+  ASSERT_FALSE(std::all_of(scene.specimens.begin(), scene.specimens.end(), bears));
   // Whichever comes first.
   for (int turn = 0; turn < 2; ++turn) {
     EXPECT_EQ(count(text_of(scene, 1), "#declare Organ0_0_0 = mesh2{"), 1u);
-    std::stable_partition(scene.branches.begin(), scene.branches.end(), bears);
+    std::stable_partition(scene.specimens.begin(), scene.specimens.end(), bears);
   }
 }
 
@@ -91,7 +92,7 @@ TEST(PlantText, OrgansUnfoldWithGrowth) {
     before = now;
   }
   EXPECT_EQ(count(text_of(scene, 1), "object{Organ0_0_0 matrix<"), 0u);
-  EXPECT_EQ(before, scene.branches[0].organs.size());
+  EXPECT_EQ(before, scene.specimens[0].model.organs.size());
 }
 
 TEST(Unfolded, RisesFromNothingToAllWithoutAJump) {
@@ -109,21 +110,22 @@ TEST(Unfolded, RisesFromNothingToAllWithoutAJump) {
 TEST(Includes, AreThoseOfTheSetting) {
   Scene scene = tiny_plant();
   EXPECT_EQ(includes_text(scene), "#include \"frond_meadow.inc\"\n#include \"frond_plant.inc\"");
-  scene.stage.setting = Setting::studio;
+  scene.stage.setting = row_of("studio");
   EXPECT_EQ(includes_text(scene), "#include \"frond_studio.inc\"\n#include \"frond_plant.inc\"");
-  scene.branches[0].bark.reset();
-  scene.stage.setting = Setting::underwater;
+  scene.specimens[0].look.bark.reset();
+  scene.stage.setting = row_of("underwater");
   EXPECT_EQ(includes_text(scene),
             "#include \"frond_water.inc\"\n#include \"frond_sand.inc\"\n#include \"frond_coral.inc\"\n"
             "#include \"frond_food.inc\"");
 }
 
 TEST(Slanted, AreThickLimbsThatAreNotUpright) {
-  Branches tree;
-  tree.bark = Bark{};
-  std::int32_t top = tree.rest.add(Vec3(0, 1, 0), 0.2f, tree.rest.add(Vec3(0), 0.2f, -1, 0), 0);
-  tree.rest.add(Vec3(1, 1.3f, 0), 0.1f, top, 1);
-  tree.rest.add(Vec3(0, 1.3f, 1), 0.001f, top, 1);
+  Specimen tree;
+  tree.look.bark = Bark{};
+  std::int32_t top =
+      tree.model.skeleton.add(Vec3(0, 1, 0), 0.2f, tree.model.skeleton.add(Vec3(0), 0.2f, -1, 0), 0);
+  tree.model.skeleton.add(Vec3(1, 1.3f, 0), 0.1f, top, 1);
+  tree.model.skeleton.add(Vec3(0, 1.3f, 1), 0.001f, top, 1);
   auto chunk = [](std::int32_t node) {
     Chunk c;
     c.first = c.last = node;
@@ -132,7 +134,7 @@ TEST(Slanted, AreThickLimbsThatAreNotUpright) {
   EXPECT_FALSE(slanted(tree, chunk(1))) << "the trunk";
   EXPECT_TRUE(slanted(tree, chunk(2))) << "a limb";
   EXPECT_FALSE(slanted(tree, chunk(3))) << "a twig";
-  tree.bark->kind = BarkKind::stem;
+  tree.look.bark->kind = BarkKind::stem;
   EXPECT_FALSE(slanted(tree, chunk(2))) << "no pattern";
 }
 

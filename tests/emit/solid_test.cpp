@@ -3,21 +3,22 @@
 #include <gtest/gtest.h>
 
 #include "emit/setting.h"
+#include "settings/settings.h"
 
 namespace frond {
 namespace {
 
 Scene with_copies(int count) {
   Scene scene;
-  scene.stage.setting = Setting::studio;
-  Branches& b = scene.branches.emplace_back();
+  scene.stage.setting = row_of("studio");
+  Specimen& b = scene.specimens.emplace_back();
   b.name = "pebbles";
   Solid solid;
   solid.surface.position = {Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   solid.surface.triangle = {{0, 1, 2}};
   set_normals(solid.surface);
-  std::uint16_t shape = b.solids.add_shape(solid);
-  for (int i = 0; i < count; ++i) b.solids.place(shape, Vec3(static_cast<float>(i), 0, 2));
+  std::uint16_t shape = b.model.solids.add_shape(solid);
+  for (int i = 0; i < count; ++i) b.model.solids.place(shape, Vec3(static_cast<float>(i), 0, 2));
   return scene;
 }
 
@@ -47,7 +48,7 @@ TEST(SolidText, AsksForItsMaterialsAndNothingElse) {
 
 TEST(SolidText, PaintsBandsOverTheTexture) {
   Scene scene = with_copies(1);
-  Material& material = scene.branches[0].solids.shapes[0].material;
+  Material& material = scene.specimens[0].model.solids.shapes[0].material;
   material.matter = Matter::ceramic;
   material.bands = {{0.5, 0.1, {0, 0, 1}, Motif::meander, 12}, {}};
   std::string text = solids_text({}, scene);
@@ -58,13 +59,13 @@ TEST(SolidText, PaintsBandsOverTheTexture) {
 
 TEST(SolidText, GlassHasAnInside) {
   Scene scene = with_copies(1);
-  scene.branches[0].solids.shapes[0].material.matter = Matter::glass;
+  scene.specimens[0].model.solids.shapes[0].material.matter = Matter::glass;
   EXPECT_EQ(count(solids_text({}, scene), "interior{Vessel_Glass_Inside("), 1u);
 }
 
 TEST(SolidText, TurnedBodiesAreLathes) {
   Scene scene = with_copies(1);
-  Solid& solid = scene.branches[0].solids.shapes[0];
+  Solid& solid = scene.specimens[0].model.solids.shapes[0];
   solid.turned = {{{{0, 0}, {0.1, 0}, {0.2, 0.1}, {0.2, 0.3}}}};
   std::string text = solids_text({}, scene);
   EXPECT_EQ(count(text, "mesh2{"), 0u);
@@ -73,7 +74,7 @@ TEST(SolidText, TurnedBodiesAreLathes) {
 
 TEST(SolidText, WritesAnIsosurfaceInPlaceOfItsTriangles) {
   Scene scene = with_copies(2);
-  Solid& solid = scene.branches[0].solids.shapes[0];
+  Solid& solid = scene.specimens[0].model.solids.shapes[0];
   Blobs blobs{{{DVec3(1, 2, 0.5), DVec3(0.25, 0, -1)}, {DVec3(1), DVec3(0)}}, Falloff::cubic, 0.5};
   solid.native = Isosurface{blobs, {DVec3(-1, -2, -3), DVec3(4, 5, 6)}, 7, DVec3(0.5, -2, 1), 0.1};
   std::string text = solids_text({}, scene);

@@ -45,7 +45,7 @@ void expect_printable(const Scene& scene, double time, const std::string& what) 
     ASSERT_EQ(pieces.volume.size(), 1u) << what << ' ' << mesh.name;
     EXPECT_GT(pieces.volume[0], 0) << what << ' ' << mesh.name;
   }
-  EXPECT_EQ(bodies, scene.branches.size()) << what;
+  EXPECT_EQ(bodies, scene.specimens.size()) << what;
 }
 
 class Printed : public testing::TestWithParam<const char*> {};

@@ -9,7 +9,7 @@
 namespace frond {
 namespace {
 
-Cubes cubes_at(const Skeleton& s, double side) { return *cubes_of(limbs_of(s, 1), {.voxel = side}); }
+Cubes cubes_at(const Skeleton& s, double side) { return *cubes_of(boughs_of(s, 1), {.voxel = side}); }
 
 /// The surface with the corners of faces that lie at one place made one.
 Surface welded(Surface s) {
@@ -77,7 +77,7 @@ TEST(Cubes, show_a_face_just_where_there_is_no_neighbour) {
 }
 
 TEST(Cubes, past_the_limit_are_refused) {
-  EXPECT_FALSE(cubes_of(limbs_of(test_coral(3), 1), {.voxel = 0.00001}));
+  EXPECT_FALSE(cubes_of(boughs_of(test_coral(3), 1), {.voxel = 0.00001}));
 }
 
 }  // namespace

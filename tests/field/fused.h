@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/surface.h"
-#include "organisms/coral.h"
+#include "organisms/coral/coral.h"
 
 namespace frond {
 

@@ -22,7 +22,7 @@ Skeleton stick(Vec3 from, Vec3 to, float radius, float end_radius) {
 
 TEST(Fuse, a_stick_is_closed_faces_outward_and_has_its_volume) {
   Skeleton s = stick({0.1f, 0.2f, 0}, {0.3f, 1, 0.2f}, 0.1f, 0.1f);
-  Result<FusedMesh> mesh = fuse(limbs_of(s, 1), {.voxel = 0.01, .adaptivity = 0});
+  Result<FusedMesh> mesh = fuse(boughs_of(s, 1), {.voxel = 0.01, .adaptivity = 0});
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->surface.check(), "");
   Closure c = measure(mesh->surface);
@@ -36,7 +36,7 @@ TEST(Fuse, a_stick_is_closed_faces_outward_and_has_its_volume) {
 
 TEST(Fuse, vertices_lie_on_the_exact_surface_and_normals_stand_on_it) {
   Skeleton s = stick({0, 0, 0}, {0, 1, 0}, 0.2f, 0.1f);
-  Boughs limbs = limbs_of(s, 1);
+  Boughs limbs = boughs_of(s, 1);
   Result<FusedMesh> mesh = fuse(limbs, {.voxel = 0.02, .adaptivity = 0.3});
   ASSERT_TRUE(mesh);
   for (std::size_t v = 0; v < mesh->surface.position.size(); ++v) {
@@ -52,14 +52,14 @@ TEST(Fuse, a_ring_of_branches_has_a_hole) {
     auto turn = static_cast<float>(2 * kPi * i / 24);
     s.add({std::cos(turn), std::sin(turn), 0}, 0.2f, i - 1, 0);
   }
-  Result<FusedMesh> mesh = fuse(limbs_of(s, 1), {.voxel = 0.03});
+  Result<FusedMesh> mesh = fuse(boughs_of(s, 1), {.voxel = 0.03});
   ASSERT_TRUE(mesh);
   EXPECT_EQ(measure(mesh->surface).euler, 0);
 }
 
 TEST(Fuse, adaptivity_saves_triangles) {
   Skeleton s = stick({0, 0, 0}, {0, 1, 0}, 0.2f, 0.2f);
-  Boughs limbs = limbs_of(s, 1);
+  Boughs limbs = boughs_of(s, 1);
   std::size_t fine = fuse(limbs, {.voxel = 0.01, .adaptivity = 0})->surface.triangle.size();
   std::size_t coarse = fuse(limbs, {.voxel = 0.01, .adaptivity = 0.2})->surface.triangle.size();
   EXPECT_LT(coarse, fine / 2);
@@ -69,7 +69,7 @@ class Corals : public testing::TestWithParam<double> {};
 
 TEST_P(Corals, are_watertight_and_manifold) {
   Skeleton s = test_coral(5);
-  Result<FusedMesh> mesh = fuse(limbs_of(s, 1), {.voxel = 0.006, .adaptivity = GetParam()});
+  Result<FusedMesh> mesh = fuse(boughs_of(s, 1), {.voxel = 0.006, .adaptivity = GetParam()});
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->surface.check(), "");
   Closure c = measure(mesh->surface);
@@ -88,8 +88,8 @@ TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
     pose_skeleton(s, motion, time, before);
     pose_skeleton(s, motion, time + 1.0 / 24, after);
     Boughs first, second;
-    add_limbs(first, s, before.position, before.radius, before.front, 1);
-    add_limbs(second, s, after.position, after.radius, after.front, 1);
+    add_boughs(first, s, before.position, before.radius, before.front, 1);
+    add_boughs(second, s, after.position, after.radius, after.front, 1);
     FusedMesh mesh = *fuse(first, {.voxel = 0.008}), later = *fuse(second, {.voxel = 0.008});
     double moved = 0;
     for (std::size_t i = 0; i < s.size(); ++i)
@@ -112,7 +112,7 @@ TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
 }
 
 TEST(Fuse, is_the_same_at_any_number_of_threads) {
-  Boughs limbs = limbs_of(test_coral(4), 1);
+  Boughs limbs = boughs_of(test_coral(4), 1);
   VolumeOptions options{.voxel = 0.008};
   limit_threads(1);
   FusedMesh one = *fuse(limbs, options);
@@ -128,7 +128,7 @@ TEST(Fuse, is_the_same_at_any_number_of_threads) {
 
 TEST(Volume, is_foreseen_within_a_factor_of_two) {
   for (double voxel : {0.02, 0.01, 0.004}) {
-    Boughs limbs = limbs_of(test_coral(4), 1);
+    Boughs limbs = boughs_of(test_coral(4), 1);
     Blocks blocks = gather_blocks(limbs, static_cast<float>(voxel), static_cast<float>(3 * voxel));
     double foreseen = foresee_volume(limbs, voxel).blocks;
     EXPECT_LT(foreseen, 2.0 * static_cast<double>(blocks.size())) << voxel;
@@ -137,7 +137,7 @@ TEST(Volume, is_foreseen_within_a_factor_of_two) {
 }
 
 TEST(Volume, past_the_limit_is_refused_with_the_figure) {
-  Boughs limbs = limbs_of(test_coral(4), 1);
+  Boughs limbs = boughs_of(test_coral(4), 1);
   Result<FusedMesh> mesh = fuse(limbs, {.voxel = 0.00002});
   ASSERT_FALSE(mesh);
   EXPECT_NE(mesh.errors()[0].what.find("GB"), std::string::npos) << mesh.errors()[0].what;
@@ -146,7 +146,7 @@ TEST(Volume, past_the_limit_is_refused_with_the_figure) {
 }
 
 TEST(Volume, of_a_vdb_file_is_the_one_that_was_written) {
-  Boughs limbs = limbs_of(test_coral(3), 1);
+  Boughs limbs = boughs_of(test_coral(3), 1);
   Volume volume = *volume_of(limbs, {.voxel = 0.01});
   auto path =
       std::filesystem::temp_directory_path() / ("frond_field_test_" + std::to_string(getpid()) + ".vdb");

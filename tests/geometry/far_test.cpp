@@ -4,17 +4,10 @@
 
 #include <cmath>
 
-#include "geometry/sprig.h"
+#include "foliage/sprig.h"
 
 namespace frond {
 namespace {
-
-double area(const Surface& s) {
-  double sum = 0;
-  for (auto [a, b, c] : s.triangle)
-    sum += 0.5 * glm::length(glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]));
-  return sum;
-}
 
 /// A stem of 41 nodes that bends, with a thin twig in its middle and a thick bough above it.
 Skeleton tree() {

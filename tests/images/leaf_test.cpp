@@ -8,13 +8,6 @@
 namespace frond {
 namespace {
 
-double area(const Surface& s) {
-  double sum = 0;
-  for (auto [a, b, c] : s.triangle)
-    sum += 0.5 * glm::length(glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]));
-  return sum;
-}
-
 LeafImage leaf_of(std::string_view name) {
   LeafImage leaf;
   leaf.outline = leaf_outline(name);

@@ -1,10 +1,10 @@
-#include "organisms/bridge.h"
+#include "organisms/bridge/bridge.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "geometry/block.h"
+#include "masonry/block.h"
 #include "solidity.h"
 
 namespace frond {

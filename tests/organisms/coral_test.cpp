@@ -1,4 +1,4 @@
-#include "organisms/coral.h"
+#include "organisms/coral/coral.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "organisms/crown_tree.h"
+#include "organisms/colonized/colonized.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "organisms/organism.h"
+#include "organisms/weber_penn/weber_penn.h"
 
 namespace frond {
 namespace {
@@ -82,11 +82,9 @@ TEST(CrownTree, PicturesAreNamedByWhatIsInThem) {
   p.dress.leaves.pixels = 32;
   p.dress.coat.emplace();
   p.dress.coat->pixels = 32;
-  Organism organism;
-  organism.body = p;
-  auto pictures = [](const Organism& of) -> Result<std::vector<Picture>> {
+  auto pictures = [](const TreeDress& dress) -> Result<std::vector<Picture>> {
     std::vector<Picture> all;
-    for (const Drawing& drawing : drawings(of)) {
+    for (const Drawing& drawing : drawings(dress_of(dress, true).look)) {
       Result<std::vector<Picture>> drawn = drawing.draw();
       if (!drawn) return drawn;
       EXPECT_EQ(drawn->size(), drawing.names.size());
@@ -95,31 +93,21 @@ TEST(CrownTree, PicturesAreNamedByWhatIsInThem) {
     }
     return all;
   };
-  Result<std::vector<Picture>> first = pictures(organism);
+  Result<std::vector<Picture>> first = pictures(p.dress);
   ASSERT_TRUE(first.ok());
   ASSERT_EQ(first->size(), p.dress.leaves.colors.size() + 2);
   // A frame names just those.
   EXPECT_EQ(leaf_prototype(p.dress.leaves).parts[0].pictures[1], (*first)[1].name);
   EXPECT_EQ(bark_color_name(*p.dress.coat), (*first)[3].name);
-  Result<std::vector<Picture>> again = pictures(organism);
+  Result<std::vector<Picture>> again = pictures(p.dress);
   EXPECT_EQ((*again)[0].bytes, (*first)[0].bytes);
   p.dress.leaves.shape = LeafShape::oak;
   p.dress.coat->image.ridges += 1;
-  organism.body = p;
-  Result<std::vector<Picture>> other = pictures(organism);
+  Result<std::vector<Picture>> other = pictures(p.dress);
   for (std::size_t i = 0; i < first->size(); ++i) {
     EXPECT_NE((*other)[i].name, (*first)[i].name);
     EXPECT_NE((*other)[i].bytes, (*first)[i].bytes);
   }
-}
-
-TEST(CrownTree, AHelplesslyLargeTreeIsRefusedBeforeItGrows) {
-  WeberPennParams p = aspen();
-  p.tree.levels = 4;
-  for (int i = 1; i < 4; ++i) p.tree.level[static_cast<std::size_t>(i)].branches = 900;
-  Organism organism;
-  organism.body = p;
-  EXPECT_FALSE(check(organism).empty());
 }
 
 }  // namespace

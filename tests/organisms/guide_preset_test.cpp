@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "organisms/describe.h"
+#include "organisms/describe_grammar.h"
 #include "preset/json.h"
 
 namespace frond {

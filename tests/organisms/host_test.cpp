@@ -1,14 +1,26 @@
-#include "organisms/host.h"
+#include "organisms/wall/wall.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "geometry/obj.h"
-#include "organisms/organism.h"
+#include "organisms/column/column.h"
+#include "organisms/kinds.h"
+#include "organisms/mesh/mesh.h"
+#include "preset/json.h"
+#include "preset/reader.h"
 #include "solids.h"
 
 namespace frond {
+
+/// One organism of a kind that is known already.
+struct OfKind {
+  const Kind<Organism>& kind;
+  Organism organism;
+};
+void describe(Reader& reader, OfKind& one) { one.kind.read(reader, one.organism); }
+
 namespace {
 
 TEST(Host, WallIsBricksInTonesBeforeMortar) {
@@ -56,12 +68,17 @@ TEST(Host, MeshIsScaledToItsSize) {
   EXPECT_NEAR(low, 0, 1e-5);
 }
 
-TEST(Host, StandsInATableOfKinds) {
-  Organism organism;
-  organism.body = ColumnParams{};
-  EXPECT_TRUE(grow(organism, Seed{1}).ok());
-  EXPECT_TRUE(check(organism).empty());
-  EXPECT_TRUE(foresee(organism, Seed{1}).ok());
+TEST(Kinds, EachAnswersWithItsDefaults) {
+  for (const Kind<Organism>& kind : organism_kinds()) {
+    Result<Document> document = parse_json("{}", "test.json");
+    Reader reader(true);
+    OfKind one{kind, {}};
+    reader.read_root(document->root, one);
+    ASSERT_TRUE(one.organism.grower) << kind.name;
+    one.organism.grower->check();
+    EXPECT_GE(one.organism.grower->tallest(), 0) << kind.name;
+    EXPECT_TRUE(one.organism.grower->parameters().has_value()) << kind.name;
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "organisms/ivy.h"
+#include "organisms/ivy/ivy.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,10 @@
 #include <set>
 
 #include "motion/unfold.h"
-#include "organisms/host.h"
-#include "organisms/ivy_rest.h"
+#include "organisms/column/column.h"
+#include "organisms/ivy/ivy_rest.h"
+#include "organisms/wall/wall.h"
+#include "world/world.h"
 
 namespace frond {
 namespace {
@@ -30,7 +32,7 @@ IvyParams small_ivy() {
 }
 
 Ivy ivy_on_wall(const IvyParams& params, std::uint64_t seed = 1) {
-  Result<Ivy> ivy = grow_ivy(params, wall(), {}, 3, kLevel, Seed{seed});
+  Result<Ivy> ivy = grow_ivy(params, *Host::build(wall()), {}, 3, kLevel, Seed{seed});
   if (!ivy) ADD_FAILURE() << ivy.errors().front().text();
   return ivy ? std::move(*ivy) : Ivy{};
 }
@@ -54,7 +56,7 @@ TEST(Ivy, IsAModelWithLeavesOnItsStrands) {
 
 TEST(Ivy, StandsWhereItIsPut) {
   IvyParams params = small_ivy();
-  Result<Ivy> ivy = grow_ivy(params, wall(), {Vec3(0.5f, 0.05f, 0.4f)}, 1, kLevel, Seed{1});
+  Result<Ivy> ivy = grow_ivy(params, *Host::build(wall()), {Vec3(0.5f, 0.05f, 0.4f)}, 1, kLevel, Seed{1});
   ASSERT_TRUE(ivy.ok());
   Vec3 root = ivy->model.skeleton.position[0];
   EXPECT_NEAR(root.x, 0.5, 0.02);
@@ -63,7 +65,8 @@ TEST(Ivy, StandsWhereItIsPut) {
 }
 
 TEST(Ivy, RefusesWhatNothingHoldsOnTo) {
-  Result<Ivy> none = grow_ivy(small_ivy(), Surface{}, {}, 1, kLevel, Seed{1});
+  Result<std::shared_ptr<const Host>> none =
+      World(Seed{1}, Heights(), 1, false).host({}, "what the ivy grows on");
   ASSERT_FALSE(none.ok());
   EXPECT_NE(none.errors()[0].text().find("what the ivy grows on"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-#include "organisms/plant.h"
+#include "organisms/plant/plant.h"
 
 #include <gtest/gtest.h>
 

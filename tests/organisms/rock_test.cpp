@@ -1,4 +1,6 @@
-#include "organisms/rock.h"
+#include "organisms/rock/rock.h"
+
+#include "organisms/pebbles/pebbles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "organisms/tree.h"
+#include "organisms/tree/tree.h"
 
 #include <gtest/gtest.h>
 
@@ -152,7 +152,10 @@ TEST(Tree, LeavesMayBePictures) {
   params.coat->pixels = 32;
   Model model = grow_tree(params, Seed{3});
   EXPECT_EQ(model.check(), "");
-  std::vector<Drawing> drawn = tree_drawings(params);
+  Look look;
+  look.coat = params.coat;
+  look.leaves = pictured_leaves(params);
+  std::vector<Drawing> drawn = drawings(look);
   const auto& named = model.prototypes[0].parts[0].pictures;
   ASSERT_EQ(named.size(), params.leaves.picture->colors.size());
   for (std::size_t i = 0; i < named.size(); ++i) EXPECT_EQ(drawn[i].names[0], named[i]);

@@ -1,8 +1,8 @@
-#include "organisms/vase.h"
+#include "organisms/vase/vase.h"
 
 #include <gtest/gtest.h>
 
-#include "geometry/block.h"
+#include "masonry/block.h"
 #include "solidity.h"
 
 namespace frond {

@@ -26,11 +26,11 @@ struct Crown {
   std::size_t near = 0, far = 0;
 };
 
-Crown crown_of(const Branches& tree, Vec3 away) {
+Crown crown_of(const Specimen& tree, Vec3 away) {
   Crown crown;
-  for (Vec3 leaf : tree.organs.position) {
+  for (Vec3 leaf : tree.model.organs.position) {
     float x = glm::dot(leaf, away);
-    crown.middle += x / static_cast<double>(tree.organs.size());
+    crown.middle += x / static_cast<double>(tree.model.organs.size());
     ++(x < 0 ? crown.near : crown.far);
   }
   return crown;
@@ -45,9 +45,9 @@ TEST(SceneBodies, ATreeLeansAwayFromAWall) {
   } sides[] = {{"[0, -1.1]", 0, Vec3(0, 0, 1)}, {"[-1.1, 0]", 90, Vec3(1, 0, 0)}};
   for (const auto& side : sides) {
     Scene shaded = scene_of(kTree + "," + wall(side.at, side.turn));
-    const Branches& tree = shaded.branches[0];
-    ASSERT_GT(tree.organs.size(), 100u);
-    Crown lone = crown_of(open.branches[0], side.away), crown = crown_of(tree, side.away);
+    const Specimen& tree = shaded.specimens[0];
+    ASSERT_GT(tree.model.organs.size(), 100u);
+    Crown lone = crown_of(open.specimens[0], side.away), crown = crown_of(tree, side.away);
     EXPECT_GT(crown.middle, lone.middle + 0.3) << side.turn;
     EXPECT_LT(2 * crown.near, crown.far) << side.turn;
     EXPECT_LT(2 * crown.near, lone.near) << side.turn;
@@ -56,7 +56,7 @@ TEST(SceneBodies, ATreeLeansAwayFromAWall) {
 
 TEST(SceneBodies, FarAwayChangeNothing) {
   Scene open = scene_of(kTree), far = scene_of(kTree + "," + wall("[0, -28]", 0));
-  EXPECT_EQ(open.branches[0].rest.position, far.branches[0].rest.position);
+  EXPECT_EQ(open.specimens[0].model.skeleton.position, far.specimens[0].model.skeleton.position);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST(Bounds, TheGroundReachesAsFarAsWhatStandsOnIt) {
     ASSERT_TRUE(preset.ok());
     float edge = 0;
     Scene scene = *build_scene(*preset);
-    for (const Vec3& p : scene.floor.position) edge = std::max(edge, glm::length(Vec2(p.x, p.z)));
+    for (const Vec3& p : scene.ground->floor().position) edge = std::max(edge, glm::length(Vec2(p.x, p.z)));
     EXPECT_GT(edge, reach_of(*preset)) << setting;
   }
 }

@@ -21,24 +21,24 @@ Scene built(const std::string& name) {
   return *scene;
 }
 
-const Branches& named(const Scene& scene, const std::string& name) {
-  for (const Branches& b : scene.branches)
+const Specimen& named(const Scene& scene, const std::string& name) {
+  for (const Specimen& b : scene.specimens)
     if (b.name == name) return b;
   ADD_FAILURE() << "no " << name;
-  return scene.branches.front();
+  return scene.specimens.front();
 }
 
 std::set<Matter> matters(const Scene& scene) {
   std::set<Matter> all;
-  for (const Branches& b : scene.branches)
-    for (const Solid& solid : b.solids.shapes) all.insert(solid.material.matter);
+  for (const Specimen& b : scene.specimens)
+    for (const Solid& solid : b.model.solids.shapes) all.insert(solid.material.matter);
   return all;
 }
 
 TEST(GardenPresets, TheBridgeIsOfTimberAndSpansIt) {
   Scene scene = built("bridge");
   EXPECT_TRUE(matters(scene).contains(Matter::timber));
-  Surface all = merged(named(scene, "bridge").solids);
+  Surface all = merged(named(scene, "bridge").model.solids);
   float left = 99, right = -99, top = -99;
   for (const Vec3& p : all.position)
     left = std::min(left, p.x), right = std::max(right, p.x), top = std::max(top, p.y);
@@ -57,15 +57,15 @@ TEST(GardenPresets, VasesAreOfEachMaterialAndOneHoldsAPlant) {
   std::set<Matter> all = matters(scene);
   for (Matter matter : {Matter::ceramic, Matter::terracotta, Matter::glass, Matter::soil})
     EXPECT_TRUE(all.contains(matter)) << static_cast<int>(matter);
-  const Branches& pot = named(scene, "pot");
-  const Branches& plant = named(scene, "houseleek");
+  const Specimen& pot = named(scene, "pot");
+  const Specimen& plant = named(scene, "houseleek");
   float earth = 0;
-  for (const Vec3& p : pot.solids.shapes[1].surface.position) earth = std::max(earth, p.y);
-  EXPECT_NEAR(plant.rest.position[0].y, earth, 0.015) << "it hangs over the earth, or is buried";
-  EXPECT_GT(plant.organs.size(), 20u);
+  for (const Vec3& p : pot.model.solids.shapes[1].surface.position) earth = std::max(earth, p.y);
+  EXPECT_NEAR(plant.model.skeleton.position[0].y, earth, 0.015) << "it hangs over the earth, or is buried";
+  EXPECT_GT(plant.model.organs.size(), 20u);
   std::size_t bands = 0, lathes = 0;
-  for (const Branches& b : scene.branches)
-    for (const Solid& solid : b.solids.shapes)
+  for (const Specimen& b : scene.specimens)
+    for (const Solid& solid : b.model.solids.shapes)
       bands += solid.material.bands.size(), lathes += !solid.turned.empty();
   EXPECT_GE(bands, 5u);
   EXPECT_GE(lathes, 1u);

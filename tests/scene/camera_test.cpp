@@ -18,7 +18,7 @@ TEST(Camera, FollowsTheGround) {
   };
   const std::string walk = R"("location": [[0, [-60, 1.7, 20]], [2, [0, 1.7, 35]], [4, [50, 3, -10]]])";
   Scene still = scene_of(walk), follows = scene_of(walk + R"(, "follow": true)");
-  Heights heights(follows.floor);
+  const Heights& heights = follows.ground->heights();
   double least = 1e9, most = -1e9;
   for (double t = 0; t <= 4; t += 0.05) {
     Vec3 given = still.stage.camera.location.at(t), at = follows.stage.camera.location.at(t);

@@ -5,8 +5,10 @@
 #include <set>
 
 #include "core/files.h"
-#include "geometry/obj.h"
+#include "organisms/plant/plant.h"
 #include "scene/preset.h"
+#include "settings/garden.h"
+#include "settings/settings.h"
 
 namespace frond {
 namespace {
@@ -20,15 +22,8 @@ std::vector<PlantParams> plants_of(const std::string& name) {
   EXPECT_TRUE(preset.ok()) << (preset ? "" : preset.errors()[0].text());
   std::vector<PlantParams> plants;
   for (const Organism& organism : preset->organisms) {
-    const auto* plant = std::get_if<PlantParams>(&organism.body);
-    if (!plant) continue;
-    plants.push_back(*plant);
-    for (OrganParams& organ : plants.back().organs)
-      if (organ.shape == OrganShape::obj) organ.mesh = to_unit(*read_obj(*read_file(kFolder + organ.file)));
-    GuideText& guide = plants.back().grammar.guide;
-    if (guide.file.empty()) continue;
-    LineSet lines = *read_obj_lines(*read_file(kFolder + guide.file));
-    guide.lines = {lines.place, lines.line};
+    std::any parameters = organism.grower->parameters();
+    if (const auto* plant = std::any_cast<PlantParams>(&parameters)) plants.push_back(*plant);
   }
   return plants;
 }
@@ -147,9 +142,9 @@ TEST(GardenPresets, TheGardenHasAllOfIt) {
   std::string path = kFolder + "garden.json";
   Result<Preset> preset = read_preset(*read_file(path), path, {});
   ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
-  EXPECT_EQ(preset->stage.setting, Setting::garden);
-  EXPECT_GT(preset->stage.garden.pond.size.x, 1);
-  EXPECT_GE(preset->stage.garden.path.points.size(), 2u);
+  EXPECT_EQ(settings()[preset->stage.setting].name, "garden");
+  EXPECT_GT(preset->stage.block<Garden>().pond.size.x, 1);
+  EXPECT_GE(preset->stage.block<Garden>().path.points.size(), 2u);
   EXPECT_FALSE(preset->stage.camera.location.constant());
   std::multiset<std::string> names;
   for (const Organism& organism : preset->organisms)

@@ -1,11 +1,13 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "growth/host.h"
-#include "growth/meshes.h"
+#include "core/files.h"
+#include "creeping/host.h"
+#include "creeping/meshes.h"
 #include "scene/scene.h"
 
 // Leaves and strands as they are emitted, against the bodies and the ground that they grow on.
@@ -64,18 +66,18 @@ double depth_of(const Host& host, const GroundHeight& ground, const Vec3& p) {
                   (host.closed() ? host.inside(DVec3(p)) : near.inside) ? near.distance : 0.0);
 }
 
-Faults faults_of(const Branches& ivy, const Host& host, const GroundHeight& ground) {
+Faults faults_of(const Specimen& ivy, const Host& host, const GroundHeight& ground) {
   Faults f;
   std::vector<std::vector<Blade>> prototypes;
-  for (const Prototype& p : ivy.prototypes) prototypes.push_back(blades_of(p.parts[0].surface));
+  for (const Prototype& p : ivy.model.prototypes) prototypes.push_back(blades_of(p.parts[0].surface));
   std::vector<Vec3> in;
-  for (std::size_t i = 0; i < ivy.organs.size(); ++i)
-    for (const Blade& blade : prototypes[ivy.organs.prototype[i]]) {
-      float size = ivy.organs.scale[i].x, length = size * blade.length;
+  for (std::size_t i = 0; i < ivy.model.organs.size(); ++i)
+    for (const Blade& blade : prototypes[ivy.model.organs.prototype[i]]) {
+      float size = ivy.model.organs.scale[i].x, length = size * blade.length;
       double deepest = 0;
       in.clear();
       for (const Vec3& place : blade.places) {
-        Vec3 at = ivy.organs.position[i] + ivy.organs.turn[i] * (place * size);
+        Vec3 at = ivy.model.organs.position[i] + ivy.model.organs.turn[i] * (place * size);
         double depth = depth_of(host, ground, at);
         deepest = std::max(deepest, depth);
         if (depth > 0.1 * std::max(0.002, 0.03 * length)) in.push_back(at);
@@ -101,14 +103,22 @@ Surface upright_ring() {
   return s;
 }
 
+/// The same as a file.
+std::string ring_file() {
+  std::string path = testing::TempDir() + "frond_upright_ring.obj", text;
+  Surface s = upright_ring();
+  for (const Vec3& p : s.position) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+  for (auto [a, b, c] : s.triangle) text += fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1);
+  EXPECT_TRUE(write_file(path, text).ok());
+  return path;
+}
+
 Scene scene_of(const std::string& setting, const std::string& bodies, const std::string& ivy, int seed) {
   Result<Preset> preset =
       read_preset(R"({"seed": )" + std::to_string(seed) + R"(, "scene": )" + setting + R"(, "organisms": [)" +
                       bodies + R"(, {"kind": "ivy", )" + ivy + "}]}",
                   "test.json", {});
   if (!preset) ADD_FAILURE() << preset.errors()[0].text();
-  for (Organism& organism : preset->organisms)
-    if (auto* mesh = std::get_if<MeshParams>(&organism.body)) mesh->mesh = upright_ring();
   Result<Scene> scene = build_scene(*preset);
   if (!scene) ADD_FAILURE() << scene.errors()[0].text();
   return std::move(*scene);
@@ -117,13 +127,10 @@ Scene scene_of(const std::string& setting, const std::string& bodies, const std:
 /// The bodies of a scene as one host, and the faults of the ivy, which stands last.
 Faults faults_of(const Scene& scene, const GroundHeight& ground) {
   Surface all;
-  for (std::size_t b = 0; b + 1 < scene.branches.size(); ++b) {
-    Surface own = skin_of(scene.branches[b]);
-    auto offset = static_cast<std::uint32_t>(all.position.size());
-    all.position.insert(all.position.end(), own.position.begin(), own.position.end());
-    for (auto [p, q, r] : own.triangle) all.triangle.push_back({p + offset, q + offset, r + offset});
+  for (std::size_t b = 0; b + 1 < scene.specimens.size(); ++b) {
+    append(all, skin_of(scene.specimens[b].model));
   }
-  return faults_of(scene.branches.back(), *Host::build(all), ground);
+  return faults_of(scene.specimens.back(), *Host::build(all), ground);
 }
 
 const std::string kWall = R"({"kind": "wall", "width": 2.4, "height": 1.5,
@@ -135,7 +142,7 @@ const std::string kColumn = R"({"kind": "column", "height": 1.8, "radius": 0.2,
                             kStill + "}}";
 const std::string kRocks = R"({"kind": "rock", "size": 1.2, "buried": 0.15, "place": {"at": [[0, 0]]}},
   {"kind": "rock", "size": 0.7, "buried": 0.2, "place": {"at": [[0.6, 0.4]]}})";
-const std::string kMesh = R"({"kind": "mesh", "file": "ring.obj", "size": 1.8,
+const std::string kMesh = R"({"kind": "mesh", "file": ")" + ring_file() + R"(", "size": 1.8,
   "place": {"at": [[0, 0]], )" +
                           kStill + "}}";
 
@@ -175,7 +182,7 @@ TEST(IvyRest, SprigsLieOnWhatTheyGrowOn) { expect_at_rest(R"({"detail": "sprigs"
 /// Metres that the deepest node of the ivy lies in the ground.
 double sunk_in(const Scene& scene, const GroundHeight& ground) {
   double deepest = 0;
-  for (const Vec3& p : scene.branches.back().rest.position)
+  for (const Vec3& p : scene.specimens.back().model.skeleton.position)
     deepest = std::max<double>(deepest, ground(p.x, p.z) - p.y);
   return deepest;
 }
@@ -186,7 +193,7 @@ TEST(IvyRest, NothingHangsIntoTheFloor) {
       SCOPED_TRACE(c.name);
       Scene scene = scene_of(R"({"setting": "studio"})", c.bodies,
                              R"("count": 4, "crawl": {"max_age": 100, "let_go": 0.5, "hang_most": 2})", seed);
-      const auto& hanging = scene.branches.back().creeper->strands.hanging;
+      const auto& hanging = scene.specimens.back().life.hanging->strands.hanging;
       EXPECT_GT(std::count(hanging.begin(), hanging.end(), 1), 20);
       EXPECT_EQ(sunk_in(scene, [](double, double) { return 0.0; }), 0);
     }
@@ -197,7 +204,7 @@ TEST(IvyRest, NothingHangsIntoTheGroundWhereItRises) {
     Scene scene = scene_of(R"({"setting": "underwater", "floor": {"relief": 0.3, "scale": 1.5}})",
                            kColumn + "," + kMesh,
                            R"("count": 4, "crawl": {"max_age": 100, "let_go": 0.5, "hang_most": 2})", seed);
-    Heights heights(scene.floor);
+    const Heights& heights = scene.ground->heights();
     EXPECT_EQ(sunk_in(scene, [&](double x, double z) { return heights(x, z); }), 0);
   }
 }

@@ -28,15 +28,15 @@ std::string ivy_on(const std::string& name, const std::string& more = "") {
 
 TEST(IvyScene, GrowsOnABodyWhereItStands) {
   Scene scene = *build_scene(*read(kWall + "," + ivy_on("wall")));
-  ASSERT_EQ(scene.branches.size(), 2u);
-  const Branches& ivy = scene.branches[1];
-  ASSERT_TRUE(ivy.creeper.has_value());
-  ASSERT_GT(ivy.organs.size(), 30u);
+  ASSERT_EQ(scene.specimens.size(), 2u);
+  const Specimen& ivy = scene.specimens[1];
+  ASSERT_TRUE(ivy.life.hanging.has_value());
+  ASSERT_GT(ivy.model.organs.size(), 30u);
   // In the wall's own axes every strand that holds on lies on its skin.
   Quat back = glm::angleAxis(static_cast<float>(-radians(30.0)), Vec3(0, 1, 0));
-  for (std::size_t i = 0; i < ivy.rest.size(); ++i) {
-    if (ivy.creeper->strands.hanging[i]) continue;
-    Vec3 p = back * (ivy.rest.position[i] - Vec3(1, 0, -2));
+  for (std::size_t i = 0; i < ivy.model.skeleton.size(); ++i) {
+    if (ivy.life.hanging->strands.hanging[i]) continue;
+    Vec3 p = back * (ivy.model.skeleton.position[i] - Vec3(1, 0, -2));
     EXPECT_LT(std::abs(p.x), 1.06f);
     EXPECT_LT(std::abs(p.z), 0.21f);
     EXPECT_TRUE(std::abs(std::abs(p.z) - 0.12f) < 0.08f || p.y > 1.15f || std::abs(p.x) > 0.9f) << p.z;
@@ -50,8 +50,8 @@ TEST(IvyScene, IsTheSameAtAnyThreadCount) {
   limit_threads(2);
   Scene two = *build_scene(preset);
   limit_threads(0);
-  EXPECT_EQ(one.branches[1].rest.position, two.branches[1].rest.position);
-  EXPECT_EQ(one.branches[1].organs.position, two.branches[1].organs.position);
+  EXPECT_EQ(one.specimens[1].model.skeleton.position, two.specimens[1].model.skeleton.position);
+  EXPECT_EQ(one.specimens[1].model.organs.position, two.specimens[1].model.organs.position);
 }
 
 TEST(IvyScene, NamesWhatItCannotGrowOn) {
@@ -75,16 +75,16 @@ struct Shown {
   std::vector<float> size;
 };
 
-Shown shown(const Branches& b, double time) {
+Shown shown(const Specimen& b, double time) {
   Pose pose;
-  pose_branches(b, time, pose);
+  pose_specimen(b, time, pose);
   Shown all;
-  for (std::size_t i = 0; i < b.organs.size(); ++i) {
-    const Organs& o = b.organs;
+  for (std::size_t i = 0; i < b.model.organs.size(); ++i) {
+    const Organs& o = b.model.organs;
     float size = o.scale[i].x * unfolded(o.birth[i], pose.front, b.motion.unfold);
     Quat turn = carried_turn(pose, o.node[i]) * o.turn[i] *
                 fluttering(b.motion.flutter, b.motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
-    all.tip.push_back(carried(b.rest, pose, o.node[i], o.position[i]) + turn * Vec3(0, size, 0));
+    all.tip.push_back(carried(b.model.skeleton, pose, o.node[i], o.position[i]) + turn * Vec3(0, size, 0));
     all.size.push_back(size);
   }
   return all;
@@ -93,7 +93,7 @@ Shown shown(const Branches& b, double time) {
 TEST(IvyScene, UnfoldsWithoutJumps) {
   // While it grows no leaf appears at once: it starts from nothing and no step of a frame is large.
   Scene scene = *build_scene(*read(kWall + "," + ivy_on("wall")));
-  const Branches& ivy = scene.branches[1];
+  const Specimen& ivy = scene.specimens[1];
   Shown last = shown(ivy, 0);
   double total = 0, count = 0;
   float most = 0;
@@ -102,7 +102,7 @@ TEST(IvyScene, UnfoldsWithoutJumps) {
     Shown now = shown(ivy, scene.film.time(frame));
     for (std::size_t i = 0; i < now.size.size(); ++i) {
       EXPECT_GE(now.size[i], last.size[i]);
-      EXPECT_LT(now.size[i] - last.size[i], 0.3f * ivy.organs.scale[i].x)
+      EXPECT_LT(now.size[i] - last.size[i], 0.3f * ivy.model.organs.scale[i].x)
           << "leaf " << i << " frame " << frame;
       float step = glm::distance(now.tip[i], last.tip[i]);
       total += step, count += 1, most = std::max(most, step);
@@ -110,14 +110,15 @@ TEST(IvyScene, UnfoldsWithoutJumps) {
     last = now;
   }
   EXPECT_LT(most, 8 * total / count) << "leaves are carried by the tips of their strands";
-  for (std::size_t i = 0; i < last.size.size(); ++i) EXPECT_NEAR(last.size[i], ivy.organs.scale[i].x, 1e-5);
+  for (std::size_t i = 0; i < last.size.size(); ++i)
+    EXPECT_NEAR(last.size[i], ivy.model.organs.scale[i].x, 1e-5);
 }
 
 TEST(IvyScene, LoopsOnceItIsGrown) {
   Scene scene =
       *build_scene(*read(kWall + "," + R"({"kind": "ivy", "count": 3, "crawl": {"max_age": 70, "let_go": 1},
       "flutter": {"amplitude": 8}, "breeze": {"amplitude": 8}})"));
-  const Branches& ivy = scene.branches[1];
+  const Specimen& ivy = scene.specimens[1];
   Shown first = shown(ivy, 0), again = shown(ivy, scene.film.length()), between = shown(ivy, 0.9);
   float apart = 0, moved = 0;
   for (std::size_t i = 0; i < first.tip.size(); ++i) {

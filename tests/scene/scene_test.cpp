@@ -6,7 +6,10 @@
 
 #include "core/files.h"
 #include "core/parallel.h"
-#include "geometry/ground.h"
+#include "land/ground.h"
+#include "organisms/coral/coral.h"
+#include "settings/lawn.h"
+#include "settings/underwater.h"
 
 namespace frond {
 namespace {
@@ -19,8 +22,8 @@ Preset preset_of(const std::string& text, const std::vector<std::string>& sets =
 
 Preset preset_at(const std::string& path) { return preset_of(*read_file(FROND_ROOT "/" + path)); }
 
-const CoralParams& coral(const Preset& preset, std::size_t i) {
-  return std::get<CoralParams>(preset.organisms.at(i).body);
+CoralParams coral(const Preset& preset, std::size_t i) {
+  return std::any_cast<CoralParams>(preset.organisms.at(i).grower->parameters());
 }
 
 TEST(Preset, LocalOrGlobal) {
@@ -62,7 +65,7 @@ TEST(Preset, TellsOfABrokenGrammarWhereItIs) {
 TEST(Preset, RulesKnowWhereTheyStand) {
   Preset preset = preset_of(R"({"defaults": {"grammar": {"rules": ["F -> FF"]}},
  "organisms": [{"kind": "coral", "form": "own", "grammar": {"interpretation": [{"rule": "A -> F"}]}}]})");
-  const GrammarText& grammar = coral(preset, 0).grammar;
+  const GrammarText grammar = coral(preset, 0).grammar;
   EXPECT_EQ(grammar.rules.at(0).where, "test.json:1:37: /organisms/0/grammar/rules/0");
   EXPECT_EQ(grammar.interpretation.at(0).where, "test.json:2:80: /organisms/0/grammar/interpretation/0");
 }
@@ -112,26 +115,26 @@ TEST(Scene, IsTheSameAtAnyThreadCount) {
   limit_threads(2);
   Scene two = *build_scene(preset);
   limit_threads(0);
-  ASSERT_EQ(one.branches.size(), two.branches.size());
-  for (std::size_t i = 0; i < one.branches.size(); ++i)
-    EXPECT_EQ(one.branches[i].rest.position, two.branches[i].rest.position);
+  ASSERT_EQ(one.specimens.size(), two.specimens.size());
+  for (std::size_t i = 0; i < one.specimens.size(); ++i)
+    EXPECT_EQ(one.specimens[i].model.skeleton.position, two.specimens[i].model.skeleton.position);
 }
 
 TEST(Scene, GivesEachCoralAPhaseAndBrightnessOfItsOwn) {
   Scene scene = *build_scene(preset_at("tests/presets/tiny_film.json"));
-  ASSERT_EQ(scene.branches.size(), 2u);
-  EXPECT_NE(scene.branches[0].motion.wave.phase, scene.branches[1].motion.wave.phase);
-  EXPECT_NE(scene.branches[0].brightness, scene.branches[1].brightness);
+  ASSERT_EQ(scene.specimens.size(), 2u);
+  EXPECT_NE(scene.specimens[0].motion.wave.phase, scene.specimens[1].motion.wave.phase);
+  EXPECT_NE(scene.specimens[0].brightness, scene.specimens[1].brightness);
 }
 
 TEST(Scene, RootsEveryCoral) {
   // Nothing floats: the foot of each coral lies inside a stone or under the floor.
   Scene scene = *build_scene(preset_at("presets/reef.json"));
-  EXPECT_GE(scene.branches.size(), 12u);
-  for (const Branches& b : scene.branches) {
-    Vec3 foot = b.rest.position[0];
+  EXPECT_GE(scene.specimens.size(), 12u);
+  for (const Specimen& b : scene.specimens) {
+    Vec3 foot = b.model.skeleton.position[0];
     bool in_stone = false;
-    for (const StoneInstance& stone : scene.stone_instances) {
+    for (const StoneInstance& stone : static_cast<const SeaFloor&>(*scene.ground).stone_instances) {
       float away = glm::length(Vec2(foot.x - stone.at.x, foot.z - stone.at.z));
       float top = stone.at.y + 0.7f * stone.size.y;
       in_stone = in_stone || (away < 1e-3f && foot.y < top && foot.y > stone.at.y);
@@ -143,16 +146,16 @@ TEST(Scene, RootsEveryCoral) {
 TEST(Reef, HasNoJumps) {
   // Over the whole film: between two frames no node moves more than 8 times the film's mean motion.
   Scene scene = *build_scene(preset_at("presets/reef.json"));
-  for (const Branches& b : scene.branches) EXPECT_EQ(b.rest.check(), "") << b.name;
+  for (const Specimen& b : scene.specimens) EXPECT_EQ(b.model.skeleton.check(), "") << b.name;
   double total = 0, count = 0;
   float most = 0;
   std::string worst;
-  for (const Branches& b : scene.branches) {
+  for (const Specimen& b : scene.specimens) {
     Pose last, now;
-    pose_skeleton(b.rest, b.motion, 0, last);
+    pose_skeleton(b.model.skeleton, b.motion, 0, last);
     for (int frame = 2; frame <= scene.film.frames; ++frame) {
-      pose_skeleton(b.rest, b.motion, scene.film.time(frame), now);
-      for (std::size_t i = 0; i < b.rest.size(); ++i) {
+      pose_skeleton(b.model.skeleton, b.motion, scene.film.time(frame), now);
+      for (std::size_t i = 0; i < b.model.skeleton.size(); ++i) {
         float step = glm::distance(now.position[i], last.position[i]);
         total += step;
         count += 1;
@@ -174,24 +177,25 @@ TEST(Garden, GrowsNoGrassInPondAndPath) {
   Result<Preset> preset = read_preset(text, "garden.json", {});
   ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
   Scene scene = *build_scene(*preset);
-  ASSERT_GT(scene.turf_instances.size(), 500u);
-  ASSERT_GT(scene.gravel_instances.size(), 50u);
+  const auto& lawn_of = static_cast<const Lawn&>(*scene.ground);
+  ASSERT_GT(lawn_of.turf_patches.size(), 500u);
+  ASSERT_GT(lawn_of.gravel_patches.size(), 50u);
   double lawn = 0, gravel = 0;
-  for (const TurfInstance& patch : scene.turf_instances) {
+  for (const Patch& patch : lawn_of.turf_patches) {
     Vec2 at(patch.at.x, patch.at.z);
-    EXPECT_GT(scene.plot.pond_distance(at), 0);
-    EXPECT_GT(scene.plot.path_distance(at), 0);
+    EXPECT_GT(lawn_of.plot().pond_distance(at), 0);
+    EXPECT_GT(lawn_of.plot().path_distance(at), 0);
     double side = 0.4 / (1 << patch.shape / 4);
     lawn += side * side;
   }
-  for (const TurfInstance& patch : scene.gravel_instances) {
-    EXPECT_LT(scene.plot.path_distance(Vec2(patch.at.x, patch.at.z)), 0);
+  for (const Patch& patch : lawn_of.gravel_patches) {
+    EXPECT_LT(lawn_of.plot().path_distance(Vec2(patch.at.x, patch.at.z)), 0);
     double side = 0.5 / (1 << patch.shape / 4);
     gravel += side * side;
   }
   EXPECT_NEAR(gravel, 12 * 1.2, 3);
   EXPECT_NEAR(lawn, kPi * (49 - 6) - gravel, 9);
-  EXPECT_EQ(scene.branches[0].name, "water lilies");
+  EXPECT_EQ(scene.specimens[0].name, "water lilies");
 }
 
 TEST(Scene, PebblesLieOnTheGroundHoweverItRuns) {
@@ -199,9 +203,9 @@ TEST(Scene, PebblesLieOnTheGroundHoweverItRuns) {
     Scene scene = *build_scene(preset_of(R"({"seed": 3, "scene": {"setting": ")" + setting + R"(",
       "meadow": {"blades": 0}, "floor": {"relief": 0.8, "scale": 3, "stones": 0}},
       "organisms": [{"kind": "pebbles", "place": {"at": [[2, 1]], "lean": 30}, "radius": 3, "depth": 3}]})"));
-    const Solids& s = scene.branches.at(0).solids;
+    const Solids& s = scene.specimens.at(0).model.solids;
     ASSERT_GT(s.size(), 100u);
-    Heights height(scene.floor);
+    const Heights& height = scene.ground->heights();
     float least = 1e9f, most = -1e9f;
     for (std::size_t i = 0; i < s.size(); ++i) {
       float ground = static_cast<float>(height(s.position[i].x, s.position[i].z));
@@ -212,7 +216,8 @@ TEST(Scene, PebblesLieOnTheGroundHoweverItRuns) {
       least = std::min(least, ground), most = std::max(most, ground);
     }
     EXPECT_GT(most - least, 0.3f);  // it did run up and down
-    EXPECT_TRUE(scene.stone_instances.empty());
+    const auto* sea = dynamic_cast<const SeaFloor*>(scene.ground.get());
+    EXPECT_TRUE(!sea || sea->stone_instances.empty());
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "scene/scene.h"
+#include "settings/forest.h"
 
 namespace frond {
 namespace {
@@ -32,10 +33,11 @@ const std::string kHerbs =
 
 TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
   Scene scene = scene_of("forest", kTrees + "," + kHerbs, kHills);
-  EXPECT_TRUE(scene.branches.empty());
+  EXPECT_TRUE(scene.specimens.empty());
   ASSERT_EQ(scene.stands.size(), 2u);
   EXPECT_EQ(scene.stands[1].entry, 1u);
-  Heights heights(scene.floor);
+  const Heights& heights = scene.ground->heights();
+  const Plot& plot = static_cast<const ForestGround&>(*scene.ground).plot();
   for (const SownStand& stand : scene.stands) {
     const Copies& c = stand.copies;
     EXPECT_EQ(c.size(), stand.entry == 0 ? 90u : 200u);
@@ -49,7 +51,7 @@ TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
       EXPECT_GT(c.foot[i].y, ground - 0.15);
       EXPECT_LT(c.tint[i], kTints);
       EXPECT_LT(c.model[i], stand.entry == 0 ? 4 : 3);
-      EXPECT_GT(scene.plot.path_distance({c.foot[i].x, c.foot[i].z}), 0.49);
+      EXPECT_GT(plot.path_distance({c.foot[i].x, c.foot[i].z}), 0.49);
     }
   }
   // Herbs stand across the slope, trees are plumb but for their lean.
@@ -71,7 +73,7 @@ TEST(Sowing, WorksInEverySetting) {
     Scene scene = scene_of(setting, herb, R"(, "studio": {"distance": 3}, "floor": {"stones": 10})");
     ASSERT_EQ(scene.stands.size(), 1u) << setting;
     EXPECT_EQ(scene.stands[0].copies.size(), 30u) << setting;
-    Heights heights(scene.floor);
+    const Heights& heights = scene.ground->heights();
     float far = 0;
     for (Vec3 foot : scene.stands[0].copies.foot) {
       EXPECT_NEAR(foot.y, heights(foot.x, foot.z), 0.02) << setting;
@@ -91,13 +93,14 @@ TEST(Sowing, KeepsClearOfPondPathAndWhatStands) {
   Scene scene = scene_of("garden", herb + vase,
                          R"(, "garden": {"pond": {"center": [-4, 0], "size": [4, 3]},
                              "path": {"points": [[-20, 6], [20, 4]], "width": 1.5}})");
-  EXPECT_EQ(scene.branches.size(), 1u);
+  EXPECT_EQ(scene.specimens.size(), 1u);
+  const Plot& plot = static_cast<const Lawn&>(*scene.ground).plot();
   const Copies& copies = scene.stands.at(0).copies;
   EXPECT_GT(copies.size(), 500u);
   for (Vec3 foot : copies.foot) {
     Vec2 at(foot.x, foot.z);
-    EXPECT_GT(scene.plot.pond_distance(at), 0.39);
-    EXPECT_GT(scene.plot.path_distance(at), 0.39);
+    EXPECT_GT(plot.pond_distance(at), 0.39);
+    EXPECT_GT(plot.path_distance(at), 0.39);
     EXPECT_GT(glm::distance(at, Vec2(3, 9)), 2);
   }
 }
@@ -123,10 +126,10 @@ TEST(Sowing, SownTreesDoNotJoinTheGrove) {
   std::string one = R"({"kind": "tree", "years": 4, "count": 1, "place": {"at": [[50, 40]]}})";
   std::string many = R"(,{"kind": "tree", "years": 4, "count": 40, "sown": {"where": {"radius": 2}}})";
   Scene alone = scene_of("forest", one, kHills), both = scene_of("forest", one + many, kHills);
-  ASSERT_EQ(both.branches.size(), 1u);
-  EXPECT_EQ(alone.branches[0].rest.position, both.branches[0].rest.position);
-  Heights heights(both.floor);
-  EXPECT_NEAR(both.branches[0].rest.position[0].y, heights(50, 40), 0.05);
+  ASSERT_EQ(both.specimens.size(), 1u);
+  EXPECT_EQ(alone.specimens[0].model.skeleton.position, both.specimens[0].model.skeleton.position);
+  const Heights& heights = both.ground->heights();
+  EXPECT_NEAR(both.specimens[0].model.skeleton.position[0].y, heights(50, 40), 0.05);
   for (Vec3 foot : both.stands.at(0).copies.foot)
     EXPECT_GT(glm::distance(Vec2(foot.x, foot.z), Vec2(50, 40)), 0.6);
 }
@@ -143,7 +146,7 @@ TEST(Sowing, IsTheSameAtAnyThreadCount) {
   limit_threads(2);
   Scene two = scene_of("forest", kTrees, kHills);
   limit_threads(0);
-  EXPECT_EQ(one.floor.position, two.floor.position);
+  EXPECT_EQ(one.ground->floor().position, two.ground->floor().position);
   EXPECT_EQ(one.stands[0].copies.foot, two.stands[0].copies.foot);
 }
 

@@ -71,7 +71,7 @@ setup() {
   for command in info derive turtle; do
     run "$frond" $command endless.json
     [ "$status" -eq 2 ]
-    [[ "$output" == *"endless.json: decomposition rule 1: step 1: "* ]]
+    [[ "$output" == *"endless.json:1:"*"/decomposition/0: step 1: "* ]]
   done
 }
 
@@ -103,7 +103,7 @@ setup() {
   echo '{"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}' > idle.json
   run --separate-stderr "$frond" derive idle.json
   [ "$status" -eq 0 ]
-  [ "$stderr" = 'note: idle.json: rule 1: column 9: `X` does nothing: no rule rewrites it and the turtle does not know it; in `A -> F[+X]A`' ]
+  [ "$stderr" = 'note: idle.json:1:39: /rules/0: column 9: `X` does nothing: no rule rewrites it and the turtle does not know it; in `A -> F[+X]A`' ]
   echo '{"organisms": [{"kind": "plant", "grammar": {"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}}]}' > herb.json
   for command in check info derive; do
     run --separate-stderr "$frond" $command herb.json
@@ -117,7 +117,7 @@ setup() {
   echo '{"axiom": "F", "rules": ["F -> F[+F"]}' > broken.json
   run "$frond" derive broken.json
   [ "$status" -eq 2 ]
-  [[ "$output" == "broken.json: rule 1: column 7:"* ]]
+  [[ "$output" == "broken.json:1:"*"/rules/0: column 7:"* ]]
 }
 
 @test "check tells all faults and ends with 2" {

@@ -1,0 +1,131 @@
+#include "creeping/hang.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr double kSlope = 0.5;  // the ground is no nearer than this share of the height above it
+
+/// What hinders the end of link `i`, which begins at `at`, from being at `to`: the way to push it, or
+/// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
+/// from now on.
+std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, const DVec3& at,
+                               const DVec3& to) {
+  DVec3 way = to - chain.clear[i];
+  double gone = glm::length(way), reach = 4 * chain.link;
+  double room = chain.room[i] - gone;
+  if (room < chain.lift) {
+    double height = chain.ground ? to.y - (*chain.ground)(to.x, to.z) : reach / kSlope;
+    if (height < 0.98 * chain.lift) return DVec3(0, chain.lift - height, 0);
+    if (std::optional<Crossing> wall = host.crossing(chain.clear[i], to)) {
+      DVec3 face = glm::dot(wall->normal, way) > 0 ? -wall->normal : wall->normal;
+      return face * (chain.lift - (1 - wall->share) * glm::dot(way, face));
+    }
+    std::optional<Contact> near = host.closest(to, reach);
+    room = near ? near->distance : reach;
+    if (near && room < 0.98 * chain.lift) {
+      if (room < 1e-6 * chain.lift) return -way;
+      return (to - near->point) * (chain.lift / room - 1);
+    }
+    room = std::min(room, kSlope * height);
+  }
+  // Where balls of free room round both ends do not meet, the link between may cut an edge.
+  double below = i == 0 ? 0 : chain.room[i - 1] - glm::distance(chain.clear[i - 1], at);
+  if (room + below < chain.link)
+    if (std::optional<Crossing> edge = host.crossing(at, to)) {
+      DVec3 face = glm::dot(edge->normal, to - at) > 0 ? -edge->normal : edge->normal;
+      return face * (0.1 * chain.link + chain.lift);
+    }
+  chain.clear[i] = to;
+  chain.room[i] = room;
+  return std::nullopt;
+}
+
+/// Puts the end of link `i` as near to a direction as the host lets it. False where there is no way.
+bool place_link(Chain& chain, const Host& host, std::size_t i, const DVec3& at, DVec3 direction) {
+  for (int again = 0; again < 8; ++again) {
+    DVec3 to = at + direction * chain.link;
+    std::optional<DVec3> push = hindrance(chain, host, i, at, to);
+    if (!push) {
+      chain.place[i] = to;
+      return true;
+    }
+    DVec3 aside = direction * chain.link + *push * (1 + 0.5 * again);
+    double length = glm::length(aside);
+    if (!(length > 0)) return false;
+    direction = aside / length;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec3& curl) {
+  DVec3 from = chain.place.empty() ? chain.root : chain.place.back();
+  chain.place.push_back(from);
+  chain.curl.push_back(curl);
+  chain.load.push_back(DVec3(0));
+  chain.clear.push_back(from);
+  chain.room.push_back(0);
+  if (place_link(chain, host, chain.place.size() - 1, from, direction)) return true;
+  chain.place.pop_back();
+  chain.curl.pop_back();
+  chain.load.pop_back();
+  chain.clear.pop_back();
+  chain.room.pop_back();
+  return false;
+}
+
+double settle(Chain& chain, const Host& host, int sweeps, double calm) {
+  const double eager_by = 1.8 - 0.8 * calm;  // over-relaxation
+  std::size_t n = chain.place.size();
+  std::vector<DVec3> link(n);
+  double stiff = chain.stiffness * chain.stiffness * chain.stiffness / chain.link;
+  double moved = 0;
+  std::vector<DVec3> place, clear;  // before a sweep
+  std::vector<double> room;
+  std::vector<DVec3> beyond(n);  // what pulls at each link: weight, and what bears it
+  auto bend = [&](std::size_t i) {
+    DVec3 before = (i == 0 ? chain.heading : link[i - 1]) + chain.curl[i];
+    DVec3 pull = stiff * before + chain.link * beyond[i];
+    if (i + 1 < n) pull += stiff * (link[i + 1] - chain.curl[i + 1]);
+    double force = glm::length(pull);
+    DVec3 eager = eager_by * pull - (eager_by - 1) * force * link[i];
+    double length = glm::length(eager);
+    if (length > 1e-12 * force && force > 0) link[i] = eager / length;
+  };
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (std::size_t i = 0; i < n; ++i)
+      link[i] = (chain.place[i] - (i == 0 ? chain.root : chain.place[i - 1])) / chain.link;
+    DVec3 sum(0, 0.5 * chain.link, 0);
+    for (std::size_t i = n; i-- > 0;) beyond[i] = sum += chain.load[i] - DVec3(0, chain.link, 0);
+    for (std::size_t i = 0; i < n; ++i) bend(i);
+    for (std::size_t i = n; i-- > 0;) bend(i);
+    place = chain.place;
+    clear = chain.clear;
+    room = chain.room;
+    moved = 0;
+    DVec3 at = chain.root;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!place_link(chain, host, i, at, link[i])) {
+        // Wedged: it stays as it was.
+        chain.place = place;
+        chain.clear = clear;
+        chain.room = room;
+        return 0;
+      }
+      // The push that it took becomes a load that the links above feel, too.
+      DVec3 pushed = chain.place[i] - (at + link[i] * chain.link);
+      double gain = 0.5 * (1 - calm);
+      chain.load[i] = (1 - 0.2 * gain) * chain.load[i] + gain * static_cast<double>(n) * pushed;
+      at = chain.place[i];
+      moved = std::max(moved, glm::distance(at, place[i]) / chain.link);
+    }
+  }
+  return moved;
+}
+
+}  // namespace frond

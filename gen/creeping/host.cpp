@@ -1,0 +1,329 @@
+#include "creeping/host.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "creeping/soup.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kFace = 6;  // features: 0..2 a corner, 3..5 the edge that begins there, the face
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// The nearest point of a triangle and the feature that it lies on (Ericson 2005, 5.1.5).
+DVec3 nearest_on(const std::array<Vec3, 3>& t, const DVec3& p, int& feature) {
+  DVec3 a(t[0]), b(t[1]), c(t[2]);
+  DVec3 ab = b - a, ac = c - a, ap = p - a;
+  double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return feature = 0, a;
+  DVec3 bp = p - b;
+  double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return feature = 1, b;
+  double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return feature = 3, a + ab * (d1 / (d1 - d3));
+  DVec3 cp = p - c;
+  double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return feature = 2, c;
+  double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return feature = 5, a + ac * (d2 / (d2 - d6));
+  double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return feature = 4, b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  double sum = 1 / (va + vb + vc);
+  return feature = kFace, a + ab * (vb * sum) + ac * (vc * sum);
+}
+
+/// A way, and what it meets (Moeller and Trumbore 1997).
+struct Way : RTCIntersectContext {
+  const Host* host = nullptr;
+  DVec3 from{0}, along{0};
+  bool all = false;     // count every crossing of a closed part instead of finding the first
+  double share = kInf;  // of the first
+  std::uint32_t triangle = Host::kNoTriangle;
+  int winding = 0;
+
+  void meet(std::uint32_t t, const std::array<Vec3, 3>& corners, bool solid) {
+    DVec3 a(corners[0]), ab = DVec3(corners[1]) - a, ac = DVec3(corners[2]) - a;
+    DVec3 across = glm::cross(along, ac), off = from - a;
+    double area = glm::dot(ab, across);
+    if (area == 0) return;
+    double u = glm::dot(off, across) / area;
+    // A hair of room at the edges, so that nothing slips through between two triangles.
+    constexpr double room = 1e-9;
+    if (!(u >= -room && u <= 1 + room)) return;
+    DVec3 q = glm::cross(off, ab);
+    double v = glm::dot(along, q) / area;
+    if (!(v >= -room && u + v <= 1 + room)) return;
+    double s = glm::dot(ac, q) / area;
+    if (!(s >= 0 && s <= 1)) return;
+    if (all) {
+      if (solid) winding += area < 0 ? 1 : -1;
+    } else if (s < share || (s == share && t < triangle)) {
+      share = s;
+      triangle = t;
+    }
+  }
+};
+
+struct Search {
+  const std::vector<std::array<Vec3, 3>>* corners;
+  DVec3 place;
+  double best;  // distance squared
+  double blur;  // what single precision may miss
+  DVec3 point{0};
+  std::uint32_t triangle = Host::kNoTriangle;
+  int feature = kFace;
+
+  /// True where the triangle is nearer than what was known.
+  bool look(std::uint32_t t) {
+    int f;
+    DVec3 q = nearest_on((*corners)[t], place, f), way = place - q;
+    double d = glm::dot(way, way);
+    if (d > best || (d == best && t >= triangle)) return false;
+    bool nearer = d < best || triangle == Host::kNoTriangle;
+    best = d;
+    point = q;
+    triangle = t;
+    feature = f;
+    return nearer;
+  }
+  float radius() const {
+    double r = std::sqrt(best);
+    return r < 1e30 ? static_cast<float>(r * (1 + 1e-5) + blur) : std::numeric_limits<float>::infinity();
+  }
+};
+
+bool look_at(RTCPointQueryFunctionArguments* args) {
+  Search& search = *static_cast<Search*>(args->userPtr);
+  if (!search.look(args->primID)) return false;
+  float radius = search.radius();
+  if (!(radius < args->query->radius)) return false;
+  args->query->radius = radius;
+  return true;
+}
+
+}  // namespace
+
+/// Embree's tree over boxes round the triangles.
+struct Host::Tree {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  const Host* host = nullptr;  // moved along with it
+  double blur = 0;
+
+  ~Tree() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+
+  static void bounds(const RTCBoundsFunctionArguments* args) {
+    const Tree& tree = *static_cast<const Tree*>(args->geometryUserPtr);
+    const auto& c = tree.host->corners_[args->primID];
+    Vec3 pad(static_cast<float>(tree.blur));
+    Vec3 low = glm::min(glm::min(c[0], c[1]), c[2]) - pad, high = glm::max(glm::max(c[0], c[1]), c[2]) + pad;
+    *args->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
+  }
+
+  static void intersect(const RTCIntersectFunctionNArguments* args) {
+    if (!args->valid[0]) return;
+    Way& way = *static_cast<Way*>(args->context);
+    way.meet(args->primID, way.host->corners_[args->primID], way.host->solid_[args->primID] != 0);
+  }
+
+  bool build(const Host& over) {
+    host = &over;
+    blur = 4e-7 * std::max(glm::length(over.low_), glm::length(over.high_)) + 1e-30;
+    device = rtcNewDevice("threads=1");
+    if (!device) return false;
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(over.corners_.size()));
+    rtcSetGeometryUserData(geometry, this);
+    rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, intersect);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+    return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+  }
+
+  void walk(Way& way) const {
+    rtcInitIntersectContext(&way);
+    RTCRayHit ray{};
+    ray.ray.org_x = static_cast<float>(way.from.x);
+    ray.ray.org_y = static_cast<float>(way.from.y);
+    ray.ray.org_z = static_cast<float>(way.from.z);
+    ray.ray.dir_x = static_cast<float>(way.along.x);
+    ray.ray.dir_y = static_cast<float>(way.along.y);
+    ray.ray.dir_z = static_cast<float>(way.along.z);
+    ray.ray.tfar = 1;
+    ray.ray.mask = ~0u;
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene, &way, &ray);
+  }
+};
+
+Host::Host() : tree_(std::make_unique<Tree>()) {}
+Host::~Host() = default;
+Host::Host(Host&& other) noexcept { *this = std::move(other); }
+Host& Host::operator=(Host&& other) noexcept {
+  corners_ = std::move(other.corners_);
+  vertex_ = std::move(other.vertex_);
+  neighbour_ = std::move(other.neighbour_);
+  solid_ = std::move(other.solid_);
+  vertex_normal_ = std::move(other.vertex_normal_);
+  low_ = other.low_;
+  high_ = other.high_;
+  closed_ = other.closed_;
+  tree_ = std::move(other.tree_);
+  if (tree_) tree_->host = this;
+  return *this;
+}
+
+/// Takes over the triangles; their tree is left as it is.
+void Host::take(Soup&& soup) {
+  corners_ = std::move(soup.corners);
+  vertex_ = std::move(soup.vertex);
+  neighbour_ = std::move(soup.neighbour);
+  solid_ = std::move(soup.solid);
+  closed_ = std::all_of(solid_.begin(), solid_.end(), [](auto s) { return s != 0; });
+  vertex_normal_.assign(soup.vertices, Vec3(0));
+  Vec3 low = corners_[0][0], high = low;
+  for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+    const auto& c = corners_[t];
+    DVec3 normal = face_normal(t);
+    for (int i = 0; i < 3; ++i) {
+      low = glm::min(low, c[i]);
+      high = glm::max(high, c[i]);
+      DVec3 a = glm::normalize(DVec3(c[(i + 1) % 3]) - DVec3(c[i]));
+      DVec3 b = glm::normalize(DVec3(c[(i + 2) % 3]) - DVec3(c[i]));
+      double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+      vertex_normal_[vertex_[t][i]] += Vec3(normal * angle);
+    }
+  }
+  low_ = low;
+  high_ = high;
+}
+
+/// How many of four ways lead from one side (1 or -1) of a triangle into the open.
+double Host::openness(std::uint32_t triangle, double side) const {
+  const auto& c = corners_[triangle];
+  DVec3 normal = side * face_normal(triangle), along = glm::normalize(DVec3(c[1]) - DVec3(c[0]));
+  DVec3 from = (DVec3(c[0]) + DVec3(c[1]) + DVec3(c[2])) / 3.0 + normal * (1e-5 * size());
+  DVec3 across = glm::cross(normal, along);
+  double open = 0;
+  for (const DVec3& lean : {along, -along, across, -across})
+    open += !crossing(from, from + (normal + 0.7 * lean) * (2 * size()));
+  return open;
+}
+
+Result<Host> Host::build(const Surface& surface, std::string_view name) {
+  Soup soup = mend_surface(surface);
+  if (soup.corners.empty())
+    return Error{std::string(name),
+                 fmt::format("none of the {} triangles has an area", surface.triangle.size())};
+  Host host;
+  host.take(Soup(soup));
+  if (!host.tree_->build(host)) return Error{std::string(name), "Embree could not build its tree"};
+  if (host.closed_) return host;
+  // Open pieces are looked at from both sides, at 64 of their triangles or so.
+  std::vector<std::uint32_t> count(soup.pieces, 0), seen(soup.pieces, 0);
+  std::vector<double> front(soup.pieces, 0), back(soup.pieces, 0);
+  for (std::uint32_t p : soup.piece) ++count[p];
+  for (std::uint32_t t = 0; t < soup.piece.size(); ++t) {
+    std::uint32_t p = soup.piece[t];
+    if (soup.solid[t] || seen[p]++ % (1 + count[p] / 64) != 0) continue;
+    front[p] += host.openness(t, 1);
+    back[p] += host.openness(t, -1);
+  }
+  bool turned = false;
+  for (std::uint32_t t = 0; t < soup.piece.size(); ++t) {
+    std::uint32_t p = soup.piece[t];
+    if (back[p] <= 1.25 * front[p] + 1) continue;
+    flip(soup, t);
+    turned = true;
+  }
+  if (turned) host.take(std::move(soup));
+  return host;
+}
+
+DVec3 Host::face_normal(std::uint32_t triangle) const {
+  const auto& c = corners_[triangle];
+  return glm::normalize(glm::cross(DVec3(c[1]) - DVec3(c[0]), DVec3(c[2]) - DVec3(c[0])));
+}
+
+/// Tells outside from inside at any feature (Baerentzen and Aanaes 2005).
+DVec3 Host::feature_normal(std::uint32_t triangle, int feature) const {
+  DVec3 face = face_normal(triangle), sum = face;
+  if (feature < 3) {
+    sum = DVec3(vertex_normal_[vertex_[triangle][feature]]);
+  } else if (feature < kFace) {
+    std::uint32_t other = neighbour_[triangle][feature - 3];
+    if (other != kNoTriangle) sum += face_normal(other);
+  }
+  double length = glm::length(sum);
+  return length > 1e-6 ? sum / length : face;
+}
+
+std::optional<Contact> Host::closest(const DVec3& place, double within, std::uint32_t likely) const {
+  Search search{&corners_, place, within * within, tree_->blur + 2e-7 * glm::length(place)};
+  if (likely < corners_.size()) search.look(likely);
+  RTCPointQuery query{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z),
+                      0, search.radius()};
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(tree_->scene, &query, &context, look_at, &search);
+  if (search.triangle == kNoTriangle) return std::nullopt;
+  Contact contact{search.point, feature_normal(search.triangle, search.feature), std::sqrt(search.best),
+                  search.triangle};
+  DVec3 way = place - search.point;
+  contact.inside = glm::dot(way, contact.normal) < 0;
+  if (contact.distance > 1e-12 * size()) {
+    DVec3 out = way / (contact.inside ? -contact.distance : contact.distance);
+    // On the surface itself there is no such direction; the feature's takes over.
+    contact.normal = glm::normalize(out + (1e-7 * size() / contact.distance) * contact.normal);
+  }
+  return contact;
+}
+
+std::optional<Crossing> Host::crossing(const DVec3& from, const DVec3& to) const {
+  Way way;
+  way.host = this;
+  way.from = from;
+  way.along = to - from;
+  tree_->walk(way);
+  if (way.triangle == kNoTriangle) return std::nullopt;
+  return Crossing{way.share, face_normal(way.triangle), way.triangle};
+}
+
+bool Host::inside(const DVec3& place) const {
+  if (glm::any(glm::lessThan(place, low_)) || glm::any(glm::greaterThan(place, high_))) return false;
+  // A ray that meets an edge counts two triangles; the majority of five does not.
+  static const DVec3 ways[] = {{0.5377, 0.7639, 0.3569},
+                               {-0.8611, 0.2274, 0.4549},
+                               {0.1321, -0.4783, 0.8682},
+                               {-0.3127, 0.6421, -0.7001},
+                               {0.7219, -0.5897, -0.3621}};
+  int votes = 0;
+  for (const DVec3& direction : ways) {
+    Way way;
+    way.host = this;
+    way.from = place;
+    way.along = direction * (2 * size());
+    way.all = true;
+    tree_->walk(way);
+    votes += way.winding > 0 ? 1 : -1;  // more ways out than in
+    if (std::abs(votes) == 3) break;
+  }
+  return votes > 0;
+}
+
+}  // namespace frond

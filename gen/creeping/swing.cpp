@@ -1,0 +1,93 @@
+#include "creeping/swing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr double kGravity = 9.81;
+
+/// A run of hanging nodes: `first` .. `last`, held by the parent of the first and, where it took hold again,
+/// by the node after the last.
+struct Run {
+  std::int32_t first, last;
+  bool bridged;
+};
+
+std::vector<Run> runs_of(const Strands& s) {
+  std::vector<Run> runs;
+  for (const Strand& strand : s.strands)
+    for (std::int32_t i = strand.first, end = strand.first + strand.count; i < end; ++i) {
+      if (!s.hanging[i]) continue;
+      std::int32_t first = i;
+      while (i + 1 < end && s.hanging[i + 1]) ++i;
+      runs.push_back({first, i, i + 1 < end});
+    }
+  return runs;
+}
+
+/// Cycles a second, made to fit whole times into a film that repeats.
+double fitted(double rate, double film_length) {
+  if (film_length <= 0) return rate;
+  return std::max(std::round(rate * film_length), 1.0) / film_length;
+}
+
+/// The turn by small angles about two level axes at once.
+Quat tilt(const Vec3& along, double push, double side) {
+  Vec3 axis = Vec3(-along.z, 0, along.x) * static_cast<float>(-push) + along * static_cast<float>(side);
+  float angle = glm::length(axis);
+  return angle < 1e-7f ? Quat(1, 0, 0, 0) : glm::angleAxis(angle, axis / angle);
+}
+
+}  // namespace
+
+void swing_strands(const Strands& strands, const Breeze& breeze, double time, std::vector<Vec3>& position,
+                   std::vector<Quat>& turn) {
+  const Skeleton& rest = strands.skeleton;
+  position = rest.position;
+  turn.assign(rest.size(), Quat(1, 0, 0, 0));
+  Vec3 flat(breeze.direction.x, 0, breeze.direction.z);
+  Vec3 wind = glm::length(flat) > 0 ? glm::normalize(flat) : Vec3(1, 0, 0);
+  for (const Run& run : runs_of(strands)) {
+    std::int32_t root = rest.parent[run.first];
+    if (root == Skeleton::kRoot) continue;
+    double length = std::max<double>(rest.distance[run.last] - rest.distance[root], 1e-6);
+    // No farther than there is room: a turn by an angle moves a node by less than that times its lever.
+    double most = breeze.amplitude;
+    Vec3 base = rest.position[root];
+    Vec3 axis = run.bridged ? rest.position[run.last] - base : Vec3(0);
+    bool bridged = glm::length(axis) > 1e-6f;
+    if (bridged) axis = glm::normalize(axis);
+    for (std::int32_t i = run.first; i <= run.last; ++i) {
+      double lever = bridged ? glm::length(glm::cross(axis, rest.position[i] - base))
+                             : rest.distance[i] - rest.distance[root];
+      if (lever > 1e-3 * length) most = std::min(most, 0.6 * strands.room[i] / lever);
+    }
+    // Each strand has its own moment; frequencies are those of a heavy chain: j0 of the Bessel function.
+    double phase = breeze.phase + 2 * kPi * Seed{static_cast<std::uint64_t>(run.first)}.child(7).unit();
+    double slow_rate = 1.2024 * std::sqrt(kGravity / length) / (2 * kPi);
+    double slow = 2 * kPi * fitted(slow_rate, breeze.film_length) * time + phase;
+    double fast = 2 * kPi * fitted(2.295 * slow_rate, breeze.film_length) * time + 2.4 * phase;
+    double gust = 2 * kPi * fitted(0.31 * slow_rate, breeze.film_length) * time + 1.7 * phase;
+    double push = 0.35 + 0.3 * std::sin(gust) + 0.35 * std::sin(slow);
+    for (std::int32_t i = run.first; i <= run.last; ++i) {
+      double share = (rest.distance[i] - rest.distance[root]) / length;
+      Quat q;
+      if (bridged) {
+        q = glm::angleAxis(static_cast<float>(most * push), axis);
+      } else {
+        // Lower parts of a chain turn more in the first mode, and against it in the second.
+        double first = 0.55 + 0.45 * share, second = 0.28 * (1 - 2.2 * share);
+        q = tilt(wind, most * (first * push + second * std::sin(fast)),
+                 most * 0.4 * first * std::sin(0.5 * kPi + slow));
+      }
+      turn[i] = q;
+      std::int32_t below = rest.parent[i];
+      position[i] = position[below] + q * (rest.position[i] - rest.position[below]);
+    }
+  }
+}
+
+}  // namespace frond

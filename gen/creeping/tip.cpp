@@ -1,0 +1,233 @@
+#include "creeping/tip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/noise.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kTooNear = 0.55;  // of the spacing: nobody goes nearer to a neighbour than this
+constexpr double kMuchTooNear = 0.35;
+constexpr double kOverhang = -0.5;    // the height of the normal below which a surface is one,
+constexpr double kNoOverhang = -0.1;  // and above which it is none any more
+
+/// Which way the lure is, and how much of the bias it deserves here.
+DVec3 lured(const Crawl& crawl, const Tread& tread, double& share) {
+  DVec3 toward(crawl.toward);
+  share = crawl.bias;
+  switch (crawl.lure) {
+    case Lure::along:
+      return toward;
+    case Lure::light: {
+      double length = glm::length(toward);
+      if (length > 0) share *= 1 - std::max(glm::dot(tread.normal, toward) / length, 0.0);
+      return toward;
+    }
+    case Lure::point:
+      return toward - tread.place;
+  }
+  return toward;
+}
+
+/// Within the box, and a strand's radius above the ground.
+bool in_bounds(const Crawl& crawl, const GroundHeight& ground, const DVec3& p) {
+  return (!ground || p.y >= ground(p.x, p.z) + crawl.radius) &&
+         glm::all(glm::greaterThanEqual(p, DVec3(crawl.low))) &&
+         glm::all(glm::lessThanEqual(p, DVec3(crawl.high)));
+}
+
+void stop(Tip& tip, End why) {
+  tip.alive = false;
+  tip.end = why;
+}
+
+void block(Tip& tip, const Crawl& crawl, End why) {
+  if (++tip.blocked >= crawl.patience) stop(tip, why);
+}
+
+void let_go(Tip& tip, const GroundHeight& ground, const Crawl& crawl) {
+  tip.hangs = true;
+  tip.chain = Chain{};
+  tip.chain.root = tip.tread.place;
+  tip.chain.heading = tip.tread.heading;
+  tip.chain.link = crawl.speed;
+  tip.chain.stiffness = crawl.stiffness;
+  tip.chain.lift = 0.5 * crawl.radius;
+  if (ground) tip.chain.ground = &ground;
+}
+
+/// Notes a node at the tip's tread, and the bud that is due there.
+void lay(Tip& tip, const Crawl& crawl, double time) {
+  Laid node{tip.tread, time, tip.along, tip.hangs, false};
+  if (!tip.hangs && tip.depth < crawl.branch_depth && tip.along >= tip.next_bud) {
+    node.bud = true;
+    double vary = crawl.branch_jitter * tip.seed.child("bud", tip.buds++).range(-1, 1);
+    tip.next_bud = tip.along + crawl.branch_every * (1 + vary);
+  }
+  tip.laid.push_back(node);
+}
+
+/// Whether an edge ends the surface ahead, rather than being one of a rough surface that goes on.
+bool falls_away(const Host& host, const Tip& tip, const Crawl& crawl) {
+  return !host.closest(tip.tread.place + tip.tread.heading * (2 * crawl.speed), 0.5 * crawl.speed);
+}
+
+/// Walks a step over the surface, in strides.
+void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& crawl, int step, Seed draw) {
+  double lift = lift_of(crawl), rest = crawl.speed, unlaid = 0;
+  const double least = 0.05 * crawl.speed;
+  for (int strides = 0; rest > least && strides < 24; ++strides) {
+    Stride s = stride(host, tip.tread, rest, lift);
+    if (s.footing == Footing::stuck) {
+      if (tip.laid.empty()) block(tip, crawl, End::stuck);
+      break;
+    }
+    bool overhang = s.tread.normal.y < kOverhang && !tip.under;
+    if (overhang || s.tread.normal.y > kNoOverhang) tip.under = overhang;
+    if (overhang ||
+        (s.footing == Footing::edge && tip.calm > 3 * crawl.speed && falls_away(host, tip, crawl))) {
+      tip.calm = 0;
+      if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, ground, crawl);
+    }
+    if (s.footing == Footing::edge && !crawl.backs && host.behind(s.tread.triangle, s.tread.normal) &&
+        !host.behind(tip.tread.triangle, tip.tread.normal)) {
+      // A rim: hang over it or turn away.
+      Seed rim = draw.child(64 + strides);
+      if (rim.child(1).unit() < crawl.let_go) return let_go(tip, ground, crawl);
+      double angle = rim.child(2).range(0.5 * kPi, kPi) * (rim.child(3).unit() < 0.5 ? -1 : 1);
+      tip.tread.heading = turned(tip.tread.heading, tip.tread.normal, angle);
+      if (tip.laid.empty()) block(tip, crawl, End::stuck);
+      return;
+    }
+    tip.calm += s.length;
+    tip.along += s.length;
+    tip.tread = s.tread;
+    unlaid += s.length;
+    rest -= std::max(s.length, 0.02 * crawl.speed);
+    if (!in_bounds(crawl, ground, s.tread.place)) return stop(tip, End::box);
+    if (unlaid > std::min(least, 0.5 * lift) || rest <= least) {
+      lay(tip, crawl, step + 1 - std::max(rest, 0.0) / crawl.speed);
+      unlaid = 0;
+    }
+  }
+  if (!tip.laid.empty()) tip.blocked = 0;
+  if (tip.along >= crawl.max_length) stop(tip, End::length);
+}
+
+/// Takes hold again where the end of the chain touches the host; ends where it has come down on the ground.
+void grip(Tip& tip, const Host& host, const Crawl& crawl) {
+  Chain& chain = tip.chain;
+  auto touches = [&] {
+    double moved = glm::distance(chain.clear.back(), chain.place.back());
+    return chain.room.back() - moved < 1.2 * chain.lift;
+  };
+  if (chain.place.size() < 3 || !touches()) return;
+  settle(chain, host, 100);
+  if (!touches()) return;
+  std::optional<Contact> under = host.closest(chain.place.back(), 4 * chain.lift);
+  if (!under) return stop(tip, End::box);
+  if (under->distance < 1e-3 * chain.lift) return;
+  std::size_t n = chain.place.size();
+  DVec3 last = chain.place[n - 1] - chain.place[n - 2];
+  if (!crawl.backs && host.behind(under->triangle, (chain.place[n - 1] - under->point) / under->distance))
+    return;
+  Tread& t = tip.tread;
+  t.contact = under->point;
+  t.normal = (chain.place[n - 1] - under->point) / under->distance;
+  t.place = t.contact + t.normal * lift_of(crawl);
+  t.heading = tangent(last, t.normal);
+  t.triangle = under->triangle;
+  tip.hangs = false;
+  tip.gripped = true;
+  tip.calm = 0;
+}
+
+/// Grows a hanging strand by a link.
+void dangle(Tip& tip, const Host& host, const Crawl& crawl, int step) {
+  Chain& chain = tip.chain;
+  if (chain.length() + chain.link > crawl.hang_most) return stop(tip, End::hung);
+  std::size_t n = chain.place.size();
+  DVec3 last = n == 0 ? chain.heading : chain.place[n - 1] - (n == 1 ? chain.root : chain.place[n - 2]);
+  // It grows in slow curves of its own, the more so the less weight pulls it straight.
+  double shift = tip.seed.child("curl").range(-500, 500);
+  DVec3 curl =
+      DVec3(noise3(Vec3(shift, 0.16 * static_cast<double>(n), 0))) * std::min(0.8 * crawl.wander, 0.4);
+  if (!lengthen(chain, host, glm::normalize(glm::normalize(last) + curl), curl))
+    return block(tip, crawl, End::stuck);
+  settle(chain, host, 4);
+  tip.along += chain.link;
+  DVec3 along = glm::normalize(last);
+  tip.tread.place = tip.tread.contact = chain.place.back();
+  tip.tread.normal = tangent(tip.tread.normal, along);
+  lay(tip, crawl, step + 1);
+  grip(tip, host, crawl);
+  if (tip.along >= crawl.max_length) stop(tip, End::length);
+  if (!in_bounds(crawl, {}, tip.tread.place)) stop(tip, End::box);
+}
+
+}  // namespace
+
+Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed) {
+  Tip tip;
+  tip.tread = tread;
+  tip.seed = seed;
+  tip.next_bud = crawl.branch_every * seed.child("first bud").range(1 - crawl.branch_jitter, 1);
+  return tip;
+}
+
+std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,
+                                       const Crowd::Own& own, double step, std::vector<DVec3>& near) {
+  double spacing = crowd.spacing(), probe = std::max(step, 0.5 * spacing);
+  crowd.gather(tread.place, tread.normal, own, spacing + probe, near);
+  if (near.empty()) return heading;
+  Crowd::View straight = crowd.view(near, tread.place + heading * probe);
+  if (straight.nearest >= spacing) return heading;
+  DVec3 best = heading;
+  double room = straight.nearest;
+  auto consider = [&](const DVec3& h) {
+    double there = crowd.nearest(near, tread.place + h * probe);
+    if (there <= room) return;
+    best = h;
+    room = there;
+  };
+  // Away from the neighbours, the more the nearer they are.
+  DVec3 away = straight.away - tread.normal * glm::dot(straight.away, tread.normal);
+  double strength = glm::length(away);
+  if (strength > 1e-9)
+    consider(glm::normalize(heading + away * (0.8 * (1 - straight.nearest / spacing) / strength)));
+  if (room >= kTooNear * spacing) return best;
+  // Not back on itself: a strand that finds no way ahead stops.
+  for (double angle : {30.0, -30.0, 60.0, -60.0}) {
+    consider(turned(heading, tread.normal, radians(angle)));
+    if (room >= kTooNear * spacing) return best;
+  }
+  // Who is crowded already may go where it is less so.
+  if (room > kMuchTooNear * spacing && room > crowd.nearest(near, tread.place)) return best;
+  return std::nullopt;
+}
+
+void advance(Tip& tip, const Host& host, const GroundHeight& ground, const Crowd* crowd, const Crawl& crawl,
+             int step) {
+  tip.laid.clear();
+  tip.gripped = false;
+  Seed draw = tip.seed.child(static_cast<std::uint64_t>(step));
+  if (tip.hangs) return dangle(tip, host, crawl, step);
+  const DVec3& normal = tip.tread.normal;
+  DVec3 heading = turned(tip.tread.heading, normal, crawl.wander * draw.child(0).range(-1, 1));
+  double share;
+  DVec3 lure = lured(crawl, tip.tread, share);
+  heading = leaning(heading, normal, lure, share);
+  if (crowd) {
+    std::optional<DVec3> free = heading_with_room(*crowd, tip.tread, heading,
+                                                  {tip.strand, tip.parent, tip.along}, crawl.speed, tip.near);
+    if (!free) return block(tip, crawl, End::crowded);
+    heading = tangent(*free, normal);
+  }
+  tip.tread.heading = heading;
+  creep(tip, host, ground, crawl, step, draw);
+}
+
+}  // namespace frond

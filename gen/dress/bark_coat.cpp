@@ -1,0 +1,49 @@
+#include "dress/bark_coat.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/content.h"
+#include "core/text.h"
+
+namespace frond {
+
+namespace {
+
+std::string name_of(const BarkCoat& coat, std::string_view what) {
+  const BarkImage& b = coat.image;
+  std::string key;
+  append_list(key, 6, static_cast<int>(b.pattern), b.lichens, b.ridges, b.stretch, b.warp, b.depth,
+              coat.aspect, coat.pixels);
+  for (const Color& c : {b.color, b.second, b.lichen})
+    key += ';', append_list(key, 6, c.red, c.green, c.blue);
+  return fmt::format("bark_{}_{}.png", made_id(key), what);
+}
+
+}  // namespace
+
+std::string bark_color_name(const BarkCoat& coat) { return name_of(coat, "color"); }
+std::string bark_height_name(const BarkCoat& coat) { return name_of(coat, "height"); }
+
+namespace {
+
+Result<std::vector<Picture>> draw_bark(const BarkCoat& coat) {
+  int height = std::max(1, static_cast<int>(std::lround(coat.pixels * coat.aspect)));
+  Seed seed{11};
+  BarkMaps maps = bark_maps(coat.image, coat.pixels, height, seed);
+  Result<std::string> color = png_text(bark_colors(coat.image, maps, seed));
+  Result<std::string> relief = png_text(grey_picture(maps.height));
+  if (!color) return color.errors();
+  if (!relief) return relief.errors();
+  return std::vector<Picture>{{bark_color_name(coat), std::move(*color)},
+                              {bark_height_name(coat), std::move(*relief)}};
+}
+
+}  // namespace
+
+Drawing bark_drawing(const BarkCoat& coat) {
+  return {{bark_color_name(coat), bark_height_name(coat)}, [coat] { return draw_bark(coat); }};
+}
+
+}  // namespace frond

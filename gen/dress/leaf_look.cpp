@@ -1,0 +1,96 @@
+#include "dress/leaf_look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/content.h"
+#include "core/text.h"
+
+namespace frond {
+
+namespace {
+
+/// Where the spots of a leaf of that colour lie: in all seasons the same.
+std::uint64_t spots_of(const LeafLook& look, std::size_t color) {
+  return color < look.colors.size() ? color : 0;
+}
+
+/// A name by all that the picture is made from.
+std::string picture_name(const LeafLook& look, std::size_t color) {
+  LeafImage leaf = leaf_image(look, color);
+  std::string key;
+  for (double r : leaf.outline.radii) append_list(key, 6, r), key += ',';
+  const LeafOutline& o = leaf.outline;
+  append_list(key, 6, o.width, o.teeth, o.tooth, o.stalk, o.palmate, leaf.spots, look.pixels, leaf.sprig,
+              spots_of(look, color));
+  for (const Color& c : {leaf.color, leaf.veins, leaf.rim})
+    key += ';', append_list(key, 6, c.red, c.green, c.blue);
+  if (leaf.sprig) {
+    const Sprig& s = leaf.sprigs;
+    append_list(key += ';', 6, s.pairs, s.end_leaf, s.angle, s.length, s.shrink, s.alternate);
+  }
+  return fmt::format("leaf_{}.png", made_id(key));
+}
+
+/// A picture without opacity, for the mesh has the outline: to POV-Ray a leaf with an opacity is one that
+/// each ray of light must look through. Where nothing is drawn it has the colour of the rim.
+Raster opaque(const Raster& from, const Color& rim) {
+  Raster to(from.width, from.height, 3);
+  std::uint8_t ground[] = {to_byte(rim.red), to_byte(rim.green), to_byte(rim.blue)};
+  for (std::size_t i = 0; i < to.data.size() / 3; ++i) {
+    const std::uint8_t* pixel = &from.data[4 * i];
+    bool drawn = pixel[0] != 0 || pixel[1] != 0 || pixel[2] != 0;
+    std::copy_n(drawn ? pixel : ground, 3, &to.data[3 * i]);
+  }
+  return to;
+}
+
+}  // namespace
+
+LeafImage leaf_image(const LeafLook& look, std::size_t color) {
+  LeafImage leaf;
+  if (look.shape == LeafShape::own) {
+    if (!look.outline.empty()) leaf.outline.radii = look.outline;
+  } else {
+    leaf.outline = leaf_outline(leaf_names()[static_cast<std::size_t>(look.shape)]);
+  }
+  leaf.outline.width *= look.width;
+  leaf.sprig = look.sprig;
+  leaf.sprigs = look.sprigs;
+  color %= look.looks();
+  bool own = color < look.colors.size();
+  LeafTint tint =
+      own ? LeafTint{look.colors[color], look.veins, look.rim} : look.turned[color - look.colors.size()];
+  leaf.color = tint.color;
+  leaf.veins = tint.veins;
+  leaf.rim = tint.rim;
+  leaf.spots = look.spots;
+  return leaf;
+}
+
+Prototype leaf_prototype(const LeafLook& look) {
+  Prototype made{"leaf", {}, look.colors, look.veins};
+  OrganPart part{Tissue::leaf, leaf_mesh(leaf_image(look, 0), look.detail, look.fold, look.bend)};
+  for (std::size_t i = 0; i < look.looks(); ++i) part.pictures.push_back(picture_name(look, i));
+  for (const LeafTint& tint : look.turned) made.colors.push_back(tint.color);
+  if (!look.turned.empty()) made.summer = look.colors.size();
+  made.parts.push_back(std::move(part));
+  return made;
+}
+
+std::vector<Drawing> leaf_drawings(const LeafLook& look) {
+  std::vector<Drawing> drawings;
+  for (std::size_t i = 0; i < look.looks(); ++i) {
+    auto draw = [name = picture_name(look, i), image = leaf_image(look, i), pixels = look.pixels,
+                 spots = Seed{spots_of(look, i)}]() -> Result<std::vector<Picture>> {
+      Result<std::string> bytes = png_text(opaque(leaf_picture(image, pixels, spots), image.rim));
+      if (!bytes) return bytes.errors();
+      return std::vector<Picture>{{name, std::move(*bytes)}};
+    };
+    drawings.push_back({{picture_name(look, i)}, std::move(draw)});
+  }
+  return drawings;
+}
+
+}  // namespace frond

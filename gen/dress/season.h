@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/curve.h"
+#include "core/seed.h"
+#include "dress/leaf_look.h"
+#include "model/model.h"
+
+namespace frond {
+
+/// Flowers that come where leaves stand.
+struct Blossom {
+  double share = 0.5;   ///< of the leaves' places that bear them
+  int cluster = 3;      ///< flowers at one place
+  double size = 0.035;  ///< metres across
+  int petals = 5;
+  Color color{0.98f, 0.90f, 0.92f};
+  Color heart{0.85f, 0.62f, 0.35f};
+  double at = 0.27;     ///< time of the year at which they open
+  double lasts = 0.05;  ///< years until the petals fall
+};
+
+/// The year of a tree or an herb. Times of the year: 0 new year, 0.25 the first of April, 0.5 midsummer; from
+/// one leaf to the next they differ. In the south all are half a year later.
+struct Seasons {
+  Animated<double> at{0.5};  ///< years; the whole part says which year it is
+  double opening = 0.29;     ///< when leaves unfold
+  double turning = 0.77;     ///< when they begin to turn
+  double fall = 0.85;        ///< when they fall
+  double spread = 0.08;      ///< years from the first leaf to the last
+  double drift = 0.02;       ///< years that a leaf is in the air
+  double litter = 0.6;       ///< share of the fallen that lie on the ground until spring
+  bool evergreen = false;    ///< leaves stay as they are
+  Color young{0.66f, 0.76f, 0.30f};
+  std::vector<Color> autumn{{0.85f, 0.66f, 0.14f}, {0.80f, 0.42f, 0.10f}, {0.50f, 0.30f, 0.16f}};
+  std::optional<Blossom> blossom;
+};
+
+/// Gives a leaf the colours of its other seasons behind its own; does nothing where it is no leaf.
+void add_seasons(Prototype& leaf, const Seasons& seasons);
+LeafLook with_seasons(LeafLook look, const Seasons& seasons);
+
+/// Adds the shape of the flowers, where there are any, as the last prototype.
+void add_blossom(std::vector<Prototype>& prototypes, const Seasons& seasons);
+
+/// A leaf at one moment of its life.
+struct LeafState {
+  float size = 0;    ///< share of its own
+  float hue = 0;     ///< -1 young .. 0 summer .. n the n-th colour of autumn
+  float fallen = 0;  ///< 0 on its twig .. 1 on the ground
+};
+LeafState leaf_state(const Seasons& seasons, double year, Seed leaf);
+
+/// How high the ground is at x, z; none: nothing lies on it.
+using GroundAt = std::function<double(double, double)>;
+
+/// Changes leaves in full leaf, with the prototypes that the functions above have made, to what they are at a
+/// time in seconds: opened, turned, on their way down, lying, gone; and adds the flowers. Smooth in time. Any
+/// moment is made alone.
+void in_season(Organs& organs, const std::vector<Prototype>& prototypes, const Seasons& seasons, double time,
+               Seed seed, const GroundAt& ground = {});
+
+/// The same for a whole model.
+void in_season(Model& model, const Seasons& seasons, double time, Seed seed, const GroundAt& ground = {});
+
+}  // namespace frond

@@ -1,0 +1,33 @@
+#include <algorithm>
+
+#include "emit/setting_parts.h"
+#include "settings/garden.h"
+
+namespace frond {
+
+namespace {
+
+std::string sky_and_pond_text(const Scene& scene, double time) {
+  const auto& garden = scene.stage.block<Garden>();
+  const auto& lawn = scene.stage.block<Meadow>();
+  Vec3 sun = sun_at(garden.hour, garden.south);
+  std::string text = "Meadow_Globals()\nGarden_Setting(" + eye_text(scene, time) + "," +
+                     color_text(lawn.grass) + "," + direction_text(sun) + "," + number_text(lawn.haze) + "," +
+                     number_text(lawn.clouds) + ")";
+  const PondShape& pond = garden.pond;
+  if (pond.size.x > 0 && pond.size.y > 0)
+    text += "\nGarden_Water(" + direction_text(Vec3(pond.center.x, pond.level, pond.center.y)) + "," +
+            number_text(1.35 * std::max(pond.size.x, pond.size.y)) + ")";
+  return text;
+}
+
+}  // namespace
+
+SettingText garden_text() {
+  return {{"meadow", "garden"}, sky_and_pond_text, [](const PovSpace& space, const Scene& scene) {
+            return lawn_text(space, scene, scene.stage.block<Meadow>().grass,
+                             scene.stage.block<Garden>().gravel_color);
+          }};
+}
+
+}  // namespace frond

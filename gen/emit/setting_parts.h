@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text.h"
+#include "emit/setting.h"
+#include "settings/lawn.h"
+
+// What the texts of several settings are put together from.
+
+namespace frond {
+
+std::string direction_text(Vec3 v);
+std::string color_text(const Color& c);
+
+/// Where the camera stands and what it looks at, in POV-Ray's axes and metres.
+std::string eye_text(const Scene& scene, double time);
+std::string look_text(const Scene& scene, double time);
+
+/// Toward the sun at an hour: it rises at about 5, stands highest at 13 and sets at about 21, as in June at
+/// 50 degrees of latitude; below the horizon at night.
+Vec3 sun_at(double hour, double south);
+
+/// The floor as an object with a texture.
+std::string floor_text(const PovSpace& space, const Scene& scene, std::string_view texture);
+
+/// Appends `Turf12`.
+void append_name(std::string& text, std::string_view name, std::size_t index);
+
+/// Declares shapes as Gravel0, Gravel1, ...
+void append_shapes(std::string& text, const PovSpace& space, const std::vector<Surface>& shapes,
+                   std::string_view name);
+
+/// One union of all patches whose shape of that name there is, with the texture on it.
+void append_patches(std::string& text, const PovSpace& space, const std::vector<Patch>& patches,
+                    std::string_view name, std::string_view texture, const std::vector<bool>& missing = {});
+
+/// A lawn of a colour, with its grass and gravel.
+std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel);
+
+}  // namespace frond

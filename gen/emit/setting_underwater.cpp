@@ -1,0 +1,57 @@
+#include "core/text.h"
+#include "emit/setting_parts.h"
+#include "settings/underwater.h"
+
+namespace frond {
+
+namespace {
+
+/// Its macros take metres, in POV-Ray's axes.
+std::string water_text(const Scene& scene, double time) {
+  const auto& water = scene.stage.block<Water>();
+  std::string eye = eye_text(scene, time), look = look_text(scene, time);
+  std::string near = color_text(water.near), sun = direction_text(water.sun);
+  std::string text = "Water_Globals()\nWater_Setting(" + eye + "," + near + "," + color_text(water.deep) +
+                     "," + number_text(water.visibility) + "," + sun + "," + number_text(water.caustics) +
+                     ")\n";
+  if (water.shafts > 0)
+    text +=
+        "Water_Shafts(" + eye + "," + look + "," + near + "," + sun + "," + number_text(water.shafts) + ")\n";
+  if (water.particles > 0)
+    text += "Water_Particles(" + eye + "," + look + "," + number_text(water.particles) + ")\n";
+  return text + "Water_Surface(" + eye + "," + near + ")";
+}
+
+void append_stones(std::string& text, const PovSpace& space, const SeaFloor& floor) {
+  for (std::size_t i = 0; i < floor.stones.size(); ++i) {
+    append_name(text, "#declare Stone", i);
+    text += " = ";
+    append_mesh(text, space, floor.stones[i]);
+    text += '\n';
+  }
+  for (const StoneInstance& stone : floor.stone_instances) {
+    append_name(text, "object{Stone", static_cast<std::size_t>(stone.shape));
+    text += " scale<";
+    append_list(text, 5, stone.size.x, stone.size.y, stone.size.z);
+    text += ">rotate y*";
+    append(text, -degrees(stone.turn),
+           3);  // the mirror turns the other way round, and so do left-handed turns
+    text += " translate";
+    append_point(text, space, stone.at);
+    text += " texture{Rock_Texture(";
+    append_integer(text, stone.look);
+    text += ")}}\n";
+  }
+}
+
+std::string sea_floor_text(const PovSpace& space, const Scene& scene) {
+  std::string text = floor_text(space, scene, "Sand_Texture()");
+  append_stones(text, space, static_cast<const SeaFloor&>(*scene.ground));
+  return text;
+}
+
+}  // namespace
+
+SettingText underwater_text() { return {{"water", "sand"}, water_text, sea_floor_text}; }
+
+}  // namespace frond

@@ -1,0 +1,134 @@
+#include "field/boughs.h"
+
+#include <algorithm>
+
+namespace frond {
+
+namespace {
+
+constexpr float kReach = 6;  // radii from a fork to the end of what is blended there
+
+/// Follows the ways from the forks of one skeleton.
+class Joiner {
+ public:
+  Joiner(Boughs& limbs, const Skeleton& rest, std::span<const float> radius, float blend)
+      : limbs_(limbs),
+        rest_(rest),
+        radius_(radius),
+        blend_(blend),
+        cone_(rest.size(), -1),
+        children_(rest.size(), 0) {}
+
+  void add_cone(std::int32_t i, const Cone& cone) {
+    cone_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(limbs_.cones.size());
+    ++children_[static_cast<std::size_t>(rest_.parent[i])];
+    limbs_.cones.push_back(cone);
+  }
+
+  /// Makes the forks, of nodes with two children and more.
+  void add_forks() {
+    std::size_t n = rest_.size();
+    std::vector<std::int32_t> fork(n, -1);
+    std::vector<std::vector<std::int32_t>> branches;
+    for (std::size_t i = 0; i < n; ++i) {
+      std::int32_t p = rest_.parent[i];
+      if (p == Skeleton::kRoot || cone_[i] < 0 || children_[static_cast<std::size_t>(p)] < 2) continue;
+      std::int32_t& of = fork[static_cast<std::size_t>(p)];
+      if (of < 0) of = static_cast<std::int32_t>(branches.size()), branches.emplace_back().push_back(p);
+      branches[static_cast<std::size_t>(of)].push_back(static_cast<std::int32_t>(i));
+    }
+    for (const auto& list : branches) add_fork(list);
+  }
+
+ private:
+  /// `list` holds the node of the fork, then its children.
+  void add_fork(const std::vector<std::int32_t>& list) {
+    std::int32_t node = list[0];
+    float reach = kReach * radius_[static_cast<std::size_t>(node)];
+    Forks::Fork fork{static_cast<std::uint32_t>(limbs_.forks.arms.size()), 0};
+    if (cone_[static_cast<std::size_t>(node)] >= 0) {
+      begin_arm(radius_[static_cast<std::size_t>(node)]);
+      float way = 0;
+      for (std::int32_t i = node; way < reach && takes(i); i = forks(rest_.parent[i]) ? -1 : rest_.parent[i])
+        way += add_member(i);
+      end_arm();
+    }
+    for (std::size_t k = 1; k < list.size() && limbs_.forks.arms.size() - fork.first < kMostArms; ++k) {
+      begin_arm(radius_[static_cast<std::size_t>(list[k])]);
+      float way = 0;
+      for (std::int32_t i = list[k]; way < reach && takes(i); i = forks(i) ? -1 : next(i))
+        way += add_member(i);
+      end_arm();
+    }
+    fork.last = static_cast<std::uint32_t>(limbs_.forks.arms.size());
+    limbs_.forks.forks.push_back(fork);
+  }
+
+  bool takes(std::int32_t i) const {
+    return i >= 0 && cone_[static_cast<std::size_t>(i)] >= 0 &&
+           limbs_.forks.member.size() - limbs_.forks.arms.back().first < kMostCones;
+  }
+  /// An arm ends at the next fork, which has arms of its own.
+  bool forks(std::int32_t i) const { return i >= 0 && children_[static_cast<std::size_t>(i)] > 1; }
+  std::int32_t next(std::int32_t i) const {
+    return i + 1 < static_cast<std::int32_t>(rest_.size()) && rest_.parent[i + 1] == i ? i + 1 : -1;
+  }
+  float add_member(std::int32_t i) {
+    auto cone = static_cast<std::uint32_t>(cone_[static_cast<std::size_t>(i)]);
+    limbs_.forks.member.push_back(cone);
+    return limbs_.cones[cone].length;
+  }
+  void begin_arm(float thick) {
+    limbs_.forks.arms.push_back({static_cast<std::uint32_t>(limbs_.forks.member.size()), 0, blend_ * thick});
+  }
+  void end_arm() { limbs_.forks.arms.back().last = static_cast<std::uint32_t>(limbs_.forks.member.size()); }
+
+  Boughs& limbs_;
+  const Skeleton& rest_;
+  std::span<const float> radius_;
+  float blend_;
+  std::vector<std::int32_t> cone_;      // of each node, or -1
+  std::vector<std::int32_t> children_;  // of each node, that are there
+};
+
+}  // namespace
+
+void add_boughs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
+                std::span<const float> radius, float front, float blend, std::int32_t first_node) {
+  Joiner joiner(limbs, rest, radius, blend);
+  std::vector<std::int32_t> root(rest.size());
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    std::int32_t p = rest.parent[i];
+    auto node = static_cast<std::int32_t>(i);
+    root[i] = p == Skeleton::kRoot ? node : root[static_cast<std::size_t>(p)];
+    if (p == Skeleton::kRoot || rest.birth[p] >= front) continue;
+    float foot = radius[static_cast<std::size_t>(p)];
+    // A branch leaves its parent little thicker than it goes on, or the fork would swell.
+    if (p != node - 1) foot = std::min(foot, 1.25f * radius[i]);
+    Cone cone =
+        make_cone(position[static_cast<std::size_t>(p)], foot, position[i], radius[i], first_node + node);
+    cone.root = first_node + root[i];
+    joiner.add_cone(node, cone);
+  }
+  if (blend > 0) joiner.add_forks();
+}
+
+Boughs at_least_as_thick(const Boughs& limbs, float radius) {
+  Boughs thick = limbs;
+  for (Cone& cone : thick.cones) {
+    if (std::min(cone.radius, cone.end_radius()) >= radius) continue;
+    std::int32_t root = cone.root;
+    cone = make_cone(cone.from, std::max(cone.radius, radius), cone.to(), std::max(cone.end_radius(), radius),
+                     cone.node);
+    cone.root = root;
+  }
+  return thick;
+}
+
+Boughs boughs_of(const Skeleton& rest, float blend) {
+  Boughs limbs;
+  add_boughs(limbs, rest, rest.position, rest.radius, 2, blend);
+  return limbs;
+}
+
+}  // namespace frond

@@ -1,0 +1,214 @@
+#include "foliage/foliage_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+float sine_of(double angle) { return static_cast<float>(std::sin(angle)); }
+float cosine_of(double angle) { return static_cast<float>(std::cos(angle)); }
+
+/// A place on a stem: `across` to the right, `up` to the upper side, `along` toward the tip.
+struct Station {
+  Vec3 at{0}, across{1, 0, 0}, up{0, 0, 1}, along{0, 1, 0};
+};
+
+/// A stem that bends down, most toward its tip, and a little aside.
+std::vector<Station> stem_of(double bend, double power, double aside, int pieces) {
+  std::vector<Station> stem{{}};
+  for (int i = 1; i <= pieces; ++i) {
+    double t = (i - 0.5) / pieces, pitch = bend * std::pow(t, power), yaw = aside * t * t;
+    Station next;
+    Vec3 level(sine_of(yaw), cosine_of(yaw), 0);
+    next.along = level * cosine_of(pitch) - Vec3(0, 0, 1) * sine_of(pitch);
+    next.across = glm::normalize(glm::cross(next.along, Vec3(0, 0, 1)) + Vec3(1e-6f, 0, 0));
+    next.up = glm::normalize(glm::cross(next.across, next.along));
+    next.at = stem.back().at + next.along * (1.0f / static_cast<float>(pieces));
+    stem.push_back(next);
+  }
+  stem[0].along = stem[1].along, stem[0].up = stem[1].up, stem[0].across = stem[1].across;
+  return stem;
+}
+
+Station station_at(const std::vector<Station>& stem, double t) {
+  double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(stem.size() - 1);
+  std::size_t i = std::min(static_cast<std::size_t>(place), stem.size() - 2);
+  auto share = static_cast<float>(place - static_cast<double>(i));
+  Station s;
+  s.at = glm::mix(stem[i].at, stem[i + 1].at, share);
+  s.across = glm::normalize(glm::mix(stem[i].across, stem[i + 1].across, share));
+  s.along = glm::normalize(glm::mix(stem[i].along, stem[i + 1].along, share));
+  s.up = glm::normalize(glm::cross(s.across, s.along));
+  return s;
+}
+
+/// A tapering rod of five sides along a stem.
+Surface rod(const std::vector<Station>& stem, double foot, double tip) {
+  constexpr std::uint32_t kSides = 5;
+  Surface s;
+  for (std::size_t i = 0; i < stem.size(); ++i) {
+    double t = static_cast<double>(i) / static_cast<double>(stem.size() - 1);
+    // Widened at the foot, where it clasps what it stands on.
+    auto radius = static_cast<float>(foot + (tip - foot) * std::pow(t, 0.8) + foot * std::exp(-t * 30));
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      double angle = 2 * kPi * k / kSides;
+      Vec3 out = stem[i].across * cosine_of(angle) + stem[i].up * sine_of(angle);
+      s.position.push_back(stem[i].at + out * radius);
+    }
+  }
+  for (std::uint32_t i = 0; i + 1 < stem.size(); ++i) {
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      std::uint32_t a = i * kSides + k, b = i * kSides + (k + 1) % kSides;
+      s.triangle.push_back({a, a + kSides, b});
+      s.triangle.push_back({b, a + kSides, b + kSides});
+    }
+  }
+  set_normals(s);
+  return s;
+}
+
+/// A narrow leaflet, folded along its midrib as a roof, that droops from `from` on.
+void add_leaflet(Surface& s, const Station& from, double length, double width, double droop) {
+  constexpr int kPieces = 5;
+  constexpr std::array<double, kPieces + 1> kWidths{0.35, 0.9, 1.0, 0.85, 0.55, 0.0};
+  auto start = static_cast<std::uint32_t>(s.position.size());
+  Vec3 at = from.at;
+  for (int i = 0; i <= kPieces; ++i) {
+    double t = static_cast<double>(i) / kPieces, angle = droop * std::pow(t, 1.4);
+    Vec3 along = from.along * cosine_of(angle) - from.up * sine_of(angle);
+    Vec3 up = from.up * cosine_of(angle) + from.along * sine_of(angle);
+    if (i > 0) at += along * static_cast<float>(length / kPieces);
+    auto half = static_cast<float>(0.5 * width * kWidths[static_cast<std::size_t>(i)]);
+    for (int side = -1; side <= 1; ++side) {
+      float out = static_cast<float>(side) * half;
+      s.position.push_back(at + from.across * out * 0.9f - up * (0.45f * std::abs(out)));
+      s.uv.emplace_back(static_cast<float>(t), 0.5f + 0.5f * static_cast<float>(side));
+    }
+  }
+  for (std::uint32_t i = 0; i < kPieces; ++i) {
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      std::uint32_t a = start + 3 * i + k;
+      s.triangle.push_back({a, a + 1, a + 4});
+      if (i + 1 < kPieces) s.triangle.push_back({a, a + 4, a + 3});
+    }
+  }
+}
+
+/// A leaflet that is parted into lobes down to its midrib, each of two triangles on either side.
+void add_pinna(Surface& s, const Station& from, double length, double width, double droop, int lobes) {
+  auto start = static_cast<std::uint32_t>(s.position.size());
+  auto add = [&](Vec3 at, double u, double v) {
+    s.position.push_back(at);
+    s.uv.emplace_back(static_cast<float>(u), static_cast<float>(v));
+  };
+  Vec3 at = from.at;
+  for (int i = 0; i <= lobes; ++i) {
+    double t = static_cast<double>(i) / lobes, angle = droop * std::pow(t, 1.4), step = length / lobes;
+    Vec3 along = from.along * cosine_of(angle) - from.up * sine_of(angle);
+    Vec3 up = from.up * cosine_of(angle) + from.along * sine_of(angle);
+    add(at, t, 0.5);
+    if (i == lobes) break;
+    // A lobe leans forward, and its rim hangs.
+    auto half = static_cast<float>(0.5 * width * (1 - 0.85 * std::pow(t, 1.7)) * (i == 0 ? 0.8 : 1.0));
+    for (float side : {-1.0f, 1.0f}) {
+      Vec3 rim = at + from.across * (side * half) - up * (0.30f * half) + along * (0.35f * half);
+      add(rim, t, 0.5 + 0.5 * static_cast<double>(side));
+      add(rim + along * static_cast<float>(0.62 * step), t + 0.62 / lobes,
+          0.5 + 0.5 * static_cast<double>(side));
+    }
+    at += along * static_cast<float>(step);
+  }
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(lobes); ++i) {
+    std::uint32_t m = start + 5 * i, next = m + 5;
+    s.triangle.push_back({m, m + 2, m + 1});
+    s.triangle.push_back({m, next, m + 2});
+    s.triangle.push_back({m, m + 3, m + 4});
+    s.triangle.push_back({m, m + 4, next});
+  }
+}
+
+void append(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
+  auto offset = static_cast<std::uint32_t>(to.position.size());
+  glm::mat3 normals = turn / std::cbrt(std::max(std::abs(glm::determinant(turn)), 1e-20f));
+  for (Vec3 p : from.position) to.position.push_back(turn * p + shift);
+  for (Vec3 n : from.normal) to.normal.push_back(glm::normalize(normals * n));
+  to.uv.insert(to.uv.end(), from.uv.begin(), from.uv.end());
+  for (auto [a, b, c] : from.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+}
+
+/// Turned about an axis of its own.
+Vec3 turned(Vec3 v, Vec3 axis, double angle) { return glm::angleAxis(static_cast<float>(angle), axis) * v; }
+
+}  // namespace
+
+TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
+  TwigParts frond;
+  std::vector<Station> stem = stem_of(shape.bend * (1 + 0.15 * seed.child(0).range(-1, 1)), 1.5,
+                                      0.25 * seed.child(1).range(-1, 1), 24);
+  frond.stem = rod(stem, 0.011, 0.0015);
+  double spacing = (1 - shape.stalk) / shape.pairs;
+  for (int i = 0; i < shape.pairs; ++i) {
+    for (int side : {-1, 1}) {
+      Seed own = seed.child("leaflet", static_cast<std::uint64_t>(2 * i + (side > 0)));
+      double s = (i + 0.5 + 0.25 * own.child(0).range(-1, 1)) / shape.pairs;
+      Station foot = station_at(stem, shape.stalk + (1 - shape.stalk) * s);
+      // Long in the middle, short at both ends; forward at the tip.
+      double length = 0.5 * shape.width * std::pow(std::sin(kPi * (0.18 + 0.74 * s)), 0.7);
+      if (shape.lobes > 0)  // widest below the middle, and drawn out to a point
+        length = 0.62 * shape.width * std::min(1.0, 0.42 + 1.9 * s) * std::pow(1 - 0.97 * s, 0.75);
+      length *= 1 + 0.10 * own.child(1).range(-1, 1);
+      double forward = radians((shape.lobes > 0 ? 80.0 : 64.0) - 38.0 * s + 6 * own.child(2).range(-1, 1));
+      double raised = shape.fold * (1 - 0.4 * s) + radians(8.0) * own.child(3).range(-1, 1);
+      Vec3 out = foot.across * static_cast<float>(side) * cosine_of(raised) + foot.up * sine_of(raised);
+      Station leaflet;
+      leaflet.at = foot.at;
+      leaflet.along = glm::normalize(foot.along * cosine_of(forward) + out * sine_of(forward));
+      leaflet.across = glm::normalize(glm::cross(leaflet.along, foot.up));
+      leaflet.across = turned(leaflet.across, leaflet.along, radians(25.0) * own.child(4).range(-1, 1));
+      leaflet.up = glm::normalize(glm::cross(leaflet.across, leaflet.along));
+      double droop = shape.droop * (1 + 0.35 * own.child(5).range(-1, 1));
+      if (shape.lobes > 0)
+        add_pinna(frond.blades, leaflet, length, std::min(1.05 * spacing, 0.5 * length), droop, shape.lobes);
+      else
+        add_leaflet(frond.blades, leaflet, length, std::min(1.15 * spacing, 0.3 * length), droop);
+    }
+  }
+  // One leaflet ends the frond.
+  Station end = stem.back();
+  add_leaflet(frond.blades, end, 0.14 * shape.width, std::min(1.15 * spacing, 0.05 * shape.width),
+              shape.droop);
+  set_normals(frond.blades);
+  return frond;
+}
+
+TwigParts sprig_foliage(const TwigShape& shape, Seed seed) {
+  TwigParts sprig;
+  Surface blade = blade_surface(shape.leaf);
+  double reach = 1 - 0.6 * shape.leaf_length;  // the last leaf makes the rest of the length
+  std::vector<Station> stem = stem_of(shape.bend, 1.2, 0.3 * seed.child(0).range(-1, 1), 8);
+  for (Station& station : stem) station.at *= static_cast<float>(reach);
+  sprig.stem = rod(stem, 0.010, 0.004);
+  for (int i = 0; i < shape.leaves; ++i) {
+    Seed own = seed.child("leaf", static_cast<std::uint64_t>(i));
+    bool last = i + 1 == shape.leaves;
+    double s = shape.leaves > 1 ? static_cast<double>(i) / (shape.leaves - 1) : 1.0;
+    Station foot = station_at(stem, last ? 1.0 : 0.12 + 0.85 * s);
+    double side = last ? 0.0 : i % 2 == 0 ? -1.0 : 1.0;
+    double outward = side * radians(58.0 - 16.0 * s + 14 * own.child(0).range(-1, 1));
+    double pitch = radians(-12.0 + 30 * own.child(1).range(-1, 1));
+    double roll = radians(28.0) * own.child(2).range(-1, 1);
+    Vec3 along = turned(foot.along, foot.up, -outward), up = foot.up;
+    Vec3 across = glm::normalize(glm::cross(along, up));
+    along = turned(along, across, pitch), up = glm::normalize(glm::cross(across, along));
+    across = turned(across, along, roll), up = glm::normalize(glm::cross(across, along));
+    double size = shape.leaf_length * (0.8 + 0.35 * std::sin(kPi * (0.2 + 0.6 * s))) *
+                  (1 + 0.12 * own.child(3).range(-1, 1));
+    append(sprig.blades, blade, glm::mat3(across, along, up) * static_cast<float>(size), foot.at);
+  }
+  return sprig;
+}
+
+}  // namespace frond

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/seed.h"
+#include "foliage/organ_shapes.h"
+#include "model/surface.h"
+
+namespace frond {
+
+/// A feathered leaf, as a palm or a fern has: leaflets in two rows along a rachis one unit long.
+struct FrondShape {
+  int pairs = 40;                ///< of leaflets
+  double width = 0.45;           ///< between the tips of the longest leaflets, as a share of the length
+  double stalk = 0.14;           ///< share of the length below the first leaflets
+  double fold = radians(25.0);   ///< by which leaflets are raised from the flat: a V
+  double bend = radians(70.0);   ///< of the rachis from foot to tip, downward, most toward the tip
+  double droop = radians(45.0);  ///< of each leaflet from foot to tip
+  int lobes = 0;                 ///< on either side of a leaflet, as a fern has them; 0: leaflets are whole
+};
+
+/// A twig one unit long with leaves in two rows and one at its end.
+struct TwigShape {
+  BladeShape leaf;
+  int leaves = 9;
+  double leaf_length = 0.42;    ///< as a share of the sprig's
+  double bend = radians(25.0);  ///< of the twig from foot to tip, downward
+};
+
+/// A leaf of many parts: what is green of it, and what carries that.
+struct TwigParts {
+  Surface blades, stem;
+};
+
+/// The meshes of a frond; `seed` makes each a little irregular. Leaflets have `uv` as a leaf has.
+TwigParts frond_foliage(const FrondShape& shape, Seed seed);
+
+/// The meshes of a sprig.
+TwigParts sprig_foliage(const TwigShape& shape, Seed seed);
+
+}  // namespace frond

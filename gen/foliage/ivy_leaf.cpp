@@ -1,0 +1,232 @@
+#include "foliage/ivy_leaf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace frond {
+
+namespace {
+
+/// A point of the outline of half a leaf: degrees from the tip, distance from the blade's foot. Corners are
+/// the tips of lobes; `coarse` ones make the outline of a leaf far away.
+struct RimPoint {
+  double angle, radius;
+  bool corner = false, coarse = true;
+};
+
+constexpr RimPoint kArrow[] = {{0, 1.12, true},           {9, 0.86, false, false},
+                               {17, 0.62, false, false},  {27, 0.45},
+                               {40, 0.57, false, false},  {53, 0.74, true},
+                               {64, 0.55, false, false},  {79, 0.38},
+                               {97, 0.43, false, false},  {112, 0.53, true},
+                               {130, 0.43, false, false}, {150, 0.30},
+                               {166, 0.17, false, false}, {180, 0.06}};
+constexpr RimPoint kFive[] = {{0, 1.0, true},
+                              {10, 0.83, false, false},
+                              {19, 0.66, false, false},
+                              {29, 0.54},
+                              {39, 0.63, false, false},
+                              {50, 0.80, true},
+                              {61, 0.65, false, false},
+                              {76, 0.48},
+                              {92, 0.52, false, false},
+                              {108, 0.61, true},
+                              {126, 0.52, false, false},
+                              {147, 0.38},
+                              {165, 0.21, false, false},
+                              {180, 0.07}};
+constexpr RimPoint kThree[] = {{0, 1.0, true},
+                               {11, 0.86, false, false},
+                               {22, 0.71, false, false},
+                               {33, 0.62},
+                               {44, 0.68, false, false},
+                               {55, 0.78, true},
+                               {68, 0.68, false, false},
+                               {86, 0.58},
+                               {104, 0.55, false, false},
+                               {122, 0.51},
+                               {142, 0.43, false, false},
+                               {158, 0.31},
+                               {170, 0.17, false, false},
+                               {180, 0.07}};
+constexpr RimPoint kHeart[] = {{0, 1.05, true},
+                               {8, 0.94, false, false},
+                               {18, 0.83, false, false},
+                               {32, 0.74},
+                               {48, 0.67, false, false},
+                               {66, 0.61},
+                               {86, 0.57, false, false},
+                               {106, 0.53},
+                               {126, 0.48, false, false},
+                               {144, 0.41},
+                               {159, 0.29, false, false},
+                               {170, 0.17, false, false},
+                               {180, 0.07}};
+
+/// The directions of the lateral and the basal veins, degrees from the tip.
+constexpr double kVeins[kIvyForms][2] = {{53, 112}, {50, 108}, {55, 122}, {48, 106}};
+constexpr double kStandard[2] = {50, 110};  // where the texture has them
+
+std::span<const RimPoint> rim_points(IvyForm form) {
+  switch (form) {
+    case IvyForm::arrow:
+      return kArrow;
+    case IvyForm::five:
+      return kFive;
+    case IvyForm::three:
+      return kThree;
+    case IvyForm::heart:
+      return kHeart;
+  }
+  return kFive;
+}
+
+/// The angle on the texture of an angle on the leaf, both 0..pi.
+double standard_angle(IvyForm form, double angle) {
+  const double* veins = kVeins[static_cast<int>(form)];
+  double from[] = {0, radians(veins[0]), radians(veins[1]), kPi};
+  double to[] = {0, radians(kStandard[0]), radians(kStandard[1]), kPi};
+  int i = angle < from[1] ? 0 : angle < from[2] ? 1 : 2;
+  return to[i] + (to[i + 1] - to[i]) * (angle - from[i]) / (from[i + 1] - from[i]);
+}
+
+/// How far between two veins a direction lies: 0 on a vein .. 1 in the middle.
+double between_veins(IvyForm form, double angle) {
+  double a = degrees(standard_angle(form, angle));
+  double share = a < 50 ? a / 50 : a < 110 ? (a - 50) / 60 : (a - 110) / 70;
+  return std::sin(kPi * share) * (a < 110 ? 1 : 0.6);
+}
+
+/// The directions in which the mesh has spokes, from the tip to the foot.
+std::vector<double> spokes(IvyForm form, int detail) {
+  std::vector<double> angles;
+  std::span<const RimPoint> points = rim_points(form);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (detail > 0 || points[i].coarse || points[i].corner) angles.push_back(radians(points[i].angle));
+    if (detail > 1 && i + 1 < points.size())
+      angles.push_back(radians((points[i].angle + points[i + 1].angle) / 2));
+  }
+  return angles;
+}
+
+class Leaf {
+ public:
+  explicit Leaf(const IvyLeafShape& shape) : shape_(shape), foot_(ivy_attachment(shape)) {}
+
+  Surface build() {
+    blade();
+    set_normals(s_);
+    petiole();
+    return std::move(s_);
+  }
+
+ private:
+  /// A place on the blade, `share` of the way to the rim.
+  void blade_point(double angle, int side, double share) {
+    double reach = ivy_rim(shape_.form, angle) * share;
+    double x = side * reach * std::sin(angle), y = reach * std::cos(angle);
+    double z = -shape_.droop * reach * reach * (0.55 + 0.45 * std::cos(angle));
+    z += shape_.wave * between_veins(shape_.form, angle) * share * (1.3 - share) * 2;
+    if (shape_.detail > 0)
+      z += 0.35 * shape_.wave * share * share * std::sin(7 * angle + 2.2 * side + 9 * shape_.stalk);
+    s_.position.push_back(foot_ + Vec3(x, y, z));
+    double turned = standard_angle(shape_.form, angle);
+    s_.uv.emplace_back(0.5 + side * reach * std::sin(turned) / 2.6, 0.5 + reach * std::cos(turned) / 2.6);
+  }
+
+  void blade() {
+    std::vector<double> angles = spokes(shape_.form, shape_.detail);
+    std::vector<double> rings = shape_.detail == 0   ? std::vector<double>{1}
+                                : shape_.detail == 1 ? std::vector<double>{0.55, 1}
+                                                     : std::vector<double>{0.3, 0.65, 1};
+    auto half = static_cast<std::uint32_t>(angles.size()), n = 2 * half - 2 + 1;
+    blade_point(0, 1, 0);
+    for (double ring : rings) {
+      // From the foot's notch on the left round the tip to the notch on the right.
+      for (std::uint32_t i = half; i-- > 1;) blade_point(angles[i], -1, ring);
+      for (double angle : angles) blade_point(angle, 1, ring);
+    }
+    for (std::uint32_t k = 0; k + 1 < n; ++k) {
+      s_.triangle.push_back({0, 2 + k, 1 + k});
+      for (std::uint32_t r = 0; r + 1 < rings.size(); ++r) {
+        std::uint32_t a = 1 + r * n + k;
+        s_.triangle.push_back({a, a + 1, a + n + 1});
+        s_.triangle.push_back({a, a + n + 1, a + n});
+      }
+    }
+  }
+
+  /// A thin bent prism from the origin to the blade: it leaves the strand outward and comes in from below.
+  void petiole() {
+    int sides = shape_.detail > 1 ? 5 : 3, pieces = shape_.detail > 1 ? 8 : shape_.detail > 0 ? 4 : 2;
+    Vec3 bend = foot_ * Vec3(1, 0.42f, 0.85f), end = foot_ - Vec3(0, 0, 0.012f);
+    auto start = static_cast<std::uint32_t>(s_.position.size());
+    for (int i = 0; i <= pieces; ++i) {
+      float t = static_cast<float>(i) / static_cast<float>(pieces), o = 1 - t;
+      Vec3 at = 2 * o * t * bend + t * t * end, way = glm::normalize(2 * o * bend + 2 * t * (end - bend));
+      Vec3 across(1, 0, 0), up = glm::cross(across, way);
+      float radius = 0.018f + 0.008f * o * o * o + 0.006f * t * t * t;
+      for (int k = 0; k <= sides; ++k) {
+        float a = static_cast<float>(2 * kPi * k / sides);
+        Vec3 out = std::cos(a) * across + std::sin(a) * up;
+        s_.position.push_back(at + radius * out);
+        s_.normal.push_back(glm::normalize(out));
+        s_.uv.emplace_back(2 + t, static_cast<float>(k) / static_cast<float>(sides));
+      }
+    }
+    auto n = static_cast<std::uint32_t>(sides) + 1;
+    for (std::uint32_t r = 0; r < static_cast<std::uint32_t>(pieces); ++r)
+      for (std::uint32_t k = 0; k + 1 < n; ++k) {
+        std::uint32_t a = start + r * n + k;
+        s_.triangle.push_back({a, a + 1, a + n + 1});
+        s_.triangle.push_back({a, a + n + 1, a + n});
+      }
+  }
+
+  const IvyLeafShape& shape_;
+  Vec3 foot_;
+  Surface s_;
+};
+
+}  // namespace
+
+double ivy_rim(IvyForm form, double angle) {
+  std::span<const RimPoint> p = rim_points(form);
+  double a = std::clamp(std::abs(degrees(angle)), 0.0, 180.0);
+  std::size_t i = 0;
+  while (i + 2 < p.size() && p[i + 1].angle < a) ++i;
+  // A cubic through the points (Catmull and Rom 1974) whose slope breaks off at the tips of lobes.
+  auto slope = [&](std::size_t k, std::size_t other) {
+    if (p[k].corner || k == 0 || k + 1 == p.size())
+      return (p[other].radius - p[k].radius) / (p[other].angle - p[k].angle);
+    return (p[k + 1].radius - p[k - 1].radius) / (p[k + 1].angle - p[k - 1].angle);
+  };
+  double span = p[i + 1].angle - p[i].angle, t = (a - p[i].angle) / span, o = 1 - t;
+  return p[i].radius * o * o * (1 + 2 * t) + slope(i, i + 1) * span * t * o * o +
+         p[i + 1].radius * t * t * (3 - 2 * t) - slope(i + 1, i) * span * t * t * o;
+}
+
+Vec3 ivy_attachment(const IvyLeafShape& shape) {
+  return Vec3(0, shape.stalk * std::cos(shape.rise), shape.stalk * std::sin(shape.rise));
+}
+
+LeafDisc ivy_disc(const IvyLeafShape& shape) {
+  // Of the outline in polar coordinates: area and centroid by the trapezoid rule.
+  constexpr int kSteps = 90;
+  double area = 0, moment = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    double angle = kPi * (i + 0.5) / kSteps, r = ivy_rim(shape.form, angle), da = 2 * kPi / kSteps;
+    area += r * r / 2 * da;
+    moment += r * r * r / 3 * std::cos(angle) * da;
+  }
+  float y = static_cast<float>(moment / area);
+  Vec3 middle = ivy_attachment(shape) + Vec3(0, y, -static_cast<float>(shape.droop) * y * y);
+  return {middle, static_cast<float>(std::sqrt(area / kPi))};
+}
+
+Surface ivy_leaf_surface(const IvyLeafShape& shape) { return Leaf(shape).build(); }
+
+}  // namespace frond

@@ -1,0 +1,166 @@
+#include "foliage/mosaic.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/seed.h"
+
+namespace frond {
+
+namespace {
+
+/// Discs in a grid of buckets that are found by a hash of the cell; a bucket may hold several cells.
+class DiscGrid {
+ public:
+  DiscGrid(std::size_t expected, float cell) : cell_(cell) {
+    std::size_t size = 64;
+    while (size < 2 * expected) size *= 2;
+    head_.assign(size, -1);
+  }
+
+  void add(const Disc& disc) {
+    glm::ivec3 cell(glm::floor(disc.middle / cell_));
+    std::int32_t& head = head_[slot_of(cell)];
+    held_.push_back({disc, cell, head});
+    head = static_cast<std::int32_t>(held_.size()) - 1;
+  }
+
+  /// The discs whose middle is within `reach` of a place.
+  void near(Vec3 at, float reach, std::vector<Disc>& found) const {
+    found.clear();
+    glm::ivec3 low(glm::floor((at - reach) / cell_)), high(glm::floor((at + reach) / cell_));
+    for (int x = low.x; x <= high.x; ++x)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int z = low.z; z <= high.z; ++z)
+          for (std::int32_t i = head_[slot_of({x, y, z})]; i >= 0;) {
+            const Held& held = held_[static_cast<std::size_t>(i)];
+            i = held.next;
+            if (held.cell != glm::ivec3(x, y, z)) continue;
+            if (glm::distance(held.disc.middle, at) <= reach) found.push_back(held.disc);
+          }
+  }
+
+ private:
+  struct Held {
+    Disc disc;
+    glm::ivec3 cell;
+    std::int32_t next;  // of the same bucket
+  };
+  std::size_t slot_of(glm::ivec3 c) const {
+    auto bits = [](int v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)); };
+    return Seed::mix(bits(c.x) * 0x9e3779b97f4a7c15ull ^ Seed::mix(bits(c.y) + Seed::mix(bits(c.z)))) &
+           (head_.size() - 1);
+  }
+
+  float cell_;
+  std::vector<std::int32_t> head_;
+  std::vector<Held> held_;
+};
+
+Disc placed(const Disc& disc, const LeafSite& site, const Quat& turn) {
+  return {site.foot + turn * (disc.middle * site.size), turn * disc.normal, disc.radius * site.size};
+}
+
+/// How much of a disc earlier ones cover, seen along its normal.
+float covered_area(const Disc& disc, std::span<const Disc> others, float depth) {
+  float sum = 0, deep = depth * disc.radius;
+  for (const Disc& other : others) {
+    Vec3 way = other.middle - disc.middle;
+    float touch = disc.radius + other.radius, far = glm::dot(way, way);
+    if (far > touch * touch + deep * deep) continue;
+    float high = glm::dot(way, disc.normal), facing = glm::dot(other.normal, disc.normal);
+    if (std::abs(high) > deep || facing <= 0.2f) continue;
+    float apart = std::sqrt(std::max(far - high * high, 0.0f));
+    if (apart < touch) sum += facing * static_cast<float>(lens_area(disc.radius, other.radius, apart));
+  }
+  return sum;
+}
+
+struct Sizes {
+  float reach = 0, disc = 0;  // of the farthest rim of any form, and of its largest disc
+};
+
+Sizes sizes_of(std::span<const LeafForm> forms) {
+  Sizes s;
+  for (const LeafForm& form : forms)
+    for (const Disc& d : form.discs) {
+      s.reach = std::max(s.reach, glm::length(d.middle) + d.radius);
+      s.disc = std::max(s.disc, d.radius);
+    }
+  return s;
+}
+
+/// acos(x) - x sqrt(1 - x^2) to 1e-7 (Abramowitz and Stegun 1964, 4.4.46): half the segment that a chord cuts
+/// off a circle of radius 1, x from its middle.
+double segment(double x) {
+  double a = std::min(std::abs(x), 1.0), root = std::sqrt(1 - a);
+  constexpr double kTerms[] = {-0.0012624911, 0.0066700901, -0.0170881256, 0.0308918810,
+                               -0.0501743046, 0.0889789874, -0.2145988016, 1.5707963050};
+  double sum = 0;
+  for (double term : kTerms) sum = sum * a + term;
+  double half = root * (sum - a * std::sqrt(1 + a));
+  return x < 0 ? kPi - half : half;
+}
+
+}  // namespace
+
+double lens_area(double r, double s, double d) {
+  if (d >= r + s) return 0;
+  if (d <= std::abs(r - s)) return kPi * std::min(r, s) * std::min(r, s);
+  return r * r * segment((d * d + r * r - s * s) / (2 * d * r)) +
+         s * s * segment((d * d + s * s - r * r) / (2 * d * s));
+}
+
+Quat leaf_turn(Vec3 normal, Vec3 tip) {
+  Vec3 along = tip - glm::dot(tip, normal) * normal;
+  if (glm::dot(along, along) < 1e-8f)
+    along = std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) - normal.y * normal : Vec3(1, 0, 0) - normal.x * normal;
+  along = glm::normalize(along);
+  return glm::normalize(glm::quat_cast(glm::mat3(glm::cross(along, normal), along, normal)));
+}
+
+std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<const LeafForm> forms,
+                                 const MosaicOptions& options) {
+  std::vector<LaidLeaf> laid;
+  Sizes sizes = sizes_of(forms);
+  float largest = 0;
+  for (const LeafSite& site : sites) largest = std::max(largest, site.size);
+  if (!(largest * sizes.disc > 0)) return laid;
+  DiscGrid grid(sites.size(), 2 * largest * sizes.disc);
+  std::vector<float> areas;
+  for (const LeafForm& form : forms) {
+    areas.push_back(0);
+    for (const Disc& disc : form.discs) areas.back() += static_cast<float>(kPi) * disc.radius * disc.radius;
+  }
+  std::vector<Disc> near;
+  int turns = std::max(1, options.turns);
+  for (std::uint32_t i = 0; i < sites.size() && laid.size() < options.most; ++i) {
+    const LeafSite& site = sites[i];
+    grid.near(site.foot, site.size * sizes.reach + largest * sizes.disc, near);
+    LaidLeaf best{i, site.first};
+    float least = INFINITY;
+    Quat preferred = leaf_turn(site.normal, site.tip);
+    for (int t = 0; t < turns && least > 0; ++t) {
+      // 0, then to one side and the other, farther each time.
+      double share = turns > 1 ? ((t + 1) / 2) * (t % 2 ? 1.0 : -1.0) / (turns / 2) : 0;
+      Quat turn = preferred * glm::angleAxis(static_cast<float>(options.swing * share), Vec3(0, 0, 1));
+      for (std::uint32_t k = 0; k < site.forms && least > 0; ++k) {
+        std::uint32_t f = site.first + (site.prefer + k) % site.forms;
+        float covered = 0, area = areas[f] * site.size * site.size;
+        for (const Disc& disc : forms[f].discs) {
+          covered += covered_area(placed(disc, site, turn), near, static_cast<float>(options.depth)) / area;
+          if (covered >= least) break;
+        }
+        if (covered >= least) continue;
+        least = covered;
+        best.form = f, best.turn = turn, best.covered = covered;
+      }
+    }
+    if (least > options.overlap) continue;
+    laid.push_back(best);
+    for (const Disc& disc : forms[best.form].discs) grid.add(placed(disc, site, best.turn));
+  }
+  return laid;
+}
+
+}  // namespace frond

@@ -1,0 +1,150 @@
+#include "foliage/sprig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/seed.h"
+
+namespace frond {
+
+namespace {
+
+/// Half the width of a leaf along its length, as shares of the greatest.
+struct Station {
+  float along, half;
+};
+
+constexpr Station kOval[] = {{0, 0.02f},     {0.10f, 0.30f}, {0.28f, 0.86f}, {0.45f, 1},
+                             {0.65f, 0.83f}, {0.84f, 0.42f}, {1, 0}};
+constexpr Station kLobed[] = {{0, 0.05f},     {0.10f, 0.16f}, {0.20f, 0.52f}, {0.29f, 0.34f},
+                              {0.42f, 0.86f}, {0.52f, 0.55f}, {0.66f, 1},     {0.76f, 0.62f},
+                              {0.88f, 0.70f}, {0.97f, 0.36f}, {1, 0}};
+constexpr Station kNarrow[] = {{0, 0.05f}, {0.15f, 0.75f}, {0.40f, 1}, {0.70f, 0.72f}, {1, 0}};
+constexpr Station kLeaflet[] = {{0, 0.2f}, {0.45f, 1}, {1, 0}};
+
+std::span<const Station> outline_of(SprigKind kind) {
+  switch (kind) {
+    case SprigKind::oval:
+      return kOval;
+    case SprigKind::lobed:
+      return kLobed;
+    case SprigKind::narrow:
+      return kNarrow;
+    case SprigKind::needles:
+    case SprigKind::feather:
+      return kLeaflet;
+  }
+  return kOval;
+}
+
+struct Leaf {
+  Vec3 foot, along, up;  ///< along and up of length 1, square to each other
+  float length, half;    ///< metres, half: of its greatest width
+  float bend;            ///< radians, downward from foot to tip
+  float fold;            ///< share of the half width by which the rims are raised
+};
+
+/// A leaf with a crease: a row of three points at each station.
+void add_leaf(Surface& s, std::span<const Station> outline, const Leaf& leaf) {
+  Vec3 across = glm::cross(leaf.along, leaf.up);
+  auto base = static_cast<std::uint32_t>(s.position.size());
+  for (const Station& at : outline) {
+    float angle = leaf.bend * at.along;
+    Vec3 middle = leaf.foot +
+                  leaf.length * at.along * (leaf.along * std::cos(angle / 2) - leaf.up * std::sin(angle / 2));
+    Vec3 up = leaf.up * std::cos(angle) + leaf.along * std::sin(angle);
+    float half = leaf.half * at.half;
+    for (int side : {-1, 0, 1}) {
+      auto out = static_cast<float>(side);
+      s.position.push_back(middle + across * (out * half) + up * (std::abs(out) * half * leaf.fold));
+      s.uv.emplace_back(at.along, 0.5f + 0.5f * out * at.half);
+    }
+  }
+  for (std::uint32_t k = 0; k + 1 < outline.size(); ++k) {
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      std::uint32_t a = base + 3 * k + side, b = a + 1, c = a + 3, d = c + 1;
+      s.triangle.push_back({a, b, d});
+      s.triangle.push_back({a, d, c});
+    }
+  }
+}
+
+Vec3 squared(Vec3 v, Vec3 along) {
+  Vec3 rest = v - along * glm::dot(v, along);
+  float length = glm::length(rest);
+  return length > 1e-4f ? rest / length : Vec3(1, 0, 0);
+}
+
+float varied(int i, std::uint64_t which, float low, float high) {
+  return static_cast<float>(Seed{77}.child(static_cast<std::uint64_t>(i)).child(which).range(low, high));
+}
+
+void add_needles(Surface& s, const SprigShape& shape) {
+  for (int i = 0; i < shape.leaves; ++i) {
+    float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(shape.leaves);
+    float turn = 2.39996f * static_cast<float>(i) + varied(i, 1, -0.3f, 0.3f);
+    // Needles of a shoot in shade stand more to the sides than below.
+    Vec3 out(std::cos(turn), 0, 0.75f * std::sin(turn) + 0.18f);
+    auto open = static_cast<float>(shape.open);
+    Vec3 along = glm::normalize(glm::normalize(out) * std::sin(open) + Vec3(0, std::cos(open), 0));
+    float length = static_cast<float>(shape.leaf) * varied(i, 2, 0.8f, 1.1f) * (1 - 0.35f * t * t);
+    add_leaf(s, outline_of(shape.kind),
+             {Vec3(0, t * 0.95f, 0), along, squared(Vec3(0, 0, 1), along), length,
+              0.5f * length * static_cast<float>(shape.width), 0.15f, 0.3f});
+  }
+}
+
+void add_feather(Surface& s, const SprigShape& shape) {
+  for (int i = 0; i < shape.leaves; ++i) {
+    float t = (static_cast<float>(i) + 0.6f) / static_cast<float>(shape.leaves);
+    float size = std::sin(static_cast<float>(kPi) * (0.12f + 0.80f * t));
+    for (int side : {-1, 1}) {
+      Vec3 along = glm::normalize(Vec3(static_cast<float>(side) * std::sin(static_cast<float>(shape.open)),
+                                       std::cos(static_cast<float>(shape.open)), 0.12f));
+      float length = static_cast<float>(shape.leaf) * size;
+      Vec3 foot(0, t, -0.10f * t * t);
+      add_leaf(s, outline_of(shape.kind),
+               {foot, along, squared(Vec3(0, 0, 1), along), length,
+                0.5f * length * static_cast<float>(shape.width), 0.2f, 0.1f});
+    }
+  }
+}
+
+void add_leaves(Surface& s, const SprigShape& shape) {
+  auto hang = static_cast<float>(shape.hang);
+  for (int i = 0; i < shape.leaves; ++i) {
+    bool last = i + 1 == shape.leaves;
+    float t = shape.leaves > 1 ? static_cast<float>(i) / static_cast<float>(shape.leaves - 1) : 1.0f;
+    auto side = static_cast<float>(i % 2 == 0 ? 1 : -1);
+    float open = last ? 0.0f : static_cast<float>(shape.open) * varied(i, 1, 0.75f, 1.2f);
+    Vec3 along(side * std::sin(open), std::cos(open), varied(i, 2, -0.25f, 0.35f));
+    along = glm::normalize(along * (1 - 0.8f * hang) + Vec3(0, 0.1f, -1) * (0.8f * hang));
+    Vec3 up = squared(Vec3(varied(i, 3, -0.5f, 0.5f), varied(i, 4, -0.3f, 0.3f), 1), along);
+    float length = static_cast<float>(shape.leaf) * varied(i, 5, 0.8f, 1.12f);
+    float reach = 1 - static_cast<float>(shape.leaf) * 0.8f;
+    add_leaf(s, outline_of(shape.kind),
+             {Vec3(0, 0.06f + (reach - 0.06f) * t, 0), along, up, length,
+              0.5f * length * static_cast<float>(shape.width), varied(i, 6, 0.25f, 0.8f), 0.35f});
+  }
+}
+
+}  // namespace
+
+Surface sprig_surface(const SprigShape& shape) {
+  Surface s;
+  if (shape.kind == SprigKind::needles)
+    add_needles(s, shape);
+  else if (shape.kind == SprigKind::feather)
+    add_feather(s, shape);
+  else
+    add_leaves(s, shape);
+  std::erase_if(s.triangle, [&](const std::array<std::uint32_t, 3>& t) {
+    return glm::length(glm::cross(s.position[t[1]] - s.position[t[0]], s.position[t[2]] - s.position[t[0]])) <
+           1e-8f;
+  });
+  set_normals(s);
+  return s;
+}
+
+}  // namespace frond

@@ -1,0 +1,236 @@
+#include "grove/grove.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "grove/metamers.h"
+#include "grove/resource.h"
+#include "grove/shed.h"
+#include "grove/shoots.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kGustsFrom = 8;  // directions that storms come from
+// Of the state, and of what the pass over loads needs besides.
+constexpr std::size_t kBytesAMetamer = 2 * sizeof(Vec3) + 2 * sizeof(std::int32_t) + 7 * sizeof(float) + 2 +
+                                       sizeof(Shade) + 9 * sizeof(float) + 1;
+
+/// What a metamer was when it fell.
+struct Fallen {
+  Vec3 tip, side;
+  std::uint32_t serial, parent;
+  float born, died, fell, pipe, light;
+  std::uint8_t order;
+};
+
+/// The pipes of the metamers that stood at the end of a year.
+struct YearRings {
+  std::vector<std::uint32_t> serial;
+  std::vector<float> pipe;
+};
+
+struct Tree {
+  const Seedling* seedling = nullptr;
+  Metamers living;
+  std::uint32_t serial = 1;
+  std::vector<Fallen> fallen;
+  std::vector<YearRings> rings;
+  std::size_t broken = 0, bytes = 0;
+  int stem_broke = -1;
+};
+
+void plant(Tree& tree) {
+  Metamers& m = tree.living;
+  m.resize(1);
+  const Seedling& s = *tree.seedling;
+  m.tip[0] = s.foot;
+  Vec3 across = std::abs(s.up.x) < 0.7f ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
+  m.side[0] = glm::normalize(glm::cross(s.up, across));
+  m.parent[0] = Metamers::kRoot;
+  m.serial[0] = 0;
+  m.born[0] = static_cast<float>(s.planted);
+  m.flags[0] = Metamers::leading;
+  m.order[0] = 0;
+}
+
+std::vector<Shade> shades_of(const Tree& tree, const LightLaw& law, int year) {
+  const Metamers& m = tree.living;
+  const Species& s = tree.seedling->species;
+  std::vector<Shade> list;
+  bool filling = law.fading == Fading::even;
+  float leafy = shade_amount(law, s.leaf_area, 0);
+  for (std::size_t i = 1; i < m.size(); ++i) {
+    bool leaves = bears_leaves(m, s, i, year);
+    if (!leaves && !filling) continue;
+    Vec3 from = m.tip[m.parent[i]], to = m.tip[i];
+    if (filling) {
+      float r = pipe_radius(s.wood, m.pipe[i]);
+      double volume = kPi * r * r * glm::distance(from, to);
+      list.push_back({(from + to) / 2.0f, shade_amount(law, leaves ? s.leaf_area : 0, volume)});
+    } else {
+      list.push_back({to, leafy});
+    }
+  }
+  return list;
+}
+
+void cast_light(LightField& field, const std::vector<Tree>& trees, const GroveOptions& options, int year) {
+  std::vector<std::vector<Shade>> parts(trees.size());
+  parallel_for(trees.size(), [&](std::size_t i) { parts[i] = shades_of(trees[i], options.light, year); });
+  std::vector<Shade> all = options.bodies;
+  float floor = trees[0].seedling->foot.y;
+  for (const Tree& tree : trees) floor = std::min(floor, tree.seedling->foot.y);
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  Seed jitter = options.seed.child("grid").child(static_cast<std::uint64_t>(year));
+  field.cast(all, floor,
+             Vec3(static_cast<float>(jitter.child(0).unit()), static_cast<float>(jitter.child(1).unit()),
+                  static_cast<float>(jitter.child(2).unit())));
+}
+
+void drop(Tree& tree, const Falls& falls, bool history) {
+  Metamers& m = tree.living;
+  tree.broken += falls.broken;
+  std::vector<std::uint8_t> stay(m.size());
+  std::size_t gone = 0;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    stay[i] = falls.time[i] == Metamers::kNever;
+    if (stay[i]) continue;
+    ++gone;
+    if (!history) continue;
+    auto p = static_cast<std::size_t>(m.parent[i]);
+    tree.fallen.push_back({m.tip[i], m.side[i], m.serial[i], m.serial[p], m.born[i],
+                           std::min(m.died[i], falls.time[i]), falls.time[i], m.pipe[i], m.light[i],
+                           m.order[i]});
+  }
+  // A stem that has lost its leader goes on from its buds, the dead nowhere.
+  if (gone > 0) m.keep(stay);
+}
+
+void live_a_year(Tree& tree, const LightField& field, const GroveOptions& options, const Weather& storm,
+                 int year) {
+  const Seedling& seedling = *tree.seedling;
+  const Species& s = seedling.species;
+  if (year < seedling.planted) return;
+  if (tree.living.size() == 0) plant(tree);
+  Metamers& m = tree.living;
+  Season season{s, field, seedling.seed, year};
+  double age = year - seedling.planted;
+
+  measure_light(m, season, shade_amount(field.law(), s.leaf_area, 0));
+  float light = gather_light(m);
+  if (die_of_shade(m, s, seedling.seed, year, age) > 0) light = gather_light(m);
+  auto resource = static_cast<float>(s.vigour) * light;
+  // A seed brings what its first shoot needs.
+  if (m.size() == 1) resource = std::max(resource, 3.0f);
+  if (s.sharing == Sharing::borchert_honda)
+    share_by_forks(m, s, age, resource);
+  else
+    share_by_priority(m, s, age, resource);
+  std::size_t first = grow_shoots(m, season, tree.serial);
+  thicken(m);
+  sag(m, s.wood, s.leaf_area, first);
+
+  Strain strain = strain_of(m, s, storm, year);
+  brace(m, s.wood, strain);
+  Falls falls = find_falls(m, s, strain, seedling.seed, year);
+  if (falls.stem && tree.stem_broke < 0) tree.stem_broke = year;
+  if (options.history) tree.rings.push_back({m.serial, m.pipe});
+  tree.bytes = std::max(tree.bytes, m.size() * kBytesAMetamer);
+  drop(tree, falls, options.history);
+}
+
+/// The living and the fallen in the order in which they were born, so that parents precede children.
+GrownTree grown_tree(Tree& tree) {
+  const Wood& wood = tree.seedling->species.wood;
+  const Metamers& m = tree.living;
+  GrownTree g;
+  g.grown = tree.serial - 1;
+  g.broken = tree.broken;
+  g.stem_broke = tree.stem_broke;
+  g.bytes = tree.bytes;
+
+  std::sort(tree.fallen.begin(), tree.fallen.end(),
+            [](const Fallen& a, const Fallen& b) { return a.serial < b.serial; });
+  std::vector<std::int32_t> index(tree.serial, GrownTree::kRoot);
+  auto add = [&](Vec3 tip, Vec3 side, std::uint32_t serial, std::int32_t parent, float pipe) {
+    index[serial] = static_cast<std::int32_t>(g.tip.size());
+    g.tip.push_back(tip);
+    g.side.push_back(side);
+    g.parent.push_back(parent);
+    g.radius.push_back(pipe_radius(wood, pipe));
+  };
+  std::vector<std::uint32_t> by_serial(m.size());
+  for (std::size_t i = 0; i < m.size(); ++i) by_serial[i] = static_cast<std::uint32_t>(i);
+  std::sort(by_serial.begin(), by_serial.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return m.serial[a] < m.serial[b]; });
+  auto fallen = tree.fallen.begin();
+  auto add_fallen = [&] {
+    const Fallen& f = *fallen++;
+    add(f.tip, f.side, f.serial, index[f.parent], f.pipe);
+    g.born.push_back(f.born);
+    g.died.push_back(f.died);
+    g.fell.push_back(f.fell);
+    g.light.push_back(f.light);
+    g.order.push_back(f.order);
+    g.leads.push_back(false);
+  };
+  for (std::uint32_t i : by_serial) {
+    while (fallen != tree.fallen.end() && fallen->serial < m.serial[i]) add_fallen();
+    add(m.tip[i], m.side[i], m.serial[i],
+        m.parent[i] == Metamers::kRoot ? GrownTree::kRoot : index[m.serial[m.parent[i]]], m.pipe[i]);
+    g.born.push_back(m.born[i]);
+    g.died.push_back(m.died[i]);
+    g.fell.push_back(GrownTree::kNever);
+    g.light.push_back(m.light[i]);
+    g.order.push_back(m.order[i]);
+    g.leads.push_back(m.has(i, Metamers::leading));
+  }
+  while (fallen != tree.fallen.end()) add_fallen();
+
+  if (tree.rings.empty()) return g;
+  g.first_ring.assign(g.size() + 1, 0);
+  for (const YearRings& year : tree.rings)
+    for (std::uint32_t serial : year.serial) ++g.first_ring[index[serial] + 1];
+  for (std::size_t i = 0; i < g.size(); ++i) g.first_ring[i + 1] += g.first_ring[i];
+  g.ring.resize(g.first_ring.back());
+  std::vector<std::uint32_t> next = g.first_ring;
+  for (const YearRings& year : tree.rings)
+    for (std::size_t k = 0; k < year.serial.size(); ++k)
+      g.ring[next[index[year.serial[k]]]++] = pipe_radius(wood, year.pipe[k]);
+  return g;
+}
+
+}  // namespace
+
+bool GrownTree::bears_leaves(const Species& s, std::size_t i, float year) const {
+  if (parent[i] == kRoot || born[i] > year || died[i] <= year || fell[i] <= year) return false;
+  return leads[i] || year - born[i] < static_cast<float>(s.leaf_years) - 0.001f;
+}
+
+std::vector<GrownTree> grow_grove(const std::vector<Seedling>& seedlings, const GroveOptions& options) {
+  std::vector<Tree> trees(seedlings.size());
+  std::vector<GrownTree> grown(seedlings.size());
+  if (trees.empty()) return grown;
+  for (std::size_t i = 0; i < trees.size(); ++i) trees[i].seedling = &seedlings[i];
+  LightField field(options.light);
+  for (int year = 0; year < options.years; ++year) {
+    cast_light(field, trees, options, year);
+    Seed weather = options.seed.child("weather").child(static_cast<std::uint64_t>(year));
+    double from = 2 * kPi * static_cast<double>(weather.child(0).bits() % kGustsFrom) / kGustsFrom;
+    double speed = options.wind * weather.child(1).range(0.7, 1.0);
+    Weather storm{
+        Vec3(static_cast<float>(speed * std::cos(from)), 0, static_cast<float>(speed * std::sin(from))),
+        options.snow * weather.child(2).range(0.5, 1.0)};
+    parallel_for(trees.size(), [&](std::size_t i) { live_a_year(trees[i], field, options, storm, year); });
+  }
+  parallel_for(trees.size(), [&](std::size_t i) {
+    if (trees[i].living.size() == 0) plant(trees[i]);
+    grown[i] = grown_tree(trees[i]);
+  });
+  return grown;
+}
+
+}  // namespace frond

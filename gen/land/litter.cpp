@@ -1,0 +1,148 @@
+#include "land/litter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/noise.h"
+
+namespace frond {
+
+namespace {
+
+/// Where something lies: `along` from foot to tip, `up` its upper side.
+struct Lie {
+  Vec3 at;
+  Vec3 along, across, up;
+  float own;
+};
+
+Lie lie(const Seed& seed, double side, double tilt) {
+  auto number = [&](std::uint64_t k, double low, double high) {
+    return static_cast<float>(seed.child(k).range(low, high));
+  };
+  float turn = number(0, 0, 2 * kPi), half = static_cast<float>(side / 2);
+  float pitch = number(1, -tilt, tilt), roll = number(2, -tilt, tilt);
+  Quat way = glm::angleAxis(turn, Vec3(0, 1, 0)) * glm::angleAxis(pitch, Vec3(1, 0, 0)) *
+             glm::angleAxis(roll, Vec3(0, 0, 1));
+  // The upper side of what has fallen may be below.
+  float face = number(3, 0, 1) < 0.4 ? -1.0f : 1.0f;
+  return {Vec3(number(4, -half, half), 0, number(5, -half, half)), way * Vec3(0, 0, 1),
+          way * Vec3(face, 0, 0), way * Vec3(0, face, 0), number(6, 0, 1)};
+}
+
+/// A leaf of ten triangles: midrib and two rims, bent along and folded across.
+void add_leaf(Surface& s, const Lie& leaf, float length, const Seed& seed) {
+  constexpr std::array<float, 4> kPlaces{0.0f, 0.30f, 0.68f, 1.0f}, kWidths{0.03f, 0.86f, 0.74f, 0.02f};
+  auto start = static_cast<std::uint32_t>(s.position.size());
+  float width = length * static_cast<float>(seed.child(20).range(0.24, 0.34));
+  float bend = static_cast<float>(seed.child(21).range(-0.35, 0.55)),
+        fold = static_cast<float>(seed.child(22).range(-0.1, 0.7)),
+        twist = static_cast<float>(seed.child(23).range(-0.5, 0.5));
+  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+    float t = kPlaces[i], w = kWidths[i] * width, c = t - 0.5f;
+    Vec3 midrib = leaf.at + leaf.along * (c * length) + leaf.up * (-bend * c * c * length);
+    for (float side : {-1.0f, 0.0f, 1.0f}) {
+      float rise = std::abs(side) * fold * w + side * twist * c * w;
+      s.position.push_back(midrib + leaf.across * (side * w) + leaf.up * rise);
+      s.uv.emplace_back(t, leaf.own);
+    }
+  }
+  for (std::uint32_t i = 0; i + 1 < kPlaces.size(); ++i) {
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      std::uint32_t a = start + 3 * i + k;
+      if (i > 0) s.triangle.push_back({a, a + 3, a + 1});
+      s.triangle.push_back({a + 1, a + 3, a + 4});
+      if (i == 0) s.triangle.push_back({a, a + 3, a + 1});
+    }
+  }
+}
+
+/// A dead twig of three sides, bent at two places.
+void add_twig(Surface& s, const Lie& twig, float length, const Seed& seed) {
+  constexpr std::uint32_t kRings = 4, kSides = 3;
+  auto start = static_cast<std::uint32_t>(s.position.size());
+  float radius = length * static_cast<float>(seed.child(20).range(0.008, 0.016));
+  Vec3 at = twig.at + twig.along * (-0.5f * length) + Vec3(0, radius, 0);
+  for (std::uint32_t i = 0; i < kRings; ++i) {
+    float t = static_cast<float>(i) / (kRings - 1), r = radius * (1 - 0.6f * t);
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      double angle = 2 * kPi * k / kSides;
+      s.position.push_back(at + (twig.across * static_cast<float>(std::cos(angle)) +
+                                 twig.up * static_cast<float>(std::sin(angle))) *
+                                    r);
+      s.uv.emplace_back(t, 1 + twig.own);
+    }
+    float aside = static_cast<float>(seed.child(21 + i).range(-0.35, 0.35));
+    at += (twig.along + twig.across * aside) * (length / (kRings - 1));
+  }
+  for (std::uint32_t i = 0; i + 1 < kRings; ++i) {
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      std::uint32_t a = start + i * kSides + k, b = start + i * kSides + (k + 1) % kSides;
+      s.triangle.push_back({a, a + kSides, b});
+      s.triangle.push_back({b, a + kSides, b + kSides});
+    }
+  }
+}
+
+}  // namespace
+
+Surface litter_surface(const LitterShape& shape, Seed seed) {
+  Surface s;
+  double area = shape.side * shape.side;
+  auto count = static_cast<std::uint64_t>(std::lround(shape.leaves * area));
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Seed own = seed.child("leaf", i);
+    Lie leaf = lie(own, shape.side, 0.45);
+    double length = shape.leaf * own.child(10).range(0.6, 1.15);
+    // Later ones lie on earlier ones.
+    leaf.at.y = static_cast<float>(0.05 * shape.leaf + 0.22 * shape.leaf * own.child(11).unit());
+    add_leaf(s, leaf, static_cast<float>(length), own);
+  }
+  auto twigs = static_cast<std::uint64_t>(std::lround(shape.twigs * area));
+  for (std::uint64_t i = 0; i < twigs; ++i) {
+    Seed own = seed.child("twig", i);
+    Lie twig = lie(own, shape.side, 0.06);
+    twig.at.y = static_cast<float>(0.2 * shape.leaf);
+    add_twig(s, twig, static_cast<float>(shape.twig * own.child(10).range(0.4, 1.6)), own);
+  }
+  set_normals(s);
+  return s;
+}
+
+Surface moss_surface(double side, Seed seed) {
+  constexpr double kDensity = 6000;  // shoots on a square metre
+  Surface s;
+  auto count = static_cast<std::uint64_t>(kDensity * side * side);
+  Vec3 shift(static_cast<float>(seed.child("x").range(0, 50)), 0,
+             static_cast<float>(seed.child("z").range(0, 50)));
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Seed own = seed.child(i);
+    auto number = [&](std::uint64_t k, double low, double high) {
+      return static_cast<float>(own.child(k).range(low, high));
+    };
+    // Thinner toward the rim.
+    double angle = own.child(0).range(0, 2 * kPi), share = std::pow(own.child(1).unit(), 0.6);
+    Vec3 at(static_cast<float>(std::cos(angle) * share * side / 2), 0,
+            static_cast<float>(std::sin(angle) * share * side / 2));
+    double swell = 0.5 + 0.5 * fractal_noise(at * 9.0f + shift, 2), dome = 1 - share * share;
+    at.y = static_cast<float>(dome * (0.006 + 0.020 * std::clamp(swell, 0.0, 1.0)) - 0.004);
+    float height = number(2, 0.008, 0.018), half = number(3, 0.0014, 0.0028), toward = number(4, 0, 2 * kPi);
+    Vec3 lean(std::cos(toward), 0, std::sin(toward)), across(-lean.z, 0, lean.x);
+    Vec3 tip = at + Vec3(0, height, 0) + lean * (height * number(5, 0, 0.7));
+    float v = number(6, 0, 0.6) + static_cast<float>(0.4 * std::clamp(swell, 0.0, 1.0));
+    auto a = static_cast<std::uint32_t>(s.position.size());
+    // Lit as a cushion rather than as shoots, or it would sparkle.
+    Vec3 normal = glm::normalize(Vec3(at.x, static_cast<float>(0.35 * side), at.z) +
+                                 lean * (0.2f * static_cast<float>(side)));
+    for (auto [place, u] : {std::pair{at - across * half, 0.0f}, {at + across * half, 0.0f}, {tip, 1.0f}}) {
+      s.position.push_back(place);
+      s.normal.push_back(normal);
+      s.uv.emplace_back(u, v);
+    }
+    s.triangle.push_back({a, a + 1, a + 2});
+  }
+  return s;
+}
+
+}  // namespace frond

@@ -1,0 +1,182 @@
+#include "land/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/noise.h"
+#include "foliage/organ_shapes.h"
+#include "rocks/stone.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kFar = 1e6;
+constexpr int kPieces = 12;  // of the path from point to point
+
+/// A point of the Catmull-Rom curve through `points`, between i and i + 1.
+Vec2 way_point(const std::vector<Vec2>& points, std::size_t i, float t) {
+  auto at = [&](std::ptrdiff_t k) {
+    return points[static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(k, 0, static_cast<std::ptrdiff_t>(points.size()) - 1))];
+  };
+  auto k = static_cast<std::ptrdiff_t>(i);
+  Vec2 a = at(k - 1), b = at(k), c = at(k + 1), d = at(k + 2);
+  return 0.5f * (2.0f * b + (c - a) * t + (2.0f * a - 5.0f * b + 4.0f * c - d) * (t * t) +
+                 (3.0f * b - a - 3.0f * c + d) * (t * t * t));
+}
+
+double distance_to_piece(Vec2 at, Vec2 from, Vec2 to) {
+  Vec2 way = to - from;
+  float length2 = glm::dot(way, way);
+  float t = length2 > 0 ? std::clamp(glm::dot(at - from, way) / length2, 0.0f, 1.0f) : 0.0f;
+  return glm::distance(at, from + way * t);
+}
+
+/// A round leaf with a notch, its rim a little raised; diameter 1.
+Surface pad_surface() {
+  constexpr int kSides = 28;
+  Surface s;
+  s.position.emplace_back(0, 0.02f, 0);
+  for (int ring = 1; ring <= 2; ++ring)
+    for (int i = 0; i <= kSides; ++i) {
+      double angle = 0.18 + (2 * kPi - 0.36) * i / kSides, r = 0.25 * ring;
+      double rim = ring == 2 ? 0.014 + 0.006 * std::sin(5 * angle) : 0.008;
+      s.position.emplace_back(r * std::cos(angle), rim, r * std::sin(angle));
+    }
+  for (std::uint32_t i = 1; i <= kSides; ++i) {
+    std::uint32_t a = i, b = i + 1, c = a + kSides + 1, d = b + kSides + 1;
+    s.triangle.push_back({0, b, a});
+    s.triangle.push_back({a, b, d});
+    s.triangle.push_back({a, d, c});
+  }
+  set_normals(s);
+  return s;
+}
+
+}  // namespace
+
+Plot::Plot(const PondShape& pond, const PathShape& path, Seed seed)
+    : pond_(pond), half_width_(path.width / 2), seed_(seed) {
+  if (path.points.size() < 2) return;
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    for (int k = 0; k < kPieces; ++k)
+      way_.push_back(way_point(path.points, i, static_cast<float>(k) / kPieces));
+  way_.push_back(path.points.back());
+}
+
+double Plot::pond_distance(Vec2 at) const {
+  if (!has_pond()) return kFar;
+  Vec2 scaled = (at - pond_.center) / pond_.size;
+  double share = glm::length(scaled), least = std::min(pond_.size.x, pond_.size.y);
+  if (share < 1e-6) return -least;
+  // The shore comes and goes with the direction from the middle.
+  Vec2 out = scaled / static_cast<float>(share);
+  Vec3 place(1.3f * out.x + static_cast<float>(seed_.child("pond").range(0, 99)), 0, 1.3f * out.y);
+  double shore = 1 + 0.16 * noise(place) + 0.05 * noise(place * 3.1f);
+  // Along the ray from the middle, so that it is right across the ellipse, too.
+  double ray = glm::length(at - pond_.center) / share;
+  return (share - shore) * ray;
+}
+
+double Plot::way_distance(Vec2 at) const {
+  double best = kFar;
+  for (std::size_t i = 0; i + 1 < way_.size(); ++i)
+    best = std::min(best, distance_to_piece(at, way_[i], way_[i + 1]));
+  return best;
+}
+
+double Plot::path_distance(Vec2 at) const {
+  double best = way_distance(at);
+  if (best > 2 * half_width_ + 1) return best - half_width_;
+  return best - half_width_ + 0.07 * noise(Vec3(at.x * 1.6f, 5, at.y * 1.6f)) +
+         0.04 * noise(Vec3(at.x * 6, 9, at.y * 6));
+}
+
+double Plot::height(Vec2 at, double lawn) const {
+  double pond = pond_distance(at), path = has_path() ? path_distance(at) : kFar;
+  double height = lawn * smooth_step(0.0, 2.5, pond) * (0.35 + 0.65 * smooth_step(-0.2, 1.5, path));
+  height -= 0.025 * (1 - smooth_step(-0.12, 0.10, path));
+  // No puddle: the water's disc is wider than the pond.
+  if (pond > 0.35) height = std::max(height, pond_.level + 0.06);
+  if (pond < 0.35) height -= pond_.depth * smooth_step(0.0, 1.0, (0.35 - pond) / 1.6);
+  return height;
+}
+
+Solids water_lilies(const Plot& plot, int count, Seed seed) {
+  Solids lilies;
+  if (!plot.has_pond() || count <= 0) return lilies;
+  Surface pad = pad_surface();
+  for (Color color : {Color{0.19f, 0.34f, 0.10f}, Color{0.26f, 0.40f, 0.13f}, Color{0.33f, 0.36f, 0.14f}})
+    lilies.add_shape({pad, {.color = color, .gloss = 0.5}});
+  BladeShape petal{
+      .width = 0.36, .widest = 0.5, .fold = radians(14.0), .bend = radians(-28.0), .stalk = 0, .round = 0.3};
+  std::uint16_t outer =
+      lilies.add_shape({corolla_surface(petal, 16, radians(52.0)), {.color = {0.96f, 0.86f, 0.90f}}});
+  std::uint16_t heart = lilies.add_shape({heart_surface(0.3, 0.5, 40), {.color = {0.95f, 0.76f, 0.18f}}});
+
+  const PondShape& pond = plot.pond();
+  int groups = std::max(1, count / 14);
+  std::vector<Vec3> taken;  // x, z and radius
+  for (int i = 0; i < count; ++i) {
+    Seed own = seed.child(static_cast<std::uint64_t>(i)),
+         group = seed.child("group", static_cast<std::uint64_t>(i % groups));
+    float radius = static_cast<float>(own.child("size").range(0.07, 0.17));
+    for (std::uint64_t dart = 0; dart < 40; ++dart) {
+      Seed toss = own.child("dart", dart);
+      double angle = group.child("angle").range(0, 2 * kPi), out = group.child("out").range(0.25, 0.75);
+      Vec2 at = pond.center + pond.size * Vec2(out * std::cos(angle) + 0.16 * toss.child(0).normal(),
+                                               out * std::sin(angle) + 0.16 * toss.child(1).normal());
+      bool free = plot.pond_distance(at) < -0.5 && std::none_of(taken.begin(), taken.end(), [&](Vec3 other) {
+                    return glm::distance(Vec2(other.x, other.y), at) < 0.92f * (other.z + radius);
+                  });
+      if (!free) continue;
+      taken.emplace_back(at, radius);
+      Vec3 place(at.x, static_cast<float>(pond.level) + 0.004f, at.y);
+      Quat turn = glm::angleAxis(static_cast<float>(own.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0));
+      lilies.place(static_cast<std::uint16_t>(own.child("shade").bits() % 3), place, turn, Vec3(2 * radius));
+      if (own.child("flower").unit() < 0.13) {
+        Vec3 beside = place + turn * Vec3(-0.6f * radius, 0.01f, 0);
+        float size = static_cast<float>(own.child("open").range(0.07, 0.1));
+        lilies.place(outer, beside, turn, Vec3(size));
+        lilies.place(heart, beside + Vec3(0, 0.1f * size, 0), turn, Vec3(0.6f * size));
+      }
+      break;
+    }
+  }
+  return lilies;
+}
+
+Surface gravel_surface(double side, double size, Seed seed) {
+  constexpr int kShapes = 5;
+  std::vector<Surface> shapes;
+  for (std::uint64_t i = 0; i < kShapes; ++i)
+    shapes.push_back(stone_surface({seed.child("shape", i), 0.3, 0.35}, 0));
+  Surface gravel;
+  double each = 0.42 * size;  // from stone to stone, so that they cover the ground
+  auto row = static_cast<std::uint64_t>(std::max(1.0, std::round(side / each)));
+  for (std::uint64_t i = 0; i < row * row; ++i) {
+    Seed own = seed.child(i);
+    auto number = [&](std::uint64_t k, double low, double high) {
+      return static_cast<float>(own.child(k).range(low, high));
+    };
+    const Surface& shape = shapes[own.child(0).bits() % kShapes];
+    float wide = static_cast<float>(size) * number(1, 0.4, 1.0);
+    Vec3 at((static_cast<double>(i % row) + number(2, 0, 1)) / static_cast<double>(row) * side - side / 2,
+            wide * number(3, -0.05, 0.28),
+            (static_cast<double>(i / row) + number(4, 0, 1)) / static_cast<double>(row) * side - side / 2);
+    Quat turn = glm::angleAxis(number(5, 0, 2 * kPi), Vec3(0, 1, 0)) *
+                glm::angleAxis(number(6, -0.3, 0.3), Vec3(1, 0, 0));
+    auto offset = static_cast<std::uint32_t>(gravel.position.size());
+    for (std::size_t k = 0; k < shape.position.size(); ++k) {
+      gravel.position.push_back(at + turn * (shape.position[k] * wide));
+      gravel.normal.push_back(turn * shape.normal[k]);
+      gravel.uv.emplace_back(0, number(7, 0, 1));
+    }
+    for (auto [a, b, c] : shape.triangle) gravel.triangle.push_back({a + offset, b + offset, c + offset});
+  }
+  return gravel;
+}
+
+}  // namespace frond

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "core/result.h"
+#include "masonry/bridge.h"
+#include "model/model.h"
+
+namespace frond {
+
+/// A garden bridge and what it is made of.
+struct BridgeParams {
+  BridgeShape shape;
+  std::optional<Color> color;   ///< of the wood or the stone; else as the style has it
+  std::optional<Color> second;  ///< of weathered wood, of the mortar
+  double variation = 0.16;      ///< how much single planks and stones differ in brightness
+  double weathering = 0.45;     ///< 0 new .. 1 old: greyness and cracks of wood, roughness of stone
+  double moss = 0.15;           ///< 0 none .. 1
+  double gloss = 0.04;          ///< 0 raw .. 1 oiled
+};
+
+/// Builds one with its middle over the origin and its feet at y = 0.
+Model grow_bridge(const BridgeParams& params, Seed seed);
+
+}  // namespace frond

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/curve.h"
+#include "core/result.h"
+#include "core/seed.h"
+#include "dress/skin.h"
+#include "grammar/grammar.h"
+#include "model/skeleton.h"
+#include "motion/motion.h"
+
+namespace frond {
+
+/// The rules that a coral grows by.
+enum class CoralForm {
+  branching,  ///< A -> !"[B]////[B]////B, B -> &FFFA
+  tufted,     ///< A -> "[&FFFA]////[&FFFA]////[&FFFA]
+  own         ///< the preset's own `grammar`
+};
+
+/// How thick the branches are: the share of the way that is left to the farthest tip, through a curve,
+/// times the radius at the base.
+struct Thickness {
+  double radius = 0.035;                                           ///< metres, at the base
+  Curve curve{{{0, 0.36f}, {0.35f, 0.5f}, {0.8f, 0.8f}, {1, 1}}};  ///< 0 at the farthest tip .. 1 at the base
+  double knob = 1.15;                                              ///< factor right at each tip
+  double flare = 0.6;                                              ///< how much wider the foot is
+};
+
+/// Noise that bends the straight shape, nothing at the base.
+struct Distortion {
+  double strength = 0.04;  ///< metres at the tips
+  double scale = 0.35;     ///< metres from bend to bend
+};
+
+/// A branching coral: an L-system, walked by a turtle, thickened and bent.
+struct CoralParams {
+  CoralForm form = CoralForm::branching;
+  int steps = 6;                       ///< derivation steps
+  double pitch = radians(25.0);        ///< of a new branch (&)
+  double roll = radians(45.0);         ///< of one /
+  double angle_jitter = radians(9.0);  ///< random change of each turn, up to so much either way
+  double length_jitter = 0.25;         ///< random change of each internode, as a share of its length
+  double internode = 0.05;             ///< metres; what one F draws
+  double length_scale = 1.0;           ///< what " multiplies lengths by
+  double width_scale = 0.93;           ///< what ! multiplies thickness by
+  double lift = 0.06;                  ///< how much each internode turns upward (elasticity of the tropism)
+  double height = 0;       ///< metres; the whole is scaled to be so high; 0: as the turtle leaves it
+  int smoothing = 3;       ///< nodes for each internode
+  GrammarText grammar;     ///< for CoralForm::own
+  bool own_rules = false;  ///< whether the preset gives a grammar to just this coral
+  Thickness thickness;
+  Distortion distortion;
+  Skin skin;
+  Wave wave;
+  Food food;
+  Growth growth;
+};
+
+/// The grammar that the parameters stand for, ready to derive; errors are those of an own grammar.
+Result<Grammar> coral_grammar(const CoralParams& params);
+
+/// Grows one coral with its foot at the origin, upright. Every node has its distance, birth and radius.
+Result<Skeleton> grow_coral(const CoralParams& params, Seed seed);
+
+}  // namespace frond

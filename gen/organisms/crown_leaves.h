@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "crown/crown.h"
+#include "dress/dress.h"
+
+namespace frond {
+
+/// Puts a leaf, or a sprig, of `size` metres across, along and above on each site.
+void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeDress& dress, Vec3 size,
+                Seed seed);
+
+}  // namespace frond

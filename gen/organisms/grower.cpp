@@ -1,0 +1,111 @@
+#include "organisms/grower.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "organisms/organism.h"
+
+namespace frond {
+
+namespace {
+
+/// Where a model is put.
+struct Stance {
+  Vec3 foot{0};
+  Quat turn{1, 0, 0, 0};
+  float size = 1;
+};
+
+/// How deep something stands in the ground: as deep as it is thick, or as a small one bears.
+float depth_of(const Model& model) {
+  if (model.skeleton.size() == 0) return 0;
+  return std::min(model.skeleton.radius[0], 0.1f * model.skeleton.longest());
+}
+
+Stance stance_of(const Bed& bed, const Planting& planting, const Model& model) {
+  const Place& place = bed.organism->place;
+  Stance stance;
+  stance.size = size_of(*bed.organism, planting.seed);
+  double turn = place.turn + place.turn_variation * planting.seed.child("turn").range(-1, 1);
+  Quat yaw = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0));
+  stance.turn = model.solids.follow_ground ? yaw : lean_of(*bed.organism, planting.seed) * yaw;
+  stance.foot = planting.foot - Vec3(0, place.raise > 0 ? 0 : depth_of(model) * stance.size, 0);
+  return stance;
+}
+
+void follow_ground(Solids& solids, const World& world, float foot_height) {
+  for (Vec3& p : solids.position) p.y += static_cast<float>(world.height({p.x, p.z})) - foot_height;
+}
+
+}  // namespace
+
+Quat lean_of(const Organism& organism, Seed planting) {
+  double toward = planting.child("toward").range(0, 2 * kPi);
+  Vec3 axis(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward)));
+  return glm::angleAxis(static_cast<float>(organism.place.lean * planting.child("lean").unit()), axis);
+}
+
+float size_of(const Organism& organism, Seed planting) {
+  return static_cast<float>(1 + organism.place.size_variation * planting.child("size").range(-1, 1));
+}
+
+double reach_of(const Organism& organism) {
+  const Place& place = organism.place;
+  double reach = glm::length(place.center) + place.radius;
+  if (organism.count <= std::ssize(place.at)) reach = 0;  // none is scattered
+  for (Vec2 at : place.at) reach = std::max<double>(reach, glm::length(at));
+  return reach;
+}
+
+void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed) {
+  specimen.look = dress.look;
+  specimen.brightness = 1 + dress.variation * seed.child("brightness").range(-1, 1);
+  specimen.motion = dress.motion;
+  specimen.motion.film_length = world.film_length();
+  specimen.motion.growth.start += dress.motion.growth.stagger * seed.child("start").unit();
+  specimen.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
+  specimen.life.season = dress.season;
+  specimen.life.season_seed = seed.child("season");
+  if (dress.season) specimen.life.ground = world.ground();
+}
+
+std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const World& world,
+                                               const Step& step) const {
+  std::vector<std::pair<const Bed*, const Planting*>> all;
+  for (const Bed& bed : beds)
+    for (const Planting& planting : bed.plantings) all.emplace_back(&bed, &planting);
+  auto grow_one = [&](const Bed& bed, const Planting& planting) -> Result<Specimen> {
+    const auto& grower = static_cast<const LoneGrower&>(*bed.organism->grower);
+    Seed seed = planting.seed.child("grow");
+    Result<Model> model = grower.grow_alone(seed);
+    if (!model) return model.errors();
+    Stance stance = stance_of(bed, planting, *model);
+    Specimen specimen{{bed.organism->name, bed.entry}, std::move(*model)};
+    put(specimen.model, stance.foot, stance.turn, stance.size);
+    if (specimen.model.solids.follow_ground && bed.organism->place.raise == 0)
+      follow_ground(specimen.model.solids, world, planting.foot.y);
+    put_on(specimen, grower.dress(), world, planting.seed);
+    if (auto develop = grower.develop(specimen.motion, seed))
+      specimen.life.develop = [develop = std::move(develop), stance](double time) {
+        Result<Model> now = develop(time);
+        if (now) put(*now, stance.foot, stance.turn, stance.size);
+        return now;
+      };
+    return specimen;
+  };
+  std::vector<std::optional<Result<Specimen>>> grown(all.size());
+  parallel_for(all.size(), [&](std::size_t i) {
+    grown[i] = grow_one(*all[i].first, *all[i].second);
+    step();
+  });
+  std::vector<Result<Specimen>> list;
+  for (auto& one : grown) list.push_back(std::move(*one));
+  return list;
+}
+
+Result<Model> LoneGrower::grow_copy(const Organism&, Seed seed) const { return grow_alone(seed); }
+
+float LoneGrower::copy_depth(const Model& model) const { return depth_of(model); }
+
+}  // namespace frond

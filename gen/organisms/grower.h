@@ -1,0 +1,167 @@
+#pragma once
+
+#include <any>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "core/seed.h"
+#include "dress/dress.h"
+#include "grammar/forecast.h"
+#include "model/model.h"
+#include "preset/describe.h"
+#include "world/world.h"
+
+// Kinds of organisms
+// ==================
+// A kind is a folder below gen/organisms and a row in organisms/kinds.h. In the folder its parameters are
+// described (preset/describe.h) and a Grower answers all that others ask of them; what it does not answer
+// does not compile. Nobody outside of the folder knows the parameters.
+//
+//     class Toy final : public Described<ToyParams, LoneGrower> {
+//      public:
+//       Result<Model> grow_alone(Seed seed) const override;
+//       ...
+//     };
+//     Kind<Organism> toy_kind() { return make_grower<Toy>("toy", "A toy"); }
+
+namespace frond {
+
+struct Organism;
+
+/// Kinds grow in this order; those of one stage see what earlier ones have made, and not each other.
+enum class GrowthStage {
+  free,      ///< bodies, and what needs nothing but a place
+  in_light,  ///< what fights for light with its like and is shaded by bodies
+  creeping   ///< what finds its own place on bodies
+};
+
+/// A place for one organism.
+struct Planting {
+  Seed seed;
+  Vec3 foot{0};  ///< on the ground or on its rock, raised as the preset says
+};
+
+/// An entry of a preset, about to grow.
+struct Bed {
+  const Organism* organism = nullptr;
+  std::size_t entry = 0;
+  Seed seed;
+  std::vector<Planting> plantings;  ///< none where it finds its own place
+};
+
+/// How large one of them will be, within about a factor of two.
+struct Foresight {
+  Forecast word;     ///< of its grammar
+  double nodes = 0;  ///< of its skeleton
+  std::optional<double>
+      chains;  ///< runs of nodes for each node, where that is known; short ones take more text
+  double organs = 0;
+  double parts = 0;             ///< placements of all parts of its organs
+  double corners = 0;           ///< of what the turtle outlined
+  double shapes = 0;            ///< triangles of its organs' shapes, once for an entry
+  double triangles = 0;         ///< of a body
+  double blocks = 0;            ///< how many placements a body is made of
+  bool riding = false;          ///< whether its textures ride on it even while it does not move
+  double nodes_a_second = 5e5;  ///< that grow
+};
+
+/// Of what searches for its way: nodes that grow a second, as a Foresight has them.
+inline constexpr double kTreeNodesASecond = 5e4;
+
+/// Called after each organism that has grown, from several threads.
+using Step = std::function<void()>;
+
+/// The parameters of an organism and all that others ask of them. Pure functions.
+class Grower {
+ public:
+  virtual ~Grower() = default;
+
+  /// The parameters themselves, for those who know their type: the kind, and tests.
+  virtual std::any parameters() const = 0;
+
+  virtual GrowthStage stage() const = 0;
+  /// Whether a rock may be laid under it; not where it is stone itself.
+  virtual bool stands_on_rock() const = 0;
+  /// Faults that only show when all is read; each `where` is a JSON pointer below the organism.
+  virtual Errors check() const = 0;
+  /// What is no fault, but most likely not meant.
+  virtual Errors doubts() const = 0;
+  /// The same as check() for all of this kind that stand in a scene, whose land rises by `relief` metres; the
+  /// pointers are below the first of them, whose grower this is.
+  virtual Errors check_together(std::span<const Organism* const> all, double relief) const = 0;
+  /// Its size, without growing; a derivation past its limits is refused with the figure and the step.
+  virtual Result<Foresight> foresee(Seed seed) const = 0;
+  /// About how tall one may be, metres, rather too much; 0: unknown.
+  virtual double tallest() const = 0;
+  virtual Dress dress() const = 0;
+  /// Whether it is another shape in each frame of a film, made anew.
+  virtual bool develops(bool filmed) const = 0;
+  /// Its grammar, ready to derive, where it has one.
+  virtual std::optional<Result<Grammar>> grammar() const = 0;
+  /// The names of the organisms that it grows on; nullptr where it stands by itself.
+  virtual const std::vector<std::string>* hosts() const = 0;
+
+  /// Grows all plantings of all beds, in their order. All are of this kind, the first is its own.
+  virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
+                                             const Step& step) const = 0;
+  /// Grows one to be copied, upright, its foot at the origin: like no other of its entry in age or size.
+  virtual Result<Model> grow_copy(const Organism& organism, Seed seed) const = 0;
+  /// How deep such a one stands in the ground, metres.
+  virtual float copy_depth(const Model& model) const = 0;
+};
+
+/// What stands by itself, whatever grows beside it.
+class LoneGrower : public Grower {
+ public:
+  /// Grows one, upright, its foot at the origin.
+  virtual Result<Model> grow_alone(Seed seed) const = 0;
+  /// What gives the same at a time of a film, fully revealed, see Life; empty: it is merely revealed.
+  virtual std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const = 0;
+
+  GrowthStage stage() const override { return GrowthStage::free; }
+  bool stands_on_rock() const override { return true; }
+  Errors doubts() const override { return {}; }
+  Errors check_together(std::span<const Organism* const>, double) const override { return {}; }
+  const std::vector<std::string>* hosts() const override { return nullptr; }
+  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
+                                     const Step& step) const override;
+  Result<Model> grow_copy(const Organism& organism, Seed seed) const override;
+  float copy_depth(const Model& model) const override;
+};
+
+/// A kind of the described parameters `Params`, which answers as `Base` does where it says nothing itself.
+template <class Params, class Base>
+class Described : public Base {
+ public:
+  Params params;
+  std::any parameters() const final { return params; }
+};
+
+/// What is built: how large it is only it knows; it has no branches, no motion, and no look but its
+/// materials.
+class BodyBuilder : public LoneGrower {
+ public:
+  double tallest() const override { return 0; }
+  Dress dress() const override { return {}; }
+  bool develops(bool) const override { return false; }
+  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
+  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
+};
+
+/// How far from the middle one of them may stand, metres.
+double reach_of(const Organism& organism);
+
+/// Gives a specimen that stands in its place what it wears, with what differs from one to the next.
+void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed);
+
+/// The lean that `place` asks of a planting, and its size as a factor.
+Quat lean_of(const Organism& organism, Seed planting);
+float size_of(const Organism& organism, Seed planting);
+
+}  // namespace frond

@@ -1,0 +1,61 @@
+#include "organisms/ivy/ivy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "organisms/ivy/ivy_rest.h"
+
+namespace frond {
+
+namespace {
+
+/// Where the plants stand on the host.
+std::vector<Start> starts_of(const IvyParams& params, const Support& under, const IvyRoots& roots, int count,
+                             Seed seed) {
+  const Host& host = under.host;
+  std::vector<Start> starts;
+  for (const Vec3& root : roots) starts.push_back({DVec3(root), DVec3(0)});
+  int more = count - static_cast<int>(roots.size());
+  if (more <= 0) return starts;
+  // The foot of a buried host is where it comes out of the ground.
+  DVec3 middle = 0.5 * (host.low() + host.high());
+  double buried = under.ground ? std::max(under.ground(middle.x, middle.z) - host.low().y, 0.0) : 0;
+  std::vector<Start> others =
+      starts_at_foot(host, more, buried + params.above, params.facing, seed.child("foot"));
+  // A host without a foot, such as a floating one, is rooted all round.
+  if (others.empty() && roots.empty())
+    others =
+        starts_around(host, more, Vec3((host.low() + host.high()) / 2.0), host.size(), seed.child("around"));
+  starts.insert(starts.end(), others.begin(), others.end());
+  return starts;
+}
+
+/// Which colour of the bark each node has: the thicker, the older; the last is that of shoots.
+std::vector<std::int32_t> bark_ages(const Skeleton& s, std::size_t colors, double radius) {
+  std::vector<std::int32_t> age(s.size(), 0);
+  auto last = static_cast<std::int32_t>(colors) - 1;
+  for (std::size_t i = 0; i < s.size() && last > 0; ++i) {
+    double share = std::clamp((s.radius[i] / radius - 0.6) / 1.8, 0.0, 0.999);
+    age[i] = last - static_cast<std::int32_t>(share * (last + 1));
+  }
+  return age;
+}
+
+}  // namespace
+
+Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
+                     const GroundHeight& ground, Seed seed) {
+  Support under{host, ground};
+  std::vector<Start> starts = starts_of(params, under, roots, count, seed);
+  Ivy ivy;
+  ivy.strands = grow_strands(host, starts, params.crawl, seed.child("crawl"), ground);
+  if (ivy.strands.size() < 2)
+    return Error{
+        "", "finds no place to root; expected place.at near what it grows on, or another above and facing"};
+  ivy.model.skeleton = ivy.strands.skeleton;
+  ivy.model.color = bark_ages(ivy.model.skeleton, params.bark.colors.size(), params.crawl.radius);
+  add_ivy_leaves(ivy.model, ivy.strands, params.leaves, under, seed.child("leaves"));
+  return ivy;
+}
+
+}  // namespace frond

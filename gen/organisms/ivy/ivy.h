@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "core/seed.h"
+#include "creeping/host.h"
+#include "creeping/swing.h"
+#include "dress/dress.h"
+#include "model/model.h"
+#include "motion/motion.h"
+
+namespace frond {
+
+struct Support;
+
+enum class IvyDetail {
+  fitting,  ///< single leaves up to kMostSingleLeaves, sprigs for more
+  leaves,   ///< each leaf by itself, on its own petiole
+  sprigs    ///< several leaves at once, for ivy far away
+};
+inline constexpr std::size_t kMostSingleLeaves = 25'000;
+
+/// Leaves of ivy.
+struct IvyLeaves {
+  double size = 0.062;           ///< metres, length of a grown blade
+  double size_variation = 0.22;  ///< random change of it, as a share
+  double spacing = 0.035;        ///< metres along a strand from leaf to leaf
+  double bare = 0.25;            ///< metres above the root in which stems have lost their leaves
+  double overlap = 0.35;         ///< share of a leaf that others may cover; a shoot drops it otherwise
+  Vec3 light{0.25f, 1, 0.6f};    ///< toward the light
+  double turn = 0.4;             ///< 0 flat on the surface .. 1 square to the light
+  double adult = 0.15;           ///< share of the oldest shoots that bear heart-shaped leaves
+  double young_length = 0.35;    ///< metres below a tip in which leaves are small and fresh
+  IvyDetail detail = IvyDetail::fitting;
+  std::vector<Color> colors{
+      {0.20f, 0.31f, 0.09f}, {0.26f, 0.37f, 0.11f}, {0.16f, 0.27f, 0.09f}, {0.31f, 0.40f, 0.13f}};
+  Color young{0.42f, 0.54f, 0.20f};  ///< of leaves near the tips
+  Color bud{0.58f, 0.62f, 0.34f};    ///< that leaves unfold from
+  Color veins{0.66f, 0.72f, 0.50f};
+  double unfold = 0.18;  ///< share of the growth in which a leaf unfolds
+};
+
+/// Ivy on other bodies.
+struct IvyParams {
+  std::vector<std::string> on;  ///< names of the organisms that it grows on; none: all bodies there are
+  Vec3 facing{0};               ///< roots that have no place of their own stand where the host looks this way
+  double above = 0.02;          ///< metres above the host's lowest point at which those stand
+  Crawl crawl;
+  IvyLeaves leaves;
+  Bark bark{BarkKind::bark, {{0.31f, 0.25f, 0.18f}, {0.29f, 0.27f, 0.16f}, {0.33f, 0.31f, 0.15f}}};
+  Flutter flutter;
+  Breeze breeze;
+  Growth growth;
+};
+
+/// Where the foot of an ivy is: x, z, and the height of the ground there.
+using IvyRoots = std::vector<Vec3>;
+
+/// What an ivy has grown into, in the world of its host.
+struct Ivy {
+  Model model;
+  Strands strands;
+};
+
+/// Grows over a host: `count` plants, the first from the points of the host nearest to `roots`, the others
+/// from its foot. Nothing of it sinks into the ground.
+Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
+                     const GroundHeight& ground, Seed seed);
+
+/// Puts leaves on strands: sites along them, laid out as a mosaic (geometry/mosaic.h), and each turned until
+/// it lies on what is under it. Prototypes and organs of the model are set. The number of single leaves,
+/// sprigs taken apart.
+std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves,
+                           const Support& under, Seed seed);
+
+}  // namespace frond

@@ -1,0 +1,345 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "core/parallel.h"
+#include "foliage/ivy_leaf.h"
+#include "foliage/mosaic.h"
+#include "organisms/ivy/ivy.h"
+#include "organisms/ivy/ivy_rest.h"
+
+namespace frond {
+
+namespace {
+
+constexpr std::array<double, 3> kStalks{0.75, 0.45, 1.15};  // shares of the blade's length
+constexpr std::array<double, 2> kRises{radians(58.0), radians(32.0)};
+constexpr std::uint32_t kPetioles = 6;       // kinds of petiole a shape of leaf has
+constexpr std::uint32_t kTallest = 4;        // the one that holds its blade farthest off
+constexpr std::uint32_t kHeadings = 8;       // directions of the stem that sprigs are made for
+constexpr std::uint32_t kSprigVariants = 3;  // of each
+constexpr int kSprigLeaves = 6;
+constexpr double kGoldenAngle = 2.39996322972865332;
+
+IvyLeafShape leaf_shape(std::uint32_t form, int detail) {
+  IvyLeafShape shape;
+  shape.form = static_cast<IvyForm>(form / kPetioles);
+  std::uint32_t petiole = form % kPetioles;
+  shape.stalk = kStalks[petiole / 2], shape.rise = kRises[petiole % 2];
+  shape.detail = detail;
+  shape.droop = 0.12 + 0.035 * petiole;
+  if (shape.form == IvyForm::heart) shape.wave *= 0.5;
+  return shape;
+}
+
+std::vector<LeafForm> leaf_forms() {
+  std::vector<LeafForm> forms;
+  for (std::uint32_t i = 0; i < kIvyForms * kPetioles; ++i) {
+    LeafDisc disc = ivy_disc(leaf_shape(i, 0));
+    forms.push_back({{{disc.middle, Vec3(0, 0, 1), disc.radius}}});
+  }
+  return forms;
+}
+
+/// What all sites have in common.
+struct Plan {
+  const Strands& strands;
+  const IvyLeaves& leaves;
+  const Support& under;
+  Vec3 light;
+  Seed seed;
+};
+
+/// A site and what is known of it besides.
+struct Bud {
+  LeafSite site;
+  std::int32_t node = 0;
+  std::uint32_t id = 0;
+  float youth = 0;  // 0 grown .. 1 at a tip
+  float age = 0;    // 0 laid down last .. 1 first
+};
+
+Vec3 heading_at(const Skeleton& s, std::int32_t i) {
+  std::int32_t p = s.parent[i];
+  bool goes_on = i + 1 < static_cast<std::int32_t>(s.size()) && s.parent[i + 1] == i;
+  Vec3 way = goes_on ? s.position[i + 1] - s.position[i] : Vec3(0);
+  if (p != Skeleton::kRoot) way += s.position[i] - s.position[p];
+  float length = glm::length(way);
+  return length > 0 ? way / length : Vec3(0, 1, 0);
+}
+
+/// Away from the wall, or round a strand that hangs.
+Vec3 outward(const Plan& plan, std::int32_t node, Vec3 heading, std::uint32_t count) {
+  Vec3 n = plan.strands.normal[node];
+  if (plan.strands.hanging[node] == 0) return n;
+  n = glm::angleAxis(static_cast<float>(kGoldenAngle * count), heading) * n;
+  Vec3 level = n - heading * glm::dot(n, heading);
+  return glm::dot(level, level) > 1e-6f ? glm::normalize(level) : plan.light;
+}
+
+/// Which of the shapes a leaf has: drawn-out ones on runners, hearts on old wood.
+std::uint32_t shape_at(const Plan& plan, const Bud& bud, Seed own) {
+  double chance = own.child(5).unit();
+  if (bud.age > 0.55f && bud.youth <= 0 && chance < plan.leaves.adult) return 3;
+  chance = own.child(6).unit();
+  if (bud.youth > 0.4f) return chance < 0.6 ? 0 : 1;
+  return chance < 0.62 - 0.3 * bud.age ? 1 : chance < 0.9 ? 2 : 0;
+}
+
+Bud bud_at(const Plan& plan, std::int32_t node, std::uint32_t count, Seed own) {
+  const Skeleton& s = plan.strands.skeleton;
+  const IvyLeaves& l = plan.leaves;
+  Vec3 heading = heading_at(s, node), normal = outward(plan, node, heading, count);
+  Vec3 across = glm::cross(normal, heading);
+  float side = count % 2 ? 1.0f : -1.0f;
+  auto random = [&](std::uint64_t i) { return static_cast<float>(own.child(i).range(-1, 1)); };
+  Bud bud;
+  bud.node = node;
+  bud.age = 1 - s.birth[node];
+  bud.youth = 1 - smooth_step(0.0f, static_cast<float>(std::max(l.young_length, 1e-4)), s.to_tip[node]);
+  LeafSite& site = bud.site;
+  site.foot = s.position[node] + 0.5f * s.radius[node] * normal;
+  float turn = static_cast<float>(l.turn);
+  Vec3 best = (1 - turn) * normal + turn * plan.light + 0.16f * Vec3(random(0), random(1), random(2));
+  // A blade never looks into the wall.
+  float away = glm::dot(best, normal);
+  if (away < 0.35f) best += (0.35f - away) * normal;
+  site.normal = glm::normalize(best);
+  site.tip = Vec3(0, -1, 0) + 0.65f * side * across + 0.2f * heading + 0.25f * random(3) * across +
+             0.35f * normal * static_cast<float>(plan.strands.hanging[node]);
+  float grown = 0.30f + 0.70f * (1 - bud.youth);
+  site.size = static_cast<float>(l.size) * grown * (1 + static_cast<float>(l.size_variation) * random(4));
+  return bud;
+}
+
+/// Sites along all strands, one every `step` metres, the oldest first.
+std::vector<Bud> buds_along(const Plan& plan, double step) {
+  const Skeleton& s = plan.strands.skeleton;
+  std::vector<Bud> buds;
+  for (std::size_t k = 0; k < plan.strands.strands.size(); ++k) {
+    const Strand& strand = plan.strands.strands[k];
+    Seed seed = plan.seed.child(k);
+    double walked = 0, next = step * seed.child(0).range(0.3, 1);
+    std::uint32_t count = static_cast<std::uint32_t>(seed.child(1).bits() % 2);
+    for (std::int32_t i = strand.first; i < strand.first + strand.count; ++i) {
+      if (i > strand.first) walked += glm::distance(s.position[i], s.position[i - 1]);
+      if (walked < next) continue;
+      Seed own = seed.child("leaf", count);
+      next += step * own.child(7).range(0.7, 1.3);
+      ++count;
+      if (s.distance[i] < plan.leaves.bare * own.child(8).range(0.6, 1.5)) continue;
+      buds.push_back(bud_at(plan, i, count, own));
+      Bud& bud = buds.back();
+      bud.id = static_cast<std::uint32_t>(own.bits());
+      bud.site.first = shape_at(plan, bud, own) * kPetioles;
+      bud.site.forms = kPetioles;
+      bud.site.prefer = static_cast<std::uint32_t>(own.child(9).bits() % kPetioles);
+    }
+  }
+  std::stable_sort(buds.begin(), buds.end(), [](const Bud& a, const Bud& b) { return a.age > b.age; });
+  return buds;
+}
+
+/// Lays leaves down on what is under them, some on another petiole or smaller. What finds no rest is dropped.
+void rest_all(const Plan& plan, const std::vector<std::vector<Vec3>>& feelers, float slide,
+              std::vector<Bud>& buds, std::vector<LaidLeaf>& laid) {
+  constexpr std::size_t kBlock = 64;
+  std::vector<std::uint8_t> rests(laid.size(), 0);
+  auto lay_down = [&](std::size_t i) {
+    LeafSite& site = buds[laid[i].site].site;
+    Vec3 out = plan.strands.normal[buds[laid[i].site].node];
+    std::uint32_t tallest = site.forms == kPetioles ? site.first + kTallest : laid[i].form;
+    for (auto [form, size] : {std::pair(laid[i].form, 1.0f), {tallest, 1.0f}, {tallest, 0.6f}}) {
+      Rest rest{site.foot, laid[i].turn};
+      if (!lie_on(plan.under, feelers[form], size * site.size, slide, out, rest)) continue;
+      laid[i].form = form, laid[i].turn = rest.turn;
+      site.foot = rest.foot, site.size *= size;
+      rests[i] = 1;
+      return;
+    }
+  };
+  parallel_for((laid.size() + kBlock - 1) / kBlock, [&](std::size_t b) {
+    for (std::size_t i = b * kBlock; i < std::min((b + 1) * kBlock, laid.size()); ++i) lay_down(i);
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < laid.size(); ++i)
+    if (rests[i]) laid[kept++] = laid[i];
+  laid.resize(kept);
+}
+
+std::vector<LeafSite> sites_of(const std::vector<Bud>& buds) {
+  std::vector<LeafSite> sites;
+  for (const Bud& bud : buds) sites.push_back(bud.site);
+  return sites;
+}
+
+void append_surface(Surface& to, const Surface& from, const Quat& turn, Vec3 at, float size) {
+  auto offset = static_cast<std::uint32_t>(to.position.size());
+  for (const Vec3& p : from.position) to.position.push_back(at + turn * (p * size));
+  for (const Vec3& n : from.normal) to.normal.push_back(turn * n);
+  to.uv.insert(to.uv.end(), from.uv.begin(), from.uv.end());
+  for (auto [a, b, c] : from.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+}
+
+/// A sprig: leaves along a piece of stem that lies in the plane z = 0 and runs in a direction; down is +y.
+struct Sprig {
+  Surface surface;
+  LeafForm form;
+};
+
+Sprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double heading, Seed seed) {
+  Vec3 along(static_cast<float>(std::sin(heading)), static_cast<float>(std::cos(heading)), 0);
+  Vec3 across(-along.y, along.x, 0);
+  std::vector<LeafSite> sites;
+  for (int i = 0; i < kSprigLeaves; ++i) {
+    Seed own = seed.child(static_cast<std::uint64_t>(i));
+    auto random = [&](std::uint64_t k) { return static_cast<float>(own.child(k).range(-1, 1)); };
+    LeafSite site;
+    double place = (i - 0.5 * (kSprigLeaves - 1) + 0.3 * random(0)) * l.spacing / l.size;
+    site.foot = along * static_cast<float>(place);
+    site.normal =
+        glm::normalize(Vec3(0.2f * random(1), -0.9f * static_cast<float>(l.turn) + 0.2f * random(2), 1));
+    site.tip = Vec3(0, 1, 0) + (i % 2 ? 0.65f : -0.65f) * across + 0.25f * random(3) * across;
+    site.size = 1 + static_cast<float>(l.size_variation) * random(4);
+    site.first = (own.child(5).unit() < 0.6 ? 1u : 2u) * kPetioles;
+    site.forms = kPetioles;
+    site.prefer = static_cast<std::uint32_t>(own.child(6).bits() % kPetioles);
+    sites.push_back(site);
+  }
+  MosaicOptions options;
+  options.overlap = 1e6;
+  Sprig sprig;
+  for (const LaidLeaf& leaf : lay_leaves(sites, forms, options)) {
+    const LeafSite& site = sites[leaf.site];
+    append_surface(sprig.surface, ivy_leaf_surface(leaf_shape(leaf.form, 0)), leaf.turn, site.foot,
+                   site.size);
+    for (const Disc& d : forms[leaf.form].discs)
+      sprig.form.discs.push_back(
+          {site.foot + leaf.turn * (d.middle * site.size), leaf.turn * d.normal, d.radius * site.size});
+  }
+  return sprig;
+}
+
+/// Colours of grown leaves, then for each of them that of a fresh one.
+std::vector<Color> leaf_colors(const IvyLeaves& l) {
+  std::vector<Color> colors = l.colors;
+  for (float share : {0.45f, 0.85f})
+    for (const Color& c : l.colors)
+      colors.push_back({c.red + (l.young.red - c.red) * share, c.green + (l.young.green - c.green) * share,
+                        c.blue + (l.young.blue - c.blue) * share});
+  return colors;
+}
+
+std::int32_t color_of(const IvyLeaves& l, const Bud& bud) {
+  auto count = static_cast<std::uint64_t>(l.colors.size());
+  Seed own = Seed{bud.id}.child("color");
+  auto which = static_cast<std::int32_t>(own.child(0).bits() % count);
+  double fresh = bud.youth + own.child(1).range(-0.2, 0.2);
+  return which + static_cast<std::int32_t>(count) * (fresh > 0.7 ? 2 : fresh > 0.3 ? 1 : 0);
+}
+
+void add_prototype(Model& model, const IvyLeaves& l, const char* name, Surface surface) {
+  Prototype made{name, {}, leaf_colors(l), l.veins, l.bud};
+  made.parts.push_back({Tissue::ivy, std::move(surface)});
+  model.prototypes.push_back(std::move(made));
+}
+
+void add_organ(Model& model, const Plan& plan, const Bud& bud, const LaidLeaf& leaf, float supple) {
+  Organs& o = model.organs;
+  o.prototype.push_back(static_cast<std::uint16_t>(leaf.form));
+  o.position.push_back(bud.site.foot);
+  o.turn.push_back(leaf.turn);
+  o.scale.push_back(Vec3(std::max(bud.site.size, 1e-5f)));
+  o.node.push_back(bud.node);
+  o.birth.push_back(plan.strands.skeleton.birth[bud.node]);
+  o.color.push_back(color_of(plan.leaves, bud));
+  o.id.push_back(bud.id);
+  o.supple.push_back(supple);
+}
+
+std::size_t add_single_leaves(Model& model, const Plan& plan, std::vector<Bud>& buds,
+                              const std::vector<LeafForm>& forms, std::vector<LaidLeaf>& laid) {
+  int detail = laid.size() < 6000 ? 2 : 1;
+  std::vector<std::vector<Vec3>> feelers;
+  for (std::uint32_t i = 0; i < forms.size(); ++i) {
+    Surface leaf = ivy_leaf_surface(leaf_shape(i, detail));
+    feelers.push_back(feelers_of(leaf, 0.09f));
+    add_prototype(model, plan.leaves, "leaf", std::move(leaf));
+  }
+  rest_all(plan, feelers, 0.1f, buds, laid);
+  for (const LaidLeaf& leaf : laid) {
+    const Bud& bud = buds[leaf.site];
+    double stalk = leaf_shape(leaf.form, 0).stalk * bud.site.size;
+    add_organ(model, plan, bud, leaf, static_cast<float>(stalk / 0.05));
+  }
+  return laid.size();
+}
+
+/// Whether so few leaves may find room that each can be one by itself. Of sites on long strands a tenth does
+/// at least, so that with very many there is no need to try.
+bool may_be_single(const Strands& strands, const IvyLeaves& leaves) {
+  double length = 0;
+  for (const Strand& s : strands.strands)
+    length += strands.skeleton.distance[s.first + s.count - 1] - strands.skeleton.distance[s.first];
+  return length < 10 * kMostSingleLeaves * leaves.spacing;
+}
+
+std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafForm>& leaf_forms) {
+  std::vector<LeafForm> forms;
+  std::vector<std::vector<Vec3>> feelers;
+  for (std::uint32_t h = 0; h < kHeadings; ++h)
+    for (std::uint32_t v = 0; v < kSprigVariants; ++v) {
+      Seed own = plan.seed.child("sprig", h * kSprigVariants + v);
+      Sprig sprig = sprig_of(leaf_forms, plan.leaves, 2 * kPi * h / kHeadings, own);
+      feelers.push_back(feelers_of(sprig.surface, 0.16f));
+      add_prototype(model, plan.leaves, "sprig", std::move(sprig.surface));
+      forms.push_back(std::move(sprig.form));
+    }
+  std::vector<Bud> buds = buds_along(plan, kSprigLeaves * plan.leaves.spacing);
+  for (Bud& bud : buds) {
+    // Seen from outside, the angle from straight down to the stem tells which sprigs fit.
+    Vec3 n = outward(plan, bud.node, heading_at(plan.strands.skeleton, bud.node), 0);
+    bud.site.normal = n;
+    bud.site.tip = Vec3(0, -1, 0);
+    Vec3 stem = glm::conjugate(leaf_turn(n, bud.site.tip)) * heading_at(plan.strands.skeleton, bud.node);
+    double angle = std::atan2(stem.x, stem.y) / (2 * kPi) * kHeadings;
+    auto bin = static_cast<std::uint32_t>(std::lround(angle) + 2 * kHeadings) % kHeadings;
+    bud.site.first = bin * kSprigVariants;
+    bud.site.forms = kSprigVariants;
+    bud.site.prefer %= kSprigVariants;
+  }
+  MosaicOptions options;
+  options.overlap = plan.leaves.overlap, options.swing = radians(20.0), options.turns = 3;
+  std::vector<LaidLeaf> laid = lay_leaves(sites_of(buds), forms, options);
+  rest_all(plan, feelers, 0.6f, buds, laid);
+  std::size_t count = 0;
+  for (const LaidLeaf& leaf : laid) {
+    add_organ(model, plan, buds[leaf.site], leaf, 0.25f);
+    count += forms[leaf.form].discs.size();
+  }
+  return count;
+}
+
+}  // namespace
+
+std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves,
+                           const Support& under, Seed seed) {
+  float length = glm::length(leaves.light);
+  Plan plan{strands, leaves, under, length > 0 ? leaves.light / length : Vec3(0, 1, 0), seed};
+  model.prototypes.clear();
+  model.organs = {};
+  std::vector<LeafForm> forms = leaf_forms();
+  bool all = leaves.detail == IvyDetail::leaves;
+  if (all || (leaves.detail == IvyDetail::fitting && may_be_single(strands, leaves))) {
+    std::vector<Bud> buds = buds_along(plan, leaves.spacing);
+    MosaicOptions options;
+    options.overlap = leaves.overlap;
+    if (!all) options.most = kMostSingleLeaves + 1;
+    std::vector<LaidLeaf> laid = lay_leaves(sites_of(buds), forms, options);
+    if (all || laid.size() <= kMostSingleLeaves) return add_single_leaves(model, plan, buds, forms, laid);
+  }
+  return add_sprigs(model, plan, forms);
+}
+
+}  // namespace frond

@@ -1,0 +1,134 @@
+#include "organisms/ivy/ivy_rest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr double kClear = 0.03;   // units that a leaf keeps off where it had to be turned
+constexpr double kDeepest = 0.4;  // units that it is moved at once
+constexpr int kRounds = 8;
+
+/// A feeler that is too near: from where it is seen, and how far it must go which way, in units.
+struct Touch {
+  DVec3 arm, way;
+  double need;
+};
+
+/// A ball in which nothing is.
+struct Free {
+  Vec3 middle;
+  float radius;
+};
+
+/// Whether a leaf that touches no skin is within a body where that overlaps another.
+bool swallowed(const Support& under, std::span<const Free> free) {
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    // Balls that overlap are on the same side of everything.
+    bool known = std::ranges::any_of(free.first(i), [&](const Free& other) {
+      Vec3 apart = free[i].middle - other.middle;
+      float both = 0.99f * (free[i].radius + other.radius);
+      return glm::dot(apart, apart) < both * both;
+    });
+    if (!known && under.host.inside(DVec3(free[i].middle))) return true;
+  }
+  return false;
+}
+
+/// How a leaf touches what is under it; empty where it lies free.
+void touches_of(const Support& under, std::span<const Vec3> feelers, float size, const Rest& rest,
+                std::vector<Free>& free, std::vector<Touch>& touches) {
+  free.clear();
+  touches.clear();
+  double deepest = kClear;
+  std::uint32_t likely = Host::kNoTriangle;
+  auto feel = [&](const Vec3& at, double clear, const DVec3& way) {
+    clear /= size;
+    deepest = std::min(deepest, clear);
+    if (clear < kClear)
+      touches.push_back({DVec3(at - rest.foot) / double(size), way, std::min(kClear - clear, kDeepest)});
+  };
+  for (const Vec3& feeler : feelers) {
+    Vec3 at = rest.foot + rest.turn * (feeler * size);
+    if (under.ground)
+      if (double height = at.y - under.ground(at.x, at.z); height < kClear * size)
+        feel(at, height, DVec3(0, 1, 0));
+    if (std::ranges::any_of(free, [&](const Free& ball) {
+          Vec3 apart = at - ball.middle;
+          return glm::dot(apart, apart) < ball.radius * ball.radius;
+        }))
+      continue;
+    std::optional<Contact> near =
+        under.host.closest(DVec3(at), std::numeric_limits<double>::infinity(), likely);
+    if (!near) continue;
+    likely = near->triangle;
+    // Slivers of a rough mesh may mislead the sign; its winding does not.
+    bool inside = near->inside && (!under.host.closed() || under.host.inside(DVec3(at)));
+    double clear = inside ? -near->distance : near->distance;
+    feel(at, clear, near->inside == inside ? near->normal : -near->normal);
+    if (float room = static_cast<float>(clear - kClear * size); room > 0) free.push_back({at, room});
+  }
+  if (deepest >= 0) touches.clear();
+}
+
+}  // namespace
+
+std::vector<Vec3> feelers_of(const Surface& surface, float apart) {
+  std::vector<Vec3> feelers;
+  auto add = [&](const Vec3& p) {
+    for (const Vec3& other : feelers)
+      if (glm::distance(p, other) < apart) return;
+    feelers.push_back(p);
+  };
+  auto blade = [&](std::uint32_t i) { return surface.uv[i].x <= 1; };
+  // Corners first: what sticks out is felt exactly.
+  for (std::uint32_t i = 0; i < surface.position.size(); ++i)
+    if (blade(i)) add(surface.position[i]);
+  for (auto [a, b, c] : surface.triangle) {
+    if (!blade(a)) continue;
+    Vec3 p = surface.position[a], q = surface.position[b], r = surface.position[c];
+    int cuts = 1 + static_cast<int>(
+                       std::max({glm::distance(p, q), glm::distance(q, r), glm::distance(r, p)}) / apart);
+    for (int i = 0; i <= cuts; ++i)
+      for (int k = 0; i + k <= cuts; ++k)
+        add((p * float(i) + q * float(k) + r * float(cuts - i - k)) / float(cuts));
+  }
+  return feelers;
+}
+
+bool lie_on(const Support& under, std::span<const Vec3> feelers, float size, float slide, Vec3 out,
+            Rest& rest) {
+  std::vector<Free> free;
+  std::vector<Touch> touches;
+  DVec3 off(out);
+  double slid = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    touches_of(under, feelers, size, rest, free, touches);
+    if (touches.empty()) return !swallowed(under, free);
+    // The least turn and slide that clear all of them at once, in the sense of least squares.
+    glm::dmat4 squares(0.02);
+    squares[3][3] = slid < slide ? 0.1 : 1e6;
+    glm::dvec4 pull(0);
+    for (const Touch& t : touches) {
+      glm::dvec4 row(glm::cross(t.arm, t.way), glm::dot(off, t.way));
+      squares += glm::outerProduct(row, row);
+      pull += row * t.need;
+    }
+    glm::dvec4 move = glm::inverse(squares) * pull * 1.15;
+    DVec3 turn(move);
+    double angle = std::min(glm::length(turn), 0.6);
+    if (angle > 1e-9) {
+      Quat by = glm::angleAxis(static_cast<float>(angle), Vec3(glm::normalize(turn)));
+      rest.turn = glm::normalize(by * rest.turn);
+    }
+    double along = std::clamp(move.w, -slid, slide - slid);
+    slid += along;
+    rest.foot += out * static_cast<float>(along * size);
+  }
+  touches_of(under, feelers, size, rest, free, touches);
+  return touches.empty() && !swallowed(under, free);
+}
+
+}  // namespace frond

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <typeindex>
+#include <vector>
+
+#include "organisms/organism.h"
+#include "preset/describe.h"
+
+namespace frond {
+
+/// All kinds of organisms, one row each, in the order in which they are listed. Row `x` is the folder x,
+/// which defines `Kind<Organism> x_kind()`.
+#define FROND_KINDS(row)                                                                             \
+  row(coral) row(plant) row(rock) row(pebbles) row(wall) row(column) row(mesh) row(bridge) row(vase) \
+      row(weber_penn) row(colonized) row(tree) row(ivy)
+
+#define FROND_DECLARE(name) Kind<Organism> name##_kind();
+FROND_KINDS(FROND_DECLARE)
+#undef FROND_DECLARE
+
+/// The table of them.
+std::span<const Kind<Organism>> organism_kinds();
+
+/// The row of a kind from the struct of its parameters and answers, see organisms/grower.h.
+template <class G>
+Kind<Organism> make_grower(std::string_view name, std::string_view doc) {
+  return {name, doc,
+          [](Reader& reader, Organism& organism) {
+            auto grower = std::make_shared<G>();
+            describe(reader, grower->params);
+            organism.grower = std::move(grower);
+          },
+          [](SchemaWriter& writer) {
+            G grower;
+            describe(writer, grower.params);
+          }};
+}
+
+/// Things of organisms, those of a kind together, in the order of their first; `organism_of` is that of a
+/// thing.
+template <class Thing, class OrganismOf>
+std::vector<std::vector<Thing>> by_kind(const std::vector<Thing>& things, const OrganismOf& organism_of) {
+  std::vector<std::type_index> kinds;
+  std::vector<std::vector<Thing>> lists;
+  for (const Thing& thing : things) {
+    const Grower& grower = *organism_of(thing)->grower;
+    std::size_t k = static_cast<std::size_t>(std::ranges::find(kinds, typeid(grower)) - kinds.begin());
+    if (k == kinds.size()) kinds.emplace_back(typeid(grower)), lists.emplace_back();
+    lists[k].push_back(thing);
+  }
+  return lists;
+}
+
+/// The grower of an organism whose kind is known.
+template <class G>
+const G& grower_of(const Organism& organism) {
+  return static_cast<const G&>(*organism.grower);
+}
+
+}  // namespace frond

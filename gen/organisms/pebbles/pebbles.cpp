@@ -1,0 +1,75 @@
+#include "organisms/pebbles/pebbles.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "land/scatter.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kMostTriangles = 1e8;  // of all shapes
+
+}  // namespace
+
+PebblesParams::PebblesParams() {
+  shape.cells = {5, 0.0008};
+  shape.weathering = {.facets = 5, .facet_depth = 0.22, .edge = 0.8, .roughness = 0.2, .underside = 0.05};
+  stone.scale = 0.03;
+}
+
+Errors check_pebbles(const PebblesParams& params) {
+  Errors errors = check_rock(params.shape);
+  // A shape has about so many triangles where its finest cells are all over.
+  double triangles = params.shapes * 8 * std::pow(4.0, params.shape.cells.depth);
+  if (triangles > kMostTriangles)
+    errors.push_back(
+        {"/shapes", fmt::format("so many shapes of that depth may have {:.2g} triangles; expected "
+                                "{:.2g} at most, by fewer shapes or a smaller depth",
+                                triangles, kMostTriangles)});
+  if (params.least_size > params.most_size) errors.push_back({"", "least_size is above most_size"});
+  return errors;
+}
+
+Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
+  if (Errors errors = check_pebbles(params); !errors.empty()) return errors;
+  Model model;
+  Solids& solids = model.solids;
+  std::vector<float> height;
+  double middle = (params.least_size + params.most_size) / 2;
+  for (int i = 0; i < params.shapes; ++i) {
+    Seed own = seed.child("shape", static_cast<std::uint64_t>(i));
+    RockShape shape = params.shape;
+    shape.size = middle;  // they are sized as they are laid
+    Solid solid{rock_surface(shape, own), material_of(params.stone, own), {}};
+    if (solid.surface.triangle.empty()) return hollow_rock();
+    height.push_back(height_of(solid.surface));
+    solids.add_shape(std::move(solid));
+  }
+  solids.follow_ground = true;
+
+  TakenSpots taken;
+  for (int i = 0; i < params.number; ++i) {
+    Seed own = seed.child("pebble", static_cast<std::uint64_t>(i));
+    // The number falls with the square of the size, as that of broken stone does; the large ones come first.
+    double share = (i + own.child("size").unit()) / params.number,
+           ratio = params.least_size / params.most_size;
+    float size =
+        static_cast<float>(params.least_size / std::sqrt(ratio * ratio + (1 - ratio * ratio) * share));
+    auto spots = scatter(Vec2(0), params.inner, params.radius, 0.46f * size, 1, taken, own.child("spot"));
+    if (spots.empty()) continue;
+    auto which =
+        static_cast<std::uint16_t>(own.child("which").bits() % static_cast<std::uint64_t>(params.shapes));
+    Quat turn = glm::angleAxis(static_cast<float>(own.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0));
+    Quat lean = glm::angleAxis(static_cast<float>(own.child("lean").range(-0.2, 0.2)), Vec3(1, 0, 0));
+    float factor = size / static_cast<float>(middle);
+    float sunk = static_cast<float>(params.buried) * height[which] * factor;
+    Vec3 scale = factor * Vec3(1, static_cast<float>(own.child("flat").range(0.75, 1.05)), 1);
+    solids.place(which, Vec3(spots[0].at.x, -sunk, spots[0].at.y), turn * lean, scale);
+  }
+  return model;
+}
+
+}  // namespace frond

@@ -1,0 +1,170 @@
+#include "organisms/plant/organ_prototypes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "foliage/foliage_shapes.h"
+
+namespace frond {
+
+namespace {
+
+BladeShape leaf_shape(const OrganParams& p) {
+  BladeShape shape;
+  shape.width = p.width;
+  shape.detail = p.detail;
+  shape.fold = p.fold;
+  shape.bend = p.bend;
+  shape.wave = p.wave;
+  return shape;
+}
+
+BladeShape petal_shape(const OrganParams& p) {
+  BladeShape shape;
+  shape.width = p.width;
+  shape.detail = p.detail;
+  shape.widest = 0.62;
+  shape.fold = p.fold * 0.5;
+  shape.bend = p.bend;
+  shape.stalk = 0;
+  shape.round = p.shape == OrganShape::flower ? 0.85 : 0;
+  shape.wave = p.wave;
+  return shape;
+}
+
+void resize(Surface& surface, float factor, Vec3 shift) {
+  for (Vec3& p : surface.position) p = p * factor + shift;
+}
+
+/// Petals, a heart and green sepals behind.
+void add_flower(Prototype& flower, const OrganParams& p) {
+  Surface petals = corolla_surface(petal_shape(p), p.petals, p.open);
+  float heart = static_cast<float>(p.heart);
+  resize(petals, 0.5f, Vec3(0));
+  flower.parts.push_back({Tissue::petal, std::move(petals)});
+  if (p.heart > 0) {
+    Surface dome = heart_surface(0.5 * p.heart, 0.45, p.heart > 0.3 ? 160 : 40);
+    resize(dome, 1, Vec3(0, 0.03f * heart, 0));
+    flower.parts.push_back({Tissue::heart, std::move(dome)});
+  }
+}
+
+void add_bud(Prototype& bud, const OrganParams& p) {
+  std::array<float, 9> profile;
+  for (int i = 0; i < 9; ++i) {
+    double t = i / 8.0;
+    profile[static_cast<std::size_t>(i)] =
+        static_cast<float>(0.5 * p.width * std::sin(kPi * std::pow(t, 0.75)) * (1 - 0.3 * t));
+  }
+  profile.front() = profile.back() = 0;
+  bud.parts.push_back({Tissue::petal, turned_surface(profile, 12)});
+  for (float& r : profile) r *= 1.12f;
+  std::array<float, 4> calyx{0, profile[1], profile[2], profile[3]};
+  Surface cup = turned_surface(calyx, 12);
+  for (Vec3& v : cup.position) v.y *= 0.36f;
+  set_normals(cup);
+  bud.parts.push_back({Tissue::heart, std::move(cup)});
+}
+
+FrondShape frond_shape(const OrganParams& p) {
+  FrondShape shape;
+  if (p.leaflets > 0) shape.pairs = p.leaflets;
+  shape.width = p.width;
+  shape.fold = p.fold;
+  shape.bend = p.bend;
+  shape.droop = p.droop;
+  shape.lobes = p.lobes;
+  return shape;
+}
+
+TwigShape sprig_shape(const OrganParams& p) {
+  TwigShape shape;
+  shape.leaf = leaf_shape(p);
+  if (p.leaflets > 0) shape.leaves = p.leaflets;
+  return shape;
+}
+
+int variant_count(const OrganParams& p) {
+  return p.shape == OrganShape::sprig || p.shape == OrganShape::frond ? p.variants : 1;
+}
+
+/// Gives a mesh without `uv` that of a petal: 0 on its axis, 1 at its rim.
+void set_uv(Surface& mesh) {
+  if (!mesh.uv.empty()) return;
+  for (const Vec3& at : mesh.position)
+    mesh.uv.emplace_back(std::min(1.0f, 2 * glm::length(Vec2(at.x, at.z))), 0.5f);
+}
+
+Prototype prototype(const OrganParams& p, Seed seed) {
+  Prototype made{p.symbol, {}, p.colors, p.second};
+  switch (p.shape) {
+    case OrganShape::leaf:
+      made.parts.push_back({Tissue::leaf, blade_surface(leaf_shape(p))});
+      break;
+    case OrganShape::petal:
+      made.parts.push_back({Tissue::petal, blade_surface(petal_shape(p))});
+      break;
+    case OrganShape::flower:
+      add_flower(made, p);
+      break;
+    case OrganShape::bud:
+      add_bud(made, p);
+      break;
+    case OrganShape::sprig:
+    case OrganShape::frond: {
+      bool sprig = p.shape == OrganShape::sprig;
+      TwigParts parts = sprig ? sprig_foliage(sprig_shape(p), seed) : frond_foliage(frond_shape(p), seed);
+      made.parts.push_back({Tissue::leaf, std::move(parts.blades)});
+      made.parts.push_back({sprig ? Tissue::skin : Tissue::heart, std::move(parts.stem)});
+      break;
+    }
+    case OrganShape::obj:
+      made.parts.push_back({Tissue::petal, p.mesh});
+      set_uv(made.parts.back().surface);
+      break;
+    case OrganShape::berry:
+    case OrganShape::ball: {
+      Surface ball = ball_surface();
+      float middle = p.shape == OrganShape::berry ? 0.5f : 0.0f, width = static_cast<float>(p.width);
+      for (std::size_t i = 0; i < ball.position.size(); ++i) {
+        ball.position[i] =
+            Vec3(ball.position[i].x * width, ball.position[i].y + middle, ball.position[i].z * width);
+        ball.normal[i] = glm::normalize(ball.normal[i] * Vec3(1, width, 1));
+      }
+      made.parts.push_back({Tissue::fruit, std::move(ball)});
+    }
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<Prototype> organ_prototypes(const PlantParams& params) {
+  std::vector<Prototype> list;
+  for (const OrganParams& organ : params.organs)
+    for (int i = 0; i < variant_count(organ); ++i)
+      list.push_back(prototype(organ, Seed{0}.child(organ.symbol, static_cast<std::uint64_t>(i))));
+  if (params.season)
+    for (Prototype& organ : list) add_seasons(organ, *params.season);
+  list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});
+  std::array<float, 3> disc{0, 0.5f, 0};
+  Surface flat = turned_surface(disc, 20);
+  for (Vec3& p : flat.position) p.y = (p.y - 0.5f) * 0.02f;
+  set_normals(flat);
+  list.push_back({"@o", {{Tissue::skin, std::move(flat)}}, params.bark.colors, params.bark.second});
+  if (params.season) add_blossom(list, *params.season);
+  return list;
+}
+
+Variants variants_of(const PlantParams& params, std::string_view symbol) {
+  int first = 0, organ = 0;
+  for (const OrganParams& p : params.organs) {
+    if (p.symbol == symbol) return {organ, first, variant_count(p)};
+    first += variant_count(p), ++organ;
+  }
+  if (symbol == "@O") return {-1, first, 1};
+  return {-1, symbol == "@o" ? first + 1 : -1, 1};
+}
+
+}  // namespace frond

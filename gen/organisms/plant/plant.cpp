@@ -1,0 +1,259 @@
+#include "organisms/plant/plant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/outline.h"
+#include "geometry/smooth.h"
+#include "grammar/figure.h"
+#include "grammar/review.h"
+#include "organisms/plant/organ_prototypes.h"
+
+namespace frond {
+
+namespace {
+
+/// The box of all that is drawn.
+struct Box {
+  Vec3 low{0}, high{0};
+  bool empty = true;
+
+  void take(Vec3 p) {
+    low = empty ? p : glm::min(low, p);
+    high = empty ? p : glm::max(high, p);
+    empty = false;
+  }
+};
+
+Box box_of(const Figure& f) {
+  Box box;
+  for (const Vec3& p : f.skeleton.position) box.take(p);
+  for (const Outline& o : f.outlines)
+    for (const Vec3& p : o.points) box.take(p);
+  for (const Site& s : f.sites) box.take(s.position);
+  return box;
+}
+
+/// How a plant is scaled and moved to its height and stand, and how long its branches are before that.
+struct Stature {
+  float factor = 1;
+  Vec3 foot{0};
+  float longest = 0;
+  float start_radius = 0;
+};
+
+Stature stature_of(const Figure& f, const PlantParams& params) {
+  Box box = box_of(f);
+  float high = params.stand == Stand::turtle ? box.high.y : box.high.y - box.low.y;
+  float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
+  Vec3 foot = params.stand == Stand::turtle
+                  ? Vec3(0)
+                  : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
+  const Skeleton& s = f.skeleton;
+  float start = s.size() > 0 ? s.radius[0] : static_cast<float>(params.grammar.width / 2);
+  return {factor, foot, s.longest(), std::max(start * factor, 1e-6f)};
+}
+
+void fit(Figure& f, const Stature& stature) {
+  auto move = [&](Vec3& p) { p = (p - stature.foot) * stature.factor; };
+  for (Vec3& p : f.skeleton.position) move(p);
+  for (float& radius : f.skeleton.radius) radius *= stature.factor;
+  for (Outline& o : f.outlines)
+    for (Vec3& p : o.points) move(p);
+  for (Site& s : f.sites) move(s.position);
+}
+
+/// Where each coarse node is among the smoothed ones: smooth() keeps their order.
+std::vector<std::int32_t> smoothed_index(const Skeleton& coarse, int pieces) {
+  std::vector<std::int32_t> index(coarse.size());
+  std::int32_t count = 0;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    count += coarse.parent[i] == Skeleton::kRoot ? 1 : pieces;
+    index[i] = count - 1;
+  }
+  return index;
+}
+
+/// Colours of the smoothed nodes, from those of the nodes as they were drawn: those of a segment are that of
+/// its end. Empty where all are 0.
+std::vector<std::int32_t> smoothed_colors(const std::vector<std::int32_t>& drawn,
+                                          const std::vector<std::int32_t>& order,
+                                          const std::vector<std::int32_t>& index) {
+  if (std::all_of(drawn.begin(), drawn.end(), [](std::int32_t c) { return c == 0; })) return {};
+  std::vector<std::int32_t> color(order.size()), fine;
+  for (std::size_t i = 0; i < order.size(); ++i) color[static_cast<std::size_t>(order[i])] = drawn[i];
+  fine.reserve(static_cast<std::size_t>(index.back()) + 1);
+  for (std::size_t i = 0; i < index.size(); ++i)
+    fine.resize(static_cast<std::size_t>(index[i]) + 1, color[i]);
+  return fine;
+}
+
+float birth_at(const Skeleton& s, std::int32_t node, std::size_t i, std::size_t count) {
+  if (node != Skeleton::kRoot) return s.birth[node];
+  return count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.0f;
+}
+
+/// The outlines as blades that ride on the skeleton's nodes.
+void add_blades(Model& model, const std::vector<Outline>& outlines) {
+  Blades& b = model.blades;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const Outline& outline = outlines[i];
+    Vec3 area = outline_area(outline.points);
+    float size = glm::length(area);
+    if (!(size > 1e-12f)) continue;
+    Vec3 normal = area / size;
+    // The foot is where the outline starts; the leaf points to its farthest corner.
+    Vec3 foot = outline.points[0], tip = foot;
+    if (outline.node != Skeleton::kRoot) {
+      Vec3 base = model.skeleton.position[outline.node];
+      foot = *std::min_element(outline.points.begin(), outline.points.end(), [&](Vec3 p, Vec3 q) {
+        return glm::distance(p, base) < glm::distance(q, base);
+      });
+    }
+    for (const Vec3& p : outline.points)
+      if (glm::distance(p, foot) > glm::distance(tip, foot)) tip = p;
+    Vec3 along = tip - foot;
+    float length2 = std::max(glm::dot(along, along), 1e-12f);
+    Vec3 across = glm::cross(normal, along);
+    triangulate(outline.points, b.first.back(), b.surface.triangle);
+    for (const Vec3& p : outline.points) {
+      b.surface.position.push_back(p);
+      b.surface.normal.push_back(normal);
+      b.surface.uv.emplace_back(glm::dot(p - foot, along) / length2,
+                                0.5f - glm::dot(p - foot, across) / length2);
+    }
+    b.first.push_back(static_cast<std::uint32_t>(b.surface.position.size()));
+    b.node.push_back(outline.node);
+    b.birth.push_back(birth_at(model.skeleton, outline.node, i, outlines.size()));
+    b.color.push_back(outline.color);
+    b.id.push_back(static_cast<std::uint32_t>(outline.id));
+    b.foot.push_back(foot);
+  }
+}
+
+std::string missing_organ(const std::string& name) {
+  return "the grammar places an organ \"" + name + "\"; organs has none with that symbol";
+}
+
+Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParams& params, float factor,
+                  Seed seed) {
+  Organs& o = model.organs;
+  o.reserve(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Site& site = sites[i];
+    bool round = site.name == "@O" || site.name == "@o";
+    Variants kinds = variants_of(params, site.name);
+    if (kinds.first < 0) return {{"", missing_organ(site.name)}};
+    Seed own = seed.child(site.id);
+    Vec3 scale = site.scale;
+    Quat turn = glm::normalize(glm::quat_cast(glm::mat3(-site.left, site.heading, site.up)));
+    if (round) {
+      scale *= factor;
+    } else {
+      const OrganParams& organ = params.organs[static_cast<std::size_t>(kinds.organ)];
+      scale *= static_cast<float>(organ.size * (1 + organ.size_variation * own.child(0).range(-1, 1)));
+      double most = organ.turn_variation;
+      turn = turn * glm::angleAxis(static_cast<float>(most * own.child(1).range(-1, 1)), Vec3(1, 0, 0)) *
+             glm::angleAxis(static_cast<float>(most * own.child(2).range(-1, 1)), Vec3(0, 1, 0)) *
+             glm::angleAxis(static_cast<float>(most * own.child(3).range(-1, 1)), Vec3(0, 0, 1));
+    }
+    auto pick = static_cast<int>(own.child(4).bits() % static_cast<std::uint64_t>(kinds.count));
+    o.prototype.push_back(static_cast<std::uint16_t>(kinds.first + pick));
+    o.position.push_back(site.position);
+    o.turn.push_back(glm::normalize(turn));
+    o.scale.push_back(glm::max(glm::abs(scale), Vec3(1e-5f)));
+    o.node.push_back(site.node);
+    o.birth.push_back(birth_at(model.skeleton, site.node, i, sites.size()));
+    o.color.push_back(site.color);
+    o.id.push_back(static_cast<std::uint32_t>(site.id));
+  }
+  return {};
+}
+
+}  // namespace
+
+/// The organs that a `~` in the modules names and the plant has not.
+void find_missing_organs(const Grammar& grammar, std::span<const SymbolId> modules, const std::string& where,
+                         const PlantParams& params, Errors& errors) {
+  for (std::size_t i = 0; i + 1 < modules.size(); ++i) {
+    if (grammar.symbols[modules[i]].act != Act::organ) continue;
+    const std::string& name = grammar.symbols[modules[i + 1]].name;
+    if (variants_of(params, name).first < 0) errors.push_back({where, missing_organ(name)});
+  }
+}
+
+Result<Grammar> plant_grammar(const PlantParams& params) {
+  GrammarText text = params.grammar;
+  for (const OrganParams& organ : params.organs) text.organs.push_back(organ.symbol);
+  Result<Grammar> grammar = compile(text);
+  if (!grammar) return grammar;
+  Errors errors;
+  for (const OrganParams& organ : params.organs) {
+    bool known = std::any_of(grammar->symbols.begin(), grammar->symbols.end(),
+                             [&](const Symbol& symbol) { return symbol.name == organ.symbol; });
+    if (!known)
+      errors.push_back({"", "the grammar has no symbol \"" + organ.symbol + "\" for an organ to stand at"});
+  }
+  find_missing_organs(*grammar, grammar->axiom.symbols, "axiom", params, errors);
+  for (const RuleSet* set : {&grammar->rules, &grammar->decomposition, &grammar->interpretation})
+    for (const Production& rule : set->rules)
+      find_missing_organs(*grammar, rule.successor, rule.where, params, errors);
+  if (!errors.empty()) return errors;
+  return grammar;
+}
+
+Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
+  Result<Grammar> grammar = plant_grammar(params);
+  if (!grammar) return grammar.errors();
+  const GrammarText& text = grammar->text;
+  auto after = [&](double steps) {
+    return figure_of(*grammar, steps, seed.child("derive"), text.limits, text.organs, params.by_steps);
+  };
+  Result<Figure> figure = after(text.steps);
+  if (!figure) return placed(figure.errors(), text);
+  if (figure->skeleton.size() == 0 && figure->sites.empty() && figure->outlines.empty())
+    return Error{text.where, "the grammar draws nothing: its turtle meets no F, no outline and no organ"};
+
+  Stature stature = stature_of(*figure, params);
+  Girth girth = params.thickness;
+  if (share < 1) {
+    figure = after(text.steps * share);
+    if (!figure) return placed(figure.errors(), text);
+    // What is still short is thin.
+    if (girth.from != GirthFrom::turtle && stature.longest > 0)
+      girth.radius = (girth.radius > 0 ? girth.radius : stature.start_radius) *
+                     std::min(1.0f, figure->skeleton.longest() / stature.longest);
+  }
+  fit(*figure, stature);
+  if (Errors errors = check_places(*figure); !errors.empty()) return placed(errors, text);
+  Model model;
+  {
+    std::vector<std::int32_t> order = order_branches(figure->skeleton);
+    std::vector<std::int32_t> index = smoothed_index(figure->skeleton, params.smoothing);
+    auto moved = [&](std::int32_t& node) {
+      if (node != Skeleton::kRoot)
+        node = index[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
+    };
+    for (Outline& outline : figure->outlines) moved(outline.node);
+    for (Site& site : figure->sites) moved(site.node);
+    model.color = smoothed_colors(figure->color, order, index);
+  }
+  // Large plants fill the memory: nothing is kept that is not needed any more.
+  std::vector<std::int32_t>().swap(figure->color);
+  set_distances(figure->skeleton);
+  model.skeleton =
+      params.smoothing == 1 ? std::move(figure->skeleton) : smooth(figure->skeleton, params.smoothing);
+  figure->skeleton = {};
+  set_tip_distances(model.skeleton);
+  set_births(model.skeleton);
+  set_girth(model.skeleton, girth, stature.start_radius, params.by_steps);
+  add_blades(model, figure->outlines);
+  std::vector<Outline>().swap(figure->outlines);
+  model.prototypes = organ_prototypes(params);
+  if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ"));
+      !errors.empty())
+    return placed(errors, text);
+  return model;
+}
+
+}  // namespace frond

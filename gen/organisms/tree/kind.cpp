@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "dress/picture_bounds.h"
+#include "organisms/kinds.h"
+#include "organisms/tree/describe.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kNeighbours = 6;
+constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a field of light
+
+/// As large as a tree must be for its later growth to be told from it.
+constexpr double kToldBy = 20'000;
+
+/// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once its crown is
+/// closed it grows about as much each year, and less when it is as tall as it will be. So it is grown
+/// until then, in two or three goes, and the years that are left are reckoned.
+double foresee_tree(const TreeParams& params, Seed seed) {
+  TreeParams young = params;
+  double before = 0, nodes = 0, tall = 0;
+  int since = 0;
+  young.years = std::min(params.years, 10);
+  for (;;) {
+    Skeleton s = grow_tree(young, seed).skeleton;
+    before = nodes;
+    nodes = static_cast<double>(s.size());
+    for (const Vec3& p : s.position) tall = std::max<double>(tall, p.y);
+    if (young.years == params.years || nodes > kToldBy) break;
+    since = young.years;
+    // A crown that is not closed yet grows by a third to a half in a year.
+    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
+    young.years = std::min(params.years, young.years + more);
+  }
+  if (young.years == params.years) return nodes;
+  double added = (nodes - before) / std::max(1, young.years - since), left = params.years - young.years;
+  double rising = std::clamp(young.years * (params.species.height / std::max(tall, 0.1) - 1), 0.0, left);
+  // It added less while its crown was still closing.
+  return nodes + added * (1.25 * rising + 0.75 * (left - rising));
+}
+
+Filming filming_of(const Growth& growth, int years, double time) {
+  Filming filming;
+  if (growth.duration <= 0) return filming;
+  filming.seconds_a_year = growth.duration / (years + 0.5);
+  filming.overtime = std::max(0.0, time - growth.start - growth.duration);
+  return filming;
+}
+
+/// Trees of a scene grow together, in one light.
+class TreeGrower final : public Described<TreeParams, Grower> {
+ public:
+  GrowthStage stage() const override { return GrowthStage::in_light; }
+  bool stands_on_rock() const override { return true; }
+  Errors check() const override {
+    return check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels");
+  }
+  Errors doubts() const override { return {}; }
+  /// The field of light of all of them together may be too large.
+  Errors check_together(std::span<const Organism* const> all, double relief) const override {
+    double reach = 0, low = 0, high = 0;
+    for (const Organism* o : all) {
+      double tall = o->grower->tallest() * (1 + o->place.size_variation);
+      reach = std::max(reach, reach_of(*o) + tall / 2);
+      low = std::min(low, o->place.raise), high = std::max(high, o->place.raise + tall);
+    }
+    high += relief;
+    double voxel = params.light.voxel;
+    double tiles = std::pow(2 * reach / (16 * voxel), 2) * (high - low) / voxel;
+    if (tiles <= kMostLightCells) return {};
+    return {{"/light/voxel",
+             fmt::format("cells of {:g} m are too many for light {:.3g} m wide and {:.3g} m high; expected "
+                         "{:.2g} m or more, or trees nearer to each other",
+                         voxel, 2 * reach, high - low, voxel * std::cbrt(tiles / kMostLightCells) * 1.05)}};
+  }
+  Result<Foresight> foresee(Seed seed) const override {
+    Foresight tree;
+    tree.nodes = foresee_tree(params, seed);
+    tree.word.modules = tree.word.segments = tree.nodes;
+    if (params.leaves.size > 0) tree.organs = tree.parts = 1.1 * tree.nodes;
+    tree.nodes_a_second = kTreeNodesASecond * 20 / std::max(20, params.years);
+    return tree;
+  }
+  double tallest() const override { return params.species.height; }
+  Dress dress() const override {
+    Dress dress;
+    dress.look.bark = params.bark;
+    dress.look.coat = params.coat;
+    if (params.leaves.size > 0 && params.leaves.picture) dress.look.leaves = pictured_leaves(params);
+    dress.season = params.season;
+    dress.motion = {params.growth, params.wave, {}, 1, true};
+    dress.variation = params.bark.variation;
+    return dress;
+  }
+  bool develops(bool filmed) const override {
+    return params.season || (params.growth.duration > 0 && filmed);
+  }
+  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
+  const std::vector<std::string>* hosts() const override { return nullptr; }
+
+  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
+                                     const Step& step) const override {
+    std::vector<std::pair<const Bed*, const Planting*>> all;
+    std::vector<TreeSite> sites;
+    bool history = false;
+    for (const Bed& bed : beds) {
+      const TreeParams& own = grower_of<TreeGrower>(*bed.organism).params;
+      history = history || (own.growth.duration > 0 && world.filmed());
+      for (const Planting& planting : bed.plantings) {
+        all.emplace_back(&bed, &planting);
+        sites.push_back({&own, planting.foot, lean_of(*bed.organism, planting.seed),
+                         age_of(*bed.organism, planting.seed, "size"), planting.seed.child("grow")});
+      }
+    }
+    std::vector<Surface> bodies = world.bodies();
+    Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies);
+
+    std::vector<Specimen> trees(all.size());
+    parallel_for(all.size(), [&](std::size_t i) {
+      auto [bed, planting] = all[i];
+      const Grower& grower = *bed->organism->grower;
+      Specimen& tree = trees[i];
+      tree.name = bed->organism->name;
+      tree.entry = bed->entry;
+      put_on(tree, grower.dress(), world, planting->seed);
+      stand(tree, *sites[i].params, std::move(grove.trees[i]), grove.years, world,
+            planting->seed.child("look"));
+      step();
+    });
+    return {std::make_move_iterator(trees.begin()), std::make_move_iterator(trees.end())};
+  }
+
+  /// One that grew up among others at the distance that the sowing says.
+  Result<Model> grow_copy(const Organism& organism, Seed seed) const override {
+    double crowd = organism.sown->crowd, age = age_of(organism, seed, "age");
+    std::vector<TreeSite> sites{{&params, Vec3(0), Quat(1, 0, 0, 0), age, seed.child("tree")}};
+    double turn = seed.child("ring").range(0, 2 * kPi);
+    for (std::uint64_t k = 0; crowd > 0 && k < kNeighbours; ++k) {
+      Seed own = seed.child("neighbour", k);
+      double angle = turn + 2 * kPi * (static_cast<double>(k) + own.child(0).range(-0.2, 0.2)) / kNeighbours;
+      double far = crowd * own.child(1).range(0.85, 1.15);
+      sites.push_back({&params, Vec3(far * std::cos(angle), 0, far * std::sin(angle)), Quat(1, 0, 0, 0),
+                       age * own.child(2).range(0.75, 0.95), own.child("tree")});
+    }
+    Grove grove = grow_trees(sites, false, seed.child("weather"));
+    return tree_model(params, grove.trees[0], year_at({}, grove.years, 0), {}, seed.child("look"));
+  }
+  float copy_depth(const Model& model) const override {
+    return model.skeleton.size() == 0 ? 0 : 0.3f * model.skeleton.radius[0];
+  }
+
+ private:
+  static double age_of(const Organism& organism, Seed seed, std::string_view purpose) {
+    return 1 + organism.place.size_variation * seed.child(purpose).range(-1, 1);
+  }
+
+  /// Gives a tree its model, and its life where that is filmed.
+  static void stand(Specimen& tree, const TreeParams& params, GrownTree&& grown, int years,
+                    const World& world, Seed look) {
+    bool grows = world.filmed() && params.growth.duration > 0;
+    double year = world.filmed() ? years + 0.5 : year_at(params.growth, years, world.film_length());
+    tree.model = tree_model(params, grown, year, filming_of(params.growth, years, 0), look);
+    if (!grows) return;
+    tree.life.develop = [params, grown = std::make_shared<const GrownTree>(std::move(grown)), years, look,
+                         growth = tree.motion.growth](double time) -> Result<Model> {
+      return tree_model(params, *grown, year_at(growth, years, time), filming_of(growth, years, time), look);
+    };
+  }
+};
+
+}  // namespace
+
+Kind<Organism> tree_kind() {
+  return make_grower<TreeGrower>("tree", "A tree that fights for light; all of a scene grow together");
+}
+
+}  // namespace frond

@@ -1,0 +1,199 @@
+#include "organisms/tree/tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grove/bodies.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kSummer = 0.5;          // of a year: when it is looked at in the end
+constexpr float kSmallestSprig = 0.04f;  // share of its size
+constexpr int kRootNodes = 5;
+
+/// The foot of the stem: wider toward the ground.
+float flared(const TreeParams& params, float base, float height) {
+  float t = std::clamp(1 - height / std::max(4 * base, 1e-4f), 0.0f, 1.0f);
+  return 1 + static_cast<float>(params.flare) * t * t * t;
+}
+
+/// Branches as a skeleton; gives the node of each internode.
+std::vector<std::int32_t> add_branches(Model& model, const Standing& now, const GrownTree& tree,
+                                       const TreeParams& params) {
+  Skeleton& s = model.skeleton;
+  std::vector<std::int32_t> node(now.size());
+  s.reserve(now.size() + 64);
+  float base = now.size() > 1 ? now.radius[1] : 0.001f, ground = now.size() > 0 ? now.tip[0].y : 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    std::uint16_t order = tree.order[now.source[i]];
+    float radius = now.radius[i];
+    if (i == 0) radius = base;
+    if (order == 0) radius *= flared(params, base, now.tip[i].y - ground);
+    std::int32_t below = now.parent[i];
+    if (below != GrownTree::kRoot) {
+      bool broke = glm::distance(now.tip[below], now.foot[i]) > 1e-4f;
+      below = broke ? s.add(now.foot[i], radius, Skeleton::kRoot, order) : node[below];
+    }
+    node[i] = s.add(now.tip[i], radius, below, order);
+    std::size_t source = now.source[i] == 0 && tree.size() > 1 ? 1 : now.source[i];
+    model.girth.resize(s.size(), tree.radius[source]);
+  }
+  return node;
+}
+
+/// Roots that run out from the stem and into the ground.
+void add_roots(Skeleton& s, const TreeParams& params, Seed seed) {
+  if (s.size() < 2 || params.roots == 0) return;
+  float base = s.radius[0];
+  Vec3 foot = s.position[0];
+  for (int k = 0; k < params.roots; ++k) {
+    Seed own = seed.child(static_cast<std::uint64_t>(k));
+    double turn = 2 * kPi * (k + own.child(0).range(-0.3, 0.3)) / params.roots;
+    Vec3 out(static_cast<float>(std::cos(turn)), 0, static_cast<float>(std::sin(turn)));
+    Vec3 across(-out.z, 0, out.x);
+    float length = base * static_cast<float>(own.child(1).range(0.9, 1.7));
+    float thick = base * static_cast<float>(own.child(2).range(0.20, 0.32));
+    auto bend = static_cast<float>(own.child(3).range(-0.4, 0.4));
+    std::int32_t below = 0;
+    for (int i = 1; i <= kRootNodes; ++i) {
+      float t = static_cast<float>(i) / kRootNodes, far = base * 0.5f + length * t;
+      float high = base * (0.55f * (1 - t) * (1 - t) - 0.36f * t);
+      below = s.add(foot + out * far + across * (bend * far * t) + Vec3(0, high, 0),
+                    thick * (1.15f - 0.75f * t), below, static_cast<std::uint16_t>(1));
+    }
+  }
+}
+
+/// Puts the nodes in the order of their branches; gives the new place of each.
+std::vector<std::int32_t> order_model(Model& model) {
+  for (std::size_t i = model.girth.size(); i < model.skeleton.size(); ++i)
+    model.girth.push_back(model.skeleton.radius[i]);
+  std::vector<std::int32_t> order = order_branches(model.skeleton);
+  std::vector<float> girth(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) girth[static_cast<std::size_t>(order[i])] = model.girth[i];
+  model.girth = std::move(girth);
+  return order;
+}
+
+Prototype sprig_prototype(const TreeParams& params) {
+  const Foliage& leaves = params.leaves;
+  if (leaves.picture) {
+    Prototype made = leaf_prototype(pictured_leaves(params));
+    if (leaves.picture->sprig) made.name = "sprig";
+    return made;
+  }
+  Prototype made{"sprig", {{Tissue::leaf, sprig_surface(leaves.sprig)}}, leaves.colors, leaves.second};
+  if (params.season) add_seasons(made, *params.season);
+  return made;
+}
+
+/// A sprig's frame: along it, and its upper side to the sky.
+Quat sprig_turn(Vec3 heading, Vec3 side, const Foliage& leaves, bool leads, Seed seed) {
+  float open = leads ? 0.15f : static_cast<float>(leaves.spread * seed.child(1).range(0.7, 1.25));
+  Vec3 along = heading * std::cos(open) + side * std::sin(open);
+  auto hang = static_cast<float>(leaves.hang);
+  along = glm::normalize(along * (1 - hang) + Vec3(0, -1, 0) * hang +
+                         0.18f * Vec3(static_cast<float>(seed.child(2).range(-1, 1)),
+                                      static_cast<float>(seed.child(3).range(-1, 1)),
+                                      static_cast<float>(seed.child(4).range(-1, 1))));
+  Vec3 sky(static_cast<float>(seed.child(5).range(-0.45, 0.45)), 1,
+           static_cast<float>(seed.child(6).range(-0.45, 0.45)));
+  Vec3 up = sky - along * glm::dot(sky, along);
+  if (glm::length(up) < 0.2f) up = side - along * glm::dot(side, along);
+  if (glm::length(up) < 1e-3f) up = glm::cross(along, Vec3(1, 0, 0.3f));
+  up = glm::normalize(up);
+  return glm::normalize(glm::quat_cast(glm::mat3(glm::cross(along, up), along, up)));
+}
+
+void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
+                const std::vector<std::int32_t>& node, const TreeParams& params, Seed seed) {
+  const Foliage& leaves = params.leaves;
+  model.prototypes.push_back(sprig_prototype(params));
+  if (params.season) add_blossom(model.prototypes, *params.season);
+  std::size_t colors = leaves.picture ? leaves.picture->colors.size() : leaves.colors.size();
+  Organs& o = model.organs;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now.leaves[i] < kSmallestSprig || now.parent[i] == GrownTree::kRoot) continue;
+    std::uint32_t source = now.source[i];
+    Vec3 way = now.tip[i] - now.foot[i];
+    float length = glm::length(way);
+    Vec3 heading = length > 1e-6f ? way / length : Vec3(0, 1, 0);
+    for (bool leads : {false, true}) {
+      if (leads && !tree.leads[source]) continue;
+      Seed own = seed.child(2 * std::uint64_t{source} + (leads ? 1 : 0));
+      float size = now.leaves[i] *
+                   static_cast<float>(leaves.size * (1 + leaves.size_variation * own.child(0).range(-1, 1)));
+      o.prototype.push_back(0);
+      o.position.push_back(now.tip[i]);
+      o.turn.push_back(sprig_turn(heading, now.side[i], leaves, leads, own));
+      o.scale.push_back(Vec3(std::max(size, 1e-4f)));
+      o.node.push_back(node[i]);
+      o.birth.push_back(0);
+      o.color.push_back(static_cast<std::int32_t>(own.child(7).bits() % colors));
+      o.id.push_back(source);
+    }
+  }
+}
+
+}  // namespace
+
+LeafLook pictured_leaves(const TreeParams& params) {
+  const LeafLook& look = *params.leaves.picture;
+  return params.season ? with_seasons(look, *params.season) : look;
+}
+
+double year_at(const Growth& growth, int years, double time) {
+  double end = years + kSummer;
+  if (growth.duration <= 0) return time >= growth.start ? end : 0;
+  return end * std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
+}
+
+Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
+                 std::span<const Surface> bodies) {
+  Grove grove;
+  std::vector<Seedling> seedlings;
+  for (const TreeSite& site : sites) {
+    int age = std::max(1, static_cast<int>(std::lround(site.params->years * site.age)));
+    grove.years = std::max(grove.years, age);
+    seedlings.push_back({site.params->species, site.foot, site.lean * Vec3(0, 1, 0), site.seed, age});
+  }
+  for (Seedling& seedling : seedlings) seedling.planted = grove.years - seedling.planted;
+  GroveOptions options;
+  options.years = grove.years;
+  options.seed = weather;
+  options.history = history;
+  if (!sites.empty()) {
+    options.light = sites[0].params->light;
+    options.wind = sites[0].params->wind;
+    options.snow = sites[0].params->snow;
+    for (const Surface& body : bodies) {
+      std::vector<Shade> shades = shades_of_body(body, options.light);
+      options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
+    }
+  }
+  grove.trees = grow_grove(seedlings, options);
+  return grove;
+}
+
+Model tree_model(const TreeParams& params, const GrownTree& tree, double year, const Filming& filming,
+                 Seed seed) {
+  Standing now = standing(tree, params.species, year, filming);
+  Model model;
+  std::vector<std::int32_t> node = add_branches(model, now, tree, params);
+  add_roots(model.skeleton, params, seed.child("root"));
+  std::vector<std::int32_t> order = order_model(model);
+  for (std::int32_t& n : node) n = order[static_cast<std::size_t>(n)];
+  set_tip_distances(model.skeleton);
+  if (params.leaves.size > 0) add_sprigs(model, now, tree, node, params, seed.child("sprig"));
+  return model;
+}
+
+Model grow_tree(const TreeParams& params, Seed seed) {
+  TreeSite site{&params, Vec3(0), Quat(1, 0, 0, 0), 1, seed.child("tree")};
+  Grove grove = grow_trees({&site, 1}, false, seed.child("weather"));
+  return tree_model(params, grove.trees[0], year_at({}, grove.years, 0), {}, seed.child("look"));
+}
+
+}  // namespace frond

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <span>
+
+#include "core/result.h"
+#include "core/seed.h"
+#include "dress/dress.h"
+#include "foliage/sprig.h"
+#include "grove/grove.h"
+#include "grove/standing.h"
+#include "model/model.h"
+#include "motion/motion.h"
+
+namespace frond {
+
+/// What a tree's leaves look like: sprigs at its young internodes.
+struct Foliage {
+  SprigShape sprig;
+  std::optional<LeafLook> picture;  ///< in place of the sprig: cut along the outline of its picture
+  double size = 0.28;               ///< metres, of a sprig; 0: none
+  double size_variation = 0.2;      ///< random change of it, as a share
+  double spread = radians(55.0);    ///< between a sprig and the shoot that bears it
+  double hang = 0;                  ///< 0 held up to the light .. 1 hanging straight down
+  std::vector<Color> colors{{0.20f, 0.34f, 0.10f}, {0.24f, 0.38f, 0.11f}, {0.28f, 0.41f, 0.13f}};
+  Color second{0.45f, 0.55f, 0.25f};  ///< of the veins
+};
+
+/// A tree that grows by light, among all others of the scene.
+struct TreeParams {
+  int years = 32;  ///< its age in the end
+  Species species;
+  LightLaw light;
+  double wind = 22;    ///< metres a second, the strongest gust of a year
+  double snow = 0;     ///< kg a square metre
+  double flare = 0.7;  ///< how much wider the foot of the stem is
+  int roots = 5;       ///< that run out from it above the ground
+  Foliage leaves;
+  Bark bark;                     ///< of branches drawn as sweeps
+  std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
+  std::optional<Seasons> season;
+  Wave wave;
+  Growth growth;
+};
+
+/// A tree of a grove before it grows.
+struct TreeSite {
+  const TreeParams* params = nullptr;
+  Vec3 foot{0};
+  Quat lean{1, 0, 0, 0};  ///< of its first shoot
+  double age = 1;         ///< factor of its years
+  Seed seed;
+};
+
+/// A grove as it grew: one tree a site.
+struct Grove {
+  int years = 0;
+  std::vector<GrownTree> trees;
+};
+
+/// Grows all trees in one field of light, which the bodies take a part of. Its law and the weather are those
+/// of the first site. With `history` for films.
+Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
+                 std::span<const Surface> bodies = {});
+
+/// A tree at a time in years of the grove, where it stands: branches, sprigs of leaves. Past the last year it
+/// is the summer after.
+Model tree_model(const TreeParams& params, const GrownTree& tree, double year, const Filming& filming,
+                 Seed seed);
+
+/// The year of a grove that a film has reached; the last summer where the tree does not grow in the film.
+double year_at(const Growth& growth, int years, double time);
+
+/// Its leaves as pictures, in all seasons; they must be pictures.
+LeafLook pictured_leaves(const TreeParams& params);
+
+/// One tree by itself, its foot at the origin.
+Model grow_tree(const TreeParams& params, Seed seed);
+
+}  // namespace frond

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "core/assets.h"
+#include "crown/weber_penn.h"
+#include "dress/dress.h"
+
+namespace frond {
+
+/// A tree by the parameters of Weber and Penn.
+struct WeberPennParams {
+  WeberPenn tree;
+  std::string species;  ///< an Arbaro file whose values stand for `tree`, as seen from the preset's folder
+  TreeDress dress;
+};
+
+Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed);
+
+/// Takes the parameters of an Arbaro file in place of a tree's own.
+Errors load_species(const NamedFile& file, WeberPenn& tree);
+
+}  // namespace frond

@@ -1,0 +1,116 @@
+#include "settings/forest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "settings/describe_plot.h"
+#include "settings/plot_bounds.h"
+#include "settings/settings.h"
+
+namespace frond {
+
+template <class Visitor>
+void describe(Visitor& v, TerrainShape& t) {
+  v.number("size", t.size, {.min = 2, .max = 4000, .unit = "m"}, "Of the square of land that is sown");
+  v.number("hills", t.hills, {.min = 0, .max = 500, .unit = "m"}, "From valley to top");
+  v.number("hill_size", t.hill_size, {.min = 1, .max = 5000, .unit = "m"}, "From hill to hill");
+  v.number("rough", t.rough, {.min = 0, .max = 1}, "0 rolling, 1 broken");
+  v.object("path", t.path, "A path, kept clear");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Forest& f) {
+  v.number("hour", f.hour, kHours, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.angle("south", f.south, {.min = -360, .max = 360},
+          "Where the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"}, "How high it fills the valleys; 0: none");
+  v.object("terrain", f.terrain, "The land");
+  v.color("litter", f.litter, "Of fallen leaves and earth");
+  v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
+}
+
+ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed)
+    : size_(forest.terrain.size),
+      moss_(forest.moss),
+      film_(film),
+      seed_(seed.child("floor")),
+      terrain_(std::make_shared<const Terrain>(forest.terrain, seed.child("terrain"))),
+      plot_(terrain_->plot()) {
+  Heights heights([terrain = terrain_](double x, double z) { return terrain->height(x, z); });
+  lay(terrain_->surface(), std::move(heights));
+  auto half = static_cast<float>(size_ / 2);
+  for (const Vec3& p : floor().position)
+    if (std::max(std::abs(p.x), std::abs(p.z)) <= half) valley = std::min(valley, p.y);
+  mark_floor(floor_, floor_land(), moss_, seed_);
+}
+
+ForestLand ForestGround::floor_land() const {
+  return {[this](Vec2 at) { return heights()(at.x, at.y); },
+          [this](Vec2 at) { return plot_.has_path() ? plot_.path_distance(at) : 1e6; }};
+}
+
+void ForestGround::strew(const Camera& camera, TakenSpots&) {
+  cover = strew_floor(film_, camera, floor_land(), moss_, seed_);
+}
+
+Land ForestGround::land(std::vector<Spot> taken) const {
+  Land land = sloping_land(size_, std::move(taken));
+  if (plot_.has_path()) land.path = clear_of(plot_);
+  return land;
+}
+
+namespace {
+
+constexpr double kLongestWay = 10'000;  // metres that a camera goes
+
+/// Leaves and moss lie wherever the camera comes near.
+void check_litter(Errors& list, const Stage& stage, const Film& film) {
+  double way = 0;
+  Vec3 last = stage.camera.location.at(film.time(1));
+  for (int frame = 2; frame <= film.frames; ++frame) {
+    Vec3 at = stage.camera.location.at(film.time(frame));
+    way += glm::distance(last, at);
+    last = at;
+  }
+  if (way > kLongestWay)
+    list.push_back({"/camera/location",
+                    fmt::format("the camera goes {:.3g} m through the forest; expected {:g} m at most", way,
+                                kLongestWay)});
+}
+
+}  // namespace
+
+SettingRow forest_setting() {
+  return setting_row<Forest>(
+      "forest", "wooded hills at any hour of the day", "forest",
+      "Hour and land, for forest; clouds and haze are the meadow's",
+      {"/forest", "/meadow/haze", "/meadow/clouds"},
+      [](const Stage& stage) {
+        const TerrainShape& land = stage.block<Forest>().terrain;
+        return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};
+      },
+      [](const Stage& stage, const Film& film) {
+        const TerrainShape& land = stage.block<Forest>().terrain;
+        Errors errors;
+        check_path(errors, land.path, "/forest/terrain/path/points", std::max(1200.0, 2 * land.size));
+        check_litter(errors, stage, film);
+        return errors;
+      },
+      [](const Stage& stage, const Film& film) {
+        // Litter lies wherever the camera passes by.
+        double way = 0;
+        for (int frame = 2, step = std::max(1, film.frames / 200); frame <= film.frames; frame += step) {
+          Vec3 moved = stage.camera.location.at(film.time(frame)) -
+                       stage.camera.location.at(film.time(std::max(1, frame - step)));
+          way += std::hypot(moved.x, moved.z);
+        }
+        return GroundForesight{39'200, 13'700, 3000 + 170 * way};
+      },
+      [](const Stage& stage, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
+        return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed);
+      });
+}
+
+}  // namespace frond

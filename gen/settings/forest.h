@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+
+#include "land/terrain.h"
+#include "settings/forest_floor.h"
+#include "settings/meadow.h"
+
+namespace frond {
+
+/// A wood on hilly land; sky and haze are the meadow's, whose colours the hour gives here.
+struct Forest {
+  double hour = 10;  ///< of the day: 6 dawn, 12 noon, 19 dusk
+  double south = 0;  ///< radians; where the sun stands at noon: 0 toward +z, to the right from there
+  double mist = 0;   ///< metres above the valleys that morning mist reaches; 0: none
+  TerrainShape terrain;
+  Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
+  double moss = 0.4;                  ///< share of the ground that is green, 0..1
+};
+
+/// Hilly land with what lies on it where the camera comes near over the film.
+class ForestGround final : public Grounds {
+ public:
+  ForestGround(const Forest& forest, const Film& film, Seed seed);
+
+  void strew(const Camera& camera, TakenSpots& taken) override;
+  float seat(Vec2 at, double, Seed) override { return height(at); }
+  Land land(std::vector<Spot> taken) const override;
+  std::vector<Specimen> furnishings() const override { return {}; }
+  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
+                                   double) const override {
+    return {};
+  }
+
+  /// The path.
+  const Plot& plot() const { return plot_; }
+
+  ForestCover cover;
+  float valley = 0;  ///< metres, the lowest of the land that is sown, and not above 0
+
+ private:
+  ForestLand floor_land() const;
+
+  double size_, moss_;
+  Film film_;
+  Seed seed_;
+  std::shared_ptr<const Terrain> terrain_;
+  Plot plot_;
+};
+
+}  // namespace frond

@@ -1,0 +1,103 @@
+#include "settings/forest_floor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/noise.h"
+#include "land/litter.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kSide = 0.4;           // metres, of a patch
+constexpr double kNear = 7, kFar = 14;  // metres from the camera: all of it lies there, none of it does
+constexpr int kShapes = 4;              // of litter, of thin litter that lies on paths and moss, and of moss
+
+/// Where the camera is over the film, no two places nearer than half a metre.
+std::vector<Vec2> camera_places(const Film& film, const Camera& camera) {
+  std::vector<Vec2> places;
+  for (int frame = 1; frame <= film.frames; ++frame) {
+    Vec3 at = camera.location.at(film.time(frame));
+    if (places.empty() || glm::distance(places.back(), Vec2(at.x, at.z)) > 0.5f)
+      places.emplace_back(at.x, at.z);
+  }
+  return places;
+}
+
+double nearest(const std::vector<Vec2>& places, Vec2 at) {
+  float least = 1e9f;
+  for (Vec2 place : places) least = std::min(least, glm::distance(place, at));
+  return least;
+}
+
+Patch laid(const ForestLand& land, int first_shape, Vec2 at, const Seed& seed) {
+  float step = static_cast<float>(kSide / 2);
+  Vec2 slope(static_cast<float>(land.height(at + Vec2(step, 0)) - land.height(at - Vec2(step, 0))),
+             static_cast<float>(land.height(at + Vec2(0, step)) - land.height(at - Vec2(0, step))));
+  int shape = first_shape + static_cast<int>(seed.child("shape").bits() % kShapes);
+  return {shape, Vec3(at.x, static_cast<float>(land.height(at)), at.y), seed.child("turn").range(0, 2 * kPi),
+          slope / (2 * step)};
+}
+
+}  // namespace
+
+double mossiness(const ForestLand& land, double share, Vec2 at, Seed seed) {
+  if (share <= 0) return 0;
+  Vec3 shift(static_cast<float>(seed.child("x").range(0, 99)), 0,
+             static_cast<float>(seed.child("z").range(0, 99)));
+  double patch = fractal_noise(Vec3(at.x, 0, at.y) * (1 / 2.6f) + shift, 3);
+  double steep = std::hypot(land.height(at + Vec2(0.5f, 0)) - land.height(at - Vec2(0.5f, 0)),
+                            land.height(at + Vec2(0, 0.5f)) - land.height(at - Vec2(0, 0.5f)));
+  // The noise is about normal; the logistic curve stands for its distribution.
+  double wanted = std::clamp(share, 0.001, 0.999), level = 0.25 * std::log(wanted / (1 - wanted));
+  double kept_off = 1 - smooth_step(0.0, 1.2, land.path(at));
+  return std::clamp(0.5 + 0.8 * (patch + level - 0.5 * steep - kept_off), 0.0, 1.0);
+}
+
+void mark_floor(Surface& floor, const ForestLand& land, double moss, Seed seed) {
+  floor.uv.clear();
+  for (const Vec3& p : floor.position) {
+    Vec2 at(p.x, p.z);
+    floor.uv.emplace_back(static_cast<float>(std::clamp(land.path(at), -4.0, 8.0)),
+                          static_cast<float>(mossiness(land, moss, at, seed)));
+  }
+}
+
+ForestCover strew_floor(const Film& film, const Camera& camera, const ForestLand& land, double moss,
+                        Seed seed) {
+  ForestCover cover;
+  LitterShape thick{.side = 1.1 * kSide}, thin = thick;
+  thin.leaves *= 0.16, thin.twigs *= 0.5;
+  for (std::uint64_t i = 0; i < 2 * kShapes; ++i)
+    cover.litter.push_back(litter_surface(i < kShapes ? thick : thin, seed.child("litter", i)));
+  for (std::uint64_t i = 0; i < kShapes; ++i)
+    cover.moss.push_back(moss_surface(1.5 * kSide, seed.child("cushion", i)));
+  std::vector<Vec2> eyes = camera_places(film, camera);
+  auto [low, high] = std::minmax_element(eyes.begin(), eyes.end(), [](Vec2 a, Vec2 b) { return a.y < b.y; });
+  // Patches lie on one grid for the whole world, so that another camera finds the same ones.
+  auto first = [](float x) { return static_cast<long long>(std::floor((x - kFar) / kSide)); };
+  auto last = [](float x) { return static_cast<long long>(std::ceil((x + kFar) / kSide)); };
+  for (long long row = first(low->y), end = last(high->y); row <= end; ++row) {
+    std::vector<Vec2> near;  // eyes that see the row
+    for (Vec2 eye : eyes)
+      if (first(eye.y) <= row && row <= last(eye.y)) near.push_back(eye);
+    if (near.empty()) continue;
+    auto [left, right] =
+        std::minmax_element(near.begin(), near.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+    for (long long column = first(left->x), stop = last(right->x); column <= stop; ++column) {
+      Seed own = seed.child("row", static_cast<std::uint64_t>(row)).child(static_cast<std::uint64_t>(column));
+      Vec2 at(static_cast<float>((static_cast<double>(column) + own.child("x").unit()) * kSide),
+              static_cast<float>((static_cast<double>(row) + own.child("z").unit()) * kSide));
+      double away = nearest(near, at);
+      if (own.child("far").unit() < smooth_step(kNear, kFar, away)) continue;
+      double edge = land.path(at) + own.child("edge").range(-0.25, 0.25);
+      bool green = mossiness(land, moss, at, seed) > own.child("moss").range(0.46, 0.58);
+      cover.litter_patches.push_back(laid(land, green || edge < 0 ? kShapes : 0, at, own));
+      if (green) cover.moss_patches.push_back(laid(land, 0, at, own.child("cushion")));
+    }
+  }
+  return cover;
+}
+
+}  // namespace frond

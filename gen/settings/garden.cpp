@@ -1,0 +1,73 @@
+#include "settings/garden.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "settings/describe_plot.h"
+#include "settings/plot_bounds.h"
+#include "settings/settings.h"
+
+namespace frond {
+
+template <class Visitor>
+void describe(Visitor& v, Garden& g) {
+  v.number("hour", g.hour, kHours, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.angle("south", g.south, {.min = -360, .max = 360},
+          "Where the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.object("pond", g.pond, "The pond");
+  v.object("path", g.path, "The gravel path");
+  v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Leaves of water lilies on the pond");
+  v.number("gravel", g.gravel, {.min = 0.02, .max = 1, .unit = "m"}, "Size of the stones on the path");
+  v.color("gravel_color", g.gravel_color, "Of the stones on the path");
+}
+
+namespace {
+
+constexpr double kMostPatches = 400'000;  // of gravel; each is an object of POV-Ray's
+constexpr double kLand = 150;             // metres from the middle
+
+void check_gravel(Errors& list, const Garden& garden) {
+  const std::vector<Vec2>& points = garden.path.points;
+  double length = 0, side = 10 * garden.gravel;
+  for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
+  double patches = length * garden.path.width / (side * side);
+  if (patches > kMostPatches)
+    list.push_back(
+        {"/garden/gravel",
+         fmt::format("stones of {:g} m take {:.2g} patches on such a path; expected {:g} at most, by "
+                     "larger stones or a shorter or narrower path",
+                     garden.gravel, patches, kMostPatches)});
+}
+
+}  // namespace
+
+SettingRow garden_setting() {
+  return setting_row<Garden>(
+      "garden", "a lawn with pond and path at any hour of the day", "garden",
+      "Hour, pond and path, for garden; lawn and sky are the meadow's",
+      {"/garden", "/meadow/grass", "/meadow/haze", "/meadow/clouds", "/meadow/blade", "/meadow/blades",
+       "/meadow/extent", "/meadow/flowers", "/floor/relief", "/floor/scale"},
+      [](const Stage&) { return Extent{.sown = kLawnSown}; },
+      [](const Stage& stage, const Film&) {
+        Errors errors = check_grass(stage.block<Meadow>().lawn);
+        check_path(errors, stage.block<Garden>().path, "/garden/path/points", kLand);
+        if (errors.empty()) check_gravel(errors, stage.block<Garden>());
+        return errors;
+      },
+      [](const Stage& stage, const Film& film) {
+        GroundForesight ground{.triangles = 89'700 + 66'400};
+        foresee_grass(stage.block<Meadow>().lawn, film, ground);
+        ground.grass *= 1.3;
+        ground.placed = 1000 + 1.6 * ground.placed;
+        return ground;
+      },
+      [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
+        const auto& garden = stage.block<Garden>();
+        return std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach,
+                                      Plot(garden.pond, garden.path, seed.child("plot")), garden.lilies,
+                                      garden.gravel, garden.path.width, seed);
+      });
+}
+
+}  // namespace frond

@@ -1,0 +1,189 @@
+#include "settings/lawn.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr double kRadius = 150;            // metres, at least
+constexpr double kBeyond = 50;             // metres from what stands farthest out to the edge, at least
+constexpr double kMostPatches = 400'000;   // of grass; each is an object of POV-Ray's
+constexpr double kMostBlades = 1'000'000;  // in all shapes of such patches
+constexpr int kTurfShapes = 4;
+
+/// The size of the squares that a piece of ground is covered with: halved up to `kHalvings` times where an
+/// edge runs through.
+constexpr int kHalvings = 2;
+
+/// Lays squares of `side` metres, in sizes down to side / 2^kHalvings, wherever `edge` (metres to the edge,
+/// below 0 inside) says so. Shapes are numbered: kTurfShapes of each size, the largest first.
+struct Paving {
+  const Heights& heights;
+  Seed seed;
+  std::function<double(Vec2)> edge;
+  std::vector<Patch>& into;
+
+  void lay(Vec2 at, double side, int halved, Seed own) {
+    double away = edge(at), reach = 0.71 * side;
+    if (away > reach) return;
+    if (away > -reach && halved < kHalvings) {
+      float quarter = static_cast<float>(side / 4);
+      for (std::uint64_t k = 0; k < 4; ++k)
+        lay(at + Vec2(k % 2 ? quarter : -quarter, k / 2 ? quarter : -quarter), side / 2, halved + 1,
+            own.child(2 + k));
+      return;
+    }
+    if (away > 0) return;
+    double step = side / 2;
+    Vec2 slope(static_cast<float>((heights(at.x + step, at.y) - heights(at.x - step, at.y)) / side),
+               static_cast<float>((heights(at.x, at.y + step) - heights(at.x, at.y - step)) / side));
+    int shape = kTurfShapes * halved + static_cast<int>(own.child(0).bits() % kTurfShapes);
+    double turn = kPi / 2 * static_cast<double>(own.child(1).bits() % 4);
+    into.push_back({shape, Vec3(at.x, static_cast<float>(heights(at.x, at.y)), at.y), turn, slope});
+  }
+};
+
+}  // namespace
+
+Errors check_grass(const LawnShape& meadow) {
+  Errors list;
+  if (meadow.blade <= 0 || meadow.blades <= 0) return list;
+  double side = 5 * meadow.blade, patches = kPi * std::pow(meadow.extent / side, 2);
+  double blades = 4 * meadow.blades * std::pow(1.12 * side, 2);
+  if (patches > kMostPatches)
+    list.push_back(
+        {"/meadow/blade",
+         fmt::format("grass of {:g} m takes {:.2g} patches as far as {:g} m; expected {:g} at most, "
+                     "by longer blades or a smaller extent",
+                     meadow.blade, patches, meadow.extent, kMostPatches)});
+  if (blades > kMostBlades)
+    list.push_back(
+        {"/meadow/blades",
+         fmt::format("patches of grass of {:g} m would hold {:.2g} blades; expected {:g} at most, by "
+                     "fewer or shorter ones",
+                     meadow.blade, blades, kMostBlades)});
+  return list;
+}
+
+void foresee_grass(const LawnShape& shape, const Film& film, GroundForesight& ground) {
+  if (shape.blade <= 0 || shape.blades <= 0) return;
+  double side = 5 * shape.blade, thin = film.quality == Quality::draft ? 0.6 : 1;
+  ground.grass += 9 * 4 * 1.25 * side * side * shape.blades * thin;
+  ground.placed += kPi * std::pow(shape.extent / side + 0.5, 2);
+}
+
+namespace {
+
+double radius_for(double reach) { return std::max(kRadius, reach + kBeyond); }
+
+int rings_for(double radius, int usual) {
+  return static_cast<int>(std::lround(usual * std::sqrt(radius / kRadius)));
+}
+
+}  // namespace
+
+Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed)
+    : shape_(shape), quality_(quality), seed_(seed) {
+  double radius = radius_for(reach);
+  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0), radius,
+                     rings_for(radius, 110)));
+}
+
+Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
+           double stone, double path_width, Seed seed)
+    : shape_(shape),
+      quality_(quality),
+      planned_(true),
+      plot_(std::move(plot)),
+      lilies_(lilies),
+      stone_(stone),
+      path_width_(path_width),
+      seed_(seed) {
+  Ground dunes{seed.child("ground"), floor.relief, floor.scale};
+  double radius = radius_for(reach);
+  auto height = [&](Vec2 at) {
+    double lawn = ground_height(dunes, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / radius));
+    return plot_.height(at, lawn);
+  };
+  lay(ground_surface(height, Vec2(0), radius, rings_for(radius, 150)));
+}
+
+void Lawn::strew(const Camera&, TakenSpots&) {
+  sow(seed_.child("turf"));
+  lay_gravel(seed_.child("gravel"));
+}
+
+/// Covers the middle with patches of grass.
+void Lawn::sow(Seed seed) {
+  if (shape_.blade <= 0 || shape_.blades <= 0) return;
+  double thin = quality_ == Quality::draft ? 0.6 : 1.0, side = 5 * shape_.blade;
+  int sizes = plot_.has_pond() || plot_.has_path() ? kHalvings + 1 : 1;
+  for (int i = 0; i < kTurfShapes * sizes; ++i) {
+    TurfShape shape{1.12 * side / (1 << i / kTurfShapes), shape_.blade, shape_.blades * thin,
+                    shape_.flowers / thin};
+    turf.push_back(turf_surface(shape, seed.child("shape").child(static_cast<std::uint64_t>(i))));
+  }
+  auto edge = [&](Vec2 at) {
+    double path = plot_.has_path() ? plot_.path_distance(at) : 1e6;
+    return std::max(-path, 0.02 - plot_.pond_distance(at));
+  };
+  Paving paving{heights(), seed, edge, turf_patches};
+  int reach = static_cast<int>(std::ceil(shape_.extent / side));
+  for (int row = -reach; row <= reach; ++row) {
+    for (int column = -reach; column <= reach; ++column) {
+      double x = column * side, z = row * side;
+      if (x * x + z * z > shape_.extent * shape_.extent) continue;
+      Seed own = seed.child("patch").child(
+          static_cast<std::uint64_t>((row + reach) * (2 * reach + 1) + column + reach));
+      paving.lay(Vec2(x, z), side, 0, own);
+    }
+  }
+}
+
+/// Covers the path with gravel.
+void Lawn::lay_gravel(Seed seed) {
+  if (!plot_.has_path()) return;
+  double side = 10 * stone_;
+  for (int i = 0; i < kTurfShapes * (kHalvings + 1); ++i)
+    gravel.push_back(gravel_surface(1.06 * side / (1 << i / kTurfShapes), stone_,
+                                    seed.child("shape").child(static_cast<std::uint64_t>(i))));
+  Vec2 low = plot_.way()[0], high = low;
+  for (Vec2 at : plot_.way()) low = glm::min(low, at), high = glm::max(high, at);
+  double margin = path_width_;
+  // A path that leads across the pond, over a bridge, ends at the shores.
+  auto edge = [&](Vec2 at) { return std::max(plot_.path_distance(at), 0.1 - plot_.pond_distance(at)); };
+  Paving paving{heights(), seed, edge, gravel_patches};
+  auto columns = static_cast<int>(std::ceil((high.x - low.x + 2 * margin) / side)),
+       rows = static_cast<int>(std::ceil((high.y - low.y + 2 * margin) / side));
+  for (int i = 0; i <= rows * columns; ++i) {
+    Vec2 at(low.x - margin + (i % columns) * side, low.y - margin + (i / columns) * side);
+    paving.lay(at, side, 0, seed.child("patch", static_cast<std::uint64_t>(i)));
+  }
+}
+
+float Lawn::seat(Vec2 at, double, Seed) {
+  // Over a pond things stand on the water.
+  bool water = planned_ && plot_.pond_distance(at) < 0;
+  return water ? std::max(static_cast<float>(plot_.pond().level), height(at)) : height(at);
+}
+
+Land Lawn::land(std::vector<Spot> taken) const {
+  Land land = sloping_land(kLawnSown, std::move(taken));
+  if (plot_.has_path() || plot_.has_pond()) land.path = clear_of(plot_);
+  return land;
+}
+
+std::vector<Specimen> Lawn::furnishings() const {
+  Solids lilies = water_lilies(plot_, lilies_, seed_.child("lilies"));
+  if (lilies.size() == 0) return {};
+  Specimen pads;
+  pads.name = "water lilies";
+  pads.model.solids = std::move(lilies);
+  return {std::move(pads)};
+}
+
+}  // namespace frond

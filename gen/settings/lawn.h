@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include "land/plot.h"
+#include "land/turf.h"
+#include "settings/setting.h"
+
+namespace frond {
+
+/// A patch of grass, gravel or litter put somewhere on the ground.
+struct Patch {
+  int shape = 0;  ///< index of the patch's surface
+  Vec3 at{0};
+  double turn = 0;  ///< radians about the vertical
+  Vec2 slope{0};    ///< of the ground, along x and z
+};
+
+inline constexpr double kLawnSown = 200;  ///< metres, the square of a lawn that is sown
+
+/// Grass as a preset asks for it.
+struct LawnShape {
+  double blade = 0.10;     ///< metres, length of the grass; 0: none stands
+  double blades = 900;     ///< of grass on a square metre
+  double extent = 9;       ///< metres round the middle in which single blades stand
+  double flowers = 0.004;  ///< share of blades that bear a flower
+};
+
+/// Grass that neither the memory nor POV-Ray could hold, at pointers below the scene.
+Errors check_grass(const LawnShape& shape);
+/// Adds the grass to what is foreseen.
+void foresee_grass(const LawnShape& shape, const Film& film, GroundForesight& ground);
+
+/// A lawn, level or in low hills, with the pond and the path of a plot where there are such.
+class Lawn final : public Grounds {
+ public:
+  /// With a plot the ground is level far off; a plot's path is laid with stones of `gravel` metres.
+  Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed);
+  Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
+       double gravel, double path_width, Seed seed);
+
+  void strew(const Camera& camera, TakenSpots& taken) override;
+  float seat(Vec2 at, double rock, Seed seed) override;
+  Land land(std::vector<Spot> taken) const override;
+  std::vector<Specimen> furnishings() const override;
+  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
+                                   double) const override {
+    return {};
+  }
+
+  /// The pond and the path; none in a meadow.
+  const Plot& plot() const { return plot_; }
+
+  std::vector<Turf> turf;
+  std::vector<Patch> turf_patches;
+  std::vector<Surface> gravel;
+  std::vector<Patch> gravel_patches;
+
+ private:
+  void sow(Seed seed);
+  void lay_gravel(Seed seed);
+
+  LawnShape shape_;
+  Quality quality_;
+  bool planned_ = false;  // has a plot
+  Plot plot_;
+  int lilies_ = 0;
+  double stone_ = 0, path_width_ = 0;
+  Seed seed_;
+};
+
+}  // namespace frond

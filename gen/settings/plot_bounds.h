@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/result.h"
+#include "land/plot.h"
+
+namespace frond {
+
+/// Paths that are too long, have too many points or leave the land, which reaches `reach` metres from the
+/// middle. Errors stand at `pointer`, which names the points.
+void check_path(Errors& list, const PathShape& path, const std::string& pointer, double reach);
+
+}  // namespace frond

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <any>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "core/seed.h"
+#include "land/ground.h"
+#include "land/plot.h"
+#include "land/scatter.h"
+#include "land/sow.h"
+#include "preset/reader.h"
+#include "preset/schema.h"
+#include "settings/stage.h"
+#include "world/specimen.h"
+
+// Settings
+// ========
+// A setting is a row in settings/settings.h and a pair of files: settings/x.cpp says what it lays and how
+// things stand in it (its Grounds), emit/setting_x.cpp how it is written. Both leave nothing unanswered, or
+// do not compile.
+
+namespace frond {
+
+/// The box of something that stands in a scene.
+struct Occupied {
+  std::string name;
+  Vec3 low{0}, high{0};
+};
+
+/// What a setting offers to what is put there, metres.
+struct Extent {
+  double reach = 30;   ///< from the middle within which things may be put
+  double sown = 0;     ///< side of the square that is sown
+  double relief = 0;   ///< by how much the land rises
+  bool rocks = false;  ///< whether corals and plants are given rocks to stand on
+};
+
+/// What the ground of a setting takes, within about a factor of two.
+struct GroundForesight {
+  double triangles = 0;
+  double grass = 0;   ///< triangles that share few corners
+  double placed = 0;  ///< placements of stones and patches
+};
+
+/// What a setting lays, and how things stand on it. Metres.
+class Grounds {
+ public:
+  virtual ~Grounds() = default;
+
+  /// The floor, empty where there is none to be drawn, and how high it lies.
+  const Surface& floor() const { return floor_; }
+  const Heights& heights() const { return heights_; }
+  float height(Vec2 at) const { return static_cast<float>(heights_(at.x, at.y)); }
+
+  /// Lays what lies about, clear of what is taken, and takes its own places. What is fine lies only where the
+  /// camera comes near.
+  virtual void strew(const Camera& camera, TakenSpots& taken) = 0;
+  /// How high something stands there; lays the rock that is under it, `rock` metres wide, 0 none.
+  virtual float seat(Vec2 at, double rock, Seed seed) = 0;
+  /// The land as sowing asks for it.
+  virtual Land land(std::vector<Spot> taken) const = 0;
+  /// What belongs to the setting itself and grows or floats.
+  virtual std::vector<Specimen> furnishings() const = 0;
+  /// What the user should know of how all that stands there fits in. `things` makes the list of them.
+  virtual std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& things,
+                                           const Camera& camera, double film_end) const = 0;
+
+ protected:
+  void lay(Surface floor) {
+    heights_ = Heights(floor);
+    floor_ = std::move(floor);
+  }
+  void lay(Surface floor, Heights heights) {
+    floor_ = std::move(floor);
+    heights_ = std::move(heights);
+  }
+  /// Land of `size` metres with the altitudes and slopes of the floor.
+  Land sloping_land(double size, std::vector<Spot> taken) const;
+
+  Surface floor_;
+
+ private:
+  Heights heights_;
+};
+
+/// Up from the ground, of length 1.
+Vec3 ground_normal(const Heights& heights, Vec2 at);
+
+/// Metres to the edge of a plot's path; in its pond far below 0, for there nothing comes up, however near to
+/// a path it may.
+std::function<double(Vec2)> clear_of(const Plot& plot);
+
+/// What a setting answers for its parameters.
+struct SettingAnswers {
+  /// The properties below the scene that it heeds: "/meadow" a whole block, "/meadow/haze" one of it.
+  std::vector<std::string_view> heeds;
+  Extent (*extent)(const Stage&);
+  /// Faults that only show when all is read; each `where` is a JSON pointer below the scene.
+  Errors (*check)(const Stage&, const Film&);
+  GroundForesight (*foresee)(const Stage&, const Film&);
+  /// Lays the ground so that it reaches past `reach` metres from the middle.
+  std::unique_ptr<Grounds> (*lay)(const Stage&, const Film&, double reach, Seed);
+};
+
+/// A row of the table of settings.
+struct SettingRow {
+  std::string_view name, doc;
+  std::string_view block, block_doc;  ///< the property of its parameters
+  std::any initial;                   ///< the parameters as they are where a preset does not say
+  bool (*read)(Reader&, const Value&, std::any&);
+  std::string (*schema)();
+  SettingAnswers answers;
+};
+
+/// The row of a setting with the described struct of its parameters; nothing may be left out.
+template <class Block>
+SettingRow setting_row(std::string_view name, std::string_view doc, std::string_view block,
+                       std::string_view block_doc, std::vector<std::string_view> heeds,
+                       decltype(SettingAnswers::extent) extent, decltype(SettingAnswers::check) check,
+                       decltype(SettingAnswers::foresee) foresee, decltype(SettingAnswers::lay) lay) {
+  return {name,
+          doc,
+          block,
+          block_doc,
+          Block{},
+          [](Reader& reader, const Value& value, std::any& held) {
+            Block read{};
+            bool fine = reader.object_at(value, read);
+            held = std::move(read);
+            return fine;
+          },
+          [] {
+            SchemaWriter writer;
+            Block sample{};
+            describe(writer, sample);
+            return serialize(writer.object_schema());
+          },
+          {std::move(heeds), extent, check, foresee, lay}};
+}
+
+}  // namespace frond

@@ -1,0 +1,52 @@
+#include "settings/settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+std::span<const SettingRow> settings() {
+#define FROND_ROW(name) name##_setting(),
+  static const std::vector<SettingRow> rows{FROND_SETTINGS(FROND_ROW)};
+#undef FROND_ROW
+  return rows;
+}
+
+std::size_t row_of(std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(settings(), name, &SettingRow::name) -
+                                  settings().begin());
+}
+
+Stage::Stage() {
+  for (const SettingRow& row : settings()) blocks.push_back(row.initial);
+}
+
+Vec3 ground_normal(const Heights& heights, Vec2 at) {
+  constexpr float kReach = 0.5f;  // metres
+  auto x = static_cast<float>(heights(at.x - kReach, at.y) - heights(at.x + kReach, at.y));
+  auto z = static_cast<float>(heights(at.x, at.y - kReach) - heights(at.x, at.y + kReach));
+  return glm::normalize(Vec3(x, 2 * kReach, z));
+}
+
+std::function<double(Vec2)> clear_of(const Plot& plot) {
+  return [&plot](Vec2 at) {
+    return plot.pond_distance(at) < 0.1 ? -1e6 : std::min(plot.path_distance(at), plot.pond_distance(at));
+  };
+}
+
+Land Grounds::sloping_land(double size, std::vector<Spot> taken) const {
+  constexpr int kSamples = 128;
+  Land land;
+  land.size = size;
+  land.taken = std::move(taken);
+  double lowest = 1e9;
+  for (int i = 0; i <= kSamples; ++i)
+    for (int k = 0; k <= kSamples; ++k)
+      lowest = std::min(lowest, heights_((static_cast<double>(i) / kSamples - 0.5) * land.size,
+                                         (static_cast<double>(k) / kSamples - 0.5) * land.size));
+  land.altitude = [this, lowest](Vec2 at) { return heights_(at.x, at.y) - lowest; };
+  land.slope = [this](Vec2 at) { return std::acos(std::min(ground_normal(heights_, at).y, 1.0f)); };
+  return land;
+}
+
+}  // namespace frond

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <any>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/curve.h"
+#include "core/vec.h"
+
+namespace frond {
+
+enum class Quality { draft, good, best };
+
+struct Film {
+  int frames = 72;  ///< 1: a still
+  double fps = 24;
+  std::array<int, 2> size{480, 270};  ///< width and height, pixels
+  Quality quality = Quality::draft;
+
+  double length() const { return frames / fps; }              ///< seconds
+  double time(int frame) const { return (frame - 1) / fps; }  ///< of a frame, the first being 1
+};
+
+struct Camera {
+  Animated<Vec3> location{Vec3(0, 1.0f, 5)};
+  Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
+  Animated<double> angle{45.0};  ///< degrees, the width of the view
+  bool follow = false;           ///< heights count from the ground below, not from y = 0
+};
+
+/// Low dunes or a lawn, and the loose stones on it.
+struct Floor {
+  double relief = 0.14, scale = 3.2;  ///< metres, see Dunes
+  int stones = 50;                    ///< loose stones
+  double stone_size = 0.22;           ///< metres, of the largest of them
+  double extent = 7;                  ///< metres round the origin in which they lie
+};
+
+/// Everything but the organisms. Each setting has a block of parameters that only it knows, and that those
+/// which build on it read.
+struct Stage {
+  Stage();  ///< all blocks as they are where a preset does not say
+
+  std::size_t setting = 0;  ///< row of settings()
+  Camera camera;
+  Floor floor;
+  std::vector<std::any> blocks;  ///< one a setting
+
+  /// The block of a type, which one of the settings has.
+  template <class Block>
+  const Block& block() const {
+    for (const std::any& held : blocks)
+      if (const auto* found = std::any_cast<Block>(&held)) return *found;
+    throw std::bad_any_cast();
+  }
+};
+
+}  // namespace frond

@@ -1,0 +1,91 @@
+#include "settings/studio.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "settings/settings.h"
+
+namespace frond {
+
+template <class Visitor>
+void describe(Visitor& v, Studio& s) {
+  v.color("wall", s.wall, "Of wall and floor");
+  v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"},
+           "From the middle to the wall behind it");
+  v.direction("key", s.key, "Toward the main light");
+  v.number("softness", s.softness, {.min = 0, .max = 3}, "Of shadows");
+}
+
+namespace {
+
+/// Metres, the side of a square before the wall, wherever that stands.
+double sown_size(double distance) { return std::sqrt(2.0) * distance; }
+
+/// A level floor that is one with the wall.
+class StudioFloor final : public Grounds {
+ public:
+  explicit StudioFloor(const Studio& studio) : studio_(studio) {}
+
+  void strew(const Camera&, TakenSpots&) override {}
+  float seat(Vec2, double, Seed) override { return 0; }
+  Land land(std::vector<Spot> taken) const override {
+    Land land;
+    land.size = sown_size(studio_.distance);
+    land.taken = std::move(taken);
+    return land;
+  }
+  std::vector<Specimen> furnishings() const override { return {}; }
+  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& things, const Camera& camera,
+                                   double film_end) const override;
+
+ private:
+  /// Where the main light hangs at a time; as Studio_Setting of povinc/frond_studio.inc has it.
+  Vec3 lamp_at(const Camera& camera, double time) const {
+    Vec3 look = camera.look_at.at(time);
+    float far = std::max(1.0f, glm::distance(camera.location.at(time), look));
+    return look + glm::normalize(studio_.key) * (2.6f * far);
+  }
+
+  Studio studio_;
+};
+
+/// What stands through the wall, and round the main light.
+std::vector<std::string> StudioFloor::remarks(const std::function<std::vector<Occupied>()>& things,
+                                              const Camera& camera, double film_end) const {
+  double farthest = 0;
+  std::string through, lit;
+  for (const Occupied& thing : things()) {
+    if (-thing.low.z > farthest) farthest = -thing.low.z, through = thing.name;
+    for (double time : {0.0, film_end}) {
+      Vec3 lamp = lamp_at(camera, time);
+      bool within = glm::all(glm::lessThan(thing.low, lamp)) && glm::all(glm::lessThan(lamp, thing.high));
+      if (within && lit.empty()) lit = thing.name;
+    }
+  }
+  std::vector<std::string> notes;
+  if (farthest > studio_.distance)
+    notes.push_back(
+        fmt::format("{}: reaches {:.2g} m through the studio's wall; studio.distance {:.3g} or more?",
+                    through, farthest - studio_.distance, std::ceil(farthest * 11) / 10));
+  if (!lit.empty())
+    notes.push_back(fmt::format(
+        "{}: the studio's main light hangs within it; the camera farther from what it looks at?", lit));
+  return notes;
+}
+
+}  // namespace
+
+SettingRow studio_setting() {
+  return setting_row<Studio>(
+      "studio", "soft light before a plain wall", "studio", "Wall and light, for studio", {"/studio"},
+      [](const Stage& stage) { return Extent{.sown = sown_size(stage.block<Studio>().distance)}; },
+      [](const Stage&, const Film&) { return Errors{}; },
+      [](const Stage&, const Film&) { return GroundForesight{}; },
+      [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
+        return std::make_unique<StudioFloor>(stage.block<Studio>());
+      });
+}
+
+}  // namespace frond

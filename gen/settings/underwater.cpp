@@ -1,0 +1,94 @@
+#include "settings/underwater.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "settings/settings.h"
+
+namespace frond {
+
+template <class Visitor>
+void describe(Visitor& v, Water& w) {
+  v.color("near", w.near, "What distance fades to");
+  v.color("deep", w.deep, "Of the depth below the horizon");
+  v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
+           "Until two thirds of a colour are lost");
+  v.direction("sun", w.sun, "Toward the sun");
+  v.number("caustics", w.caustics, {.min = 0, .max = 1.5}, "How strongly waves focus the light");
+  v.number("shafts", w.shafts, {.min = 0, .max = 1}, "Beams of light");
+  v.integer("particles", w.particles, {.min = 0, .max = 1000}, "Specks that drift before the camera");
+}
+
+namespace {
+
+constexpr int kStoneShapes = 5;
+constexpr int kRockLooks = 3;
+constexpr double kFloorRadius = 32;  // metres, at least: as far as the water lets one see
+constexpr double kFloorBeyond = 4;   // metres from what stands farthest out to the edge, at least
+constexpr double kSownSize = 44;     // metres, a square within that
+
+/// How finely stones are meshed: facets show sooner in careful pictures.
+int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
+
+}  // namespace
+
+SeaFloor::SeaFloor(const Floor& floor, Quality quality, double reach, Seed seed)
+    : loose_(floor), seed_(seed) {
+  double radius = std::max(kFloorRadius, reach + kFloorBeyond);
+  int rings = static_cast<int>(std::lround(60 * std::sqrt(radius / kFloorRadius)));
+  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0), radius, rings));
+  for (int i = 0; i < kStoneShapes; ++i) {
+    Seed own = seed.child("stone shape", static_cast<std::uint64_t>(i));
+    shapes_.push_back({own, own.child("roughness").range(0.3, 0.6), own.child("flatness").range(0.2, 0.45)});
+    stones.push_back(stone_surface(shapes_.back(), stone_detail(quality)));
+  }
+}
+
+/// Lays a stone so that `sunk` of its height is in the ground, and returns how high its top is above the
+/// place.
+float SeaFloor::lay_stone(Vec2 at, float width, float sunk, Seed seed) {
+  StoneInstance stone;
+  stone.shape = static_cast<int>(seed.child("shape").bits() % kStoneShapes);
+  stone.look = static_cast<int>(seed.child("look").bits() % kRockLooks);
+  stone.turn = seed.child("turn").range(0, 2 * kPi);
+  stone.size = Vec3(width, width * static_cast<float>(seed.child("height").range(0.75, 1.05)),
+                    width * static_cast<float>(seed.child("depth").range(0.75, 1.1)));
+  float top =
+      stone_surface_point(shapes_[static_cast<std::size_t>(stone.shape)], Vec3(0, 1, 0)).y * stone.size.y;
+  stone.at = Vec3(at.x, height(at) + top * (1 - 2 * sunk), at.y);
+  stone_instances.push_back(stone);
+  return stone.at.y + top;
+}
+
+void SeaFloor::strew(const Camera&, TakenSpots& taken) {
+  for (int i = 0; i < loose_.stones; ++i) {
+    Seed seed = seed_.child("stone", static_cast<std::uint64_t>(i));
+    // Many small ones, few large ones.
+    double width = loose_.stone_size * (0.12 + 0.88 * std::pow(seed.child("width").unit(), 4.0));
+    auto spots =
+        scatter(Vec2(0), 0, loose_.extent, static_cast<float>(width / 2), 1, taken, seed.child("scatter"));
+    for (const Spot& spot : spots) lay_stone(spot.at, static_cast<float>(width), 0.35f, seed);
+  }
+}
+
+float SeaFloor::seat(Vec2 at, double rock, Seed seed) {
+  return rock > 0 ? lay_stone(at, static_cast<float>(rock), 0.3f, seed.child("rock")) : height(at);
+}
+
+Land SeaFloor::land(std::vector<Spot> taken) const { return sloping_land(kSownSize, std::move(taken)); }
+
+SettingRow underwater_setting() {
+  return setting_row<Water>(
+      "underwater", "a sea floor in blue water", "water", "The water, for underwater", {"/water", "/floor"},
+      [](const Stage&) { return Extent{.sown = kSownSize, .rocks = true}; },
+      [](const Stage&, const Film&) { return Errors{}; },
+      [](const Stage& stage, const Film& film) {
+        double stones = film.quality == Quality::best ? 102'400 : 25'600;
+        return GroundForesight{14'280 + stones, 0, 1.6 * stage.floor.stones};
+      },
+      [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
+        return std::make_unique<SeaFloor>(stage.floor, film.quality, reach, seed);
+      });
+}
+
+}  // namespace frond

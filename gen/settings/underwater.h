@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "rocks/stone.h"
+#include "settings/setting.h"
+
+namespace frond {
+
+/// The water round a reef.
+struct Water {
+  Color near{0.06f, 0.46f, 0.62f};  ///< what distance fades to
+  Color deep{0.02f, 0.22f, 0.38f};  ///< looking down into the depth
+  double visibility = 11;           ///< metres in which two thirds of the light are lost
+  Vec3 sun{0.35f, 1, 0.35f};        ///< towards the sun
+  double caustics = 1;              ///< strength of the light's dance, 0 none
+  double shafts = 0.8;              ///< strength of the beams of light, 0 none
+  int particles = 60;               ///< specks that drift before the camera
+};
+
+/// A stone shape put somewhere in the world.
+struct StoneInstance {
+  int shape = 0;  ///< index into SeaFloor::stones
+  Vec3 at{0};
+  Vec3 size{1};     ///< factors along the stone's own axes, metres
+  double turn = 0;  ///< radians about the vertical
+  int look = 0;     ///< which of the rock textures
+};
+
+/// Sand with loose stones, and rocks under corals.
+class SeaFloor final : public Grounds {
+ public:
+  SeaFloor(const Floor& floor, Quality quality, double reach, Seed seed);
+
+  void strew(const Camera& camera, TakenSpots& taken) override;
+  float seat(Vec2 at, double rock, Seed seed) override;
+  Land land(std::vector<Spot> taken) const override;
+  std::vector<Specimen> furnishings() const override { return {}; }
+  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
+                                   double) const override {
+    return {};
+  }
+
+  std::vector<Surface> stones;
+  std::vector<StoneInstance> stone_instances;
+
+ private:
+  float lay_stone(Vec2 at, float width, float sunk, Seed seed);
+
+  Floor loose_;
+  Seed seed_;
+  std::vector<Stone> shapes_;
+};
+
+}  // namespace frond

@@ -1,0 +1,89 @@
+#include "world/specimen.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+void put_skeleton(Skeleton& s, Vec3 foot, Quat turn, float size) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    s.position[i] = foot + turn * (s.position[i] * size);
+    s.radius[i] *= size;
+    s.distance[i] *= size;
+    s.to_tip[i] *= size;
+  }
+}
+
+void put_places(std::vector<Vec3>& places, Vec3 foot, Quat turn, float size) {
+  for (Vec3& p : places) p = foot + turn * (p * size);
+}
+
+void put_surface(Surface& surface, Vec3 foot, Quat turn, float size) {
+  put_places(surface.position, foot, turn, size);
+  for (Vec3& n : surface.normal) n = turn * n;
+}
+
+/// Placements of organs or of solids.
+template <class Placed>
+void put_placed(Placed& placed, Vec3 foot, Quat turn, float size) {
+  put_places(placed.position, foot, turn, size);
+  for (Quat& own : placed.turn) own = glm::normalize(turn * own);
+  for (Vec3& scale : placed.scale) scale *= size;
+}
+
+}  // namespace
+
+void put(Model& model, Vec3 foot, Quat turn, float size) {
+  put_skeleton(model.skeleton, foot, turn, size);
+  for (float& girth : model.girth) girth *= size;
+  put_placed(model.organs, foot, turn, size);
+  put_placed(model.solids, foot, turn, size);
+  put_surface(model.hull, foot, turn, size);
+  put_places(model.blades.foot, foot, turn, size);
+  put_surface(model.blades.surface, foot, turn, size);
+}
+
+Surface skin_of(const Model& model) {
+  Surface skin = model.hull.triangle.empty() ? merged(model.solids) : model.hull;
+  skin.uv.clear();
+  return skin;
+}
+
+Result<Specimen> developed(const Specimen& specimen, double time) {
+  const Life& life = specimen.life;
+  Result<Model> model = life.develop ? life.develop(time) : specimen.model;
+  if (!model) return model.errors();
+  Specimen now{specimen, std::move(*model)};
+  if (life.develop) now.motion.growth = {};  // it is revealed already
+  if (life.season) {
+    GroundAt ground;
+    if (life.ground) ground = [&](double x, double z) { return (*life.ground)(x, z); };
+    in_season(now.model.organs, now.model.prototypes, *life.season, time, life.season_seed, ground);
+  }
+  return now;
+}
+
+void pose_specimen(const Specimen& specimen, double time, Pose& pose) {
+  const Skeleton& rest = specimen.model.skeleton;
+  const std::optional<Hanging>& hanging = specimen.life.hanging;
+  bool swings = hanging && std::ranges::any_of(hanging->strands.hanging, [](auto held) { return held != 0; });
+  if (!swings) return pose_skeleton(rest, specimen.motion, time, pose);
+  // A creeper is revealed along strands that the wind has moved.
+  std::vector<Quat> turn;
+  Skeleton moved = rest;
+  swing_strands(hanging->strands, hanging->breeze, time, moved.position, turn);
+  pose_skeleton(moved, specimen.motion, time, pose);
+  for (std::size_t i = 0; i < turn.size(); ++i) pose.turn[i] = pose.turn[i] * turn[i];
+}
+
+std::string Specimen::check() const {
+  if (std::string fault = model.check(); !fault.empty()) return fault;
+  if (!std::isfinite(brightness) || brightness <= 0) return "its brightness is no factor";
+  if (model.skeleton.size() > 1 && style.voxel <= 0) return "its style has no voxel";
+  if (look.skin && look.bark) return "its branches have both a skin and a bark";
+  return {};
+}
+
+}  // namespace frond

@@ -1,0 +1,74 @@
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr int kSkyRings = 6, kSkyRays = 16;  // directions that are looked in, and in each ring
+constexpr double kSkyFar = 200;              // metres; what is beyond hides nothing
+
+}  // namespace
+
+void World::add(std::vector<Specimen> grown) {
+  std::move(grown.begin(), grown.end(), std::back_inserter(standing_));
+  hosts_.clear();
+}
+
+std::vector<Surface> World::bodies() const {
+  std::vector<Surface> skins;
+  for (const Specimen& s : standing_)
+    if (s.entry != Specimen::kNoEntry && s.model.solids.size() > 0) skins.push_back(skin_of(s.model));
+  return skins;
+}
+
+Result<std::shared_ptr<const Host>> World::host(const std::vector<std::string>& names,
+                                                std::string_view asker) const {
+  std::scoped_lock lock(hosts_in_work_);
+  std::shared_ptr<const Host>& known = hosts_[names];
+  if (known) return known;
+  Surface all;
+  for (const Specimen& s : standing_)
+    if (names.empty() || std::ranges::find(names, s.name) != names.end()) append(all, skin_of(s.model));
+  Result<Host> host = Host::build(all, asker);
+  if (!host) return host.errors();
+  known = std::make_shared<const Host>(std::move(*host));
+  return known;
+}
+
+double World::open_sky(const DVec3& at) const {
+  Result<std::shared_ptr<const Host>> bodies = host({}, "");
+  if (!bodies) return 1;
+  double open = 0;
+  for (int ring = 0; ring < kSkyRings; ++ring) {
+    // Rings of equal share of a sky whose light counts by the sine of its height.
+    double up = std::sqrt((ring + 0.5) / kSkyRings), flat = std::sqrt(1 - up * up);
+    for (int k = 0; k < kSkyRays; ++k) {
+      double turn = 2 * kPi * (k + 0.5 * (ring % 2)) / kSkyRays;
+      DVec3 way(flat * std::cos(turn), up, flat * std::sin(turn));
+      if (!(*bodies)->crossing(at + 1e-3 * way, at + kSkyFar * way)) ++open;
+    }
+  }
+  return open / (kSkyRings * kSkyRays);
+}
+
+bool World::taken(Vec2 at, float radius) const {
+  return std::ranges::any_of(
+      spots_, [&](const Spot& spot) { return glm::distance(at, spot.at) < radius + spot.radius; });
+}
+
+std::vector<Vec3> World::food(double time) const { return food_places(standing_, time); }
+
+std::vector<Vec3> food_places(std::span<const Specimen> specimens, double time) {
+  std::vector<Vec3> places;
+  for (const Specimen& s : specimens) {
+    if (s.motion.food.strength == 0) continue;
+    Vec3 at = s.motion.food.position.at(time);
+    if (std::ranges::find(places, at) == places.end()) places.push_back(at);
+  }
+  return places;
+}
+
+}  // namespace frond

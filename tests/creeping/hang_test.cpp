@@ -1,0 +1,134 @@
+#include "creeping/hang.h"
+
+#include <gtest/gtest.h>
+
+#include "creeping/crawl.h"
+#include "creeping/meshes.h"
+#include "creeping/swing.h"
+
+namespace frond {
+namespace {
+
+Host built(const Surface& s) { return std::move(*Host::build(s)); }
+
+/// Far from everything.
+Host nowhere() { return built(ball(0.1, 8, 6)); }
+
+Chain grown(const Host& host, double stiffness, int links, DVec3 heading, DVec3 root = DVec3(10, 10, 0)) {
+  Chain chain;
+  chain.root = root;
+  chain.heading = glm::normalize(heading);
+  chain.stiffness = stiffness;
+  for (int i = 0; i < links; ++i) {
+    DVec3 last = i == 0 ? chain.heading
+                        : glm::normalize(chain.place[i - 1] - (i == 1 ? chain.root : chain.place[i - 2]));
+    lengthen(chain, host, glm::normalize(last + DVec3(0.01, 0, 0.02)));
+    settle(chain, host, 4);
+  }
+  for (int i = 0; i < 100 && settle(chain, host, 20) > 1e-6; ++i) {
+  }
+  return chain;
+}
+
+TEST(Hang, LinksKeepTheirLength) {
+  Host host = nowhere();
+  Chain chain = grown(host, 0.12, 50, DVec3(1, 0.5, 0));
+  DVec3 at = chain.root;
+  for (const DVec3& p : chain.place) {
+    EXPECT_NEAR(glm::distance(at, p), chain.link, 1e-9);
+    at = p;
+  }
+}
+
+TEST(Hang, StiffnessIsTheLengthThatStandsOut) {
+  Host host = nowhere();
+  // Bending of a level rod under its own weight, by the theory of small bends: w L^4 / (8 E I).
+  Chain stiff = grown(host, 2, 20, DVec3(1, 0, 0));
+  double length = stiff.length(), sag = stiff.root.y - stiff.place.back().y;
+  EXPECT_NEAR(sag / (std::pow(length, 4) / 8 / std::pow(2.0, 3)), 1, 0.35);
+  // A long soft one hangs straight down but for its beginning.
+  Chain soft = grown(host, 0.05, 60, DVec3(1, 0, 0));
+  EXPECT_LT(soft.place.back().x - soft.root.x, 0.12);
+  EXPECT_GT(soft.root.y - soft.place.back().y, 1.2 - 0.12);
+  // What stands up and is long falls over.
+  Chain up = grown(host, 0.1, 50, DVec3(0, 1, 0));
+  EXPECT_LT(up.place.back().y, up.root.y);
+}
+
+TEST(Hang, IsAtRest) {
+  Host host = nowhere();
+  Chain chain = grown(host, 0.1, 40, DVec3(1, 0.3, 0.2));
+  EXPECT_LT(settle(chain, host, 1), 1e-4);
+}
+
+TEST(Hang, DrapesOverALedgeWithoutCuttingIt) {
+  Host host = built(cube(1, 4));
+  Chain chain = grown(host, 0.06, 40, DVec3(1, 0, 0), DVec3(0.4, 1.003, 0.1));
+  DVec3 at = chain.root;
+  for (const DVec3& p : chain.place) {
+    EXPECT_FALSE(host.inside(p));
+    EXPECT_FALSE(host.crossing(at, p));
+    EXPECT_NEAR(glm::distance(at, p), chain.link, 1e-9);
+    at = p;
+  }
+  EXPECT_LT(chain.place.back().y, 0.5);
+}
+
+Strands hanging_garden(const Host& host) {
+  Crawl crawl;
+  crawl.let_go = 0.6;
+  return grow_strands(host, starts_at_foot(host, 12, 0.05, Vec3(0, 0, 1), Seed{2}), crawl, Seed{5});
+}
+
+TEST(Hang, OnlyWhatIsMarkedHangsAndItKeepsItsLength) {
+  Host host = built(wall_with_openings());
+  Strands s = hanging_garden(host);
+  std::size_t hung = 0, gripped = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (!s.hanging[i]) continue;
+    ++hung;
+    std::int32_t p = s.skeleton.parent[i];
+    ASSERT_GE(p, 0);
+    if (s.hanging[p]) {
+      EXPECT_NEAR(glm::distance(s.skeleton.position[i], s.skeleton.position[p]), 0.02, 2e-4);
+    }
+    gripped +=
+        i + 1 < s.size() && s.skeleton.parent[i + 1] == static_cast<std::int32_t>(i) && !s.hanging[i + 1];
+    EXPECT_FALSE(host.inside(DVec3(s.skeleton.position[i])));
+  }
+  EXPECT_GT(hung, 500u);
+  EXPECT_GT(gripped, 3u);
+}
+
+TEST(Swing, IsAFunctionOfTimeThatRepeatsAndKeepsLengths) {
+  Host host = built(wall_with_openings());
+  Strands s = hanging_garden(host);
+  Breeze breeze;
+  breeze.film_length = 6;
+  std::vector<Vec3> first, at, later, again;
+  std::vector<Quat> turn;
+  swing_strands(s, breeze, 0, first, turn);
+  swing_strands(s, breeze, 6, again, turn);
+  swing_strands(s, breeze, 1.7, at, turn);
+  swing_strands(s, breeze, 1.7 + 1.0 / 25, later, turn);
+  double widest = 0, fastest = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    EXPECT_LT(glm::distance(first[i], again[i]), 1e-4f);
+    if (!s.hanging[i]) {
+      EXPECT_EQ(at[i], s.skeleton.position[i]);
+      continue;
+    }
+    std::int32_t p = s.skeleton.parent[i];
+    EXPECT_NEAR(glm::distance(at[i], at[p]), glm::distance(s.skeleton.position[i], s.skeleton.position[p]),
+                1e-5);
+    EXPECT_LE(glm::distance(at[i], s.skeleton.position[i]), s.room[i] + 1e-4) << i;
+    EXPECT_FALSE(host.inside(DVec3(at[i])));
+    widest = std::max<double>(widest, glm::distance(at[i], s.skeleton.position[i]));
+    fastest = std::max<double>(fastest, glm::distance(at[i], later[i]));
+  }
+  EXPECT_GT(widest, 0.04);
+  EXPECT_LT(fastest, 0.05);
+}
+
+}  // namespace
+}  // namespace frond

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""A new kind is a folder and a row, a new setting a pair of files and a row: in a copy of the tree both are added so,
+built, and are then in the schema, in `frond list`, and understood by check, info, generate and export.
+
+    tests/toy_test.py ROOT
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+KIND = r'''
+#include "organisms/kinds.h"
+#include "preset/reader.h"
+#include "preset/schema.h"
+#include "rocks/stone.h"
+
+namespace frond {
+
+struct ToyParams {
+  double size = 0.4;  ///< metres
+};
+
+template <class Visitor>
+void describe(Visitor& v, ToyParams& p) {
+  v.number("size", p.size, {.min = 0.01, .max = 10, .unit = "m"}, "How large the toy is");
+}
+
+namespace {
+
+class Toy final : public Described<ToyParams, BodyBuilder> {
+ public:
+  Errors check() const override { return {}; }
+  Result<Foresight> foresee(Seed) const override { return Foresight{}; }
+  Result<Model> grow_alone(Seed seed) const override {
+    Model model;
+    std::uint16_t stone = model.solids.add_shape({stone_surface({seed}, 2), {}});
+    model.solids.place(stone, Vec3(0), Quat(1, 0, 0, 0), Vec3(static_cast<float>(params.size)));
+    return model;
+  }
+};
+
+}  // namespace
+
+Kind<Organism> toy_kind() { return make_grower<Toy>("toy", "Something to play with"); }
+
+}  // namespace frond
+'''
+
+SETTING = r'''
+#include "settings/settings.h"
+
+namespace frond {
+
+struct Toyshop {
+  double shelf = 0.5;  ///< metres
+};
+
+template <class Visitor>
+void describe(Visitor& v, Toyshop& t) {
+  v.number("shelf", t.shelf, {.min = 0, .max = 2, .unit = "m"}, "How high things stand");
+}
+
+namespace {
+
+class Shelf final : public Grounds {
+ public:
+  explicit Shelf(double height) : height_(static_cast<float>(height)) {}
+  void strew(const Camera&, TakenSpots&) override {}
+  float seat(Vec2, double, Seed) override { return height_; }
+  Land land(std::vector<Spot>) const override { return {}; }
+  std::vector<Specimen> furnishings() const override { return {}; }
+  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
+                                   double) const override {
+    return {};
+  }
+
+ private:
+  float height_;
+};
+
+}  // namespace
+
+SettingRow toyshop_setting() {
+  return setting_row<Toyshop>(
+      "toyshop", "a shelf of toys", "toyshop", "The shelf, for toyshop", {"/toyshop"},
+      [](const Stage&) { return Extent{}; }, [](const Stage&, const Film&) { return Errors{}; },
+      [](const Stage&, const Film&) { return GroundForesight{}; },
+      [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
+        return std::make_unique<Shelf>(stage.block<Toyshop>().shelf);
+      });
+}
+
+}  // namespace frond
+'''
+
+SETTING_TEXT = r'''
+#include "emit/setting.h"
+
+namespace frond {
+
+SettingText toyshop_text() {
+  return {{"studio"},
+          [](const Scene&, double) -> std::string { return "// a shelf of toys"; },
+          [](const PovSpace&, const Scene&) { return std::string(); }};
+}
+
+}  // namespace frond
+'''
+
+PRESET = {
+    "film": {"frames": 1},
+    "scene": {"setting": "toyshop", "toyshop": {"shelf": 0.25}},
+    "organisms": [{"kind": "toy", "name": "bear", "size": 0.5, "place": {"at": [[0, 0]]}}],
+}
+
+
+def add_row(path, macro, name):
+    """One row more, at the end of the list of a macro."""
+    text = path.read_text()
+    lines = text.split("\n")
+    start = next(i for i, line in enumerate(lines) if line.startswith(f"#define {macro}(row)"))
+    end = next(i for i in range(start, len(lines)) if not lines[i].endswith("\\"))
+    lines[end:end + 1] = [lines[end] + " \\", f"  row({name})"]
+    path.write_text("\n".join(lines))
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    with tempfile.TemporaryDirectory() as scratch:
+        tree = pathlib.Path(scratch) / "frond"
+        for part in ("CMakeLists.txt", "CMakePresets.json", "gen", "templates", "povinc", "scripts"):
+            source, target = root / part, tree / part
+            tree.mkdir(exist_ok=True)
+            if source.is_dir():
+                shutil.copytree(source, target)
+            else:
+                shutil.copy2(source, target)
+        (tree / "gen/organisms/toy").mkdir()
+        (tree / "gen/organisms/toy/kind.cpp").write_text(KIND.lstrip())
+        add_row(tree / "gen/organisms/kinds.h", "FROND_KINDS", "toy")
+        (tree / "gen/settings/toyshop.cpp").write_text(SETTING.lstrip())
+        (tree / "gen/emit/setting_toyshop.cpp").write_text(SETTING_TEXT.lstrip())
+        add_row(tree / "gen/settings/settings.h", "FROND_SETTINGS", "toyshop")
+        # What was compiled in the tree itself need not be compiled again.
+        env = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}
+
+        def run(*command, **options):
+            done = subprocess.run(command, cwd=tree, env=env, capture_output=True, text=True, **options)
+            if done.returncode != 0:
+                sys.exit(f"{' '.join(map(str, command))}\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}")
+            return done.stdout
+
+        run("cmake", "--preset", "release", "-DFROND_TESTS=OFF")
+        run("cmake", "--build", "build", "--target", "frond")
+        frond = tree / "build/frond"
+        listed = json.loads(run(frond, "list", "--json"))
+        assert {"toy", "toyshop"} <= {row["name"] for row in listed}, "not listed"
+        schema = run(frond, "schema")
+        for words in ("Something to play with", "How large the toy is", "How high things stand"):
+            assert words in schema, f"not in the schema: {words}"
+        preset = tree / "toy.json"
+        preset.write_text(json.dumps(PRESET))
+        run(frond, "check", preset)
+        run(frond, "info", preset)
+        run(frond, "generate", preset, "-o", tree / "out", "--quiet")
+        text = (tree / "out/frames/frame_0001.pov").read_text()
+        assert "// a shelf of toys" in text and "mesh2" in text, "the frame has no toy"
+        run(frond, "export", preset, "-o", tree / "toy.obj")
+        heights = [float(line.split()[2]) for line in (tree / "toy.obj").read_text().splitlines()
+                   if line.startswith("v ")]
+        assert heights and min(heights) > -0.2 and max(heights) > 0.3, "the toy does not stand on its shelf"
+        wrong = dict(PRESET, organisms=[{"kind": "toy", "size": 100}])
+        preset.write_text(json.dumps(wrong))
+        done = subprocess.run([frond, "check", preset], capture_output=True, text=True)
+        assert done.returncode == 2 and "/organisms/0/size" in done.stderr, done.stderr
+    print("a toy kind and a toy setting were added, a folder or a pair of files and a row each")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,84 @@
+#include "world/world.h"
+
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+
+namespace frond {
+namespace {
+
+/// A level square of 2 `half` metres, `high` above the ground, as a body.
+Specimen roof(const std::string& name, float high, float half) {
+  Surface s;
+  for (float x : {-half, half})
+    for (float z : {-half, half}) s.position.emplace_back(x, high, z), s.normal.emplace_back(0, 1, 0);
+  s.triangle = {{0, 1, 2}, {1, 3, 2}};
+  Specimen roof;
+  roof.name = name;
+  roof.entry = 0;
+  roof.model.solids.place(roof.model.solids.add_shape({std::move(s), {}}));
+  return roof;
+}
+
+World open_world() { return World(Seed{1}, Heights(), 4, true); }
+
+TEST(World, FindsTheClosestPointAndTheFirstCrossingOfBodiesByName) {
+  World world = open_world();
+  EXPECT_FALSE(world.host({}, "nobody"));
+  world.add({});
+  std::vector<Specimen> grown;
+  grown.push_back(roof("low", 1, 2));
+  grown.push_back(roof("high", 3, 2));
+  world.add(std::move(grown));
+  auto all = world.host({}, "test"), high = world.host({"high"}, "test");
+  ASSERT_TRUE(all && high);
+  EXPECT_NEAR((*all)->closest(DVec3(0, 0, 0))->distance, 1, 1e-6);
+  EXPECT_NEAR((*high)->closest(DVec3(0, 0, 0))->distance, 3, 1e-6);
+  EXPECT_NEAR((*all)->crossing(DVec3(0, 0, 0), DVec3(0, 4, 0))->share, 0.25, 1e-6);
+  EXPECT_FALSE(world.host({"neither"}, "test"));
+  EXPECT_EQ(world.host({"high"}, "test")->get(), high->get()) << "made once";
+}
+
+TEST(World, HasLessLightUnderARoof) {
+  World world = open_world();
+  EXPECT_EQ(world.open_sky(DVec3(0, 0.5, 0)), 1);
+  std::vector<Specimen> grown;
+  grown.push_back(roof("roof", 3, 2));
+  world.add(std::move(grown));
+  double below = world.open_sky(DVec3(0, 2.5, 0)), beside = world.open_sky(DVec3(9, 2.5, 0)),
+         above = world.open_sky(DVec3(0, 3.5, 0));
+  EXPECT_LT(below, 0.2);
+  EXPECT_GT(beside, 0.9);
+  EXPECT_EQ(above, 1);
+}
+
+TEST(World, KnowsWhatIsTaken) {
+  World world = open_world();
+  world.take({Vec2(1, 0), 0.5f});
+  EXPECT_TRUE(world.taken(Vec2(0.2f, 0), 0.4f));
+  EXPECT_FALSE(world.taken(Vec2(0, 0), 0.4f));
+}
+
+TEST(World, KnowsWhereFoodIs) {
+  World world = open_world();
+  std::vector<Specimen> grown(3);
+  grown[0].motion.food.strength = grown[1].motion.food.strength = 0.5;
+  grown[0].motion.food.position = grown[1].motion.food.position =
+      Animated<Vec3>({{0, Vec3(0)}, {2, Vec3(2, 0, 0)}});
+  world.add(std::move(grown));
+  EXPECT_EQ(world.food(2), std::vector{Vec3(2, 0, 0)});
+}
+
+TEST(Put, ScalesAllThatAModelHas) {
+  Model model;
+  model.skeleton = candelabrum(3, Seed{1});
+  model.girth = model.skeleton.radius;
+  Model moved = model;
+  put(moved, Vec3(1, 0, 0), Quat(1, 0, 0, 0), 2);
+  EXPECT_EQ(moved.skeleton.position[2], Vec3(1, 0, 0) + 2.0f * model.skeleton.position[2]);
+  EXPECT_EQ(moved.girth[2], 2 * model.girth[2]);
+  EXPECT_EQ(moved.skeleton.radius[2], 2 * model.skeleton.radius[2]);
+}
+
+}  // namespace
+}  // namespace frond
