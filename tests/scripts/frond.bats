@@ -103,7 +103,7 @@ setup() {
   echo '{"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}' > idle.json
   run --separate-stderr "$frond" derive idle.json
   [ "$status" -eq 0 ]
-  [ "$stderr" = 'note: idle.json:1:39: /rules/0: column 9: `X` does nothing: no rule rewrites it and the turtle does not know it; in `A -> F[+X]A`' ]
+  [ "$stderr" = 'note: idle.json:1:38: /rules/0: column 9: `X` does nothing: no rule rewrites it and the turtle does not know it; in `A -> F[+X]A`' ]
   echo '{"organisms": [{"kind": "plant", "grammar": {"axiom": "A", "steps": 2, "rules": ["A -> F[+X]A"]}}]}' > herb.json
   for command in check info derive; do
     run --separate-stderr "$frond" $command herb.json
