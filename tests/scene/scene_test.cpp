@@ -221,5 +221,26 @@ TEST(Scene, PebblesLieOnTheGroundHoweverItRuns) {
   }
 }
 
+TEST(Scene, IsWhatItPromises) {
+  for (const char* name :
+       {"presets/reef", "presets/bush", "presets/fused", "presets/garden/rocks", "presets/garden/vases",
+        "presets/garden/bridge", "presets/garden/guided_palm", "presets/ivy/column", "presets/trees/poplar",
+        "presets/forest/fern", "presets/aspen", "presets/heart_tree", "presets/lsystems/growing-tree-2.6"}) {
+    std::string path = std::string(FROND_ROOT "/") + name + ".json";
+    Result<Preset> preset = read_preset(*read_file(path), path, {});
+    ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
+    Result<Scene> scene = build_scene(*preset);
+    ASSERT_TRUE(scene.ok()) << scene.errors()[0].text();
+    EXPECT_EQ(scene->check(), "") << name;
+    // What becomes another shape over the film is sound in the middle of it, too.
+    for (const Specimen& s : scene->specimens) {
+      if (!s.life.changes()) continue;
+      Result<Specimen> now = developed(s, scene->film.length() / 2);
+      ASSERT_TRUE(now.ok()) << now.errors()[0].text();
+      EXPECT_EQ(now->model.check(), "") << name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace frond
