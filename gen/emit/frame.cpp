@@ -17,6 +17,7 @@
 #include "emit/setting.h"
 #include "emit/skin.h"
 #include "emit/solid.h"
+#include "world/world.h"
 
 namespace frond {
 
@@ -69,13 +70,8 @@ std::string camera_text(const PovSpace& space, const Camera& camera, double time
 
 /// One food object for each place that an organism is drawn to.
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
-  std::vector<Vec3> places;
   std::string text;
-  for (const Specimen& b : scene.specimens) {
-    if (b.motion.food.strength == 0 || !b.look.skin) continue;
-    Vec3 at = b.motion.food.position.at(time);
-    if (std::find(places.begin(), places.end(), at) != places.end()) continue;
-    places.push_back(at);
+  for (const Vec3& at : food_places(scene.specimens, time)) {
     text += "object{Food_Swarm() translate";
     append_point(text, space, at);
     text += "}\n";

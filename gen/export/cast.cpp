@@ -256,9 +256,8 @@ Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& opti
 }
 
 Surface placed(const CastMesh& mesh, const CastPlacement& placement) {
-  Surface surface = mesh.surface;
-  for (Vec3& p : surface.position) p = placement.at + placement.turn * (p * placement.scale);
-  for (Vec3& n : surface.normal) n = glm::normalize(placement.turn * (n / placement.scale));
+  Surface surface;
+  append_placed(surface, mesh.surface, placement.at, placement.turn, placement.scale);
   return surface;
 }
 

@@ -49,7 +49,9 @@ void describe(Visitor& v, Stage& s) {
   v.object("camera", s.camera, "The camera");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const SettingRow& row = settings()[i];
-    v.custom(row.block, s.blocks[i], row.read, row.schema(), row.block_doc);
+    // Only who writes the schema asks for it: it takes longer than reading.
+    std::string schema = std::is_same_v<Visitor, SchemaWriter> ? row.schema() : std::string();
+    v.custom(row.block, s.blocks[i], row.read, schema, row.block_doc);
   }
   v.object("floor", s.floor, "The ground");
 }

@@ -70,7 +70,7 @@ struct Ivy {
 Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
                      const GroundHeight& ground, Seed seed);
 
-/// Puts leaves on strands: sites along them, laid out as a mosaic (geometry/mosaic.h), and each turned until
+/// Puts leaves on strands: sites along them, laid out as a mosaic (foliage/mosaic.h), and each turned until
 /// it lies on what is under it. Prototypes and organs of the model are set. The number of single leaves,
 /// sprigs taken apart.
 std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves,
