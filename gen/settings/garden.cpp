@@ -67,6 +67,11 @@ SettingRow garden_setting() {
         return std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach,
                                       Plot(garden.pond, garden.path, seed.child("plot")), garden.lilies,
                                       garden.gravel, garden.path.width, seed);
+      },
+      [](const Stage& stage) {
+        const auto& garden = stage.block<Garden>();
+        const auto& meadow = stage.block<Meadow>();
+        return sky_light(sun_at(garden.hour, garden.south), meadow.grass, meadow.haze);
       });
 }
 
