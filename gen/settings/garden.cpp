@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "settings/describe_plot.h"
+#include "settings/lawn.h"
 #include "settings/plot_bounds.h"
 #include "settings/settings.h"
 
@@ -24,7 +25,6 @@ void describe(Visitor& v, Garden& g) {
 
 namespace {
 
-constexpr double kMostPatches = 400'000;  // of gravel; each is an object of POV-Ray's
 constexpr double kLand = 150;             // metres from the middle
 
 void check_gravel(Errors& list, const Garden& garden) {

@@ -17,6 +17,7 @@ struct Patch {
 };
 
 inline constexpr double kLawnSown = 200;  ///< metres, the square of a lawn that is sown
+inline constexpr double kMostPatches = 400'000;  ///< of grass or gravel; each is an object of POV-Ray's
 
 /// Grass as a preset asks for it.
 struct LawnShape {
