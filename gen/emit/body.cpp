@@ -14,7 +14,7 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kPartTriangles = 10'000;  // POV-Ray reads many meshes faster than one large one
-constexpr int kCubeAges = 4, kCubeShades = 4;           // of cubes
+constexpr int kCubeAges = 4, kCubeShades = 4;   // of cubes
 
 /// Appends `name{count` and the items of a list of a mesh2.
 template <class Items, class Append>
@@ -182,8 +182,8 @@ Result<std::string> cubes_text(const PovSpace& space, const Specimen& b, const P
   for (std::size_t l = 0; l < example.size(); ++l) {
     if (example[l] < 0) continue;
     number[l] = static_cast<std::uint32_t>(all.list.size());
-    all.list.push_back(
-        cube_texture(b, example[l], static_cast<int>(l / kCubeShades % kCubeAges), static_cast<int>(l % kCubeShades)));
+    all.list.push_back(cube_texture(b, example[l], static_cast<int>(l / kCubeShades % kCubeAges),
+                                    static_cast<int>(l % kCubeShades)));
   }
   std::string text;
   for (std::size_t from = 0; from < surface.triangle.size(); from += kPartTriangles) {

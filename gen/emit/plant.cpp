@@ -14,7 +14,7 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kLeafShades = 3;         // of each colour, so that leaves differ
+constexpr std::size_t kLeafShades = 3;     // of each colour, so that leaves differ
 constexpr std::size_t kPiece = 1'000'000;  // bytes that are handed on at once
 constexpr std::size_t kSteps = 8;          // from the colour of a bud to that of the leaf
 

@@ -147,7 +147,7 @@ Vec3 turned(Vec3 v, Vec3 axis, double angle) { return glm::angleAxis(static_cast
 TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
   TwigParts frond;
   std::vector<StemStation> stem = stem_of(shape.bend * (1 + 0.15 * seed.child(0).range(-1, 1)), 1.5,
-                                      0.25 * seed.child(1).range(-1, 1), 24);
+                                          0.25 * seed.child(1).range(-1, 1), 24);
   frond.stem = rod(stem, 0.011, 0.0015);
   double spacing = (1 - shape.stalk) / shape.pairs;
   for (int i = 0; i < shape.pairs; ++i) {

@@ -98,16 +98,16 @@ Surface heart_surface(double radius, double flatness, int florets) {
   Surface s, seed = ball_surface();
   float dome = static_cast<float>(1 - flatness);
   append_turned(s, seed,
-         glm::mat3(static_cast<float>(1.96 * radius), 0, 0, 0, static_cast<float>(1.7 * radius) * dome, 0, 0,
-                   0, static_cast<float>(1.96 * radius)),
-         Vec3(0));
+                glm::mat3(static_cast<float>(1.96 * radius), 0, 0, 0, static_cast<float>(1.7 * radius) * dome,
+                          0, 0, 0, static_cast<float>(1.96 * radius)),
+                Vec3(0));
   for (int i = 0; i < florets; ++i) {
     double share = std::sqrt((i + 0.5) / florets), angle = i * kGoldenAngle, r = radius * share;
     float size = static_cast<float>(2.1 * radius / std::sqrt(static_cast<double>(florets)));
     double height = radius * 0.85 * dome * std::sqrt(std::max(0.0, 1 - share * share));
     append_turned(s, seed, glm::mat3(size),
-           Vec3(static_cast<float>(r * std::cos(angle)), static_cast<float>(height),
-                static_cast<float>(r * std::sin(angle))));
+                  Vec3(static_cast<float>(r * std::cos(angle)), static_cast<float>(height),
+                       static_cast<float>(r * std::sin(angle))));
   }
   s.uv.clear();
   set_normals(s);

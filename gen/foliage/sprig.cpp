@@ -16,10 +16,10 @@ struct OutlineStation {
 };
 
 constexpr OutlineStation kOval[] = {{0, 0.02f},     {0.10f, 0.30f}, {0.28f, 0.86f}, {0.45f, 1},
-                             {0.65f, 0.83f}, {0.84f, 0.42f}, {1, 0}};
+                                    {0.65f, 0.83f}, {0.84f, 0.42f}, {1, 0}};
 constexpr OutlineStation kLobed[] = {{0, 0.05f},     {0.10f, 0.16f}, {0.20f, 0.52f}, {0.29f, 0.34f},
-                              {0.42f, 0.86f}, {0.52f, 0.55f}, {0.66f, 1},     {0.76f, 0.62f},
-                              {0.88f, 0.70f}, {0.97f, 0.36f}, {1, 0}};
+                                     {0.42f, 0.86f}, {0.52f, 0.55f}, {0.66f, 1},     {0.76f, 0.62f},
+                                     {0.88f, 0.70f}, {0.97f, 0.36f}, {1, 0}};
 constexpr OutlineStation kNarrow[] = {{0, 0.05f}, {0.15f, 0.75f}, {0.40f, 1}, {0.70f, 0.72f}, {1, 0}};
 constexpr OutlineStation kLeaflet[] = {{0, 0.2f}, {0.45f, 1}, {1, 0}};
 

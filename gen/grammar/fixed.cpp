@@ -10,7 +10,7 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kLongest = 1024;   // symbols that one symbol may become in composed steps
+constexpr std::size_t kLongest = 1024;        // symbols that one symbol may become in composed steps
 constexpr std::size_t kFixedChunk = 1 << 14;  // symbols of the word that one task rewrites
 constexpr std::size_t kFixedBlock = 32;       // bytes copied at a time, whatever the length
 
@@ -86,7 +86,8 @@ void write(const Image& image, const SymbolId* first, const SymbolId* last, Symb
     if (length > 4 * kFixedBlock) {
       std::memcpy(out + kFixedBlock, word + kFixedBlock, length - kFixedBlock);
     } else {
-      for (std::size_t at = kFixedBlock; at < length; at += kFixedBlock) std::memcpy(out + at, word + at, kFixedBlock);
+      for (std::size_t at = kFixedBlock; at < length; at += kFixedBlock)
+        std::memcpy(out + at, word + at, kFixedBlock);
     }
     out += length;
   }

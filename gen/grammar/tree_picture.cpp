@@ -99,8 +99,10 @@ std::string draw_rows(const std::vector<Row>& rows, double width) {
     for (const Node& node : rows[level]) {
       const Node& parent = rows[level - 1][static_cast<std::size_t>(node.parent)];
       double y = kTop + kRow * static_cast<double>(level);
-      out += "<line x1=\"", put_hundredths(out, parent.x + 48), out += "\" y1=\"", put_hundredths(out, y - kRow + 8);
-      out += "\" x2=\"", put_hundredths(out, node.x + 48), out += "\" y2=\"", put_hundredths(out, y - 14), out += "\"/>\n";
+      out += "<line x1=\"", put_hundredths(out, parent.x + 48), out += "\" y1=\"",
+          put_hundredths(out, y - kRow + 8);
+      out += "\" x2=\"", put_hundredths(out, node.x + 48), out += "\" y2=\"", put_hundredths(out, y - 14),
+          out += "\"/>\n";
     }
   }
   out += "</g>\n<g font-family=\"monospace\" font-size=\"12\" text-anchor=\"middle\" fill=\"#233\">\n";
@@ -108,7 +110,8 @@ std::string draw_rows(const std::vector<Row>& rows, double width) {
     double y = kTop + kRow * static_cast<double>(level);
     out += fmt::format("<text x=\"18\" y=\"{}\" fill=\"#99a\">{}</text>\n", static_cast<int>(y), level);
     for (const Node& node : rows[level]) {
-      out += "<text x=\"", put_hundredths(out, node.x + 48), out += "\" y=\"", put_hundredths(out, y), out += "\">";
+      out += "<text x=\"", put_hundredths(out, node.x + 48), out += "\" y=\"", put_hundredths(out, y),
+          out += "\">";
       out += escaped(node.label) + "</text>\n";
     }
   }

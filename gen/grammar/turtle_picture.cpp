@@ -85,13 +85,14 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
     // Lines that join and look alike share one path.
     const Stroke& first = canvas.lines[i];
     double stroke = std::clamp(first.width * scale, 0.5, 60.0);
-    out += "<path stroke=\"", out += color_of(first.color), out += "\" stroke-width=\"", put_thousandths(out, stroke),
-        out += "\" d=\"";
+    out += "<path stroke=\"", out += color_of(first.color), out += "\" stroke-width=\"",
+        put_thousandths(out, stroke), out += "\" d=\"";
     DVec3 pen(1e300);
     for (; i < canvas.lines.size(); ++i) {
       const Stroke& line = canvas.lines[i];
       if (line.color != first.color || line.width != first.width) break;
-      if (line.from != pen) out += 'M', put_thousandths(out, x(line.from)), out += ' ', put_thousandths(out, y(line.from));
+      if (line.from != pen)
+        out += 'M', put_thousandths(out, x(line.from)), out += ' ', put_thousandths(out, y(line.from));
       out += 'L', put_thousandths(out, x(line.to)), out += ' ', put_thousandths(out, y(line.to));
       pen = line.to;
     }
@@ -100,13 +101,15 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
   out += "</g>\n<g>\n";
   for (const Fill& fill : canvas.fills) {
     out += "<polygon fill=\"", out += color_of(fill.color + 1), out += "\" points=\"";
-    for (DVec3 p : fill.points) put_thousandths(out, x(p)), out += ',', put_thousandths(out, y(p)), out += ' ';
+    for (DVec3 p : fill.points)
+      put_thousandths(out, x(p)), out += ',', put_thousandths(out, y(p)), out += ' ';
     out += "\"/>\n";
   }
   for (const Ball& ball : canvas.balls) {
-    out += "<circle fill=\"", out += color_of(ball.color), out += "\" cx=\"", put_thousandths(out, x(ball.center));
-    out += "\" cy=\"", put_thousandths(out, y(ball.center)), out += "\" r=\"", put_thousandths(out, ball.radius * scale),
-        out += "\"/>\n";
+    out += "<circle fill=\"", out += color_of(ball.color), out += "\" cx=\"",
+        put_thousandths(out, x(ball.center));
+    out += "\" cy=\"", put_thousandths(out, y(ball.center)), out += "\" r=\"",
+        put_thousandths(out, ball.radius * scale), out += "\"/>\n";
   }
   return out + "</g>\n</svg>\n";
 }

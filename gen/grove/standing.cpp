@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kUnfold = 0.35f;  // years in which leaves unfold
 constexpr float kWither = 0.5f;   // years in which they go
-constexpr double kFallInAir = 6;    // m/s2; twigs are held up by the air
+constexpr double kFallInAir = 6;  // m/s2; twigs are held up by the air
 constexpr double kTipping = 1.1;  // radians a second
 constexpr float kGone = 1e-4f;    // metres: what is thinner is not there
 

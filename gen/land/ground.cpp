@@ -66,7 +66,7 @@ Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, d
 
 namespace {
 
-constexpr int kCells = 64;                         // along x and z, the origin in the middle
+constexpr int kCells = 64;                             // along x and z, the origin in the middle
 constexpr std::array<double, 2> kCellSides{1.0, 8.0};  // metres
 
 int cell_of(double x, double side) { return static_cast<int>(std::floor(x / side)) + kCells / 2; }

@@ -6,7 +6,7 @@ namespace frond {
 
 namespace {
 
-constexpr int kGridCells = 160;          // of the grid that darts are thrown by, along each side
+constexpr int kGridCells = 160;      // of the grid that darts are thrown by, along each side
 constexpr double kClumpSoft = 0.08;  // of the noise on either side of a clump's edge
 
 /// 1 within from..to, falling to 0 at the ends over a part of it; not at an end that lies beyond
@@ -56,7 +56,8 @@ Likings::Likings(const SowRules& rules, const Land& land, std::span<const Bed> a
 }
 
 Vec2 Likings::corner(std::size_t i) const {
-  return low_ + step_ * Vec2(static_cast<float>(i % (kGridCells + 1)), static_cast<float>(i / (kGridCells + 1)));
+  return low_ +
+         step_ * Vec2(static_cast<float>(i % (kGridCells + 1)), static_cast<float>(i / (kGridCells + 1)));
 }
 
 double Likings::clumps(Vec2 at) const {

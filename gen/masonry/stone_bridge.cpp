@@ -156,7 +156,8 @@ void build_vault(const BridgeMason& m, Seed seed) {
 }
 
 /// One stone of a wall, cut off by the ring below and by the deck above.
-void lay_wall_stone(const BridgeMason& m, double from, double to, double low, double high, double side, Seed seed) {
+void lay_wall_stone(const BridgeMason& m, double from, double to, double low, double high, double side,
+                    Seed seed) {
   constexpr int kProbes = 24;
   double joint = m.shape.gap / 2, foot = -m.shape.foundation, thick = std::min(0.26, 0.3 * m.face);
   low += joint, high -= joint, from += joint, to -= joint;
@@ -320,8 +321,8 @@ void build_core(const BridgeMason& m) {
 
 void build_stone(const BridgeShape& shape, Bridge& bridge, Seed seed) {
   double wall = std::min({std::max(0.18, 2.2 * shape.rail), 0.3, 0.2 * shape.width});
-  BridgeMason mason{shape, bridge, fit_vault(shape, bridge), shape.width / 2 - std::min(kSet, 0.1 * shape.width),
-              wall};
+  BridgeMason mason{shape, bridge, fit_vault(shape, bridge),
+                    shape.width / 2 - std::min(kSet, 0.1 * shape.width), wall};
   build_core(mason);
   build_vault(mason, seed.child("vault"));
   build_walls(mason, seed.child("walls"));

@@ -10,7 +10,7 @@ namespace frond {
 namespace {
 
 constexpr int kCoarsest = 3;              // so that the outermost cells are free of the surface
-constexpr std::size_t kCellsATask = 512;       // cells that one thread looks at in one go
+constexpr std::size_t kCellsATask = 512;  // cells that one thread looks at in one go
 constexpr double kReachOfTriangle = 1.5;  // the longest edge of a triangle, in widths of the cell, about
 
 enum class Verdict : std::uint8_t { leaf, clear, split };

@@ -97,7 +97,8 @@ void wear(Surface& rock, const RockShape& shape, Seed seed) {
   float size = static_cast<float>(shape.size);
   Seed layers = seed.child("strata");
   parallel_for((rock.position.size() + kVerticesATask - 1) / kVerticesATask, [&](std::size_t share) {
-    for (std::size_t i = share * kVerticesATask; i < std::min((share + 1) * kVerticesATask, rock.position.size()); ++i) {
+    for (std::size_t i = share * kVerticesATask;
+         i < std::min((share + 1) * kVerticesATask, rock.position.size()); ++i) {
       Vec3 p = rock.position[i], n = rock.normal[i], q = p / size + shift;
       if (w.roughness > 0) {
         double lumps = 0.045 * fractal_noise(q * 1.9f, 2);

@@ -25,7 +25,7 @@ void describe(Visitor& v, Garden& g) {
 
 namespace {
 
-constexpr double kLand = 150;             // metres from the middle
+constexpr double kLand = 150;  // metres from the middle
 
 void check_gravel(Errors& list, const Garden& garden) {
   const std::vector<Vec2>& points = garden.path.points;
