@@ -1,0 +1,193 @@
+/** The calls of the server. */
+
+import type { Header } from "./view/header";
+
+export interface Doc {
+  text: string;
+  file: string;
+}
+export interface Fault {
+  text: string;
+  where: string;
+  /** From 1; 0: unknown. */
+  line: number;
+  column: number;
+  pointer: string;
+}
+export interface Listed {
+  file: string;
+  title: string;
+  about: string;
+  picture: string | null;
+}
+export interface Loaded {
+  file: string;
+  text: string;
+  disk: string | null;
+  copy?: boolean;
+}
+export interface Start {
+  version: string;
+  machine: { cores: number };
+  schema: Record<string, unknown>;
+  symbols: { symbol: string; doc: string }[];
+  preset: Loaded | null;
+  presets: Listed[];
+}
+export interface Foretold {
+  nodes: number;
+  seconds: number;
+  memory: number;
+}
+export type SceneAnswer =
+  | { is: "picture"; bytes: ArrayBuffer }
+  | { is: "stale" }
+  | { is: "wrong"; errors: Fault[]; notes: string[] }
+  | { is: "long"; foretold: Foretold };
+export interface Derived {
+  word: string;
+  length: number;
+  counts: Record<string, number>;
+  steps: number;
+  tree: string | null;
+  svg: string | null;
+  predicted: { modules: number; nodes: number } | null;
+}
+export type Quality = "draft" | "good" | "best";
+export interface RenderState {
+  state: "growing" | "rendering" | "done" | "failed" | "cancelled";
+  progress: number;
+  seconds: number;
+  left: number | null;
+  message: string;
+  preview: boolean;
+}
+export interface PastRender {
+  id: string;
+  state: RenderState["state"];
+  seconds: number;
+  title: string;
+  seed: number;
+  time: number;
+  size: [number, number];
+  quality: Quality;
+}
+export type SaveAnswer =
+  | { is: "saved"; file: string; disk: string }
+  | { is: "conflict"; error: string; disk: string }
+  | { is: "wrong"; errors: Fault[] };
+
+/** The server said no; `status` 0: it did not answer at all. */
+export class ApiError extends Error {
+  constructor(
+    readonly status: number,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+const TOKEN = "frond.token";
+
+/** Takes the token off the address, where `frond studio` printed it, and keeps it for this tab. */
+export function takeToken(): void {
+  const found = /token=([0-9a-fA-F]+)/.exec(location.hash);
+  if (!found) return;
+  sessionStorage.setItem(TOKEN, found[1]!);
+  const rest = location.hash.replace(/[#&]?token=[0-9a-fA-F]+/, "").replace(/^&/, "#");
+  history.replaceState(null, "", location.pathname + location.search + rest);
+}
+
+const token = (): string => sessionStorage.getItem(TOKEN) ?? "";
+
+async function call(method: string, path: string, body?: BodyInit | object, signal?: AbortSignal): Promise<Response> {
+  const plain = typeof body === "string" || body instanceof Blob || body === undefined;
+  try {
+    return await fetch(path, {
+      method,
+      headers: { "X-Frond-Token": token(), ...(plain ? {} : { "Content-Type": "application/json" }) },
+      body: plain ? (body as BodyInit | undefined) : JSON.stringify(body),
+      signal,
+      cache: "no-store",
+    });
+  } catch (error) {
+    if ((error as Error).name === "AbortError") throw error;
+    throw new ApiError(0, "The server does not answer");
+  }
+}
+
+async function refuse(answer: Response): Promise<never> {
+  const said = (await answer.json().catch(() => ({}))) as { error?: string; errors?: Fault[] };
+  throw new ApiError(answer.status, said.error ?? said.errors?.[0]?.text ?? `The server answers ${answer.status}`);
+}
+
+async function json<T>(method: string, path: string, body?: BodyInit | object): Promise<T> {
+  const answer = await call(method, path, body);
+  if (!answer.ok) await refuse(answer);
+  return (await answer.json()) as T;
+}
+
+const withToken = (path: string): string => `${path}?token=${encodeURIComponent(token())}`;
+
+export const start = (): Promise<Start> => json("GET", "/api/start");
+export const ping = (): Promise<{ ok: boolean; started: string }> => json("GET", "/api/ping");
+export const preset = (file: string): Promise<Loaded> => json("GET", `/api/preset?file=${encodeURIComponent(file)}`);
+export const galleryPicture = (name: string): string => withToken(`/api/gallery/${encodeURIComponent(name)}`);
+
+export interface SceneRequest {
+  doc: Doc;
+  time: number;
+  have: string[];
+  solo: number[] | null;
+  hide: number[];
+  /** Ask the person where it would take longer than so many seconds; null: never. */
+  ask: number | null;
+}
+
+/** The model at a time. Of each session the newest `seq` counts. */
+export async function scene(session: string, seq: number, request: SceneRequest): Promise<SceneAnswer> {
+  const answer = await call("POST", `/api/scene?session=${session}&seq=${seq}`, request);
+  if (answer.status === 200) return { is: "picture", bytes: await answer.arrayBuffer() };
+  if (answer.status === 202) return { is: "long", ...((await answer.json()) as { foretold: Foretold }) };
+  if (answer.status === 409) return { is: "stale" };
+  if (answer.status === 422) {
+    const said = (await answer.json()) as { errors: Fault[]; notes?: string[] };
+    return { is: "wrong", errors: said.errors, notes: said.notes ?? [] };
+  }
+  return refuse(answer);
+}
+
+/** What a grammar comes to, or what is wrong with it. */
+export async function derive(doc: Doc, entry: number, steps: number | null): Promise<Derived | Fault[]> {
+  const answer = await call("POST", "/api/derive", { doc, entry, steps });
+  if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
+  if (!answer.ok) await refuse(answer);
+  return (await answer.json()) as Derived;
+}
+
+export async function render(doc: Doc, time: number, size: [number, number], quality: Quality): Promise<{ id: string } | Fault[]> {
+  const answer = await call("POST", "/api/render", { doc, time, size, quality });
+  if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
+  if (!answer.ok) await refuse(answer);
+  return (await answer.json()) as { id: string };
+}
+export const renderState = (id: string): Promise<RenderState> => json("GET", `/api/render/${id}`);
+export const renderDoc = (id: string): Promise<Doc> => json("GET", `/api/render/${id}/doc`);
+export const renderPicture = (id: string): string => withToken(`/api/render/${id}/picture`);
+export const renders = (): Promise<PastRender[]> => json("GET", "/api/renders");
+export async function cancelRender(id: string): Promise<void> {
+  await call("DELETE", `/api/render/${id}`);
+}
+
+export async function save(file: string, text: string, disk: string | null, overwrite: boolean, force: boolean): Promise<SaveAnswer> {
+  const answer = await call("POST", "/api/save", { file, text, disk, overwrite, force });
+  if (answer.status === 409) return { is: "conflict", ...((await answer.json()) as { error: string; disk: string }) };
+  if (answer.status === 422) return { is: "wrong", ...((await answer.json()) as { errors: Fault[] }) };
+  if (!answer.ok) await refuse(answer);
+  return { is: "saved", ...((await answer.json()) as { file: string; disk: string }) };
+}
+
+/** Puts an OBJ file beside the presets; answers the name to write into an organism of kind "mesh". */
+export const mesh = (name: string, file: Blob): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}`, file);
+
+export type { Header };

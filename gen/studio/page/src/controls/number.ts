@@ -1,0 +1,84 @@
+/** Numbers: a slider with a box, or a box alone. */
+
+import { el, iconButton } from "../dom";
+import type { NumberField } from "../schema";
+import { isTyping, valueOf, type Control, type Place } from "./control";
+import { isBoundless, rounded, scaleOf, valueAt } from "./scale";
+
+export const shown = (value: unknown): string => (typeof value === "number" ? String(Number(value.toPrecision(7))) : String(value ?? ""));
+
+/**
+ * A box for a number. Up and down change it by a step, with Shift by ten; what is no number is not taken. `put` gets
+ * each change, and whether the person is done with it.
+ */
+export function numberBox(label: string, field: NumberField, put: (value: number, done: boolean) => void): HTMLInputElement & { show(value: unknown): void } {
+  const box = el<HTMLInputElement>("input.number", { type: "text", inputMode: "decimal", "aria-label": label, autocomplete: "off", spellcheck: false });
+  const take = (): void => {
+    delete box.dataset.touched;
+    const value = Number(box.value.replace(",", "."));
+    const fits = box.value.trim() !== "" && Number.isFinite(value);
+    if (fits) put(field.integer ? Math.round(value) : value, true);
+    else box.dispatchEvent(new Event("refused"));
+  };
+  box.addEventListener("input", () => (box.dataset.touched = "yes"));
+  box.addEventListener("change", take);
+  box.addEventListener("focus", () => box.select());
+  box.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") take();
+    if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
+    event.preventDefault();
+    const now = Number(box.value) || 0;
+    const size = field.integer ? 1 : Math.max(10 ** (Math.floor(Math.log10(Math.abs(now) || 1)) - 1), 1e-5);
+    const step = size * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
+    const next = Math.min(field.high, Math.max(field.low, rounded(now + step, field.integer ? 1 : size / 10)));
+    put(next, false);
+    box.value = shown(next);
+  });
+  const show = (value: unknown): void => {
+    if (!isTyping(box)) box.value = shown(value);
+  };
+  return Object.assign(box, { show });
+}
+
+export function numberControl(place: Place<NumberField>): Control {
+  const { field, binding, label } = place;
+  const box = numberBox(label, field, (value, done) => binding.set(value, done));
+  box.addEventListener("refused", () => box.show(valueOf(place)));
+  const boxed = el("span.boxed", {}, box, field.unit && el("span.unit", {}, field.unit));
+  if (isBoundless(field)) return bareNumber(place, box, boxed);
+
+  const scale = scaleOf(field);
+  const slider = el<HTMLInputElement>("input.slider", { type: "range", min: "0", max: String(scale.steps), step: "1", "aria-label": `${label}, slider` });
+  const fill = (): void => slider.style.setProperty("--fill", `${(100 * Number(slider.value)) / scale.steps}%`);
+  const move = (done: boolean): void => {
+    const value = valueAt(scale, field, Number(slider.value) / scale.steps);
+    slider.dataset.held = "yes";
+    binding.set(value, done);
+    delete slider.dataset.held;
+    box.show(value);
+    fill();
+  };
+  slider.addEventListener("input", () => move(false));
+  slider.addEventListener("change", () => binding.store.endGesture());
+  return {
+    element: el("span.slide", {}, slider, boxed),
+    refresh(): void {
+      const value = Number(valueOf(place) ?? field.low);
+      box.show(valueOf(place) ?? "");
+      slider.setAttribute("aria-valuetext", `${shown(value)} ${field.unit}`);
+      if (slider.dataset.held) return;
+      slider.value = String(Math.round(scale.toWay(value) * scale.steps));
+      fill();
+    },
+  };
+}
+
+/** Seeds get a die. */
+function bareNumber(place: Place<NumberField>, box: ReturnType<typeof numberBox>, boxed: HTMLElement): Control {
+  const roll = iconButton("dice", `Another ${place.label}`, () => place.binding.set(anySeed()));
+  const isSeed = place.label === "seed";
+  if (isSeed) roll.dataset.testid = "seed-dice";
+  return { element: el("span.slide.bare", {}, boxed, isSeed && roll), refresh: () => box.show(valueOf(place)) };
+}
+
+export const anySeed = (): number => Math.floor(Math.random() * 100000);

@@ -1,0 +1,191 @@
+/**
+ * The studio's page.
+ *
+ * Marks (data-testid) that tests in a browser may rely on:
+ *   top bar      to-gallery file unsaved undo redo save save-as-button seed variations render theme side
+ *   outline      part:preset part:scene part:all organisms organism:N solo:N hide:N more:N add-organism
+ *   properties   search group:PATH row:PATH (of organisms row:organism/PATH) scope:PATH animate:PATH seed-dice open-grammar
+ *   view         view scene-status look-through set-camera foretold time play
+ *   drawer       tab:problems tab:grammar tab:text tab:renders; problems text
+ *   grammar      grammar-panel axiom rules:rules rules:interpretation rules:decomposition derive-steps derive-figures word
+ *                turtle-svg derivation-tree
+ *   renders      render-size render-quality render-start compare renders render-picture render-state cancel-render go-back
+ *                wipe close-picture
+ *   variations   wall wall-grid variation:VALUE
+ *   gallery      gallery gallery-search new-preset card:FILE
+ *   dialogs      add add:KIND add-from add-which save-as save-name save-wrong save-conflict long leave answer:VALUE
+ *   elsewhere    banner
+ * `window.frond` has `mask()`, a picture of the organisms alone, `took`, seconds from the last change to its picture, and
+ * `settled()`, which resolves when the view shows what the text says.
+ */
+
+import "./styles/base.css";
+import "./styles/layout.css";
+import "./styles/controls.css";
+import "./styles/panels.css";
+import "./styles/gallery.css";
+import * as api from "./api";
+import { anySeed } from "./controls/number";
+import { Section } from "./controls/group";
+import { el, quiet } from "./dom";
+import { addOrganism, takeDrops } from "./panels/add_organism";
+import { ask, say } from "./panels/dialogs";
+import { drawer } from "./panels/drawer";
+import { gallery } from "./panels/gallery";
+import { grammarPanel } from "./panels/grammar_panel";
+import { inspector } from "./panels/inspector";
+import { linkBanner } from "./panels/link";
+import { outliner } from "./panels/outliner";
+import { picturePane } from "./panels/picture";
+import { problems, selectPointer } from "./panels/problems";
+import { renders } from "./panels/renders";
+import { save, saveAs } from "./panels/saving";
+import { stage } from "./panels/stage";
+import { textPanel } from "./panels/text_panel";
+import { toggleTheme } from "./panels/theme";
+import { timeBar } from "./panels/time_bar";
+import { mountTips } from "./panels/tips";
+import { topBar } from "./panels/top_bar";
+import { wall } from "./panels/wall";
+import { listenToKeys } from "./shortcuts";
+import { Store } from "./store";
+
+const store = new Store();
+api.takeToken();
+void begin();
+
+async function begin(): Promise<void> {
+  mountTips();
+  try {
+    const start = await api.start();
+    store.begin(start);
+    build();
+    if (!store.restore() && start.preset) store.open(start.preset);
+  } catch (error) {
+    const refused = error instanceof api.ApiError && error.status === 403;
+    const said = refused ? "Open the address that frond studio printed: it holds the key to this page." : (error as Error).message;
+    document.body.append(el("main.refused", {}, el("h1", {}, "Frond"), el("p", { role: "alert", "data-testid": "banner" }, said)));
+    if (!refused) setTimeout(() => location.reload(), 2000);
+  }
+}
+
+function build(): void {
+  const scene = stage(store);
+  const time = timeBar(store, scene.loop);
+  const variations = wall(store, () => scene.view.resize());
+  const made = renders(store, () => pane);
+  const pane = picturePane({ goBack: (id) => void made.goBack(id), cancel: made.cancel, resized: () => scene.view.resize() });
+  const text = textPanel(store);
+  const grammar = grammarPanel(store);
+  const faults = problems(store, {
+    goToLine(line, column) {
+      below.open("text");
+      text.goTo(line, column);
+    },
+    showControl,
+  });
+  const below = drawer(
+    [
+      { name: "problems", label: "Problems", element: faults.element },
+      { name: "grammar", label: "Grammar", element: grammar.element, opened: grammar.opened, closed: grammar.closed },
+      { name: "text", label: "Text", element: text.element },
+      { name: "renders", label: "Renders", element: made.element, opened: () => void made.reload().catch(() => undefined) },
+    ],
+    () => scene.view.resize(),
+  );
+  const properties = inspector(store, {
+    vary: variations.vary,
+    showInText(path) {
+      below.open("text");
+      text.goToPath(path);
+    },
+    openGrammar: () => below.open("grammar"),
+  });
+  const begin = gallery(store);
+  const side = el("aside.side", { "aria-label": "Preset" }, outliner(store, () => void addOrganism(store)), properties);
+  const center = el("div.center", {}, el("div.pictures-row", {}, scene.element, pane.element, variations.element), time.element, below.element);
+  const workshop = el("div.workshop", { hidden: true }, center, side);
+  const toggleSide = (): void => {
+    workshop.classList.toggle("no-side");
+    scene.view.resize();
+  };
+  const bar = topBar(store, {
+    gallery: () => void leave(),
+    save: () => void save(store),
+    saveAs: () => void saveAs(store),
+    wall: variations.seeds,
+    render: () => {
+      below.open("renders");
+      void made.start();
+    },
+    seed: () => store.set(["seed"], anySeed()),
+    side: toggleSide,
+    theme: toggleTheme,
+  });
+  const banner = linkBanner(store, () => {
+    scene.loop.want();
+    void made.reload().catch(() => undefined);
+  });
+  document.body.append(bar, el("main", {}, banner, begin.element, workshop));
+
+  const showOpen = (): void => {
+    workshop.hidden = !store.isOpen;
+    begin.element.hidden = store.isOpen;
+    if (!store.isOpen) begin.show();
+    pane.close();
+    variations.close();
+    scene.view.resize();
+  };
+  store.on("opened", showOpen);
+  store.on(["text", "scene"], () => below.badge("problems", faults.count() ? String(faults.count()) : store.scene.notes.length ? String(store.scene.notes.length) : "", faults.count() > 0));
+  showOpen();
+
+  /** Selects what a pointer names, opens the groups on the way, and puts the focus there. */
+  function showControl(pointer: string): void {
+    const groups = selectPointer(store, pointer);
+    const kind = typeof store.selected === "number" ? store.preset.kindOf(store.selected) : store.selected;
+    for (const group of groups) Section.openGroup(kind, group);
+    workshop.classList.remove("no-side");
+    // Built anew, with those groups open.
+    store.emit("opened-groups");
+    const names = [...groups].reverse().map((g) => `[data-testid="row:${typeof store.selected === "number" ? "organism/" : ""}${g}"] :is(input, select, button.label)`);
+    const found = names.map((n) => properties.querySelector<HTMLElement>(n)).find(Boolean);
+    found?.scrollIntoView({ block: "center" });
+    found?.focus();
+  }
+
+  takeDrops(store);
+  listenToKeys({
+    undo: () => store.undo(),
+    redo: () => store.redo(),
+    save: () => void save(store),
+    saveAs: () => store.isOpen && void saveAs(store),
+    play: time.toggle,
+    camera: scene.toggleCamera,
+    search: () => document.querySelector<HTMLElement>(store.isOpen ? "[data-testid=search]" : "[data-testid=gallery-search]")?.focus(),
+  });
+  addEventListener("pagehide", () => store.keepDraft());
+  addEventListener("beforeunload", (event) => store.unsaved && event.preventDefault());
+  addEventListener("resize", quiet(100, () => scene.view.resize()));
+  Object.assign(window, {
+    frond: {
+      mask: () => (scene.view as { mask?: () => unknown }).mask?.(),
+      settled: () => scene.loop.settled(),
+      get took() {
+        return store.scene.took;
+      },
+    },
+  });
+}
+
+/** To the gallery; what is unsaved is asked for first. */
+async function leave(): Promise<void> {
+  if (!store.isOpen) return;
+  if (store.unsaved) {
+    const answer = await ask("Leave this preset?", "What you changed is not saved.", [{ value: "stay", label: "Stay" }, { value: "leave", label: "Leave without saving" }, { value: "save", label: "Save", primary: true }], "leave");
+    if (answer === "save") await save(store);
+    if (answer !== "leave" && store.unsaved) return;
+  }
+  store.close();
+  say("Choose another preset.");
+}

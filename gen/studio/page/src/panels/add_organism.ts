@@ -1,0 +1,108 @@
+/** Adding an organism: of a kind, from another preset, or an OBJ file. */
+
+import * as api from "../api";
+import { el } from "../dom";
+import { sliceAt } from "../edits";
+import { Preset } from "../preset";
+import { spelled } from "../schema";
+import type { Store } from "../store";
+import { parse } from "jsonc-parser";
+import { dialog, say } from "./dialogs";
+
+/** What a kind needs to be something to look at. */
+const STARTS: Record<string, object> = {
+  plant: { height: 1, grammar: { axiom: "X", steps: 5, angle: 25, rules: ["X -> F[+X][-X]FX", "F -> FF"] }, thickness: { from: "pipe", radius: 0.012 } },
+  coral: { height: 0.6 },
+  colonized: { envelope: {} },
+};
+
+export async function addOrganism(store: Store): Promise<void> {
+  let file: File | null = null;
+  const chosen = await dialog("Add an organism", (close) => {
+    const kinds = store.schema.kinds.map(({ value, doc }) =>
+      el("li", {}, el("button.choice", { type: "button", "data-testid": `add:${value}`, click: () => close(`kind ${value}`) }, el("strong", {}, spelled(value)), el("span", {}, doc))),
+    );
+    const input = el<HTMLInputElement>("input", { type: "file", accept: ".obj", "aria-label": "OBJ file", change: () => {
+      file = input.files?.[0] ?? null;
+      if (file) close("file");
+    } });
+    return [
+      el("h3", {}, "Of a kind"),
+      el("ul.choices", { tabIndex: 0, "aria-label": "Kinds" }, ...kinds),
+      el("h3", {}, "From another preset"),
+      fromPreset(store, close),
+      el("h3", {}, "From an OBJ file"),
+      el("div.line", {}, input, el("span.hint", {}, "or drop one on the page")),
+      el("div.answers", {}, el("button", { type: "button", click: () => close(null) }, "Cancel")),
+    ];
+  }, "add");
+  if (!chosen) return;
+  if (chosen === "file" && file) return addMesh(store, file);
+  const [what, ...rest] = chosen.split(" ");
+  if (what === "kind") store.addOrganism(ofKind(store, rest[0]!));
+  else store.addOrganism(parse(rest.join(" ")));
+}
+
+function ofKind(store: Store, kind: string): object {
+  const taken = new Set(store.preset.organisms.map((_, i) => store.preset.nameOf(i)));
+  let name = spelled(kind);
+  for (let i = 2; taken.has(name); i++) name = `${spelled(kind)} ${i}`;
+  return { kind, name, ...(kind === "ivy" ? {} : { place: { at: [[0, 0]] } }), ...STARTS[kind] };
+}
+
+/** A list of presets, then of the organisms of the one chosen. */
+function fromPreset(store: Store, close: (answer: string) => void): HTMLElement {
+  const files = el<HTMLSelectElement>("select", { "aria-label": "Preset", "data-testid": "add-from" }, el("option", { value: "" }, "choose a preset"),
+    ...store.presets.map((p) => el("option", { value: p.file }, p.title || p.file)));
+  const organisms = el<HTMLSelectElement>("select", { "aria-label": "Organism", disabled: true, "data-testid": "add-which" });
+  const add = el<HTMLButtonElement>("button", { type: "button", disabled: true }, "Add");
+  let preset: Preset | null = null;
+  files.addEventListener("change", () => void read());
+  async function read(): Promise<void> {
+    try {
+      preset = new Preset((await api.preset(files.value)).text);
+    } catch (error) {
+      return say((error as Error).message, true);
+    }
+    organisms.replaceChildren(...preset.organisms.map((_, i) => el("option", { value: i }, preset!.nameOf(i))));
+    organisms.disabled = add.disabled = !preset.organisms.length;
+  }
+  add.addEventListener("click", () => {
+    const entry = Number(organisms.value);
+    const shared = preset && Object.keys(preset.defaults).length > 0;
+    // What the other preset says for all goes with it.
+    const text = shared ? JSON.stringify(preset!.organism(entry)) : preset && sliceAt(preset.text, ["organisms", entry]);
+    if (text) close(`json ${text}`);
+  });
+  return el("div.line", {}, files, organisms, add);
+}
+
+/** Sends an OBJ file to the server and lets it stand in the scene. */
+export async function addMesh(store: Store, file: File): Promise<void> {
+  if (!store.isOpen) return say("Open a preset first, then drop the file on it.", true);
+  if (!/\.obj$/i.test(file.name)) return say(`${file.name} is no OBJ file.`, true);
+  if (file.size > 32e6) return say(`${file.name} is larger than 32 MB.`, true);
+  try {
+    const answer = await api.mesh(file.name, file);
+    store.addOrganism({ kind: "mesh", name: file.name.replace(/\.obj$/i, ""), file: answer.file, place: { at: [[0, 0]], size_variation: 0, turn_variation: 0, lean: 0 } });
+    say(`${file.name} stands in the scene. Ivy climbs it.`);
+  } catch (error) {
+    say((error as Error).message, true);
+  }
+}
+
+/** Files that are dropped anywhere on the page. */
+export function takeDrops(store: Store): void {
+  const over = (event: DragEvent): void => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    document.body.classList.toggle("dropping", event.type === "dragover");
+  };
+  addEventListener("dragover", over);
+  addEventListener("dragleave", over);
+  addEventListener("drop", (event) => {
+    over(event);
+    for (const file of event.dataTransfer?.files ?? []) void addMesh(store, file);
+  });
+}
+

@@ -1,0 +1,80 @@
+/** What the preset is made of: itself, its scene, what counts for all, and its organisms. */
+
+import { el, iconButton } from "../dom";
+import type { Selection } from "../drafts";
+import { isWithin } from "../pointer";
+import type { Store } from "../store";
+import { grouped } from "../dom";
+import { openMenu } from "../controls/menu";
+
+const PARTS: [Selection, string, string[], string][] = [
+  ["preset", "Preset and film", ["/title", "/seed", "/film", "/base"], "Title, seed, size and length"],
+  ["scene", "Scene", ["/scene"], "Surroundings, camera, water, land"],
+  ["all", "For all organisms", ["/defaults", "/force"], "Values of the scene that organisms share"],
+];
+
+export function outliner(store: Store, addOrganism: () => void): HTMLElement {
+  const parts = el("ul.outline", { "aria-label": "Parts of the preset" });
+  const organisms = el("ul.outline", { "aria-label": "Organisms", "data-testid": "organisms" });
+  const add = iconButton("add", "Add an organism", addOrganism, { "data-testid": "add-organism" });
+  const element = el("section.outliner", { "aria-label": "Outline" }, parts, el("div.outline-head", {}, el("h2", {}, "Organisms"), add), organisms);
+
+  const hasFault = (pointers: string[]): boolean => store.faults.some((f) => pointers.some((p) => isWithin(f.pointer, p)));
+  const line = (selection: Selection, label: string, detail: string, wrong: boolean, testid: string, ...tools: HTMLElement[]): HTMLElement => {
+    const chosen = store.selected === selection;
+    const name = el("button.name", { type: "button", "aria-current": chosen ? "true" : null, "data-testid": testid, click: () => store.select(selection) },
+      el("span.what", {}, label), detail && el("span.detail", {}, detail));
+    return el(`li${chosen ? ".chosen" : ""}${wrong ? ".wrong" : ""}`, {}, name, ...tools);
+  };
+
+  const organism = (entry: number): HTMLElement => {
+    const name = store.preset.nameOf(entry);
+    const kind = store.preset.kindOf(entry);
+    const drawn = store.scene.header?.entries[entry];
+    const count = drawn ? drawn.specimens + drawn.copies : 0;
+    const off = store.hidden.has(entry) || (store.solo.size > 0 && !store.solo.has(entry));
+    const more = iconButton("sliders", `${name}: copy, remove`, (event) =>
+      openMenu(event.currentTarget as HTMLElement, [
+        { label: "Copy", act: () => store.copyOrganism(entry) },
+        { label: "Remove", act: () => store.removeOrganism(entry) },
+      ]), { "data-testid": `more:${entry}`, "aria-haspopup": "menu" });
+    const item = line(entry, name, `${kind === name ? "" : kind}${count > 1 ? ` ×${grouped(count)}` : ""}`, hasFault([`/organisms/${entry}`]), `organism:${entry}`,
+      iconButton("solo", `${name}: show it alone`, () => store.toggle("solo", entry), { "aria-pressed": String(store.solo.has(entry)), "data-testid": `solo:${entry}` }),
+      iconButton(store.hidden.has(entry) ? "hidden" : "eye", `${name}: hide it`, () => store.toggle("hidden", entry), { "aria-pressed": String(store.hidden.has(entry)), "data-testid": `hide:${entry}` }),
+      more);
+    item.classList.toggle("off", off);
+    return item;
+  };
+
+  let shown = "";
+  const refresh = (): void => {
+    const state = JSON.stringify([store.selected, store.preset.organisms.map((o) => [o.name, o.kind]), [...store.solo], [...store.hidden],
+      store.scene.header?.entries.map((e) => e.specimens + e.copies), store.faults.map((f) => f.pointer)]);
+    if (state === shown) return;
+    shown = state;
+    const focused = (document.activeElement as HTMLElement | null)?.dataset.testid;
+    parts.replaceChildren(...PARTS.map(([selection, label, pointers, about]) => {
+      const made = line(selection, label, "", hasFault(pointers), `part:${selection}`);
+      (made.firstElementChild as HTMLElement).dataset.tip = about;
+      return made;
+    }));
+    organisms.replaceChildren(...store.preset.organisms.map((_, i) => organism(i)));
+    if (focused && element.contains(document.activeElement) === false) element.querySelector<HTMLElement>(`[data-testid="${focused}"]`)?.focus();
+  };
+  element.addEventListener("keydown", (event) => keys(event, element, store));
+  store.on(["text", "selected", "shown", "scene", "opened"], refresh);
+  return element;
+}
+
+/** Up and down go from line to line; Delete removes an organism. */
+function keys(event: KeyboardEvent, element: HTMLElement, store: Store): void {
+  const names = [...element.querySelectorAll<HTMLElement>("button.name")];
+  const at = names.indexOf(document.activeElement as HTMLElement);
+  if (at < 0) return;
+  const entry = at - PARTS.length;
+  if (event.key === "ArrowDown") names[at + 1]?.focus();
+  else if (event.key === "ArrowUp") names[at - 1]?.focus();
+  else if (event.key === "Delete" && entry >= 0) store.removeOrganism(entry);
+  else return;
+  event.preventDefault();
+}

@@ -1,0 +1,67 @@
+/** Saving: under the file's name, or another. */
+
+import * as api from "../api";
+import { el } from "../dom";
+import type { Store } from "../store";
+import { ask, buttons, dialog, say } from "./dialogs";
+
+export async function save(store: Store): Promise<void> {
+  if (!store.isOpen) return;
+  if (store.copy) return saveAs(store);
+  await write(store, store.file, store.disk, false, false);
+}
+
+export async function saveAs(store: Store): Promise<void> {
+  const name = el<HTMLInputElement>("input.text", { type: "text", "aria-label": "Name of the file", value: suggested(store), "data-testid": "save-name", autofocus: true });
+  const answer = await dialog("Save as", (close) => {
+    name.addEventListener("keydown", (event) => event.key === "Enter" && close("save"));
+    return [
+      el("label.field", {}, el("span", {}, "File"), name),
+      buttons([{ value: "cancel", label: "Cancel" }, { value: "save", label: "Save", primary: true }], close),
+    ];
+  }, "save-as");
+  const file = name.value.trim();
+  if (answer !== "save" || !file) return;
+  await write(store, /\.json$/.test(file) ? file : `${file}.json`, null, false, false);
+}
+
+/** Beside the one it was copied from, so that the files it names are found. */
+function suggested(store: Store): string {
+  return store.copy ? store.file.replace(/(\.json)?$/, "_copy.json") : store.file;
+}
+
+async function write(store: Store, file: string, disk: string | null, overwrite: boolean, force: boolean): Promise<void> {
+  const { text } = store;
+  let answer: api.SaveAnswer;
+  try {
+    answer = await api.save(file, text, disk, overwrite, force);
+  } catch (error) {
+    return say(`Not saved: ${(error as Error).message}`, true);
+  }
+  if (answer.is === "saved") {
+    store.markSaved(answer.file, answer.disk, text);
+    return say(`Saved ${answer.file}`);
+  }
+  if (answer.is === "wrong") {
+    const first = answer.errors[0];
+    const chosen = await ask("This is no preset yet", `${first?.text ?? "Something is wrong"}${first?.line ? `, line ${first.line}` : ""}. Save the text as it is?`,
+      [{ value: "cancel", label: "Go on editing" }, { value: "force", label: "Save it nevertheless", primary: true }], "save-wrong");
+    if (chosen === "force") await write(store, file, disk, overwrite, true);
+    return;
+  }
+  const changed = answer.error === "changed on disk";
+  const chosen = await ask(changed ? "The file has changed on disk" : "There is such a file", changed
+    ? `${file} is not what was opened here: somebody else has written it since. Overwriting takes their changes away.`
+    : `${file} is there already.`,
+    [{ value: "cancel", label: "Cancel" }, ...(changed ? [{ value: "load", label: "Load theirs" }] : []), { value: "other", label: "Another name" }, { value: "overwrite", label: "Overwrite", primary: true }], "save-conflict");
+  if (chosen === "overwrite") await write(store, file, answer.disk, true, force);
+  if (chosen === "other") await saveAs(store);
+  if (chosen === "load") await loadTheirs(store, file);
+}
+
+/** What is on disk becomes the text; undo brings one's own back. */
+async function loadTheirs(store: Store, file: string): Promise<void> {
+  const theirs = await api.preset(file);
+  store.change(theirs.text);
+  store.markSaved(theirs.file, theirs.disk ?? "", theirs.text);
+}

@@ -1,0 +1,135 @@
+/** The view of the model, what is said over it, and what is dragged in it. */
+
+import { Binding } from "../controls/binding";
+import { keysOf, valueAtTime, withKey } from "../controls/keys";
+import { vectorOf } from "../controls/vector";
+import { bytes, el, grouped, icon, spoken } from "../dom";
+import { setAt } from "../edits";
+import { fromPointer, getAt, isObject, toPointer, type Path } from "../pointer";
+import { SceneLoop } from "../scene_loop";
+import type { Store } from "../store";
+import { View, type Path as DragPath } from "../view/view";
+import { addMesh } from "./add_organism";
+import { ask } from "./dialogs";
+import { onTheme } from "./theme";
+
+type Vec3 = [number, number, number];
+
+export interface Stage {
+  element: HTMLElement;
+  loop: SceneLoop;
+  view: View;
+  toggleCamera(): void;
+}
+
+export function stage(store: Store): Stage {
+  const host = el("div.view-host", { "data-testid": "view" });
+  const figures = el("p.scene-figures", { role: "status", "data-testid": "scene-status" });
+  const look = el("button", { type: "button", "aria-pressed": "false", "data-tip": "Look through the preset's camera (C)", "data-testid": "look-through", click: () => toggleCamera() }, icon("camera"), "Camera");
+  const set = el("button", { type: "button", "data-tip": "Put the preset's camera where you look from now", "data-testid": "set-camera", click: () => {
+    const { at, to } = view.eye();
+    setCamera(store, at, to);
+  } }, "Set to this view");
+  const over = el("div.over", { hidden: true, "data-testid": "foretold" });
+  const element = el("section.stage", { "aria-label": "View of the model" }, host, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, look, set), over, figures);
+  let through = false;
+
+  const view = new View(host, {
+    picked: (entry) => entry !== null && store.select(entry),
+    placed: (entry, index, x, z, done) => {
+      const place = new Binding(store, entry, ["place", "at"]).item(index);
+      place.set([round(x), round(z)], done);
+    },
+    key: (_what, pointer, at, done) => {
+      store.set(fromPointer(pointer), at.map(round), pointer);
+      if (done) store.endGesture();
+    },
+    camera: (at, to) => setCamera(store, at, to),
+    dropped: (file) => void addMesh(store, file),
+  });
+  const loop = new SceneLoop(store, view);
+
+  function toggleCamera(): void {
+    through = !through;
+    look.setAttribute("aria-pressed", String(through));
+    view.lookThrough(through);
+  }
+  const showFigures = (): void => {
+    const { header, busy, took, foretold } = store.scene;
+    const faults = store.faults.length;
+    element.classList.toggle("busy", busy);
+    element.classList.toggle("wrong", faults > 0);
+    // Words that change with each picture would be read aloud without end.
+    figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
+    over.hidden = foretold === null;
+  };
+  const summary = (nodes: number, copies: number, took: number): string =>
+    [`${grouped(nodes)} nodes`, copies ? `${grouped(copies)} copies` : "", spoken(took)].filter(Boolean).join(" · ");
+
+  let asking = false;
+  const askIfLong = async (): Promise<void> => {
+    const { foretold } = store.scene;
+    if (!foretold || asking) return;
+    asking = true;
+    const text = `${grouped(foretold.nodes)} nodes: about ${spoken(foretold.seconds)} and ${bytes(foretold.memory)} of memory.`;
+    const answer = await ask("This would take long to grow", text, [{ value: "no", label: "Not now" }, { value: "grow", label: "Grow it", primary: true }], "long");
+    asking = false;
+    if (answer === "grow") return loop.agree();
+    const again = el("button", { type: "button", click: () => loop.agree() }, "Grow it");
+    over.replaceChildren(el("span", {}, `Not grown yet: ${text}`), again);
+  };
+
+  store.on("scene", () => {
+    showFigures();
+    void askIfLong();
+  });
+  store.on("opened", () => {
+    through = true;
+    toggleCamera();
+  });
+  const drawPaths = (): void => view.paths(pathsOf(store));
+  store.on(["text", "selected", "opened"], () => {
+    drawPaths();
+    view.select(typeof store.selected === "number" ? store.selected : null);
+  });
+  onTheme((dark) => view.theme(dark));
+  new ResizeObserver(() => view.resize()).observe(host);
+  return { element, loop, view, toggleCamera };
+}
+
+const round = (x: number): number => Number(x.toFixed(3));
+
+/** Puts the camera there: as a whole, or as a key at the time shown where it moves. */
+function setCamera(store: Store, at: Vec3, to: Vec3): void {
+  const camera = getAt(store.preset.whole, ["scene", "camera"]);
+  const said = isObject(camera) ? camera : {};
+  const eye = at.map(round) as Vec3;
+  // Heights of a camera that follows the land count from the ground, which we know below the camera as it was.
+  const was = store.scene.header?.camera.at[1];
+  if (said.follow === true && was !== undefined) eye[1] = round(eye[1] - was + Number(vectorOf(valueAtTime(said.location, store.time), 3)[1]));
+  const value = (name: string, v: Vec3): unknown => (keysOf(said[name]) ? withKey(said[name], store.time, v) : v);
+  store.batch((text) => {
+    const moved = setAt(text, ["scene", "camera", "location"], value("location", eye));
+    return setAt(moved, ["scene", "camera", "look_at"], value("look_at", to.map(round) as Vec3));
+  });
+}
+
+/** What can be dragged along its way: the food of what is selected, and with the scene the camera. */
+function pathsOf(store: Store): DragPath[] {
+  const { selected } = store;
+  if (selected === "scene") {
+    if (getAt(store.preset.whole, ["scene", "camera", "follow"]) === true) return [];
+    return [pathAt(store, "camera", ["scene", "camera", "location"]), pathAt(store, "camera", ["scene", "camera", "look_at"])].filter((p) => p !== null);
+  }
+  const entry = typeof selected === "number" && store.schema.kind(store.preset.kindOf(selected)).fields.has("food") ? selected : null;
+  const path: Path = entry === null ? ["defaults", "food", "position"] : new Binding(store, entry, ["food", "position"]).path;
+  return [pathAt(store, "food", path)].filter((p) => p !== null);
+}
+
+function pathAt(store: Store, what: "food" | "camera", path: Path): DragPath | null {
+  const value = getAt(store.preset.whole, path);
+  const keys = keysOf(value);
+  const pointer = toPointer(path);
+  if (keys) return { what, pointer, keys: keys.map(([t, at], i) => ({ t, at: vectorOf(at, 3) as Vec3, pointer: `${pointer}/${i}/1` })) };
+  return Array.isArray(value) ? { what, pointer, keys: [{ t: 0, at: vectorOf(value, 3) as Vec3, pointer }] } : null;
+}

@@ -1,0 +1,94 @@
+/** Time: a slider over the film, and play. */
+
+import { el, icon } from "../dom";
+import { keysOf } from "../controls/keys";
+import type { SceneLoop } from "../scene_loop";
+import type { Store } from "../store";
+import { isObject } from "../pointer";
+
+export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; toggle(): void } {
+  const play = el<HTMLButtonElement>("button.icon-button", { type: "button", "data-testid": "play", click: () => toggle() });
+  const slider = el<HTMLInputElement>("input.slider.time", { type: "range", min: "0", step: "any", "aria-label": "Time of the film", "data-testid": "time" });
+  const marks = el("div.marks", { "aria-hidden": "true" });
+  const clock = el("output.clock", {});
+  const element = el("section.time-bar", { "aria-label": "Time" }, play, el("div.track", {}, slider, marks), clock);
+  let playing = false;
+
+  const film = (): { seconds: number; fps: number } => {
+    const header = store.scene.header?.film;
+    if (header) return header;
+    const said = isObject(store.preset.whole.film) ? store.preset.whole.film : {};
+    const fps = Number(said.fps ?? 24);
+    return { fps, seconds: Math.max(0, (Number(said.frames ?? 72) - 1) / fps) };
+  };
+  const refresh = (): void => {
+    const { seconds, fps } = film();
+    const still = seconds <= 1 / fps;
+    slider.max = String(still ? 1 : seconds);
+    slider.value = String(store.time);
+    slider.disabled = play.disabled = still;
+    slider.style.setProperty("--fill", still ? "0%" : `${(100 * store.time) / seconds}%`);
+    slider.setAttribute("aria-valuetext", `${store.time.toFixed(2)} of ${seconds.toFixed(2)} seconds`);
+    clock.textContent = still ? "a still" : `${store.time.toFixed(2)} / ${seconds.toFixed(2)} s`;
+    const name = playing ? "Pause" : "Play";
+    play.setAttribute("aria-label", name);
+    play.dataset.tip = `${name} (space)`;
+    play.replaceChildren(icon(playing ? "pause" : "play"));
+  };
+  const showKeys = (): void => {
+    const { seconds } = film();
+    const times = new Set<number>();
+    collectKeys(store.preset.whole.scene, times);
+    collectKeys(typeof store.selected === "number" ? store.preset.organism(store.selected) : store.preset.defaults, times);
+    marks.replaceChildren(...[...times].filter((t) => t >= 0 && t <= seconds).map((t) => {
+      const mark = el("i");
+      mark.style.left = `${(100 * t) / Math.max(seconds, 1e-6)}%`;
+      return mark;
+    }));
+  };
+
+  /** As fast as the clock, or as fast as the model can be shown. */
+  async function run(): Promise<void> {
+    let last = performance.now();
+    while (playing && store.isOpen) {
+      await new Promise(requestAnimationFrame);
+      const now = performance.now();
+      const { seconds } = film();
+      store.setTime(seconds > 0 ? (store.time + (now - last) / 1000) % seconds : 0);
+      last = now;
+      await loop.settled();
+    }
+  }
+  function toggle(): void {
+    if (play.disabled) return;
+    playing = !playing;
+    refresh();
+    if (playing) void run();
+  }
+
+  slider.addEventListener("input", () => store.setTime(Number(slider.value)));
+  slider.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const { fps, seconds } = film();
+    store.setTime(Math.min(seconds, Math.max(0, store.time + (step * (event.shiftKey ? 10 : 1)) / fps)));
+  });
+  store.on(["time", "scene", "opened"], refresh);
+  store.on(["text", "selected"], showKeys);
+  store.on("opened", () => {
+    playing = false;
+    refresh();
+  });
+  refresh();
+  return { element, toggle };
+}
+
+function collectKeys(value: unknown, times: Set<number>): void {
+  if (!isObject(value)) return;
+  for (const [name, inner] of Object.entries(value)) {
+    const keys = ["at", "points", "curve", "profile"].includes(name) ? null : keysOf(inner);
+    if (keys?.every((k) => k.length === 2)) keys.forEach(([t]) => typeof t === "number" && times.add(t));
+    else if (isObject(inner)) collectKeys(inner, times);
+  }
+}

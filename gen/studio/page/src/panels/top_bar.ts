@@ -1,0 +1,54 @@
+/** The bar at the top: what is open, undo and redo, save, and what opens all else. */
+
+import { el, icon, iconButton } from "../dom";
+import type { Store } from "../store";
+
+export interface TopActs {
+  gallery(): void;
+  save(): void;
+  saveAs(): void;
+  wall(): void;
+  render(): void;
+  seed(): void;
+  side(): void;
+  theme(): void;
+}
+
+export function topBar(store: Store, acts: TopActs): HTMLElement {
+  const undo = iconButton("undo", "Undo (Ctrl+Z)", () => store.undo(), { "data-testid": "undo" });
+  const redo = iconButton("redo", "Redo (Ctrl+Shift+Z)", () => store.redo(), { "data-testid": "redo" });
+  const name = el("span.file", { "data-testid": "file" });
+  const mark = el("span.unsaved", { "data-testid": "unsaved", hidden: true }, "unsaved");
+  const save = el<HTMLButtonElement>("button", { type: "button", "data-testid": "save", "data-tip": "Save (Ctrl+S)", click: acts.save }, "Save");
+  const saveAs = el("button", { type: "button", "data-testid": "save-as-button", "data-tip": "Save under another name (Ctrl+Shift+S)", click: acts.saveAs }, "Save as …");
+  const render = el("button.primary", { type: "button", "data-testid": "render", "data-tip": "Render this moment with POV-Ray", click: acts.render }, "Render");
+  const withPreset = [
+    el("span.cluster", {}, undo, redo),
+    el("span.cluster", {}, save, saveAs),
+    el("span.gap"),
+    el("span.cluster", {}, iconButton("dice", "Another seed", acts.seed, { "data-testid": "seed" }),
+      el("button", { type: "button", "data-testid": "variations", "data-tip": "A wall of nine variations", click: acts.wall }, icon("wall"), el("span.word", {}, "Variations")), render),
+  ];
+  const gap = el("span.gap");
+  const side = iconButton("side", "Show or hide the side panel", acts.side, { "data-testid": "side" });
+  const element = el("header.top-bar", {},
+    el("button.brand", { type: "button", "data-testid": "to-gallery", "data-tip": "All presets", click: acts.gallery }, icon("gallery"), el("strong", {}, "Frond")),
+    el("span.title", {}, name, mark), ...withPreset, gap,
+    iconButton("theme", "Light or dark", acts.theme, { "data-testid": "theme" }), side);
+
+  const refresh = (): void => {
+    const open = store.isOpen;
+    for (const part of [...withPreset, name, side]) part.hidden = !open;
+    gap.hidden = open;
+    name.textContent = store.copy ? `copy of ${store.file}` : store.file;
+    name.title = store.preset.title;
+    mark.hidden = !store.unsaved;
+    undo.disabled = !store.canUndo;
+    redo.disabled = !store.canRedo;
+    save.disabled = !store.unsaved && !store.copy;
+    document.title = open ? `${store.unsaved ? "• " : ""}${store.file.split("/").at(-1)} – Frond` : "Frond";
+  };
+  store.on(["text", "opened", "saved"], refresh);
+  refresh();
+  return element;
+}

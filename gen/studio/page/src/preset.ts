@@ -1,0 +1,130 @@
+/**
+ * A preset as its text says: its own values, those of its base, and what counts for each organism. The laws are those
+ * of docs/presets.md: an organism's own value wins over the scene's in `defaults`, but a property that `force` names
+ * has the scene's value for all, or, where the scene has none, the built-in one.
+ */
+
+import { parse, printParseErrorCode, type ParseError } from "jsonc-parser";
+import type { Fault } from "./api";
+import { getAt, isObject, type Path } from "./pointer";
+
+type Json = Record<string, unknown>;
+
+/** `own` over `below`: objects member by member, lists and all else as a whole. */
+export function overlay(below: unknown, own: unknown): unknown {
+  if (own === undefined) return below;
+  if (!isObject(below) || !isObject(own)) return own;
+  const merged: Json = { ...below };
+  for (const [key, value] of Object.entries(own)) merged[key] = overlay(below[key], value);
+  return merged;
+}
+
+/** Makes `own` (which may be changed) agree with `defaults` in a property such as "wave" or "wave/amplitude". */
+function forcePath(defaults: unknown, own: unknown, path: string[]): void {
+  if (!isObject(own)) return;
+  const [name, ...rest] = path as [string, ...string[]];
+  const wanted = isObject(defaults) ? defaults[name] : undefined;
+  if (rest.length) forcePath(wanted, own[name], rest);
+  else if (wanted !== undefined) own[name] = wanted;
+  else delete own[name];
+}
+
+/** Is something there? A plain value on the way stands for what it is short for. */
+function names(value: unknown, path: Path): boolean {
+  const above = path.findIndex((_, i) => {
+    const at = getAt(value, path.slice(0, i));
+    return at !== undefined && !isObject(at);
+  });
+  return above >= 0 || getAt(value, path) !== undefined;
+}
+
+/** Whose value counts for a property of an organism. */
+export type Scope = "own" | "all" | "unset";
+
+export class Preset {
+  readonly own: Json;
+  /** With its base below it. */
+  readonly whole: Json;
+  readonly syntax: ParseError[] = [];
+  private merged = new Map<number, Json>();
+
+  constructor(
+    readonly text: string,
+    readonly base: Json = {},
+  ) {
+    const value: unknown = parse(text, this.syntax, { allowTrailingComma: false });
+    this.own = isObject(value) ? value : {};
+    this.whole = overlay(base, this.own) as Json;
+  }
+
+  get organisms(): Json[] {
+    const list = this.whole.organisms;
+    return Array.isArray(list) ? list.map((o) => (isObject(o) ? o : {})) : [];
+  }
+
+  get defaults(): Json {
+    return isObject(this.whole.defaults) ? this.whole.defaults : {};
+  }
+
+  get force(): string[] {
+    return Array.isArray(this.whole.force) ? this.whole.force.filter((f) => typeof f === "string") : [];
+  }
+
+  get title(): string {
+    return typeof this.whole.title === "string" ? this.whole.title : "";
+  }
+
+  nameOf(entry: number): string {
+    const { name, kind } = this.organisms[entry] ?? {};
+    return String(name || kind || `organism ${entry + 1}`);
+  }
+
+  kindOf(entry: number): string {
+    return String(this.organisms[entry]?.kind ?? "");
+  }
+
+  /** All that counts for an organism. */
+  organism(entry: number): Json {
+    let found = this.merged.get(entry);
+    if (!found) {
+      found = structuredClone(overlay(this.defaults, this.organisms[entry] ?? {})) as Json;
+      for (const path of this.force) forcePath(this.defaults, found, path.split("/"));
+      this.merged.set(entry, found);
+    }
+    return found;
+  }
+
+  /** Does `force` name the property, or what it is a part of? */
+  isForced(property: Path): boolean {
+    const path = property.join("/");
+    return this.force.some((f) => path === f || path.startsWith(f + "/"));
+  }
+
+  scope(entry: number, property: Path): Scope {
+    if (this.isForced(property)) return "all";
+    if (names(this.organisms[entry], property)) return "own";
+    return names(this.defaults, property) ? "all" : "unset";
+  }
+
+  /** Mistakes that keep the text from being read at all. */
+  faults(): Fault[] {
+    return this.syntax.map((error) => {
+      const before = this.text.slice(0, error.offset);
+      const line = before.split("\n").length;
+      const column = error.offset - before.lastIndexOf("\n");
+      const said = printParseErrorCode(error.error).replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
+      return { text: `JSON: ${said}`, where: `${line}:${column}`, line, column, pointer: "" };
+    });
+  }
+}
+
+/** The file that a preset in `file` means by `name`. */
+export function beside(file: string, name: string): string {
+  if (name.startsWith("/")) return name;
+  const parts = file.split("/").slice(0, -1);
+  for (const part of name.split("/")) {
+    if (part === ".." && parts.length && parts.at(-1) !== "..") parts.pop();
+    else if (part !== ".") parts.push(part);
+  }
+  return parts.join("/");
+}

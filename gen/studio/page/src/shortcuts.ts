@@ -1,0 +1,41 @@
+/** Keys that count everywhere. */
+
+export interface Shortcuts {
+  undo(): void;
+  redo(): void;
+  save(): void;
+  saveAs(): void;
+  play(): void;
+  camera(): void;
+  search(): void;
+}
+
+const isText = (target: EventTarget | null): boolean =>
+  target instanceof HTMLElement && target.matches("input:not([type=range], [type=checkbox], [type=color]), textarea, select");
+
+export function listenToKeys(acts: Shortcuts): void {
+  addEventListener("keydown", (event) => {
+    if (document.querySelector("dialog[open]")) return;
+    const act = event.ctrlKey || event.metaKey ? withControl(event, acts) : plain(event, acts);
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+}
+
+function withControl(event: KeyboardEvent, acts: Shortcuts): (() => void) | undefined {
+  const key = event.key.toLowerCase();
+  if (key === "z") return event.shiftKey ? acts.redo : acts.undo;
+  if (key === "y") return acts.redo;
+  if (key === "s") return event.shiftKey ? acts.saveAs : acts.save;
+  return undefined;
+}
+
+function plain(event: KeyboardEvent, acts: Shortcuts): (() => void) | undefined {
+  if (isText(event.target) || event.altKey) return undefined;
+  const isButton = event.target instanceof HTMLElement && event.target.closest("button, summary, [role=menuitem], a");
+  if (event.key === " " && !isButton) return acts.play;
+  if (event.key === "c") return acts.camera;
+  if (event.key === "/") return acts.search;
+  return undefined;
+}

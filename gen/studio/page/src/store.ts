@@ -1,0 +1,361 @@
+/** The state of the page. Panels read it, change it by its methods, and listen to what has changed. */
+
+import type { Doc, Fault, Foretold, Listed, Loaded, Start } from "./api";
+import * as api from "./api";
+import { quiet } from "./dom";
+import { loadDraft, saveDraft, type Selection } from "./drafts";
+import { insertAt, removeAt, setAt, sliceAt } from "./edits";
+import { getAt, isObject, same, type Path } from "./pointer";
+import { beside, overlay, Preset } from "./preset";
+import { PresetSchema } from "./schema";
+import type { Header } from "./view/header";
+
+export type Change =
+  | "text" // the preset's text, and so all values
+  | "opened" // another preset
+  | "selected"
+  | "time"
+  | "shown" // which organisms are drawn
+  | "scene" // a picture of the model came, or what kept it from coming
+  | "saved"
+  | "opened-groups" // groups of properties are to be open that were not
+  | "link"; // the server came or went
+
+export interface SceneStatus {
+  header: Header | null;
+  errors: Fault[];
+  notes: string[];
+  foretold: Foretold | null;
+  busy: boolean;
+  /** What went wrong with the server itself. */
+  trouble: string;
+  /** From the request to the picture, seconds. */
+  took: number;
+}
+
+const UNDO_STEPS = 200;
+
+export class Store {
+  schema!: PresetSchema;
+  symbols: Start["symbols"] = [];
+  presets: Listed[] = [];
+  version = "";
+
+  file = "";
+  disk: string | null = null;
+  copy = true;
+  saved = "";
+  preset = new Preset("{}");
+  isOpen = false;
+
+  selected: Selection = "preset";
+  time = 0;
+  solo = new Set<number>();
+  hidden = new Set<number>();
+  scene: SceneStatus = { header: null, errors: [], notes: [], foretold: null, busy: false, trouble: "", took: 0 };
+  link: "up" | "down" | "refused" = "up";
+
+  private undoTexts: string[] = [];
+  private redoTexts: string[] = [];
+  private gesture = "";
+  private base: Record<string, unknown> = {};
+  private baseName = "";
+  private listeners = new Map<Change, Set<() => void>>();
+  private keep = quiet(250, () => this.keepDraft());
+
+  on(change: Change | Change[], act: () => void): () => void {
+    const changes = Array.isArray(change) ? change : [change];
+    for (const c of changes) (this.listeners.get(c) ?? this.listeners.set(c, new Set()).get(c)!).add(act);
+    return () => changes.forEach((c) => this.listeners.get(c)?.delete(act));
+  }
+
+  emit(change: Change): void {
+    for (const act of [...(this.listeners.get(change) ?? [])]) act();
+  }
+
+  begin(start: Start): void {
+    this.schema = new PresetSchema(start.schema);
+    this.symbols = start.symbols;
+    this.presets = start.presets;
+    this.version = start.version;
+  }
+
+  // The document
+
+  get text(): string {
+    return this.preset.text;
+  }
+  get doc(): Doc {
+    return { text: this.text, file: this.file };
+  }
+  get unsaved(): boolean {
+    return this.isOpen && this.text !== this.saved;
+  }
+  get kinds(): string[] {
+    return this.preset.organisms.map((o) => String(o.kind ?? ""));
+  }
+
+  /** Opens what was loaded; a shipped one as a copy, which has no file yet. */
+  open(loaded: Loaded): void {
+    this.file = loaded.file;
+    this.disk = loaded.disk;
+    this.copy = loaded.copy ?? false;
+    this.saved = loaded.text;
+    this.undoTexts = [];
+    this.redoTexts = [];
+    this.show(loaded.text);
+    this.time = 0;
+    this.selected = this.preset.organisms.length ? 0 : "scene";
+    this.announceOpened();
+  }
+
+  /** Goes on where a reload interrupted; false where there was nothing. */
+  restore(): boolean {
+    const draft = loadDraft();
+    if (!draft) return false;
+    this.file = draft.file;
+    this.disk = draft.disk;
+    this.copy = draft.copy;
+    this.saved = draft.saved;
+    this.undoTexts = draft.undo;
+    this.redoTexts = draft.redo;
+    this.show(draft.text);
+    this.time = draft.time;
+    this.selected = draft.selected;
+    this.announceOpened();
+    return true;
+  }
+
+  close(): void {
+    this.isOpen = false;
+    saveDraft(null);
+    this.emit("opened");
+  }
+
+  private announceOpened(): void {
+    this.isOpen = true;
+    this.solo.clear();
+    this.hidden.clear();
+    this.scene = { header: null, errors: [], notes: [], foretold: null, busy: false, trouble: "", took: 0 };
+    this.keepSelectionRight();
+    this.keepDraft();
+    this.emit("opened");
+    this.emit("text");
+    this.emit("selected");
+    this.emit("scene");
+    this.emit("saved");
+  }
+
+  markSaved(file: string, disk: string, text: string): void {
+    this.file = file;
+    this.disk = disk;
+    this.copy = false;
+    this.saved = text;
+    this.keep();
+    this.emit("saved");
+  }
+
+  private show(text: string): void {
+    this.preset = new Preset(text, this.base);
+    const base = typeof this.preset.own.base === "string" ? this.preset.own.base : "";
+    const name = base && beside(this.file, base);
+    if (name === this.baseName) return;
+    this.baseName = name;
+    void this.readBase(name);
+  }
+
+  /** Bases, too, may have a base. */
+  private async readBase(name: string): Promise<void> {
+    let below: unknown = undefined;
+    try {
+      for (let file = name, depth = 0; file && depth < 8; depth++) {
+        const preset = new Preset((await api.preset(file)).text);
+        below = below === undefined ? preset.own : overlay(preset.own, below);
+        file = typeof preset.own.base === "string" ? beside(file, preset.own.base) : "";
+      }
+    } catch {
+      // The server tells what is wrong with the base when it grows the preset.
+    }
+    if (name !== this.baseName) return;
+    this.base = isObject(below) ? below : {};
+    this.preset = new Preset(this.text, this.base);
+    this.keepSelectionRight();
+    this.emit("text");
+  }
+
+  // Edits
+
+  /**
+   * Takes a new text as one step to undo. Steps of one `gesture` (a drag of one slider) that follow each other are
+   * one step; endGesture() ends it.
+   */
+  change(text: string, gesture = ""): void {
+    if (text === this.text) return;
+    if (!gesture || gesture !== this.gesture) {
+      this.undoTexts.push(this.text);
+      if (this.undoTexts.length > UNDO_STEPS) this.undoTexts.shift();
+      this.redoTexts = [];
+    }
+    this.gesture = gesture;
+    this.replace(text);
+  }
+
+  endGesture(): void {
+    this.gesture = "";
+  }
+
+  get canUndo(): boolean {
+    return this.undoTexts.length > 0;
+  }
+  get canRedo(): boolean {
+    return this.redoTexts.length > 0;
+  }
+
+  undo(): void {
+    this.step(this.undoTexts, this.redoTexts);
+  }
+
+  redo(): void {
+    this.step(this.redoTexts, this.undoTexts);
+  }
+
+  private step(from: string[], to: string[]): void {
+    const text = from.pop();
+    if (text === undefined) return;
+    to.push(this.text);
+    this.endGesture();
+    this.replace(text);
+  }
+
+  private replace(text: string): void {
+    this.show(text);
+    this.keepSelectionRight();
+    this.keep();
+    this.emit("text");
+  }
+
+  /** Sets a value. Lists that stand in the base are written out first, as a list counts as a whole. */
+  set(path: Path, value: unknown, gesture = ""): void {
+    this.change(setAt(this.writtenOut(this.text, path), path, value), gesture);
+  }
+
+  remove(path: Path): void {
+    this.change(removeAt(this.writtenOut(this.text, path), path));
+  }
+
+  /** Several edits as one step. */
+  batch(edit: (text: string) => string): void {
+    this.change(edit(this.text));
+  }
+
+  /** The text with all that a path leads through, so that a part of it can be set. */
+  writtenOut(text: string, path: Path): string {
+    for (let length = 1; length < path.length; length++) {
+      const above = path.slice(0, length);
+      const mine = getAt(this.preset.own, above);
+      const all = getAt(this.preset.whole, above);
+      if (mine === undefined && Array.isArray(all)) return setAt(text, above, all);
+      if (mine !== undefined && typeof mine !== "object") {
+        const field = this.schema.at(above, this.kinds);
+        if (field?.type === "object" && field.shorthand) return setAt(text, above, { [field.shorthand]: mine });
+      }
+    }
+    return text;
+  }
+
+  addOrganism(organism: unknown): void {
+    const at = this.preset.organisms.length;
+    const text = at ? this.writtenOut(this.text, ["organisms", 0]) : this.text;
+    this.change(insertAt(text, ["organisms"], at, organism));
+    this.select(at);
+  }
+
+  copyOrganism(entry: number): void {
+    const text = this.writtenOut(this.text, ["organisms", entry]);
+    const written = sliceAt(text, ["organisms", entry]);
+    if (!written) return;
+    const copied = insertAt(text, ["organisms"], entry + 1, written, true);
+    this.shiftShown(entry + 1, 1);
+    this.change(setAt(copied, ["organisms", entry + 1, "name"], this.freeName(this.preset.nameOf(entry))));
+    this.select(entry + 1);
+  }
+
+  removeOrganism(entry: number): void {
+    this.shiftShown(entry, -1);
+    this.remove(["organisms", entry]);
+    this.keepSelectionRight();
+    this.emit("selected");
+  }
+
+  private freeName(name: string): string {
+    const taken = new Set(this.preset.organisms.map((_, i) => this.preset.nameOf(i)));
+    const stem = name.replace(/ \d+$/, "");
+    for (let i = 2; ; i++) if (!taken.has(`${stem} ${i}`)) return `${stem} ${i}`;
+  }
+
+  /** Which organisms are shown goes with them when others come or go before them. */
+  private shiftShown(from: number, by: 1 | -1): void {
+    const shift = (set: Set<number>): Set<number> =>
+      new Set([...set].filter((i) => by > 0 || i !== from).map((i) => (i >= from ? i + by : i)));
+    this.solo = shift(this.solo);
+    this.hidden = shift(this.hidden);
+  }
+
+  // What is looked at
+
+  select(selected: Selection): void {
+    if (this.selected === selected) return;
+    this.selected = selected;
+    this.keep();
+    this.emit("selected");
+  }
+
+  private keepSelectionRight(): void {
+    const last = this.preset.organisms.length - 1;
+    if (typeof this.selected !== "number" || this.selected <= last) return;
+    this.selected = last < 0 ? "scene" : last;
+    this.emit("selected");
+  }
+
+  setTime(time: number): void {
+    if (this.time === time) return;
+    this.time = time;
+    this.keep();
+    this.emit("time");
+  }
+
+  toggle(which: "solo" | "hidden", entry: number): void {
+    const set = this[which];
+    if (!set.delete(entry)) set.add(entry);
+    this.emit("shown");
+  }
+
+  setScene(change: Partial<SceneStatus>): void {
+    this.scene = { ...this.scene, ...change };
+    this.emit("scene");
+  }
+
+  setLink(link: Store["link"]): void {
+    if (this.link === link) return;
+    this.link = link;
+    this.emit("link");
+  }
+
+  /** All that is wrong: what keeps the text from being read, or what the server says. */
+  get faults(): Fault[] {
+    const syntax = this.preset.faults();
+    return syntax.length ? syntax : this.scene.errors;
+  }
+
+  keepDraft(): void {
+    this.keep.stop();
+    if (!this.isOpen) return;
+    const { file, text, saved, disk, copy, time, selected } = this;
+    saveDraft({ file, text, saved, disk, copy, time, selected, undo: this.undoTexts, redo: this.redoTexts });
+  }
+
+  /** Is that value what the text or its base says? */
+  holds(path: Path, value: unknown): boolean {
+    return same(getAt(this.preset.whole, path), value);
+  }
+}

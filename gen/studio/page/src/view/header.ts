@@ -1,0 +1,88 @@
+/** What stands at the head of each picture of the model that the server sends: see decode.ts for the bytes. */
+
+export type Vec3 = [number, number, number];
+
+/** `n` elements of type `t`, `at` so many bytes after the end of the header. */
+export interface BlobRef {
+  at: number;
+  n: number;
+  t: "f32" | "u32" | "i8" | "u8";
+}
+
+/** Colours of materials are sRGB, 0..1. */
+export interface Material {
+  color: Vec3;
+  gloss: number;
+  both_sides: boolean;
+  metal: boolean;
+  picture?: string;
+  light_through?: number;
+}
+
+/** The corners of a mesh; `colors` (sRGB bytes) stand in place of the material's. */
+export interface Surface {
+  position: BlobRef;
+  normal: BlobRef;
+  uv?: BlobRef;
+  index: BlobRef;
+  material: Material;
+  colors?: BlobRef;
+}
+
+interface PartBase {
+  /** Stands for the content. A part that the page said it has comes without blobs. */
+  id: string;
+  /** The organism it belongs to, -1: none. */
+  entry: number;
+  specimen: number;
+}
+
+export interface TubesPart extends PartBase {
+  kind: "tubes";
+  segments?: BlobRef;
+  gloss: number;
+}
+
+export interface MeshPart extends PartBase, Partial<Surface> {
+  kind: "mesh" | "ground";
+  instances?: BlobRef;
+  instance_colors?: BlobRef;
+}
+
+export interface CopiesPart extends PartBase {
+  kind: "copies";
+  model: number;
+  levels?: { grain: number; parts: Surface[] }[];
+  instances?: BlobRef;
+  tints?: BlobRef;
+}
+
+export type Part = TubesPart | MeshPart | CopiesPart;
+
+/** Colours of light are linear. `sun` points towards it. */
+export interface Light {
+  sun: Vec3;
+  sun_color: Vec3;
+  sky: Vec3;
+  horizon: Vec3;
+  ground: Vec3;
+  fog: { color: Vec3; distance: number };
+}
+
+export interface Header {
+  time: number;
+  film: { frames: number; fps: number; size: [number, number]; seconds: number };
+  nodes: number;
+  copies: number;
+  seconds: { grow: number; pack: number };
+  regrown: number[];
+  notes: string[];
+  camera: { at: Vec3; to: Vec3; angle: number };
+  light: Light;
+  setting: string;
+  entries: { name: string; kind: string; specimens: number; copies: number; low: Vec3; high: Vec3 }[];
+  /** `placed`: which place of the entry's place.at put it there, null: scattered. */
+  specimens: { entry: number; foot: Vec3; placed: number | null }[];
+  food: Vec3[];
+  parts: Part[];
+}
