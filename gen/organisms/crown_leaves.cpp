@@ -1,6 +1,5 @@
 #include "organisms/crown_leaves.h"
 
-#include <algorithm>
 
 namespace frond {
 

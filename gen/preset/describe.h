@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "organisms/vase/vase.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "organisms/kinds.h"
 #include "preset/reader.h"
