@@ -1,6 +1,5 @@
 #include "crown/colonize.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

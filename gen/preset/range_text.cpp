@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "preset/json.h"
 
 namespace frond {

@@ -92,7 +92,7 @@ void describe(Visitor& v, Breeze& b) {
 
 template <class Visitor>
 void describe(Visitor& v, IvyParams& i) {
-  v.texts("on", i.on, "Names of the organisms that it grows on; none: all bodies there are");
+  v.list("on", i.on, "Names of the organisms that it grows on; none: all bodies there are");
   v.vector("facing", i.facing, {.min = -1000, .max = 1000},
            "Roots without a place stand where the host looks this way; 0: anywhere");
   v.number("above", i.above, {.min = 0, .max = 100, .unit = "m"},
