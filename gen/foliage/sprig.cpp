@@ -1,6 +1,5 @@
 #include "foliage/sprig.h"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 

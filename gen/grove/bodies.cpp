@@ -1,8 +1,6 @@
 #include "grove/bodies.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace frond {
 

@@ -1,7 +1,6 @@
 #include "rocks/blob_cells.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "core/parallel.h"
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "core/parallel.h"
 #include "foliage/ivy_leaf.h"

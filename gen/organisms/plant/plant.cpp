@@ -1,7 +1,6 @@
 #include "organisms/plant/plant.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/outline.h"
 #include "geometry/smooth.h"
