@@ -147,9 +147,10 @@ int generate(const GenerateArguments& arguments) {
   if (!refused.empty()) return fail(refused, kWrongInput);
 
   std::optional<Progress> shown;
-  Watch watch{.begin = [&](std::string_view phase, std::size_t steps) {
-                shown.emplace(std::string(phase), static_cast<int>(steps), arguments.quiet);
-              },
+  Watch watch{.begin =
+                  [&](std::string_view phase, std::size_t steps) {
+                    shown.emplace(std::string(phase), static_cast<int>(steps), arguments.quiet);
+                  },
               .step = [&] { shown->step(); }};
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset, watch);

@@ -186,9 +186,8 @@ int run(int count, char** words) {
   app.require_subcommand(1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add :
-       {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle, add_catalogue,
-        add_studio})
+  for (auto add : {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle,
+                   add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -7,7 +7,8 @@ namespace frond {
 namespace {
 
 std::size_t bytes_of(const Surface& s) {
-  return s.position.size() * 2 * sizeof(Vec3) + s.triangle.size() * sizeof s.triangle[0] + s.uv.size() * sizeof(Vec2);
+  return s.position.size() * 2 * sizeof(Vec3) + s.triangle.size() * sizeof s.triangle[0] +
+         s.uv.size() * sizeof(Vec2);
 }
 
 /// About, without what is shared.

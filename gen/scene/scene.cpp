@@ -80,7 +80,8 @@ class Gardener {
   Gardener(const Preset& preset, const Watch& watch, Nursery* nursery, const Surface& floor)
       : preset_(preset), watch_(watch), nursery_(nursery) {
     if (!nursery_) return;
-    std::string_view land(reinterpret_cast<const char*>(floor.position.data()), floor.position.size() * sizeof(Vec3));
+    std::string_view land(reinterpret_cast<const char*>(floor.position.data()),
+                          floor.position.size() * sizeof(Vec3));
     surroundings_ = fmt::format("{} {} {} {}", content_id(land), preset.film.length(), preset.film.frames > 1,
                                 preset.stage.setting);
   }

@@ -54,7 +54,7 @@ struct Scene {
 /// Whom build_scene tells how far it is.
 struct Watch {
   std::function<void(std::string_view phase, std::size_t steps)> begin;
-  std::function<void()> step;            ///< one more of the phase is done; called from several threads
+  std::function<void()> step;           ///< one more of the phase is done; called from several threads
   std::function<bool()> given_up = {};  ///< whether nobody waits for the scene any more; empty: somebody does
 };
 

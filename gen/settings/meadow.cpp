@@ -34,7 +34,11 @@ SettingRow meadow_setting() {
       },
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();
-        return Daylight{glm::normalize(meadow.sun), {1, 0.96f, 0.88f}, meadow.zenith, meadow.horizon, meadow.grass,
+        return Daylight{glm::normalize(meadow.sun),
+                        {1, 0.96f, 0.88f},
+                        meadow.zenith,
+                        meadow.horizon,
+                        meadow.grass,
                         meadow.haze};
       });
 }

@@ -48,8 +48,8 @@ struct GroundForesight {
   double placed = 0;  ///< placements of stones and patches
 };
 
-/// The light and the colours of a setting, for a quick look at it that no renderer is asked for. Colours as in
-/// presets: sRGB.
+/// The light and the colours of a setting, for a quick look at it that no renderer is asked for. Colours as
+/// in presets: sRGB.
 struct Daylight {
   Vec3 sun{0, 1, 0};  ///< toward the main light, of length 1
   Color sunlight, zenith, horizon, ground;

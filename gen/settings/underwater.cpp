@@ -82,7 +82,8 @@ std::vector<Strewn> SeaFloor::strewn() const {
     Strewn& all = list.emplace_back(Strewn{&stones[shape], kStone, {}});
     for (const StoneInstance& stone : stone_instances)
       if (stone.shape == static_cast<int>(shape))
-        all.at.push_back({stone.at, glm::angleAxis(static_cast<float>(stone.turn), Vec3(0, 1, 0)), stone.size});
+        all.at.push_back(
+            {stone.at, glm::angleAxis(static_cast<float>(stone.turn), Vec3(0, 1, 0)), stone.size});
   }
   return list;
 }
@@ -103,7 +104,8 @@ SettingRow underwater_setting() {
       },
       [](const Stage& stage) {
         const auto& water = stage.block<Water>();
-        return Daylight{glm::normalize(water.sun), {0.86f, 0.97f, 1}, water.near, water.near, kSand, water.visibility};
+        return Daylight{glm::normalize(water.sun), {0.86f, 0.97f, 1}, water.near, water.near, kSand,
+                        water.visibility};
       });
 }
 

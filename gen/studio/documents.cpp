@@ -61,7 +61,8 @@ std::optional<std::string> title_of(const fs::path& file) {
 }  // namespace
 
 Documents::Documents(const StudioOptions& options)
-    : presets_(*without_links(options.home / "presets")), gallery_(*without_links(options.home / "docs/gallery")) {
+    : presets_(*without_links(options.home / "presets")),
+      gallery_(*without_links(options.home / "docs/gallery")) {
   if (options.preset) preset_ = without_links(*options.preset);
   folder_ = preset_ ? preset_->parent_path() : *without_links(".");
   if (options.assets) assets_ = without_links(*options.assets);
@@ -91,7 +92,8 @@ Json Documents::shipped() const {
 std::optional<fs::path> Documents::readable(const std::string& file) const {
   std::optional<fs::path> path = without_links(file);
   if (!path) return std::nullopt;
-  bool fine = lies_below(*path, folder_) || lies_below(*path, presets_) || (assets_ && lies_below(*path, *assets_));
+  bool fine =
+      lies_below(*path, folder_) || lies_below(*path, presets_) || (assets_ && lies_below(*path, *assets_));
   return fine ? path : std::nullopt;
 }
 
@@ -109,7 +111,8 @@ Result<Json> Documents::read(const std::string& file) const {
 }
 
 Result<std::string> Documents::gallery_picture(const std::string& name) const {
-  if (name.find('/') != name.npos || !name.ends_with(".jpg")) return Error{name, "is no picture of the gallery"};
+  if (name.find('/') != name.npos || !name.ends_with(".jpg"))
+    return Error{name, "is no picture of the gallery"};
   return read_file(gallery_ / name);
 }
 
@@ -127,12 +130,14 @@ std::optional<fs::path> Documents::writable(const std::string& file) const {
   return lies_below(*path, folder_) || (assets_ && lies_below(*path, *assets_)) ? path : std::nullopt;
 }
 
-std::optional<Refusal> Documents::save(const std::string& file, const std::string& text, const std::string& disk,
-                                       bool overwrite, Json& saved) const {
+std::optional<Refusal> Documents::save(const std::string& file, const std::string& text,
+                                       const std::string& disk, bool overwrite, Json& saved) const {
   std::optional<fs::path> path = writable(file);
   if (!path)
-    return Refusal{403, {{"error", fmt::format("\"{}\" cannot be written: expected a name that ends with .json, below {}",
-                                               file, folder_.string())}}};
+    return Refusal{
+        403,
+        {{"error", fmt::format("\"{}\" cannot be written: expected a name that ends with .json, below {}",
+                               file, folder_.string())}}};
   std::error_code error;
   if (fs::exists(*path, error) && !overwrite) {
     Result<std::string> there = read_file(*path);
@@ -146,7 +151,8 @@ std::optional<Refusal> Documents::save(const std::string& file, const std::strin
   return std::nullopt;
 }
 
-std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& text, Json& saved) const {
+std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& text,
+                                           Json& saved) const {
   // The name is a person's; what becomes of it is a plain one that nothing else has.
   std::string stem = plain_name(fs::path(name).stem().string(), "mesh").substr(0, 60);
   std::error_code error;
@@ -178,7 +184,11 @@ Json errors_json(const Errors& errors) {
     }
     int column = take_number(where), line = take_number(where);
     if (line == 0) std::swap(line, column);
-    list.push_back({{"text", error.what}, {"where", error.where}, {"line", line}, {"column", column}, {"pointer", pointer}});
+    list.push_back({{"text", error.what},
+                    {"where", error.where},
+                    {"line", line},
+                    {"column", column},
+                    {"pointer", pointer}});
   }
   return list;
 }

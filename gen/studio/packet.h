@@ -18,9 +18,9 @@ using Json = nlohmann::ordered_json;
 
 /// An array of a part, as it goes over the wire.
 struct WireArray {
-  std::string place;          ///< JSON pointer within the part: "/position", "/levels/0/parts/1/index"
-  std::string_view type;      ///< of one element: f32, u32, i8 or u8
-  std::size_t count = 0;      ///< of elements
+  std::string place;      ///< JSON pointer within the part: "/position", "/levels/0/parts/1/index"
+  std::string_view type;  ///< of one element: f32, u32, i8 or u8
+  std::size_t count = 0;  ///< of elements
   std::shared_ptr<const std::string> bytes;  ///< little endian; shared, as models are kept
 };
 

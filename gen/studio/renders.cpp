@@ -1,7 +1,7 @@
 #include "studio/renders.h"
 
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -28,10 +28,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kKept = 60;         // renders, the newest
-constexpr double kBytesAPixel = 20;       // of POV-Ray's notes of what it has traced
-constexpr int kPreview = 4;               // times smaller
-constexpr int kLeastForPreview = 320;     // pixels wide
+constexpr std::size_t kKept = 60;      // renders, the newest
+constexpr double kBytesAPixel = 20;    // of POV-Ray's notes of what it has traced
+constexpr int kPreview = 4;            // times smaller
+constexpr int kLeastForPreview = 320;  // pixels wide
 constexpr auto kLook = std::chrono::milliseconds(100);
 
 /// The flags of a quality; the second are those of another one.
@@ -132,7 +132,8 @@ Renders::~Renders() {
   if (!folder_.empty()) fs::remove_all(folder_, error);
 }
 
-Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size, const std::string& quality) {
+Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size,
+                                   const std::string& quality) {
   if (folder_.empty()) return Error{"", "there is no room for temporary files"};
   if (flags_of(quality).empty()) return Error{"", fmt::format("\"{}\" is no quality", quality)};
   auto job = std::make_shared<Job>();
@@ -183,8 +184,10 @@ void Renders::work(Job& job) {
         set([&] { job.preview = errors.empty(), job.picture = job.folder / "frames/preview.png"; });
       }
       set([&] { job.progress = 0, job.tracing = Clock::now(); });
-      if (errors.empty() && !job.cancelled) errors = render(job, job.size, flags_of(job.quality), "frame_0001");
-      if (errors.empty()) set([&] { job.preview = false, job.picture = job.folder / "frames/frame_0001.png"; });
+      if (errors.empty() && !job.cancelled)
+        errors = render(job, job.size, flags_of(job.quality), "frame_0001");
+      if (errors.empty())
+        set([&] { job.preview = false, job.picture = job.folder / "frames/frame_0001.png"; });
     }
     std::lock_guard lock(in_work_);
     busy_ = false;
@@ -206,7 +209,8 @@ Errors Renders::write(Job& job) {
   if (!scene) return scene.errors();
   fs::path frames = job.folder / "frames";
   if (Errors errors = write_drawings(*scene, frames, watch); !errors.empty()) return errors;
-  int frame = std::clamp(static_cast<int>(std::lround(job.time * scene->film.fps)) + 1, 1, scene->film.frames);
+  int frame =
+      std::clamp(static_cast<int>(std::lround(job.time * scene->film.fps)) + 1, 1, scene->film.frames);
   // How finely copies are drawn holds for the one frame.
   CopyPlan plan = plan_copies(*scene);
   if (Errors errors = write_models(*scene, plan, frames, watch); !errors.empty()) return errors;

@@ -39,8 +39,8 @@ class Renders {
 
   const Documents& documents_;
   std::filesystem::path home_, folder_;
-  std::mutex in_work_;             // guards the jobs
-  std::condition_variable turn_;   // one renders at a time
+  std::mutex in_work_;            // guards the jobs
+  std::condition_variable turn_;  // one renders at a time
   bool busy_ = false, ending_ = false;
   std::list<std::shared_ptr<Job>> jobs_;
   int count_ = 0;

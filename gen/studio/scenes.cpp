@@ -91,7 +91,8 @@ Result<Json> Scenes::foretold(const Preset& preset, double seconds) {
   if (!foretold) return foretold.errors();
   if (Errors errors = refuse(*foretold, this_machine(".")); !errors.empty()) return errors;
   if (foretold->growth_seconds <= seconds) return Json(nullptr);
-  return Json{{"nodes", foretold->nodes}, {"seconds", foretold->growth_seconds}, {"memory", foretold->memory(1)}};
+  return Json{
+      {"nodes", foretold->nodes}, {"seconds", foretold->growth_seconds}, {"memory", foretold->memory(1)}};
 }
 
 Result<std::shared_ptr<const Scenes::Built>> Scenes::build(std::string key, Preset preset,
@@ -112,7 +113,8 @@ Result<std::shared_ptr<const Scenes::Built>> Scenes::build(std::string key, Pres
 
 Answer Scenes::view(const Doc& doc, const Json& question, const std::string& name, std::uint64_t number) {
   std::shared_ptr<Session> tab = session(name);
-  for (std::uint64_t newest = tab->newest; newest < number && !tab->newest.compare_exchange_weak(newest, number);) {
+  for (std::uint64_t newest = tab->newest;
+       newest < number && !tab->newest.compare_exchange_weak(newest, number);) {
   }
   auto given_up = [&] { return tab->newest > number; };
   std::lock_guard lock(tab->in_work);
@@ -144,7 +146,8 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   Json header{{"seconds", {{"grow", grow}}}, {"regrown", grown}, {"notes", Json::array()}};
   for (const Error& note : notes) header["notes"].push_back(note.text());
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
-  Result<std::string> packet = view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
+  Result<std::string> packet =
+      view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
   if (given_up()) return stale();
   if (!packet) return wrong(packet.errors(), notes);
   return {200, {}, std::move(*packet)};
@@ -170,7 +173,8 @@ Answer Scenes::derive(const Doc& doc, const Json& question) const {
               {"counts", Json::object()},
               {"tree", nullptr},
               {"svg", nullptr}};
-  if (Errors errors = refuse(size, rules.text.limits); !errors.empty()) return wrong(placed(errors, rules.text));
+  if (Errors errors = refuse(size, rules.text.limits); !errors.empty())
+    return wrong(placed(errors, rules.text));
   if (size.modules > kLongestWord) return {200, answer, {}};
   Result<Word> word = frond::derive(rules, steps, seed, rules.text.limits);
   if (!word) return wrong(placed(word.errors(), rules.text));

@@ -50,7 +50,8 @@ class Scenes {
 
   std::shared_ptr<Session> session(const std::string& name);
   std::shared_ptr<const Built> find(const std::string& key);
-  Result<std::shared_ptr<const Built>> build(std::string key, Preset preset, const std::function<bool()>& given_up);
+  Result<std::shared_ptr<const Built>> build(std::string key, Preset preset,
+                                             const std::function<bool()>& given_up);
   /// Where growing what is new takes longer than that many seconds, or more than the machine has.
   Result<Json> foretold(const Preset& preset, double seconds);
 

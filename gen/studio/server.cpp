@@ -23,10 +23,11 @@ using httplib::Response;
 
 constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kMostMesh = std::size_t{32} << 20, kMostText = std::size_t{8} << 20;  // bytes
-constexpr int kSmallest = 16, kLargest = 8192;                                              // pixels of a side
-constexpr std::size_t kThreads = 48;  // browsers keep six connections a tab
+constexpr int kSmallest = 16, kLargest = 8192;  // pixels of a side
+constexpr std::size_t kThreads = 48;            // browsers keep six connections a tab
 constexpr const char* kPolicy =
-    "default-src 'self'; img-src 'self' array: data:; style-src 'self' 'unsafe-inline'; frame-ancestors 'none'; "
+    "default-src 'self'; img-src 'self' array: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
+    "'none'; "
     "base-uri 'none'; form-action 'none'";
 
 /// 32 hexadecimal digits that nobody can guess.
@@ -68,8 +69,9 @@ class Server {
 
   Errors serve() {
     if (page_files().empty())
-      return {Error{"", "the page of the studio is not built; `scripts/setup.sh --studio` does it, then "
-                        "`scripts/build.sh` puts it into the program"}};
+      return {Error{"",
+                    "the page of the studio is not built; `scripts/setup.sh --studio` does it, then "
+                    "`scripts/build.sh` puts it into the program"}};
     if (token_.empty() || started_.empty()) return {Error{"", "the system gives no random numbers"}};
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server_.set_payload_max_length(kMostMesh);
@@ -85,8 +87,10 @@ class Server {
                                  {"Cache-Control", "no-store"}});
     add_routes();
     port_ = options_.port;
-    if (port_ == 0) port_ = server_.bind_to_any_port(kHost);
-    else if (!server_.bind_to_port(kHost, port_)) port_ = -1;
+    if (port_ == 0)
+      port_ = server_.bind_to_any_port(kHost);
+    else if (!server_.bind_to_port(kHost, port_))
+      port_ = -1;
     if (port_ <= 0)
       return {Error{"--port", options_.port ? fmt::format("{} is taken, or may not be used", options_.port)
                                             : "no port is free"}};
@@ -123,7 +127,8 @@ class Server {
     // An img element sends no headers of ours.
     if (given.empty() && request.method == "GET") given = request.get_param_value("token");
     if (same(given, token_)) return true;
-    send(response, 403, {{"error", "the token is missing or wrong: open the address that `frond studio` printed"}});
+    send(response, 403,
+         {{"error", "the token is missing or wrong: open the address that `frond studio` printed"}});
     return false;
   }
 
@@ -137,10 +142,12 @@ class Server {
       Doc doc;
       if (question.contains("doc")) {
         const Json& given = question["doc"];
-        if (!given.is_object() || !given.value("text", Json()).is_string() || !given.value("file", Json()).is_string())
+        if (!given.is_object() || !given.value("text", Json()).is_string() ||
+            !given.value("file", Json()).is_string())
           return send(response, 400, {{"error", "doc wants text and file"}});
         auto path_of = documents_.readable(given["file"].get<std::string>());
-        if (!path_of) return send(response, 403, {{"error", "the file is in no folder that the studio may read"}});
+        if (!path_of)
+          return send(response, 403, {{"error", "the file is in no folder that the studio may read"}});
         doc = {given["text"].get<std::string>(), *path_of};
       }
       ask(request, response, question, std::move(doc));
@@ -176,7 +183,9 @@ class Server {
         response.set_content(file.bytes.data(), file.bytes.size(), std::string(file.type));
       };
       std::string path;
-      for (char c : file.path) path += std::isalnum(static_cast<unsigned char>(c)) || c == '/' ? std::string(1, c) : std::string{'\\', c};
+      for (char c : file.path)
+        path += std::isalnum(static_cast<unsigned char>(c)) || c == '/' ? std::string(1, c)
+                                                                        : std::string{'\\', c};
       server_.Get(path, give);
       if (file.path == "/index.html") server_.Get("/", give);
     }
@@ -207,8 +216,11 @@ class Server {
       send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");
     });
     post("/api/save", [this](const Request&, Response& response, const Json& question, Doc) {
-      std::string file = question.at("file").get<std::string>(), text = question.at("text").get<std::string>();
-      std::string disk = question.contains("disk") && question["disk"].is_string() ? question["disk"].get<std::string>() : "";
+      std::string file = question.at("file").get<std::string>(),
+                  text = question.at("text").get<std::string>();
+      std::string disk = question.contains("disk") && question["disk"].is_string()
+                             ? question["disk"].get<std::string>()
+                             : "";
       Json saved;
       if (!question.value("force", false))
         if (auto path = documents_.readable(file))
@@ -243,9 +255,10 @@ class Server {
     post("/api/render", [this](const Request&, Response& response, const Json& question, Doc doc) {
       auto size = question.at("size").get<std::array<int, 2>>();
       if (std::min(size[0], size[1]) < kSmallest || std::max(size[0], size[1]) > kLargest)
-        return send(response, 400, {{"error", fmt::format("sides of a picture are {} to {} pixels", kSmallest, kLargest)}});
-      Result<std::string> id =
-          renders_.begin(std::move(doc), question.value("time", 0.0), size, question.value("quality", "draft"));
+        return send(response, 400,
+                    {{"error", fmt::format("sides of a picture are {} to {} pixels", kSmallest, kLargest)}});
+      Result<std::string> id = renders_.begin(std::move(doc), question.value("time", 0.0), size,
+                                              question.value("quality", "draft"));
       if (!id) return send(response, 422, {{"errors", errors_json(id.errors())}});
       send(response, 200, {{"id", *id}});
     });

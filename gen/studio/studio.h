@@ -20,10 +20,10 @@
 namespace frond {
 
 struct StudioOptions {
-  std::filesystem::path home;                  ///< the folder of templates/, povinc/, presets/ and scripts/
-  std::optional<std::filesystem::path> preset; ///< to open; none: the page begins with the gallery
-  int port = 0;                                ///< 0: any that is free
-  std::optional<std::filesystem::path> assets; ///< one more folder to read from
+  std::filesystem::path home;                   ///< the folder of templates/, povinc/, presets/ and scripts/
+  std::optional<std::filesystem::path> preset;  ///< to open; none: the page begins with the gallery
+  int port = 0;                                 ///< 0: any that is free
+  std::optional<std::filesystem::path> assets;  ///< one more folder to read from
   std::function<void(const std::string& address)> ready;  ///< called when the page can be opened
 };
 

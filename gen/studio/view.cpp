@@ -19,8 +19,10 @@ Json linear(const Color& c) {
 }
 
 Json light_json(const Daylight& light) {
-  return {{"sun", json_of(light.sun)},         {"sun_color", linear(light.sunlight)},
-          {"sky", linear(light.zenith)},       {"horizon", linear(light.horizon)},
+  return {{"sun", json_of(light.sun)},
+          {"sun_color", linear(light.sunlight)},
+          {"sky", linear(light.zenith)},
+          {"horizon", linear(light.horizon)},
           {"ground", linear(light.ground)},
           {"fog", {{"color", linear(light.horizon)}, {"distance", light.fade}}}};
 }
@@ -108,7 +110,8 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
 void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart>& parts) {
   auto add = [&](const Surface& shape, const Color& color) -> DrawnPart& {
     DrawnPart& part = parts.emplace_back();
-    part.head = {{"kind", "ground"}, {"entry", -1}, {"specimen", -1}, {"material", material_json(color, 0.02)}};
+    part.head = {
+        {"kind", "ground"}, {"entry", -1}, {"specimen", -1}, {"material", material_json(color, 0.02)}};
     Surface plain = shape;
     plain.uv.clear();
     part.add_surface("", plain);
@@ -149,7 +152,8 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, std::vector
       made[i] = specimen_parts(s, request.time);
     }
     if (!made[i]) return;
-    for (DrawnPart& part : *made[i]) part.head["entry"] = own ? static_cast<int>(s.entry) : -1, part.head["specimen"] = i;
+    for (DrawnPart& part : *made[i])
+      part.head["entry"] = own ? static_cast<int>(s.entry) : -1, part.head["specimen"] = i;
   });
   for (auto& list : made) {
     if (!list) return list.errors();
@@ -162,19 +166,24 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, std::vector
 std::array<std::uint8_t, 4> tint_bytes(const CopyTint& tint, int number) {
   auto spread = [&](int step) { return 2.0 * ((number * step) % kTints + 0.5) / kTints - 1; };
   double value = 1 + tint.value * spread(1), hue = tint.hue * spread(5);
-  auto byte = [&](double turn) { return static_cast<std::uint8_t>(std::clamp(128 * value * (1 + turn), 0.0, 255.0)); };
+  auto byte = [&](double turn) {
+    return static_cast<std::uint8_t>(std::clamp(128 * value * (1 + turn), 0.0, 255.0));
+  };
   return {byte(hue), byte(0), byte(-hue), 255};
 }
 
-Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& models, std::vector<DrawnPart>& parts) {
+Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& models,
+                  std::vector<DrawnPart>& parts) {
   std::vector<std::pair<const SownStand*, int>> wanted;
   for (const SownStand& stand : scene.stands)
     if (request.shows(stand.entry)) {
       std::set<int> used(stand.copies.model.begin(), stand.copies.model.end());
       for (int which : used) wanted.emplace_back(&stand, which);
     }
-  std::vector<Result<std::shared_ptr<const DrawnPart>>> grown(wanted.size(), std::shared_ptr<const DrawnPart>{});
-  parallel_for(wanted.size(), [&](std::size_t i) { grown[i] = models.model(*wanted[i].first, wanted[i].second); });
+  std::vector<Result<std::shared_ptr<const DrawnPart>>> grown(wanted.size(),
+                                                              std::shared_ptr<const DrawnPart>{});
+  parallel_for(wanted.size(),
+               [&](std::size_t i) { grown[i] = models.model(*wanted[i].first, wanted[i].second); });
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (!grown[i]) return grown[i].errors();
     const auto& [stand, which] = wanted[i];
@@ -184,8 +193,8 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& mo
     const Copies& c = stand->copies;
     for (std::size_t k = 0; k < c.size(); ++k) {
       if (c.model[k] != which) continue;
-      places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, c.turn[k].x, c.turn[k].y, c.turn[k].z,
-                                   c.turn[k].w, c.scale[k], c.scale[k], c.scale[k]});
+      places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, c.turn[k].x, c.turn[k].y,
+                                   c.turn[k].z, c.turn[k].w, c.scale[k], c.scale[k], c.scale[k]});
       for (std::uint8_t byte : tint_bytes(stand->organism.sown->tint, c.tint[k])) tints.push_back(byte);
     }
     part.head["entry"] = stand->entry, part.head["specimen"] = -1, part.head["model"] = which;

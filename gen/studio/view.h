@@ -35,13 +35,11 @@ class Greenhouse {
 
 /// What of a scene is wanted.
 struct ViewRequest {
-  double time = 0;                   ///< seconds
-  std::set<std::string> kept;        ///< ids of parts that need not be sent again
+  double time = 0;                            ///< seconds
+  std::set<std::string> kept;                 ///< ids of parts that need not be sent again
   std::optional<std::set<std::size_t>> solo;  ///< only these of the preset's organisms
   std::set<std::size_t> hidden;
-  bool shows(std::size_t entry) const {
-    return !hidden.contains(entry) && (!solo || solo->contains(entry));
-  }
+  bool shows(std::size_t entry) const { return !hidden.contains(entry) && (!solo || solo->contains(entry)); }
 };
 
 /// Everything that stands in a scene at one time, as a packet that the page draws (docs/studio.md describes

@@ -8,7 +8,7 @@ namespace {
 
 /// How finely copies are drawn; coarser than for a picture, as there may be ten thousand before a slow
 /// display.
-constexpr CopyDetail kLevels[] = {{0.008, 6e4}, {0.05, 1.2e4}, {0.3, 1500}};
+constexpr CopyDetail kLevels[] = {{0.012, 2.5e4}, {0.08, 5e3}, {0.4, 800}};
 constexpr std::size_t kMostBytes = std::size_t{600} << 20;
 
 /// What leaves are coloured by: the whole part of each corner's u.
@@ -17,7 +17,8 @@ std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<C
   painted.reserve(4 * leaves.uv.size());
   for (Vec2 uv : leaves.uv) {
     const Color& c = colors[color_index(static_cast<std::int32_t>(std::floor(uv.x)), colors.size())];
-    for (float x : {c.red, c.green, c.blue}) painted.push_back(static_cast<std::uint8_t>(std::lround(255 * x)));
+    for (float x : {c.red, c.green, c.blue})
+      painted.push_back(static_cast<std::uint8_t>(std::lround(255 * x)));
     painted.push_back(255);
   }
   return painted;
@@ -34,7 +35,8 @@ void add_wood(DrawnPart& part, const std::string& below, const Look& look, const
   part.add_surface(below, plain);
 }
 
-void add_leaves(DrawnPart& part, const std::string& below, const Look& look, const Model& model, CopyPart& leaves) {
+void add_leaves(DrawnPart& part, const std::string& below, const Look& look, const Model& model,
+                CopyPart& leaves) {
   bool blade = leaves.kind == CopyPart::Kind::blade;
   const Prototype* prototype = blade ? nullptr : &model.prototypes[leaves.which];
   const OrganPart* organ = blade ? nullptr : &prototype->parts[leaves.part];

@@ -26,7 +26,8 @@ void push(std::vector<std::uint8_t>& to, const Color& c) {
 /// Branches that have grown together, or cubes.
 Result<DrawnPart> body_part(const Specimen& s, const Pose& pose) {
   Boughs limbs;
-  add_boughs(limbs, s.model.skeleton, pose.position, pose.radius, pose.front, static_cast<float>(s.style.blend));
+  add_boughs(limbs, s.model.skeleton, pose.position, pose.radius, pose.front,
+             static_cast<float>(s.style.blend));
   VolumeOptions volume{s.style.voxel, s.style.adaptivity, s.style.limit};
   Surface surface;
   std::vector<std::int32_t> node;
@@ -48,7 +49,8 @@ Result<DrawnPart> body_part(const Specimen& s, const Pose& pose) {
   std::vector<std::uint8_t> painted;
   painted.reserve(4 * surface.position.size());
   for (std::int32_t i : node)
-    push(painted, colors.at(s, i, youth(s.model.skeleton, pose, longest, static_cast<float>(colors.young_length), i)));
+    push(painted,
+         colors.at(s, i, youth(s.model.skeleton, pose, longest, static_cast<float>(colors.young_length), i)));
   DrawnPart part;
   part.head["kind"] = "mesh";
   part.head["material"] = material_json({}, s.look.bark ? bark_gloss(*s.look.bark) : 0.1);
@@ -73,7 +75,8 @@ void add_organs(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& par
     std::size_t which = organs.prototype[i];
     const Prototype& prototype = s.model.prototypes[which];
     std::size_t color = color_index(organs.color[i], prototype.colors.size());
-    bool pictured = std::ranges::any_of(prototype.parts, [](const OrganPart& p) { return !p.pictures.empty(); });
+    bool pictured =
+        std::ranges::any_of(prototype.parts, [](const OrganPart& p) { return !p.pictures.empty(); });
     PlacedMesh& group = groups[{which, pictured ? color : 0}];
     push(group.at, organ_place(s.model.skeleton, pose, organs, i),
          glm::normalize(organ_turn(pose, organs, i)), organs.scale[i] * size);
@@ -86,7 +89,8 @@ void add_organs(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& par
       bool leaf = is_leaf(shape.tissue), heart = shape.tissue == Tissue::heart;
       DrawnPart& part = parts.emplace_back();
       part.head["kind"] = "mesh";
-      Json material = material_json(heart ? prototype.second : prototype.colors[key.second], kLeafGloss, leaf);
+      Json material =
+          material_json(heart ? prototype.second : prototype.colors[key.second], kLeafGloss, leaf);
       if (leaf) material["light_through"] = kLightThroughLeaf;
       if (!shape.pictures.empty()) material["picture"] = shape.pictures[key.second % shape.pictures.size()];
       part.head["material"] = std::move(material);
@@ -100,9 +104,9 @@ void add_organs(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& par
 void add_blades(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& parts) {
   const BladeLook& look = s.look.blades;
   for (std::size_t k = 0; s.model.blades.size() > 0 && k < look.colors.size(); ++k) {
-    Surface surface = posed_blades(s.model.skeleton, pose, s.model.blades, s.motion.growth.ripen, [&](std::size_t i) {
-      return color_index(s.model.blades.color[i], look.colors.size()) == k;
-    });
+    Surface surface = posed_blades(
+        s.model.skeleton, pose, s.model.blades, s.motion.growth.ripen,
+        [&](std::size_t i) { return color_index(s.model.blades.color[i], look.colors.size()) == k; });
     if (surface.triangle.empty()) continue;
     DrawnPart& part = parts.emplace_back();
     part.head["kind"] = "mesh";

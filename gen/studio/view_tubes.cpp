@@ -160,8 +160,8 @@ DrawnPart tubes_part(const Specimen& specimen, const Pose& pose) {
   part.head["kind"] = "tubes";
   part.head["gloss"] = specimen.look.bark ? bark_gloss(*specimen.look.bark) : 0.1;
   std::vector<WireSegment> segments = Weaver(specimen, pose).weave();
-  part.add("/segments",
-           std::span(reinterpret_cast<const std::uint8_t*>(segments.data()), sizeof(WireSegment) * segments.size()));
+  part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
+                                  sizeof(WireSegment) * segments.size()));
   return part;
 }
 

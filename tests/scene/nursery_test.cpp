@@ -58,8 +58,9 @@ TEST(Nursery, GrowsOnlyWhatWasChanged) {
   EXPECT_EQ(changed.grown, std::vector<std::size_t>{2});
   expect_same(built(other, nullptr), changed);
   // The camera and the light grow nothing.
-  EXPECT_TRUE(built(preset_at("presets/reef.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}), &nursery)
-                  .grown.empty());
+  EXPECT_TRUE(
+      built(preset_at("presets/reef.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}), &nursery)
+          .grown.empty());
 }
 
 TEST(Nursery, IvyGrowsAnewWhereItsHostDoes) {

@@ -21,7 +21,10 @@ class DocumentsTest : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  Documents documents() const { return Documents({.home = FROND_ROOT, .preset = folder_ / "own/a.json", .port = 0, .assets = {}, .ready = {}}); }
+  Documents documents() const {
+    return Documents(
+        {.home = FROND_ROOT, .preset = folder_ / "own/a.json", .port = 0, .assets = {}, .ready = {}});
+  }
   std::string disk() const { return (*documents().read((folder_ / "own/a.json").string()))["disk"]; }
 
   static constexpr const char* kText = R"({"organisms": []} // mine)";
@@ -92,7 +95,10 @@ TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {
 }
 
 TEST(ErrorsJson, PartsOfAPlace) {
-  Json list = errors_json({{"a.json:3:14: /organisms/0/pitch", "found 5"}, {"a.json:7:2", "no JSON"}, {"/film/fps", "bad"}, {"", "x"}});
+  Json list = errors_json({{"a.json:3:14: /organisms/0/pitch", "found 5"},
+                           {"a.json:7:2", "no JSON"},
+                           {"/film/fps", "bad"},
+                           {"", "x"}});
   EXPECT_EQ(list[0]["line"], 3);
   EXPECT_EQ(list[0]["column"], 14);
   EXPECT_EQ(list[0]["pointer"], "/organisms/0/pitch");
