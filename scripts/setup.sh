@@ -5,23 +5,26 @@ set -euo pipefail
 . "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 
 build_packages=(g++ cmake ninja-build ccache libglm-dev nlohmann-json3-dev libfmt-dev libtbb-dev libcli11-dev
-  libtinyobjloader-dev libpng-dev libpugixml-dev libembree-dev libopenvdb-dev libboost-iostreams-dev libxxhash-dev)
+  libtinyobjloader-dev libpng-dev libpugixml-dev libembree-dev libopenvdb-dev libboost-iostreams-dev libxxhash-dev
+  libcpp-httplib-dev pkgconf)
 run_packages=(povray ffmpeg)
 test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev bats clang-format shellcheck python3)
-# Of "large" tests. A node that came from elsewhere does, so its programs are looked for, not its packages.
-large_packages=()
-command -v node >/dev/null || large_packages+=(nodejs)
-command -v npm >/dev/null || large_packages+=(npm)
+# A node that came from elsewhere does, so its programs are looked for, not its packages.
+node_packages=()
+command -v node >/dev/null || node_packages+=(nodejs)
+command -v npm >/dev/null || node_packages+=(npm)
+large_packages=(chromium)
 
 usage() {
   cat <<TEXT
-Usage: scripts/setup.sh [--tests] [--all] [--quiet]
+Usage: scripts/setup.sh [--tests] [--studio] [--all] [--quiet]
 
 Installs the Debian packages that are missing, as root or through sudo. Where nothing is missing it does nothing
 and needs neither root nor network.
 
   --tests   also what scripts/test.sh needs
-  --all     also what scripts/test.sh --all needs: node and npm, and glTF's validator from npm in build/gltf
+  --studio  also node and npm, and builds the page of \`frond studio\` with them; scripts/build.sh then takes it in
+  --all     also what scripts/test.sh --all needs: the page, Chromium, and judges from npm in build/
   --quiet   one line only, and none where nothing is missing; apt's own words are shown if it fails
   --help    this text
 
@@ -31,11 +34,12 @@ to test:   ${test_packages[*]}
 TEXT
 }
 
-tests='' all='' quiet=''
+tests='' studio='' all='' quiet=''
 for argument in "$@"; do
   case $argument in
     --tests) tests=yes ;;
-    --all) tests=yes all=yes ;;
+    --studio) studio=yes ;;
+    --all) tests=yes studio=yes all=yes ;;
     --quiet) quiet=yes ;;
     -h | --help) usage; exit 0 ;;
     *) bad_usage "unknown argument '$argument'" ;;
@@ -44,17 +48,36 @@ done
 
 packages=("${build_packages[@]}" "${run_packages[@]}")
 if [[ -n $tests ]]; then packages+=("${test_packages[@]}"); fi
+if [[ -n $studio ]]; then packages+=("${node_packages[@]}"); fi
 if [[ -n $all ]]; then packages+=("${large_packages[@]}"); fi
 
-# The pinned packages of tests/gltf, where they are not there yet.
-install_from_npm() {
-  local from=$root/tests/gltf to=${FROND_GLTF:-$root/build/gltf}
-  if cmp -s "$from/package-lock.json" "$to/node_modules/installed-lock.json"; then return 0; fi
-  say "Installing glTF's validator"
-  mkdir -p -- "$to"
-  cp -- "$from/package.json" "$from/package-lock.json" "$to/"
-  npm --prefix "$to" ci --no-audit --no-fund --loglevel=error >/dev/null || fail 1 "npm could not install $from/package.json"
-  cp -- "$from/package-lock.json" "$to/node_modules/installed-lock.json"
+# npm_packages FROM TO: the pinned packages of a folder, where they are not there yet.
+npm_packages() {
+  if cmp -s "$1/package-lock.json" "$2/node_modules/installed-lock.json"; then return 0; fi
+  say "Installing npm packages of ${1#"$root/"}"
+  mkdir -p -- "$2"
+  if ! [[ $1 -ef $2 ]]; then cp -- "$1/package.json" "$1/package-lock.json" "$2/"; fi
+  npm --prefix "$2" ci --no-audit --no-fund --loglevel=error >/dev/null || fail 1 "npm could not install $1/package.json"
+  cp -- "$1/package-lock.json" "$2/node_modules/installed-lock.json"
+}
+
+# The page of the studio, made anew where a source of it is newer.
+build_page() {
+  local page=$root/gen/studio/page
+  local built=$page/dist/index.html
+  npm_packages "$page" "$page"
+  if [[ -f $built && -z $(find "$page" -path "$page/node_modules" -prune -o -path "$page/dist" -prune -o -type f -newer "$built" -print -quit) ]]; then
+    return 0
+  fi
+  say "Building the page of the studio"
+  npm --prefix "$page" run --silent build >/dev/null || fail 1 "the page could not be built: npm --prefix $page run build"
+}
+
+from_npm() {
+  if [[ -n $studio ]]; then build_page; fi
+  if [[ -z $all ]]; then return 0; fi
+  npm_packages "$root/tests/gltf" "${FROND_GLTF:-$root/build/gltf}"
+  npm_packages "$root/tests/studio" "$root/build/studio"
 }
 
 command -v dpkg-query >/dev/null || fail 1 "dpkg-query is missing: only Debian is known here. Needed: ${packages[*]}"
@@ -67,7 +90,7 @@ for package in "${packages[@]}"; do
 done
 
 if ((${#missing[@]} == 0)); then
-  if [[ -n $all ]]; then install_from_npm; fi
+  from_npm
   if [[ -z $quiet ]]; then say "Nothing to install: all ${#packages[@]} packages are there."; fi
   exit 0
 fi
@@ -97,5 +120,5 @@ if ! { known && install; }; then
     fail 1 "apt-get could not install: ${missing[*]}"
   fi
 fi
-if [[ -n $all ]]; then install_from_npm; fi
+from_npm
 say "Installed in $(clock "$SECONDS")."

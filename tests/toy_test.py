@@ -91,7 +91,8 @@ SettingRow toyshop_setting() {
       [](const Stage&, const Film&) { return GroundForesight{}; },
       [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<Shelf>(stage.block<Toyshop>().shelf);
-      });
+      },
+      [](const Stage&) { return Daylight{}; });
 }
 
 }  // namespace frond

@@ -53,6 +53,13 @@ struct TextureArguments {
   bool quiet = false;
 };
 
+struct StudioArguments {
+  std::string preset;                 ///< may be empty: the gallery
+  int port = 0;                       ///< 0: any that is free
+  bool open = false;                  ///< in the desktop's browser
+  std::optional<std::string> assets;  ///< as of a preset
+};
+
 /// Each is one command of the program; all return an ExitCode. Data goes to stdout, messages to stderr.
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
@@ -64,5 +71,6 @@ int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int list_everything(bool json);
 int print_schema();
+int studio(const StudioArguments& arguments);
 
 }  // namespace frond

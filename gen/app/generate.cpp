@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <fstream>
-#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -15,12 +13,11 @@
 #include "app/streams.h"
 #include "core/content.h"
 #include "core/files.h"
-#include "core/growing_file.h"
 #include "core/machine.h"
 #include "core/parallel.h"
+#include "emit/film_files.h"
 #include "emit/foretell.h"
 #include "emit/frame.h"
-#include "images/whole.h"
 #include "jobs/jobs.h"
 #include "scene/scene.h"
 
@@ -35,84 +32,6 @@ struct Written {
   Errors errors;
   std::set<std::string> beside;  // what frames include
 };
-
-/// How many parts a model's file declares, if it is there.
-std::optional<int> parts_of(const fs::path& path) {
-  char head[64] = {};
-  std::ifstream(path, std::ios::binary).read(head, sizeof head - 1);
-  return model_parts(head);
-}
-
-/// Grows the models of stands that are not there yet, each with all its levels, and counts their parts.
-Errors grow_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, bool quiet) {
-  // Stands of one species may share a model, which is grown and written once.
-  std::map<std::string, std::vector<const ModelFile*>> missing;
-  std::set<std::string_view> names;
-  for (const ModelFile& file : plan.files)
-    if (!parts_of(folder / file.name) && names.insert(file.name).second)
-      missing[copy_id(scene.stands[file.stand].organism, file.model)].push_back(&file);
-  std::vector<std::vector<const ModelFile*>> to_grow;
-  for (auto& [key, files] : missing) to_grow.push_back(std::move(files));
-  Progress progress("models", static_cast<int>(to_grow.size()), quiet);
-  std::vector<Errors> errors(to_grow.size());
-  parallel_for(to_grow.size(), [&](std::size_t i) {
-    const SownStand& stand = scene.stands[to_grow[i][0]->stand];
-    Result<Model> model = grow_copy(stand.organism, to_grow[i][0]->model);
-    if (!model) {
-      errors[i] = model.errors();
-      return;
-    }
-    for (const ModelFile* file : to_grow[i]) {
-      Result<bool> written = write_file(folder / file->name, model_text(*file, stand, *model));
-      if (!written) errors[i] = written.errors();
-    }
-    progress.step();
-  });
-  for (const Errors& list : errors)
-    if (!list.empty()) return list;
-  for (ModelFile& file : plan.files) file.parts = parts_of(folder / file.name).value_or(0);
-  return {};
-}
-
-/// Draws the pictures of bark and leaves that are not there yet.
-Errors draw_pictures(const Scene& scene, const fs::path& folder, bool quiet) {
-  std::vector<const Drawing*> to_draw;
-  std::set<std::string> names;  // organisms may share a picture
-  for (const Drawing& drawing : scene.drawings) {
-    auto is_there = [&](const std::string& name) {
-      Result<std::string> picture = read_file(folder / name);
-      return picture && whole_png(*picture);
-    };
-    if (!names.insert(drawing.names[0]).second) continue;
-    if (!std::all_of(drawing.names.begin(), drawing.names.end(), is_there)) to_draw.push_back(&drawing);
-  }
-  Progress progress("texture", static_cast<int>(to_draw.size()), quiet);
-  std::vector<Errors> errors(to_draw.size());
-  parallel_for(to_draw.size(), [&](std::size_t i) {
-    Result<std::vector<Picture>> drawn = to_draw[i]->draw();
-    if (!drawn) {
-      errors[i] = drawn.errors();
-      return;
-    }
-    for (const Picture& picture : *drawn) {
-      Result<bool> written = write_file(folder / picture.name, picture.bytes);
-      if (!written) errors[i] = written.errors();
-    }
-    progress.step();
-  });
-  for (const Errors& list : errors)
-    if (!list.empty()) return list;
-  return {};
-}
-
-/// Writes one frame; true where it was not there just so.
-Result<bool> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
-                              const fs::path& path, int frame) {
-  GrowingFile file(path);
-  Errors errors = write_frame(scene, parts, layout, frame, [&](std::string_view text) { file.add(text); });
-  if (!errors.empty()) return errors;
-  return file.close();
-}
 
 /// Writes the frames of a range, up to `at_once` at a time.
 Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layout, const fs::path& out,
@@ -228,10 +147,11 @@ int generate(const GenerateArguments& arguments) {
   if (!refused.empty()) return fail(refused, kWrongInput);
 
   std::optional<Progress> shown;
-  Watch watch{[&](std::string_view phase, std::size_t steps) {
-                shown.emplace(std::string(phase), static_cast<int>(steps), arguments.quiet);
-              },
-              [&] { shown->step(); }};
+  Watch watch{.begin =
+                  [&](std::string_view phase, std::size_t steps) {
+                    shown.emplace(std::string(phase), static_cast<int>(steps), arguments.quiet);
+                  },
+              .step = [&] { shown->step(); }};
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset, watch);
   shown.reset();
@@ -245,13 +165,14 @@ int generate(const GenerateArguments& arguments) {
   std::set<std::string> needed;
   for (const Drawing& drawing : scene->drawings) needed.insert(drawing.names.begin(), drawing.names.end());
   now_doing("drawing bark and leaves");
-  if (Errors errors = draw_pictures(*scene, out / "frames", arguments.quiet); !errors.empty())
+  if (Errors errors = write_drawings(*scene, out / "frames", watch); !errors.empty())
     return fail(errors, kCouldNot);
   now_doing("growing the models of what is sown");
   CopyPlan plan = plan_copies(*scene);
   for (const ModelFile& file : plan.files) needed.insert(file.name);
-  if (Errors errors = grow_models(*scene, plan, out / "frames", arguments.quiet); !errors.empty())
+  if (Errors errors = write_models(*scene, plan, out / "frames", watch); !errors.empty())
     return fail(errors, kCouldNot);
+  shown.reset();
   now_doing("writing frames");
   Written written =
       write_frames(*scene, std::move(plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);

@@ -146,6 +146,17 @@ void add_catalogue(CLI::App& app, int& result) {
   list_command->callback([&result, json] { result = list_everything(*json); });
 }
 
+void add_studio(CLI::App& app, int& result) {
+  auto to = std::make_shared<StudioArguments>();
+  auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
+  command->add_option("preset", to->preset, "The preset to open, a JSON file; none: the gallery");
+  command->add_option("--port", to->port, "Of the address (any that is free)")->check(CLI::Range(1, 65535));
+  command->add_flag("--open", to->open, "Opens the page in the desktop's browser");
+  add_assets(command, to->assets);
+  command->footer("Example:\n  frond studio presets/reef.json --open");
+  command->callback([&result, to] { result = studio(*to); });
+}
+
 /// What is wrong with the name of a command, or nothing.
 std::string unknown_command(const CLI::App& app, std::string_view word) {
   std::vector<std::string> names;
@@ -175,8 +186,8 @@ int run(int count, char** words) {
   app.require_subcommand(1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add :
-       {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle, add_catalogue})
+  for (auto add : {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle,
+                   add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

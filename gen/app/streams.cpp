@@ -30,6 +30,8 @@ void put(std::string_view text) {
     failed.compare_exchange_strong(none, errno);
 }
 
+void flush() { (void)std::fflush(stdout); }
+
 void put_words(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
 
 Errors close_out() {

@@ -13,6 +13,9 @@ void open_streams();
 /// Data, to stdout. What goes wrong shows in close_out().
 void put(std::string_view text);
 
+/// Sends off what was put, for a reader that waits for it.
+void flush();
+
 /// Words for the user, to stderr, as they are; see messages.h for whole lines. Where they cannot be written
 /// nothing is lost but them.
 void put_words(std::string_view text);

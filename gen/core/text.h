@@ -16,6 +16,9 @@ std::string number_text(double value, int decimals = 5);
 
 /// Appends a whole number.
 void append_integer(std::string& text, long long value);
+inline void append_index(std::string& text, std::size_t index) {
+  append_integer(text, static_cast<long long>(index));
+}
 
 /// Appends `<x, y, z>`-style lists: the numbers with `,` between them.
 template <class... Numbers>

@@ -1,7 +1,6 @@
 #include "creeping/crawl.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/parallel.h"
 #include "creeping/gather.h"

@@ -1,7 +1,6 @@
 #include "creeping/hang.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace frond {
 

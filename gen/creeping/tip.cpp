@@ -1,7 +1,6 @@
 #include "creeping/tip.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/noise.h"
 

@@ -1,7 +1,5 @@
 #include "crown/colonize.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -93,7 +93,7 @@ bool Envelope::inside(Vec3 at) const {
 }
 
 std::vector<Vec3> Envelope::sample(int count, Seed seed) const {
-  constexpr std::uint64_t kPatience = 200'000;  // until it is clear that there is next to no room
+  constexpr std::uint64_t kTriesInVain = 200'000;  // until it is clear that there is next to no room
   std::vector<Vec3> places;
   Vec3 size = high_ - low_;
   std::uint64_t most = 400ull * static_cast<std::uint64_t>(std::max(count, 0));
@@ -101,7 +101,7 @@ std::vector<Vec3> Envelope::sample(int count, Seed seed) const {
     Seed own = seed.child(i);
     Vec3 at = low_ + size * Vec3(own.child(0).unit(), own.child(1).unit(), own.child(2).unit());
     if (inside(at)) places.push_back(at);
-    if (places.empty() && i == kPatience) break;
+    if (places.empty() && i == kTriesInVain) break;
   }
   return places;
 }

@@ -9,13 +9,6 @@ namespace frond {
 
 namespace {
 
-const DVec3 kUp{0, 1, 0};
-
-DQuat about_x(double angle) { return glm::angleAxis(angle, DVec3(1, 0, 0)); }
-DQuat about_y(double angle) { return glm::angleAxis(angle, kUp); }
-DVec3 heading(const DQuat& turn) { return turn * kUp; }
-double vary(double mean, double spread, Seed seed) { return mean + spread * seed.range(-1, 1); }
-
 class Tracer {
  public:
   Tracer(const WeberPenn& tree, const Stem& stem, double& left) : tree_(tree), stem_(stem), left_(left) {}
@@ -118,7 +111,7 @@ class Tracer {
   /// Turned toward the vertical by a share of its slope; down where the share is negative.
   static DQuat lift(DQuat turn, double share) {
     DVec3 axis = heading(turn);
-    DVec3 side = glm::cross(axis, kUp);
+    DVec3 side = glm::cross(axis, DVec3(0, 1, 0));
     double length = glm::length(side);
     if (length < 1e-6) return turn;
     double slope = std::acos(std::clamp(axis.y, -1.0, 1.0));

@@ -12,6 +12,13 @@ namespace frond {
 
 using DQuat = glm::dquat;
 
+// Stems are turned from growing along +y.
+inline DQuat about_x(double angle) { return glm::angleAxis(angle, DVec3(1, 0, 0)); }
+inline DQuat about_y(double angle) { return glm::angleAxis(angle, DVec3(0, 1, 0)); }
+inline DVec3 heading(const DQuat& turn) { return turn * DVec3(0, 1, 0); }
+
+inline double vary(double mean, double spread, Seed seed) { return mean + spread * seed.range(-1, 1); }
+
 inline constexpr std::size_t kMostNodes = 4'000'000;  // of a tree
 
 /// A stem before it is drawn.

@@ -14,11 +14,6 @@ namespace {
 constexpr std::size_t kMostLeaves = 10'000'000;
 constexpr double kShortest = 0.0005;  // metres, of a stem
 
-DQuat about_x(double angle) { return glm::angleAxis(angle, DVec3(1, 0, 0)); }
-DQuat about_y(double angle) { return glm::angleAxis(angle, DVec3(0, 1, 0)); }
-DVec3 heading(const DQuat& turn) { return turn * DVec3(0, 1, 0); }
-double vary(double mean, double spread, Seed seed) { return mean + spread * seed.range(-1, 1); }
-
 /// What children of a stem count on as they are placed one after the other.
 struct Whorl {
   double turned = 0;

@@ -1,7 +1,6 @@
 #include "dress/season.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 

@@ -14,11 +14,7 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kPartTriangles = 10'000;  // POV-Ray reads many meshes faster than one large one
-constexpr int kAges = 4, kShades = 4;           // of cubes
-
-void append_index(std::string& text, std::size_t index) {
-  append_integer(text, static_cast<long long>(index));
-}
+constexpr int kCubeAges = 4, kCubeShades = 4;   // of cubes
 
 /// Appends `name{count` and the items of a list of a mesh2.
 template <class Items, class Append>
@@ -152,7 +148,7 @@ std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shad
     add_colors(t.base, t.secondary, {pale(t.base.red), pale(t.base.green), pale(t.base.blue)});
     brightness *= t.value, hue = degrees(t.hue), saturation = t.saturation;
   }
-  append_list(text, 4, hue, saturation, brightness, age / (kAges - 1.0), shade / (kShades - 1.0),
+  append_list(text, 4, hue, saturation, brightness, age / (kCubeAges - 1.0), shade / (kCubeShades - 1.0),
               b.style.voxel);
   return text + ")}";
 }
@@ -168,17 +164,17 @@ Result<std::string> cubes_text(const PovSpace& space, const Specimen& b, const P
   // The looks of cubes: colour of the bark, age and shade.
   std::size_t colors = b.look.bark ? b.look.bark->colors.size() : 1;
   std::vector<std::uint32_t> look(cubes->size());
-  std::vector<std::int32_t> example(colors * kAges * kShades, -1);
+  std::vector<std::int32_t> example(colors * kCubeAges * kCubeShades, -1);
   for (std::size_t c = 0; c < cubes->size(); ++c) {
     std::int32_t node = cubes->node[c];
     Cell cell = cubes->cell[c];
     std::uint64_t lot = Seed{block_key({cell.i * 8, cell.j * 8, cell.k * 8})}.bits();
     float age = youth(b.model.skeleton, pose, longest, static_cast<float>(young), node);
     // Between two ages lots are drawn, so that one runs into the other.
-    float level = age * (kAges - 1) + static_cast<float>(Seed{lot}.unit()) * 0.999f;
+    float level = age * (kCubeAges - 1) + static_cast<float>(Seed{lot}.unit()) * 0.999f;
     std::size_t color = b.look.bark ? bark_color(b, node) : 0;
-    look[c] = static_cast<std::uint32_t>((color * kAges + static_cast<std::size_t>(level)) * kShades +
-                                         lot % kShades);
+    look[c] = static_cast<std::uint32_t>((color * kCubeAges + static_cast<std::size_t>(level)) * kCubeShades +
+                                         lot % kCubeShades);
     if (example[look[c]] < 0) example[look[c]] = node;
   }
   std::vector<std::uint32_t> number(example.size());
@@ -186,8 +182,8 @@ Result<std::string> cubes_text(const PovSpace& space, const Specimen& b, const P
   for (std::size_t l = 0; l < example.size(); ++l) {
     if (example[l] < 0) continue;
     number[l] = static_cast<std::uint32_t>(all.list.size());
-    all.list.push_back(
-        cube_texture(b, example[l], static_cast<int>(l / kShades % kAges), static_cast<int>(l % kShades)));
+    all.list.push_back(cube_texture(b, example[l], static_cast<int>(l / kCubeShades % kCubeAges),
+                                    static_cast<int>(l % kCubeShades)));
   }
   std::string text;
   for (std::size_t from = 0; from < surface.triangle.size(); from += kPartTriangles) {

@@ -211,7 +211,7 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
   std::string text;
   append_comment(text, organism.name);
   for (const auto& [key, lines] : groups) {
-    auto [model, level, tint] = key;
+    int model = key[0], level = key[1], tint = key[2];  // clang 14 lets no lambda see parts of a binding
     std::string name = model_name(organism, model, level);
     auto file = std::find_if(plan.files.begin(), plan.files.end(), [&](const ModelFile& f) {
       return f.stand == which && f.model == model && f.level == level;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "organisms/organism.h"
 #include "settings/settings.h"
@@ -21,7 +20,7 @@ constexpr double kPlacement = 122;                                // of an organ
 constexpr double kTriangle = 45, kGrassTriangle = 100;  // of a mesh; of one whose triangles share few corners
 constexpr double kCorner = 86;                          // of a leaf that the turtle outlined
 constexpr double kLayout = 5000;
-constexpr double kAside = 5e6;  // of what goes to a file of its own, see frame.cpp
+constexpr double kAsideBytes = 5e6;  // of what goes to a file of its own, see frame.cpp
 // Bytes of memory.
 constexpr double kProgram = 4e7;
 constexpr double kHeldNode = 40, kGrowingNode = 60, kPosedNode = 50;
@@ -126,7 +125,7 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
   f.growth_memory = f.scene_memory + growing;
   // What all frames share is written once where it is surely long.
   for (double same : {ground, materials})
-    (preset.film.frames > 1 && same > kAside ? f.shared_bytes : text) += same;
+    (preset.film.frames > 1 && same > kAsideBytes ? f.shared_bytes : text) += same;
   f.frame_bytes = text;
   f.frame_seconds = text / kBytesWritten;
   return f;

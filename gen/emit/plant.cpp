@@ -14,16 +14,12 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kShades = 3;         // of each colour, so that leaves differ
+constexpr std::size_t kLeafShades = 3;     // of each colour, so that leaves differ
 constexpr std::size_t kPiece = 1'000'000;  // bytes that are handed on at once
 constexpr std::size_t kSteps = 8;          // from the colour of a bud to that of the leaf
 
 constexpr const char* kTissueMacros[] = {"Plant_Leaf",  "Plant_Petal", "Plant_Heart",
                                          "Plant_Fruit", "Plant_Fruit", "Ivy_Leaf"};
-
-void append_index(std::string& text, std::size_t index) {
-  append_integer(text, static_cast<long long>(index));
-}
 
 /// `Organ2_0_1`: the shape of a part of an organ of an entry of the preset.
 void append_organ_name(std::string& text, std::size_t entry, std::size_t prototype, std::size_t part) {
@@ -75,7 +71,7 @@ void append_picture(std::string& text, std::string_view name, std::size_t shade)
   text += ")}";
 }
 
-std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kShades; }
+std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kLeafShades; }
 
 void append_placement(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
                       std::size_t i, float size, double time) {
@@ -109,7 +105,7 @@ Buckets buckets_of(const Specimen& b, const Pose& pose) {
   std::size_t count = 0, n = b.model.organs.size();
   for (const Prototype& p : b.model.prototypes) {
     buckets.first_of.push_back(count);
-    count += p.colors.size() * steps_of(p) * kShades;
+    count += p.colors.size() * steps_of(p) * kLeafShades;
   }
   std::vector<std::uint32_t> bucket(n, kNone);
   buckets.begin.assign(count + 1, 0);
@@ -121,7 +117,7 @@ Buckets buckets_of(const Specimen& b, const Pose& pose) {
     // Colour lags behind size: a leaf is fully grown before it is dark.
     auto step = std::min(static_cast<std::size_t>(size * size * static_cast<float>(steps)), steps - 1);
     std::size_t at =
-        buckets.first_of[which] + (color * steps + step) * kShades + shade_of(b.model.organs.id[i]);
+        buckets.first_of[which] + (color * steps + step) * kLeafShades + shade_of(b.model.organs.id[i]);
     bucket[i] = static_cast<std::uint32_t>(at);
     ++buckets.begin[at + 1];
   }
@@ -144,7 +140,7 @@ void write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, do
     append_placement(lines, space, b, pose, i, size, time);
   }
   if (lines.empty()) return;
-  Color color = unfolding_color(prototype, k / kShades / steps, k / kShades % steps);
+  Color color = unfolding_color(prototype, k / kLeafShades / steps, k / kLeafShades % steps);
   std::string text;
   for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
     text += group_opening(lines);
@@ -158,9 +154,9 @@ void write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, do
       if (text.size() > kPiece) out(text), text.clear();
     }
     if (!prototype.parts[part].pictures.empty())
-      append_picture(text, prototype.parts[part].pictures[k / kShades / steps], k % kShades);
+      append_picture(text, prototype.parts[part].pictures[k / kLeafShades / steps], k % kLeafShades);
     else
-      append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kShades);
+      append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kLeafShades);
     text += "}\n";
   }
   out(text);
@@ -170,7 +166,7 @@ void write_organs(const PovSpace& space, const Specimen& b, const Pose& pose, do
   Buckets buckets = buckets_of(b, pose);
   for (std::size_t p = 0; p < b.model.prototypes.size(); ++p)
     for (std::size_t k = 0;
-         k < b.model.prototypes[p].colors.size() * steps_of(b.model.prototypes[p]) * kShades; ++k) {
+         k < b.model.prototypes[p].colors.size() * steps_of(b.model.prototypes[p]) * kLeafShades; ++k) {
       std::size_t at = buckets.first_of[p] + k, from = buckets.begin[at];
       write_bucket(space, b, pose, time, p, k,
                    std::span(buckets.organ).subspan(from, buckets.begin[at + 1] - from), out);
@@ -180,16 +176,16 @@ void write_organs(const PovSpace& space, const Specimen& b, const Pose& pose, do
 void write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, const Out& out) {
   if (b.model.blades.size() == 0) return;
   const BladeLook& look = b.look.blades;
-  for (std::size_t k = 0; k < look.colors.size() * kShades; ++k) {
+  for (std::size_t k = 0; k < look.colors.size() * kLeafShades; ++k) {
     Surface surface =
         posed_blades(b.model.skeleton, pose, b.model.blades, b.motion.growth.ripen, [&](std::size_t i) {
-          return color_index(b.model.blades.color[i], look.colors.size()) == k / kShades &&
-                 shade_of(b.model.blades.id[i]) == k % kShades;
+          return color_index(b.model.blades.color[i], look.colors.size()) == k / kLeafShades &&
+                 shade_of(b.model.blades.id[i]) == k % kLeafShades;
         });
     if (surface.triangle.empty()) continue;
     std::string text = "object{";
     append_mesh(text, space, surface);
-    append_tissue(text, look.tissue, look.colors[k / kShades], look.second, k % kShades);
+    append_tissue(text, look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades);
     text += "}\n";
     out(text);
   }

@@ -1,8 +1,6 @@
 #include "emit/pov.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "core/text.h"
 

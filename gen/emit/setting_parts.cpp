@@ -26,15 +26,6 @@ std::string look_text(const Scene& scene, double time) {
   return direction_text(scene.stage.camera.look_at.at(time));
 }
 
-Vec3 sun_at(double hour, double south) {
-  double day = kPi * (hour - 13) / 12, latitude = radians(50.0), tilt = radians(23.4);
-  double up = std::sin(latitude) * std::sin(tilt) + std::cos(latitude) * std::cos(tilt) * std::cos(day);
-  double west = std::cos(tilt) * std::sin(day);
-  double noon = std::cos(tilt) * std::cos(day) * std::sin(latitude) - std::sin(tilt) * std::cos(latitude);
-  double c = std::cos(south), s = std::sin(south);
-  return Vec3(noon * s - west * c, up, noon * c + west * s);
-}
-
 std::string floor_text(const PovSpace& space, const Scene& scene, std::string_view texture) {
   std::string text = "object{\n";
   append_mesh(text, space, scene.ground->floor());

@@ -19,10 +19,6 @@ std::string color_text(const Color& c);
 std::string eye_text(const Scene& scene, double time);
 std::string look_text(const Scene& scene, double time);
 
-/// Toward the sun at an hour: it rises at about 5, stands highest at 13 and sets at about 21, as in June at
-/// 50 degrees of latitude; below the horizon at night.
-Vec3 sun_at(double hour, double south);
-
 /// The floor as an object with a texture.
 std::string floor_text(const PovSpace& space, const Scene& scene, std::string_view texture);
 

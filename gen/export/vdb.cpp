@@ -15,7 +15,7 @@ constexpr double kVoxels = 400;       // along a volume that nothing says the vo
 constexpr double kSegmentBytes = 60;  // of memory, for one of a branch
 constexpr double kLeastLimit = 4e9;   // bytes of memory, where no organism says more
 
-struct Box {
+struct VoxelBox {
   Vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
 
   void hold(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
@@ -26,7 +26,7 @@ struct Box {
 struct Gathered {
   Boughs limbs;
   std::int32_t nodes = 0;
-  Box box;
+  VoxelBox box;
   VolumeOptions options;
 };
 

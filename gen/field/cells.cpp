@@ -1,6 +1,5 @@
 #include "field/cells.h"
 
-#include <bit>
 #include <vector>
 
 namespace frond {

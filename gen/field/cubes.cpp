@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/parallel.h"
 #include "field/cells.h"
@@ -13,7 +12,7 @@ namespace frond {
 
 namespace {
 
-constexpr std::array<Cell, 6> kSteps{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+constexpr std::array<Cell, 6> kFaces{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
 Cell plus(Cell a, Cell b) { return {a.i + b.i, a.j + b.j, a.k + b.k}; }
 
@@ -71,7 +70,7 @@ CellSet occupied(const Boughs& limbs, const Blocks& blocks) {
 /// The corners of a face, counter-clockwise seen from outside. Corner (i, j, k) of the grid is the lowest of
 /// cell (i, j, k).
 std::array<Cell, 4> face_corners(Cell cell, std::size_t face) {
-  Cell out = kSteps[face];
+  Cell out = kFaces[face];
   Cell up = out.j != 0 ? Cell{0, 0, 1} : Cell{0, 1, 0};
   Cell right{up.j * out.k - up.k * out.j, up.k * out.i - up.i * out.k, up.i * out.j - up.j * out.i};
   std::array<Cell, 4> corners;
@@ -87,7 +86,7 @@ std::array<Cell, 4> face_corners(Cell cell, std::size_t face) {
 template <class Visit>
 void visit_faces(const Cubes& cubes, const Visit& visit) {
   for (std::size_t c = 0; c < cubes.size(); ++c)
-    for (std::size_t f = 0; f < kSteps.size(); ++f)
+    for (std::size_t f = 0; f < kFaces.size(); ++f)
       if (cubes.shown[c] >> f & 1) visit(c, f);
 }
 
@@ -148,8 +147,8 @@ Result<Cubes> cubes_of(const Boughs& limbs, const VolumeOptions& options) {
   std::uint64_t last = UINT64_MAX;
   cells.visit([&](Cell cell) {
     std::uint8_t shown = 0;
-    for (std::size_t f = 0; f < kSteps.size(); ++f)
-      if (!cells.holds(plus(cell, kSteps[f]))) shown |= static_cast<std::uint8_t>(1u << f);
+    for (std::size_t f = 0; f < kFaces.size(); ++f)
+      if (!cells.holds(plus(cell, kFaces[f]))) shown |= static_cast<std::uint8_t>(1u << f);
     if (shown == 0) return;
     if (std::uint64_t key = block_key(cell); key != last) {
       FoundBlock found = find_block(blocks, cell);
@@ -172,8 +171,8 @@ Surface cubes_surface(const Cubes& cubes, std::vector<std::uint32_t>& cube) {
   Surface surface;
   cube.clear();
   visit_faces(cubes, [&](std::size_t c, std::size_t f) {
-    Vec3 out(static_cast<float>(kSteps[f].i), static_cast<float>(kSteps[f].j),
-             static_cast<float>(kSteps[f].k));
+    Vec3 out(static_cast<float>(kFaces[f].i), static_cast<float>(kFaces[f].j),
+             static_cast<float>(kFaces[f].k));
     auto first = static_cast<std::uint32_t>(surface.position.size());
     for (Cell corner : face_corners(cubes.cell[c], f)) {
       // Of all faces that meet there the same numbers, or there would be gaps of the last digit.

@@ -8,7 +8,7 @@ namespace frond {
 
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::max();
+constexpr float kFarAway = std::numeric_limits<float>::max();
 using Row = std::array<float, kPartSide>;
 
 /// Lowers a row of voxels to the distance of one cone; written so that the compiler makes vectors of it.
@@ -40,7 +40,7 @@ struct ArmRow {
 
 ArmRow arm_row(const Boughs& limbs, const Forks& forks, const Arm& arm, Vec3 at, float voxel) {
   ArmRow best;
-  best.distance.fill(kNone), best.cone.fill(0);
+  best.distance.fill(kFarAway), best.cone.fill(0);
   for (std::uint32_t m = arm.first; m < arm.last; ++m) {
     Row before = best.distance;
     lower_row(limbs.cones[forks.member[m]], at, voxel, best.distance);
@@ -56,7 +56,7 @@ void lower_to_fork(const Boughs& limbs, const Forks& forks, std::size_t f, Vec3 
   const Forks::Fork& fork = forks.forks[f];
   std::array<ArmRow, kMostArms> arms;
   Row least;
-  least.fill(kNone);
+  least.fill(kFarAway);
   float width = 0;
   std::size_t count = fork.last - fork.first;
   for (std::size_t a = 0; a < count; ++a) {
@@ -85,7 +85,7 @@ void fill_part(const Boughs& limbs, float voxel, float band, const Nearby& near,
     for (int j = 0; j < kPartSide; ++j) {
       Vec3 at = voxel_middle({first.i + i, first.j + j, first.k}, voxel);
       Row row;
-      row.fill(kNone);
+      row.fill(kFarAway);
       for (std::uint32_t c : near.cones) lower_row(limbs.cones[c], at, voxel, row);
       for (std::size_t f = 0; f < near.forks.size(); ++f)
         lower_to_fork(limbs, near.forks, f, at, voxel, band, row);

@@ -10,7 +10,7 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kPartVertices = 8000;
-constexpr int kSteps = 2;
+constexpr int kNewtonSteps = 2;
 constexpr float kEnough = 0.01f;          // voxels from the surface
 constexpr float kMost = 0.6f;             // voxels that a vertex is moved at most
 constexpr float kMargin = kMost + 0.87f;  // and from the middle of its own voxel
@@ -40,7 +40,7 @@ void settle_vertex(const Boughs& limbs, const Nearby& near, float voxel, FusedMe
   Vec3 start = mesh.surface.position[v], at = start;
   FieldSample sample = sample_limbs(limbs, near, at);
   float most = kMost * voxel;
-  for (int step = 0; step < kSteps && std::abs(sample.distance) > kEnough * voxel; ++step) {
+  for (int step = 0; step < kNewtonSteps && std::abs(sample.distance) > kEnough * voxel; ++step) {
     Vec3 shift = at - sample.normal * sample.distance - start;
     float length = glm::length(shift);
     at = start + (length > most ? shift * (most / length) : shift);

@@ -12,16 +12,16 @@ float sine_of(double angle) { return static_cast<float>(std::sin(angle)); }
 float cosine_of(double angle) { return static_cast<float>(std::cos(angle)); }
 
 /// A place on a stem: `across` to the right, `up` to the upper side, `along` toward the tip.
-struct Station {
+struct StemStation {
   Vec3 at{0}, across{1, 0, 0}, up{0, 0, 1}, along{0, 1, 0};
 };
 
 /// A stem that bends down, most toward its tip, and a little aside.
-std::vector<Station> stem_of(double bend, double power, double aside, int pieces) {
-  std::vector<Station> stem{{}};
+std::vector<StemStation> stem_of(double bend, double power, double aside, int pieces) {
+  std::vector<StemStation> stem{{}};
   for (int i = 1; i <= pieces; ++i) {
     double t = (i - 0.5) / pieces, pitch = bend * std::pow(t, power), yaw = aside * t * t;
-    Station next;
+    StemStation next;
     Vec3 level(sine_of(yaw), cosine_of(yaw), 0);
     next.along = level * cosine_of(pitch) - Vec3(0, 0, 1) * sine_of(pitch);
     next.across = glm::normalize(glm::cross(next.along, Vec3(0, 0, 1)) + Vec3(1e-6f, 0, 0));
@@ -33,11 +33,11 @@ std::vector<Station> stem_of(double bend, double power, double aside, int pieces
   return stem;
 }
 
-Station station_at(const std::vector<Station>& stem, double t) {
+StemStation station_at(const std::vector<StemStation>& stem, double t) {
   double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(stem.size() - 1);
   std::size_t i = std::min(static_cast<std::size_t>(place), stem.size() - 2);
   auto share = static_cast<float>(place - static_cast<double>(i));
-  Station s;
+  StemStation s;
   s.at = glm::mix(stem[i].at, stem[i + 1].at, share);
   s.across = glm::normalize(glm::mix(stem[i].across, stem[i + 1].across, share));
   s.along = glm::normalize(glm::mix(stem[i].along, stem[i + 1].along, share));
@@ -46,7 +46,7 @@ Station station_at(const std::vector<Station>& stem, double t) {
 }
 
 /// A tapering rod of five sides along a stem.
-Surface rod(const std::vector<Station>& stem, double foot, double tip) {
+Surface rod(const std::vector<StemStation>& stem, double foot, double tip) {
   constexpr std::uint32_t kSides = 5;
   Surface s;
   for (std::size_t i = 0; i < stem.size(); ++i) {
@@ -71,7 +71,7 @@ Surface rod(const std::vector<Station>& stem, double foot, double tip) {
 }
 
 /// A narrow leaflet, folded along its midrib as a roof, that droops from `from` on.
-void add_leaflet(Surface& s, const Station& from, double length, double width, double droop) {
+void add_leaflet(Surface& s, const StemStation& from, double length, double width, double droop) {
   constexpr int kPieces = 5;
   constexpr std::array<double, kPieces + 1> kWidths{0.35, 0.9, 1.0, 0.85, 0.55, 0.0};
   auto start = static_cast<std::uint32_t>(s.position.size());
@@ -98,7 +98,7 @@ void add_leaflet(Surface& s, const Station& from, double length, double width, d
 }
 
 /// A leaflet that is parted into lobes down to its midrib, each of two triangles on either side.
-void add_pinna(Surface& s, const Station& from, double length, double width, double droop, int lobes) {
+void add_pinna(Surface& s, const StemStation& from, double length, double width, double droop, int lobes) {
   auto start = static_cast<std::uint32_t>(s.position.size());
   auto add = [&](Vec3 at, double u, double v) {
     s.position.push_back(at);
@@ -130,7 +130,7 @@ void add_pinna(Surface& s, const Station& from, double length, double width, dou
   }
 }
 
-void append(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
+void append_shaped(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
   auto offset = static_cast<std::uint32_t>(to.position.size());
   glm::mat3 normals = turn / std::cbrt(std::max(std::abs(glm::determinant(turn)), 1e-20f));
   for (Vec3 p : from.position) to.position.push_back(turn * p + shift);
@@ -146,15 +146,15 @@ Vec3 turned(Vec3 v, Vec3 axis, double angle) { return glm::angleAxis(static_cast
 
 TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
   TwigParts frond;
-  std::vector<Station> stem = stem_of(shape.bend * (1 + 0.15 * seed.child(0).range(-1, 1)), 1.5,
-                                      0.25 * seed.child(1).range(-1, 1), 24);
+  std::vector<StemStation> stem = stem_of(shape.bend * (1 + 0.15 * seed.child(0).range(-1, 1)), 1.5,
+                                          0.25 * seed.child(1).range(-1, 1), 24);
   frond.stem = rod(stem, 0.011, 0.0015);
   double spacing = (1 - shape.stalk) / shape.pairs;
   for (int i = 0; i < shape.pairs; ++i) {
     for (int side : {-1, 1}) {
       Seed own = seed.child("leaflet", static_cast<std::uint64_t>(2 * i + (side > 0)));
       double s = (i + 0.5 + 0.25 * own.child(0).range(-1, 1)) / shape.pairs;
-      Station foot = station_at(stem, shape.stalk + (1 - shape.stalk) * s);
+      StemStation foot = station_at(stem, shape.stalk + (1 - shape.stalk) * s);
       // Long in the middle, short at both ends; forward at the tip.
       double length = 0.5 * shape.width * std::pow(std::sin(kPi * (0.18 + 0.74 * s)), 0.7);
       if (shape.lobes > 0)  // widest below the middle, and drawn out to a point
@@ -163,7 +163,7 @@ TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
       double forward = radians((shape.lobes > 0 ? 80.0 : 64.0) - 38.0 * s + 6 * own.child(2).range(-1, 1));
       double raised = shape.fold * (1 - 0.4 * s) + radians(8.0) * own.child(3).range(-1, 1);
       Vec3 out = foot.across * static_cast<float>(side) * cosine_of(raised) + foot.up * sine_of(raised);
-      Station leaflet;
+      StemStation leaflet;
       leaflet.at = foot.at;
       leaflet.along = glm::normalize(foot.along * cosine_of(forward) + out * sine_of(forward));
       leaflet.across = glm::normalize(glm::cross(leaflet.along, foot.up));
@@ -177,7 +177,7 @@ TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
     }
   }
   // One leaflet ends the frond.
-  Station end = stem.back();
+  StemStation end = stem.back();
   add_leaflet(frond.blades, end, 0.14 * shape.width, std::min(1.15 * spacing, 0.05 * shape.width),
               shape.droop);
   set_normals(frond.blades);
@@ -188,14 +188,14 @@ TwigParts sprig_foliage(const TwigShape& shape, Seed seed) {
   TwigParts sprig;
   Surface blade = blade_surface(shape.leaf);
   double reach = 1 - 0.6 * shape.leaf_length;  // the last leaf makes the rest of the length
-  std::vector<Station> stem = stem_of(shape.bend, 1.2, 0.3 * seed.child(0).range(-1, 1), 8);
-  for (Station& station : stem) station.at *= static_cast<float>(reach);
+  std::vector<StemStation> stem = stem_of(shape.bend, 1.2, 0.3 * seed.child(0).range(-1, 1), 8);
+  for (StemStation& station : stem) station.at *= static_cast<float>(reach);
   sprig.stem = rod(stem, 0.010, 0.004);
   for (int i = 0; i < shape.leaves; ++i) {
     Seed own = seed.child("leaf", static_cast<std::uint64_t>(i));
     bool last = i + 1 == shape.leaves;
     double s = shape.leaves > 1 ? static_cast<double>(i) / (shape.leaves - 1) : 1.0;
-    Station foot = station_at(stem, last ? 1.0 : 0.12 + 0.85 * s);
+    StemStation foot = station_at(stem, last ? 1.0 : 0.12 + 0.85 * s);
     double side = last ? 0.0 : i % 2 == 0 ? -1.0 : 1.0;
     double outward = side * radians(58.0 - 16.0 * s + 14 * own.child(0).range(-1, 1));
     double pitch = radians(-12.0 + 30 * own.child(1).range(-1, 1));
@@ -206,7 +206,7 @@ TwigParts sprig_foliage(const TwigShape& shape, Seed seed) {
     across = turned(across, along, roll), up = glm::normalize(glm::cross(across, along));
     double size = shape.leaf_length * (0.8 + 0.35 * std::sin(kPi * (0.2 + 0.6 * s))) *
                   (1 + 0.12 * own.child(3).range(-1, 1));
-    append(sprig.blades, blade, glm::mat3(across, along, up) * static_cast<float>(size), foot.at);
+    append_shaped(sprig.blades, blade, glm::mat3(across, along, up) * static_cast<float>(size), foot.at);
   }
   return sprig;
 }

@@ -1,7 +1,6 @@
 #include "foliage/ivy_leaf.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <vector>

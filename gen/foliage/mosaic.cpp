@@ -57,7 +57,7 @@ class DiscGrid {
   std::vector<Held> held_;
 };
 
-Disc placed(const Disc& disc, const LeafSite& site, const Quat& turn) {
+Disc placed(const Disc& disc, const MosaicSite& site, const Quat& turn) {
   return {site.foot + turn * (disc.middle * site.size), turn * disc.normal, disc.radius * site.size};
 }
 
@@ -119,12 +119,12 @@ Quat leaf_turn(Vec3 normal, Vec3 tip) {
   return glm::normalize(glm::quat_cast(glm::mat3(glm::cross(along, normal), along, normal)));
 }
 
-std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<const LeafForm> forms,
+std::vector<LaidLeaf> lay_leaves(std::span<const MosaicSite> sites, std::span<const LeafForm> forms,
                                  const MosaicOptions& options) {
   std::vector<LaidLeaf> laid;
   Sizes sizes = sizes_of(forms);
   float largest = 0;
-  for (const LeafSite& site : sites) largest = std::max(largest, site.size);
+  for (const MosaicSite& site : sites) largest = std::max(largest, site.size);
   if (!(largest * sizes.disc > 0)) return laid;
   DiscGrid grid(sites.size(), 2 * largest * sizes.disc);
   std::vector<float> areas;
@@ -135,7 +135,7 @@ std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<cons
   std::vector<Disc> near;
   int turns = std::max(1, options.turns);
   for (std::uint32_t i = 0; i < sites.size() && laid.size() < options.most; ++i) {
-    const LeafSite& site = sites[i];
+    const MosaicSite& site = sites[i];
     grid.near(site.foot, site.size * sizes.reach + largest * sizes.disc, near);
     LaidLeaf best{i, site.first};
     float least = INFINITY;

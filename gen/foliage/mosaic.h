@@ -22,7 +22,7 @@ struct LeafForm {
 };
 
 /// Where a leaf may grow. Metres.
-struct LeafSite {
+struct MosaicSite {
   Vec3 foot{0};
   Vec3 normal{0, 0, 1};      ///< that the upper side would best have: to the light, away from the wall
   Vec3 tip{0, -1, 0};        ///< where it would best point; need not be tangent
@@ -51,7 +51,7 @@ struct MosaicOptions {
 /// blade has its own patch of light (the leaf mosaic of Kerner 1895). The sites are gone through in order; at
 /// each the form and the direction that are covered least are taken, the preferred ones first among equals.
 /// Leaves are compared as discs, seen along the normal, through a grid: cost linear in their number.
-std::vector<LaidLeaf> lay_leaves(std::span<const LeafSite> sites, std::span<const LeafForm> forms,
+std::vector<LaidLeaf> lay_leaves(std::span<const MosaicSite> sites, std::span<const LeafForm> forms,
                                  const MosaicOptions& options);
 
 /// The turn that takes a form's axes to upper side `normal` and, as nearly as that lets it, `tip`.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kGoldenAngle = 2.39996322972865332;
 
-void append(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
+void append_turned(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
   auto offset = static_cast<std::uint32_t>(to.position.size());
   for (Vec3 p : from.position) to.position.push_back(turn * p + shift);
   for (Vec3 n : from.normal) to.normal.push_back(turn * n);
@@ -89,7 +89,7 @@ Surface corolla_surface(const BladeShape& petal, int count, double open) {
                glm::angleAxis(static_cast<float>(lean), Vec3(1, 0, 0));
     // The upper side of a petal looks to the heart.
     Quat inward = glm::angleAxis(static_cast<float>(kPi), Vec3(0, 1, 0));
-    append(flower, blade, glm::mat3_cast(way * inward), Vec3(0, behind ? -0.015f : 0.0f, 0));
+    append_turned(flower, blade, glm::mat3_cast(way * inward), Vec3(0, behind ? -0.015f : 0.0f, 0));
   }
   return flower;
 }
@@ -97,17 +97,17 @@ Surface corolla_surface(const BladeShape& petal, int count, double open) {
 Surface heart_surface(double radius, double flatness, int florets) {
   Surface s, seed = ball_surface();
   float dome = static_cast<float>(1 - flatness);
-  append(s, seed,
-         glm::mat3(static_cast<float>(1.96 * radius), 0, 0, 0, static_cast<float>(1.7 * radius) * dome, 0, 0,
-                   0, static_cast<float>(1.96 * radius)),
-         Vec3(0));
+  append_turned(s, seed,
+                glm::mat3(static_cast<float>(1.96 * radius), 0, 0, 0, static_cast<float>(1.7 * radius) * dome,
+                          0, 0, 0, static_cast<float>(1.96 * radius)),
+                Vec3(0));
   for (int i = 0; i < florets; ++i) {
     double share = std::sqrt((i + 0.5) / florets), angle = i * kGoldenAngle, r = radius * share;
     float size = static_cast<float>(2.1 * radius / std::sqrt(static_cast<double>(florets)));
     double height = radius * 0.85 * dome * std::sqrt(std::max(0.0, 1 - share * share));
-    append(s, seed, glm::mat3(size),
-           Vec3(static_cast<float>(r * std::cos(angle)), static_cast<float>(height),
-                static_cast<float>(r * std::sin(angle))));
+    append_turned(s, seed, glm::mat3(size),
+                  Vec3(static_cast<float>(r * std::cos(angle)), static_cast<float>(height),
+                       static_cast<float>(r * std::sin(angle))));
   }
   s.uv.clear();
   set_normals(s);

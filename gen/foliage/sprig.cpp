@@ -1,6 +1,5 @@
 #include "foliage/sprig.h"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -11,19 +10,19 @@ namespace frond {
 namespace {
 
 /// Half the width of a leaf along its length, as shares of the greatest.
-struct Station {
+struct OutlineStation {
   float along, half;
 };
 
-constexpr Station kOval[] = {{0, 0.02f},     {0.10f, 0.30f}, {0.28f, 0.86f}, {0.45f, 1},
-                             {0.65f, 0.83f}, {0.84f, 0.42f}, {1, 0}};
-constexpr Station kLobed[] = {{0, 0.05f},     {0.10f, 0.16f}, {0.20f, 0.52f}, {0.29f, 0.34f},
-                              {0.42f, 0.86f}, {0.52f, 0.55f}, {0.66f, 1},     {0.76f, 0.62f},
-                              {0.88f, 0.70f}, {0.97f, 0.36f}, {1, 0}};
-constexpr Station kNarrow[] = {{0, 0.05f}, {0.15f, 0.75f}, {0.40f, 1}, {0.70f, 0.72f}, {1, 0}};
-constexpr Station kLeaflet[] = {{0, 0.2f}, {0.45f, 1}, {1, 0}};
+constexpr OutlineStation kOval[] = {{0, 0.02f},     {0.10f, 0.30f}, {0.28f, 0.86f}, {0.45f, 1},
+                                    {0.65f, 0.83f}, {0.84f, 0.42f}, {1, 0}};
+constexpr OutlineStation kLobed[] = {{0, 0.05f},     {0.10f, 0.16f}, {0.20f, 0.52f}, {0.29f, 0.34f},
+                                     {0.42f, 0.86f}, {0.52f, 0.55f}, {0.66f, 1},     {0.76f, 0.62f},
+                                     {0.88f, 0.70f}, {0.97f, 0.36f}, {1, 0}};
+constexpr OutlineStation kNarrow[] = {{0, 0.05f}, {0.15f, 0.75f}, {0.40f, 1}, {0.70f, 0.72f}, {1, 0}};
+constexpr OutlineStation kLeaflet[] = {{0, 0.2f}, {0.45f, 1}, {1, 0}};
 
-std::span<const Station> outline_of(SprigKind kind) {
+std::span<const OutlineStation> outline_of(SprigKind kind) {
   switch (kind) {
     case SprigKind::oval:
       return kOval;
@@ -38,7 +37,7 @@ std::span<const Station> outline_of(SprigKind kind) {
   return kOval;
 }
 
-struct Leaf {
+struct SprigLeaf {
   Vec3 foot, along, up;  ///< along and up of length 1, square to each other
   float length, half;    ///< metres, half: of its greatest width
   float bend;            ///< radians, downward from foot to tip
@@ -46,10 +45,10 @@ struct Leaf {
 };
 
 /// A leaf with a crease: a row of three points at each station.
-void add_leaf(Surface& s, std::span<const Station> outline, const Leaf& leaf) {
+void add_leaf(Surface& s, std::span<const OutlineStation> outline, const SprigLeaf& leaf) {
   Vec3 across = glm::cross(leaf.along, leaf.up);
   auto base = static_cast<std::uint32_t>(s.position.size());
-  for (const Station& at : outline) {
+  for (const OutlineStation& at : outline) {
     float angle = leaf.bend * at.along;
     Vec3 middle = leaf.foot +
                   leaf.length * at.along * (leaf.along * std::cos(angle / 2) - leaf.up * std::sin(angle / 2));

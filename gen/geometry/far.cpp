@@ -1,7 +1,6 @@
 #include "geometry/far.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 

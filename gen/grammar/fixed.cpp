@@ -10,9 +10,9 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kLongest = 1024;   // symbols that one symbol may become in composed steps
-constexpr std::size_t kChunk = 1 << 14;  // symbols of the word that one task rewrites
-constexpr std::size_t kBlock = 32;       // bytes copied at a time, whatever the length
+constexpr std::size_t kLongest = 1024;        // symbols that one symbol may become in composed steps
+constexpr std::size_t kFixedChunk = 1 << 14;  // symbols of the word that one task rewrites
+constexpr std::size_t kFixedBlock = 32;       // bytes copied at a time, whatever the length
 
 /// What every symbol becomes in some number of steps, one word behind the other.
 struct Image {
@@ -26,7 +26,7 @@ struct Image {
     words.insert(words.end(), first, first + count);
     longest = std::max(longest, count);
   }
-  void close() { words.resize(words.size() + kBlock); }  // the last word may be read past its end
+  void close() { words.resize(words.size() + kFixedBlock); }  // the last word may be read past its end
 };
 
 Image one_step(const Grammar& grammar) {
@@ -78,15 +78,16 @@ std::vector<Image> images_of(const Grammar& grammar, int most) {
 void write(const Image& image, const SymbolId* first, const SymbolId* last, SymbolId* out,
            const SymbolId* end) {
   const SymbolId* words = image.words.data();
-  std::ptrdiff_t room = static_cast<std::ptrdiff_t>(image.longest + kBlock);
+  std::ptrdiff_t room = static_cast<std::ptrdiff_t>(image.longest + kFixedBlock);
   while (first != last && end - out >= room) {
     std::size_t length = image.length[*first];
     const SymbolId* word = words + image.begin[*first++];
-    std::memcpy(out, word, kBlock);
-    if (length > 4 * kBlock) {
-      std::memcpy(out + kBlock, word + kBlock, length - kBlock);
+    std::memcpy(out, word, kFixedBlock);
+    if (length > 4 * kFixedBlock) {
+      std::memcpy(out + kFixedBlock, word + kFixedBlock, length - kFixedBlock);
     } else {
-      for (std::size_t at = kBlock; at < length; at += kBlock) std::memcpy(out + at, word + at, kBlock);
+      for (std::size_t at = kFixedBlock; at < length; at += kFixedBlock)
+        std::memcpy(out + at, word + at, kFixedBlock);
     }
     out += length;
   }
@@ -99,10 +100,10 @@ void write(const Image& image, const SymbolId* first, const SymbolId* last, Symb
 
 /// Counts, sums up, writes. False where the outcome passes the limit.
 bool apply(const Image& image, const Buffer<SymbolId>& in, Buffer<SymbolId>& out, std::size_t limit) {
-  std::size_t chunks = (in.size() + kChunk - 1) / kChunk;
+  std::size_t chunks = (in.size() + kFixedChunk - 1) / kFixedChunk;
   std::vector<std::size_t> begin(chunks + 1);
   auto range = [&](std::size_t i) {
-    return std::pair{in.data() + i * kChunk, in.data() + std::min(in.size(), (i + 1) * kChunk)};
+    return std::pair{in.data() + i * kFixedChunk, in.data() + std::min(in.size(), (i + 1) * kFixedChunk)};
   };
   parallel_for(chunks, [&](std::size_t i) {
     auto [first, last] = range(i);

@@ -15,9 +15,9 @@ constexpr double kEnough = 1e300;   // of modules: no forecast goes on beyond it
 constexpr int kMostStreamed = 100;  // steps: a path so deep needs no more than 100 KB of the stack
 
 /// What one module of a symbol becomes in a step: how many of each symbol, on average.
-using Row = std::vector<std::pair<SymbolId, double>>;
+using Counts = std::vector<std::pair<SymbolId, double>>;
 
-void add(Row& row, SymbolId symbol, double count) {
+void add(Counts& row, SymbolId symbol, double count) {
   auto same = std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == symbol; });
   if (same != row.end())
     same->second += count;
@@ -25,7 +25,7 @@ void add(Row& row, SymbolId symbol, double count) {
     row.emplace_back(symbol, count);
 }
 
-void add_successor(Row& row, const Production& rule, double share) {
+void add_successor(Counts& row, const Production& rule, double share) {
   for (SymbolId symbol : rule.successor) add(row, symbol, share);
 }
 
@@ -40,8 +40,8 @@ bool has_row(const RuleSet& set, SymbolId symbol) {
   return std::all_of(of.begin(), of.end(), fixed);
 }
 
-Row row_of(const RuleSet& set, SymbolId symbol) {
-  Row row;
+Counts row_of(const RuleSet& set, SymbolId symbol) {
+  Counts row;
   const auto& of = set.of[symbol];
   double total = 0;
   for (std::uint16_t index : of) total += set.rules[index].weighted ? set.rules[index].weight.value : 0;
@@ -56,9 +56,9 @@ Row row_of(const RuleSet& set, SymbolId symbol) {
 
 /// What decomposition leaves of one module of each symbol: by rules that lead to an end whatever happens.
 /// Nothing where there are others.
-std::optional<std::vector<Row>> decomposed(const Grammar& grammar) {
+std::optional<std::vector<Counts>> decomposed(const Grammar& grammar) {
   const RuleSet& set = grammar.decomposition;
-  std::vector<Row> rows(grammar.symbols.size());
+  std::vector<Counts> rows(grammar.symbols.size());
   std::vector<char> known(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!has_row(set, static_cast<SymbolId>(i))) return std::nullopt;
@@ -70,7 +70,7 @@ std::optional<std::vector<Row>> decomposed(const Grammar& grammar) {
     progress = false;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (known[i]) continue;
-      Row once = row_of(set, static_cast<SymbolId>(i));
+      Counts once = row_of(set, static_cast<SymbolId>(i));
       if (!std::ranges::all_of(once, [&](const auto& entry) { return known[entry.first] != 0; })) continue;
       for (auto [symbol, count] : once)
         for (auto [last, times] : rows[symbol]) add(rows[i], last, count * times);
@@ -142,8 +142,8 @@ void note(Forecast& forecast, const Sizes& sizes, int step, const Limits& limits
 }
 
 void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast& forecast) {
-  const std::vector<Row> parts = *decomposed(grammar);
-  std::vector<Row> rows(grammar.symbols.size());
+  const std::vector<Counts> parts = *decomposed(grammar);
+  std::vector<Counts> rows(grammar.symbols.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (auto [symbol, count] : row_of(grammar.rules, static_cast<SymbolId>(i)))
       for (auto [last, times] : parts[symbol]) add(rows[i], last, count * times);

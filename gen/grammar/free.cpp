@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "core/parallel.h"
@@ -11,8 +10,8 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kChunk = 1 << 15;
-constexpr std::size_t kBlock = 16;  // symbols copied at a time, whatever the length
+constexpr std::size_t kFreeChunk = 1 << 15;
+constexpr std::size_t kFreeBlock = 16;  // symbols copied at a time, whatever the length
 
 /// A rule as the inner loop wants it.
 struct Outcome {
@@ -64,7 +63,7 @@ class Table {
     sums_.push_back(choice.total);
     // Behind each successor there is room to read a block too far.
     padded_.push_back(rule.successor);
-    padded_.back().resize(rule.successor.size() + kBlock);
+    padded_.back().resize(rule.successor.size() + kFreeBlock);
     outcomes_.push_back({padded_.back().data(), rule.arguments.data(),
                          static_cast<std::uint32_t>(rule.successor.size()),
                          static_cast<std::uint32_t>(rule.arguments.size())});
@@ -93,7 +92,7 @@ struct Place {
   std::size_t parameters_in = 0, symbols_out = 0, parameters_out = 0;
 };
 
-struct Step {
+struct FreeStep {
   const Grammar& grammar;
   const Table& table;
   const Word& in;
@@ -150,13 +149,13 @@ struct Step {
   }
 
   static void copy(SymbolId* to, const SymbolId* end, const Outcome& outcome) {
-    if (static_cast<std::size_t>(end - to) < outcome.length + kBlock) {
+    if (static_cast<std::size_t>(end - to) < outcome.length + kFreeBlock) {
       if (outcome.length > 0) std::memcpy(to, outcome.symbols, outcome.length);
       return;
     }
-    std::memcpy(to, outcome.symbols, kBlock);
-    for (std::size_t k = kBlock; k < outcome.length; k += kBlock)
-      std::memcpy(to + k, outcome.symbols + k, kBlock);
+    std::memcpy(to, outcome.symbols, kFreeBlock);
+    for (std::size_t k = kFreeBlock; k < outcome.length; k += kFreeBlock)
+      std::memcpy(to + k, outcome.symbols + k, kFreeBlock);
   }
 };
 
@@ -175,16 +174,16 @@ std::optional<Errors> step_free(const Grammar& grammar, const Derivation& state,
   Table table(grammar);
   if (!table.fits()) return std::nullopt;
   int number = state.steps + 1;
-  Step step{grammar,
-            table,
-            state.word,
-            out,
-            seed.child("step", static_cast<std::uint64_t>(number)),
-            static_cast<double>(number)};
-  std::size_t size = state.word.size(), chunks = (size + kChunk - 1) / kChunk;
+  FreeStep step{grammar,
+                table,
+                state.word,
+                out,
+                seed.child("step", static_cast<std::uint64_t>(number)),
+                static_cast<double>(number)};
+  std::size_t size = state.word.size(), chunks = (size + kFreeChunk - 1) / kFreeChunk;
   std::vector<Place> places(chunks + 1);
-  auto end_of = [&](std::size_t i) { return std::min(size, (i + 1) * kChunk); };
-  parallel_for(chunks, [&](std::size_t i) { places[i + 1] = step.count(i * kChunk, end_of(i)); });
+  auto end_of = [&](std::size_t i) { return std::min(size, (i + 1) * kFreeChunk); };
+  parallel_for(chunks, [&](std::size_t i) { places[i + 1] = step.count(i * kFreeChunk, end_of(i)); });
   for (std::size_t i = 0; i < chunks; ++i) {
     places[i + 1].parameters_in += places[i].parameters_in;
     places[i + 1].symbols_out += places[i].symbols_out;
@@ -202,7 +201,7 @@ std::optional<Errors> step_free(const Grammar& grammar, const Derivation& state,
   make_room(out.parameters, places[chunks].parameters_out);
   std::vector<char> good(chunks);
   parallel_for(chunks, [&](std::size_t i) {
-    good[i] = step.write(i * kChunk, end_of(i), places[i], places[i + 1].symbols_out);
+    good[i] = step.write(i * kFreeChunk, end_of(i), places[i], places[i + 1].symbols_out);
   });
   if (std::find(good.begin(), good.end(), 0) != good.end()) return std::nullopt;
   return Errors{};

@@ -13,7 +13,7 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kChunk = 1 << 15;  // modules of the word that one task rewrites
+constexpr std::size_t kModulesATask = 1 << 15;  // modules of the word that one task rewrites
 
 /// A run of modules, and what becomes of it.
 struct Chunk {
@@ -23,7 +23,7 @@ struct Chunk {
 };
 
 /// What all chunks of a step share.
-struct Step {
+struct GeneralStep {
   const Grammar& grammar;
   Derivation& state;
   const Neighbours& near;
@@ -36,7 +36,7 @@ struct Step {
 /// Rewrites one chunk.
 class Rewriter {
  public:
-  explicit Rewriter(const Step& step) : step_(step), grammar_(step.grammar) {
+  explicit Rewriter(const GeneralStep& step) : step_(step), grammar_(step.grammar) {
     at_.tables = grammar_.tables;
     at_.step = step.state.steps + 1;
   }
@@ -105,17 +105,17 @@ class Rewriter {
                     step_.state.steps + 1, i + 1, text(grammar_, module), rule.text)};
   }
 
-  const Step& step_;
+  const GeneralStep& step_;
   const Grammar& grammar_;
   Evaluation at_;
   std::vector<double> frame_;
 };
 
 /// The word cut into chunks; one where modules depend on what was done to those before.
-std::vector<Chunk> chunks_of(const Step& step) {
+std::vector<Chunk> chunks_of(const GeneralStep& step) {
   const Word& in = step.state.word;
-  bool whole = step.grammar.limited || step.leftmost || step.parents || in.size() < 2 * kChunk;
-  std::size_t size = whole ? std::max<std::size_t>(in.size(), 1) : kChunk;
+  bool whole = step.grammar.limited || step.leftmost || step.parents || in.size() < 2 * kModulesATask;
+  std::size_t size = whole ? std::max<std::size_t>(in.size(), 1) : kModulesATask;
   std::vector<Chunk> chunks((in.size() + size - 1) / size);
   std::size_t parameters = 0;
   for (std::size_t k = 0; k < chunks.size(); ++k) {
@@ -154,7 +154,7 @@ Errors step_generally(const Grammar& grammar, Derivation& state, Word& out, Seed
   Neighbours near;
   if (!grammar.context_free) near.find(grammar, state.word);
   auto number = static_cast<std::uint64_t>(state.steps) + 1;
-  Step step{grammar, state, near, seed.child("step", number), limits, leftmost, parents};
+  GeneralStep step{grammar, state, near, seed.child("step", number), limits, leftmost, parents};
   std::vector<Chunk> chunks = chunks_of(step);
   std::atomic<std::size_t> size{0}, bytes{0};
   auto too_large = [&] { return size > limits.modules || bytes > limits.bytes; };

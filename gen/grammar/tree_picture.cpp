@@ -84,14 +84,14 @@ double place(std::vector<Row>& rows) {
   return width;
 }
 
-void put(std::string& out, double number) { append(out, number, 2); }
+void put_hundredths(std::string& out, double number) { append(out, number, 2); }
 
 std::string draw_rows(const std::vector<Row>& rows, double width) {
   constexpr double kRow = 56, kTop = 28;
   double height = kTop * 2 + kRow * static_cast<double>(rows.size() - 1);
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
-  put(out, width + 56), out += ' ', put(out, height);
-  out += "\" width=\"", put(out, width + 56), out += "\" height=\"", put(out, height);
+  put_hundredths(out, width + 56), out += ' ', put_hundredths(out, height);
+  out += "\" width=\"", put_hundredths(out, width + 56), out += "\" height=\"", put_hundredths(out, height);
   out +=
       "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke=\"#7a8f6a\" stroke-width=\"1\" "
       "fill=\"none\">\n";
@@ -99,8 +99,10 @@ std::string draw_rows(const std::vector<Row>& rows, double width) {
     for (const Node& node : rows[level]) {
       const Node& parent = rows[level - 1][static_cast<std::size_t>(node.parent)];
       double y = kTop + kRow * static_cast<double>(level);
-      out += "<line x1=\"", put(out, parent.x + 48), out += "\" y1=\"", put(out, y - kRow + 8);
-      out += "\" x2=\"", put(out, node.x + 48), out += "\" y2=\"", put(out, y - 14), out += "\"/>\n";
+      out += "<line x1=\"", put_hundredths(out, parent.x + 48), out += "\" y1=\"",
+          put_hundredths(out, y - kRow + 8);
+      out += "\" x2=\"", put_hundredths(out, node.x + 48), out += "\" y2=\"", put_hundredths(out, y - 14),
+          out += "\"/>\n";
     }
   }
   out += "</g>\n<g font-family=\"monospace\" font-size=\"12\" text-anchor=\"middle\" fill=\"#233\">\n";
@@ -108,7 +110,8 @@ std::string draw_rows(const std::vector<Row>& rows, double width) {
     double y = kTop + kRow * static_cast<double>(level);
     out += fmt::format("<text x=\"18\" y=\"{}\" fill=\"#99a\">{}</text>\n", static_cast<int>(y), level);
     for (const Node& node : rows[level]) {
-      out += "<text x=\"", put(out, node.x + 48), out += "\" y=\"", put(out, y), out += "\">";
+      out += "<text x=\"", put_hundredths(out, node.x + 48), out += "\" y=\"", put_hundredths(out, y),
+          out += "\">";
       out += escaped(node.label) + "</text>\n";
     }
   }

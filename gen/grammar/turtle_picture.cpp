@@ -15,7 +15,7 @@ const char* color_of(int index) {
   return kColors[static_cast<std::size_t>(((index % 8) + 8) % 8)];
 }
 
-struct Line {
+struct Stroke {
   DVec3 from, to;
   double width;
   int color;
@@ -34,7 +34,7 @@ struct Ball {
 
 /// Keeps what is drawn, and the box around it.
 struct Canvas {
-  std::vector<Line> lines;
+  std::vector<Stroke> lines;
   std::vector<Fill> fills;
   std::vector<Ball> balls;
   DVec3 low{1e300}, high{-1e300};
@@ -59,7 +59,7 @@ struct Canvas {
   }
 };
 
-void put(std::string& out, double number) { append(out, number, 3); }
+void put_thousandths(std::string& out, double number) { append(out, number, 3); }
 
 }  // namespace
 
@@ -77,22 +77,23 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
   double width = (canvas.high.x - canvas.low.x) * scale + 40,
          height = (canvas.high.y - canvas.low.y) * scale + 40;
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
-  put(out, width), out += ' ', put(out, height);
+  put_thousandths(out, width), out += ' ', put_thousandths(out, height);
   out +=
       "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke-linecap=\"round\" "
       "fill=\"none\">\n";
   for (std::size_t i = 0; i < canvas.lines.size();) {
     // Lines that join and look alike share one path.
-    const Line& first = canvas.lines[i];
+    const Stroke& first = canvas.lines[i];
     double stroke = std::clamp(first.width * scale, 0.5, 60.0);
-    out += "<path stroke=\"", out += color_of(first.color), out += "\" stroke-width=\"", put(out, stroke),
-        out += "\" d=\"";
+    out += "<path stroke=\"", out += color_of(first.color), out += "\" stroke-width=\"",
+        put_thousandths(out, stroke), out += "\" d=\"";
     DVec3 pen(1e300);
     for (; i < canvas.lines.size(); ++i) {
-      const Line& line = canvas.lines[i];
+      const Stroke& line = canvas.lines[i];
       if (line.color != first.color || line.width != first.width) break;
-      if (line.from != pen) out += 'M', put(out, x(line.from)), out += ' ', put(out, y(line.from));
-      out += 'L', put(out, x(line.to)), out += ' ', put(out, y(line.to));
+      if (line.from != pen)
+        out += 'M', put_thousandths(out, x(line.from)), out += ' ', put_thousandths(out, y(line.from));
+      out += 'L', put_thousandths(out, x(line.to)), out += ' ', put_thousandths(out, y(line.to));
       pen = line.to;
     }
     out += "\"/>\n";
@@ -100,13 +101,15 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
   out += "</g>\n<g>\n";
   for (const Fill& fill : canvas.fills) {
     out += "<polygon fill=\"", out += color_of(fill.color + 1), out += "\" points=\"";
-    for (DVec3 p : fill.points) put(out, x(p)), out += ',', put(out, y(p)), out += ' ';
+    for (DVec3 p : fill.points)
+      put_thousandths(out, x(p)), out += ',', put_thousandths(out, y(p)), out += ' ';
     out += "\"/>\n";
   }
   for (const Ball& ball : canvas.balls) {
-    out += "<circle fill=\"", out += color_of(ball.color), out += "\" cx=\"", put(out, x(ball.center));
-    out += "\" cy=\"", put(out, y(ball.center)), out += "\" r=\"", put(out, ball.radius * scale),
-        out += "\"/>\n";
+    out += "<circle fill=\"", out += color_of(ball.color), out += "\" cx=\"",
+        put_thousandths(out, x(ball.center));
+    out += "\" cy=\"", put_thousandths(out, y(ball.center)), out += "\" r=\"",
+        put_thousandths(out, ball.radius * scale), out += "\"/>\n";
   }
   return out + "</g>\n</svg>\n";
 }

@@ -1,8 +1,6 @@
 #include "grove/bodies.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace frond {
 
@@ -13,7 +11,7 @@ constexpr double kMostCells = 1 << 22;  // coarser where a body is larger
 constexpr float kRoof = 1.5f;           // diffuse shade under a wide roof
 constexpr float kFace = 0.25f;          // what each square of a wall's face must add a layer to keep it there
 constexpr float kWall = 0.7f;           // shade of a tall wall beside its foot: half of the sky
-constexpr std::uint8_t kFull = 1, kOpen = 2;
+constexpr std::uint8_t kFullCell = 1, kOpenCell = 2;
 
 /// The cells of a box, one beyond the body on each side.
 struct Cells {
@@ -54,7 +52,7 @@ void fill(Cells& cells, Vec3 a, Vec3 b, Vec3 c) {
       auto u = static_cast<float>(i) / static_cast<float>(steps);
       auto v = static_cast<float>(j) / static_cast<float>(steps);
       auto cell = glm::ivec3(glm::floor((a + (b - a) * u + (c - a) * v - cells.low) / cells.side));
-      cells.state[cells.at(cell.x, cell.y, cell.z)] = kFull;
+      cells.state[cells.at(cell.x, cell.y, cell.z)] = kFullCell;
     }
   }
 }
@@ -62,7 +60,7 @@ void fill(Cells& cells, Vec3 a, Vec3 b, Vec3 c) {
 /// Marks what can be reached from outside; the rest is full.
 void fill_inside(Cells& cells) {
   std::vector<glm::ivec3> open{{0, 0, 0}};
-  cells.state[0] = kOpen;
+  cells.state[0] = kOpenCell;
   while (!open.empty()) {
     glm::ivec3 p = open.back();
     open.pop_back();
@@ -72,7 +70,7 @@ void fill_inside(Cells& cells) {
       if (q[k / 2] < 0 || q[k / 2] >= cells.size[k / 2]) continue;
       std::uint8_t& state = cells.state[cells.at(q.x, q.y, q.z)];
       if (state != 0) continue;
-      state = kOpen;
+      state = kOpenCell;
       open.push_back(q);
     }
   }
@@ -103,7 +101,7 @@ std::vector<Shade> shades_of_body(const Surface& body, const LightLaw& law) {
 
   Faces faces = faces_of(law);
   float squares = cells.side * cells.side / static_cast<float>(law.voxel * law.voxel);
-  auto open = [&](int x, int y, int z) { return cells.state[cells.at(x, y, z)] == kOpen; };
+  auto open = [&](int x, int y, int z) { return cells.state[cells.at(x, y, z)] == kOpenCell; };
   for (int y = 1; y + 1 < cells.size.y; ++y) {
     for (int z = 1; z + 1 < cells.size.z; ++z) {
       for (int x = 1; x + 1 < cells.size.x; ++x) {

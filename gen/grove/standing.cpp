@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kUnfold = 0.35f;  // years in which leaves unfold
 constexpr float kWither = 0.5f;   // years in which they go
-constexpr double kGravity = 6;    // m/s2; twigs are held up by the air
+constexpr double kFallInAir = 6;  // m/s2; twigs are held up by the air
 constexpr double kTipping = 1.1;  // radians a second
 constexpr float kGone = 1e-4f;    // metres: what is thinner is not there
 
@@ -92,12 +92,12 @@ class Stander {
     Vec3 level(way.x, 0, way.z);
     Vec3 out = glm::length(level) > 1e-5f ? glm::normalize(level) : Vec3(1, 0, 0);
     double high = std::max(0.0, static_cast<double>(t_.tip[p].y - t_.tip[0].y) - 0.05);
-    double landing = std::sqrt(2 * high / kGravity), down = std::min(time, landing);
+    double landing = std::sqrt(2 * high / kFallInAir), down = std::min(time, landing);
     // It comes loose slowly, tips over outward, and comes clear of the stem.
     double angle = kTipping * down * down / (down + 0.5);
     piece.turn = glm::angleAxis(static_cast<float>(std::min(angle, 1.3)), Vec3(out.z, 0, -out.x));
     double gone = std::max(0.0, time - landing) / std::max(filming_.lie, 0.01);
-    piece.shift = Vec3(0, static_cast<float>(-kGravity / 2 * down * down - 0.1 * gone), 0) +
+    piece.shift = Vec3(0, static_cast<float>(-kFallInAir / 2 * down * down - 0.1 * gone), 0) +
                   out * static_cast<float>(0.25 * down);
     piece.share = static_cast<float>(1 - smooth_step(0.0, 1.0, gone));
     pieces_.push_back(piece);

@@ -13,7 +13,7 @@ constexpr float kBareDrag = 1.0f;   // drag coefficient of a bare branch across 
 constexpr float kLeafDrag = 0.25f;  // of leaves, which fold together and hide each other (Vogel 1989)
 constexpr float kSunlit = 0.35f;  // of the leaf area, what meets the wind or the snow: leaves stand in layers
 constexpr float kMostBend = 0.5f;   // radians that one internode may sag
-constexpr float kOpen = 10;         // metres above ground at which winds are told
+constexpr float kWindHeight = 10;   // metres above ground at which winds are told
 constexpr float kSheltered = 0.2f;  // exponent of the wind's growth with height
 constexpr float kGiving = 0.7f;     // leaves give way: drag grows with the speed to 2 less this (Vogel 1989)
 constexpr float kCalm = 10;         // metres a second up to which they do not
@@ -35,7 +35,7 @@ struct Load {
 
 /// The wind at a height above ground, metres a second.
 float wind_at(float height, float speed) {
-  return speed * std::pow(std::clamp(height / kOpen, 0.02f, 2.0f), kSheltered);
+  return speed * std::pow(std::clamp(height / kWindHeight, 0.02f, 2.0f), kSheltered);
 }
 
 /// Of an internode; `height` is that of its middle above ground.

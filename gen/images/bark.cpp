@@ -15,9 +15,9 @@ struct Spot {
 };
 
 /// One kind of bark at (u, v), each 0..1. `rows` is how many features fit along where `ridges` fit round.
-class Painter {
+class BarkPainter {
  public:
-  Painter(const BarkImage& bark, int width, int height, Seed seed)
+  BarkPainter(const BarkImage& bark, int width, int height, Seed seed)
       : bark_(bark),
         seed_(seed),
         across_(bark.ridges),
@@ -161,7 +161,7 @@ void each_row(int height, const Paint& paint) {
 }  // namespace
 
 BarkMaps bark_maps(const BarkImage& bark, int width, int height, Seed seed) {
-  Painter painter(bark, width, height, seed.child("bark"));
+  BarkPainter painter(bark, width, height, seed.child("bark"));
   BarkMaps maps{Grid(width, height), Grid(width, height)};
   each_row(height, [&](int y) {
     for (int x = 0; x < width; ++x) {

@@ -112,7 +112,7 @@ class Blade {
 };
 
 /// A leaf or a sprig of them in the plane of its picture.
-struct Painter {
+struct LeafPainter {
   const LeafImage& leaf;
   const Blade& blade;
   const std::vector<LeafPlace>& places;
@@ -153,7 +153,7 @@ Raster leaf_picture(const LeafImage& leaf, int height, Seed seed) {
   std::vector<LeafPlace> places = leaf.sprig ? sprig_places(leaf.sprigs) : std::vector<LeafPlace>{{}};
   if (places.empty()) places.push_back({});
   Blade blade(leaf, seed.child("leaf"));
-  Painter painter{leaf, blade, places, tall / height};
+  LeafPainter painter{leaf, blade, places, tall / height};
   Raster raster(width, height, 4);
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
     int y = static_cast<int>(row);

@@ -23,7 +23,7 @@ std::string size_text(const std::array<int, 2>& size) {
 std::string_view povray_flags(std::string_view quality) {
   for (const Rendering& rendering : kRenderings)
     if (rendering.quality == quality) return rendering.flags;
-  assert(!"a quality that is not in kRenderings");
+  assert(false && "a quality that is not in kRenderings");
   return kRenderings[0].flags;
 }
 

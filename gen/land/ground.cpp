@@ -66,8 +66,8 @@ Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, d
 
 namespace {
 
-constexpr int kCells = 64;                         // along x and z, the origin in the middle
-constexpr std::array<double, 2> kSides{1.0, 8.0};  // metres
+constexpr int kCells = 64;                             // along x and z, the origin in the middle
+constexpr std::array<double, 2> kCellSides{1.0, 8.0};  // metres
 
 int cell_of(double x, double side) { return static_cast<int>(std::floor(x / side)) + kCells / 2; }
 
@@ -91,9 +91,9 @@ Heights::Heights(const Surface& surface) {
     const auto& [p, q, r] = triangle;
     Vec3 low = glm::min(p, glm::min(q, r)), high = glm::max(p, glm::max(q, r));
     auto id = static_cast<std::uint32_t>(triangles_.size());
-    for (std::size_t k = 0; k < kSides.size(); ++k) {
-      auto first = [&](float x) { return std::max(0, cell_of(x, kSides[k])); };
-      auto last = [&](float x) { return std::min(kCells - 1, cell_of(x, kSides[k])); };
+    for (std::size_t k = 0; k < kCellSides.size(); ++k) {
+      auto first = [&](float x) { return std::max(0, cell_of(x, kCellSides[k])); };
+      auto last = [&](float x) { return std::min(kCells - 1, cell_of(x, kCellSides[k])); };
       for (int row = first(low.z); row <= last(high.z); ++row)
         for (int column = first(low.x); column <= last(high.x); ++column)
           cells_[k][static_cast<std::size_t>(row * kCells + column)].push_back(id);
@@ -104,8 +104,8 @@ Heights::Heights(const Surface& surface) {
 
 double Heights::operator()(double x, double z) const {
   if (known_) return known_(x, z);
-  for (std::size_t k = 0; k < kSides.size() && !cells_[k].empty(); ++k) {
-    int row = cell_of(z, kSides[k]), column = cell_of(x, kSides[k]);
+  for (std::size_t k = 0; k < kCellSides.size() && !cells_[k].empty(); ++k) {
+    int row = cell_of(z, kCellSides[k]), column = cell_of(x, kCellSides[k]);
     if (row < 0 || row >= kCells || column < 0 || column >= kCells) continue;
     for (std::uint32_t id : cells_[k][static_cast<std::size_t>(row * kCells + column)])
       if (std::optional<double> height = height_at(triangles_[id], x, z)) return *height;

@@ -6,7 +6,7 @@ namespace frond {
 
 namespace {
 
-constexpr int kCells = 160;          // of the grid that darts are thrown by, along each side
+constexpr int kGridCells = 160;      // of the grid that darts are thrown by, along each side
 constexpr double kClumpSoft = 0.08;  // of the noise on either side of a clump's edge
 
 /// 1 within from..to, falling to 0 at the ends over a part of it; not at an end that lies beyond
@@ -33,9 +33,9 @@ Likings::Likings(const SowRules& rules, const Land& land, std::span<const Bed> a
     high = glm::min(high, rules.center + reach);
   }
   if (low_.x >= high.x || low_.y >= high.y) return;
-  step_ = (high - low_) / static_cast<float>(kCells);
+  step_ = (high - low_) / static_cast<float>(kGridCells);
 
-  constexpr std::size_t kCorners = kCells + 1;
+  constexpr std::size_t kCorners = kGridCells + 1;
   std::vector<double> liked(kCorners * kCorners), noise;
   if (rules.patch > 0 && rules.cover < 1) {
     for (std::size_t i = 0; i < liked.size(); ++i) noise.push_back(clumps(corner(i)));
@@ -47,8 +47,8 @@ Likings::Likings(const SowRules& rules, const Land& land, std::span<const Bed> a
       for (int column = 0; column <= 64; ++column)
         relief_ = std::max(relief_, land.altitude(Vec2(-half) + 2.0f * half * Vec2(column, row) / 64.0f));
   for (std::size_t i = 0; i < liked.size(); ++i) liked[i] = (*this)(corner(i));
-  for (std::size_t row = 0; row < kCells; ++row)
-    for (std::size_t column = 0; column < kCells; ++column) {
+  for (std::size_t row = 0; row < kGridCells; ++row)
+    for (std::size_t column = 0; column < kGridCells; ++column) {
       std::size_t a = row * kCorners + column;
       best_.push_back(std::max({liked[a], liked[a + 1], liked[a + kCorners], liked[a + kCorners + 1]}));
       until_.push_back((until_.empty() ? 0 : until_.back()) + best_.back());
@@ -56,7 +56,8 @@ Likings::Likings(const SowRules& rules, const Land& land, std::span<const Bed> a
 }
 
 Vec2 Likings::corner(std::size_t i) const {
-  return low_ + step_ * Vec2(static_cast<float>(i % (kCells + 1)), static_cast<float>(i / (kCells + 1)));
+  return low_ +
+         step_ * Vec2(static_cast<float>(i % (kGridCells + 1)), static_cast<float>(i / (kGridCells + 1)));
 }
 
 double Likings::clumps(Vec2 at) const {
@@ -110,8 +111,8 @@ Likings::Dart Likings::dart(Seed seed) const {
   double sum = seed.child(0).unit() * until_.back();
   auto cell = static_cast<std::size_t>(std::upper_bound(until_.begin(), until_.end(), sum) - until_.begin());
   cell = std::min(cell, until_.size() - 1);
-  Vec2 in(static_cast<float>(cell % kCells) + static_cast<float>(seed.child(1).unit()),
-          static_cast<float>(cell / kCells) + static_cast<float>(seed.child(2).unit()));
+  Vec2 in(static_cast<float>(cell % kGridCells) + static_cast<float>(seed.child(1).unit()),
+          static_cast<float>(cell / kGridCells) + static_cast<float>(seed.child(2).unit()));
   return {low_ + step_ * in, best_[cell]};
 }
 

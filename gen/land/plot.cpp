@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/noise.h"
 #include "foliage/organ_shapes.h"

@@ -1,7 +1,6 @@
 #include "land/sow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 

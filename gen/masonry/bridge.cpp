@@ -9,8 +9,6 @@ namespace frond {
 
 namespace {
 
-float real(double x) { return static_cast<float>(x); }
-
 /// Boards laid across. None is quite as long, as level or as square as the next.
 void lay_planks(const BridgeShape& shape, Bridge& bridge, double board, Seed seed) {
   double half = half_way(bridge.arch);

@@ -7,6 +7,8 @@
 
 namespace frond {
 
+inline float real(double x) { return static_cast<float>(x); }
+
 /// A bar along an arch: from `from` to `to` metres along it, with a section that reaches across from `low` to
 /// `high` and sideways from `near` to `far`.
 struct Bar {

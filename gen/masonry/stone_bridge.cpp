@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kSet = 0.04;  // how far walls stand back behind the course at the deck's height, metres
 
-float real(double x) { return static_cast<float>(x); }
-
 /// The hole under a stone bridge: half an ellipse over its springing line, in a ring of voussoirs.
 struct Vault {
   double half = 0;          ///< of its span
@@ -80,7 +78,7 @@ Vault fit_vault(const BridgeShape& shape, const Bridge& bridge) {
 }
 
 /// What the makers of the single parts share.
-struct Mason {
+struct BridgeMason {
   const BridgeShape& shape;
   Bridge& bridge;
   Vault vault;
@@ -109,7 +107,7 @@ std::vector<double> joints(double from, double to, double size, bool shift, Seed
 }
 
 /// One wedge of the vault, between two ways along it and two depths.
-void lay_voussoir(const Mason& m, double from, double to, double near, double far, Seed seed) {
+void lay_voussoir(const BridgeMason& m, double from, double to, double near, double far, Seed seed) {
   double joint = m.shape.gap / 2;
   Vec3 size(real(to - from - 2 * joint), real(m.vault.ring), real(far - near - 2 * joint));
   if (size.x < 0.02f || size.z < 0.02f) return;
@@ -123,7 +121,7 @@ void lay_voussoir(const Mason& m, double from, double to, double near, double fa
 
 /// The vault: an odd number of courses, so that there is a keystone, each bonded across in turn; under its
 /// feet the jambs.
-void build_vault(const Mason& m, Seed seed) {
+void build_vault(const BridgeMason& m, Seed seed) {
   if (!m.vault.open()) return;
   double length = m.vault.way.back();
   int count = std::max(5, 2 * static_cast<int>(length / 0.56) + 1);
@@ -158,7 +156,8 @@ void build_vault(const Mason& m, Seed seed) {
 }
 
 /// One stone of a wall, cut off by the ring below and by the deck above.
-void lay_wall_stone(const Mason& m, double from, double to, double low, double high, double side, Seed seed) {
+void lay_wall_stone(const BridgeMason& m, double from, double to, double low, double high, double side,
+                    Seed seed) {
   constexpr int kProbes = 24;
   double joint = m.shape.gap / 2, foot = -m.shape.foundation, thick = std::min(0.26, 0.3 * m.face);
   low += joint, high -= joint, from += joint, to -= joint;
@@ -186,7 +185,7 @@ void lay_wall_stone(const Mason& m, double from, double to, double low, double h
 }
 
 /// The walls between ring and deck.
-void build_walls(const Mason& m, Seed seed) {
+void build_walls(const BridgeMason& m, Seed seed) {
   double foot = -m.shape.foundation, top = m.shape.height - m.vault.paving, end = m.shape.length / 2;
   int rows = std::max(1, static_cast<int>(std::lround((top - foot) / 0.23)));
   for (double side : {-1.0, 1.0}) {
@@ -202,7 +201,7 @@ void build_walls(const Mason& m, Seed seed) {
 }
 
 /// Stones in a row along the deck, one bar each.
-void lay_row(const Mason& m, BridgePart part, Bar bar, double size, bool shift, Seed seed) {
+void lay_row(const BridgeMason& m, BridgePart part, Bar bar, double size, bool shift, Seed seed) {
   std::vector<double> cuts = joints(bar.from, bar.to, size, shift, seed.child("cuts"));
   double joint = m.shape.gap / 2;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -216,7 +215,7 @@ void lay_row(const Mason& m, BridgePart part, Bar bar, double size, bool shift, 
 }
 
 /// The course that shows the line of the deck, and between the two sides the paving.
-void build_deck(const Mason& m, Seed seed) {
+void build_deck(const BridgeMason& m, Seed seed) {
   double half = half_way(m.bridge.arch), out = m.shape.width / 2, in = out - kSet - m.wall;
   for (double side : {-1.0, 1.0}) {
     double near = side < 0 ? -out : in, far = side < 0 ? -in : out;
@@ -239,7 +238,7 @@ void build_deck(const Mason& m, Seed seed) {
 }
 
 /// Piers that stand upright on the deck, and between them a wall under a coping that follows it.
-void build_parapets(const Mason& m, Seed seed) {
+void build_parapets(const BridgeMason& m, Seed seed) {
   std::vector<double> stations = post_stations(m.bridge.arch, m.shape);
   double coping = std::min(0.13, 0.3 * m.shape.rail_height), wide = std::max(m.shape.post, m.wall + 0.08);
   double top = m.shape.rail_height - coping;
@@ -277,7 +276,7 @@ void build_parapets(const Mason& m, Seed seed) {
 }
 
 /// The mortar behind all joints, a little behind their faces: the outline of the bridge from side to side.
-void build_core(const Mason& m) {
+void build_core(const BridgeMason& m) {
   constexpr int kColumns = 160;
   double end = m.shape.length / 2 - 0.02, back = 0.018, z = m.face - back, foot = -m.shape.foundation;
   double hole = m.vault.open() ? m.vault.half + back : 0;
@@ -322,8 +321,8 @@ void build_core(const Mason& m) {
 
 void build_stone(const BridgeShape& shape, Bridge& bridge, Seed seed) {
   double wall = std::min({std::max(0.18, 2.2 * shape.rail), 0.3, 0.2 * shape.width});
-  Mason mason{shape, bridge, fit_vault(shape, bridge), shape.width / 2 - std::min(kSet, 0.1 * shape.width),
-              wall};
+  BridgeMason mason{shape, bridge, fit_vault(shape, bridge),
+                    shape.width / 2 - std::min(kSet, 0.1 * shape.width), wall};
   build_core(mason);
   build_vault(mason, seed.child("vault"));
   build_walls(mason, seed.child("walls"));

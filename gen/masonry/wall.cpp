@@ -21,9 +21,9 @@ struct Run {
   double left, right;
 };
 
-class Mason {
+class WallMason {
  public:
-  Mason(const WallShape& shape, Seed seed) : s_(shape), seed_(seed) {
+  WallMason(const WallShape& shape, Seed seed) : s_(shape), seed_(seed) {
     course_ = s_.brick.y + s_.joint;
     courses_ = std::max(1, static_cast<int>(std::lround(s_.height / course_)));
     int fits = static_cast<int>((s_.thickness + s_.joint) / (s_.brick.z + s_.joint) + 0.2);
@@ -235,6 +235,6 @@ class Mason {
 
 }  // namespace
 
-Wall build_wall(const WallShape& shape, Seed seed) { return Mason(shape, seed).build(); }
+Wall build_wall(const WallShape& shape, Seed seed) { return WallMason(shape, seed).build(); }
 
 }  // namespace frond

@@ -1,7 +1,5 @@
 #include "organisms/crown_leaves.h"
 
-#include <algorithm>
-
 namespace frond {
 
 void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeDress& dress, Vec3 size,

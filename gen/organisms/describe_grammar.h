@@ -140,7 +140,7 @@ void describe(Visitor& v, GrammarText& g) {
   v.text("consider", g.consider, "The only symbols that contexts see");
   v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "For random choices");
   v.object("limits", g.limits, "What passes them is refused before it is derived");
-  v.texts("symbols", g.symbols, "Names of more than one character");
+  v.list("symbols", g.symbols, "Names of more than one character");
   v.boolean("ring", g.ring, "The word is a circle");
   Tropism tropism{g.tropism, g.elasticity};
   v.object("tropism", tropism, "What branches turn toward as they grow");

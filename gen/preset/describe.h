@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -35,8 +34,7 @@ namespace frond {
 //     boolean(name, b, doc)
 //     text(name, s, doc)                   std::string
 //     file(name, s, load, doc [, needed])  std::string, the name of a file; `Errors load(const NamedFile&)`
-//     takes
-//                                          what it holds, where it is needed and files are to be read
+//                                          takes what it holds, if it is needed and files are to be read
 //     choice(name, e, table, doc)          an enum by its name in a constexpr array of Choice (below)
 //     vector(name, v, [range,] doc)        Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
 //     direction(name, v, [across,] doc)    Vec3, DVec3 of some length; across: what of it counts
@@ -45,19 +43,17 @@ namespace frond {
 //     curve(name, c, doc)                  Curve from [[x, y], ...], two or more points, x increasing
 //     animated(name, a, range, doc)        Animated<double>: a number, or keyframes [[seconds, number], ...]
 //     animated(name, a, [range,] doc)      Animated<Vec3>: [x, y, z] or keyframes [[seconds, [x, y, z]], ...]
-//     animated_angle(name, a, range, doc)  Animated<double> in degrees, radians in the struct
 //     object(name, o, doc)                 a struct with a describe() of its own
 //     list(name, l, [count,] doc)          std::vector of described structs, texts, numbers, vectors, Color
-//     texts(name, l, doc)                  std::vector<std::string>; the same as list()
 //     pairs(name, p, doc)                  std::vector<std::pair<std::string, std::string>>, in the order
 //                                          written, from an object of numbers (as shortest text) and texts
 //     tagged(name, t, kinds, doc)          an object whose "kind" says how it is read (Kind, below)
 //     tagged_list(name, l, kinds, doc)     a list of such
 //     inheriting_list(names, l, kinds, doc)  a list of such, with defaults behind it (Inheritance, below)
-//     origin(s [, name])                   std::string: where the object, or that property, stands in its
-//     file given(name, b)                       whether the object itself gives that property required(name)
-//     that property must be given; after the line that reads it shorthand(name)                      first of
-//     all: a bare value in place of the object is read as this
+//     origin(s [, name])                   std::string: where the object, or that property, stands in a file
+//     given(name, b)                       whether the object itself gives that property
+//     required(name)                       that property must be given; after the line that reads it
+//     shorthand(name)                      first of all: a bare value in place of the object is read as this
 //                                          property of it, so "A -> B" as {"rule": "A -> B"}. Not for a Kind.
 //     custom(name, x, read, schema, doc)   all else: `bool read(Reader&, const Value&, X&)` notes faults by
 //                                          Reader::fault and says whether x was read; `schema` is JSON text
@@ -111,32 +107,6 @@ struct Kind {
   void (*read)(Reader&, T&);
   void (*schema)(SchemaWriter&);
 };
-
-/// The struct that a pointer to member points into.
-template <class Member>
-struct MemberOf;
-template <class M, class T>
-struct MemberOf<M T::*> {
-  using Owner = T;
-};
-
-/// The usual row: a described struct `Params` that is put into a member of T (a std::variant, std::any, or
-/// anything else that Params can be assigned to):
-///     constexpr Kind<Organism> kKinds[] = {make_kind<CoralParams, &Organism::params>("coral", "A branching
-///     coral")};
-template <class Params, auto kMember, class T = typename MemberOf<decltype(kMember)>::Owner>
-constexpr Kind<T> make_kind(std::string_view name, std::string_view doc) {
-  return {name, doc,
-          [](Reader& reader, T& target) {
-            Params params{};
-            describe(reader, params);
-            target.*kMember = std::move(params);
-          },
-          [](SchemaWriter& writer) {
-            Params params{};
-            describe(writer, params);
-          }};
-}
 
 /// The names of the three properties of a list with defaults: each element is merged with the object
 /// `defaults` (merge(): its own wins) except for the properties that `force` lists. `defaults` may hold the

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,13 +45,6 @@ class Reader {
       text("$schema", schema, "");
       describe(*this, out);
     });
-  }
-
-  /// Reads a value that stands at the pointer.
-  template <class T>
-  void read_at(const Value& value, std::string pointer, T& out) {
-    pointer_ = std::move(pointer);
-    object_at(value, out);
   }
 
   // The properties, see describe.h.
@@ -140,16 +132,6 @@ class Reader {
     animated(name, out, Range{}, doc);
   }
   template <class T>
-  void animated_angle(std::string_view name, T& out, const Range& range, std::string_view) {
-    member(name, [&](const Value& v) {
-      auto read = animated_at(v, in_degrees(range), Animated<double>{});
-      if (!read) return;
-      std::vector<Animated<double>::Key> keys = read->keys();
-      for (auto& key : keys) key.value = radians(key.value);
-      out = Animated<double>(std::move(keys));
-    });
-  }
-  template <class T>
   void object(std::string_view name, T& out, std::string_view) {
     member(name, [&](const Value& v) { object_at(v, hold(out)); });
   }
@@ -163,10 +145,6 @@ class Reader {
   template <class T>
   void list(std::string_view name, T& out, std::string_view doc) {
     list(name, out, Count{}, doc);
-  }
-  template <class T>
-  void texts(std::string_view name, T& out, std::string_view doc) {
-    list(name, out, doc);
   }
   template <class T>
   void pairs(std::string_view name, T& out, std::string_view) {

@@ -115,11 +115,6 @@ class SchemaWriter {
     animated(name, a, Range{}, doc);
   }
   template <class T>
-  void animated_angle(std::string_view name, const T& a, const Range& range, std::string_view doc) {
-    add(name, animated_schema(number_schema(range)), doc, angle_unit(range),
-        initial(a, [](const auto& v) { return animated_default(v, &tidy_angle); }));
-  }
-  template <class T>
   void object(std::string_view name, T& o, std::string_view doc) {
     add(name, described(o), doc);
   }
@@ -130,10 +125,6 @@ class SchemaWriter {
   template <class T>
   void list(std::string_view name, const T& l, std::string_view doc) {
     list(name, l, Count{}, doc);
-  }
-  template <class T>
-  void texts(std::string_view name, const T& l, std::string_view doc) {
-    list(name, l, doc);
   }
   template <class T>
   void pairs(std::string_view name, const T&, std::string_view doc) {

@@ -1,7 +1,6 @@
 #include "rocks/blob_cells.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "core/parallel.h"
 
@@ -10,7 +9,7 @@ namespace frond {
 namespace {
 
 constexpr int kCoarsest = 3;              // so that the outermost cells are free of the surface
-constexpr std::size_t kShare = 512;       // cells that one thread looks at in one go
+constexpr std::size_t kCellsATask = 512;  // cells that one thread looks at in one go
 constexpr double kReachOfTriangle = 1.5;  // the longest edge of a triangle, in widths of the cell, about
 
 enum class Verdict : std::uint8_t { leaf, clear, split };
@@ -71,8 +70,8 @@ struct Cutter {
     std::vector<Verdict> verdicts;
     for (std::size_t from = 0, to = 1; from < to; from = to, to = cells.cell.size()) {
       verdicts.assign(to - from, Verdict::leaf);
-      parallel_for((to - from + kShare - 1) / kShare, [&](std::size_t share) {
-        for (std::size_t i = share * kShare; i < std::min((share + 1) * kShare, to - from); ++i)
+      parallel_for((to - from + kCellsATask - 1) / kCellsATask, [&](std::size_t share) {
+        for (std::size_t i = share * kCellsATask; i < std::min((share + 1) * kCellsATask, to - from); ++i)
           verdicts[i] = judge(cells.cell[from + i]);
       });
       for (std::size_t i = 0; i < to - from; ++i)

@@ -12,7 +12,7 @@ namespace frond {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-constexpr std::size_t kShare = 1024;  // vertices that one thread works on in one go
+constexpr std::size_t kPairsATask = 1024;  // vertices that one thread works on in one go
 
 /// A number for each pair of cells that the surface runs between. Open addressing.
 class Crossings {
@@ -239,8 +239,8 @@ Surface blob_surface(const Blobs& shape, const BlobCells& cells) {
   std::vector<DVec3> place(pairs.size());
   surface.position.resize(pairs.size());
   surface.normal.resize(pairs.size());
-  parallel_for((pairs.size() + kShare - 1) / kShare, [&](std::size_t share) {
-    for (std::size_t i = share * kShare; i < std::min((share + 1) * kShare, pairs.size()); ++i) {
+  parallel_for((pairs.size() + kPairsATask - 1) / kPairsATask, [&](std::size_t share) {
+    for (std::size_t i = share * kPairsATask; i < std::min((share + 1) * kPairsATask, pairs.size()); ++i) {
       const BlobCells::Cell *in = &cells.cell[pairs[i].first], *out = &cells.cell[pairs[i].second];
       if (!in->inside) std::swap(in, out);
       DVec3 from = cells.box(*in).middle(), to = cells.box(*out).middle();

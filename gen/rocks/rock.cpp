@@ -13,7 +13,7 @@ namespace frond {
 namespace {
 
 constexpr int kTries = 24;
-constexpr std::size_t kShare = 2048;
+constexpr std::size_t kVerticesATask = 2048;
 
 /// Where the blobs' space lies in metres.
 struct Frame {
@@ -96,8 +96,9 @@ void wear(Surface& rock, const RockShape& shape, Seed seed) {
           static_cast<float>(sine * std::sin(toward)));
   float size = static_cast<float>(shape.size);
   Seed layers = seed.child("strata");
-  parallel_for((rock.position.size() + kShare - 1) / kShare, [&](std::size_t share) {
-    for (std::size_t i = share * kShare; i < std::min((share + 1) * kShare, rock.position.size()); ++i) {
+  parallel_for((rock.position.size() + kVerticesATask - 1) / kVerticesATask, [&](std::size_t share) {
+    for (std::size_t i = share * kVerticesATask;
+         i < std::min((share + 1) * kVerticesATask, rock.position.size()); ++i) {
       Vec3 p = rock.position[i], n = rock.normal[i], q = p / size + shift;
       if (w.roughness > 0) {
         double lumps = 0.045 * fractal_noise(q * 1.9f, 2);

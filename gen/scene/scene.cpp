@@ -7,10 +7,13 @@
 #include <iterator>
 #include <utility>
 
+#include "core/content.h"
 #include "core/parallel.h"
 #include "organisms/kinds.h"
+#include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/nursery.h"
 #include "scene/remarks.h"
 #include "scene/sowing.h"
 #include "scene/style.h"
@@ -71,28 +74,96 @@ std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
   return beds;
 }
 
-/// Grows all stages, one after the other, and adds them to the world.
-Errors grow_all(const std::vector<Bed>& beds, World& world, const Step& step) {
-  for (GrowthStage stage : {GrowthStage::free, GrowthStage::in_light, GrowthStage::creeping}) {
-    std::vector<Bed> growing;
-    std::ranges::copy_if(beds, std::back_inserter(growing),
-                         [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
-    std::vector<std::vector<Bed>> kinds = by_kind(growing, [](const Bed& bed) { return bed.organism; });
-    std::vector<std::vector<Result<Specimen>>> grown(kinds.size());
-    parallel_for(kinds.size(), [&](std::size_t k) {
-      grown[k] = kinds[k].front().organism->grower->grow(kinds[k], world, step);
+/// Grows the beds of a scene stage by stage and adds them to the world.
+class Gardener {
+ public:
+  Gardener(const Preset& preset, const Watch& watch, Nursery* nursery, const Surface& floor)
+      : preset_(preset), watch_(watch), nursery_(nursery) {
+    if (!nursery_) return;
+    std::string_view land(reinterpret_cast<const char*>(floor.position.data()),
+                          floor.position.size() * sizeof(Vec3));
+    surroundings_ = fmt::format("{} {} {} {}", content_id(land), preset.film.length(), preset.film.frames > 1,
+                                preset.stage.setting);
+  }
+
+  Errors grow_all(const std::vector<Bed>& beds, World& world) {
+    for (GrowthStage stage : {GrowthStage::free, GrowthStage::in_light, GrowthStage::creeping}) {
+      std::vector<Bed> growing;
+      std::ranges::copy_if(beds, std::back_inserter(growing),
+                           [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
+      if (Errors errors = grow_stage(stage, growing, world); !errors.empty()) return errors;
+    }
+    return {};
+  }
+
+  std::vector<std::size_t> grown;  ///< entries
+
+ private:
+  Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
+    std::vector<std::vector<Bed>> groups;
+    if (nursery_ && stage == GrowthStage::free)  // each by itself, whatever grows beside it
+      for (const Bed& bed : beds) groups.push_back({bed});
+    else
+      groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });
+    std::vector<std::string> keys(groups.size());
+    if (nursery_)
+      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g]);
+    std::vector<std::vector<Specimen>> specimens(groups.size());
+    std::vector<Errors> errors(groups.size());
+    std::vector<char> fresh(groups.size());
+    parallel_for(groups.size(), [&](std::size_t g) {
+      fresh[g] = !take_grown(keys[g], specimens[g]);
+      if (fresh[g]) errors[g] = grow(groups[g], world, keys[g], specimens[g]);
     });
     std::vector<Specimen> all;
-    for (auto& list : grown)
-      for (Result<Specimen>& one : list) {
-        if (!one) return one.errors();
-        all.push_back(std::move(*one));
-      }
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (!errors[g].empty()) return errors[g];
+      std::ranges::move(specimens[g], std::back_inserter(all));
+      if (fresh[g])
+        for (const Bed& bed : groups[g]) grown.push_back(bed.entry);
+    }
+    // What comes later grows among all of these.
+    for (const std::string& key : keys) surroundings_ += key;
     std::ranges::stable_sort(all, {}, &Specimen::entry);
     world.add(std::move(all));
+    return {};
   }
-  return {};
-}
+
+  bool take_grown(const std::string& key, std::vector<Specimen>& specimens) {
+    std::optional<std::vector<Specimen>> kept = nursery_ ? nursery_->find(key) : std::nullopt;
+    if (kept) specimens = std::move(*kept);
+    return kept.has_value();
+  }
+
+  Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
+              std::vector<Specimen>& specimens) {
+    if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
+    for (Result<Specimen>& one : beds.front().organism->grower->grow(beds, world, watch_.step)) {
+      if (!one) return one.errors();
+      specimens.push_back(std::move(*one));
+    }
+    if (nursery_) nursery_->keep(key, specimens);
+    return {};
+  }
+
+  /// All that the specimens of some beds depend on.
+  std::string key_of(const std::vector<Bed>& beds) const {
+    std::string text = surroundings_;
+    const Value* written = preset_.written->find("organisms");
+    for (const Bed& bed : beds) {
+      text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, serialize(written->items[bed.entry]),
+                          bed.organism->text);
+      for (const Planting& p : bed.plantings)
+        text += fmt::format(" {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z);
+    }
+    return content_id(text);
+  }
+
+  const Preset& preset_;
+  const Watch& watch_;
+  Nursery* nursery_;
+  std::string surroundings_;  // all that organisms grow in so far
+};
 
 /// All specimens in the order of the preset, those of the setting first and creepers last.
 std::vector<Specimen> in_order(std::vector<Specimen> all, const Preset& preset) {
@@ -136,7 +207,7 @@ std::string Scene::check() const {
   return ground ? ground->floor().check() : "there is no ground";
 }
 
-Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
+Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nursery) {
   Seed seed{preset.seed};
   Scene scene;
   scene.film = preset.film;
@@ -162,7 +233,9 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch) {
   watch.begin("grow", plantings);
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1);
   world.add(ground->furnishings());
-  if (Errors errors = grow_all(beds, world, watch.step); !errors.empty()) return errors;
+  Gardener gardener(preset, watch, nursery, ground->floor());
+  if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
+  scene.grown = std::move(gardener.grown);
 
   scene.ground = std::move(ground);
   scene.specimens = in_order(std::move(world).take_all(), preset);

@@ -42,6 +42,7 @@ struct Scene {
   std::vector<SownStand> stands;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
+  std::vector<std::size_t> grown;  ///< entries that were not taken from a nursery
 
   /// Nodes of all skeletons.
   std::size_t nodes() const;
@@ -53,10 +54,15 @@ struct Scene {
 /// Whom build_scene tells how far it is.
 struct Watch {
   std::function<void(std::string_view phase, std::size_t steps)> begin;
-  std::function<void()> step;  ///< one more of the phase is done; called from several threads
+  std::function<void()> step;           ///< one more of the phase is done; called from several threads
+  std::function<bool()> given_up = {};  ///< whether nobody waits for the scene any more; empty: somebody does
 };
 
-/// Places and grows everything: the phases "place" and "grow".
-Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}});
+class Nursery;
+
+/// Places and grows everything: the phases "place" and "grow". What a nursery has is taken from there. A
+/// scene that is given up is an error.
+Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}},
+                          Nursery* nursery = nullptr);
 
 }  // namespace frond

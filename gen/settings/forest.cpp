@@ -110,6 +110,10 @@ SettingRow forest_setting() {
       },
       [](const Stage& stage, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed);
+      },
+      [](const Stage& stage) {
+        const auto& forest = stage.block<Forest>();
+        return sky_light(sun_at(forest.hour, forest.south), forest.litter, stage.block<Meadow>().haze);
       });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "settings/describe_plot.h"
+#include "settings/lawn.h"
 #include "settings/plot_bounds.h"
 #include "settings/settings.h"
 
@@ -24,8 +25,7 @@ void describe(Visitor& v, Garden& g) {
 
 namespace {
 
-constexpr double kMostPatches = 400'000;  // of gravel; each is an object of POV-Ray's
-constexpr double kLand = 150;             // metres from the middle
+constexpr double kLand = 150;  // metres from the middle
 
 void check_gravel(Errors& list, const Garden& garden) {
   const std::vector<Vec2>& points = garden.path.points;
@@ -67,6 +67,11 @@ SettingRow garden_setting() {
         return std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach,
                                       Plot(garden.pond, garden.path, seed.child("plot")), garden.lilies,
                                       garden.gravel, garden.path.width, seed);
+      },
+      [](const Stage& stage) {
+        const auto& garden = stage.block<Garden>();
+        const auto& meadow = stage.block<Meadow>();
+        return sky_light(sun_at(garden.hour, garden.south), meadow.grass, meadow.haze);
       });
 }
 

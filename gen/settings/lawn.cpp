@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kRadius = 150;            // metres, at least
 constexpr double kBeyond = 50;             // metres from what stands farthest out to the edge, at least
-constexpr double kMostPatches = 400'000;   // of grass; each is an object of POV-Ray's
 constexpr double kMostBlades = 1'000'000;  // in all shapes of such patches
 constexpr int kTurfShapes = 4;
 

@@ -16,7 +16,8 @@ struct Patch {
   Vec2 slope{0};    ///< of the ground, along x and z
 };
 
-inline constexpr double kLawnSown = 200;  ///< metres, the square of a lawn that is sown
+inline constexpr double kLawnSown = 200;         ///< metres, the square of a lawn that is sown
+inline constexpr double kMostPatches = 400'000;  ///< of grass or gravel; each is an object of POV-Ray's
 
 /// Grass as a preset asks for it.
 struct LawnShape {

@@ -31,6 +31,15 @@ SettingRow meadow_setting() {
       },
       [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach, seed);
+      },
+      [](const Stage& stage) {
+        const auto& meadow = stage.block<Meadow>();
+        return Daylight{glm::normalize(meadow.sun),
+                        {1, 0.96f, 0.88f},
+                        meadow.zenith,
+                        meadow.horizon,
+                        meadow.grass,
+                        meadow.haze};
       });
 }
 

@@ -48,6 +48,26 @@ struct GroundForesight {
   double placed = 0;  ///< placements of stones and patches
 };
 
+/// The light and the colours of a setting, for a quick look at it that no renderer is asked for. Colours as
+/// in presets: sRGB.
+struct Daylight {
+  Vec3 sun{0, 1, 0};  ///< toward the main light, of length 1
+  Color sunlight, zenith, horizon, ground;
+  double fade = 0;  ///< metres in which two thirds of a colour are lost to that of the horizon; 0: none
+};
+
+/// Bodies of one shape that lie about, for a quick look.
+struct Strewn {
+  const Surface* shape = nullptr;  ///< of the grounds, and lives as long
+  Color color;
+  struct At {
+    Vec3 place{0};
+    Quat turn{1, 0, 0, 0};
+    Vec3 size{1};
+  };
+  std::vector<At> at;
+};
+
 /// What a setting lays, and how things stand on it. Metres.
 class Grounds {
  public:
@@ -67,6 +87,8 @@ class Grounds {
   virtual Land land(std::vector<Spot> taken) const = 0;
   /// What belongs to the setting itself and grows or floats.
   virtual std::vector<Specimen> furnishings() const = 0;
+  /// What lies about and is large enough to matter to a quick look.
+  virtual std::vector<Strewn> strewn() const { return {}; }
   /// What the user should know of how all that stands there fits in. `things` makes the list of them.
   virtual std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& things,
                                            const Camera& camera, double film_end) const = 0;
@@ -89,6 +111,13 @@ class Grounds {
   Heights heights_;
 };
 
+/// Toward the sun at an hour: it rises at about 5, stands highest at 13 and sets at about 21, as in June at
+/// 50 degrees of latitude; below the horizon at night.
+Vec3 sun_at(double hour, double south);
+
+/// Daylight under a sky whose sun stands there, over a ground of that colour.
+Daylight sky_light(Vec3 sun, const Color& ground, double haze);
+
 /// Up from the ground, of length 1.
 Vec3 ground_normal(const Heights& heights, Vec2 at);
 
@@ -106,6 +135,7 @@ struct SettingAnswers {
   GroundForesight (*foresee)(const Stage&, const Film&);
   /// Lays the ground so that it reaches past `reach` metres from the middle.
   std::unique_ptr<Grounds> (*lay)(const Stage&, const Film&, double reach, Seed);
+  Daylight (*daylight)(const Stage&);
 };
 
 /// A row of the table of settings.
@@ -123,7 +153,8 @@ template <class Block>
 SettingRow setting_row(std::string_view name, std::string_view doc, std::string_view block,
                        std::string_view block_doc, std::vector<std::string_view> heeds,
                        decltype(SettingAnswers::extent) extent, decltype(SettingAnswers::check) check,
-                       decltype(SettingAnswers::foresee) foresee, decltype(SettingAnswers::lay) lay) {
+                       decltype(SettingAnswers::foresee) foresee, decltype(SettingAnswers::lay) lay,
+                       decltype(SettingAnswers::daylight) daylight) {
   return {name,
           doc,
           block,
@@ -141,7 +172,7 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
             describe(writer, sample);
             return serialize(writer.object_schema());
           },
-          {std::move(heeds), extent, check, foresee, lay}};
+          {std::move(heeds), extent, check, foresee, lay, daylight}};
 }
 
 }  // namespace frond

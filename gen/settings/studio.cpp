@@ -85,6 +85,10 @@ SettingRow studio_setting() {
       [](const Stage&, const Film&) { return GroundForesight{}; },
       [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<StudioFloor>(stage.block<Studio>());
+      },
+      [](const Stage& stage) {
+        const auto& studio = stage.block<Studio>();
+        return Daylight{glm::normalize(studio.key), {1, 1, 1}, studio.wall, studio.wall, studio.wall, 0};
       });
 }
 

@@ -23,6 +23,7 @@ namespace {
 
 constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
+constexpr Color kSand{0.78f, 0.72f, 0.58f}, kStone{0.47f, 0.45f, 0.40f};
 constexpr double kFloorRadius = 32;  // metres, at least: as far as the water lets one see
 constexpr double kFloorBeyond = 4;   // metres from what stands farthest out to the edge, at least
 constexpr double kSownSize = 44;     // metres, a square within that
@@ -75,6 +76,18 @@ float SeaFloor::seat(Vec2 at, double rock, Seed seed) {
   return rock > 0 ? lay_stone(at, static_cast<float>(rock), 0.3f, seed.child("rock")) : height(at);
 }
 
+std::vector<Strewn> SeaFloor::strewn() const {
+  std::vector<Strewn> list;
+  for (std::size_t shape = 0; shape < stones.size(); ++shape) {
+    Strewn& all = list.emplace_back(Strewn{&stones[shape], kStone, {}});
+    for (const StoneInstance& stone : stone_instances)
+      if (stone.shape == static_cast<int>(shape))
+        all.at.push_back(
+            {stone.at, glm::angleAxis(static_cast<float>(stone.turn), Vec3(0, 1, 0)), stone.size});
+  }
+  return list;
+}
+
 Land SeaFloor::land(std::vector<Spot> taken) const { return sloping_land(kSownSize, std::move(taken)); }
 
 SettingRow underwater_setting() {
@@ -88,6 +101,11 @@ SettingRow underwater_setting() {
       },
       [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<SeaFloor>(stage.floor, film.quality, reach, seed);
+      },
+      [](const Stage& stage) {
+        const auto& water = stage.block<Water>();
+        return Daylight{glm::normalize(water.sun), {0.86f, 0.97f, 1}, water.near, water.near, kSand,
+                        water.visibility};
       });
 }
 

@@ -35,6 +35,7 @@ class SeaFloor final : public Grounds {
   void strew(const Camera& camera, TakenSpots& taken) override;
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
+  std::vector<Strewn> strewn() const override;
   std::vector<Specimen> furnishings() const override { return {}; }
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {

@@ -8,8 +8,6 @@
 namespace frond {
 namespace {
 
-Host built(const Surface& s) { return std::move(*Host::build(s)); }
-
 /// What is wrong with strands on a host: too far from it, within it, through it deeper than they are thick.
 struct Faults {
   std::size_t far = 0, floating = 0, within = 0, through = 0;

@@ -9,8 +9,6 @@
 namespace frond {
 namespace {
 
-Host built(const Surface& s) { return std::move(*Host::build(s)); }
-
 /// Far from everything.
 Host nowhere() { return built(ball(0.1, 8, 6)); }
 

@@ -7,8 +7,6 @@
 namespace frond {
 namespace {
 
-Host built(const Surface& s) { return std::move(*Host::build(s)); }
-
 DVec3 anywhere(Seed seed, double size) {
   return {seed.child(1).range(-size, size), seed.child(2).range(-size, size),
           seed.child(3).range(-size, size)};

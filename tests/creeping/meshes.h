@@ -11,6 +11,8 @@
 
 namespace frond {
 
+inline Host built(const Surface& s) { return std::move(*Host::build(s)); }
+
 /// A surface over a grid of (u, v) in 0..1, joined to itself where `wrap` says so.
 inline Surface sheet(int columns, int rows, bool wrap_u, bool wrap_v,
                      const std::function<Vec3(double, double)>& at) {

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/files.h"
-#include "emit/frame.h"
+#include "emit/texts.h"
 
 namespace frond {
 namespace {
@@ -17,36 +16,23 @@ Result<Scene> coral(const std::string& style, const std::string& more = "") {
   return build_scene(*preset);
 }
 
-std::string frame(const Scene& scene, int number) {
-  Result<std::string> text =
-      frame_text(scene, prepare_frames(scene), *read_file(FROND_ROOT "/templates/frame.pov"), number);
-  EXPECT_TRUE(text);
-  return *text;
-}
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++n;
-  return n;
-}
-
 TEST(Body, fused_is_meshes_that_bear_the_textures_of_the_chunks) {
-  std::string text = frame(*coral(R"("fused")", R"("wave": {"amplitude": 10},)"), 3);
+  std::string text = text_of(*coral(R"("fused")", R"("wave": {"amplitude": 10},)"), 3);
   EXPECT_EQ(count(text, "sphere_sweep"), 0u);
   EXPECT_GT(count(text, "texture_list"), 0u);
   EXPECT_GT(count(text, "texture{Skin[0] matrix<") + count(text, "texture{Coral_Tip(0,"), 5u);
-  EXPECT_EQ(text, frame(*coral(R"("fused")", R"("wave": {"amplitude": 10},)"), 3));
+  EXPECT_EQ(text, text_of(*coral(R"("fused")", R"("wave": {"amplitude": 10},)"), 3));
 }
 
 TEST(Body, of_cubes_has_a_texture_for_each_look) {
-  std::string text = frame(*coral(R"({"build": "voxels", "voxel": 0.02})"), 1);
+  std::string text = text_of(*coral(R"({"build": "voxels", "voxel": 0.02})"), 1);
   EXPECT_EQ(count(text, "sphere_sweep"), 0u);
   EXPECT_EQ(count(text, "#include \"frond_voxel.inc\""), 1u);
   EXPECT_GT(count(text, "Voxel_Skin("), 5u);
 }
 
 TEST(Body, that_has_not_begun_to_grow_is_nothing) {
-  std::string text = frame(*coral(R"("fused")", R"("growth": {"start": 5, "duration": 1},)"), 1);
+  std::string text = text_of(*coral(R"("fused")", R"("growth": {"start": 5, "duration": 1},)"), 1);
   EXPECT_EQ(count(text, "texture_list"), 0u);
 }
 

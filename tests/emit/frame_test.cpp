@@ -2,21 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/files.h"
 #include "core/parallel.h"
+#include "emit/texts.h"
 
 namespace frond {
 namespace {
-
-Scene scene_at(const std::string& path) {
-  return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {}));
-}
-
-std::string layout() { return *read_file(FROND_ROOT "/templates/frame.pov"); }
-
-std::string text_of(const Scene& scene, int frame) {
-  return *frame_text(scene, prepare_frames(scene), layout(), frame);
-}
 
 TEST(Frame, IsTheSameAloneAndAtAnyThreadCount) {
   limit_threads(1);

@@ -7,30 +7,15 @@
 #include <cstdlib>
 #include <map>
 
-#include "core/files.h"
-#include "emit/frame.h"
 #include "emit/setting.h"
+#include "emit/texts.h"
 #include "motion/unfold.h"
 #include "settings/settings.h"
 
 namespace frond {
 namespace {
 
-Scene tiny_plant() {
-  const std::string path = "tests/presets/tiny_plant.json";
-  return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {}));
-}
-
-std::string text_of(const Scene& scene, int frame) {
-  std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
-  return *frame_text(scene, prepare_frames(scene), layout, frame);
-}
-
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++n;
-  return n;
-}
+Scene tiny_plant() { return scene_at("tests/presets/tiny_plant.json"); }
 
 TEST(PlantText, WritesEachPartOfEachOrganOnce) {
   Scene scene = tiny_plant();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "emit/setting.h"
+#include "emit/texts.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -20,12 +21,6 @@ Scene with_copies(int count) {
   std::uint16_t shape = b.model.solids.add_shape(solid);
   for (int i = 0; i < count; ++i) b.model.solids.place(shape, Vec3(static_cast<float>(i), 0, 2));
   return scene;
-}
-
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++n;
-  return n;
 }
 
 TEST(SolidText, HoldsAShapeOnceAndPlacesItOften) {

@@ -32,12 +32,12 @@ std::vector<LeafForm> forms() {
 }
 
 /// Sites along strands that climb a wall two metres wide and high, about as dense as its leaves can lie.
-std::vector<LeafSite> wall_sites(int strands, int each) {
-  std::vector<LeafSite> sites;
+std::vector<MosaicSite> wall_sites(int strands, int each) {
+  std::vector<MosaicSite> sites;
   for (int k = 0; k < each; ++k)
     for (int s = 0; s < strands; ++s) {
       Seed own = Seed{7}.child(static_cast<std::uint64_t>(s * each + k));
-      LeafSite site;
+      MosaicSite site;
       float side = k % 2 ? 1.0f : -1.0f;
       site.foot = Vec3(2.0f * (static_cast<float>(s) + 0.5f) / static_cast<float>(strands) +
                            static_cast<float>(own.child(0).range(-0.04, 0.04)),
@@ -52,13 +52,13 @@ std::vector<LeafSite> wall_sites(int strands, int each) {
 }
 
 /// The area of the outlines that lies under other outlines, measured on a raster of the wall of 2 mm.
-double overlap_area(const std::vector<LeafSite>& sites, const std::vector<LaidLeaf>& laid) {
+double overlap_area(const std::vector<MosaicSite>& sites, const std::vector<LaidLeaf>& laid) {
   constexpr double kCell = 0.002;
   constexpr int kSide = 1200;
   std::vector<std::uint8_t> count(kSide * kSide, 0);
   std::vector<IvyLeafShape> list = shapes();
   for (const LaidLeaf& leaf : laid) {
-    const LeafSite& site = sites[leaf.site];
+    const MosaicSite& site = sites[leaf.site];
     Vec3 foot = site.foot + leaf.turn * (ivy_attachment(list[leaf.form]) * site.size);
     Vec3 right = leaf.turn * Vec3(1, 0, 0), along = leaf.turn * Vec3(0, 1, 0);
     int reach = static_cast<int>(1.15 * site.size / kCell);
@@ -81,7 +81,7 @@ double overlap_area(const std::vector<LeafSite>& sites, const std::vector<LaidLe
 }
 
 TEST(Mosaic, OverlapsAFifthOfWhatNaiveLeavesDo) {
-  std::vector<LeafSite> sites = wall_sites(26, 60);
+  std::vector<MosaicSite> sites = wall_sites(26, 60);
   MosaicOptions options;
   options.overlap = 0.06;
   std::vector<LaidLeaf> laid = lay_leaves(sites, forms(), options);
@@ -99,7 +99,7 @@ TEST(Mosaic, OverlapsAFifthOfWhatNaiveLeavesDo) {
 }
 
 TEST(Mosaic, CoversMoreWhereMoreOverlapIsAllowed) {
-  std::vector<LeafSite> sites = wall_sites(26, 60);
+  std::vector<MosaicSite> sites = wall_sites(26, 60);
   MosaicOptions none, some, all;
   none.overlap = 0, some.overlap = 0.3, all.overlap = 100;
   std::size_t a = lay_leaves(sites, forms(), none).size(), b = lay_leaves(sites, forms(), some).size(),
@@ -111,7 +111,7 @@ TEST(Mosaic, CoversMoreWhereMoreOverlapIsAllowed) {
 }
 
 TEST(Mosaic, LeavesLookWhereTheyShould) {
-  std::vector<LeafSite> sites = wall_sites(10, 20);
+  std::vector<MosaicSite> sites = wall_sites(10, 20);
   for (const LaidLeaf& leaf : lay_leaves(sites, forms(), {})) {
     EXPECT_NEAR(glm::length(leaf.turn), 1, 1e-5);
     EXPECT_LT(glm::distance(leaf.turn * Vec3(0, 0, 1), sites[leaf.site].normal), 1e-4f);
@@ -129,10 +129,10 @@ TEST(Mosaic, LensIsRightToSevenDigits) {
 
 TEST(Mosaic, TakesSitesThatLeaveNoChoice) {
   EXPECT_TRUE(lay_leaves({}, forms(), {}).empty());
-  LeafSite site;
+  MosaicSite site;
   site.tip = site.normal;
   site.size = 0;
-  std::vector<LeafSite> sites{site};
+  std::vector<MosaicSite> sites{site};
   EXPECT_TRUE(lay_leaves(sites, forms(), {}).empty());
   sites[0].size = 0.05f;
   EXPECT_EQ(lay_leaves(sites, forms(), {}).size(), 1u);

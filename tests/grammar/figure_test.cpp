@@ -3,16 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "grammar/picture.h"
+#include "grammar/square.h"
 
 namespace frond {
 namespace {
-
-Grammar grammar_for(const std::string& axiom) {
-  GrammarText text;
-  text.axiom = axiom;
-  text.angle = 90;
-  return std::move(*compile(text));
-}
 
 TEST(Figure, BranchesBecomeChains) {
   Grammar grammar = grammar_for("FF[+FF]F[-F]F");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "grammar/corpus.h"
+#include "grammar/square.h"
 
 namespace frond {
 namespace {
@@ -61,13 +62,6 @@ TEST(Turtle, KnownAnswers) {
       expect_near(polygons.found[0][i], e["polygon_vertices"][i], 1e-6, "vertex");
   }
   EXPECT_EQ(tried, 25);
-}
-
-Grammar grammar_for(const std::string& axiom) {
-  GrammarText text;
-  text.axiom = axiom;
-  text.angle = 90;
-  return std::move(*compile(text));
 }
 
 TEST(Turtle, WidthAndLengthFollowTheDialect) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "motion/motion.h"
+#include "motion/posed.h"
 
 namespace frond {
 namespace {
@@ -36,12 +36,6 @@ Motion windy() {
   motion.wave.speed = 0.3;
   motion.film_length = 4;
   return motion;
-}
-
-Pose posed(const Skeleton& s, const Motion& motion, double time) {
-  Pose pose;
-  pose_skeleton(s, motion, time, pose);
-  return pose;
 }
 
 TEST(Limbs, NothingComesApart) {

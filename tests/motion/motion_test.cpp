@@ -4,16 +4,11 @@
 
 #include <algorithm>
 
+#include "motion/posed.h"
 #include "shapes.h"
 
 namespace frond {
 namespace {
-
-Pose posed(const Skeleton& s, const Motion& motion, double time) {
-  Pose pose;
-  pose_skeleton(s, motion, time, pose);
-  return pose;
-}
 
 TEST(Pose, WithoutMotionIsTheRestShape) {
   Skeleton s = candelabrum(7, Seed{1});

@@ -32,7 +32,7 @@ TEST(Reader, ReadsEveryKindOfProperty) {
   EXPECT_EQ(p.film.quality, reef::Quality::best);
   ASSERT_EQ(p.zoom.keys().size(), 2u);
   EXPECT_EQ(p.zoom.keys()[1].value, 3);
-  EXPECT_DOUBLE_EQ(p.turn.at(0), -kPi / 2);
+  EXPECT_DOUBLE_EQ(p.turn.at(0), -90);
   EXPECT_EQ(p.location.at(1), Vec3(4, 5, 6));
   EXPECT_EQ(p.focus, Vec2(0.5f, 0.25f));
   EXPECT_EQ(p.fog, (Color{1, 128 / 255.0f, 0}));

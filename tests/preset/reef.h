@@ -102,8 +102,18 @@ void describe(Visitor& v, Organism& o) {
   v.object("wave", o.wave, "How it sways");
 }
 
-inline constexpr Kind<Organism> kKinds[] = {make_kind<Coral, &Organism::params>("coral", "Branches by rules"),
-                                            make_kind<Rock, &Organism::params>("rock", "Blobs")};
+template <class Params>
+constexpr Kind<Organism> make_kind(std::string_view name, std::string_view doc) {
+  return {name, doc,
+          [](Reader& reader, Organism& organism) { describe(reader, organism.params.emplace<Params>()); },
+          [](SchemaWriter& writer) {
+            Params params{};
+            describe(writer, params);
+          }};
+}
+
+inline constexpr Kind<Organism> kKinds[] = {make_kind<Coral>("coral", "Branches by rules"),
+                                            make_kind<Rock>("rock", "Blobs")};
 
 /// A custom property: "left" or a number of turns.
 inline bool read_turn(Reader& reader, const Value& value, double& turn) {
@@ -136,13 +146,13 @@ void describe(Visitor& v, Preset& p) {
   v.integer("seed", p.seed, {}, "Another number, another picture");
   v.object("film", p.film, "The film");
   v.animated("zoom", p.zoom, {.min = 0.1, .max = 10}, "Of the camera");
-  v.animated_angle("turn", p.turn, {.min = -180, .max = 180}, "Of the camera");
+  v.animated("turn", p.turn, {.min = -180, .max = 180, .unit = "degrees"}, "Of the camera");
   v.animated("location", p.location, "Of the camera");
   v.vector("focus", p.focus, "In the picture");
   v.color("fog", p.fog, "");
   v.custom("custom", p.custom, &read_turn, R"({"anyOf": [{"type": "number"}, {"const": "left"}]})",
            "Or left");
-  v.texts("tags", p.tags, "");
+  v.list("tags", p.tags, "");
   v.object("swell", p.swell, "Of the sea");
   v.tagged("ground", p.ground, kKinds, "What all stand on");
   v.tagged_list("stones", p.stones, kKinds, "Others");

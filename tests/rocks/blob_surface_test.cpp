@@ -6,11 +6,10 @@
 
 #include "closed.h"
 #include "core/parallel.h"
+#include "rocks/falloffs.h"
 
 namespace frond {
 namespace {
-
-constexpr Falloff kFalloffs[] = {Falloff::gaussian, Falloff::soft, Falloff::cubic};
 
 /// How far the worst vertex or middle of a triangle is off the surface, as a share of the size.
 double worst(const Blobs& shape, const BlobCells& cells, const Surface& surface) {

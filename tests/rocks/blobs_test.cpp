@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "rocks/falloffs.h"
+
 namespace frond {
 namespace {
-
-constexpr Falloff kFalloffs[] = {Falloff::gaussian, Falloff::soft, Falloff::cubic};
 
 DVec3 point(Seed seed, double reach) {
   return {seed.child(0).range(-reach, reach), seed.child(1).range(-reach, reach),

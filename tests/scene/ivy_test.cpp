@@ -11,10 +11,10 @@
 namespace frond {
 namespace {
 
-const std::string kWall = R"({"kind": "wall", "name": "wall", "width": 2, "height": 1.2,
+const std::string kIvyWall = R"({"kind": "wall", "name": "wall", "width": 2, "height": 1.2,
   "place": {"at": [[1, -2]], "turn_variation": 0, "turn": 30, "lean": 0, "size_variation": 0}})";
 
-Result<Preset> read(const std::string& organisms, const std::string& film = R"("film": {"frames": 96})") {
+Result<Preset> read_ivy(const std::string& organisms, const std::string& film = R"("film": {"frames": 96})") {
   return read_preset("{" + film + R"(, "scene": {"setting": "studio"}, "organisms": [)" + organisms + "]}",
                      "test.json", {});
 }
@@ -27,7 +27,7 @@ std::string ivy_on(const std::string& name, const std::string& more = "") {
 }
 
 TEST(IvyScene, GrowsOnABodyWhereItStands) {
-  Scene scene = *build_scene(*read(kWall + "," + ivy_on("wall")));
+  Scene scene = *build_scene(*read_ivy(kIvyWall + "," + ivy_on("wall")));
   ASSERT_EQ(scene.specimens.size(), 2u);
   const Specimen& ivy = scene.specimens[1];
   ASSERT_TRUE(ivy.life.hanging.has_value());
@@ -44,7 +44,7 @@ TEST(IvyScene, GrowsOnABodyWhereItStands) {
 }
 
 TEST(IvyScene, IsTheSameAtAnyThreadCount) {
-  Preset preset = *read(kWall + "," + ivy_on("wall"));
+  Preset preset = *read_ivy(kIvyWall + "," + ivy_on("wall"));
   limit_threads(1);
   Scene one = *build_scene(preset);
   limit_threads(2);
@@ -55,14 +55,14 @@ TEST(IvyScene, IsTheSameAtAnyThreadCount) {
 }
 
 TEST(IvyScene, NamesWhatItCannotGrowOn) {
-  Result<Preset> wrong = read(kWall + "," + ivy_on("wal"));
+  Result<Preset> wrong = read_ivy(kIvyWall + "," + ivy_on("wal"));
   ASSERT_FALSE(wrong.ok());
   EXPECT_NE(wrong.errors()[0].text().find("/organisms/1/on/0: no organism \"wal\" to grow on"),
             std::string::npos)
       << wrong.errors()[0].text();
   EXPECT_NE(wrong.errors()[0].text().find("did you mean \"wall\"?"), std::string::npos);
   // Without any body there is nothing to hold on to.
-  Result<Preset> alone = read(R"({"kind": "ivy", "name": "green"})");
+  Result<Preset> alone = read_ivy(R"({"kind": "ivy", "name": "green"})");
   ASSERT_TRUE(alone.ok());
   Result<Scene> scene = build_scene(*alone);
   ASSERT_FALSE(scene.ok());
@@ -92,7 +92,7 @@ Shown shown(const Specimen& b, double time) {
 
 TEST(IvyScene, UnfoldsWithoutJumps) {
   // While it grows no leaf appears at once: it starts from nothing and no step of a frame is large.
-  Scene scene = *build_scene(*read(kWall + "," + ivy_on("wall")));
+  Scene scene = *build_scene(*read_ivy(kIvyWall + "," + ivy_on("wall")));
   const Specimen& ivy = scene.specimens[1];
   Shown last = shown(ivy, 0);
   double total = 0, count = 0;
@@ -115,8 +115,8 @@ TEST(IvyScene, UnfoldsWithoutJumps) {
 }
 
 TEST(IvyScene, LoopsOnceItIsGrown) {
-  Scene scene =
-      *build_scene(*read(kWall + "," + R"({"kind": "ivy", "count": 3, "crawl": {"max_age": 70, "let_go": 1},
+  Scene scene = *build_scene(
+      *read_ivy(kIvyWall + "," + R"({"kind": "ivy", "count": 3, "crawl": {"max_age": 70, "let_go": 1},
       "flutter": {"amplitude": 8}, "breeze": {"amplitude": 8}})"));
   const Specimen& ivy = scene.specimens[1];
   Shown first = shown(ivy, 0), again = shown(ivy, scene.film.length()), between = shown(ivy, 0.9);

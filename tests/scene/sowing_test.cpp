@@ -9,14 +9,15 @@
 namespace frond {
 namespace {
 
-Result<Preset> read(const std::string& setting, const std::string& organisms, const std::string& scene = "") {
+Result<Preset> read_sown(const std::string& setting, const std::string& organisms,
+                         const std::string& scene = "") {
   return read_preset(R"({"film": {"frames": 1}, "scene": {"setting": ")" + setting + "\"" + scene +
                          R"(}, "organisms": [)" + organisms + "]}",
                      "test.json", {});
 }
 
 Scene scene_of(const std::string& setting, const std::string& organisms, const std::string& scene = "") {
-  Result<Preset> preset = read(setting, organisms, scene);
+  Result<Preset> preset = read_sown(setting, organisms, scene);
   if (!preset) ADD_FAILURE() << preset.errors().front().text();
   Result<Scene> built = build_scene(*preset);
   if (!built) ADD_FAILURE() << built.errors().front().text();
@@ -115,11 +116,11 @@ TEST(Sowing, TellsWhereRoomRanOut) {
 }
 
 TEST(Sowing, IvyCannotBeSownAndDoesNotGrowOnWhatIs) {
-  Result<Preset> sown = read("meadow", R"({"kind": "ivy", "sown": {"models": 2}})");
+  Result<Preset> sown = read_sown("meadow", R"({"kind": "ivy", "sown": {"models": 2}})");
   ASSERT_FALSE(sown.ok());
   ASSERT_EQ(sown.errors().size(), 1u);
   EXPECT_NE(sown.errors()[0].text().find("/organisms/0/sown: ivy cannot be sown"), std::string::npos);
-  EXPECT_FALSE(read("forest", kTrees + R"(,{"kind": "ivy", "on": ["oak"]})").ok());
+  EXPECT_FALSE(read_sown("forest", kTrees + R"(,{"kind": "ivy", "on": ["oak"]})").ok());
 }
 
 TEST(Sowing, SownTreesDoNotJoinTheGrove) {
@@ -136,8 +137,8 @@ TEST(Sowing, SownTreesDoNotJoinTheGrove) {
 
 TEST(Sowing, PlacesInAForestReachAsFarAsItsLand) {
   std::string far = R"({"kind": "vase", "place": {"at": [[100, 0]]}})";
-  EXPECT_TRUE(read("forest", far, kHills).ok());
-  EXPECT_FALSE(read("meadow", far).ok());
+  EXPECT_TRUE(read_sown("forest", far, kHills).ok());
+  EXPECT_FALSE(read_sown("meadow", far).ok());
 }
 
 TEST(Sowing, IsTheSameAtAnyThreadCount) {

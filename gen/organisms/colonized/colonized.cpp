@@ -1,7 +1,6 @@
 #include "organisms/colonized/colonized.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/obj.h"
 #include "geometry/smooth.h"

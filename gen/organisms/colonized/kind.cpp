@@ -1,11 +1,60 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dress/describe.h"
 #include "dress/picture_bounds.h"
-#include "organisms/colonized/describe.h"
+#include "organisms/colonized/colonized.h"
 #include "organisms/kinds.h"
 
 namespace frond {
+
+inline constexpr Choice<EnvelopeKind> kEnvelopeKinds[] = {
+    {"ball", EnvelopeKind::ball, "a ball, pressed to its height, width and depth"},
+    {"cone", EnvelopeKind::cone, "a cone, or a frustum"},
+    {"cylinder", EnvelopeKind::cylinder, "a cylinder"},
+    {"mesh", EnvelopeKind::mesh, "the inside of a closed mesh"},
+    {"outline", EnvelopeKind::outline, "a silhouette, turned or with a depth"}};
+
+template <class Visitor>
+void describe(Visitor& v, EnvelopeParams& e) {
+  v.choice("shape", e.kind, kEnvelopeKinds, "What it is");
+  v.number("base", e.base, {.min = 0, .max = 500, .unit = "m"}, "Above the ground");
+  v.number("height", e.height, {.min = 0.01, .max = 500, .unit = "m"}, "Of the crown alone");
+  v.number("width", e.width, {.min = 0.01, .max = 500, .unit = "m"}, "Of a ball, cone or cylinder");
+  v.number("depth", e.depth, {.min = 0, .max = 500, .unit = "m"},
+           "From front to back; 0: as wide, an outline is turned about its middle");
+  v.number("top", e.top, {.min = 0, .max = 10}, "Of a cone: its top as a share of its foot");
+  v.file(
+      "file", e.file, [&](const NamedFile& file) { return load_envelope(file, e); },
+      "OBJ, SVG or PNG, as seen from the preset's folder",
+      e.kind == EnvelopeKind::mesh || e.kind == EnvelopeKind::outline);
+  v.text("path", e.path, "Of an outline: SVG path data");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Colonization& c) {
+  v.integer("attractors", c.attractors, {.min = 1, .max = 2e6}, "Points in the envelope");
+  v.number("influence", c.influence, {.min = 0.001, .max = 1000, .unit = "m"}, "How far a point attracts");
+  v.number("kill", c.kill, {.min = 0.001, .max = 1000, .unit = "m"}, "How near a branch takes a point");
+  v.number("step", c.step, {.min = 0.001, .max = 100, .unit = "m"}, "Length of a segment");
+  v.number("tropism", c.tropism, {.min = -2, .max = 2}, "Upward pull; negative: downward");
+  v.number("jitter", c.jitter, {.min = 0, .max = 1}, "Random part of each direction");
+  v.number("crowding", c.crowding, {.min = -1, .max = 1}, "-1: more points inside; 1: more at the rim");
+  v.integer("most_nodes", c.most_nodes, {.min = 10, .max = 4e6}, "Where growth ends in any case");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ColonizedParams& p) {
+  v.object("envelope", p.envelope, "The room that it fills");
+  v.object("colonize", p.growth_into, "How branches find their way");
+  v.object("thickness", p.thickness, "Thickness of the branches");
+  v.integer("smoothing", p.smoothing, {.min = 1, .max = 16}, "Nodes for each segment");
+  v.number("leaf_reach", p.leaf_reach, {.min = 0, .max = 100, .unit = "m"},
+           "How far from tips leaves stand; 0: none");
+  v.number("leaf_spacing", p.leaf_spacing, {.min = 0.001, .max = 100, .unit = "m"}, "From leaf to leaf");
+  v.angle("leaf_down", p.leaf_down, {.min = 0, .max = 180}, "Between branch and leaf");
+  describe(v, p.dress);
+}
 
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include "geometry/crease.h"
 #include "masonry/tone.h"
+#include "organisms/kinds.h"
+#include "preset/reader.h"
 
 namespace frond {
 
@@ -12,6 +14,39 @@ Model build_column_model(const ColumnParams& params) {
   stone.scale = 0.25, stone.moss = params.weathering;
   model.solids.place(model.solids.add_shape({creased(model.hull, radians(32.0)), stone}));
   return model;
+}
+
+template <class Visitor>
+void describe(Visitor& v, ColumnParams& c) {
+  ColumnShape& s = c.shape;
+  v.number("height", s.height, {.min = 0.2, .max = 30, .unit = "m"}, "With base and capital");
+  v.number("radius", s.radius, {.min = 0.02, .max = 3, .unit = "m"}, "Of the shaft at its foot");
+  v.number("taper", s.taper, {.min = 0.4, .max = 1}, "Radius at the top of the shaft, as a share");
+  v.number("entasis", s.entasis, {.min = 0, .max = 0.2}, "How much the shaft swells, as a share");
+  v.integer("flutes", s.flutes, {.min = 0, .max = 48}, "Hollows round the shaft; 0: it is plain");
+  v.number("flute_depth", s.flute_depth, {.min = 0, .max = 1}, "Of a half circle");
+  v.number("broken", s.broken, {.min = 0, .max = 0.95}, "Share of its height that has broken off");
+  v.color("stone", c.stone, "Of the limestone");
+  v.number("weathering", c.weathering, {.min = 0, .max = 1}, "Soot, damp and moss");
+}
+
+namespace {
+
+class ColumnGrower final : public Described<ColumnParams, BodyBuilder> {
+ public:
+  Errors check() const override { return {}; }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight column;
+    column.triangles = params.shape.broken > 0 ? 23e3 : 39e3;
+    return column;
+  }
+  Result<Model> grow_alone(Seed) const override { return build_column_model(params); }
+};
+
+}  // namespace
+
+Kind<Organism> column_kind() {
+  return make_grower<ColumnGrower>("column", "A column of stone, whole or broken");
 }
 
 }  // namespace frond

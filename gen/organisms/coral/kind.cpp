@@ -1,8 +1,57 @@
-#include "organisms/coral/describe.h"
+#include "dress/describe.h"
+#include "organisms/coral/coral.h"
+#include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"
 
 namespace frond {
+
+inline constexpr Choice<CoralForm> kCoralForms[] = {
+    {"branching", CoralForm::branching, "A -> !\"[B]////[B]////B, B -> &FFFA"},
+    {"tufted", CoralForm::tufted, "A -> \"[&FFFA]////[&FFFA]////[&FFFA]"},
+    {"own", CoralForm::own, "the rules under grammar"}};
+
+template <class Visitor>
+void describe(Visitor& v, Thickness& t) {
+  v.number("radius", t.radius, {.min = 0, .max = 5, .above_min = true, .unit = "m"}, "At the base");
+  v.curve("curve", t.curve, "Share of the radius, from 0 at the farthest tip to 1 at the base");
+  v.number("knob", t.knob, {.min = 0.1, .max = 4}, "Factor right at each tip");
+  v.number("flare", t.flare, {.min = 0, .max = 4}, "How much wider the foot is");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Distortion& d) {
+  v.number("strength", d.strength, {.min = 0, .max = 10, .unit = "m"}, "How far noise bends the tips");
+  v.number("scale", d.scale, {.min = 0, .max = 100, .above_min = true, .unit = "m"}, "From bend to bend");
+}
+
+template <class Visitor>
+void describe(Visitor& v, CoralParams& c) {
+  v.choice("form", c.form, kCoralForms, "The rules that it grows by");
+  v.integer("steps", c.steps, {.min = 1, .max = 12},
+            "How often it forks (own rules have steps of their own)");
+  v.angle("pitch", c.pitch, {.min = -180, .max = 180}, "Of a new branch, &");
+  v.angle("roll", c.roll, {.min = -180, .max = 180}, "Of one of the four / between branches");
+  v.angle("angle_jitter", c.angle_jitter, {.min = 0, .max = 90}, "Random change of each turn, either way");
+  v.number("length_jitter", c.length_jitter, {.min = 0, .max = 0.95},
+           "Random change of each internode, as a share of it");
+  v.number("internode", c.internode, {.min = 0.0001, .max = 100, .unit = "m"}, "What one F draws");
+  v.number("length_scale", c.length_scale, {.min = 0.2, .max = 3}, "What \" multiplies lengths by");
+  v.number("width_scale", c.width_scale, {.min = 0.2, .max = 2}, "What ! multiplies thickness by");
+  v.number("lift", c.lift, {.min = -1, .max = 1}, "How much each internode turns upward");
+  v.number("height", c.height, {.min = 0, .max = 1000, .unit = "m"},
+           "What the whole is scaled to; 0: as it grows");
+  v.integer("smoothing", c.smoothing, {.min = 1, .max = 16}, "Nodes for each internode");
+  v.origin(c.grammar.where, "steps");
+  v.given("grammar", c.own_rules);
+  v.object("grammar", c.grammar, "Rules of your own, for the form own");
+  v.object("thickness", c.thickness, "Thickness along the branches");
+  v.object("distortion", c.distortion, "Noise that bends the shape");
+  v.object("skin", c.skin, "Pores and colours");
+  v.object("wave", c.wave, "Swaying in the current");
+  v.object("food", c.food, "What the branches bend toward");
+  v.object("growth", c.growth, "When it grows");
+}
 
 namespace {
 

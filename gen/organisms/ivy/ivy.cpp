@@ -1,7 +1,6 @@
 #include "organisms/ivy/ivy.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "organisms/ivy/ivy_rest.h"
 

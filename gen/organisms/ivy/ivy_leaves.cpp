@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "core/parallel.h"
 #include "foliage/ivy_leaf.h"
@@ -53,7 +52,7 @@ struct Plan {
 
 /// A site and what is known of it besides.
 struct Bud {
-  LeafSite site;
+  MosaicSite site;
   std::int32_t node = 0;
   std::uint32_t id = 0;
   float youth = 0;  // 0 grown .. 1 at a tip
@@ -98,7 +97,7 @@ Bud bud_at(const Plan& plan, std::int32_t node, std::uint32_t count, Seed own) {
   bud.node = node;
   bud.age = 1 - s.birth[node];
   bud.youth = 1 - smooth_step(0.0f, static_cast<float>(std::max(l.young_length, 1e-4)), s.to_tip[node]);
-  LeafSite& site = bud.site;
+  MosaicSite& site = bud.site;
   site.foot = s.position[node] + 0.5f * s.radius[node] * normal;
   float turn = static_cast<float>(l.turn);
   Vec3 best = (1 - turn) * normal + turn * plan.light + 0.16f * Vec3(random(0), random(1), random(2));
@@ -147,7 +146,7 @@ void rest_all(const Plan& plan, const std::vector<std::vector<Vec3>>& feelers, f
   constexpr std::size_t kBlock = 64;
   std::vector<std::uint8_t> rests(laid.size(), 0);
   auto lay_down = [&](std::size_t i) {
-    LeafSite& site = buds[laid[i].site].site;
+    MosaicSite& site = buds[laid[i].site].site;
     Vec3 out = plan.strands.normal[buds[laid[i].site].node];
     std::uint32_t tallest = site.forms == kPetioles ? site.first + kTallest : laid[i].form;
     for (auto [form, size] : {std::pair(laid[i].form, 1.0f), {tallest, 1.0f}, {tallest, 0.6f}}) {
@@ -168,8 +167,8 @@ void rest_all(const Plan& plan, const std::vector<std::vector<Vec3>>& feelers, f
   laid.resize(kept);
 }
 
-std::vector<LeafSite> sites_of(const std::vector<Bud>& buds) {
-  std::vector<LeafSite> sites;
+std::vector<MosaicSite> sites_of(const std::vector<Bud>& buds) {
+  std::vector<MosaicSite> sites;
   for (const Bud& bud : buds) sites.push_back(bud.site);
   return sites;
 }
@@ -183,19 +182,19 @@ void append_surface(Surface& to, const Surface& from, const Quat& turn, Vec3 at,
 }
 
 /// A sprig: leaves along a piece of stem that lies in the plane z = 0 and runs in a direction; down is +y.
-struct Sprig {
+struct IvySprig {
   Surface surface;
   LeafForm form;
 };
 
-Sprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double heading, Seed seed) {
+IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double heading, Seed seed) {
   Vec3 along(static_cast<float>(std::sin(heading)), static_cast<float>(std::cos(heading)), 0);
   Vec3 across(-along.y, along.x, 0);
-  std::vector<LeafSite> sites;
+  std::vector<MosaicSite> sites;
   for (int i = 0; i < kSprigLeaves; ++i) {
     Seed own = seed.child(static_cast<std::uint64_t>(i));
     auto random = [&](std::uint64_t k) { return static_cast<float>(own.child(k).range(-1, 1)); };
-    LeafSite site;
+    MosaicSite site;
     double place = (i - 0.5 * (kSprigLeaves - 1) + 0.3 * random(0)) * l.spacing / l.size;
     site.foot = along * static_cast<float>(place);
     site.normal =
@@ -209,9 +208,9 @@ Sprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double he
   }
   MosaicOptions options;
   options.overlap = 1e6;
-  Sprig sprig;
+  IvySprig sprig;
   for (const LaidLeaf& leaf : lay_leaves(sites, forms, options)) {
-    const LeafSite& site = sites[leaf.site];
+    const MosaicSite& site = sites[leaf.site];
     append_surface(sprig.surface, ivy_leaf_surface(leaf_shape(leaf.form, 0)), leaf.turn, site.foot,
                    site.size);
     for (const Disc& d : forms[leaf.form].discs)
@@ -291,7 +290,7 @@ std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafFor
   for (std::uint32_t h = 0; h < kHeadings; ++h)
     for (std::uint32_t v = 0; v < kSprigVariants; ++v) {
       Seed own = plan.seed.child("sprig", h * kSprigVariants + v);
-      Sprig sprig = sprig_of(leaf_forms, plan.leaves, 2 * kPi * h / kHeadings, own);
+      IvySprig sprig = sprig_of(leaf_forms, plan.leaves, 2 * kPi * h / kHeadings, own);
       feelers.push_back(feelers_of(sprig.surface, 0.16f));
       add_prototype(model, plan.leaves, "sprig", std::move(sprig.surface));
       forms.push_back(std::move(sprig.form));

@@ -1,7 +1,6 @@
 #include "organisms/ivy/ivy_rest.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace frond {
 

@@ -1,5 +1,9 @@
 #include "organisms/mesh/mesh.h"
 
+#include "geometry/obj.h"
+#include "organisms/kinds.h"
+#include "preset/reader.h"
+
 namespace frond {
 
 Result<Model> build_mesh_model(const MeshParams& params) {
@@ -11,5 +15,44 @@ Result<Model> build_mesh_model(const MeshParams& params) {
   model.solids.place(model.solids.add_shape({params.mesh, matter}), Vec3(0), Quat(1, 0, 0, 0), size);
   return model;
 }
+
+inline constexpr Choice<Matter> kMeshMatters[] = {
+    {"plain", Matter::plain, "one matt colour"},
+    {"limestone", Matter::limestone, "dressed stone, weathered"},
+    {"plaster", Matter::plaster, "lime plaster that flakes off"},
+    {"brick", Matter::brick, "fired clay"},
+    {"paint", Matter::paint, "painted wood"}};
+
+template <class Visitor>
+void describe(Visitor& v, MeshParams& m) {
+  v.file(
+      "file", m.file, [&](const NamedFile& file) { return load_unit_mesh(file, m.mesh); },
+      "A Wavefront OBJ file, as seen from the preset's folder or from where Frond runs");
+  v.required("file");
+  v.number("size", m.size, {.min = 0.001, .max = 100, .unit = "m"}, "Of its longest side");
+  v.choice("matter", m.matter, kMeshMatters, "What it is made of");
+  v.color("color", m.color, "Of its surface");
+  v.color("second", m.second, "Of stains and cracks");
+  v.number("scale", m.scale, {.min = 0.001, .max = 10, .unit = "m"}, "Of the pattern");
+  v.number("weathering", m.weathering, {.min = 0, .max = 1}, "Soot, damp and moss");
+}
+
+namespace {
+
+class MeshGrower final : public Described<MeshParams, BodyBuilder> {
+ public:
+  Errors check() const override { return {}; }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight mesh;
+    mesh.triangles = static_cast<double>(params.mesh.triangle.size());
+    mesh.blocks = 1;
+    return mesh;
+  }
+  Result<Model> grow_alone(Seed) const override { return build_mesh_model(params); }
+};
+
+}  // namespace
+
+Kind<Organism> mesh_kind() { return make_grower<MeshGrower>("mesh", "A body from an OBJ file"); }
 
 }  // namespace frond

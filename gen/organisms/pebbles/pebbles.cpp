@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "land/scatter.h"
+#include "organisms/describe_stone.h"
+#include "organisms/kinds.h"
 
 namespace frond {
 
@@ -70,6 +72,41 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
     solids.place(which, Vec3(spots[0].at.x, -sunk, spots[0].at.y), turn * lean, scale);
   }
   return model;
+}
+
+template <class Visitor>
+void describe(Visitor& v, PebblesParams& p) {
+  describe_shape(v, p.shape);
+  v.object("stone", p.stone, "Their surface");
+  v.integer("shapes", p.shapes, {.min = 1, .max = 1000}, "How many different ones");
+  v.integer("number", p.number, {.min = 1, .max = 20000}, "How many lie there, if there is room");
+  v.number("radius", p.radius, {.min = 0.01, .max = 100, .unit = "m"}, "Of the field");
+  v.number("inner", p.inner, {.min = 0, .max = 100, .unit = "m"}, "What stays free round its middle");
+  v.number("least_size", p.least_size, {.min = 0.001, .max = 100, .unit = "m"},
+           "Longest side of the smallest");
+  v.number("most_size", p.most_size, {.min = 0.001, .max = 100, .unit = "m"}, "Longest side of the largest");
+  v.number("buried", p.buried, {.min = 0, .max = 1}, "Share of the height that is in the ground");
+}
+
+namespace {
+
+class PebblesGrower final : public Described<PebblesParams, BodyBuilder> {
+ public:
+  Errors check() const override { return check_pebbles(params); }
+  bool stands_on_rock() const override { return false; }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight field;
+    field.triangles = params.shapes * foresee_triangles(params.shape);
+    field.blocks = params.number;
+    return field;
+  }
+  Result<Model> grow_alone(Seed seed) const override { return build_pebbles(params, seed); }
+};
+
+}  // namespace
+
+Kind<Organism> pebbles_kind() {
+  return make_grower<PebblesGrower>("pebbles", "Many small rocks that lie about");
 }
 
 }  // namespace frond

@@ -1,11 +1,82 @@
 #include <algorithm>
 
+#include "dress/describe.h"
+#include "geometry/obj.h"
+#include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"
-#include "organisms/plant/describe.h"
 #include "organisms/plant/foresee.h"
+#include "organisms/plant/plant.h"
 
 namespace frond {
+
+inline constexpr Choice<OrganShape> kOrganShapes[] = {
+    {"leaf", OrganShape::leaf, "folded along its midrib and bent"},
+    {"petal", OrganShape::petal, "a single petal"},
+    {"flower", OrganShape::flower, "petals round a heart"},
+    {"bud", OrganShape::bud, "closed, in a calyx"},
+    {"berry", OrganShape::berry, "round, on its foot"},
+    {"ball", OrganShape::ball, "round about its middle"},
+    {"obj", OrganShape::obj, "the mesh of a Wavefront OBJ file, its foot at the bottom"},
+    {"sprig", OrganShape::sprig, "a twig with leaves in two rows"},
+    {"frond", OrganShape::frond, "a feathered leaf of many leaflets, as of a palm or a fern"}};
+
+inline constexpr Choice<Stand> kStands[] = {
+    {"turtle", Stand::turtle, "where the turtle starts"},
+    {"middle", Stand::middle, "below its middle, the lowest point on the ground"}};
+
+template <class Visitor>
+void describe(Visitor& v, OrganParams& o) {
+  v.text("symbol", o.symbol,
+         "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
+  v.required("symbol");
+  v.choice("shape", o.shape, kOrganShapes, "What it is");
+  v.file(
+      "file", o.file, [&](const NamedFile& file) { return load_unit_mesh(file, o.mesh); },
+      "Of an obj: the file, as seen from the preset's folder", o.shape == OrganShape::obj);
+  v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
+           "Length; a parameter in the grammar multiplies it");
+  v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
+  v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud, stem of a frond");
+  v.number("width", o.width, {.min = 0.02, .max = 3}, "Share of the length");
+  v.integer("detail", o.detail, {.min = 1, .max = 3}, "Of leaves and petals: 10, 52 or 126 triangles each");
+  v.angle("fold", o.fold, {.min = -80, .max = 80},
+          "Of a leaf along its midrib; of a frond's leaflets above the flat");
+  v.angle("bend", o.bend, {.min = -180, .max = 180},
+          "Of a leaf, petal, sprig or frond from foot to tip, downward");
+  v.number("wave", o.wave, {.min = 0, .max = 2}, "How much the rim is waved");
+  v.integer("petals", o.petals, {.min = 1, .max = 200}, "Of a flower");
+  v.integer("leaflets", o.leaflets, {.min = 0, .max = 400},
+            "Leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape");
+  v.integer("lobes", o.lobes, {.min = 0, .max = 40},
+            "On either side of a frond's leaflets, as a fern has them; 0: leaflets are whole");
+  v.angle("droop", o.droop, {.min = -90, .max = 180}, "Of a frond's leaflets from foot to tip");
+  v.integer("variants", o.variants, {.min = 1, .max = 12}, "Different shapes of a sprig or frond");
+  v.angle("open", o.open, {.min = 0, .max = 150}, "Between petals and heading");
+  v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
+  v.number("size_variation", o.size_variation, {.min = 0, .max = 0.9},
+           "Random change of the size, as a share");
+  v.angle("turn_variation", o.turn_variation, {.min = 0, .max = 180}, "Random tilt, either way");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PlantParams& p) {
+  v.object("grammar", p.grammar, "The rules that it grows by");
+  v.required("grammar");
+  v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
+           "What the whole is scaled to; 0: as the turtle draws");
+  v.choice("stand", p.stand, kStands, "What is put at its place");
+  v.integer("smoothing", p.smoothing, {.min = 1, .max = 16}, "Nodes for each segment; 1: straight lines");
+  v.object("thickness", p.thickness, "Thickness of the branches");
+  v.object("bark", p.bark, "Their surface");
+  v.list("organs", p.organs, "What stands at symbols of the grammar");
+  v.object("blades", p.blades, "What the turtle's filled outlines are made of");
+  v.object("season", p.season, "The year of its leaves");
+  v.object("wave", p.wave, "Swaying in the wind");
+  v.object("growth", p.growth, "When it grows");
+  v.boolean("by_steps", p.by_steps,
+            "Growth runs through the derivation steps instead of along the finished branches");
+}
 
 namespace {
 

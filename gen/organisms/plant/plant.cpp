@@ -1,7 +1,6 @@
 #include "organisms/plant/plant.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/outline.h"
 #include "geometry/smooth.h"
@@ -14,7 +13,7 @@ namespace frond {
 namespace {
 
 /// The box of all that is drawn.
-struct Box {
+struct DrawnBox {
   Vec3 low{0}, high{0};
   bool empty = true;
 
@@ -25,8 +24,8 @@ struct Box {
   }
 };
 
-Box box_of(const Figure& f) {
-  Box box;
+DrawnBox box_of(const Figure& f) {
+  DrawnBox box;
   for (const Vec3& p : f.skeleton.position) box.take(p);
   for (const Outline& o : f.outlines)
     for (const Vec3& p : o.points) box.take(p);
@@ -43,7 +42,7 @@ struct Stature {
 };
 
 Stature stature_of(const Figure& f, const PlantParams& params) {
-  Box box = box_of(f);
+  DrawnBox box = box_of(f);
   float high = params.stand == Stand::turtle ? box.high.y : box.high.y - box.low.y;
   float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
   Vec3 foot = params.stand == Stand::turtle

@@ -1,5 +1,8 @@
 #include "organisms/rock/rock.h"
 
+#include "organisms/describe_stone.h"
+#include "organisms/kinds.h"
+
 namespace frond {
 
 Result<Model> build_rock(const RockParams& params, Seed seed) {
@@ -20,5 +23,33 @@ Result<Model> build_rock(const RockParams& params, Seed seed) {
   model.solids.place(model.solids.add_shape(std::move(solid)), Vec3(0, -sunk, 0));
   return model;
 }
+
+template <class Visitor>
+void describe(Visitor& v, RockParams& r) {
+  v.number("size", r.shape.size, {.min = 0.001, .max = 1000, .unit = "m"}, "Longest side, before weathering");
+  describe_shape(v, r.shape);
+  v.object("stone", r.stone, "Its surface");
+  v.number("buried", r.buried, {.min = 0, .max = 1}, "Share of its height that is in the ground");
+  v.boolean("native", r.native, "An isosurface of POV-Ray's own: the blobs alone, exact, without weathering");
+}
+
+namespace {
+
+class RockGrower final : public Described<RockParams, BodyBuilder> {
+ public:
+  Errors check() const override { return check_rock(params.shape); }
+  bool stands_on_rock() const override { return false; }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight rock;
+    rock.triangles = params.native ? 0 : foresee_triangles(params.shape);
+    rock.blocks = 1;
+    return rock;
+  }
+  Result<Model> grow_alone(Seed seed) const override { return build_rock(params, seed); }
+};
+
+}  // namespace
+
+Kind<Organism> rock_kind() { return make_grower<RockGrower>("rock", "A rock: blobs, weathered"); }
 
 }  // namespace frond

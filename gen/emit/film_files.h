@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "emit/copies.h"
+#include "emit/frame.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+// What a film needs on the disk, each file whole or not there. A watch hears of the phases "texture" and
+// "models".
+
+/// Grows the models of stands that are not in a folder yet, each with all its levels, and counts their parts.
+Errors write_models(const Scene& scene, CopyPlan& plan, const std::filesystem::path& folder,
+                    const Watch& watch);
+
+/// Draws the pictures of bark and leaves that are not there yet.
+Errors write_drawings(const Scene& scene, const std::filesystem::path& folder, const Watch& watch);
+
+/// Writes one frame; true where it was not there just so.
+Result<bool> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
+                              const std::filesystem::path& path, int frame);
+
+}  // namespace frond

@@ -1,0 +1,196 @@
+#include "studio/documents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/content.h"
+#include "core/files.h"
+#include "export/look.h"
+#include "preset/json.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::optional<fs::path> without_links(const fs::path& path) {
+  std::error_code error;
+  fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (error) return std::nullopt;
+  return real;
+}
+
+bool lies_below(const fs::path& path, const fs::path& folder) {
+  return std::ranges::mismatch(folder, path).in1 == folder.end();
+}
+
+/// What follows the last colon of a text, as a number; 0 where that is none. The text loses it.
+int take_number(std::string& text) {
+  std::size_t colon = text.rfind(':');
+  if (colon == text.npos) return 0;
+  int number = 0;
+  const char* end = text.data() + text.size();
+  auto [at, error] = std::from_chars(text.data() + colon + 1, end, number);
+  if (error != std::errc{} || at != end) return 0;
+  text.resize(colon);
+  return number;
+}
+
+/// The picture in the gallery that shows a preset, by its path below presets/.
+std::optional<std::string> picture_of(const fs::path& gallery, const fs::path& preset) {
+  std::string stem = preset.stem().string(), folder = preset.parent_path().filename().string();
+  std::string one = folder.ends_with('s') ? folder.substr(0, folder.size() - 1) : folder;
+  std::error_code error;
+  for (const std::string& name : {folder + '-' + stem, one + '-' + stem, stem})
+    if (fs::exists(gallery / (name + ".jpg"), error)) return name + ".jpg";
+  return std::nullopt;
+}
+
+/// Presets that Frond brings: a title each.
+std::optional<std::string> title_of(const fs::path& file) {
+  Result<std::string> text = read_file(file);
+  Result<Document> document = text ? parse_json(*text, file.string()) : text.errors();
+  if (!document || !document->root.find("organisms")) return std::nullopt;  // a grammar
+  const Value* title = document->root.find("title");
+  return title && title->is(Value::Type::text) ? title->text : file.stem().string();
+}
+
+}  // namespace
+
+Documents::Documents(const StudioOptions& options)
+    : presets_(*without_links(options.home / "presets")),
+      gallery_(*without_links(options.home / "docs/gallery")) {
+  if (options.preset) preset_ = without_links(*options.preset);
+  folder_ = preset_ ? preset_->parent_path() : *without_links(".");
+  if (options.assets) assets_ = without_links(*options.assets);
+}
+
+Json Documents::opened() const {
+  if (!preset_) return nullptr;
+  Result<Json> read_in = read(preset_->string());
+  return read_in ? *read_in : Json(nullptr);
+}
+
+Json Documents::shipped() const {
+  Json list = Json::array();
+  for (const fs::path& file : files_below(presets_)) {
+    if (file.extension() != ".json") continue;
+    std::optional<std::string> title = title_of(file);
+    if (!title) continue;
+    std::optional<std::string> picture = picture_of(gallery_, file.lexically_relative(presets_));
+    list.push_back({{"file", file.string()},
+                    {"name", file.lexically_relative(presets_).replace_extension().string()},
+                    {"title", *title},
+                    {"picture", picture ? Json(*picture) : Json(nullptr)}});
+  }
+  return list;
+}
+
+std::optional<fs::path> Documents::readable(const std::string& file) const {
+  std::optional<fs::path> path = without_links(file);
+  if (!path) return std::nullopt;
+  bool fine =
+      lies_below(*path, folder_) || lies_below(*path, presets_) || (assets_ && lies_below(*path, *assets_));
+  return fine ? path : std::nullopt;
+}
+
+Result<Json> Documents::read(const std::string& file) const {
+  std::optional<fs::path> path = readable(file);
+  if (!path) return Error{file, "is in no folder that the studio may read"};
+  Result<std::string> text = read_file(*path);
+  if (!text) return text.errors();
+  bool own = path == preset_ || (lies_below(*path, folder_) && !lies_below(*path, presets_));
+  return Json{{"file", path->string()},
+              {"name", path->filename().string()},
+              {"text", *text},
+              {"disk", content_id(*text)},
+              {"copy", !own}};
+}
+
+Result<std::string> Documents::gallery_picture(const std::string& name) const {
+  if (name.find('/') != name.npos || !name.ends_with(".jpg"))
+    return Error{name, "is no picture of the gallery"};
+  return read_file(gallery_ / name);
+}
+
+Result<Preset> Documents::preset(const Doc& doc, const std::vector<std::string>& sets) const {
+  // What Frond brings is one folder; of all else only the preset's own and --assets are read.
+  fs::path only = assets_.value_or(doc.file.parent_path());
+  if (lies_below(doc.file, presets_)) only = lies_below(presets_, folder_) ? folder_ : presets_;
+  return read_preset(doc.text, doc.file.string(), sets, only);
+}
+
+std::optional<fs::path> Documents::writable(const std::string& file) const {
+  if (file.empty() || !file.ends_with(".json")) return std::nullopt;
+  std::optional<fs::path> path = without_links(folder_ / file);  // an absolute one stays as it is
+  if (!path) return std::nullopt;
+  return lies_below(*path, folder_) || (assets_ && lies_below(*path, *assets_)) ? path : std::nullopt;
+}
+
+std::optional<Refusal> Documents::save(const std::string& file, const std::string& text,
+                                       const std::string& disk, bool overwrite, Json& saved) const {
+  std::optional<fs::path> path = writable(file);
+  if (!path)
+    return Refusal{
+        403,
+        {{"error", fmt::format("\"{}\" cannot be written: expected a name that ends with .json, below {}",
+                               file, folder_.string())}}};
+  std::error_code error;
+  if (fs::exists(*path, error) && !overwrite) {
+    Result<std::string> there = read_file(*path);
+    std::string id = there ? content_id(*there) : "";
+    if (disk.empty()) return Refusal{409, {{"error", "exists"}, {"disk", id}}};
+    if (id != disk) return Refusal{409, {{"error", "changed on disk"}, {"disk", id}}};
+  }
+  Result<bool> written = write_file(*path, text);
+  if (!written) return Refusal{500, {{"error", written.errors().front().text()}}};
+  saved = {{"file", path->string()}, {"name", path->filename().string()}, {"disk", content_id(text)}};
+  return std::nullopt;
+}
+
+std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& text,
+                                           Json& saved) const {
+  // The name is a person's; what becomes of it is a plain one that nothing else has.
+  std::string stem = plain_name(fs::path(name).stem().string(), "mesh").substr(0, 60);
+  std::error_code error;
+  for (int number = 1; number < 1000; ++number) {
+    std::string own = number == 1 ? stem + ".obj" : fmt::format("{}-{}.obj", stem, number);
+    Result<std::string> there = fs::exists(folder_ / own, error) ? read_file(folder_ / own) : Errors{Error{}};
+    bool same = there && *there == text;
+    if (fs::exists(folder_ / own, error) && !same) continue;
+    if (!same)
+      if (Result<bool> written = write_file(folder_ / own, text); !written)
+        return Refusal{500, {{"error", written.errors().front().text()}}};
+    saved = {{"file", own}, {"path", (folder_ / own).string()}};
+    return std::nullopt;
+  }
+  return Refusal{409, {{"error", "there are too many meshes of that name"}}};
+}
+
+Json errors_json(const Errors& errors) {
+  Json list = Json::array();
+  for (const Error& error : errors) {
+    // "file:line:column: /pointer", of which some may be missing.
+    std::string where = error.where, pointer;
+    if (std::size_t at = where.find(": /"); at != where.npos) {
+      pointer = where.substr(at + 2);
+      if (std::size_t end = pointer.find(": "); end != pointer.npos) pointer.resize(end);
+      where.resize(at);
+    } else if (where.starts_with('/')) {
+      std::swap(where, pointer);
+    }
+    int column = take_number(where), line = take_number(where);
+    if (line == 0) std::swap(line, column);
+    list.push_back({{"text", error.what},
+                    {"where", error.where},
+                    {"line", line},
+                    {"column", column},
+                    {"pointer", pointer}});
+  }
+  return list;
+}
+
+}  // namespace frond

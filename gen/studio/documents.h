@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/preset.h"
+#include "studio/packet.h"
+#include "studio/studio.h"
+
+namespace frond {
+
+/// The text of a preset on its way, and the file whose it is: what messages call it, and where the files that
+/// it names are looked for.
+struct Doc {
+  std::string text;
+  std::filesystem::path file;
+};
+
+/// What was not allowed, or not found.
+struct Refusal {
+  int status = 403;  ///< of HTTP
+  Json body;
+};
+
+/// The files that the page may see.
+class Documents {
+ public:
+  explicit Documents(const StudioOptions& options);
+
+  /// What the page begins with: the preset to open, and those that Frond brings.
+  Json opened() const;
+  Json shipped() const;
+
+  /// Whether a file may be read; its path without links.
+  std::optional<std::filesystem::path> readable(const std::string& file) const;
+  /// `{"file", "text", "disk", "copy"}` of a preset.
+  Result<Json> read(const std::string& file) const;
+  /// The picture of a shipped preset.
+  Result<std::string> gallery_picture(const std::string& name) const;
+
+  /// Reads a preset; files that it names only from where it may.
+  Result<Preset> preset(const Doc& doc, const std::vector<std::string>& sets = {}) const;
+
+  /// Writes a preset where it may. `disk` stands for what the page believes to be there, empty: nothing.
+  std::optional<Refusal> save(const std::string& file, const std::string& text, const std::string& disk,
+                              bool overwrite, Json& saved) const;
+  /// Puts an OBJ file beside the preset under a name like the one given.
+  std::optional<Refusal> add_mesh(const std::string& name, const std::string& text, Json& saved) const;
+
+ private:
+  /// Where a file that the page names is to be written; empty where it may not be.
+  std::optional<std::filesystem::path> writable(const std::string& file) const;
+
+  std::filesystem::path presets_, gallery_, folder_;
+  std::optional<std::filesystem::path> preset_, assets_;
+};
+
+/// `[{"text", "where", "line", "column", "pointer"}]`
+Json errors_json(const Errors& errors);
+
+}  // namespace frond

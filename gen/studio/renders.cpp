@@ -1,0 +1,309 @@
+#include "studio/renders.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "core/files.h"
+#include "core/parallel.h"
+#include "emit/film_files.h"
+#include "jobs/jobs.h"
+#include "scene/scene.h"
+
+extern char** environ;
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kKept = 60;      // renders, the newest
+constexpr double kBytesAPixel = 20;    // of POV-Ray's notes of what it has traced
+constexpr int kPreview = 4;            // times smaller
+constexpr int kLeastForPreview = 320;  // pixels wide
+constexpr auto kLook = std::chrono::milliseconds(100);
+
+/// The flags of a quality; the second are those of another one.
+std::string_view flags_of(std::string_view quality) {
+  for (const Rendering& rendering : kRenderings)
+    if (rendering.quality == quality) return rendering.flags;
+  return {};
+}
+
+/// Starts a program with both outputs in a file; 0 where it cannot.
+pid_t start(const std::vector<std::string>& words, const fs::path& log, const fs::path& folder) {
+  std::vector<char*> list;
+  for (const std::string& word : words) list.push_back(const_cast<char*>(word.c_str()));
+  list.push_back(nullptr);
+  std::string threads = "FROND_THREADS=" + std::to_string(thread_count());
+  std::vector<char*> environment;
+  for (char** variable = environ; *variable; ++variable)
+    if (!std::string_view(*variable).starts_with("FROND_THREADS=")) environment.push_back(*variable);
+  environment.push_back(threads.data());
+  environment.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&files, 1, 2);
+  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
+  // The program's own signals are handled by a thread of it: none is blocked for others.
+  posix_spawnattr_t settings;
+  posix_spawnattr_init(&settings);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&settings, &none);
+  posix_spawnattr_setpgroup(&settings, 0);
+  posix_spawnattr_setflags(&settings, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+  pid_t child = 0;
+  int failed = posix_spawn(&child, list[0], &files, &settings, list.data(), environment.data());
+  posix_spawn_file_actions_destroy(&files);
+  posix_spawnattr_destroy(&settings);
+  return failed ? 0 : child;
+}
+
+/// The share of a picture that POV-Ray has noted as traced.
+double traced(const fs::path& folder, const std::string& name, std::array<int, 2> size) {
+  for (const fs::path& file : files_in(folder)) {
+    std::string own = file.filename().string();
+    if (!own.starts_with('.' + name + '.') || !own.ends_with(".pov-state")) continue;
+    std::error_code error;
+    auto bytes = static_cast<double>(fs::file_size(file, error));
+    return error ? 0 : std::min(1.0, bytes / (kBytesAPixel * size[0] * size[1]));
+  }
+  return 0;
+}
+
+}  // namespace
+
+struct Renders::Job {
+  std::string id;
+  Doc doc;
+  double time = 0;
+  std::array<int, 2> size{};
+  std::string quality;
+  std::optional<Preset> preset;  // until it has grown
+  std::string title;
+  std::uint64_t seed = 0;
+  fs::path folder;
+
+  // Guarded by Renders::in_work_.
+  std::string state = "waiting", message;
+  double progress = 0;
+  fs::path picture;
+  bool preview = false;
+  Clock::time_point began = Clock::now(), tracing = began;
+  double seconds = 0;
+
+  std::atomic<bool> cancelled = false;
+  std::thread thread;
+
+  bool over() const { return state == "done" || state == "failed" || state == "cancelled"; }
+};
+
+Renders::Renders(const Documents& documents, fs::path home) : documents_(documents), home_(std::move(home)) {
+  std::string name = (fs::temp_directory_path() / "frond-studio-XXXXXX").string();
+  if (mkdtemp(name.data())) folder_ = name;
+}
+
+Renders::~Renders() {
+  std::vector<std::shared_ptr<Job>> all;
+  {
+    std::lock_guard lock(in_work_);
+    ending_ = true;
+    all.assign(jobs_.begin(), jobs_.end());
+    for (auto& job : all) job->cancelled = true;
+  }
+  turn_.notify_all();
+  for (auto& job : all)
+    if (job->thread.joinable()) job->thread.join();
+  std::error_code error;
+  if (!folder_.empty()) fs::remove_all(folder_, error);
+}
+
+Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size,
+                                   const std::string& quality) {
+  if (folder_.empty()) return Error{"", "there is no room for temporary files"};
+  if (flags_of(quality).empty()) return Error{"", fmt::format("\"{}\" is no quality", quality)};
+  auto job = std::make_shared<Job>();
+  Result<Preset> preset = documents_.preset(
+      doc, {fmt::format("/film/size=[{},{}]", size[0], size[1]), "/film/quality=\"" + quality + "\""});
+  if (!preset) return preset.errors();
+  job->title = preset->title, job->seed = preset->seed;
+  job->preset = std::move(*preset);
+  job->doc = std::move(doc);
+  job->time = time, job->size = size, job->quality = quality;
+  std::lock_guard lock(in_work_);
+  job->id = std::to_string(++count_);
+  job->folder = folder_ / job->id;
+  jobs_.push_front(job);
+  if (jobs_.size() > kKept && jobs_.back()->over()) {
+    std::shared_ptr<Job> last = jobs_.back();
+    jobs_.pop_back();
+    if (last->thread.joinable()) last->thread.detach();  // it has ended, or is about to
+    std::error_code error;
+    fs::remove_all(last->folder, error);
+  }
+  job->thread = std::thread([this, job] { work(*job); });
+  return job->id;
+}
+
+std::shared_ptr<Renders::Job> Renders::find(const std::string& id) {
+  auto found = std::ranges::find(jobs_, id, [](const auto& job) { return job->id; });
+  return found == jobs_.end() ? nullptr : *found;
+}
+
+void Renders::work(Job& job) {
+  {
+    std::unique_lock lock(in_work_);
+    turn_.wait(lock, [&] { return !busy_ || job.cancelled; });
+    if (!job.cancelled) busy_ = true, job.state = "growing", job.began = Clock::now();
+  }
+  Errors errors;
+  if (!job.cancelled) {
+    errors = write(job);
+    auto set = [&](auto change) {
+      std::lock_guard lock(in_work_);
+      change();
+    };
+    if (errors.empty() && !job.cancelled) {
+      set([&] { job.state = "rendering", job.tracing = Clock::now(); });
+      if (job.size[0] >= kLeastForPreview) {
+        errors = render(job, {job.size[0] / kPreview, job.size[1] / kPreview}, flags_of("draft"), "preview");
+        set([&] { job.preview = errors.empty(), job.picture = job.folder / "frames/preview.png"; });
+      }
+      set([&] { job.progress = 0, job.tracing = Clock::now(); });
+      if (errors.empty() && !job.cancelled)
+        errors = render(job, job.size, flags_of(job.quality), "frame_0001");
+      if (errors.empty())
+        set([&] { job.preview = false, job.picture = job.folder / "frames/frame_0001.png"; });
+    }
+    std::lock_guard lock(in_work_);
+    busy_ = false;
+    job.seconds = std::chrono::duration<double>(Clock::now() - job.began).count();
+  }
+  std::lock_guard lock(in_work_);
+  job.state = job.cancelled ? "cancelled" : errors.empty() ? "done" : "failed";
+  if (!errors.empty() && !job.cancelled) job.message = errors.front().text();
+  turn_.notify_all();
+}
+
+Errors Renders::write(Job& job) {
+  Preset preset = std::move(*job.preset);
+  job.preset.reset();
+  Result<std::string> layout = read_file(home_ / "templates/frame.pov");
+  if (!layout) return layout.errors();
+  Watch watch{[](auto, auto) {}, [] {}, [&] { return job.cancelled.load(); }};
+  Result<Scene> scene = build_scene(preset, watch);
+  if (!scene) return scene.errors();
+  fs::path frames = job.folder / "frames";
+  if (Errors errors = write_drawings(*scene, frames, watch); !errors.empty()) return errors;
+  int frame =
+      std::clamp(static_cast<int>(std::lround(job.time * scene->film.fps)) + 1, 1, scene->film.frames);
+  // How finely copies are drawn holds for the one frame.
+  CopyPlan plan = plan_copies(*scene);
+  if (Errors errors = write_models(*scene, plan, frames, watch); !errors.empty()) return errors;
+  FrameParts parts = prepare_frames(*scene, std::move(plan));
+  for (const Picture& file : parts.files)
+    if (Result<bool> written = write_file(frames / file.name, file.bytes); !written) return written.errors();
+  Result<bool> written = write_frame_file(*scene, parts, *layout, frames / "frame_0001.pov", frame);
+  return written ? Errors{} : written.errors();
+}
+
+Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name) {
+  std::vector<std::string> words{(home_ / "scripts/render_frame.sh").string(), "frames/frame_0001.pov",
+                                 "frames/" + name + ".png", fmt::format("{}x{}", size[0], size[1])};
+  for (std::size_t from = 0; from < flags.size();) {
+    std::size_t to = std::min(flags.find(' ', from), flags.size());
+    words.emplace_back(flags.substr(from, to - from));
+    from = to + 1;
+  }
+  fs::path log = job.folder / (name + ".log");
+  pid_t child = start(words, log, job.folder);
+  if (child == 0) return {Error{words[0], "cannot be started"}};
+  int status = 0;
+  bool told = false;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (job.cancelled && !told) kill(child, SIGTERM), told = true;
+    double share = traced(job.folder / "frames", name, size);
+    {
+      std::lock_guard lock(in_work_);
+      job.progress = std::max(job.progress, share);  // the notes are gone before the picture is there
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  if (status == 0 || job.cancelled) return {};
+  Result<std::string> said = read_file(log);
+  return {Error{"", said && !said->empty() ? *said : "POV-Ray could not render it"}};
+}
+
+std::optional<Json> Renders::state(const std::string& id) {
+  std::lock_guard lock(in_work_);
+  std::shared_ptr<Job> job = find(id);
+  if (!job) return std::nullopt;
+  auto since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
+  double tracing = since(job->tracing);
+  Json left = nullptr;
+  if (job->state == "rendering" && job->progress > 0.02) left = tracing * (1 / job->progress - 1);
+  return Json{{"id", job->id},
+              {"state", job->state == "waiting" ? "growing" : job->state},
+              {"progress", job->state == "done" ? 1.0 : job->progress},
+              {"seconds", job->over() ? job->seconds : since(job->began)},
+              {"left", left},
+              {"message", job->message},
+              {"preview", job->preview},
+              {"title", job->title},
+              {"seed", job->seed},
+              {"time", job->time},
+              {"size", job->size},
+              {"quality", job->quality}};
+}
+
+Json Renders::list() {
+  std::vector<std::string> ids;
+  {
+    std::lock_guard lock(in_work_);
+    for (const auto& job : jobs_) ids.push_back(job->id);
+  }
+  Json list = Json::array();
+  for (const std::string& id : ids)
+    if (std::optional<Json> one = state(id)) list.push_back(std::move(*one));
+  return list;
+}
+
+std::optional<Doc> Renders::doc(const std::string& id) {
+  std::lock_guard lock(in_work_);
+  std::shared_ptr<Job> job = find(id);
+  return job ? std::optional(job->doc) : std::nullopt;
+}
+
+Result<std::string> Renders::picture(const std::string& id) {
+  fs::path file;
+  {
+    std::lock_guard lock(in_work_);
+    if (std::shared_ptr<Job> job = find(id)) file = job->picture;
+  }
+  if (file.empty()) return Error{id, "there is no picture yet"};
+  return read_file(file);
+}
+
+bool Renders::cancel(const std::string& id) {
+  std::lock_guard lock(in_work_);
+  std::shared_ptr<Job> job = find(id);
+  if (job) job->cancelled = true;
+  turn_.notify_all();
+  return job != nullptr;
+}
+
+}  // namespace frond

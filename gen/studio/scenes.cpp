@@ -1,0 +1,208 @@
+#include "studio/scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/content.h"
+#include "core/machine.h"
+#include "emit/foretell.h"
+#include "grammar/forecast.h"
+#include "grammar/picture.h"
+#include "grammar/review.h"
+#include "preset/json.h"
+
+namespace frond {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kBuilt = 4;           // scenes that are kept
+constexpr std::size_t kSessions = 64;       // tabs
+constexpr std::size_t kKnown = 4096;        // organisms
+constexpr std::size_t kShownWord = 4000;    // characters
+constexpr double kLongestWord = 3e6;        // modules
+constexpr double kMostLines = 3e4;          // of a drawing of the turtle
+constexpr std::size_t kLargestTree = 2000;  // modules, see derivation_tree_svg()
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Answer wrong(const Errors& errors, const Errors& notes = {}) {
+  return {422, {{"errors", errors_json(errors)}, {"notes", errors_json(notes)}}, {}};
+}
+
+Answer stale() { return {409, {{"stale", true}}, {}}; }
+
+/// All that an organism grows from, but for its place.
+std::string name_of(const Preset& preset, std::size_t entry) {
+  const Organism& o = preset.organisms[entry];
+  return content_id(fmt::format("{} {} {} {}", preset.seed, o.count, o.text, o.sown ? o.sown->models : 0));
+}
+
+std::set<std::size_t> numbers(const Json& question, const char* name) {
+  std::set<std::size_t> set;
+  if (question.contains(name) && question[name].is_array())
+    for (const Json& value : question[name])
+      if (value.is_number_unsigned()) set.insert(value.get<std::size_t>());
+  return set;
+}
+
+ViewRequest request_of(const Json& question) {
+  ViewRequest request;
+  request.time = question.value("time", 0.0);
+  if (question.contains("have"))
+    for (const Json& id : question["have"])
+      if (id.is_string()) request.kept.insert(id.get<std::string>());
+  if (question.contains("solo") && question["solo"].is_array()) request.solo = numbers(question, "solo");
+  request.hidden = numbers(question, "hide");
+  return request;
+}
+
+}  // namespace
+
+std::shared_ptr<Scenes::Session> Scenes::session(const std::string& name) {
+  std::lock_guard lock(in_work_);
+  if (sessions_.size() >= kSessions && !sessions_.contains(name)) sessions_.clear();
+  auto& session = sessions_[name];
+  if (!session) session = std::make_shared<Session>();
+  return session;
+}
+
+std::shared_ptr<const Scenes::Built> Scenes::find(const std::string& key) {
+  std::lock_guard lock(in_work_);
+  auto found = std::ranges::find(built_, key, [](const auto& one) { return one->key; });
+  if (found == built_.end()) return nullptr;
+  built_.splice(built_.begin(), built_, found);
+  return built_.front();
+}
+
+Result<Json> Scenes::foretold(const Preset& preset, double seconds) {
+  Preset fresh = preset;
+  {
+    std::lock_guard lock(in_work_);
+    for (std::size_t i = 0; i < fresh.organisms.size(); ++i)
+      if (known_.contains(name_of(preset, i))) fresh.organisms[i].count = 0, fresh.organisms[i].sown.reset();
+  }
+  Result<Foretold> foretold = foretell(fresh, 1);
+  if (!foretold) return foretold.errors();
+  if (Errors errors = refuse(*foretold, this_machine(".")); !errors.empty()) return errors;
+  if (foretold->growth_seconds <= seconds) return Json(nullptr);
+  return Json{
+      {"nodes", foretold->nodes}, {"seconds", foretold->growth_seconds}, {"memory", foretold->memory(1)}};
+}
+
+Result<std::shared_ptr<const Scenes::Built>> Scenes::build(std::string key, Preset preset,
+                                                           const std::function<bool()>& given_up) {
+  Watch watch{[](auto, auto) {}, [] {}, given_up};
+  Result<Scene> scene = build_scene(preset, watch, &nursery_);
+  if (!scene) return scene.errors();
+  auto built = std::make_shared<const Built>(Built{std::move(key), std::move(preset), std::move(*scene)});
+  std::lock_guard lock(in_work_);
+  built_.push_front(built);
+  if (built_.size() > kBuilt) built_.pop_back();
+  if (known_.size() > kKnown) known_.clear();
+  for (std::size_t i = 0; i < built->preset.organisms.size(); ++i) known_.insert(name_of(built->preset, i));
+  for (const Drawing& drawing : built->scene.drawings)
+    for (const std::string& name : drawing.names) drawings_.try_emplace(name, drawing);
+  return built;
+}
+
+Answer Scenes::view(const Doc& doc, const Json& question, const std::string& name, std::uint64_t number) {
+  std::shared_ptr<Session> tab = session(name);
+  for (std::uint64_t newest = tab->newest;
+       newest < number && !tab->newest.compare_exchange_weak(newest, number);) {
+  }
+  auto given_up = [&] { return tab->newest > number; };
+  std::lock_guard lock(tab->in_work);
+  if (given_up()) return stale();
+
+  auto start = Clock::now();
+  Result<Preset> preset = documents_.preset(doc);
+  if (!preset) return wrong(preset.errors());
+  Errors notes = preset->notes;
+  // Files that it names may have changed under it.
+  std::string all = doc.file.string() + preset->text;
+  for (const Organism& organism : preset->organisms) all += organism.text;
+  std::string key = content_id(all);
+  std::shared_ptr<const Built> built = find(key);
+  Json grown = Json::array();
+  if (!built) {
+    if (question.contains("ask") && question["ask"].is_number()) {
+      Result<Json> told = foretold(*preset, question["ask"].get<double>());
+      if (!told) return wrong(told.errors(), notes);
+      if (!told->is_null()) return {202, {{"foretold", *told}}, {}};
+    }
+    auto made = build(std::move(key), std::move(*preset), given_up);
+    if (given_up()) return stale();
+    if (!made) return wrong(made.errors(), notes);
+    built = *made;
+    grown = built->scene.grown;
+  }
+  double grow = seconds_since(start);
+  Json header{{"seconds", {{"grow", grow}}}, {"regrown", grown}, {"notes", Json::array()}};
+  for (const Error& note : notes) header["notes"].push_back(note.text());
+  for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
+  Result<std::string> packet =
+      view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
+  if (given_up()) return stale();
+  if (!packet) return wrong(packet.errors(), notes);
+  return {200, {}, std::move(*packet)};
+}
+
+Answer Scenes::derive(const Doc& doc, const Json& question) const {
+  Result<Preset> preset = documents_.preset(doc);
+  if (!preset) return wrong(preset.errors());
+  auto entry = question.value("entry", std::size_t{0});
+  if (entry >= preset->organisms.size()) return {400, {{"error", "there is no such organism"}}, {}};
+  std::optional<Result<Grammar>> grammar = preset->organisms[entry].grower->grammar();
+  if (!grammar) return {400, {{"error", "it does not grow by a grammar"}}, {}};
+  if (!*grammar) return wrong(grammar->errors());
+  const Grammar& rules = **grammar;
+  bool asked = question.contains("steps") && question["steps"].is_number();
+  int steps = std::clamp(asked ? question["steps"].get<int>() : rules.text.steps, 0, 1'000'000);
+  Seed seed{rules.text.seed};
+  Forecast size = forecast(rules, steps, seed, rules.text.limits);
+  Json answer{{"steps", steps},
+              {"predicted", {{"modules", size.modules}, {"segments", size.segments}, {"bytes", size.bytes}}},
+              {"word", nullptr},
+              {"length", nullptr},
+              {"counts", Json::object()},
+              {"tree", nullptr},
+              {"svg", nullptr}};
+  if (Errors errors = refuse(size, rules.text.limits); !errors.empty())
+    return wrong(placed(errors, rules.text));
+  if (size.modules > kLongestWord) return {200, answer, {}};
+  Result<Word> word = frond::derive(rules, steps, seed, rules.text.limits);
+  if (!word) return wrong(placed(word.errors(), rules.text));
+  std::string whole = text(rules, *word);
+  answer["length"] = word->size();
+  answer["word"] = whole.substr(0, kShownWord);
+  for (const auto& [symbol, count] : counts(rules, *word)) answer["counts"][symbol] = count;
+  if (word->size() <= kLargestTree)
+    if (Result<std::string> tree = derivation_tree_svg(rules, steps, seed)) answer["tree"] = *tree;
+  if (size.segments <= kMostLines)
+    if (Result<std::string> svg = turtle_svg(rules, steps, seed, rules.text.limits)) answer["svg"] = *svg;
+  return {200, answer, {}};
+}
+
+Result<std::string> Scenes::picture(const std::string& name) {
+  Drawing drawing;
+  {
+    std::lock_guard lock(in_work_);
+    if (auto found = pictures_.find(name); found != pictures_.end()) return found->second;
+    auto known = drawings_.find(name);
+    if (known == drawings_.end()) return Error{name, "no scene has named such a picture"};
+    drawing = known->second;
+  }
+  Result<std::vector<Picture>> drawn = drawing.draw();
+  if (!drawn) return drawn.errors();
+  std::lock_guard lock(in_work_);
+  for (Picture& picture : *drawn) pictures_[picture.name] = std::move(picture.bytes);
+  return pictures_[name];
+}
+
+}  // namespace frond

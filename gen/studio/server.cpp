@@ -1,0 +1,297 @@
+#include <fmt/format.h>
+#include <httplib.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/random.h>
+
+#include <thread>
+
+#include "core/machine.h"
+#include "core/parallel.h"
+#include "grammar/symbols.h"
+#include "studio/page.h"
+#include "studio/renders.h"
+#include "studio/scenes.h"
+#include "studio/studio.h"
+
+namespace frond {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+constexpr const char* kHost = "127.0.0.1";
+constexpr std::size_t kMostMesh = std::size_t{32} << 20, kMostText = std::size_t{8} << 20;  // bytes
+constexpr int kSmallest = 16, kLargest = 8192;  // pixels of a side
+constexpr std::size_t kThreads = 48;            // browsers keep six connections a tab
+constexpr const char* kPolicy =
+    "default-src 'self'; img-src 'self' array: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
+    "'none'; "
+    "base-uri 'none'; form-action 'none'";
+
+/// 32 hexadecimal digits that nobody can guess.
+std::string token() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return {};
+  return fmt::format("{:02x}", fmt::join(bytes, ""));
+}
+
+/// Takes as long whether the first or the last character differs.
+bool same(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  int differs = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) differs |= a[i] ^ b[i];
+  return differs == 0;
+}
+
+void send(Response& response, int status, const Json& json) {
+  response.status = status;
+  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
+}
+
+void send(Response& response, Answer answer) {
+  if (answer.packet.empty()) return send(response, answer.status, answer.json);
+  response.status = answer.status;
+  response.body = std::move(answer.packet);
+  response.set_header("Content-Type", "application/octet-stream");
+}
+
+void send_picture(Response& response, const Result<std::string>& picture, const char* type) {
+  if (!picture) return send(response, 404, {{"error", picture.errors().front().text()}});
+  response.set_content(*picture, type);
+}
+
+class Server {
+ public:
+  explicit Server(const StudioOptions& options)
+      : options_(options), documents_(options), scenes_(documents_), renders_(documents_, options.home) {}
+
+  Errors serve() {
+    if (page_files().empty())
+      return {Error{"",
+                    "the page of the studio is not built; `scripts/setup.sh --studio` does it, then "
+                    "`scripts/build.sh` puts it into the program"}};
+    if (token_.empty() || started_.empty()) return {Error{"", "the system gives no random numbers"}};
+    server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    server_.set_payload_max_length(kMostMesh);
+    server_.set_tcp_nodelay(true);
+    // Another program's port is not to be shared.
+    server_.set_socket_options([](socket_t socket) {
+      int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    server_.set_default_headers({{"Content-Security-Policy", kPolicy},
+                                 {"X-Content-Type-Options", "nosniff"},
+                                 {"Referrer-Policy", "no-referrer"},
+                                 {"Cache-Control", "no-store"}});
+    add_routes();
+    port_ = options_.port;
+    if (port_ == 0)
+      port_ = server_.bind_to_any_port(kHost);
+    else if (!server_.bind_to_port(kHost, port_))
+      port_ = -1;
+    if (port_ <= 0)
+      return {Error{"--port", options_.port ? fmt::format("{} is taken, or may not be used", options_.port)
+                                            : "no port is free"}};
+    return listen();
+  }
+
+ private:
+  /// Until a signal comes.
+  Errors listen() {
+    sigset_t ends;
+    sigemptyset(&ends);
+    for (int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ends, signal);
+    pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+    signal(SIGPIPE, SIG_IGN);
+    std::thread([this, ends] {
+      int signal = 0;
+      sigwait(&ends, &signal);
+      server_.stop();
+    }).detach();  // the process ends with the server
+    if (options_.ready) options_.ready(fmt::format("http://{}:{}/#token={}", kHost, port_, token_));
+    return server_.listen_after_bind() ? Errors{} : Errors{Error{"", "the server could not listen"}};
+  }
+
+  /// Whether a request comes from our own page: no other site can name us its host, nor send our token.
+  bool allowed(const Request& request, Response& response) const {
+    std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
+    std::string own = fmt::format("{}:{}", kHost, port_), local = fmt::format("localhost:{}", port_);
+    if ((host != own && host != local) || (!origin.empty() && origin != "http://" + host)) {
+      send(response, 421, {{"error", "a request from another site"}});
+      return false;
+    }
+    if (!request.path.starts_with("/api/")) return true;
+    std::string given = request.get_header_value("X-Frond-Token");
+    // An img element sends no headers of ours.
+    if (given.empty() && request.method == "GET") given = request.get_param_value("token");
+    if (same(given, token_)) return true;
+    send(response, 403,
+         {{"error", "the token is missing or wrong: open the address that `frond studio` printed"}});
+    return false;
+  }
+
+  /// A handler for JSON that holds `doc`, a preset.
+  using Ask = std::function<void(const Request&, Response&, const Json&, Doc)>;
+  void post(const std::string& path, Ask ask) {
+    server_.Post(path, [this, ask](const Request& request, Response& response) {
+      if (request.body.size() > kMostText) return send(response, 413, {{"error", "the text is too long"}});
+      Json question = Json::parse(request.body, nullptr, false);
+      if (!question.is_object()) return send(response, 400, {{"error", "no JSON object"}});
+      Doc doc;
+      if (question.contains("doc")) {
+        const Json& given = question["doc"];
+        if (!given.is_object() || !given.value("text", Json()).is_string() ||
+            !given.value("file", Json()).is_string())
+          return send(response, 400, {{"error", "doc wants text and file"}});
+        auto path_of = documents_.readable(given["file"].get<std::string>());
+        if (!path_of)
+          return send(response, 403, {{"error", "the file is in no folder that the studio may read"}});
+        doc = {given["text"].get<std::string>(), *path_of};
+      }
+      ask(request, response, question, std::move(doc));
+    });
+  }
+
+  void add_routes() {
+    server_.set_pre_routing_handler([this](const Request& request, Response& response) {
+      return allowed(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                        : httplib::Server::HandlerResponse::Handled;
+    });
+    server_.set_exception_handler([](const Request&, Response& response, std::exception_ptr error) {
+      std::string what = "something that is no exception";
+      try {
+        std::rethrow_exception(error);
+      } catch (const Json::exception&) {
+        return send(response, 400, {{"error", "a value is not of the type that is expected"}});
+      } catch (const std::exception& thrown) {
+        what = thrown.what();
+      } catch (...) {
+      }
+      send(response, 500, {{"error", what}});
+    });
+    add_page();
+    add_documents();
+    add_scenes();
+    add_renders();
+  }
+
+  void add_page() {
+    for (const PageFile& file : page_files()) {
+      auto give = [&file](const Request&, Response& response) {
+        response.set_content(file.bytes.data(), file.bytes.size(), std::string(file.type));
+      };
+      std::string path;
+      for (char c : file.path)
+        path += std::isalnum(static_cast<unsigned char>(c)) || c == '/' ? std::string(1, c)
+                                                                        : std::string{'\\', c};
+      server_.Get(path, give);
+      if (file.path == "/index.html") server_.Get("/", give);
+    }
+  }
+
+  void add_documents() {
+    server_.Get("/api/ping", [this](const Request&, Response& response) {
+      send(response, 200, {{"ok", true}, {"started", started_}});
+    });
+    server_.Get("/api/start", [this](const Request&, Response& response) {
+      Json symbols = Json::array();
+      for (const TurtleSymbol& symbol : turtle_symbols())
+        symbols.push_back({{"symbol", symbol.name}, {"doc", symbol.doc}});
+      send(response, 200,
+           {{"started", started_},
+            {"machine", {{"cores", thread_count()}}},
+            {"schema", Json::parse(preset_schema())},
+            {"symbols", std::move(symbols)},
+            {"preset", documents_.opened()},
+            {"presets", documents_.shipped()}});
+    });
+    server_.Get("/api/preset", [this](const Request& request, Response& response) {
+      Result<Json> read = documents_.read(request.get_param_value("file"));
+      if (!read) return send(response, 403, {{"error", read.errors().front().text()}});
+      send(response, 200, *read);
+    });
+    server_.Get(R"(/api/gallery/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
+      send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");
+    });
+    post("/api/save", [this](const Request&, Response& response, const Json& question, Doc) {
+      std::string file = question.at("file").get<std::string>(),
+                  text = question.at("text").get<std::string>();
+      std::string disk = question.contains("disk") && question["disk"].is_string()
+                             ? question["disk"].get<std::string>()
+                             : "";
+      Json saved;
+      if (!question.value("force", false))
+        if (auto path = documents_.readable(file))
+          if (Result<Preset> preset = documents_.preset({text, *path}); !preset)
+            return send(response, 422, {{"errors", errors_json(preset.errors())}});
+      if (auto refusal = documents_.save(file, text, disk, question.value("overwrite", false), saved))
+        return send(response, refusal->status, refusal->body);
+      send(response, 200, saved);
+    });
+    server_.Post("/api/mesh", [this](const Request& request, Response& response) {
+      Json saved;
+      if (auto refusal = documents_.add_mesh(request.get_param_value("name"), request.body, saved))
+        return send(response, refusal->status, refusal->body);
+      send(response, 200, saved);
+    });
+  }
+
+  void add_scenes() {
+    post("/api/scene", [this](const Request& request, Response& response, const Json& question, Doc doc) {
+      std::uint64_t number = std::strtoull(request.get_param_value("seq").c_str(), nullptr, 10);
+      send(response, scenes_.view(doc, question, request.get_param_value("session"), number));
+    });
+    post("/api/derive", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      send(response, scenes_.derive(doc, question));
+    });
+    server_.Get(R"(/api/picture/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
+      send_picture(response, scenes_.picture(request.matches[1]), "image/png");
+    });
+  }
+
+  void add_renders() {
+    post("/api/render", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      auto size = question.at("size").get<std::array<int, 2>>();
+      if (std::min(size[0], size[1]) < kSmallest || std::max(size[0], size[1]) > kLargest)
+        return send(response, 400,
+                    {{"error", fmt::format("sides of a picture are {} to {} pixels", kSmallest, kLargest)}});
+      Result<std::string> id = renders_.begin(std::move(doc), question.value("time", 0.0), size,
+                                              question.value("quality", "draft"));
+      if (!id) return send(response, 422, {{"errors", errors_json(id.errors())}});
+      send(response, 200, {{"id", *id}});
+    });
+    server_.Get("/api/renders",
+                [this](const Request&, Response& response) { send(response, 200, renders_.list()); });
+    auto nothing = [](Response& response) { send(response, 404, {{"error", "there is no such render"}}); };
+    server_.Get(R"(/api/render/(\d+))", [this, nothing](const Request& request, Response& response) {
+      std::optional<Json> state = renders_.state(request.matches[1]);
+      state ? send(response, 200, *state) : nothing(response);
+    });
+    server_.Get(R"(/api/render/(\d+)/doc)", [this, nothing](const Request& request, Response& response) {
+      std::optional<Doc> doc = renders_.doc(request.matches[1]);
+      doc ? send(response, 200, {{"text", doc->text}, {"file", doc->file.string()}}) : nothing(response);
+    });
+    server_.Get(R"(/api/render/(\d+)/picture)", [this](const Request& request, Response& response) {
+      send_picture(response, renders_.picture(request.matches[1]), "image/png");
+    });
+    server_.Delete(R"(/api/render/(\d+))", [this, nothing](const Request& request, Response& response) {
+      renders_.cancel(request.matches[1]) ? send(response, 200, {{"ok", true}}) : nothing(response);
+    });
+  }
+
+  StudioOptions options_;
+  std::string token_ = token(), started_ = token();
+  int port_ = -1;
+  Documents documents_;
+  Scenes scenes_;
+  Renders renders_;
+  httplib::Server server_;
+};
+
+}  // namespace
+
+Errors serve_studio(const StudioOptions& options) { return Server(options).serve(); }
+
+}  // namespace frond

@@ -1,0 +1,235 @@
+#include "studio/view.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/parallel.h"
+#include "preset/value.h"
+#include "settings/settings.h"
+
+namespace frond {
+
+namespace {
+
+/// A colour as light, linear.
+Json linear(const Color& c) {
+  auto part = [](float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); };
+  return Json::array({part(c.red), part(c.green), part(c.blue)});
+}
+
+Json light_json(const Daylight& light) {
+  return {{"sun", json_of(light.sun)},
+          {"sun_color", linear(light.sunlight)},
+          {"sky", linear(light.zenith)},
+          {"horizon", linear(light.horizon)},
+          {"ground", linear(light.ground)},
+          {"fog", {{"color", linear(light.horizon)}, {"distance", light.fade}}}};
+}
+
+Json film_json(const Film& film) {
+  return {{"frames", film.frames}, {"fps", film.fps}, {"size", film.size}, {"seconds", film.length()}};
+}
+
+Json camera_json(const Camera& camera, double time) {
+  return {{"at", json_of(camera.location.at(time))},
+          {"to", json_of(camera.look_at.at(time))},
+          {"angle", camera.angle.at(time)}};
+}
+
+/// The box of what stands.
+struct Bounds {
+  Vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
+
+  void take(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
+  bool empty() const { return low.x > high.x; }
+};
+
+void take(Bounds& box, const Specimen& specimen) {
+  const Model& m = specimen.model;
+  for (const Vec3& p : m.skeleton.position) box.take(p);
+  for (const Vec3& p : m.organs.position) box.take(p);
+  for (const Vec3& p : m.blades.surface.position) box.take(p);
+  for (std::size_t i = 0; i < m.solids.size(); ++i) {
+    // The corners of the shape's box are enough.
+    Bounds shape;
+    for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position) shape.take(p);
+    for (int corner = 0; corner < 8 && !shape.empty(); ++corner) {
+      Vec3 p((corner & 1) ? shape.high.x : shape.low.x, (corner & 2) ? shape.high.y : shape.low.y,
+             (corner & 4) ? shape.high.z : shape.low.z);
+      box.take(m.solids.position[i] + m.solids.turn[i] * (p * m.solids.scale[i]));
+    }
+  }
+}
+
+Vec3 foot_of(const Specimen& specimen, const Bounds& box) {
+  const Model& m = specimen.model;
+  if (m.skeleton.size() > 0) return m.skeleton.position[0];
+  return box.empty() ? Vec3(0) : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
+}
+
+/// The organisms of the preset and the specimens of a scene.
+void add_lists(Json& header, const Scene& scene, const Preset& preset) {
+  std::vector<Bounds> boxes(scene.specimens.size());
+  parallel_for(boxes.size(), [&](std::size_t i) { take(boxes[i], scene.specimens[i]); });
+  std::vector<Bounds> of_entry(preset.organisms.size());
+  std::vector<std::size_t> count(preset.organisms.size()), copies(preset.organisms.size());
+  Json specimens = Json::array();
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
+    const Specimen& s = scene.specimens[i];
+    Json one{{"entry", s.entry == Specimen::kNoEntry ? -1 : static_cast<int>(s.entry)},
+             {"foot", json_of(foot_of(s, boxes[i]))},
+             {"placed", nullptr}};
+    if (s.entry != Specimen::kNoEntry) {
+      // Plantings come in their order, those at given places first.
+      std::size_t number = count[s.entry]++;
+      const Organism& organism = preset.organisms[s.entry];
+      if (number < organism.place.at.size() && !organism.grower->hosts()) one["placed"] = number;
+      if (!boxes[i].empty()) of_entry[s.entry].take(boxes[i].low), of_entry[s.entry].take(boxes[i].high);
+    }
+    specimens.push_back(std::move(one));
+  }
+  for (const SownStand& stand : scene.stands) {
+    copies[stand.entry] += stand.copies.size();
+    for (const Vec3& foot : stand.copies.foot) of_entry[stand.entry].take(foot);
+  }
+  Json entries = Json::array();
+  for (std::size_t e = 0; e < preset.organisms.size(); ++e) {
+    Bounds box = of_entry[e].empty() ? Bounds{Vec3(0), Vec3(0)} : of_entry[e];
+    entries.push_back({{"name", preset.organisms[e].name},
+                       {"kind", preset.written->find("organisms")->items[e].find("kind")->text},
+                       {"specimens", count[e]},
+                       {"copies", copies[e]},
+                       {"low", json_of(box.low)},
+                       {"high", json_of(box.high)}});
+  }
+  header["entries"] = std::move(entries);
+  header["specimens"] = std::move(specimens);
+}
+
+void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart>& parts) {
+  auto add = [&](const Surface& shape, const Color& color) -> DrawnPart& {
+    DrawnPart& part = parts.emplace_back();
+    part.head = {
+        {"kind", "ground"}, {"entry", -1}, {"specimen", -1}, {"material", material_json(color, 0.02)}};
+    Surface plain = shape;
+    plain.uv.clear();
+    part.add_surface("", plain);
+    return part;
+  };
+  if (!scene.ground->floor().triangle.empty()) {
+    add(scene.ground->floor(), light.ground);
+  } else {
+    constexpr float kHalf = 60;  // metres
+    Surface plane;
+    for (Vec2 corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+      plane.position.push_back(Vec3(kHalf * corner.x, 0, kHalf * corner.y));
+    plane.normal.assign(4, Vec3(0, 1, 0));
+    plane.triangle = {{0, 2, 1}, {0, 3, 2}};
+    add(plane, light.ground);
+  }
+  for (const Strewn& strewn : scene.ground->strewn()) {
+    if (strewn.at.empty()) continue;
+    std::vector<float> places;
+    for (const Strewn::At& a : strewn.at)
+      places.insert(places.end(), {a.place.x, a.place.y, a.place.z, a.turn.x, a.turn.y, a.turn.z, a.turn.w,
+                                   a.size.x, a.size.y, a.size.z});
+    add(*strewn.shape, strewn.color).add("/instances", places);
+  }
+}
+
+/// The parts of all specimens that are to be seen.
+Errors add_specimens(const Scene& scene, const ViewRequest& request, std::vector<DrawnPart>& parts) {
+  std::vector<Result<std::vector<DrawnPart>>> made(scene.specimens.size(), std::vector<DrawnPart>{});
+  parallel_for(scene.specimens.size(), [&](std::size_t i) {
+    const Specimen& s = scene.specimens[i];
+    bool own = s.entry != Specimen::kNoEntry;
+    if (own ? !request.shows(s.entry) : request.solo.has_value()) return;
+    if (s.life.changes()) {
+      Result<Specimen> now = developed(s, request.time);
+      made[i] = now ? specimen_parts(*now, request.time) : now.errors();
+    } else {
+      made[i] = specimen_parts(s, request.time);
+    }
+    if (!made[i]) return;
+    for (DrawnPart& part : *made[i])
+      part.head["entry"] = own ? static_cast<int>(s.entry) : -1, part.head["specimen"] = i;
+  });
+  for (auto& list : made) {
+    if (!list) return list.errors();
+    std::ranges::move(*list, std::back_inserter(parts));
+  }
+  return {};
+}
+
+/// Three factors for colours, 128 for 1, as the tints of a stand's copies are spread.
+std::array<std::uint8_t, 4> tint_bytes(const CopyTint& tint, int number) {
+  auto spread = [&](int step) { return 2.0 * ((number * step) % kTints + 0.5) / kTints - 1; };
+  double value = 1 + tint.value * spread(1), hue = tint.hue * spread(5);
+  auto byte = [&](double turn) {
+    return static_cast<std::uint8_t>(std::clamp(128 * value * (1 + turn), 0.0, 255.0));
+  };
+  return {byte(hue), byte(0), byte(-hue), 255};
+}
+
+Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& models,
+                  std::vector<DrawnPart>& parts) {
+  std::vector<std::pair<const SownStand*, int>> wanted;
+  for (const SownStand& stand : scene.stands)
+    if (request.shows(stand.entry)) {
+      std::set<int> used(stand.copies.model.begin(), stand.copies.model.end());
+      for (int which : used) wanted.emplace_back(&stand, which);
+    }
+  std::vector<Result<std::shared_ptr<const DrawnPart>>> grown(wanted.size(),
+                                                              std::shared_ptr<const DrawnPart>{});
+  parallel_for(wanted.size(),
+               [&](std::size_t i) { grown[i] = models.model(*wanted[i].first, wanted[i].second); });
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!grown[i]) return grown[i].errors();
+    const auto& [stand, which] = wanted[i];
+    DrawnPart part = **grown[i];
+    std::vector<float> places;
+    std::vector<std::uint8_t> tints;
+    const Copies& c = stand->copies;
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      if (c.model[k] != which) continue;
+      places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, c.turn[k].x, c.turn[k].y,
+                                   c.turn[k].z, c.turn[k].w, c.scale[k], c.scale[k], c.scale[k]});
+      for (std::uint8_t byte : tint_bytes(stand->organism.sown->tint, c.tint[k])) tints.push_back(byte);
+    }
+    part.head["entry"] = stand->entry, part.head["specimen"] = -1, part.head["model"] = which;
+    part.add("/instances", places);
+    part.add("/tints", tints);
+    parts.push_back(std::move(part));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> view_of(const Scene& scene, const Preset& preset, const ViewRequest& request,
+                            Greenhouse& models, Json header) {
+  std::vector<DrawnPart> parts;
+  const SettingRow& setting = settings()[scene.stage.setting];
+  Daylight light = setting.answers.daylight(scene.stage);
+  if (!request.solo) add_ground(scene, light, parts);
+  if (Errors errors = add_specimens(scene, request, parts); !errors.empty()) return errors;
+  if (Errors errors = add_copies(scene, request, models, parts); !errors.empty()) return errors;
+
+  std::size_t copies = 0;
+  for (const SownStand& stand : scene.stands) copies += stand.copies.size();
+  header["time"] = request.time;
+  header["film"] = film_json(scene.film);
+  header["nodes"] = scene.nodes();
+  header["copies"] = copies;
+  header["camera"] = camera_json(scene.stage.camera, request.time);
+  header["light"] = light_json(light);
+  header["setting"] = setting.name;
+  Json food = Json::array();
+  for (Vec3 at : food_places(scene.specimens, request.time)) food.push_back(json_of(at));
+  header["food"] = std::move(food);
+  add_lists(header, scene, preset);
+  return packet_of(std::move(header), std::move(parts), request.kept);
+}
+
+}  // namespace frond

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "scene/scene.h"
+#include "studio/packet.h"
+
+namespace frond {
+
+/// Models of what is sown, ready to be sent; those used last are kept. May be asked from many threads.
+class Greenhouse {
+ public:
+  /// Model `which` of a stand, at some levels of detail. Its head has "levels".
+  Result<std::shared_ptr<const DrawnPart>> model(const SownStand& stand, int which);
+
+ private:
+  struct Kept {
+    std::shared_ptr<const DrawnPart> part;
+    std::size_t bytes = 0;
+    std::uint64_t used = 0;  // when, as a count of questions
+  };
+  void forget_the_oldest();
+
+  std::mutex in_work_;
+  std::map<std::string, Kept> kept_;
+  std::uint64_t now_ = 0;
+};
+
+/// What of a scene is wanted.
+struct ViewRequest {
+  double time = 0;                            ///< seconds
+  std::set<std::string> kept;                 ///< ids of parts that need not be sent again
+  std::optional<std::set<std::size_t>> solo;  ///< only these of the preset's organisms
+  std::set<std::size_t> hidden;
+  bool shows(std::size_t entry) const { return !hidden.contains(entry) && (!solo || solo->contains(entry)); }
+};
+
+/// Everything that stands in a scene at one time, as a packet that the page draws (docs/studio.md describes
+/// its bytes). `header` brings what the caller has to add.
+Result<std::string> view_of(const Scene& scene, const Preset& preset, const ViewRequest& request,
+                            Greenhouse& models, Json header);
+
+/// The parts of one organism at a time.
+Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double time);
+
+/// Its branches as segments of 48 bytes each: both ends with radii, directions and colours.
+DrawnPart tubes_part(const Specimen& specimen, const Pose& pose);
+
+/// The colours of a specimen's branches.
+struct BranchColors {
+  explicit BranchColors(const Specimen& specimen);
+  /// At a node that is `young`, 0..1.
+  Color at(const Specimen& specimen, std::int32_t node, float young) const;
+  double young_length = 0;  ///< metres
+
+ private:
+  std::vector<Color> old_, young_;
+};
+
+/// `{"color", "gloss", "both_sides", …}`.
+Json material_json(const Color& color, double gloss, bool both_sides = false);
+
+}  // namespace frond

@@ -1,0 +1,116 @@
+#include "export/look.h"
+#include "scene/copies.h"
+#include "studio/view.h"
+
+namespace frond {
+
+namespace {
+
+/// How finely copies are drawn; coarser than for a picture, as there may be ten thousand before a slow
+/// display.
+constexpr CopyDetail kLevels[] = {{0.012, 2.5e4}, {0.08, 5e3}, {0.4, 800}};
+constexpr std::size_t kMostBytes = std::size_t{600} << 20;
+
+/// What leaves are coloured by: the whole part of each corner's u.
+std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<Color>& colors) {
+  std::vector<std::uint8_t> painted;
+  painted.reserve(4 * leaves.uv.size());
+  for (Vec2 uv : leaves.uv) {
+    const Color& c = colors[color_index(static_cast<std::int32_t>(std::floor(uv.x)), colors.size())];
+    for (float x : {c.red, c.green, c.blue})
+      painted.push_back(static_cast<std::uint8_t>(std::lround(255 * x)));
+    painted.push_back(255);
+  }
+  return painted;
+}
+
+void add_wood(DrawnPart& part, const std::string& below, const Look& look, const Surface& surface) {
+  Specimen bare;
+  bare.look = look;
+  bare.model.skeleton.position.resize(1);
+  Surface plain = surface;
+  plain.uv.clear();
+  part.head[Json::json_pointer(below + "/material")] =
+      material_json(BranchColors(bare).at(bare, 0, 0), look.bark ? bark_gloss(*look.bark) : 0.1);
+  part.add_surface(below, plain);
+}
+
+void add_leaves(DrawnPart& part, const std::string& below, const Look& look, const Model& model,
+                CopyPart& leaves) {
+  bool blade = leaves.kind == CopyPart::Kind::blade;
+  const Prototype* prototype = blade ? nullptr : &model.prototypes[leaves.which];
+  const OrganPart* organ = blade ? nullptr : &prototype->parts[leaves.part];
+  bool heart = organ && organ->tissue == Tissue::heart;
+  const std::vector<Color> second{heart ? prototype->second : Color{}};
+  const std::vector<Color>& colors = blade ? look.blades.colors : heart ? second : prototype->colors;
+  Json material = material_json(colors[0], 0.2, blade || is_leaf(organ->tissue));
+  material["light_through"] = 0.35;
+  bool pictured = organ && !organ->pictures.empty();
+  if (pictured) material["picture"] = organ->pictures[0];
+  part.head[Json::json_pointer(below + "/material")] = std::move(material);
+  std::vector<std::uint8_t> painted = leaf_colors(leaves.surface, colors);
+  for (Vec2& uv : leaves.surface.uv) uv.x -= std::floor(uv.x);
+  part.add_surface(below, leaves.surface);
+  if (!pictured && !painted.empty()) part.add(below + "/colors", painted);
+}
+
+DrawnPart model_part(const Look& look, const Model& model) {
+  DrawnPart part;
+  part.head["kind"] = "copies";
+  part.head["levels"] = Json::array();
+  for (std::size_t level = 0; level < std::size(kLevels); ++level) {
+    part.head["levels"].push_back({{"grain", kLevels[level].grain}, {"parts", Json::array()}});
+    std::size_t number = 0;
+    for (CopyPart& shape : copy_parts(look, model, kLevels[level])) {
+      if (shape.surface.triangle.empty()) continue;
+      std::string below = "/levels/" + std::to_string(level) + "/parts/" + std::to_string(number++);
+      part.head[Json::json_pointer(below)] = Json::object();
+      if (shape.kind == CopyPart::Kind::wood) {
+        add_wood(part, below, look, shape.surface);
+      } else if (shape.kind == CopyPart::Kind::solid) {
+        const Material& m = model.solids.shapes[shape.which].material;
+        part.head[Json::json_pointer(below + "/material")] = material_json(m.color, m.gloss);
+        shape.surface.uv.clear();
+        part.add_surface(below, shape.surface);
+      } else {
+        add_leaves(part, below, look, model, shape);
+      }
+    }
+  }
+  return part;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const DrawnPart>> Greenhouse::model(const SownStand& stand, int which) {
+  // The look is not part of what a model is named by.
+  std::string name = copy_id(stand.organism, which);
+  {
+    std::lock_guard lock(in_work_);
+    if (auto found = kept_.find(name); found != kept_.end()) {
+      found->second.used = ++now_;
+      return found->second.part;
+    }
+  }
+  Result<Model> grown = grow_copy(stand.organism, which);
+  if (!grown) return grown.errors();
+  auto part = std::make_shared<const DrawnPart>(model_part(stand.dress.look, *grown));
+  std::size_t bytes = 0;
+  for (const WireArray& array : part->arrays) bytes += array.bytes->size();
+  std::lock_guard lock(in_work_);
+  kept_[name] = {part, bytes, ++now_};
+  forget_the_oldest();
+  return part;
+}
+
+void Greenhouse::forget_the_oldest() {
+  std::size_t all = 0;
+  for (const auto& [name, kept] : kept_) all += kept.bytes;
+  while (all > kMostBytes && kept_.size() > 1) {
+    auto oldest = std::ranges::min_element(kept_, {}, [](const auto& entry) { return entry.second.used; });
+    all -= oldest->second.bytes;
+    kept_.erase(oldest);
+  }
+}
+
+}  // namespace frond

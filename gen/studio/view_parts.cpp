@@ -1,0 +1,160 @@
+#include <array>
+#include <map>
+
+#include "emit/sweep.h"
+#include "export/look.h"
+#include "field/cubes.h"
+#include "motion/unfold.h"
+#include "studio/view.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kLeafGloss = 0.2, kLightThroughLeaf = 0.35;
+
+void push(std::vector<float>& to, Vec3 at, Quat turn, Vec3 scale) {
+  to.insert(to.end(), {at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w, scale.x, scale.y, scale.z});
+}
+
+void push(std::vector<std::uint8_t>& to, const Color& c) {
+  for (float x : {c.red, c.green, c.blue})
+    to.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))));
+  to.push_back(255);
+}
+
+/// Branches that have grown together, or cubes.
+Result<DrawnPart> body_part(const Specimen& s, const Pose& pose) {
+  Boughs limbs;
+  add_boughs(limbs, s.model.skeleton, pose.position, pose.radius, pose.front,
+             static_cast<float>(s.style.blend));
+  VolumeOptions volume{s.style.voxel, s.style.adaptivity, s.style.limit};
+  Surface surface;
+  std::vector<std::int32_t> node;
+  if (s.style.build == Build::fused) {
+    Result<FusedMesh> mesh = fuse(limbs, volume);
+    if (!mesh) return mesh.errors();
+    surface = std::move(mesh->surface), node = std::move(mesh->node);
+  } else {
+    Result<Cubes> cubes = cubes_of(limbs, volume);
+    if (!cubes) return cubes.errors();
+    std::vector<std::uint32_t> cube;
+    surface = cubes_surface(*cubes, cube);
+    // Each face has four corners of its own.
+    for (std::uint32_t c : cube)
+      if (node.size() < surface.position.size()) node.insert(node.end(), 2, cubes->node[c]);
+  }
+  BranchColors colors(s);
+  float longest = s.model.skeleton.longest();
+  std::vector<std::uint8_t> painted;
+  painted.reserve(4 * surface.position.size());
+  for (std::int32_t i : node)
+    push(painted,
+         colors.at(s, i, youth(s.model.skeleton, pose, longest, static_cast<float>(colors.young_length), i)));
+  DrawnPart part;
+  part.head["kind"] = "mesh";
+  part.head["material"] = material_json({}, s.look.bark ? bark_gloss(*s.look.bark) : 0.1);
+  part.add_surface("", surface);
+  part.add("/colors", painted);
+  return part;
+}
+
+/// Placements of one mesh.
+struct PlacedMesh {
+  std::vector<float> at;
+  std::vector<std::uint8_t> color;
+};
+
+void add_organs(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& parts) {
+  const Organs& organs = s.model.organs;
+  // By prototype; where colours are pictures, by these too.
+  std::map<std::pair<std::size_t, std::size_t>, PlacedMesh> groups;
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    float size = unfolded(organs.birth[i], pose.front, unfold_time(s.motion));
+    if (size < kUnfoldedLeast) continue;
+    std::size_t which = organs.prototype[i];
+    const Prototype& prototype = s.model.prototypes[which];
+    std::size_t color = color_index(organs.color[i], prototype.colors.size());
+    bool pictured =
+        std::ranges::any_of(prototype.parts, [](const OrganPart& p) { return !p.pictures.empty(); });
+    PlacedMesh& group = groups[{which, pictured ? color : 0}];
+    push(group.at, organ_place(s.model.skeleton, pose, organs, i),
+         glm::normalize(organ_turn(pose, organs, i)), organs.scale[i] * size);
+    push(group.color, prototype.colors[color]);
+  }
+  for (const auto& [key, group] : groups) {
+    const Prototype& prototype = s.model.prototypes[key.first];
+    for (const OrganPart& shape : prototype.parts) {
+      if (shape.surface.triangle.empty()) continue;
+      bool leaf = is_leaf(shape.tissue), heart = shape.tissue == Tissue::heart;
+      DrawnPart& part = parts.emplace_back();
+      part.head["kind"] = "mesh";
+      Json material =
+          material_json(heart ? prototype.second : prototype.colors[key.second], kLeafGloss, leaf);
+      if (leaf) material["light_through"] = kLightThroughLeaf;
+      if (!shape.pictures.empty()) material["picture"] = shape.pictures[key.second % shape.pictures.size()];
+      part.head["material"] = std::move(material);
+      part.add_surface("", shape.surface);
+      part.add("/instances", group.at);
+      if (!heart && shape.pictures.empty()) part.add("/instance_colors", group.color);
+    }
+  }
+}
+
+void add_blades(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& parts) {
+  const BladeLook& look = s.look.blades;
+  for (std::size_t k = 0; s.model.blades.size() > 0 && k < look.colors.size(); ++k) {
+    Surface surface = posed_blades(
+        s.model.skeleton, pose, s.model.blades, s.motion.growth.ripen,
+        [&](std::size_t i) { return color_index(s.model.blades.color[i], look.colors.size()) == k; });
+    if (surface.triangle.empty()) continue;
+    DrawnPart& part = parts.emplace_back();
+    part.head["kind"] = "mesh";
+    part.head["material"] = material_json(look.colors[k], kLeafGloss, true);
+    part.head["material"]["light_through"] = kLightThroughLeaf;
+    part.add_surface("", surface);
+  }
+}
+
+void add_solids(const Solids& solids, std::vector<DrawnPart>& parts) {
+  for (std::size_t shape = 0; shape < solids.shapes.size(); ++shape) {
+    std::vector<float> at;
+    for (std::size_t i = 0; i < solids.size(); ++i)
+      if (solids.shape[i] == shape) push(at, solids.position[i], solids.turn[i], solids.scale[i]);
+    const Solid& solid = solids.shapes[shape];
+    if (at.empty() || solid.surface.triangle.empty()) continue;
+    DrawnPart& part = parts.emplace_back();
+    part.head["kind"] = "mesh";
+    part.head["material"] = material_json(solid.material.color, solid.material.gloss);
+    if (solid.material.matter == Matter::glass) part.head["material"]["opacity"] = 0.35;
+    part.add_surface("", solid.surface);
+    part.add("/instances", at);
+  }
+}
+
+}  // namespace
+
+Json material_json(const Color& color, double gloss, bool both_sides) {
+  return {{"color", json_of(color)}, {"gloss", gloss}, {"both_sides", both_sides}};
+}
+
+Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double time) {
+  Pose pose;
+  pose_specimen(specimen, time, pose);
+  std::vector<DrawnPart> parts;
+  if ((specimen.look.skin || specimen.look.bark) && specimen.model.skeleton.size() > 1) {
+    if (specimen.style.build == Build::sweeps) {
+      parts.push_back(tubes_part(specimen, pose));
+    } else {
+      Result<DrawnPart> body = body_part(specimen, pose);
+      if (!body) return body.errors();
+      parts.push_back(std::move(*body));
+    }
+  }
+  add_organs(specimen, pose, parts);
+  add_blades(specimen, pose, parts);
+  add_solids(specimen.model.solids, parts);
+  return parts;
+}
+
+}  // namespace frond

@@ -1,0 +1,168 @@
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "core/parallel.h"
+#include "emit/sweep.h"
+#include "export/look.h"
+#include "studio/view.h"
+
+namespace frond {
+
+namespace {
+
+using Bytes4 = std::array<std::int8_t, 4>;
+using Rgba = std::array<std::uint8_t, 4>;
+
+/// As it goes over the wire.
+struct WireSegment {
+  Vec3 from{0};
+  float from_radius = 0;
+  Vec3 to{0};
+  float to_radius = 0;
+  Bytes4 from_way{}, to_way{};
+  Rgba from_color{}, to_color{};
+};
+static_assert(sizeof(WireSegment) == 48);
+
+constexpr float kRound = 0.004f;  // share of the longest way: thinner tips are not rounded
+
+Bytes4 packed(Vec3 way) {
+  auto byte = [](float x) { return static_cast<std::int8_t>(std::lround(127 * x)); };
+  return {byte(way.x), byte(way.y), byte(way.z), 0};
+}
+
+Rgba packed(const Color& c) {
+  auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))); };
+  return {byte(c.red), byte(c.green), byte(c.blue), 255};
+}
+
+Color mixed(const Color& a, const Color& b, double t) {
+  auto part = [&](float x, float y) { return static_cast<float>(x + (y - x) * t); };
+  return {part(a.red, b.red), part(a.green, b.green), part(a.blue, b.blue)};
+}
+
+Vec3 direction(Vec3 from, Vec3 to, Vec3 otherwise) {
+  float length = glm::distance(from, to);
+  return length > 1e-9f ? (to - from) / length : otherwise;
+}
+
+/// Builds the segments of one skeleton.
+class Weaver {
+ public:
+  Weaver(const Specimen& specimen, const Pose& pose)
+      : specimen_(specimen),
+        rest_(specimen.model.skeleton),
+        pose_(pose),
+        colors_(specimen),
+        longest_(rest_.longest()) {
+    segments_.reserve(rest_.size() + rest_.size() / 8);
+  }
+
+  std::vector<WireSegment> weave() && {
+    auto n = static_cast<std::int32_t>(rest_.size());
+    for (std::int32_t i = 0; i < n; ++i) {
+      if (rest_.parent[i] == Skeleton::kRoot || rest_.birth[rest_.parent[i]] >= pose_.front) continue;
+      add(i, i + 1 < n && rest_.parent[i + 1] == i && rest_.birth[i] < pose_.front);
+    }
+    return std::move(segments_);
+  }
+
+ private:
+  void add(std::int32_t i, bool goes_on) {
+    std::int32_t below = rest_.parent[i];
+    WireSegment s;
+    s.from = pose_.position[below], s.to = pose_.position[i];
+    s.from_radius = pose_.radius[below], s.to_radius = pose_.radius[i];
+    float length = glm::distance(s.from, s.to);
+    if (!(length > 1e-7f)) return;
+    Vec3 way = (s.to - s.from) / length, from_way = way;
+    if (below == i - 1 && !segments_.empty() && last_ == below) {
+      from_way = last_way_;
+    } else if (below != i - 1) {
+      // As thick at its foot as sweeps are drawn, see append_sweep().
+      float most = 0.9f * length;
+      s.from_radius =
+          std::clamp(std::min(s.from_radius, 1.25f * s.to_radius), s.to_radius - most, s.to_radius + most);
+    }
+    Vec3 to_way = goes_on ? direction(Vec3(0), way + direction(s.to, pose_.position[i + 1], way), way) : way;
+    s.from_way = packed(from_way), s.to_way = packed(to_way);
+    s.from_color = color(below, i), s.to_color = color(i, i);
+    segments_.push_back(s);
+    last_ = i, last_way_ = to_way;
+    if (!goes_on) round_off(s, way);
+  }
+
+  Rgba color(std::int32_t i, std::int32_t of) const {
+    auto young = static_cast<float>(colors_.young_length);
+    return packed(colors_.at(specimen_, of, youth(rest_, pose_, longest_, young, i)));
+  }
+
+  /// Half a ball on the end of a branch, where it is thick enough for that to show.
+  void round_off(WireSegment s, Vec3 way) {
+    float r = s.to_radius;
+    Vec3 end = s.to;
+    s.from_way = s.to_way = packed(way), s.from_color = s.to_color;
+    auto cap = [&](float to, float radius) {
+      s.from = s.to, s.from_radius = s.to_radius;
+      s.to = end + way * (to * r), s.to_radius = radius * r;
+      segments_.push_back(s);
+    };
+    if (r > kRound * longest_) cap(0.5f, 0.866f), cap(0.87f, 0.5f);
+    cap(1, 0);
+  }
+
+  const Specimen& specimen_;
+  const Skeleton& rest_;
+  const Pose& pose_;
+  BranchColors colors_;
+  float longest_;
+  std::vector<WireSegment> segments_;
+  std::int32_t last_ = -1;
+  Vec3 last_way_{0};
+};
+
+}  // namespace
+
+BranchColors::BranchColors(const Specimen& specimen) {
+  const Look& look = specimen.look;
+  if (look.bark) {
+    young_length = look.bark->young_length;
+    for (const Color& c : look.bark->colors) {
+      double furrows = look.bark->kind == BarkKind::bark ? 0.25 : 0.0;
+      old_.push_back(scaled(mixed(c, look.bark->second, furrows), specimen.brightness));
+      young_.push_back(scaled(look.bark->young, specimen.brightness));
+    }
+  } else if (look.skin) {
+    // Walls and pores, as they run together from afar.
+    const Tint& tint = look.skin->tint;
+    young_length = tint.young_length;
+    Tint pores = tint;
+    pores.base = tint.secondary;
+    Color walls = tinted(tint, specimen.brightness);
+    old_ = {mixed(walls, tinted(pores, specimen.brightness), 0.3)};
+    young_ = {mixed(walls, Color{0.96f, 0.96f, 0.96f}, 0.62 * tint.young)};
+  } else {
+    old_ = young_ = {scaled(Bark{}.colors[0], specimen.brightness)};
+  }
+}
+
+Color BranchColors::at(const Specimen& specimen, std::int32_t node, float young) const {
+  std::size_t k = old_.size() > 1 && !specimen.model.color.empty()
+                      ? color_index(specimen.model.color[static_cast<std::size_t>(node)], old_.size())
+                      : 0;
+  return young > 0 ? mixed(old_[k], young_[k], young) : old_[k];
+}
+
+DrawnPart tubes_part(const Specimen& specimen, const Pose& pose) {
+  DrawnPart part;
+  part.head["kind"] = "tubes";
+  part.head["gloss"] = specimen.look.bark ? bark_gloss(*specimen.look.bark) : 0.1;
+  std::vector<WireSegment> segments = Weaver(specimen, pose).weave();
+  part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
+                                  sizeof(WireSegment) * segments.size()));
+  return part;
+}
+
+}  // namespace frond
