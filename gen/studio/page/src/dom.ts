@@ -42,6 +42,7 @@ const ICONS = {
   lock: "M4 7.5h8V13H4zM5.5 7.5V5.3a2.5 2.5 0 0 1 5 0v2.2",
   side: "M2.5 3h11v10h-11zM10 3v10",
   sliders: "M3 4.5h10M3 8h10M3 11.5h10M6 3v3M10.5 6.5v3M5 10v3",
+  key: "M8 4.2 11.8 8 8 11.8 4.2 8z",
   gallery: "M2.5 3h11v10h-11zM2.5 11l3.5-4 3 3 2-2 2.5 3",
 } as const;
 export type IconName = keyof typeof ICONS;
