@@ -191,3 +191,5 @@ export async function save(file: string, text: string, disk: string | null, over
 export const mesh = (name: string, file: Blob): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}`, file);
 
 export type { Header };
+
+export const pictureAddress = (id: string): string => withToken(`/api/picture/${encodeURIComponent(id)}`);

@@ -17,7 +17,7 @@ export interface TopActs {
 export function topBar(store: Store, acts: TopActs): HTMLElement {
   const undo = iconButton("undo", "Undo (Ctrl+Z)", () => store.undo(), { "data-testid": "undo" });
   const redo = iconButton("redo", "Redo (Ctrl+Shift+Z)", () => store.redo(), { "data-testid": "redo" });
-  const name = el("span.file", { "data-testid": "file" });
+  const name = el("h1.file", { "data-testid": "file" });
   const mark = el("span.unsaved", { "data-testid": "unsaved", hidden: true }, "unsaved");
   const save = el<HTMLButtonElement>("button", { type: "button", "data-testid": "save", "data-tip": "Save (Ctrl+S)", click: acts.save }, "Save");
   const saveAs = el("button", { type: "button", "data-testid": "save-as-button", "data-tip": "Save under another name (Ctrl+Shift+S)", click: acts.saveAs }, "Save as …");
@@ -27,7 +27,7 @@ export function topBar(store: Store, acts: TopActs): HTMLElement {
     el("span.cluster", {}, save, saveAs),
     el("span.gap"),
     el("span.cluster", {}, iconButton("dice", "Another seed", acts.seed, { "data-testid": "seed" }),
-      el("button", { type: "button", "data-testid": "variations", "data-tip": "A wall of nine variations", click: acts.wall }, icon("wall"), el("span.word", {}, "Variations")), render),
+      el("button", { type: "button", "data-testid": "variations", "aria-label": "Variations", "data-tip": "A wall of nine variations", click: acts.wall }, icon("wall"), el("span.when-wide", {}, "Variations")), render),
   ];
   const gap = el("span.gap");
   const side = iconButton("side", "Show or hide the side panel", acts.side, { "data-testid": "side" });
