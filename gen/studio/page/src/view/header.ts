@@ -17,6 +17,7 @@ export interface Material {
   metal: boolean;
   picture?: string;
   light_through?: number;
+  opacity?: number;
 }
 
 /** The corners of a mesh; `colors` (sRGB bytes) stand in place of the material's. */
