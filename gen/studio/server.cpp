@@ -215,18 +215,17 @@ class Server {
     server_.Get(R"(/api/gallery/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
       send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");
     });
-    post("/api/save", [this](const Request&, Response& response, const Json& question, Doc) {
-      std::string file = question.at("file").get<std::string>(),
-                  text = question.at("text").get<std::string>();
+    post("/api/save", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      std::string file = question.at("file").get<std::string>();
       std::string disk = question.contains("disk") && question["disk"].is_string()
                              ? question["disk"].get<std::string>()
                              : "";
-      Json saved;
+      if (doc.file.empty()) return send(response, 400, {{"error", "doc is missing"}});
       if (!question.value("force", false))
-        if (auto path = documents_.readable(file))
-          if (Result<Preset> preset = documents_.preset({text, *path}); !preset)
-            return send(response, 422, {{"errors", errors_json(preset.errors())}});
-      if (auto refusal = documents_.save(file, text, disk, question.value("overwrite", false), saved))
+        if (Result<Preset> preset = documents_.preset(doc); !preset)
+          return send(response, 422, {{"errors", errors_json(preset.errors())}});
+      Json saved;
+      if (auto refusal = documents_.save(file, doc, disk, question.value("overwrite", false), saved))
         return send(response, refusal->status, refusal->body);
       send(response, 200, saved);
     });
