@@ -12,11 +12,11 @@
  *   renders      render-size render-quality render-start compare renders render-picture render-state cancel-render go-back
  *                wipe close-picture
  *   variations   wall wall-grid variation:VALUE
- *   gallery      gallery gallery-search new-preset card:FILE
+ *   gallery      gallery gallery-search new-preset card:NAME
  *   dialogs      add add:KIND add-from add-which save-as save-name save-wrong save-conflict long leave answer:VALUE
  *   elsewhere    banner
- * `window.frond` has `mask()`, a picture of the organisms alone, `took`, seconds from the last change to its picture, and
- * `settled()`, which resolves when the view shows what the text says.
+ * `window.frond` has what the view gives (`mask()`, a picture of the organisms alone; `settled()`), `shown()`, which resolves
+ * when the view shows what the text says, and `took()`, the seconds from the last request to its picture on the screen.
  */
 
 import "./styles/base.css";
@@ -167,15 +167,8 @@ function build(): void {
   addEventListener("pagehide", () => store.keepDraft());
   addEventListener("beforeunload", (event) => store.unsaved && event.preventDefault());
   addEventListener("resize", quiet(100, () => scene.view.resize()));
-  Object.assign(window, {
-    frond: {
-      mask: () => (scene.view as { mask?: () => unknown }).mask?.(),
-      settled: () => scene.loop.settled(),
-      get took() {
-        return store.scene.took;
-      },
-    },
-  });
+  const { frond } = window as { frond?: object };
+  Object.assign(window, { frond: { ...frond, view: scene.view, shown: () => scene.loop.settled(), took: () => store.scene.took } });
 }
 
 /** To the gallery; what is unsaved is asked for first. */

@@ -94,7 +94,8 @@ function arrayOf(schema: Schema, name: string): Field {
   if (isNumber(items) && least === most && least <= 4)
     return { ...common, type: "vector", items: Array.from({ length: least }, () => numberOf(items)) };
   if (CURVES.has(name) && items.type === "array" && items.minItems === 2) return { ...common, type: "curve" };
-  return { ...common, type: "list", item: fieldOf(items, ""), least, most };
+  const item = fieldOf(items, "");
+  return { ...common, type: "list", item: item.type === "vector" ? { ...item, doc: common.doc } : item, least, most };
 }
 
 function unionOf(schema: Schema, name: string): Field {

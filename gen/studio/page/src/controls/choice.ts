@@ -14,7 +14,7 @@ export function booleanControl(place: Place<PlainField>): Control {
 export function enumControl(place: Place<EnumField>): Control {
   const { options } = place.field;
   const room = options.reduce((sum, o) => sum + o.value.length + 3, 0);
-  return options.length <= 4 && room <= 30 ? segments(place) : list(place);
+  return options.length <= 4 && room <= 24 ? segments(place) : list(place);
 }
 
 function segments(place: Place<EnumField>): Control {

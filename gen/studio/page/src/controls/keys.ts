@@ -60,7 +60,7 @@ export function keyedControl(place: Place<KeyedField>): Control {
 
   const buildConstant = (): void => {
     const control = controlFor({ field: { ...field.base, default: field.base.default ?? field.default }, binding, label });
-    const key = iconButton("add", `Animate ${label}: a key at the time shown`, animate, { "data-testid": `animate:${binding.rel.join("/")}` });
+    const key = iconButton("key", `Animate ${label}: a key at the time shown`, animate, { "data-testid": `animate:${binding.rel.join("/")}` });
     key.classList.add("key-button");
     inner = [control];
     host.replaceChildren(control.element, key);

@@ -1,11 +1,13 @@
 /** Numbers: a slider with a box, or a box alone. */
 
-import { el, iconButton } from "../dom";
+import { el, iconButton, quiet } from "../dom";
 import type { NumberField } from "../schema";
 import { isTyping, valueOf, type Control, type Place } from "./control";
 import { isBoundless, rounded, scaleOf, valueAt } from "./scale";
 
-export const shown = (value: unknown): string => (typeof value === "number" ? String(Number(value.toPrecision(7))) : String(value ?? ""));
+/** Five digits are enough to see; whole numbers have all of theirs. */
+export const shown = (value: unknown): string =>
+  typeof value === "number" ? String(Number.isInteger(value) ? value : Number(value.toPrecision(5))) : String(value ?? "");
 
 /**
  * A box for a number. Up and down change it by a step, with Shift by ten; what is no number is not taken. `put` gets
@@ -59,7 +61,9 @@ export function numberControl(place: Place<NumberField>): Control {
     fill();
   };
   slider.addEventListener("input", () => move(false));
-  slider.addEventListener("change", () => binding.store.endGesture());
+  // Steps by keys that follow each other are one to undo.
+  const rest = quiet(600, () => binding.store.endGesture());
+  slider.addEventListener("change", rest);
   return {
     element: el("span.slide", {}, slider, boxed),
     refresh(): void {

@@ -33,7 +33,7 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
     controls = section.members(members);
     title.textContent = typeof selected === "number" ? store.preset.nameOf(selected) : HEADS[selected];
     hint.textContent = hintOf(store, controls.length, search.value);
-    const grammar = members.some((m) => m.name === "grammar") && !search.value;
+    const grammar = hasGrammar(store) && !search.value;
     const open = el("button.small.wide", { type: "button", "data-testid": "open-grammar", click: acts.openGrammar }, "Edit its grammar …");
     body.replaceChildren(...(grammar ? [open] : []), ...controls.map((c) => c.element));
     refresh();
@@ -112,4 +112,12 @@ function sharedMembers(store: Store): Member[] {
     }
   }
   return [...found.values()].sort((a, b) => spelled(a.name).localeCompare(spelled(b.name)));
+}
+
+/** Does the selection grow by rules that can be typed? */
+function hasGrammar(store: Store): boolean {
+  const { selected } = store;
+  if (typeof selected !== "number") return false;
+  const { form, grammar } = store.preset.organism(selected);
+  return grammar !== undefined || form === "own" || store.preset.kindOf(selected) === "plant";
 }

@@ -9,7 +9,6 @@ import { fromPointer, getAt, isObject, toPointer, type Path } from "../pointer";
 import { SceneLoop } from "../scene_loop";
 import type { Store } from "../store";
 import { View, type Path as DragPath } from "../view/view";
-import { addMesh } from "./add_organism";
 import { ask } from "./dialogs";
 import { onTheme } from "./theme";
 
@@ -44,8 +43,7 @@ export function stage(store: Store): Stage {
       store.set(fromPointer(pointer), at.map(round), pointer);
       if (done) store.endGesture();
     },
-    camera: (at, to) => setCamera(store, at, to),
-    dropped: (file) => void addMesh(store, file),
+    camera: () => {},
   });
   const loop = new SceneLoop(store, view);
 

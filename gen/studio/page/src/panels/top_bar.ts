@@ -17,7 +17,7 @@ export interface TopActs {
 export function topBar(store: Store, acts: TopActs): HTMLElement {
   const undo = iconButton("undo", "Undo (Ctrl+Z)", () => store.undo(), { "data-testid": "undo" });
   const redo = iconButton("redo", "Redo (Ctrl+Shift+Z)", () => store.redo(), { "data-testid": "redo" });
-  const name = el("span.file", { "data-testid": "file" });
+  const name = el("h1.file", { "data-testid": "file" });
   const mark = el("span.unsaved", { "data-testid": "unsaved", hidden: true }, "unsaved");
   const save = el<HTMLButtonElement>("button", { type: "button", "data-testid": "save", "data-tip": "Save (Ctrl+S)", click: acts.save }, "Save");
   const saveAs = el("button", { type: "button", "data-testid": "save-as-button", "data-tip": "Save under another name (Ctrl+Shift+S)", click: acts.saveAs }, "Save as …");
@@ -27,7 +27,7 @@ export function topBar(store: Store, acts: TopActs): HTMLElement {
     el("span.cluster", {}, save, saveAs),
     el("span.gap"),
     el("span.cluster", {}, iconButton("dice", "Another seed", acts.seed, { "data-testid": "seed" }),
-      el("button", { type: "button", "data-testid": "variations", "data-tip": "A wall of nine variations", click: acts.wall }, icon("wall"), el("span.word", {}, "Variations")), render),
+      el("button", { type: "button", "data-testid": "variations", "aria-label": "Variations", "data-tip": "A wall of nine variations", click: acts.wall }, icon("wall"), el("span.when-wide", {}, "Variations")), render),
   ];
   const gap = el("span.gap");
   const side = iconButton("side", "Show or hide the side panel", acts.side, { "data-testid": "side" });
@@ -40,13 +40,13 @@ export function topBar(store: Store, acts: TopActs): HTMLElement {
     const open = store.isOpen;
     for (const part of [...withPreset, name, side]) part.hidden = !open;
     gap.hidden = open;
-    name.textContent = store.copy ? `copy of ${store.file}` : store.file;
-    name.title = store.preset.title;
+    name.textContent = store.copy ? `copy of ${store.name}` : store.name;
+    name.title = [store.preset.title, store.file].filter(Boolean).join("\n");
     mark.hidden = !store.unsaved;
     undo.disabled = !store.canUndo;
     redo.disabled = !store.canRedo;
     save.disabled = !store.unsaved && !store.copy;
-    document.title = open ? `${store.unsaved ? "• " : ""}${store.file.split("/").at(-1)} – Frond` : "Frond";
+    document.title = open ? `${store.unsaved ? "• " : ""}${store.name} – Frond` : "Frond";
   };
   store.on(["text", "opened", "saved"], refresh);
   refresh();

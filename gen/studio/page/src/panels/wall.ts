@@ -5,7 +5,7 @@ import type { Binding } from "../controls/binding";
 import { valueAtTime, withKey, keysOf } from "../controls/keys";
 import { anySeed, numberBox, shown } from "../controls/number";
 import { isBoundless, rounded, scaleOf, valueAt } from "../controls/scale";
-import { el, iconButton } from "../dom";
+import { el, iconButton, sleep } from "../dom";
 import { setAt } from "../edits";
 import type { Path } from "../pointer";
 import { spelled, type Field, type NumberField } from "../schema";
@@ -13,6 +13,8 @@ import type { Store } from "../store";
 import { View } from "../view/view";
 
 const COUNT = 9;
+/** How much of the view the preset's frame takes. */
+const FRAME = 0.94;
 const NOTHING = (): void => {};
 
 interface Subject {
@@ -73,7 +75,12 @@ export function wall(store: Store, resized: () => void): Wall {
     host.style.width = `${Math.round(360 * Math.min(1, w / h))}px`;
     host.style.height = `${Math.round((360 * Math.min(1, w / h) * h) / w)}px`;
     document.body.append(host);
+    const { frond } = window as { frond?: unknown };
     const view = new View(host, { picked: NOTHING, placed: NOTHING, key: NOTHING, camera: NOTHING });
+    Object.assign(window, { frond });
+    view.lookThrough(true);
+    // It flies there.
+    const there = sleep(600);
     const session = crypto.randomUUID();
     try {
       for (let i = 0; i < texts.length && mine === round; i++) {
@@ -83,9 +90,9 @@ export function wall(store: Store, resized: () => void): Wall {
         if (mine !== round) break;
         if (answer.is === "picture") {
           view.show(answer.bytes);
-          view.lookThrough(true);
+          await there;
           await view.drawn();
-          copyTo(figure, host.querySelector("canvas"));
+          await copyPicture(view, host.querySelector("canvas"), figure, w / h);
         } else figure.parentElement!.dataset.note = answer.is === "long" ? "too large for the wall" : "cannot be grown";
         figure.parentElement!.classList.add("drawn");
       }
@@ -132,11 +139,16 @@ function tile(label: string, pick: () => void): { element: HTMLElement; picture:
   return { element, picture };
 }
 
-function copyTo(picture: HTMLCanvasElement, from: HTMLCanvasElement | null): void {
+/** Copies what the view draws within the preset's frame: in the very frame that draws it, as it is not kept for longer. */
+async function copyPicture(view: View, from: HTMLCanvasElement | null, to: HTMLCanvasElement, aspect: number): Promise<void> {
   if (!from) return;
-  picture.width = from.width;
-  picture.height = from.height;
-  picture.getContext("2d")?.drawImage(from, 0, 0);
+  void view.drawn();
+  await new Promise(requestAnimationFrame);
+  const width = FRAME * Math.min(from.width, from.height * aspect);
+  const height = width / aspect;
+  to.width = width;
+  to.height = height;
+  to.getContext("2d")?.drawImage(from, (from.width - width) / 2, (from.height - height) / 2, width, height, 0, 0, width, height);
 }
 
 /** About a third of the slider's way to either side. */

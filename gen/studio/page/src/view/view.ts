@@ -5,6 +5,7 @@ export interface ViewEvents {
   picked(entry: number | null): void;
   placed(entry: number, placeIndex: number, x: number, z: number, done: boolean): void;
   key(what: "food" | "camera", pointer: string, at: [number, number, number], done: boolean): void;
+  /** The eye came to rest somewhere else. */
   camera(at: [number, number, number], to: [number, number, number]): void;
   dropped?(file: File): void;
 }
