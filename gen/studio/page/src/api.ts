@@ -16,8 +16,9 @@ export interface Fault {
 }
 export interface Listed {
   file: string;
+  /** Its path below the folder of presets, as "forest/autumn". */
+  name: string;
   title: string;
-  about: string;
   picture: string | null;
 }
 export interface Loaded {
@@ -27,7 +28,6 @@ export interface Loaded {
   copy?: boolean;
 }
 export interface Start {
-  version: string;
   machine: { cores: number };
   schema: Record<string, unknown>;
   symbols: { symbol: string; doc: string }[];

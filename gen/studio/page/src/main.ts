@@ -12,7 +12,7 @@
  *   renders      render-size render-quality render-start compare renders render-picture render-state cancel-render go-back
  *                wipe close-picture
  *   variations   wall wall-grid variation:VALUE
- *   gallery      gallery gallery-search new-preset card:FILE
+ *   gallery      gallery gallery-search new-preset card:NAME
  *   dialogs      add add:KIND add-from add-which save-as save-name save-wrong save-conflict long leave answer:VALUE
  *   elsewhere    banner
  * `window.frond` has what the view gives (`mask()`, a picture of the organisms alone; `settled()`), `shown()`, which resolves

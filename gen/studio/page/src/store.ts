@@ -39,7 +39,8 @@ export class Store {
   schema!: PresetSchema;
   symbols: Start["symbols"] = [];
   presets: Listed[] = [];
-  version = "";
+  /** Where presets are written: that of the preset the studio was opened with, else where it was started. */
+  folder = "";
 
   file = "";
   disk: string | null = null;
@@ -77,7 +78,7 @@ export class Store {
     this.schema = new PresetSchema(start.schema);
     this.symbols = start.symbols;
     this.presets = start.presets;
-    this.version = start.version;
+    this.folder = start.preset ? start.preset.file.replace(/[^/]*$/, "") : "";
   }
 
   // The document
@@ -87,6 +88,10 @@ export class Store {
   }
   get doc(): Doc {
     return { text: this.text, file: this.file };
+  }
+  /** The file's name without its folders. */
+  get name(): string {
+    return this.file.split("/").at(-1)!;
   }
   get unsaved(): boolean {
     return this.isOpen && this.text !== this.saved;

@@ -7,11 +7,7 @@ import type { Store } from "../store";
 import { say } from "./dialogs";
 
 /** Presets of a folder stand together; those at the top come first. */
-function groupOf(listed: Listed): string {
-  const parts = listed.file.split("/");
-  const folder = parts.length > 1 ? parts.at(-2)! : "";
-  return folder === "presets" ? "" : folder;
-}
+const groupOf = (listed: Listed): string => listed.name.split("/").slice(0, -1).join("/");
 const TITLES: Record<string, string> = { "": "Scenes and single ones", lsystems: "L-systems", trees: "Trees", forest: "Forest", garden: "Garden", ivy: "Ivy", grammars: "Grammars" };
 
 export function gallery(store: Store): { element: HTMLElement; show(): void } {
@@ -22,7 +18,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
     el("div.gallery-head", {}, el("div", {}, el("h1", {}, "Begin with a preset"), el("p.hint", {}, "One click makes a copy to play with. What is shipped stays as it is.")), el("span.search", {}, icon("search"), search), empty), body);
 
   const begin = (): void =>
-    store.open({ file: "presets/untitled.json", disk: null, copy: true, text: '{\n  "title": "Untitled",\n  "seed": 1,\n  "film": {"frames": 1},\n  "scene": {"setting": "studio"},\n  "organisms": []\n}\n' });
+    store.open({ file: store.folder + "untitled.json", disk: null, copy: true, text: '{\n  "title": "Untitled",\n  "seed": 1,\n  "film": {"frames": 1},\n  "scene": {"setting": "studio"},\n  "organisms": []\n}\n' });
 
   async function open(file: string): Promise<void> {
     try {
@@ -33,12 +29,11 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
   }
   const card = (listed: Listed): HTMLElement => {
     const picture = listed.picture ? el("img", { src: api.galleryPicture(listed.picture), alt: "", loading: "lazy" }) : el("span.blank", {}, icon("gallery"));
-    const name = listed.title || listed.file.split("/").at(-1)!;
-    return el("li", {}, el("button.card", { type: "button", "data-testid": `card:${listed.file}`, "data-tip": listed.about || null, click: () => void open(listed.file) }, picture, el("span", {}, name), el("small", {}, listed.file)));
+    return el("li", {}, el("button.card", { type: "button", "data-testid": `card:${listed.name}`, click: () => void open(listed.file) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
   };
   const show = (): void => {
     const words = search.value.trim().toLowerCase();
-    const found = store.presets.filter((p) => `${p.title} ${p.about} ${p.file}`.toLowerCase().includes(words));
+    const found = store.presets.filter((p) => `${p.title} ${p.name}`.toLowerCase().includes(words));
     const groups = [...new Set(found.map(groupOf))].sort();
     body.replaceChildren(...groups.map((g) => el("section", {}, el("h2", {}, TITLES[g] ?? g), el("ul.cards", {}, ...found.filter((p) => groupOf(p) === g).map(card)))));
     if (!found.length) body.append(el("p.hint", {}, "No preset is called so."));

@@ -11,8 +11,8 @@ export async function save(store: Store): Promise<void> {
   await write(store, store.file, store.disk, false, false);
 }
 
-export async function saveAs(store: Store): Promise<void> {
-  const name = el<HTMLInputElement>("input.text", { type: "text", "aria-label": "Name of the file", value: suggested(store), "data-testid": "save-name", autofocus: true });
+export async function saveAs(store: Store, suggestion = suggested(store)): Promise<void> {
+  const name = el<HTMLInputElement>("input.text", { type: "text", "aria-label": "Name of the file", value: suggestion, "data-testid": "save-name", autofocus: true });
   const answer = await dialog("Save as", (close) => {
     name.addEventListener("keydown", (event) => event.key === "Enter" && close("save"));
     return [
@@ -36,7 +36,10 @@ async function write(store: Store, file: string, disk: string | null, overwrite:
   try {
     answer = await api.save(file, doc, disk, overwrite, force);
   } catch (error) {
-    return say(`Not saved: ${(error as Error).message}`, true);
+    say(`Not saved: ${(error as Error).message}`, true);
+    // Where a folder may not be written in, a plain name stands for the one that may.
+    if (error instanceof api.ApiError && error.status === 403 && file.includes("/")) await saveAs(store, file.split("/").at(-1)!);
+    return;
   }
   if (answer.is === "saved") {
     if (answer.text !== doc.text && store.text === doc.text) store.change(answer.text);

@@ -40,13 +40,13 @@ export function topBar(store: Store, acts: TopActs): HTMLElement {
     const open = store.isOpen;
     for (const part of [...withPreset, name, side]) part.hidden = !open;
     gap.hidden = open;
-    name.textContent = store.copy ? `copy of ${store.file}` : store.file;
-    name.title = store.preset.title;
+    name.textContent = store.copy ? `copy of ${store.name}` : store.name;
+    name.title = [store.preset.title, store.file].filter(Boolean).join("\n");
     mark.hidden = !store.unsaved;
     undo.disabled = !store.canUndo;
     redo.disabled = !store.canRedo;
     save.disabled = !store.unsaved && !store.copy;
-    document.title = open ? `${store.unsaved ? "• " : ""}${store.file.split("/").at(-1)} – Frond` : "Frond";
+    document.title = open ? `${store.unsaved ? "• " : ""}${store.name} – Frond` : "Frond";
   };
   store.on(["text", "opened", "saved"], refresh);
   refresh();

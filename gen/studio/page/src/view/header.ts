@@ -17,6 +17,7 @@ export interface Material {
   metal: boolean;
   picture?: string;
   light_through?: number;
+  /** Of panes; absent: 1. */
   opacity?: number;
 }
 
