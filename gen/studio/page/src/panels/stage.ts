@@ -43,14 +43,22 @@ export function stage(store: Store): Stage {
       store.set(fromPointer(pointer), at.map(round), pointer);
       if (done) store.endGesture();
     },
-    camera: () => {},
+    camera: (at) => {
+      // Who turns the view by hand no longer looks through the camera.
+      const film = store.scene.header?.camera.at ?? at;
+      const away = Math.hypot(at[0] - film[0], at[1] - film[1], at[2] - film[2]);
+      if (through && away > 0.01) showThrough(false);
+    },
   });
   const loop = new SceneLoop(store, view);
 
   function toggleCamera(): void {
-    through = !through;
-    look.setAttribute("aria-pressed", String(through));
+    showThrough(!through);
     view.lookThrough(through);
+  }
+  function showThrough(on: boolean): void {
+    through = on;
+    look.setAttribute("aria-pressed", String(on));
   }
   const showFigures = (): void => {
     const { header, busy, took, foretold } = store.scene;
