@@ -17,6 +17,8 @@ export interface Material {
   metal: boolean;
   picture?: string;
   light_through?: number;
+  /** Of panes; absent: 1. */
+  opacity?: number;
 }
 
 /** The corners of a mesh; `colors` (sRGB bytes) stand in place of the material's. */

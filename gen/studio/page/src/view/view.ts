@@ -1,72 +1,347 @@
-import type { Header } from "./header";
+import { Box3, Raycaster, Vector3, type Object3D } from "three";
+import { pictureAddress } from "../api";
+import { Stand } from "./copies";
+import { Drawn } from "./drawn";
+import { Eye } from "./eye";
+import { Guides, type Handle, type Path } from "./guides";
+import { LeafPictures } from "./leaf_pictures";
+import { setLight } from "./light";
+import { Painter } from "./painter";
+import { decode } from "./packet";
+import { Pointer, type Planting, type PointerTarget } from "./pointer";
+import { Shelf } from "./shelf";
+import type { Header, Part, Vec3 } from "./header";
+
+export type { Path } from "./guides";
 
 /** What a person did in the view. */
 export interface ViewEvents {
   picked(entry: number | null): void;
+  /** A planting is dragged over the ground: its place in the preset's list and where its foot is now. */
   placed(entry: number, placeIndex: number, x: number, z: number, done: boolean): void;
-  key(what: "food" | "camera", pointer: string, at: [number, number, number], done: boolean): void;
-  /** The eye came to rest somewhere else. */
-  camera(at: [number, number, number], to: [number, number, number]): void;
+  /** A key of a path is dragged. */
+  key(what: "food" | "camera", pointer: string, at: Vec3, done: boolean): void;
+  /** The preset's camera was dragged. */
+  camera(at: Vec3, to: Vec3): void;
   dropped?(file: File): void;
 }
 
-/** A path that can be dragged: its keys, each with the JSON pointer of its vector. */
-export interface Path {
-  what: "food" | "camera";
-  pointer: string;
-  keys: { t: number; at: [number, number, number]; pointer: string }[];
-}
+/** What stands for an organism where one clicks: specimens from 1, entries that are sown from here on. */
+const SOWN = 0x400000;
+const QUIET = 180; // ms without a change, and the picture is made finer
 
-/** A stand-in for the 3D view: it tells what it was sent. */
-export class View {
+/** The live picture of the model. It is drawn when something has changed, and rests otherwise. */
+export class View implements PointerTarget {
   private canvas = document.createElement("canvas");
+  private frameBox = document.createElement("div");
+  private painter: Painter;
+  private eyes: Eye;
+  private guides = new Guides();
+  private leaves: LeafPictures;
+  private shelf: Shelf;
+  private pointer: Pointer;
   private header: Header | null = null;
+  private shown: { part: Part; thing: Drawn | Stand }[] = [];
+  private selected: number | null = null;
+  private frame = 0;
+  /** Whether the model was on the screen yet. */
+  private seen = false;
+  private rest = 0;
+  private waiting: (() => void)[] = [];
+  private stop = new AbortController();
 
   constructor(
     private host: HTMLElement,
-    _events: ViewEvents,
+    private events: ViewEvents,
   ) {
-    this.host.append(this.canvas);
+    this.canvas.tabIndex = 0;
+    this.canvas.className = "view-canvas";
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", "The model in 3D. Arrow keys turn it, with Shift they move it, plus and minus come nearer and go away, Home goes back.");
+    this.canvas.style.cssText = "display:block;width:100%;height:100%;touch-action:none";
+    this.frameBox.style.cssText = "position:absolute;pointer-events:none;box-shadow:0 0 0 4000px rgb(0 0 0/.55);outline:1px solid rgb(255 255 255/.5);display:none";
+    if (getComputedStyle(host).position === "static") host.style.position = "relative";
+    host.style.overflow = "hidden";
+    host.append(this.canvas, this.frameBox);
+    this.painter = new Painter(this.canvas);
+    this.painter.over.add(this.guides);
+    this.eyes = new Eye(this.canvas, this.changed, () => this.throughChanged());
+    this.leaves = new LeafPictures(pictureAddress, this.changed);
+    this.shelf = new Shelf({ slow: this.painter.slow, shared: this.painter.shared, leaves: this.leaves });
+    this.pointer = new Pointer(this.canvas, this);
+    this.listen();
     this.resize();
+    // For tests; that of the first view.
+    const told = window as { frond?: object };
+    told.frond ??= { mask: this.mask, settled: this.settled };
   }
 
+  /** Shows what the server answered; throws where it is no picture of a model. */
   show(answer: ArrayBuffer): Header {
-    const size = new DataView(answer).getUint32(4, true);
-    this.header = JSON.parse(new TextDecoder().decode(new Uint8Array(answer, 8, size))) as Header;
-    this.draw();
+    const packet = decode(answer);
+    const first = this.header === null || this.header.entries.length === 0;
+    const kept = this.shelf.take(packet);
+    this.header = packet.header;
+    this.shown = packet.header.parts.flatMap((part, i) => (kept[i]!.thing ? [{ part, thing: kept[i]!.thing }] : []));
+    for (const { part, thing } of this.shown) this.identify(part, thing);
+    this.markSelected();
+    setLight(this.painter.shared, this.header);
+    this.eyes.follow(this.header, first);
+    this.guides.setCamera(this.header);
+    this.painter.setThings(
+      this.shown.map(({ thing }) => thing),
+      this.bounds(),
+    );
+    this.changed();
     return this.header;
   }
 
   have(): string[] {
-    return [];
-  }
-  select(_entry: number | null): void {}
-  paths(_list: Path[]): void {}
-  lookThrough(_on: boolean): void {}
-  eye(): { at: [number, number, number]; to: [number, number, number] } {
-    return { at: [0, 1, 5], to: [0, 0, 0] };
-  }
-  async drawn(): Promise<void> {
-    await new Promise(requestAnimationFrame);
-  }
-  theme(_dark: boolean): void {}
-  resize(): void {
-    this.canvas.width = this.host.clientWidth;
-    this.canvas.height = this.host.clientHeight;
-    this.draw();
-  }
-  dispose(): void {
-    this.canvas.remove();
+    return this.shelf.names();
   }
 
-  private draw(): void {
-    const pen = this.canvas.getContext("2d");
-    if (!pen || !this.header) return;
-    const { width, height } = this.canvas;
-    const sky = this.header.light.sky.map((c) => Math.round(255 * c ** (1 / 2.2)));
-    pen.fillStyle = `rgb(${sky.join(",")})`;
-    pen.fillRect(0, 0, width, height);
-    pen.fillStyle = "#fff";
-    pen.fillText(`${this.header.nodes} nodes at ${this.header.time} s`, 12, height - 12);
+  select(entry: number | null): void {
+    this.selected = entry;
+    this.markSelected();
+    this.changed();
   }
+
+  paths(list: Path[]): void {
+    this.guides.setPaths(list);
+    this.changed();
+  }
+
+  lookThrough(on: boolean): void {
+    this.eyes.lookThrough(on, !this.seen);
+    this.throughChanged();
+  }
+
+  eye(): { at: Vec3; to: Vec3 } {
+    return { at: this.eyes.at(), to: this.eyes.to() };
+  }
+
+  /** Resolves when the next picture is on the screen. */
+  drawn(): Promise<void> {
+    const done = new Promise<void>((resolve) => this.waiting.push(resolve));
+    this.changed();
+    return done;
+  }
+
+  /** Resolves when the picture is as fine as it gets. */
+  settled = async (): Promise<void> => {
+    await this.drawn();
+    while (this.frame || this.rest) await new Promise((next) => setTimeout(next, 50));
+  };
+
+  theme(dark: boolean): void {
+    this.host.style.background = dark ? "#16181a" : "#e8e9ea";
+  }
+
+  resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (!width || !height) return;
+    this.painter.resize(width, height);
+    this.eyes.resize(width, height);
+    this.placeFrame();
+    this.changed();
+  }
+
+  dispose(): void {
+    this.stop.abort();
+    cancelAnimationFrame(this.frame);
+    clearTimeout(this.rest);
+    this.pointer.dispose();
+    this.eyes.dispose();
+    this.shelf.clear();
+    this.leaves.dispose();
+    this.guides.dispose();
+    this.painter.dispose();
+    this.canvas.remove();
+    this.frameBox.remove();
+  }
+
+  /** Organisms white on black from the preset's camera, as a PNG's address. */
+  mask = async (width: number, height: number): Promise<string> => {
+    const pixels = this.painter.mask(this.eyes.filmCamera(), width, height);
+    const canvas = document.createElement("canvas");
+    canvas.width = width;
+    canvas.height = height;
+    const pen = canvas.getContext("2d")!;
+    const image = pen.createImageData(width, height);
+    for (let y = 0; y < height; ++y) image.data.set(pixels.subarray(4 * width * (height - 1 - y), 4 * width * (height - y)), 4 * width * y);
+    pen.putImageData(image, 0, 0);
+    this.changed();
+    return canvas.toDataURL("image/png");
+  };
+
+  // ---- Drawing ----
+
+  /** Asks for a picture; many askings make one. */
+  private changed = (): void => {
+    clearTimeout(this.rest);
+    this.rest = 0;
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(this.draw);
+  };
+
+  private draw = (): void => {
+    this.frame = 0;
+    const more = this.eyes.step();
+    this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
+    this.painter.draw(this.camera);
+    this.seen ||= this.header !== null;
+    const waiting = this.waiting.splice(0);
+    if (waiting.length) {
+      this.painter.finish();
+      requestAnimationFrame(() => waiting.forEach((resolve) => resolve()));
+    }
+    if (more || this.frame) {
+      if (!this.frame) this.frame = requestAnimationFrame(this.draw);
+      return;
+    }
+    this.rest = window.setTimeout(this.quiet, QUIET);
+  };
+
+  private quiet = (): void => {
+    this.rest = 0;
+    if (this.header && !this.frame) this.frame = requestAnimationFrame(this.refine);
+  };
+
+  private refine = (): void => {
+    this.frame = this.painter.refine(this.camera) ? requestAnimationFrame(this.refine) : 0;
+  };
+
+  private listen(): void {
+    const options = { signal: this.stop.signal };
+    const watch = new ResizeObserver(() => this.resize());
+    watch.observe(this.host);
+    this.stop.signal.addEventListener("abort", () => watch.disconnect());
+    this.canvas.addEventListener("keydown", (event) => this.eyes.key(event) && event.preventDefault(), options);
+    this.canvas.addEventListener("webglcontextrestored", () => this.changed(), options);
+    if (!this.events.dropped) return;
+    this.host.addEventListener("dragover", (event) => event.preventDefault(), options);
+    this.host.addEventListener(
+      "drop",
+      (event) => {
+        event.preventDefault();
+        for (const file of event.dataTransfer?.files ?? []) this.events.dropped?.(file);
+      },
+      options,
+    );
+  }
+
+  private throughChanged(): void {
+    this.guides.showCamera(!this.eyes.through);
+    this.placeFrame();
+    this.changed();
+  }
+
+  private placeFrame(): void {
+    const [left, top, width, height] = this.eyes.frame();
+    const { style } = this.frameBox;
+    style.display = this.eyes.through ? "block" : "none";
+    Object.assign(style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
+  }
+
+  /** The box of all that the preset's organisms take, for shadows. */
+  private bounds(): Box3 {
+    const box = new Box3();
+    const { entries, camera } = this.header!;
+    for (const { low, high, specimens, copies } of entries) if (specimens + copies > 0) box.union(new Box3(new Vector3(...low), new Vector3(...high)));
+    // Of a wide stand only what is near can be told apart.
+    const middle = new Vector3(...camera.to);
+    const far = Math.max(8, 2.5 * middle.distanceTo(new Vector3(...camera.at)));
+    const near = new Box3().setFromCenterAndSize(middle, new Vector3(2 * far, 4 * far, 2 * far));
+    return box.intersectsBox(near) ? box.intersect(near).expandByScalar(0.05) : box;
+  }
+
+  // ---- What is what ----
+
+  private identify(part: Part, thing: Drawn | Stand): void {
+    const number = part.specimen >= 0 ? part.specimen + 1 : part.entry >= 0 ? SOWN + part.entry : 0;
+    for (const one of thing instanceof Stand ? thing.drawn() : [thing]) {
+      one.identify(number, part.entry >= 0);
+      if (part.kind !== "ground") continue;
+      if (!part.instances && !one.defines.INSTANCED) one.uniforms.rough!.value = 0.6;
+      one.casts = Boolean(one.defines.INSTANCED) && one.triangles < 400_000;
+    }
+  }
+
+  private markSelected(): void {
+    for (const { part, thing } of this.shown) {
+      const strength = this.selected !== null && part.entry === this.selected ? 0.14 : 0;
+      for (const one of thing instanceof Stand ? thing.drawn() : [thing]) one.highlight(strength);
+    }
+  }
+
+  private specimenAt(x: number, y: number): { entry: number; specimen: number } | null {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const number = this.painter.numberAt(this.camera, x, y, width, height);
+    if (number >= SOWN) return { entry: number - SOWN, specimen: -1 };
+    const specimen = this.header?.specimens[number - 1];
+    return specimen && specimen.entry >= 0 ? { entry: specimen.entry, specimen: number - 1 } : null;
+  }
+
+  // ---- What the pointer may do ----
+
+  get camera() {
+    return this.eyes.camera;
+  }
+  holdEye(still: boolean): void {
+    this.eyes.controls.enabled = !still;
+  }
+  handleAt(x: number, y: number): Handle | null {
+    return this.guides.handleAt(x, y, this.toPixel);
+  }
+  cameraAt(x: number, y: number): boolean {
+    if (this.eyes.through || !this.header) return false;
+    const p = this.toPixel(this.guides.cameraAt());
+    return p.near && Math.hypot(p.x - x, p.y - y) < 14;
+  }
+  plantingAt(x: number, y: number): Planting | null {
+    if (this.selected === null || !this.header?.specimens.some((s) => s.entry === this.selected && s.placed !== null)) return null;
+    const found = this.specimenAt(x, y);
+    const specimen = found && found.entry === this.selected ? this.header.specimens[found.specimen] : undefined;
+    return specimen && specimen.placed !== null ? { entry: specimen.entry, place: specimen.placed, foot: specimen.foot } : null;
+  }
+  groundUnder(ray: Raycaster, height: number): Vector3 | null {
+    const ground = this.shown.filter(({ part, thing }) => part.kind === "ground" && thing instanceof Drawn && !thing.defines.INSTANCED);
+    const hit = ray.intersectObjects(ground.map(({ thing }) => thing as Object3D), false)[0];
+    if (hit) return hit.point;
+    const { origin, direction } = ray.ray;
+    const way = (height - origin.y) / direction.y;
+    return way > 0 && way < 1e4 ? origin.clone().addScaledVector(direction, way) : null;
+  }
+  click(x: number, y: number): void {
+    this.events.picked(this.header ? (this.specimenAt(x, y)?.entry ?? null) : null);
+  }
+  flyToCamera(): void {
+    this.lookThrough(true);
+  }
+  get filmEye(): Vector3 {
+    return new Vector3(...this.header!.camera.at);
+  }
+  cameraMoved(at: Vec3, done: boolean): void {
+    const { camera } = this.header!;
+    this.guides.setCamera(this.header!, at);
+    this.changed();
+    if (done) this.events.camera(at, camera.to);
+  }
+  keyMoved(handle: Handle, at: Vec3, done: boolean): void {
+    this.guides.moveKey(handle.pointer, at);
+    this.changed();
+    this.events.key(handle.what, handle.pointer, at, done);
+  }
+  plantingMoved(planting: Planting, at: Vector3, done: boolean): void {
+    this.guides.showRing(done ? null : at, 0.06 * at.distanceTo(this.camera.position));
+    this.changed();
+    this.events.placed(planting.entry, planting.place, at.x, at.z, done);
+  }
+
+  private toPixel = (at: Vector3): { x: number; y: number; near: boolean } => {
+    spot.copy(at).project(this.camera);
+    return { x: ((spot.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - spot.y) / 2) * this.canvas.clientHeight, near: spot.z < 1 };
+  };
 }
+
+const spot = new Vector3();

@@ -1,0 +1,150 @@
+import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type PerspectiveCamera } from "three";
+import { points } from "./curve";
+import type { Header, Vec3 } from "./header";
+
+/** A path that can be dragged: its keys, each with the JSON pointer of its vector. */
+export interface Path {
+  what: "food" | "camera";
+  pointer: string;
+  keys: { t: number; at: Vec3; pointer: string }[];
+}
+
+/** A key that one can take hold of. */
+export interface Handle {
+  what: Path["what"];
+  pointer: string;
+  at: Vector3;
+}
+
+const COLORS = { food: 0xffa63d, camera: 0x6aa5ff };
+const HANDLE = 6; // pixels
+const PIECES = 16;
+
+const lines = (color: number, opacity: number): LineBasicMaterial => new LineBasicMaterial({ color, transparent: true, opacity, depthTest: false });
+
+/** Lines and handles that are no part of the picture: paths with their keys, the preset's camera, the ring under what is
+ *  dragged. */
+export class Guides extends Group {
+  private handles: { handle: Handle; ball: Mesh }[] = [];
+  private ball = new SphereGeometry(1, 12, 8);
+  private paints = {
+    food: new MeshBasicMaterial({ color: COLORS.food, depthTest: false, transparent: true }),
+    camera: new MeshBasicMaterial({ color: COLORS.camera, depthTest: false, transparent: true }),
+  };
+  private drawnPaths = new Group();
+  private film: LineSegments;
+  private ring: Line;
+  private list: Path[] = [];
+
+  constructor() {
+    super();
+    this.film = new LineSegments(new BufferGeometry(), lines(COLORS.camera, 0.9));
+    this.film.geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * 20), 3));
+    const circle = Float32Array.from({ length: 3 * 49 }, (_, i) => [Math.cos((Math.floor(i / 3) / 48) * 2 * Math.PI), 0, Math.sin((Math.floor(i / 3) / 48) * 2 * Math.PI)][i % 3]!);
+    this.ring = new Line(new BufferGeometry().setAttribute("position", new BufferAttribute(circle, 3)), lines(0xffffff, 0.9));
+    this.ring.visible = false;
+    for (const one of [this.film, this.ring]) one.frustumCulled = false;
+    this.add(this.film, this.drawnPaths, this.ring);
+  }
+
+  setPaths(list: Path[]): void {
+    this.list = list;
+    this.clearPaths();
+    for (const path of list) {
+      const curve = new Line(new BufferGeometry(), lines(COLORS[path.what], 0.8));
+      curve.geometry.setAttribute("position", new BufferAttribute(points(path.keys, PIECES), 3));
+      curve.frustumCulled = false;
+      this.drawnPaths.add(curve);
+      for (const key of path.keys) {
+        const ball = new Mesh(this.ball, this.paints[path.what]);
+        ball.position.set(...key.at);
+        this.drawnPaths.add(ball);
+        this.handles.push({ handle: { what: path.what, pointer: key.pointer, at: ball.position }, ball });
+      }
+    }
+  }
+
+  /** Moves one key until the paths are set anew. */
+  moveKey(pointer: string, at: Vec3): void {
+    this.setPaths(this.list.map((path) => ({ ...path, keys: path.keys.map((key) => (key.pointer === pointer ? { ...key, at } : key)) })));
+  }
+
+  /** The pyramid of the preset's camera. */
+  setCamera(header: Header, at: Vec3 = header.camera.at): void {
+    const { to, angle } = header.camera;
+    const eye = new Vector3(...at);
+    const ahead = new Vector3(...to).sub(eye);
+    const reach = 0.12 * ahead.length();
+    ahead.normalize();
+    const right = new Vector3().crossVectors(ahead, new Vector3(0, 1, 0));
+    if (right.length() < 1e-3) right.set(1, 0, 0);
+    right.normalize();
+    const up = new Vector3().crossVectors(right, ahead);
+    const half = Math.tan((angle * Math.PI) / 360) * reach;
+    const tall = (half * header.film.size[1]) / header.film.size[0];
+    const corner = (x: number, y: number): Vector3 => eye.clone().addScaledVector(ahead, reach).addScaledVector(right, x * half).addScaledVector(up, y * tall);
+    const [a, b, c, d] = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)] as [Vector3, Vector3, Vector3, Vector3];
+    const list = [eye, a, eye, b, eye, c, eye, d, a, b, b, c, c, d, d, a, corner(-0.4, 1.1), corner(0, 1.6), corner(0, 1.6), corner(0.4, 1.1)];
+    const position = this.film.geometry.getAttribute("position") as BufferAttribute;
+    list.forEach((v, i) => position.setXYZ(i, v.x, v.y, v.z));
+    position.needsUpdate = true;
+  }
+
+  /** The middle of the camera's pyramid, to click on. */
+  cameraAt(): Vector3 {
+    const position = this.film.geometry.getAttribute("position") as BufferAttribute;
+    return new Vector3().fromBufferAttribute(position, 0).lerp(new Vector3().fromBufferAttribute(position, 8).lerp(new Vector3().fromBufferAttribute(position, 12), 0.5), 0.6);
+  }
+
+  showCamera(on: boolean): void {
+    this.film.visible = on;
+  }
+
+  /** The ring on the ground below what is dragged; null: none. */
+  showRing(at: Vector3 | null, radius = 1): void {
+    this.ring.visible = at !== null;
+    if (at) this.ring.position.copy(at);
+    this.ring.scale.setScalar(radius);
+  }
+
+  /** The key that is drawn nearest to a pixel, if any is near. */
+  handleAt(x: number, y: number, toPixel: (at: Vector3) => { x: number; y: number; near: boolean }): Handle | null {
+    let best: Handle | null = null;
+    let least = HANDLE + 5;
+    for (const { handle } of this.handles) {
+      const p = toPixel(handle.at);
+      const away = Math.hypot(p.x - x, p.y - y);
+      if (!p.near || away >= least) continue;
+      least = away;
+      best = handle;
+    }
+    return best;
+  }
+
+  /** Handles are of one size on the screen. `pixel`: metres that a pixel covers a metre away. */
+  scaleTo(camera: PerspectiveCamera, pixel: number): void {
+    for (const { ball } of this.handles) ball.scale.setScalar(HANDLE * pixel * ball.position.distanceTo(camera.position));
+    this.updateMatrixWorld();
+  }
+
+  dispose(): void {
+    this.clearPaths();
+    this.ball.dispose();
+    this.paints.food.dispose();
+    this.paints.camera.dispose();
+    for (const one of [this.film, this.ring]) {
+      one.geometry.dispose();
+      (one.material as LineBasicMaterial).dispose();
+    }
+  }
+
+  private clearPaths(): void {
+    for (const one of this.drawnPaths.children)
+      if (one instanceof Line) {
+        one.geometry.dispose();
+        (one.material as LineBasicMaterial).dispose();
+      }
+    this.drawnPaths.clear();
+    this.handles = [];
+  }
+}

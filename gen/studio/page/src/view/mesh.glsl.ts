@@ -1,0 +1,143 @@
+import { COLOR, EYE, FLAT, LIGHT, LINEAR } from "./glsl";
+
+/** Meshes. INSTANCED: BUNDLE copies of the mesh stand behind each other, and instance after instance takes its place from
+ *  a texture of ten numbers each; ORDERED: by way of a list of those that are to be drawn. */
+export const MESH_VERTEX = /* glsl */ `${EYE}${LINEAR}
+in vec3 position;
+in vec3 normal;
+#ifdef WITH_UV
+in vec2 uv;
+out vec2 on_picture;
+#endif
+#ifdef WITH_COLORS
+in vec3 colors;
+#endif
+uniform vec3 plain;
+out vec3 at;
+out vec3 up;
+out vec3 color;
+flat out uint own;
+#ifdef INSTANCED
+uniform sampler2D places;
+uniform int count, corners;
+uniform float reach;  // from the middle of the mesh to its farthest corner
+#ifdef INSTANCE_COLORS
+uniform sampler2D paints;
+uniform float tint;
+#endif
+#ifdef ORDERED
+uniform usampler2D order;
+#endif
+vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+#endif
+
+void main() {
+  color = plain;
+#ifdef WITH_COLORS
+  color = colors;
+#endif
+#ifdef INSTANCED
+  int k = gl_InstanceID * BUNDLE + gl_VertexID / corners;
+  if (k >= count) { gl_Position = kNowhere; return; }
+#ifdef ORDERED
+  k = int(texelFetch(order, ivec2(k % ORDER_ROW, k / ORDER_ROW), 0).r);
+#endif
+  ivec2 texel = ivec2(5 * (k % PER_ROW), k / PER_ROW);
+  vec2 a = texelFetch(places, texel, 0).rg, b = texelFetch(places, texel + ivec2(1, 0), 0).rg,
+       c = texelFetch(places, texel + ivec2(2, 0), 0).rg, d = texelFetch(places, texel + ivec2(3, 0), 0).rg,
+       e = texelFetch(places, texel + ivec2(4, 0), 0).rg;
+  vec3 place = vec3(a, b.x), size = vec3(d.y, e);
+  vec4 turn = vec4(b.y, c, d.x);
+  // Where they are smaller than pixels some stand for all.
+  float pixels = reach * max(size.x, max(size.y, size.z)) / pixel_at(place), least = 3.0 * thin;
+  if (pixels < least) {
+    float kept = max(pixels / least, 0.1);
+    if (chance(uint(k)) > kept * kept) { gl_Position = kNowhere; return; }
+    size /= kept;
+  }
+  at = place + turned(turn, position * size);
+  up = turned(turn, normal / size);
+  own = uint(k);
+#ifdef INSTANCE_COLORS
+  vec3 paint = texelFetch(paints, ivec2(k % PER_ROW, k / PER_ROW), 0).rgb;
+  color = mix(paint, color * paint * (255.0 / 128.0), tint);
+#endif
+#else
+  at = position;
+  up = normal;
+  own = 0u;
+#endif
+#ifdef WITH_UV
+  on_picture = uv;
+#endif
+  color = linear(color);
+  gl_Position = projected(at);
+}
+`;
+
+/** Holes of leaf pictures, and panes that let some light through as a pattern of dots. */
+const HOLES = /* glsl */ `
+#ifdef WITH_UV
+in vec2 on_picture;
+uniform sampler2D leaf;
+vec4 on_leaf() {
+  vec4 c = texture(leaf, on_picture);
+  // Small pictures of leaves are blurred: what is left of them should still cover as much.
+  vec2 texels = fwidth(on_picture) * vec2(textureSize(leaf, 0));
+  if (c.a * (1.0 + 0.2 * max(0.0, log2(max(max(texels.x, texels.y), 1.0)))) < 0.5) discard;
+  return c;
+}
+#endif
+uniform float opacity;
+uniform float grain;
+void holes() {
+  if (opacity >= 1.0) return;
+  vec2 p = gl_FragCoord.xy + grain * vec2(47.0, 17.0);
+  if (fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) > opacity) discard;
+}
+`;
+
+export const MESH_LOOK = /* glsl */ `${COLOR}${LIGHT}
+in vec3 at;
+in vec3 up;
+in vec3 color;
+flat in uint own;
+uniform float gloss, through;
+uniform float rough;  // of the ground: how much its colour varies
+out vec4 picture;
+${HOLES}
+float hash(vec2 p) { return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453); }
+float noise(vec2 p) {
+  vec2 i = floor(p), f = fract(p);
+  f *= f * (3.0 - 2.0 * f);
+  return mix(mix(hash(i), hash(i + vec2(1, 0)), f.x), mix(hash(i + vec2(0, 1)), hash(i + vec2(1, 1)), f.x), f.y);
+}
+void main() {
+  holes();
+  vec3 paint = color;
+#ifdef WITH_UV
+  paint = on_leaf().rgb;
+#endif
+  vec3 n = normalize(up);
+  if (!gl_FrontFacing) n = -n;
+#ifndef QUICK
+  if (rough > 0.0) {
+    float far = distance(eye.xyz, at);
+    float grains = 0.5 * noise(at.xz * 3.1) + 0.3 * noise(at.xz * 11.0) / (1.0 + 0.1 * far) + 0.2 * noise(at.xz * 47.0) / (1.0 + far);
+    paint *= 1.0 + rough * (grains - 0.45);
+  }
+#endif
+  picture = vec4(shown(lit(paint, at, n, gloss, through)), 1.0);
+}
+`;
+
+export const MESH_FLAT = /* glsl */ `${COLOR}${FLAT}
+${HOLES}
+void main() {
+  holes();
+#ifdef WITH_UV
+  on_leaf();
+#endif
+  flat_picture();
+}
+`;

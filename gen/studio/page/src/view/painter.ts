@@ -1,0 +1,193 @@
+import { Box3, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderTarget, WebGLRenderer } from "three";
+import { Stand } from "./copies";
+import { Drawn } from "./drawn";
+import { shared, type Shared } from "./shared";
+import { Settle } from "./settle";
+import { Shadow } from "./shadow";
+import { Sky } from "./sky";
+
+/** Machines that draw without a graphics card are spared. */
+const SLOW = /swiftshader|llvmpipe|software|basic render/i;
+/** Triangles whose shadows a slow machine draws at once. */
+const SHADE_AT_ONCE = 150_000;
+
+/** Draws the scene in its several ways. */
+export class Painter {
+  readonly renderer: WebGLRenderer;
+  readonly slow: boolean;
+  readonly shared: Shared = shared();
+  readonly world = new Scene();
+  readonly over = new Scene();
+  private sky: Sky;
+  private shadow: Shadow;
+  private settle: Settle;
+  private stands: Stand[] = [];
+  private things: Drawn[] = [];
+  private bounds = new Box3();
+  private shadowIsOld = true;
+  private spot = new WebGLRenderTarget(1, 1, { generateMipmaps: false });
+  private byte = new Uint8Array(4);
+  private size = new Vector2();
+
+  constructor(canvas: HTMLCanvasElement) {
+    const probe = document.createElement("canvas").getContext("webgl2");
+    if (!probe) throw new Error("This browser shows no WebGL 2 pictures");
+    const info = probe.getExtension("WEBGL_debug_renderer_info");
+    this.slow = SLOW.test(String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER)));
+    probe.getExtension("WEBGL_lose_context")?.loseContext();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.slow, preserveDrawingBuffer: true, powerPreference: "high-performance" });
+    this.renderer.autoClear = false;
+    this.renderer.sortObjects = false;
+    this.renderer.setPixelRatio(this.slow ? 1 : Math.min(2, devicePixelRatio));
+    this.world.matrixWorldAutoUpdate = false;
+    this.sky = new Sky(this.shared);
+    this.shadow = new Shadow(this.renderer, this.slow ? 1024 : 2048);
+    this.shared.shade.value = this.shadow.texture;
+    this.settle = new Settle(this.renderer);
+  }
+
+  resize(width: number, height: number): void {
+    this.renderer.setSize(width, height, false);
+    this.renderer.getDrawingBufferSize(this.size);
+    this.settle.resize(this.size.x, this.size.y);
+  }
+
+  /** What is drawn from now on; shadows are those of what stands in `bounds`. */
+  setThings(list: (Drawn | Stand)[], bounds: Box3): void {
+    this.world.clear();
+    this.world.add(...list);
+    this.stands = list.filter((one) => one instanceof Stand);
+    this.things = list.flatMap((one) => (one instanceof Stand ? one.drawn() : [one]));
+    this.bounds.copy(bounds);
+    this.shadowIsOld = true;
+  }
+
+  get triangles(): number {
+    return this.things.reduce((sum, one) => sum + one.triangles, 0);
+  }
+
+  /** How many pictures make a settled one. */
+  private get enough(): number {
+    return this.slow ? 8 : 16;
+  }
+
+  /** Draws at once. */
+  draw(camera: PerspectiveCamera): void {
+    this.settle.count = 0;
+    for (const stand of this.stands) stand.sort(camera, this.pixelOf(camera, this.size.y));
+    if (this.shadowIsOld && (!this.slow || this.triangles < SHADE_AT_ONCE)) this.shade();
+    this.renderer.setRenderTarget(null);
+    this.look(camera, this.slow ? 1 : 0.4, true);
+  }
+
+  /** Makes the picture at rest finer; whether there is more to come. */
+  refine(camera: PerspectiveCamera): boolean {
+    if (this.shadowIsOld) this.shade();
+    const [x, y] = Settle.shift(this.settle.count);
+    const lens = camera.projectionMatrix.elements;
+    const [wasX, wasY] = [lens[8]!, lens[9]!];
+    lens[8]! += (2 * x) / this.size.x;
+    lens[9]! += (2 * y) / this.size.y;
+    this.shared.grain.value = this.settle.count;
+    this.settle.step(() => this.look(camera, 0.2, false));
+    lens[8] = wasX;
+    lens[9] = wasY;
+    return this.settle.count < this.enough;
+  }
+
+  private shade(): void {
+    this.shadowIsOld = false;
+    this.shared.shade_texel.value = 0;
+    if (this.bounds.isEmpty()) return;
+    this.flat(true, true);
+    this.shadow.draw(this.world, this.bounds, this.shared);
+    this.unflat();
+  }
+
+  private look(camera: PerspectiveCamera, thin: number, quickly: boolean): void {
+    for (const one of this.things) one.wear(false, quickly);
+    this.setEye(camera, this.size.y, thin);
+    this.renderer.clear();
+    this.renderer.render(this.world, camera);
+    this.renderer.render(this.sky, camera);
+    this.renderer.render(this.over, camera);
+  }
+
+  /** Sets all to be drawn flat; for the sun only what throws shadows. */
+  private flat(forSun: boolean, quickly: boolean): void {
+    for (const stand of this.stands) stand.forSun(forSun);
+    for (const one of this.things) {
+      one.wear(true, quickly);
+      if (one.parent === this.world) one.visible = !forSun || one.casts;
+    }
+  }
+  private unflat(): void {
+    for (const stand of this.stands) stand.forSun(false);
+    for (const one of this.things) if (one.parent === this.world) one.visible = true;
+  }
+
+  /** The number of what is under a pixel (of the page); 0: nothing. */
+  numberAt(camera: PerspectiveCamera, x: number, y: number, width: number, height: number): number {
+    this.flat(false, true);
+    this.shared.mask.value = 0;
+    camera.setViewOffset(width, height, x, y, 1, 1);
+    camera.updateProjectionMatrix();
+    this.setEye(camera, 1, 0.4);
+    this.shared.pixel.value = this.pixelOf(camera, 1);
+    this.renderer.setRenderTarget(this.spot);
+    this.renderer.setClearColor(0, 0);
+    this.renderer.clear();
+    this.renderer.render(this.world, camera);
+    this.renderer.readRenderTargetPixels(this.spot, 0, 0, 1, 1, this.byte);
+    this.renderer.setRenderTarget(null);
+    camera.clearViewOffset();
+    const [a, b, c] = this.byte;
+    return a! + (b! << 8) + (c! << 16);
+  }
+
+  /** Organisms white on black, as RGBA bytes from the lowest row up. */
+  mask(camera: PerspectiveCamera, width: number, height: number): Uint8Array {
+    const target = new WebGLRenderTarget(width, height, { generateMipmaps: false });
+    for (const stand of this.stands) stand.sort(camera, this.pixelOf(camera, height));
+    this.flat(false, false);
+    this.shared.mask.value = 1;
+    this.setEye(camera, height, 0);
+    this.renderer.setRenderTarget(target);
+    this.renderer.setClearColor(0, 1);
+    this.renderer.clear();
+    this.renderer.render(this.world, camera);
+    const pixels = new Uint8Array(4 * width * height);
+    this.renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+    this.renderer.setRenderTarget(null);
+    target.dispose();
+    this.shared.mask.value = 0;
+    return pixels;
+  }
+
+  /** Waits until the graphics card has drawn what it was told. */
+  finish(): void {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, this.byte);
+  }
+
+  /** Metres that a pixel covers a metre away. */
+  pixelOf(camera: PerspectiveCamera, height: number): number {
+    return 2 / (camera.projectionMatrix.elements[5]! * height);
+  }
+  private setEye(camera: PerspectiveCamera, height: number, thin: number): void {
+    const at = camera.getWorldPosition(where);
+    this.shared.eye.value.set(at.x, at.y, at.z, 1);
+    this.shared.pixel.value = this.pixelOf(camera, height);
+    this.shared.thin.value = thin;
+  }
+
+  dispose(): void {
+    this.sky.dispose();
+    this.shadow.dispose();
+    this.settle.dispose();
+    this.spot.dispose();
+    this.renderer.dispose();
+  }
+}
+
+const where = new Vector3();

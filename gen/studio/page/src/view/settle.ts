@@ -1,0 +1,88 @@
+import { AddEquation, BufferAttribute, BufferGeometry, CustomBlending, DepthTexture, GLSL3, HalfFloatType, Mesh, OneFactor, PerspectiveCamera, RawShaderMaterial, Scene, UnsignedIntType, WebGLRenderTarget, type WebGLRenderer } from "three";
+import { COLOR } from "./glsl";
+
+const VERTEX = /* glsl */ `
+precision highp float;
+in vec3 position;
+void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }
+`;
+const ADD = /* glsl */ `${COLOR}
+uniform sampler2D one;
+out vec4 picture;
+void main() { picture = vec4(linear(texelFetch(one, ivec2(gl_FragCoord.xy), 0).rgb), 1.0); }
+`;
+const SHOW = /* glsl */ `${COLOR}
+uniform sampler2D one;
+out vec4 picture;
+void main() {
+  vec4 sum = texelFetch(one, ivec2(gl_FragCoord.xy), 0);
+  picture = vec4(shown(sum.rgb / sum.a), 1.0);
+}
+`;
+
+/** When nothing moves the picture is drawn a few times more, each a part of a pixel beside the others, and what is seen
+ *  is their mean: edges, thin branches and the rims of shadows become smooth on any machine. */
+export class Settle {
+  private one: WebGLRenderTarget;
+  private sum: WebGLRenderTarget;
+  private quad: Mesh<BufferGeometry, RawShaderMaterial>;
+  private scene = new Scene();
+  private camera = new PerspectiveCamera();
+  private add: RawShaderMaterial;
+  private show: RawShaderMaterial;
+  /** Pictures so far. */
+  count = 0;
+
+  constructor(private renderer: WebGLRenderer) {
+    this.one = new WebGLRenderTarget(1, 1, { generateMipmaps: false });
+    this.one.depthTexture = new DepthTexture(1, 1, UnsignedIntType);
+    this.sum = new WebGLRenderTarget(1, 1, { type: HalfFloatType, depthBuffer: false, generateMipmaps: false });
+    const made = (fragmentShader: string, from: WebGLRenderTarget): RawShaderMaterial =>
+      new RawShaderMaterial({ vertexShader: VERTEX, fragmentShader, uniforms: { one: { value: from.texture } }, glslVersion: GLSL3, depthTest: false, depthWrite: false });
+    this.add = made(ADD, this.one);
+    this.add.blending = CustomBlending;
+    this.add.blendEquation = AddEquation;
+    this.add.blendSrc = this.add.blendDst = OneFactor;
+    this.show = made(SHOW, this.sum);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+    this.quad = new Mesh(geometry, this.add);
+    this.quad.frustumCulled = false;
+    this.scene.add(this.quad);
+  }
+
+  resize(width: number, height: number): void {
+    this.one.setSize(width, height);
+    this.sum.setSize(width, height);
+    this.count = 0;
+  }
+
+  /** Where picture `k` lies in a pixel, -0.5..0.5: the R2 sequence (Roberts 2018). */
+  static shift(k: number): [number, number] {
+    return [((0.5 + 0.7548776662 * k) % 1) - 0.5, ((0.5 + 0.5698402910 * k) % 1) - 0.5];
+  }
+
+  /** Adds what `draw` draws and shows the mean of all. */
+  step(draw: () => void): void {
+    const { renderer } = this;
+    renderer.setRenderTarget(this.one);
+    draw();
+    renderer.setRenderTarget(this.sum);
+    if (this.count === 0) renderer.clear();
+    this.quad.material = this.add;
+    renderer.render(this.scene, this.camera);
+    renderer.setRenderTarget(null);
+    this.quad.material = this.show;
+    renderer.render(this.scene, this.camera);
+    ++this.count;
+  }
+
+  dispose(): void {
+    this.one.depthTexture?.dispose();
+    this.one.dispose();
+    this.sum.dispose();
+    this.add.dispose();
+    this.show.dispose();
+    this.quad.geometry.dispose();
+  }
+}

@@ -1,0 +1,30 @@
+import { Color, Matrix4, Vector3, Vector4, type IUniform, type Texture } from "three";
+
+type Uniforms = Record<string, IUniform>;
+
+/** What all shaders are told: set in one place before each pass, held by every material. */
+export const shared = (): Uniforms & ReturnType<typeof all> => all();
+
+function all() {
+  return {
+    eye: { value: new Vector4(0, 0, 0, 1) },
+    pixel: { value: 0.001 },
+    thin: { value: 0 },
+    grain: { value: 0 },
+    mask: { value: 0 },
+    sun: { value: new Vector3(0, 1, 0) },
+    sun_light: { value: new Color() },
+    from_above: { value: new Color() },
+    from_aside: { value: new Color() },
+    from_below: { value: new Color() },
+    haze: { value: new Vector4() },
+    zenith: { value: new Color() },
+    horizon: { value: new Color() },
+    sky_kind: { value: 0 },
+    to_shade: { value: new Matrix4() },
+    shade: { value: null as Texture | null },
+    shade_texel: { value: 0 },
+  };
+}
+
+export type Shared = ReturnType<typeof shared>;
