@@ -48,9 +48,7 @@ export function stage(store: Store): Stage {
   const loop = new SceneLoop(store, view);
 
   function toggleCamera(): void {
-    through = !through;
-    look.setAttribute("aria-pressed", String(through));
-    view.lookThrough(through);
+    view.lookThrough(!through);
   }
   const showFigures = (): void => {
     const { header, busy, took, foretold } = store.scene;
@@ -82,8 +80,7 @@ export function stage(store: Store): Stage {
     void askIfLong();
   });
   store.on("opened", () => {
-    through = true;
-    toggleCamera();
+    view.lookThrough(false);
   });
   const drawPaths = (): void => view.paths(pathsOf(store));
   store.on(["text", "selected", "opened"], () => {
