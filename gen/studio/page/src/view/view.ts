@@ -264,8 +264,8 @@ export class View implements PointerTarget {
     const number = part.specimen >= 0 ? part.specimen + 1 : part.entry >= 0 ? SOWN + part.entry : 0;
     for (const one of thing instanceof Stand ? thing.drawn() : [thing]) {
       one.identify(number, part.entry >= 0);
-      one.isGround = part.kind === "ground";
-      if (!one.isGround) continue;
+      if (part.kind !== "ground") continue;
+      one.isGround = true;
       if (!part.instances && !one.defines.INSTANCED) one.uniforms.rough!.value = 0.6;
       one.casts = Boolean(one.defines.INSTANCED) && one.triangles < 400_000;
     }
