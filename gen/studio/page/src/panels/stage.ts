@@ -43,22 +43,16 @@ export function stage(store: Store): Stage {
       store.set(fromPointer(pointer), at.map(round), pointer);
       if (done) store.endGesture();
     },
-    camera: (at) => {
-      // Who turns the view by hand no longer looks through the camera.
-      const film = store.scene.header?.camera.at ?? at;
-      const away = Math.hypot(at[0] - film[0], at[1] - film[1], at[2] - film[2]);
-      if (through && away > 0.01) showThrough(false);
+    camera: () => {},
+    through: (on) => {
+      through = on;
+      look.setAttribute("aria-pressed", String(on));
     },
   });
   const loop = new SceneLoop(store, view);
 
   function toggleCamera(): void {
-    showThrough(!through);
-    view.lookThrough(through);
-  }
-  function showThrough(on: boolean): void {
-    through = on;
-    look.setAttribute("aria-pressed", String(on));
+    view.lookThrough(!through);
   }
   const showFigures = (): void => {
     const { header, busy, took, foretold } = store.scene;
@@ -90,8 +84,7 @@ export function stage(store: Store): Stage {
     void askIfLong();
   });
   store.on("opened", () => {
-    through = true;
-    toggleCamera();
+    view.lookThrough(false);
   });
   const drawPaths = (): void => view.paths(pathsOf(store));
   store.on(["text", "selected", "opened"], () => {
