@@ -150,7 +150,7 @@ std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, 
       from.parent_path() == path->parent_path()
           ? Result<std::string>(text)
           : carried(text, from.parent_path(), path->parent_path(),
-                    [&](const fs::path& file) { return readable(file.string()).has_value(); });
+                    [&](const fs::path& named) { return readable(named.string()).has_value(); });
   Result<bool> written = moved ? write_file(*path, *moved) : moved.errors();
   if (!written) return Refusal{500, {{"error", written.errors().front().text()}}};
   saved = {{"file", path->string()},

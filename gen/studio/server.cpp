@@ -76,6 +76,7 @@ class Server {
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server_.set_payload_max_length(kMostMesh);
     server_.set_tcp_nodelay(true);
+    server_.set_keep_alive_max_count(10'000);
     // Another program's port is not to be shared.
     server_.set_socket_options([](socket_t socket) {
       int yes = 1;
