@@ -1,6 +1,8 @@
 #include "creeping/crawl.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 #include "core/parallel.h"
 #include "creeping/gather.h"
@@ -24,6 +26,7 @@ struct Growing {
 };
 
 void remember(Growing& g, Tip& tip, const Laid& laid) {
+  assert(tip.strand >= 0 && tip.strand < static_cast<std::int32_t>(g.last.size()));
   g.last[tip.strand] = g.nodes.add(laid, g.last[tip.strand], tip.strand);
   if (laid.hanging) {
     tip.hung.push_back(g.last[tip.strand]);
@@ -34,6 +37,8 @@ void remember(Growing& g, Tip& tip, const Laid& laid) {
 }
 
 void begin(Growing& g, Tip tip, std::int32_t below) {
+  assert(below < static_cast<std::int32_t>(g.nodes.laid.size()));
+  assert(g.last.size() == g.tips.size());
   tip.strand = static_cast<std::int32_t>(g.tips.size());
   g.last.push_back(below);
   g.alive.push_back(tip.strand);
@@ -42,6 +47,7 @@ void begin(Growing& g, Tip tip, std::int32_t below) {
 
 /// Starts a branch to one side or, where there is no room, to the other. False where there is none.
 bool branch(Growing& g, std::int32_t from, const Tread& at, std::int32_t node) {
+  assert(from >= 0 && from < static_cast<std::int32_t>(g.tips.size()) && node >= 0);
   Seed seed = g.tips[from].seed.child("branch", static_cast<std::uint64_t>(g.tips[from].branches++));
   double side = seed.child("side").unit() < 0.5 ? -1 : 1, spacing = g.crawl.spacing;
   for (double way : {side, -side}) {
@@ -79,6 +85,7 @@ void wake(Growing& g, std::int32_t t) {
 
 /// Gives a chain's nodes the places where it has come to hang.
 void set_hung(Growing& g, Tip& tip) {
+  assert(tip.hung.size() <= tip.chain.place.size());
   for (std::size_t i = 0; i < tip.hung.size(); ++i)
     g.nodes.laid[tip.hung[i]].tread.place = g.nodes.laid[tip.hung[i]].tread.contact = tip.chain.place[i];
 }

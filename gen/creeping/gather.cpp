@@ -1,6 +1,7 @@
 #include "creeping/gather.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -14,6 +15,7 @@ constexpr std::int32_t kLeast = 3;  // nodes of a strand that is crowded out
 /// The strands that have a segment, renumbered, and where their nodes begin. Returns the new number of each.
 std::vector<std::int32_t> keep_strands(const Nodes& nodes, const std::vector<Strand>& strands, Strands& out) {
   std::vector<std::int32_t> count(strands.size(), 0), number(strands.size(), -1);
+  assert(nodes.strand.size() == nodes.laid.size() && nodes.below.size() == nodes.laid.size());
   for (std::int32_t s : nodes.strand) ++count[s];
   std::vector<std::uint8_t> bears(strands.size(), 0);
   for (const Strand& s : strands)
@@ -21,6 +23,7 @@ std::vector<std::int32_t> keep_strands(const Nodes& nodes, const std::vector<Str
   std::int32_t first = 0;
   for (std::size_t s = 0; s < strands.size(); ++s) {
     std::int32_t parent = strands[s].parent;
+    assert(parent < static_cast<std::int32_t>(s) && "a strand begins after the one that it leaves");
     // Stubs that found no room at once, and branches of what is not there.
     bool stub = count[s] < kLeast && !bears[s] && strands[s].end == End::crowded;
     if (count[s] < (parent < 0 ? 2 : 1) || stub || (parent >= 0 && number[parent] < 0)) continue;
@@ -44,6 +47,7 @@ std::vector<std::int32_t> order_by_strand(const Nodes& nodes, const std::vector<
 
 /// Radii by age, times what the tips that a stem carries ask for.
 std::vector<float> radii(const Strands& out, const std::vector<std::int32_t>& parent, const Crawl& crawl) {
+  assert(out.age.size() == parent.size() && crawl.radius > 0);
   std::size_t n = parent.size();
   std::vector<float> radius(n);
   std::vector<std::int32_t> carried(n, 0);
@@ -119,6 +123,7 @@ Strands gather(const Host& host, const GroundHeight& ground, const Nodes& nodes,
   for (std::size_t i = 0; i < n; ++i) {
     std::int32_t below = nodes.below[order[i]];
     parent[i] = below < 0 ? -1 : index[below];
+    assert(below < 0 || (parent[i] >= 0 && parent[i] < static_cast<std::int32_t>(i)));
     out.age[i] = static_cast<float>(end - nodes.laid[order[i]].time);
   }
   std::vector<float> radius = radii(out, parent, crawl);

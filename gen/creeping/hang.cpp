@@ -1,6 +1,8 @@
 #include "creeping/hang.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 namespace frond {
 
@@ -13,6 +15,7 @@ constexpr double kSlope = 0.5;  // the ground is no nearer than this share of th
 /// from now on.
 std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, const DVec3& at,
                                const DVec3& to) {
+  assert(i < chain.room.size() && chain.link > 0);
   DVec3 way = to - chain.clear[i];
   double gone = glm::length(way), reach = 4 * chain.link;
   double room = chain.room[i] - gone;
@@ -63,6 +66,7 @@ bool place_link(Chain& chain, const Host& host, std::size_t i, const DVec3& at, 
 }  // namespace
 
 bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec3& curl) {
+  assert(std::abs(glm::length(direction) - 1) < 1e-6);
   DVec3 from = chain.place.empty() ? chain.root : chain.place.back();
   chain.place.push_back(from);
   chain.curl.push_back(curl);
@@ -79,6 +83,9 @@ bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec
 }
 
 double settle(Chain& chain, const Host& host, int sweeps, double calm) {
+  assert(calm >= 0 && calm <= 1 && chain.link > 0);
+  assert(chain.curl.size() == chain.place.size() && chain.load.size() == chain.place.size());
+  assert(chain.clear.size() == chain.place.size() && chain.room.size() == chain.place.size());
   const double eager_by = 1.8 - 0.8 * calm;  // over-relaxation
   std::size_t n = chain.place.size();
   std::vector<DVec3> link(n);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 
@@ -190,6 +191,8 @@ Host& Host::operator=(Host&& other) noexcept {
 
 /// Takes over the triangles; their tree is left as it is.
 void Host::take(Soup&& soup) {
+  assert(!soup.corners.empty() && soup.vertex.size() == soup.corners.size());
+  assert(soup.neighbour.size() == soup.corners.size() && soup.solid.size() == soup.corners.size());
   corners_ = std::move(soup.corners);
   vertex_ = std::move(soup.vertex);
   neighbour_ = std::move(soup.neighbour);
@@ -256,12 +259,14 @@ Result<Host> Host::build(const Surface& surface, std::string_view name) {
 }
 
 DVec3 Host::face_normal(std::uint32_t triangle) const {
+  assert(triangle < corners_.size());
   const auto& c = corners_[triangle];
   return glm::normalize(glm::cross(DVec3(c[1]) - DVec3(c[0]), DVec3(c[2]) - DVec3(c[0])));
 }
 
 /// Tells outside from inside at any feature (Baerentzen and Aanaes 2005).
 DVec3 Host::feature_normal(std::uint32_t triangle, int feature) const {
+  assert(feature >= 0 && feature <= kFace);
   DVec3 face = face_normal(triangle), sum = face;
   if (feature < 3) {
     sum = DVec3(vertex_normal_[vertex_[triangle][feature]]);
@@ -274,6 +279,7 @@ DVec3 Host::feature_normal(std::uint32_t triangle, int feature) const {
 }
 
 std::optional<Contact> Host::closest(const DVec3& place, double within, std::uint32_t likely) const {
+  assert(std::isfinite(glm::dot(place, place)) && within >= 0);
   Search search{&corners_, place, within * within, tree_->blur + 2e-7 * glm::length(place)};
   if (likely < corners_.size()) search.look(likely);
   RTCPointQuery query{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z),
@@ -295,6 +301,7 @@ std::optional<Contact> Host::closest(const DVec3& place, double within, std::uin
 }
 
 std::optional<Crossing> Host::crossing(const DVec3& from, const DVec3& to) const {
+  assert(std::isfinite(glm::dot(from, from)) && std::isfinite(glm::dot(to, to)));
   Way way;
   way.host = this;
   way.from = from;

@@ -1,6 +1,7 @@
 #include "creeping/swing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -46,12 +47,14 @@ Quat tilt(const Vec3& along, double push, double side) {
 void swing_strands(const Strands& strands, const Breeze& breeze, double time, std::vector<Vec3>& position,
                    std::vector<Quat>& turn) {
   const Skeleton& rest = strands.skeleton;
+  assert(strands.hanging.size() == rest.size() && strands.room.size() == rest.size());
   position = rest.position;
   turn.assign(rest.size(), Quat(1, 0, 0, 0));
   Vec3 flat(breeze.direction.x, 0, breeze.direction.z);
   Vec3 wind = glm::length(flat) > 0 ? glm::normalize(flat) : Vec3(1, 0, 0);
   for (const Run& run : runs_of(strands)) {
     std::int32_t root = rest.parent[run.first];
+    assert(run.first <= run.last && run.last < static_cast<std::int32_t>(rest.size()));
     if (root == Skeleton::kRoot) continue;
     double length = std::max<double>(rest.distance[run.last] - rest.distance[root], 1e-6);
     // No farther than there is room: a turn by an angle moves a node by less than that times its lever.
@@ -85,6 +88,7 @@ void swing_strands(const Strands& strands, const Breeze& breeze, double time, st
       }
       turn[i] = q;
       std::int32_t below = rest.parent[i];
+      assert(below >= 0 && below < i);
       position[i] = position[below] + q * (rest.position[i] - rest.position[below]);
     }
   }

@@ -1,6 +1,8 @@
 #include "creeping/tip.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 #include "core/noise.h"
 
@@ -48,6 +50,7 @@ void block(Tip& tip, const Crawl& crawl, End why) {
 }
 
 void let_go(Tip& tip, const GroundHeight& ground, const Crawl& crawl) {
+  assert(!tip.hangs);
   tip.hangs = true;
   tip.chain = Chain{};
   tip.chain.root = tip.tread.place;
@@ -76,6 +79,7 @@ bool falls_away(const Host& host, const Tip& tip, const Crawl& crawl) {
 
 /// Walks a step over the surface, in strides.
 void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& crawl, int step, Seed draw) {
+  assert(!tip.hangs && crawl.speed > 0 && crawl.radius > 0);
   double lift = lift_of(crawl), rest = crawl.speed, unlaid = 0;
   const double least = 0.05 * crawl.speed;
   for (int strides = 0; rest > least && strides < 24; ++strides) {
@@ -118,6 +122,7 @@ void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& 
 
 /// Takes hold again where the end of the chain touches the host; ends where it has come down on the ground.
 void grip(Tip& tip, const Host& host, const Crawl& crawl) {
+  assert(tip.hangs);
   Chain& chain = tip.chain;
   auto touches = [&] {
     double moved = glm::distance(chain.clear.back(), chain.place.back());

@@ -1,6 +1,7 @@
 #include "creeping/tread.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -101,12 +102,14 @@ std::optional<Stride> attempt(const Host& host, const Tread& from, double length
 }  // namespace
 
 DVec3 tangent(const DVec3& direction, const DVec3& normal) {
+  assert(std::abs(glm::length(normal) - 1) < 1e-6);
   DVec3 v = direction - normal * glm::dot(direction, normal);  // = N x (v x N)
   double length = glm::length(v);
   return length > 1e-9 * glm::length(direction) && length > 0 ? v / length : across(normal);
 }
 
 DVec3 turned(const DVec3& heading, const DVec3& normal, double angle) {
+  assert(std::abs(glm::dot(heading, normal)) < 1e-6 && "a heading lies along the surface");
   return heading * std::cos(angle) + glm::cross(normal, heading) * std::sin(angle);
 }
 
@@ -127,6 +130,8 @@ DVec3 leaning(const DVec3& heading, const DVec3& normal, const DVec3& direction,
 }
 
 Stride stride(const Host& host, const Tread& from, double length, double lift) {
+  assert(length > 0 && lift > 0);
+  assert(std::abs(glm::length(from.heading) - 1) < 1e-6 && std::abs(glm::length(from.normal) - 1) < 1e-6);
   for (int halving = 0; halving < kHalvings; ++halving, length *= 0.5)
     if (std::optional<Stride> s = attempt(host, from, length, lift)) return *s;
   return {from, 0, Footing::stuck};

@@ -1,6 +1,7 @@
 #include "crown/colonize.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -158,6 +159,7 @@ class Colony {
       sum += random * static_cast<float>(how_.jitter) + Vec3(0, static_cast<float>(how_.tropism), 0);
       if (glm::length(sum) < 1e-4f) sum = toward_[static_cast<std::size_t>(node)];
       Vec3 direction = glm::normalize(sum);
+      assert(std::abs(glm::length(direction) - 1) < 1e-3f);
       add(at + direction * static_cast<float>(how_.step), node, direction);
     }
     return true;
@@ -178,10 +180,12 @@ class Colony {
 }  // namespace
 
 Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, Seed seed) {
+  assert(how.step > 0 && how.influence > 0 && how.kill >= 0);
   return Colony(envelope, how, seed).grow();
 }
 
 std::vector<LeafSite> dress_tips(const Skeleton& s, double reach, double spacing, double down, Seed seed) {
+  assert(spacing > 0 && s.to_tip.size() == s.size());
   std::vector<LeafSite> leaves;
   for (std::size_t i = 0; i < s.size(); ++i) {
     std::int32_t p = s.parent[i];

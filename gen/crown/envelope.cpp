@@ -1,6 +1,7 @@
 #include "crown/envelope.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -57,6 +58,7 @@ Envelope::Envelope(EnvelopeShape shape) : shape_(std::move(shape)) {
 }
 
 bool Envelope::inside_mesh(const MeshCrown& mesh, Vec3 at) const {
+  assert(columns_ > 0 && cells_.size() == static_cast<std::size_t>(columns_ * columns_));
   Vec3 share = (at - low_) / glm::max(high_ - low_, Vec3(1e-6f)) * static_cast<float>(columns_);
   int x = std::clamp(static_cast<int>(share.x), 0, columns_ - 1);
   int z = std::clamp(static_cast<int>(share.z), 0, columns_ - 1);
@@ -93,6 +95,7 @@ bool Envelope::inside(Vec3 at) const {
 }
 
 std::vector<Vec3> Envelope::sample(int count, Seed seed) const {
+  assert(glm::all(glm::lessThanEqual(low_, high_)));
   constexpr std::uint64_t kTriesInVain = 200'000;  // until it is clear that there is next to no room
   std::vector<Vec3> places;
   Vec3 size = high_ - low_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "crown/stem.h"
@@ -112,6 +113,8 @@ class Grower {
   }
 
   void draw(const Stem& stem) {
+    assert(stem.length > 0 && stem.radius >= 0 && stem.level < tree_.levels);
+    assert(stem.below >= Skeleton::kRoot && stem.below < static_cast<std::int32_t>(crown_.skeleton.size()));
     if (full_) return;
     std::vector<Chain> chains = trace_stem(tree_, stem, left_of(stem));
     full_ = full_ || chains.empty();

@@ -1,6 +1,7 @@
 #include "field/boughs.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace frond {
 
@@ -20,6 +21,7 @@ class Joiner {
         children_(rest.size(), 0) {}
 
   void add_cone(std::int32_t i, const Cone& cone) {
+    assert(rest_.parent[i] >= 0 && cone_[static_cast<std::size_t>(i)] < 0);
     cone_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(limbs_.cones.size());
     ++children_[static_cast<std::size_t>(rest_.parent[i])];
     limbs_.cones.push_back(cone);
@@ -43,6 +45,7 @@ class Joiner {
  private:
   /// `list` holds the node of the fork, then its children.
   void add_fork(const std::vector<std::int32_t>& list) {
+    assert(list.size() >= 3 && "a node and two children at least");
     std::int32_t node = list[0];
     float reach = kReach * radius_[static_cast<std::size_t>(node)];
     Forks::Fork fork{static_cast<std::uint32_t>(limbs_.forks.arms.size()), 0};
@@ -95,6 +98,7 @@ class Joiner {
 
 void add_boughs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
                 std::span<const float> radius, float front, float blend, std::int32_t first_node) {
+  assert(position.size() == rest.size() && radius.size() == rest.size());
   Joiner joiner(limbs, rest, radius, blend);
   std::vector<std::int32_t> root(rest.size());
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -103,6 +107,7 @@ void add_boughs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> posit
     root[i] = p == Skeleton::kRoot ? node : root[static_cast<std::size_t>(p)];
     if (p == Skeleton::kRoot || rest.birth[p] >= front) continue;
     float foot = radius[static_cast<std::size_t>(p)];
+    assert(foot > 0 && radius[i] > 0);
     // A branch leaves its parent little thicker than it goes on, or the fork would swell.
     if (p != node - 1) foot = std::min(foot, 1.25f * radius[i]);
     Cone cone =

@@ -1,6 +1,7 @@
 #include "field/settle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "core/parallel.h"
@@ -37,8 +38,10 @@ Cell octant_origin(Cell first, std::uint32_t octant, int side) {
 
 /// Moves one vertex along the slope of the distance until it is 0 (Newton's way).
 void settle_vertex(const Boughs& limbs, const Nearby& near, float voxel, FusedMesh& mesh, std::uint32_t v) {
+  assert(v < mesh.surface.position.size() && voxel > 0);
   Vec3 start = mesh.surface.position[v], at = start;
   FieldSample sample = sample_limbs(limbs, near, at);
+  assert(sample.cone >= 0 && sample.cone < static_cast<std::int32_t>(limbs.cones.size()));
   float most = kMost * voxel;
   for (int step = 0; step < kNewtonSteps && std::abs(sample.distance) > kEnough * voxel; ++step) {
     Vec3 shift = at - sample.normal * sample.distance - start;
@@ -58,6 +61,7 @@ class Settler {
       : limbs_(limbs), blocks_(blocks), mesh_(mesh) {}
 
   void settle(std::size_t from, std::size_t to) {
+    assert(from <= to && to <= mesh_.surface.position.size());
     std::vector<Placed> own;
     for (std::size_t v = from; v < to; ++v) {
       Cell cell = voxel_at(mesh_.surface.position[v], blocks_.voxel);

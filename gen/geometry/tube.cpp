@@ -1,6 +1,7 @@
 #include "geometry/tube.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -17,6 +18,7 @@ struct Line {
 };
 
 void set_directions(Line& line) {
+  assert(line.at.size() >= 2 && line.radius.size() == line.at.size() && line.node.size() == line.at.size());
   std::size_t n = line.at.size();
   line.along.resize(n);
   for (std::size_t i = 0; i < n; ++i) {

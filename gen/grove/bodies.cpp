@@ -1,6 +1,9 @@
 #include "grove/bodies.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
 
 namespace frond {
 
@@ -27,6 +30,7 @@ struct Cells {
 };
 
 Cells cells_round(const Surface& body, double voxel) {
+  assert(!body.position.empty() && voxel > 0);
   Vec3 low = body.position[0], high = low;
   for (Vec3 p : body.position) low = glm::min(low, p), high = glm::max(high, p);
   double side = voxel / kFineness;
@@ -52,6 +56,8 @@ void fill(Cells& cells, Vec3 a, Vec3 b, Vec3 c) {
       auto u = static_cast<float>(i) / static_cast<float>(steps);
       auto v = static_cast<float>(j) / static_cast<float>(steps);
       auto cell = glm::ivec3(glm::floor((a + (b - a) * u + (c - a) * v - cells.low) / cells.side));
+      assert(glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) &&
+             glm::all(glm::lessThan(cell, cells.size)));
       cells.state[cells.at(cell.x, cell.y, cell.z)] = kFullCell;
     }
   }
@@ -96,6 +102,7 @@ std::vector<Shade> shades_of_body(const Surface& body, const LightLaw& law) {
   std::vector<Shade> list;
   if (body.triangle.empty()) return list;
   Cells cells = cells_round(body, law.voxel);
+  assert(cells.state[0] == 0 && "the outermost cells are open");
   for (auto [a, b, c] : body.triangle) fill(cells, body.position[a], body.position[b], body.position[c]);
   fill_inside(cells);
 

@@ -1,6 +1,7 @@
 #include "grove/grove.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -43,6 +44,8 @@ struct Tree {
 };
 
 void plant(Tree& tree) {
+  assert(tree.seedling && tree.living.size() == 0);
+  assert(std::abs(glm::length(tree.seedling->up) - 1) < 1e-3f);
   Metamers& m = tree.living;
   m.resize(1);
   const Seedling& s = *tree.seedling;
@@ -91,6 +94,8 @@ void cast_light(LightField& field, const std::vector<Tree>& trees, const GroveOp
 }
 
 void drop(Tree& tree, const Falls& falls, bool history) {
+  assert(falls.time.size() == tree.living.size());
+  assert(falls.time[0] == Metamers::kNever && "the foot never falls");
   Metamers& m = tree.living;
   tree.broken += falls.broken;
   std::vector<std::uint8_t> stay(m.size());
@@ -117,6 +122,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   if (tree.living.size() == 0) plant(tree);
   Metamers& m = tree.living;
   Season season{s, field, seedling.seed, year};
+  assert(m.parent[0] == Metamers::kRoot);
   double age = year - seedling.planted;
 
   measure_light(m, season, shade_amount(field.law(), s.leaf_area, 0));
@@ -156,6 +162,8 @@ GrownTree grown_tree(Tree& tree) {
             [](const Fallen& a, const Fallen& b) { return a.serial < b.serial; });
   std::vector<std::int32_t> index(tree.serial, GrownTree::kRoot);
   auto add = [&](Vec3 tip, Vec3 side, std::uint32_t serial, std::int32_t parent, float pipe) {
+    assert(serial < index.size() && index[serial] == GrownTree::kRoot && "each is born once");
+    assert(parent < static_cast<std::int32_t>(g.tip.size()) && "parents are older than children");
     index[serial] = static_cast<std::int32_t>(g.tip.size());
     g.tip.push_back(tip);
     g.side.push_back(side);
@@ -191,6 +199,8 @@ GrownTree grown_tree(Tree& tree) {
   while (fallen != tree.fallen.end()) add_fallen();
 
   if (tree.rings.empty()) return g;
+  assert(g.born.size() == g.size() && g.died.size() == g.size() && g.fell.size() == g.size());
+  assert(g.light.size() == g.size() && g.order.size() == g.size() && g.leads.size() == g.size());
   g.first_ring.assign(g.size() + 1, 0);
   for (const YearRings& year : tree.rings)
     for (std::uint32_t serial : year.serial) ++g.first_ring[index[serial] + 1];
@@ -206,6 +216,7 @@ GrownTree grown_tree(Tree& tree) {
 }  // namespace
 
 bool GrownTree::bears_leaves(const Species& s, std::size_t i, float year) const {
+  assert(i < size());
   if (parent[i] == kRoot || born[i] > year || died[i] <= year || fell[i] <= year) return false;
   return leads[i] || year - born[i] < static_cast<float>(s.leaf_years) - 0.001f;
 }
@@ -214,6 +225,7 @@ std::vector<GrownTree> grow_grove(const std::vector<Seedling>& seedlings, const 
   std::vector<Tree> trees(seedlings.size());
   std::vector<GrownTree> grown(seedlings.size());
   if (trees.empty()) return grown;
+  assert(options.years >= 0);
   for (std::size_t i = 0; i < trees.size(); ++i) trees[i].seedling = &seedlings[i];
   LightField field(options.light);
   for (int year = 0; year < options.years; ++year) {

@@ -1,6 +1,7 @@
 #include "grove/light.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -23,17 +24,21 @@ int place_in(int cell) { return cell & 15; }
 }  // namespace
 
 float fading_weight(const LightLaw& law, int q) {
+  assert(q >= 0 && q <= law.depth);
   if (law.fading == Fading::geometric) return static_cast<float>(std::pow(law.base, -q));
   return 1 - static_cast<float>(q) / static_cast<float>(law.depth + 1);
 }
 
 float shade_amount(const LightLaw& law, double leaf_area, double wood_volume) {
+  assert(law.voxel > 0 && leaf_area >= 0 && wood_volume >= 0);
   double h = law.voxel;
   if (law.fading != Fading::even) return static_cast<float>(law.absorb * leaf_area / (h * h));
   return static_cast<float>(law.absorb * kFilling * (leaf_area * kLeafDepth + wood_volume) / (h * h * h));
 }
 
 std::int32_t LightField::open_tile(int layer, int row, int column) {
+  assert(layer >= 0 && layer < layers_);
+  assert(row >= 0 && row < rows_ && column >= 0 && column < columns_);
   std::int32_t& entry = directory_[slot(layer, row, column)];
   if (entry < 0) {
     entry = static_cast<std::int32_t>(tiles_.size());
@@ -44,6 +49,7 @@ std::int32_t LightField::open_tile(int layer, int row, int column) {
 
 /// The directory of all tiles that the shades may reach.
 void LightField::lay_out(const std::vector<Shade>& shades, float floor) {
+  assert(!shades.empty() && std::isfinite(floor));
   Vec3 low = shades[0].at, high = low;
   for (const Shade& s : shades) low = glm::min(low, s.at), high = glm::max(high, s.at);
   low.y = std::min(floor, low.y);
@@ -61,6 +67,7 @@ void LightField::lay_out(const std::vector<Shade>& shades, float floor) {
 
 /// Adds the shade of one tile to a layer q below it.
 void LightField::darken(int layer, const Tile& from, const float* amounts, int q, float weight) {
+  assert(layer >= 0 && layer <= from.layer && q < kSide && "a shadow stays within the next tiles");
   for (int cell = 0; cell < kSide * kSide; ++cell) {
     if (amounts[cell] == 0) continue;
     float shade = amounts[cell] * weight;
@@ -103,6 +110,8 @@ void LightField::cast(const std::vector<Shade>& shades, float floor, Vec3 offset
 }
 
 void LightField::cast_pyramids(const std::vector<float>& amounts) {
+  assert(law_.depth >= 1 && law_.depth <= 15);
+  assert(amounts.size() == tiles_.size() * kSide * kSide);
   // A shadow is less than a tile wide to each side.
   std::size_t casting = tiles_.size();
   std::vector<std::vector<std::uint32_t>> of_layer(static_cast<std::size_t>(layers_));
@@ -172,6 +181,7 @@ void LightField::diffuse(const std::vector<float>& amounts) {
 /// Whether what is in a tile goes on into the one below it, `row` and `column` (-1, 0, 1) aside.
 bool LightField::reaches(std::size_t tile, int row, int column) const {
   const float* cells = &shadow_[tile * kSide * kSide];
+  assert(tile < tiles_.size() && row >= -1 && row <= 1 && column >= -1 && column <= 1);
   int r0 = row > 0 ? kSide - 1 : 0, r1 = row < 0 ? 0 : kSide - 1;
   int c0 = column > 0 ? kSide - 1 : 0, c1 = column < 0 ? 0 : kSide - 1;
   for (int r = r0; r <= r1; ++r)
@@ -191,6 +201,7 @@ float LightField::cell(int x, int y, int z) const {
 }
 
 float LightField::shadow(Vec3 at) const {
+  assert(std::isfinite(glm::dot(at, at)));
   if (layers_ == 0) return 0;
   Vec3 p = (at - offset_) / static_cast<float>(law_.voxel) - 0.5f;
   int x = floor_int(p.x), y = floor_int(p.y), z = floor_int(p.z);

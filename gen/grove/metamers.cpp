@@ -1,5 +1,6 @@
 #include "grove/metamers.h"
 
+#include <cassert>
 namespace frond {
 
 void Metamers::resize(std::size_t n) {
@@ -19,10 +20,12 @@ void Metamers::resize(std::size_t n) {
 }
 
 void Metamers::keep(const std::vector<std::uint8_t>& stay) {
+  assert(stay.size() == size() && stay[0]);
   std::vector<std::int32_t> moved(size());
   std::size_t n = 0;
   for (std::size_t i = 0; i < size(); ++i) {
     if (!stay[i]) continue;
+    assert(parent[i] == kRoot || (parent[i] < static_cast<std::int32_t>(i) && stay[parent[i]]));
     moved[i] = static_cast<std::int32_t>(n);
     if (n != i || parent[i] != kRoot) {
       tip[n] = tip[i];

@@ -1,6 +1,7 @@
 #include "grove/resource.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace frond {
 
@@ -30,6 +31,7 @@ float gather_light(Metamers& t) {
   for (std::size_t i = n; i-- > 1;) {
     if (t.has(i, Metamers::dead)) continue;
     std::int32_t p = t.parent[i];
+    assert(p >= 0 && p < static_cast<std::int32_t>(i));
     (t.has(i, Metamers::side_shoot) ? t.to_side : t.to_leader)[p] += t.to_leader[i] + t.to_side[i];
     t.count[p] += t.count[i];
   }
@@ -44,6 +46,7 @@ double apical_control(const Species& s, double age, int order) {
 }
 
 void share_by_forks(Metamers& t, const Species& s, double age, float resource) {
+  assert(t.to_leader.size() == t.size() && t.to_side.size() == t.size() && resource >= 0);
   float control[2] = {static_cast<float>(apical_control(s, age, 0)),
                       static_cast<float>(apical_control(s, age, 1))};
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -61,6 +64,7 @@ void share_by_forks(Metamers& t, const Species& s, double age, float resource) {
 }
 
 void share_by_priority(Metamers& t, const Species& s, double age, float resource) {
+  assert(t.to_leader.size() == t.size() && t.count.size() == t.size() && resource >= 0);
   std::size_t n = t.size();
   std::vector<std::uint32_t> axis(n);
   std::vector<Sink> sinks;
@@ -96,6 +100,7 @@ void share_by_priority(Metamers& t, const Species& s, double age, float resource
     // Axes begin in the order of their metamers, so what an axis has is known before it is handed on.
     float v = i == 0 ? resource : side[t.parent[i]], sum = 0;
     std::uint32_t from = first[axis[i]], to = first[axis[i] + 1];
+    assert(from <= to && to <= sinks.size());
     auto weight = [&](std::uint32_t k) {
       float along = static_cast<float>(k - from) / std::max(1.0f, kFalling * static_cast<float>(to - from));
       return std::max(kLeast, kMost + (kLeast - kMost) * along);

@@ -1,6 +1,7 @@
 #include "grove/shed.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "grove/shoots.h"
@@ -30,6 +31,7 @@ float stands_dead(const Wood& wood, float radius) {
 }  // namespace
 
 std::size_t die_of_shade(Metamers& t, const Species& s, Seed seed, int year, double age) {
+  assert(t.size() > 0 && t.to_leader.size() == t.size() && t.count.size() == t.size());
   std::size_t n = t.size(), died = 0;
   float bare =
       s.clear_trunk > 0 ? std::min(static_cast<float>(s.clear_trunk), kClearShare * height_of(t)) : 0;
@@ -70,6 +72,7 @@ Strain strain_of(const Metamers& t, const Species& s, const Weather& storm, int 
   for (std::size_t i = n; i-- > 1;) {
     std::int32_t p = t.parent[i];
     reach[i] += t.length(i);
+    assert(strain.radius[i] > 0 && std::isfinite(strain.stress[i]));
     reach[p] = std::max(reach[p], reach[i]);
     // No load bends a branch more than over a quarter of a circle.
     strain.stress[i] = std::min(strain.stress[i], stiff * strain.radius[i] / std::max(reach[i], 1e-3f));
@@ -78,6 +81,7 @@ Strain strain_of(const Metamers& t, const Species& s, const Weather& storm, int 
 }
 
 void brace(Metamers& t, const Wood& wood, Strain& strain) {
+  assert(strain.radius.size() == t.size() && strain.stress.size() == t.size());
   auto most = static_cast<float>(kUsedStrength * wood.strength);
   float below = 0;
   for (std::size_t i = t.size(); i-- > 1;) {
@@ -93,6 +97,7 @@ void brace(Metamers& t, const Wood& wood, Strain& strain) {
 }
 
 Falls find_falls(const Metamers& t, const Species& s, const Strain& strain, Seed seed, int year) {
+  assert(strain.radius.size() == t.size() && strain.stress.size() == t.size());
   std::size_t n = t.size();
   Falls falls;
   falls.time.assign(n, Metamers::kNever);

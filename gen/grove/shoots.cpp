@@ -1,6 +1,7 @@
 #include "grove/shoots.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -37,12 +38,14 @@ Vec3 normalized(Vec3 v, Vec3 otherwise) {
 
 /// `v` turned about a unit axis.
 Vec3 turned(Vec3 v, Vec3 axis, double angle) {
+  assert(std::abs(glm::length(axis) - 1) < 1e-3f);
   auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
   return v * c + glm::cross(axis, v) * s + axis * (glm::dot(axis, v) * (1 - c));
 }
 
 /// `side` made square to a unit direction.
 Vec3 squared(Vec3 side, Vec3 direction) {
+  assert(std::abs(glm::length(direction) - 1) < 1e-3f);
   Vec3 other = std::abs(direction.x) < 0.7f ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   return normalized(side - direction * glm::dot(side, direction),
                     glm::normalize(glm::cross(direction, other)));
@@ -103,6 +106,8 @@ Vec3 own_direction(const Metamers& t, const Species& s, const Shoot& shoot, Vec3
 }
 
 void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_t at, std::uint32_t serial) {
+  assert(shoot.from < at && shoot.count > 0 && at + static_cast<std::size_t>(shoot.count) <= t.size());
+  assert(shoot.length > 0);
   const Species& s = season.species;
   std::size_t from = shoot.from;
   auto order = static_cast<std::uint8_t>(std::min<int>(t.order[from] + (shoot.leader ? 0 : 1), 255));
@@ -143,6 +148,7 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
 }  // namespace
 
 bool bears_leaves(const Metamers& t, const Species& s, std::size_t i, int year) {
+  assert(i < t.size());
   if (i == 0 || t.has(i, Metamers::dead)) return false;
   return t.has(i, Metamers::leading) || static_cast<double>(year) - t.born[i] < s.leaf_years - 0.001;
 }
@@ -168,6 +174,7 @@ std::size_t grow_shoots(Metamers& t, const Season& season, std::uint32_t& serial
     at += static_cast<std::size_t>(shoot.count);
     serial += static_cast<std::uint32_t>(shoot.count);
   }
+  assert(at == n && "the shoots fill what was made for them");
   // Buds that slept too long die.
   for (std::size_t i = 0; i < first; ++i)
     if (t.has(i, Metamers::bud) && static_cast<double>(season.year) - t.born[i] > season.species.bud_years)

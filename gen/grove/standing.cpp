@@ -1,6 +1,7 @@
 #include "grove/standing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -33,6 +34,8 @@ class Stander {
 
   Standing make() {
     std::size_t n = t_.size();
+    assert(!history_ || t_.first_ring.size() == n + 1);
+    assert(t_.parent.size() == n && t_.radius.size() == n && t_.leads.size() == n);
     index_.assign(n, GrownTree::kRoot);
     piece_.assign(n, -1);
     find_leading();
@@ -84,6 +87,7 @@ class Stander {
 
   /// A piece that broke at metamer i, on its way down.
   std::int32_t fall(std::size_t i) {
+    assert(t_.parent[i] != GrownTree::kRoot && "a tree does not break at its foot");
     auto p = static_cast<std::size_t>(t_.parent[i]);
     double time = (year_ - t_.fell[i]) * filming_.seconds_a_year + filming_.overtime;
     Piece piece;

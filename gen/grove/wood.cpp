@@ -1,6 +1,7 @@
 #include "grove/wood.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -69,12 +70,15 @@ float bent(Vec3 moment, Vec3 axis) {
 }  // namespace
 
 std::vector<float> bending_stress(const Limbs& limbs, const Wood& wood, const Weather& weather) {
+  assert(limbs.parent.size() == limbs.tip.size() && limbs.radius.size() == limbs.tip.size());
+  assert(limbs.leaf_area.size() == limbs.tip.size());
   std::size_t n = limbs.tip.size();
   std::vector<Load> load(n);
   std::vector<float> stress(n);
   for (std::size_t i = n; i-- > 0;) {
     std::int32_t p = limbs.parent[i];
     if (p < 0) continue;
+    assert(p < static_cast<std::int32_t>(i) && limbs.radius[i] > 0);
     Vec3 foot = limbs.tip[p];
     float height = (foot.y + limbs.tip[i].y) / 2 - limbs.tip[0].y;
     load[i].add(load_of(foot, limbs.tip[i], height, limbs.radius[i], limbs.leaf_area[i], wood, weather));
@@ -95,11 +99,13 @@ void thicken(Metamers& t) {
 }
 
 float pipe_radius(const Wood& wood, float pipe) {
+  assert(wood.exponent > 0 && wood.twig_radius > 0);
   return static_cast<float>(wood.twig_radius) *
          std::pow(std::max(pipe, 1e-6f), 1 / static_cast<float>(wood.exponent));
 }
 
 void sag(Metamers& t, const Wood& wood, double leaf_area, std::size_t first) {
+  assert(first <= t.size() && wood.stiffness > 0);
   std::size_t n = t.size() - first;
   std::vector<Load> load(n);
   std::vector<Quat> turn(n, Quat(1, 0, 0, 0));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -18,6 +19,8 @@ void Skeleton::reserve(std::size_t nodes) {
 }
 
 std::int32_t Skeleton::add(Vec3 at, float thickness, std::int32_t below, std::uint16_t depth) {
+  assert(below >= kRoot && below < static_cast<std::int32_t>(size()));
+  assert(std::isfinite(glm::dot(at, at)));
   float along = below == kRoot ? 0.0f : distance[below] + glm::distance(position[below], at);
   position.push_back(at);
   radius.push_back(thickness);
@@ -54,6 +57,7 @@ std::string Skeleton::check() const {
 }
 
 void set_distances(Skeleton& s) {
+  assert(s.distance.size() == s.size() && s.parent.size() == s.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     std::int32_t p = s.parent[i];
     s.distance[i] = p == Skeleton::kRoot ? 0 : s.distance[p] + glm::distance(s.position[p], s.position[i]);
@@ -61,6 +65,7 @@ void set_distances(Skeleton& s) {
 }
 
 void set_tip_distances(Skeleton& s) {
+  assert(s.to_tip.size() == s.size() && s.distance.size() == s.size());
   std::fill(s.to_tip.begin(), s.to_tip.end(), 0.0f);
   for (std::size_t i = s.size(); i-- > 0;) {
     std::int32_t p = s.parent[i];
@@ -102,10 +107,12 @@ std::vector<std::int32_t> order_branches(Skeleton& s) {
     }
   }
   s = std::move(sorted);
+  assert(s.size() == n && "every node hangs on a root");
   return index;
 }
 
 void set_births(Skeleton& s) {
+  assert(s.birth.size() == s.size() && s.distance.size() == s.size());
   float longest = s.longest();
   for (std::size_t i = 0; i < s.size(); ++i)
     s.birth[i] = longest > 0 ? std::min(s.distance[i] / longest, 1.0f) : 0.0f;

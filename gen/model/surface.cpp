@@ -34,6 +34,10 @@ void append(Surface& to, const Surface& more) {
 }
 
 void append_placed(Surface& to, const Surface& more, Vec3 at, Quat turn, Vec3 scale) {
+  assert(to.position.empty() || to.uv.empty() == more.uv.empty());
+  assert(scale.x > 0 && scale.y > 0 && scale.z > 0);
+  assert(std::abs(glm::length(turn) - 1) < 1e-3f);
+  assert(more.normal.size() == more.position.size());
   auto offset = static_cast<std::uint32_t>(to.position.size());
   for (const Vec3& p : more.position) to.position.push_back(at + turn * (p * scale));
   for (const Vec3& n : more.normal) to.normal.push_back(glm::normalize(turn * (n / scale)));

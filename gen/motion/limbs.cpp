@@ -1,6 +1,7 @@
 #include "motion/limbs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace frond {
@@ -22,6 +23,8 @@ float phase_at(double rate, double time, double film_length, bool loop) {
 
 LimbSway::LimbSway(const Skeleton& rest, const Wave& wave, double time, double film_length)
     : rest_(rest), base_(rest.size(), Skeleton::kRoot) {
+  assert(wave.length != 0);
+  assert(rest.order.size() == rest.size() && rest.to_tip.size() == rest.size());
   Vec3 flat(wave.direction.x, 0, wave.direction.z);
   along_ = glm::dot(flat, flat) > 0 ? glm::normalize(flat) : Vec3(1, 0, 0);
   across_ = Vec3(-along_.z, 0, along_.x);
@@ -39,6 +42,7 @@ LimbSway::LimbSway(const Skeleton& rest, const Wave& wave, double time, double f
 }
 
 Quat LimbSway::turn(std::size_t i, const std::vector<Quat>& turns) {
+  assert(i < base_.size() && turns.size() >= base_.size());
   std::int32_t base = base_[i];
   Quat borne = base == Skeleton::kRoot ? Quat(1, 0, 0, 0) : turns[base];
   float below = base == Skeleton::kRoot ? 0.0f : rest_.distance[base];

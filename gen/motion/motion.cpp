@@ -1,6 +1,7 @@
 #include "motion/motion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -17,6 +18,7 @@ constexpr double kOnset = 0.06;  // the share of growth in which the whole organ
 class Current {
  public:
   Current(const Wave& wave, double time, double film_length) {
+    assert(wave.length != 0);
     Vec3 flat(wave.direction.x, 0, wave.direction.z);
     along_ = glm::dot(flat, flat) > 0 ? glm::normalize(flat) : Vec3(1, 0, 0);
     across_ = Vec3(-along_.z, 0, along_.x);
@@ -73,6 +75,7 @@ Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float str
 }  // namespace
 
 double growth_front(const Growth& growth, double time) {
+  assert(growth.ripen >= 0 && std::isfinite(time));
   double end = 1 + growth.ripen;
   if (growth.duration <= 0) return time >= growth.start ? end : 0;
   double t = std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
@@ -82,6 +85,8 @@ double growth_front(const Growth& growth, double time) {
 }
 
 void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose) {
+  assert(rest.radius.size() == rest.size() && rest.parent.size() == rest.size());
+  assert(rest.distance.size() == rest.size() && rest.birth.size() == rest.size());
   std::size_t n = rest.size();
   pose.position.resize(n);
   pose.radius.resize(n);
@@ -107,6 +112,7 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
 
   for (std::size_t i = 0; i < n; ++i) {
     float share = rest.distance[i] / longest;
+    assert(rest.parent[i] < static_cast<std::int32_t>(i) && "parents precede children");
     std::int32_t p = rest.parent[i];
     Quat swing = limbs             ? limbs->turn(i, pose.turn)
                  : current.still() ? Quat(1, 0, 0, 0)

@@ -1,6 +1,7 @@
 #include "motion/unfold.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/seed.h"
@@ -13,11 +14,14 @@ float unfolded(float birth, float front, double ripen) {
 }
 
 Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& o, std::size_t i) {
+  assert(i < o.size() && o.node[i] < static_cast<std::int32_t>(pose.position.size()));
+  assert(o.loose.empty() || o.loose.size() == o.size());
   Vec3 riding = carried(rest, pose, o.node[i], o.position[i]);
   return o.loose.empty() || o.loose[i] == 0 ? riding : glm::mix(riding, o.position[i], o.loose[i]);
 }
 
 Quat organ_turn(const Pose& pose, const Organs& o, std::size_t i) {
+  assert(i < o.size() && o.node[i] < static_cast<std::int32_t>(pose.turn.size()));
   Quat riding = carried_turn(pose, o.node[i]) * o.turn[i];
   return o.loose.empty() || o.loose[i] == 0 ? riding
                                             : glm::normalize(glm::slerp(riding, o.turn[i], o.loose[i]));
@@ -25,6 +29,8 @@ Quat organ_turn(const Pose& pose, const Organs& o, std::size_t i) {
 
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& all, double ripen,
                      const std::function<bool(std::size_t)>& wanted) {
+  assert(pose.position.size() == rest.size() && pose.turn.size() == rest.size());
+  assert(all.first.size() == all.size() + 1 && all.first.back() == all.surface.position.size());
   Surface s;
   std::size_t triangle = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -36,6 +42,7 @@ Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& all, 
     float size = unfolded(all.birth[i], pose.front, ripen);
     if (size < kUnfoldedLeast) continue;
     Quat turn = carried_turn(pose, all.node[i]);
+    assert(all.node[i] < static_cast<std::int32_t>(rest.size()));
     Vec3 foot = carried(rest, pose, all.node[i], all.foot[i]);
     auto offset = static_cast<std::uint32_t>(s.position.size()) - all.first[i];
     for (std::uint32_t k = all.first[i]; k < all.first[i + 1]; ++k) {

@@ -120,6 +120,8 @@ struct Cutter {
 }  // namespace
 
 Box BlobCells::box(const Cell& c) const {
+  assert(c.level <= kDeepest && c.at[0] < 1u << c.level && c.at[1] < 1u << c.level &&
+         c.at[2] < 1u << c.level);
   DVec3 width = root.size() / static_cast<double>(1 << c.level);
   DVec3 low = root.low + width * DVec3(c.at[0], c.at[1], c.at[2]);
   return {low, low + width};

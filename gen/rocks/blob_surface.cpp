@@ -1,5 +1,6 @@
 #include "rocks/blob_surface.h"
 
+#include <cassert>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -181,6 +182,7 @@ struct Filler {
   }
 
   void fill_four(std::span<const Corner> loop) {
+    assert(loop.size() == 4);
     auto [a, b, c, d] = std::array{loop[0].vertex, loop[1].vertex, loop[2].vertex, loop[3].vertex};
     bool ac = !in_face(loop, 0, 2), bd = !in_face(loop, 1, 3);
     if (ac && bd) ac = glm::distance(place[a], place[c]) <= glm::distance(place[b], place[d]);
@@ -193,6 +195,7 @@ struct Filler {
 
   /// Round a vertex of its own in the middle.
   void fill_round(std::span<const Corner> loop) {
+    assert(loop.size() >= 3);
     DVec3 sum(0), area(0);
     double reach = 0;
     for (Corner c : loop) sum += place[c.vertex];
@@ -243,6 +246,7 @@ Surface blob_surface(const Blobs& shape, const BlobCells& cells) {
     for (std::size_t i = share * kPairsATask; i < std::min((share + 1) * kPairsATask, pairs.size()); ++i) {
       const BlobCells::Cell *in = &cells.cell[pairs[i].first], *out = &cells.cell[pairs[i].second];
       if (!in->inside) std::swap(in, out);
+      assert(in->inside && !out->inside && "a crossing lies between inside and outside");
       DVec3 from = cells.box(*in).middle(), to = cells.box(*out).middle();
       place[i] = root_between(shape, from, to);
       DVec3 n = -field_gradient(shape, place[i]);

@@ -155,6 +155,7 @@ Box field_bounds(const Blobs& shape) {
   Box all{DVec3(std::numeric_limits<double>::infinity()), DVec3(-std::numeric_limits<double>::infinity())};
   // Outside of the reach of all each term is less than its part of the level, and so is the sum.
   double part = shape.level / static_cast<double>(std::max<std::size_t>(1, shape.blobs.size()));
+  assert(part > 0);
   for (const Blob& blob : shape.blobs) {
     DVec3 half = blob.radius * (std::sqrt(reach(shape.falloff, largest(blob.radius), part)) * (1 + 1e-9));
     all.low = glm::min(all.low, blob.radius * blob.center - half);

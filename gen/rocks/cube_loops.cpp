@@ -1,5 +1,6 @@
 #include "rocks/cube_loops.h"
 
+#include <cassert>
 namespace frond {
 
 namespace {
@@ -13,6 +14,7 @@ std::array<unsigned, 4> face_corners(unsigned face) {
 }
 
 std::uint8_t edge_between(unsigned a, unsigned b) {
+  assert(a < 8 && b < 8 && a != b);
   const auto& edges = CubeLoops::edges();
   for (std::uint8_t e = 0; e < CubeLoops::kEdges; ++e)
     if ((edges[e][0] == a && edges[e][1] == b) || (edges[e][0] == b && edges[e][1] == a)) return e;

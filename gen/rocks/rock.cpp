@@ -50,6 +50,7 @@ Vec3 random_direction(Seed seed) {
 
 /// 0 well below 0, x well above, and round over `soft` either way.
 float soft_excess(float x, float soft) {
+  assert(soft >= 0);
   if (x <= -soft) return 0;
   if (x >= soft) return x;
   return (x + soft) * (x + soft) / (4 * soft);
@@ -87,6 +88,7 @@ double recess(const Vec3& p, const Vec3& up, double thickness, double size, Vec3
 
 /// Layers and noise, each along the normal.
 void wear(Surface& rock, const RockShape& shape, Seed seed) {
+  assert(rock.normal.size() == rock.position.size());
   const Weathering& w = shape.weathering;
   Vec3 shift(static_cast<float>(seed.child("x").range(-50, 50)),
              static_cast<float>(seed.child("y").range(-50, 50)),
@@ -118,6 +120,7 @@ void wear(Surface& rock, const RockShape& shape, Seed seed) {
 
 /// Cuts the rock flat below and puts the cut at y = 0.
 void cut_underside(Surface& rock, const RockShape& shape) {
+  assert(!rock.position.empty());
   float low = rock.position[0].y, high = low;
   for (const Vec3& p : rock.position) low = std::min(low, p.y), high = std::max(high, p.y);
   float cut = low + static_cast<float>(shape.weathering.underside) * (high - low);
@@ -139,6 +142,7 @@ int count_pieces(const Surface& surface) {
     return v;
   };
   for (auto [a, b, c] : surface.triangle) {
+    assert(a < above.size() && b < above.size() && c < above.size());
     above[root(a)] = root(b);
     above[root(b)] = root(c);
   }

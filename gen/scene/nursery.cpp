@@ -1,7 +1,5 @@
 #include "scene/nursery.h"
 
-#include <algorithm>
-
 namespace frond {
 
 namespace {
@@ -24,27 +22,10 @@ std::size_t bytes_of(const Model& m) {
 
 }  // namespace
 
-std::optional<std::vector<Specimen>> Nursery::find(const std::string& key) {
-  std::lock_guard lock(in_work_);
-  auto found = kept_.find(key);
-  if (found == kept_.end()) return std::nullopt;
-  found->second.used = ++now_;
-  return found->second.specimens;
-}
-
 void Nursery::keep(const std::string& key, std::vector<Specimen> grown) {
   std::size_t bytes = 0;
   for (const Specimen& s : grown) bytes += bytes_of(s.model);
-  std::lock_guard lock(in_work_);
-  auto [at, fresh] = kept_.try_emplace(key);
-  if (!fresh) return;  // another scene has brought the same
-  at->second = {std::move(grown), bytes, ++now_};
-  bytes_ += bytes;
-  while (bytes_ > most_ && kept_.size() > 1) {
-    auto oldest = std::ranges::min_element(kept_, {}, [](const auto& entry) { return entry.second.used; });
-    bytes_ -= oldest->second.bytes;
-    kept_.erase(oldest);
-  }
+  put(key, std::make_shared<const std::vector<Specimen>>(std::move(grown)), bytes);
 }
 
 }  // namespace frond

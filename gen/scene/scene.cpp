@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "core/content.h"
@@ -96,7 +97,8 @@ class Gardener {
     return {};
   }
 
-  std::vector<std::size_t> grown;  ///< entries
+  std::vector<std::size_t> grown;              ///< entries
+  std::map<std::size_t, std::string> origins;  ///< what stands for all that an entry grew from
 
  private:
   Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
@@ -119,8 +121,10 @@ class Gardener {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (!errors[g].empty()) return errors[g];
       std::ranges::move(specimens[g], std::back_inserter(all));
-      if (fresh[g])
-        for (const Bed& bed : groups[g]) grown.push_back(bed.entry);
+      for (const Bed& bed : groups[g]) {
+        if (fresh[g]) grown.push_back(bed.entry);
+        if (nursery_) origins[bed.entry] = keys[g];
+      }
     }
     // What comes later grows among all of these.
     for (const std::string& key : keys) surroundings_ += key;
@@ -130,9 +134,9 @@ class Gardener {
   }
 
   bool take_grown(const std::string& key, std::vector<Specimen>& specimens) {
-    std::optional<std::vector<Specimen>> kept = nursery_ ? nursery_->find(key) : std::nullopt;
-    if (kept) specimens = std::move(*kept);
-    return kept.has_value();
+    auto kept = nursery_ ? nursery_->find(key) : nullptr;
+    if (kept) specimens = *kept;
+    return kept != nullptr;
   }
 
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
@@ -236,6 +240,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   Gardener gardener(preset, watch, nursery, ground->floor());
   if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
   scene.grown = std::move(gardener.grown);
+  scene.origins = std::move(gardener.origins);
 
   scene.ground = std::move(ground);
   scene.specimens = in_order(std::move(world).take_all(), preset);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -42,7 +43,10 @@ struct Scene {
   std::vector<SownStand> stands;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
-  std::vector<std::size_t> grown;  ///< entries that were not taken from a nursery
+  // With a nursery:
+  std::vector<std::size_t> grown;  ///< entries that were not taken from there
+  std::map<std::size_t, std::string>
+      origins;  ///< of entries that stand by themselves or creep, what stands for all that they grew from
 
   /// Nodes of all skeletons.
   std::size_t nodes() const;

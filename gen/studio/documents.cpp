@@ -7,8 +7,8 @@
 
 #include "core/content.h"
 #include "core/files.h"
-#include "export/look.h"
 #include "preset/json.h"
+#include "studio/carry.h"
 
 namespace frond {
 
@@ -130,8 +130,9 @@ std::optional<fs::path> Documents::writable(const std::string& file) const {
   return lies_below(*path, folder_) || (assets_ && lies_below(*path, *assets_)) ? path : std::nullopt;
 }
 
-std::optional<Refusal> Documents::save(const std::string& file, const std::string& text,
-                                       const std::string& disk, bool overwrite, Json& saved) const {
+std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, const std::string& disk,
+                                       bool overwrite, Json& saved) const {
+  const auto& [text, from] = doc;
   std::optional<fs::path> path = writable(file);
   if (!path)
     return Refusal{
@@ -145,29 +146,26 @@ std::optional<Refusal> Documents::save(const std::string& file, const std::strin
     if (disk.empty()) return Refusal{409, {{"error", "exists"}, {"disk", id}}};
     if (id != disk) return Refusal{409, {{"error", "changed on disk"}, {"disk", id}}};
   }
-  Result<bool> written = write_file(*path, text);
+  Result<std::string> moved =
+      from.parent_path() == path->parent_path()
+          ? Result<std::string>(text)
+          : carried(text, from.parent_path(), path->parent_path(),
+                    [&](const fs::path& named) { return readable(named.string()).has_value(); });
+  Result<bool> written = moved ? write_file(*path, *moved) : moved.errors();
   if (!written) return Refusal{500, {{"error", written.errors().front().text()}}};
-  saved = {{"file", path->string()}, {"name", path->filename().string()}, {"disk", content_id(text)}};
+  saved = {{"file", path->string()},
+           {"name", path->filename().string()},
+           {"text", *moved},
+           {"disk", content_id(*moved)}};
   return std::nullopt;
 }
 
 std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& text,
                                            Json& saved) const {
-  // The name is a person's; what becomes of it is a plain one that nothing else has.
-  std::string stem = plain_name(fs::path(name).stem().string(), "mesh").substr(0, 60);
-  std::error_code error;
-  for (int number = 1; number < 1000; ++number) {
-    std::string own = number == 1 ? stem + ".obj" : fmt::format("{}-{}.obj", stem, number);
-    Result<std::string> there = fs::exists(folder_ / own, error) ? read_file(folder_ / own) : Errors{Error{}};
-    bool same = there && *there == text;
-    if (fs::exists(folder_ / own, error) && !same) continue;
-    if (!same)
-      if (Result<bool> written = write_file(folder_ / own, text); !written)
-        return Refusal{500, {{"error", written.errors().front().text()}}};
-    saved = {{"file", own}, {"path", (folder_ / own).string()}};
-    return std::nullopt;
-  }
-  return Refusal{409, {{"error", "there are too many meshes of that name"}}};
+  Result<std::string> own = put_beside(folder_, fs::path(name).stem().string() + ".obj", text);
+  if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
+  saved = {{"file", *own}, {"path", (folder_ / *own).string()}};
+  return std::nullopt;
 }
 
 Json errors_json(const Errors& errors) {

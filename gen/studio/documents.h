@@ -43,8 +43,9 @@ class Documents {
   /// Reads a preset; files that it names only from where it may.
   Result<Preset> preset(const Doc& doc, const std::vector<std::string>& sets = {}) const;
 
-  /// Writes a preset where it may. `disk` stands for what the page believes to be there, empty: nothing.
-  std::optional<Refusal> save(const std::string& file, const std::string& text, const std::string& disk,
+  /// Writes a preset where it may, with the files that it names where it comes from another folder. `disk`
+  /// stands for what the page believes to be there, empty: nothing.
+  std::optional<Refusal> save(const std::string& file, const Doc& doc, const std::string& disk,
                               bool overwrite, Json& saved) const;
   /// Puts an OBJ file beside the preset under a name like the one given.
   std::optional<Refusal> add_mesh(const std::string& name, const std::string& text, Json& saved) const;

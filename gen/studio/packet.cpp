@@ -26,13 +26,6 @@ std::string padded(std::string text, char with) {
   return text;
 }
 
-/// What stands for all that is in a part.
-std::string id_of(const DrawnPart& part) {
-  std::string all = part.head.dump();
-  for (const WireArray& array : part.arrays) all += array.place + content_id(*array.bytes);
-  return content_id(all);
-}
-
 }  // namespace
 
 void DrawnPart::add(std::string place, std::span<const float> values) {
@@ -60,18 +53,30 @@ void DrawnPart::add_surface(const std::string& below, const Surface& surface) {
   if (!surface.uv.empty()) add(below + "/uv", {&surface.uv.data()->x, 2 * surface.uv.size()});
 }
 
+std::size_t DrawnPart::bytes() const {
+  std::size_t sum = 0;
+  for (const WireArray& array : arrays) sum += array.bytes->size();
+  return sum;
+}
+
+void DrawnPart::set_id() {
+  std::string all = head.dump();
+  for (const WireArray& array : arrays) all += array.place + content_id(*array.bytes);
+  id = content_id(all);
+}
+
 Json json_of(const Color& c) { return Json::array({c.red, c.green, c.blue}); }
 Json json_of(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 std::string packet_of(Json header, std::vector<DrawnPart> parts, const std::set<std::string>& kept) {
-  std::vector<std::string> ids(parts.size());
-  parallel_for(parts.size(), [&](std::size_t i) { ids[i] = id_of(parts[i]); });
+  parallel_for(parts.size(), [&](std::size_t i) {
+    if (parts[i].id.empty()) parts[i].set_id();
+  });
   std::size_t at = 0;
   Json list = Json::array();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    DrawnPart& part = parts[i];
-    part.head["id"] = ids[i];
-    if (kept.contains(ids[i])) part.arrays.clear();
+  for (DrawnPart& part : parts) {
+    part.head["id"] = part.id;
+    if (kept.contains(part.id)) part.arrays.clear();
     for (const WireArray& array : part.arrays) {
       part.head[Json::json_pointer(array.place)] = {{"at", at}, {"n", array.count}, {"t", array.type}};
       at += (array.bytes->size() + 7) / 8 * 8;

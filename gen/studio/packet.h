@@ -28,6 +28,10 @@ struct WireArray {
 struct DrawnPart {
   Json head = Json::object();
   std::vector<WireArray> arrays;
+  std::string id;  ///< stands for all of it; empty: not known yet
+
+  std::size_t bytes() const;
+  void set_id();
 
   void add(std::string place, std::span<const float> values);
   void add(std::string place, std::span<const std::uint32_t> values);

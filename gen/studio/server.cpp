@@ -26,7 +26,7 @@ constexpr std::size_t kMostMesh = std::size_t{32} << 20, kMostText = std::size_t
 constexpr int kSmallest = 16, kLargest = 8192;  // pixels of a side
 constexpr std::size_t kThreads = 48;            // browsers keep six connections a tab
 constexpr const char* kPolicy =
-    "default-src 'self'; img-src 'self' array: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
+    "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
     "'none'; "
     "base-uri 'none'; form-action 'none'";
 
@@ -76,6 +76,7 @@ class Server {
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server_.set_payload_max_length(kMostMesh);
     server_.set_tcp_nodelay(true);
+    server_.set_keep_alive_max_count(10'000);
     // Another program's port is not to be shared.
     server_.set_socket_options([](socket_t socket) {
       int yes = 1;
@@ -215,18 +216,17 @@ class Server {
     server_.Get(R"(/api/gallery/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
       send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");
     });
-    post("/api/save", [this](const Request&, Response& response, const Json& question, Doc) {
-      std::string file = question.at("file").get<std::string>(),
-                  text = question.at("text").get<std::string>();
+    post("/api/save", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      std::string file = question.at("file").get<std::string>();
       std::string disk = question.contains("disk") && question["disk"].is_string()
                              ? question["disk"].get<std::string>()
                              : "";
-      Json saved;
+      if (doc.file.empty()) return send(response, 400, {{"error", "doc is missing"}});
       if (!question.value("force", false))
-        if (auto path = documents_.readable(file))
-          if (Result<Preset> preset = documents_.preset({text, *path}); !preset)
-            return send(response, 422, {{"errors", errors_json(preset.errors())}});
-      if (auto refusal = documents_.save(file, text, disk, question.value("overwrite", false), saved))
+        if (Result<Preset> preset = documents_.preset(doc); !preset)
+          return send(response, 422, {{"errors", errors_json(preset.errors())}});
+      Json saved;
+      if (auto refusal = documents_.save(file, doc, disk, question.value("overwrite", false), saved))
         return send(response, refusal->status, refusal->body);
       send(response, 200, saved);
     });

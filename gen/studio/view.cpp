@@ -1,5 +1,7 @@
 #include "studio/view.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -138,26 +140,53 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
   }
 }
 
+/// The parts of a specimen at a time, with what they are parts of.
+Result<std::vector<DrawnPart>> parts_of(const Specimen& s, std::size_t index, double time) {
+  Result<std::vector<DrawnPart>> parts = std::vector<DrawnPart>{};
+  if (s.life.changes()) {
+    Result<Specimen> now = developed(s, time);
+    parts = now ? specimen_parts(*now, time) : now.errors();
+  } else {
+    parts = specimen_parts(s, time);
+  }
+  if (!parts) return parts;
+  for (DrawnPart& part : *parts) {
+    part.head["entry"] = s.entry == Specimen::kNoEntry ? -1 : static_cast<int>(s.entry);
+    part.head["specimen"] = index;
+    part.set_id();
+  }
+  return parts;
+}
+
 /// The parts of all specimens that are to be seen.
-Errors add_specimens(const Scene& scene, const ViewRequest& request, std::vector<DrawnPart>& parts) {
-  std::vector<Result<std::vector<DrawnPart>>> made(scene.specimens.size(), std::vector<DrawnPart>{});
+Errors add_specimens(const Scene& scene, const ViewRequest& request, Greenhouse& ready,
+                     std::vector<DrawnPart>& parts) {
+  using Parts = std::shared_ptr<const std::vector<DrawnPart>>;
+  std::vector<Parts> made(scene.specimens.size());
+  std::vector<Errors> errors(scene.specimens.size());
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     const Specimen& s = scene.specimens[i];
     bool own = s.entry != Specimen::kNoEntry;
     if (own ? !request.shows(s.entry) : request.solo.has_value()) return;
-    if (s.life.changes()) {
-      Result<Specimen> now = developed(s, request.time);
-      made[i] = now ? specimen_parts(*now, request.time) : now.errors();
-    } else {
-      made[i] = specimen_parts(s, request.time);
+    auto origin = scene.origins.find(s.entry);
+    std::string name;
+    if (origin != scene.origins.end()) {
+      name = fmt::format("{} {} {}", origin->second, i, request.time);
+      if ((made[i] = ready.parts.find(name))) return;
     }
-    if (!made[i]) return;
-    for (DrawnPart& part : *made[i])
-      part.head["entry"] = own ? static_cast<int>(s.entry) : -1, part.head["specimen"] = i;
+    Result<std::vector<DrawnPart>> list = parts_of(s, i, request.time);
+    if (!list) {
+      errors[i] = list.errors();
+      return;
+    }
+    made[i] = std::make_shared<const std::vector<DrawnPart>>(std::move(*list));
+    std::size_t bytes = 0;
+    for (const DrawnPart& part : *made[i]) bytes += part.bytes();
+    if (!name.empty()) ready.parts.put(name, made[i], bytes);
   });
-  for (auto& list : made) {
-    if (!list) return list.errors();
-    std::ranges::move(*list, std::back_inserter(parts));
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    if (!errors[i].empty()) return errors[i];
+    if (made[i]) parts.insert(parts.end(), made[i]->begin(), made[i]->end());
   }
   return {};
 }
@@ -213,7 +242,7 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
   const SettingRow& setting = settings()[scene.stage.setting];
   Daylight light = setting.answers.daylight(scene.stage);
   if (!request.solo) add_ground(scene, light, parts);
-  if (Errors errors = add_specimens(scene, request, parts); !errors.empty()) return errors;
+  if (Errors errors = add_specimens(scene, request, models, parts); !errors.empty()) return errors;
   if (Errors errors = add_copies(scene, request, models, parts); !errors.empty()) return errors;
 
   std::size_t copies = 0;

@@ -1,36 +1,29 @@
 #pragma once
 
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/result.h"
+#include "core/shelf.h"
 #include "scene/scene.h"
 #include "studio/packet.h"
 
 namespace frond {
 
-/// Models of what is sown, ready to be sent; those used last are kept. May be asked from many threads.
+/// What was made ready to be sent and may be wanted again. May be asked from many threads.
 class Greenhouse {
  public:
-  /// Model `which` of a stand, at some levels of detail. Its head has "levels".
+  /// Model `which` of what is sown, at some levels of detail. Its head has "levels".
   Result<std::shared_ptr<const DrawnPart>> model(const SownStand& stand, int which);
 
- private:
-  struct Kept {
-    std::shared_ptr<const DrawnPart> part;
-    std::size_t bytes = 0;
-    std::uint64_t used = 0;  // when, as a count of questions
-  };
-  void forget_the_oldest();
+  /// The parts of specimens, by what those grew from and the time.
+  Shelf<std::vector<DrawnPart>> parts{std::size_t{1} << 30};
 
-  std::mutex in_work_;
-  std::map<std::string, Kept> kept_;
-  std::uint64_t now_ = 0;
+ private:
+  Shelf<DrawnPart> models_{std::size_t{600} << 20};
 };
 
 /// What of a scene is wanted.

@@ -9,7 +9,6 @@ namespace {
 /// How finely copies are drawn; coarser than for a picture, as there may be ten thousand before a slow
 /// display.
 constexpr CopyDetail kLevels[] = {{0.012, 2.5e4}, {0.08, 5e3}, {0.4, 800}};
-constexpr std::size_t kMostBytes = std::size_t{600} << 20;
 
 /// What leaves are coloured by: the whole part of each corner's u.
 std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<Color>& colors) {
@@ -83,34 +82,13 @@ DrawnPart model_part(const Look& look, const Model& model) {
 }  // namespace
 
 Result<std::shared_ptr<const DrawnPart>> Greenhouse::model(const SownStand& stand, int which) {
-  // The look is not part of what a model is named by.
   std::string name = copy_id(stand.organism, which);
-  {
-    std::lock_guard lock(in_work_);
-    if (auto found = kept_.find(name); found != kept_.end()) {
-      found->second.used = ++now_;
-      return found->second.part;
-    }
-  }
+  if (auto kept = models_.find(name)) return kept;
   Result<Model> grown = grow_copy(stand.organism, which);
   if (!grown) return grown.errors();
   auto part = std::make_shared<const DrawnPart>(model_part(stand.dress.look, *grown));
-  std::size_t bytes = 0;
-  for (const WireArray& array : part->arrays) bytes += array.bytes->size();
-  std::lock_guard lock(in_work_);
-  kept_[name] = {part, bytes, ++now_};
-  forget_the_oldest();
+  models_.put(name, part, part->bytes());
   return part;
-}
-
-void Greenhouse::forget_the_oldest() {
-  std::size_t all = 0;
-  for (const auto& [name, kept] : kept_) all += kept.bytes;
-  while (all > kMostBytes && kept_.size() > 1) {
-    auto oldest = std::ranges::min_element(kept_, {}, [](const auto& entry) { return entry.second.used; });
-    all -= oldest->second.bytes;
-    kept_.erase(oldest);
-  }
 }
 
 }  // namespace frond

@@ -27,6 +27,8 @@ class DocumentsTest : public testing::Test {
   }
   std::string disk() const { return (*documents().read((folder_ / "own/a.json").string()))["disk"]; }
 
+  Doc doc(const std::string& text) const { return {text, folder_ / "own/a.json"}; }
+
   static constexpr const char* kText = R"({"organisms": []} // mine)";
   fs::path folder_;
 };
@@ -58,27 +60,27 @@ TEST_F(DocumentsTest, SavesWhereItMayAndNotOverWhatOthersWrote) {
   Documents d = documents();
   Json saved;
   std::string path = (folder_ / "own/a.json").string();
-  EXPECT_FALSE(d.save(path, "{}", disk(), false, saved));
+  EXPECT_FALSE(d.save(path, doc("{}"), disk(), false, saved));
   EXPECT_EQ(*read_file(path), "{}");
   EXPECT_EQ(saved["disk"], disk());
   std::string known = disk();
   (void)write_file(path, "{ }");
-  auto refusal = d.save(path, "[]", known, false, saved);
+  auto refusal = d.save(path, doc("[]"), known, false, saved);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->status, 409);
   EXPECT_EQ(*read_file(path), "{ }");
-  EXPECT_FALSE(d.save(path, "[]", known, true, saved));
+  EXPECT_FALSE(d.save(path, doc("[]"), known, true, saved));
   EXPECT_EQ(*read_file(path), "[]");
-  EXPECT_EQ(d.save("a.json", "x", "", false, saved)->status, 409);  // there already
-  EXPECT_FALSE(d.save("new.json", "{}", "", false, saved));
+  EXPECT_EQ(d.save("a.json", doc("x"), "", false, saved)->status, 409);  // there already
+  EXPECT_FALSE(d.save("new.json", doc("{}"), "", false, saved));
   EXPECT_TRUE(fs::exists(folder_ / "own/new.json"));
   for (std::string file : {"../b.json", "/etc/b.json", "b.txt", ""}) {
-    auto outside = d.save(file, "{}", "", true, saved);
+    auto outside = d.save(file, doc("{}"), "", true, saved);
     ASSERT_TRUE(outside) << file;
     EXPECT_EQ(outside->status, 403) << file;
   }
   fs::create_symlink(folder_ / "secret.json", folder_ / "own/link.json");
-  EXPECT_TRUE(d.save("link.json", "{}", "", true, saved));
+  EXPECT_TRUE(d.save("link.json", doc("{}"), "", true, saved));
   EXPECT_EQ(*read_file(folder_ / "secret.json"), kText);
 }
 
@@ -92,6 +94,20 @@ TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {
   EXPECT_EQ(saved["file"], "my_rock_.obj");
   EXPECT_FALSE(d.add_mesh("my rock!.obj", "v 1 0 0", saved));
   EXPECT_EQ(saved["file"], "my_rock_-2.obj");
+}
+
+TEST_F(DocumentsTest, ACopyTakesTheFilesThatItNamesAlong) {
+  Documents d = documents();
+  fs::path ivy = fs::weakly_canonical(fs::absolute(FROND_ROOT "/presets/ivy/any_mesh.json"));
+  std::string text = *read_file(ivy);
+  Json saved;
+  ASSERT_FALSE(d.save("mine.json", {text, ivy}, "", false, saved));
+  std::string moved = *read_file(folder_ / "own/mine.json");
+  EXPECT_EQ(moved, saved["text"]);
+  std::string expected = text;
+  expected.replace(expected.find("../models/arch.obj"), 18, "arch.obj");
+  EXPECT_EQ(moved, expected);  // nothing else has changed
+  EXPECT_TRUE(d.preset({moved, folder_ / "own/mine.json"}).ok());
 }
 
 TEST(ErrorsJson, PartsOfAPlace) {

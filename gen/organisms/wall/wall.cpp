@@ -1,5 +1,7 @@
 #include "organisms/wall/wall.h"
 
+#include <algorithm>
+
 #include "geometry/crease.h"
 #include "masonry/tone.h"
 #include "organisms/kinds.h"

@@ -73,7 +73,7 @@ export interface PastRender {
   quality: Quality;
 }
 export type SaveAnswer =
-  | { is: "saved"; file: string; disk: string }
+  | { is: "saved"; file: string; disk: string; text: string }
   | { is: "conflict"; error: string; disk: string }
   | { is: "wrong"; errors: Fault[] };
 
@@ -179,12 +179,13 @@ export async function cancelRender(id: string): Promise<void> {
   await call("DELETE", `/api/render/${id}`);
 }
 
-export async function save(file: string, text: string, disk: string | null, overwrite: boolean, force: boolean): Promise<SaveAnswer> {
-  const answer = await call("POST", "/api/save", { file, text, disk, overwrite, force });
+/** `doc` is the text and where it comes from: files that it names go along to another folder, and `text` is what was written. */
+export async function save(file: string, doc: Doc, disk: string | null, overwrite: boolean, force: boolean): Promise<SaveAnswer> {
+  const answer = await call("POST", "/api/save", { file, doc, disk, overwrite, force });
   if (answer.status === 409) return { is: "conflict", ...((await answer.json()) as { error: string; disk: string }) };
   if (answer.status === 422) return { is: "wrong", ...((await answer.json()) as { errors: Fault[] }) };
   if (!answer.ok) await refuse(answer);
-  return { is: "saved", ...((await answer.json()) as { file: string; disk: string }) };
+  return { is: "saved", ...((await answer.json()) as { file: string; disk: string; text: string }) };
 }
 
 /** Puts an OBJ file beside the presets; answers the name to write into an organism of kind "mesh". */

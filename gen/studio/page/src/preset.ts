@@ -70,6 +70,12 @@ export class Preset {
     return Array.isArray(this.whole.force) ? this.whole.force.filter((f) => typeof f === "string") : [];
   }
 
+  /** When the film's last picture is taken, seconds: all has grown by then. */
+  get end(): number {
+    const film = isObject(this.whole.film) ? this.whole.film : {};
+    return Math.max(0, (Number(film.frames ?? 72) - 1) / Number(film.fps ?? 24)) || 0;
+  }
+
   get title(): string {
     return typeof this.whole.title === "string" ? this.whole.title : "";
   }

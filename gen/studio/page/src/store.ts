@@ -109,7 +109,7 @@ export class Store {
     this.undoTexts = [];
     this.redoTexts = [];
     this.show(loaded.text);
-    this.time = 0;
+    this.time = this.preset.end;
     this.selected = this.preset.organisms.length ? 0 : "scene";
     this.announceOpened();
   }

@@ -25,16 +25,16 @@ export async function saveAs(store: Store, suggestion = suggested(store)): Promi
   await write(store, /\.json$/.test(file) ? file : `${file}.json`, null, false, false);
 }
 
-/** Beside the one it was copied from, so that the files it names are found. */
+/** A copy goes to the folder of the studio's own preset; what it names goes along. */
 function suggested(store: Store): string {
-  return store.copy ? store.file.replace(/(\.json)?$/, "_copy.json") : store.file;
+  return store.copy ? store.file.replace(/^.*\//, "").replace(/(\.json)?$/, "_copy.json") : store.file;
 }
 
 async function write(store: Store, file: string, disk: string | null, overwrite: boolean, force: boolean): Promise<void> {
-  const { text } = store;
+  const { doc } = store;
   let answer: api.SaveAnswer;
   try {
-    answer = await api.save(file, text, disk, overwrite, force);
+    answer = await api.save(file, doc, disk, overwrite, force);
   } catch (error) {
     say(`Not saved: ${(error as Error).message}`, true);
     // Where a folder may not be written in, a plain name stands for the one that may.
@@ -42,7 +42,8 @@ async function write(store: Store, file: string, disk: string | null, overwrite:
     return;
   }
   if (answer.is === "saved") {
-    store.markSaved(answer.file, answer.disk, text);
+    if (answer.text !== doc.text && store.text === doc.text) store.change(answer.text);
+    store.markSaved(answer.file, answer.disk, answer.text);
     return say(`Saved ${answer.file}`);
   }
   if (answer.is === "wrong") {

@@ -17,9 +17,7 @@ export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; 
   const film = (): { seconds: number; fps: number } => {
     const header = store.scene.header?.film;
     if (header) return header;
-    const said = isObject(store.preset.whole.film) ? store.preset.whole.film : {};
-    const fps = Number(said.fps ?? 24);
-    return { fps, seconds: Math.max(0, (Number(said.frames ?? 72) - 1) / fps) };
+    return { fps: 24, seconds: store.preset.end };
   };
   const refresh = (): void => {
     const { seconds, fps } = film();

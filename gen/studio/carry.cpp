@@ -1,0 +1,80 @@
+#include "studio/carry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/files.h"
+#include "export/look.h"
+#include "preset/json.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// All texts of a preset that look like names of files.
+void find_names(const Value& value, std::vector<const Value*>& names) {
+  constexpr std::string_view kTypes[] = {".obj", ".svg", ".png", ".xml", ".json"};
+  auto ends = [&](std::string_view type) { return value.text.ends_with(type); };
+  if (value.is(Value::Type::text) && std::ranges::any_of(kTypes, ends)) names.push_back(&value);
+  for (const Value& item : value.items) find_names(item, names);
+  for (const Member& member : value.members)
+    if (member.name != "$schema") find_names(member.value, names);
+}
+
+/// Where a line begins.
+std::size_t line_start(std::string_view text, int line) {
+  std::size_t at = 0;
+  for (int i = 1; i < line && at < text.size(); ++i) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  return at;
+}
+
+}  // namespace
+
+Result<std::string> put_beside(const fs::path& folder, const std::string& name, const std::string& content) {
+  // The name is a person's; what becomes of it is a plain one that nothing else has.
+  std::string stem = plain_name(fs::path(name).stem().string(), "file").substr(0, 60);
+  std::string type = fs::path(name).extension().string();
+  std::error_code error;
+  for (int number = 1; number < 1000; ++number) {
+    std::string own = number == 1 ? stem + type : fmt::format("{}-{}{}", stem, number, type);
+    if (fs::exists(folder / own, error)) {
+      Result<std::string> there = read_file(folder / own);
+      if (there && *there == content) return own;
+      continue;
+    }
+    Result<bool> written = write_file(folder / own, content);
+    if (!written) return written.errors();
+    return own;
+  }
+  return Error{name, "there are too many files of that name"};
+}
+
+Result<std::string> carried(const std::string& text, const fs::path& from, const fs::path& to,
+                            const std::function<bool(const fs::path&)>& readable) {
+  Result<Document> document = parse_json(text, "preset");
+  if (!document) return text;  // no preset yet: it goes as it is
+  std::vector<const Value*> names;
+  find_names(document->root, names);
+  std::string moved = text;
+  // From the end, so that places before stay what they are.
+  std::ranges::reverse(names);
+  for (const Value* name : names) {
+    fs::path file = from / name->text;
+    std::error_code error;
+    if (!fs::is_regular_file(file, error) || !readable(file)) continue;
+    Result<std::string> content = read_file(file);
+    if (!content) return content.errors();
+    Result<std::string> own = put_beside(to, file.filename().string(), *content);
+    if (!own) return own.errors();
+    std::string written = serialize(*name);
+    std::size_t at = moved.find(written, line_start(moved, name->origin.line));
+    if (at != moved.npos) moved.replace(at, written.size(), '"' + *own + '"');
+  }
+  return moved;
+}
+
+}  // namespace frond
