@@ -59,11 +59,13 @@ async function begin(): Promise<void> {
   try {
     const start = await api.start();
     store.begin(start);
+    document.getElementById("starting")?.remove();
     build();
     if (!store.restore() && start.preset) store.open(start.preset);
   } catch (error) {
     const refused = error instanceof api.ApiError && error.status === 403;
     const said = refused ? "Open the address that frond studio printed: it holds the key to this page." : (error as Error).message;
+    document.getElementById("starting")?.remove();
     document.body.append(el("main.refused", {}, el("h1", {}, "Frond"), el("p", { role: "alert", "data-testid": "banner" }, said)));
     if (!refused) setTimeout(() => location.reload(), 2000);
   }

@@ -72,8 +72,15 @@ export class Preset {
 
   /** When the film's last picture is taken, seconds: all has grown by then. */
   get end(): number {
-    const film = isObject(this.whole.film) ? this.whole.film : {};
-    return Math.max(0, (Number(film.frames ?? 72) - 1) / Number(film.fps ?? 24)) || 0;
+    return Math.max(0, (Number(this.film.frames ?? 72) - 1) / this.fps) || 0;
+  }
+
+  get fps(): number {
+    return Number(this.film.fps ?? 24) || 24;
+  }
+
+  private get film(): Json {
+    return isObject(this.whole.film) ? this.whole.film : {};
   }
 
   get title(): string {

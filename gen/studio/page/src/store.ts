@@ -142,7 +142,7 @@ export class Store {
     this.solo.clear();
     this.hidden.clear();
     this.scene = { header: null, errors: [], notes: [], foretold: null, busy: false, trouble: "", took: 0 };
-    this.keepSelectionRight();
+    this.keepRight();
     this.keepDraft();
     this.emit("opened");
     this.emit("text");
@@ -184,7 +184,7 @@ export class Store {
     if (name !== this.baseName) return;
     this.base = isObject(below) ? below : {};
     this.preset = new Preset(this.text, this.base);
-    this.keepSelectionRight();
+    this.keepRight();
     this.emit("text");
   }
 
@@ -234,7 +234,7 @@ export class Store {
 
   private replace(text: string): void {
     this.show(text);
-    this.keepSelectionRight();
+    this.keepRight();
     this.keep();
     this.emit("text");
   }
@@ -288,7 +288,6 @@ export class Store {
   removeOrganism(entry: number): void {
     this.shiftShown(entry, -1);
     this.remove(["organisms", entry]);
-    this.keepSelectionRight();
     this.emit("selected");
   }
 
@@ -315,7 +314,9 @@ export class Store {
     this.emit("selected");
   }
 
-  private keepSelectionRight(): void {
+  /** Neither time nor selection goes beyond what there is. */
+  private keepRight(): void {
+    if (this.time > this.preset.end) this.setTime(this.preset.end);
     const last = this.preset.organisms.length - 1;
     if (typeof this.selected !== "number" || this.selected <= last) return;
     this.selected = last < 0 ? "scene" : last;

@@ -14,7 +14,7 @@ export type Vary = (binding: Binding, field: Field) => void;
 
 export function row(name: string, field: Field, binding: Binding, section: Section): Control {
   const control = controlFor({ field, binding, label: spelled(name) }, section);
-  const isProperty = binding.entry !== null && section.store.schema.forcible.has(binding.rel.join("/")) && name !== "name";
+  const isProperty = binding.entry !== null && binding.property === binding.rel && name !== "name";
   const dot = el("button.dot", { type: "button", tabIndex: -1, "aria-label": `${spelled(name)}: back to the default`, click: () => binding.reset() });
   const label = el<HTMLButtonElement>("button.label", { type: "button", "aria-haspopup": "menu", "data-tip": tipOf(name, field), click: () => openMenu(label, actions()) }, spelled(name));
   const scope = isProperty ? el<HTMLButtonElement>("button.scope", { type: "button", "data-testid": `scope:${binding.rel.join("/")}` }) : null;
@@ -36,7 +36,7 @@ export function row(name: string, field: Field, binding: Binding, section: Secti
       const all = binding.scope === "all";
       items.push({ label: "A value of its own", checked: !all, act: () => binding.useOwn(field.default) });
       items.push({ label: "One value for all", checked: all && !binding.forced, act: () => useForAll() });
-      items.push({ label: "Force it for all", checked: binding.forced, act: () => binding.toggleForce() });
+      if (section.store.schema.forcible.has(binding.rel.join("/"))) items.push({ label: "Force it for all", checked: binding.forced, act: () => binding.toggleForce() });
     }
     if (field.type === "number" || (field.type === "keyed" && field.base.type === "number"))
       items.push({ label: "Nine variations of it …", act: () => section.vary(binding, field) });

@@ -11,11 +11,21 @@ const TEXTS = {
   refused: "This page is not known to the server. Open the address that `frond studio` printed; what you did here stays in this tab.",
 };
 
+/** What is not saved can be had as a file, whatever becomes of the server. */
+function download(store: Store): HTMLElement {
+  const give = (): void => {
+    const address = URL.createObjectURL(new Blob([store.text], { type: "application/json" }));
+    el<HTMLAnchorElement>("a", { href: address, download: store.name }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 1000);
+  };
+  return el("button.small", { type: "button", "data-testid": "download", click: give }, "Download the preset");
+}
+
 export function linkBanner(store: Store, back: () => void): HTMLElement {
   const banner = el("div.banner", { role: "alert", hidden: true, "data-testid": "banner" });
   let started = "";
   store.on("link", () => {
-    banner.textContent = TEXTS[store.link];
+    banner.replaceChildren(TEXTS[store.link], ...(store.unsaved ? [download(store)] : []));
     banner.hidden = store.link === "up";
   });
 

@@ -12,7 +12,7 @@ export interface PicturePane {
   shown(): string | null;
 }
 
-export const describe = (r: api.PastRender): string => `${r.size.join("×")}, ${r.quality}, ${r.time.toFixed(2)} s, seed ${r.seed}`;
+export const describe = (r: api.PastRender): string => `${r.time.toFixed(2)} s, seed ${r.seed}, ${r.size.join("×")}, ${r.quality}`;
 
 export function picturePane(acts: { goBack(id: string): void; cancel(id: string): void; resized(): void }): PicturePane {
   const title = el("h2");

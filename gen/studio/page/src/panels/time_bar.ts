@@ -14,14 +14,10 @@ export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; 
   const element = el("section.time-bar", { "aria-label": "Time" }, play, el("div.track", {}, slider, marks), clock);
   let playing = false;
 
-  const film = (): { seconds: number; fps: number } => {
-    const header = store.scene.header?.film;
-    if (header) return header;
-    return { fps: 24, seconds: store.preset.end };
-  };
+  const film = (): { seconds: number; fps: number } => ({ fps: store.preset.fps, seconds: store.preset.end });
   const refresh = (): void => {
-    const { seconds, fps } = film();
-    const still = seconds <= 1 / fps;
+    const { seconds } = film();
+    const still = seconds === 0;
     slider.max = String(still ? 1 : seconds);
     slider.value = String(store.time);
     slider.disabled = play.disabled = still;
@@ -72,7 +68,7 @@ export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; 
     const { fps, seconds } = film();
     store.setTime(Math.min(seconds, Math.max(0, store.time + (step * (event.shiftKey ? 10 : 1)) / fps)));
   });
-  store.on(["time", "scene", "opened"], refresh);
+  store.on(["time", "scene", "opened", "text"], refresh);
   store.on(["text", "selected"], showKeys);
   store.on("opened", () => {
     playing = false;
