@@ -58,12 +58,13 @@ export function renders(store: Store, pane: () => PicturePane): Renders {
     pane().show(render, null);
     for (;;) {
       const now = await api.renderState(id);
+      const changed = render.state !== now.state;
       Object.assign(render, { state: now.state, seconds: now.seconds });
+      if (changed) show();
       if (pane().shown() === id) pane().show(render, now);
       if (now.state !== "growing" && now.state !== "rendering") break;
       await sleep(300);
     }
-    show();
   }
   async function reload(): Promise<void> {
     list = (await api.renders()).reverse();

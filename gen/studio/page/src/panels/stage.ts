@@ -43,16 +43,17 @@ export function stage(store: Store): Stage {
       store.set(fromPointer(pointer), at.map(round), pointer);
       if (done) store.endGesture();
     },
-    camera: () => {},
-    through: (on) => {
-      through = on;
-      look.setAttribute("aria-pressed", String(on));
-    },
+    camera: (at, to) => setCamera(store, at, to),
+    through: (on) => showThrough(on),
   });
   const loop = new SceneLoop(store, view);
 
   function toggleCamera(): void {
     view.lookThrough(!through);
+  }
+  function showThrough(on: boolean): void {
+    through = on;
+    look.setAttribute("aria-pressed", String(on));
   }
   const showFigures = (): void => {
     const { header, busy, took, foretold } = store.scene;

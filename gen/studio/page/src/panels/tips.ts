@@ -19,7 +19,7 @@ export function mountTips(): void {
   const show = (target: HTMLElement): void => {
     if (!target.isConnected) return;
     // In a dialog, only what is inside of it lies on top.
-    (target.closest("dialog") ?? document.body).append(tip);
+    (target.closest("dialog") ?? document.querySelector("main") ?? document.body).append(tip);
     owner = target;
     tip.textContent = target.dataset.tip!;
     tip.hidden = false;
