@@ -1,38 +1,11 @@
 /** What may change over the film: one value, or keys of a time and a value each. */
 
 import { el, iconButton } from "../dom";
+import { keysOf, valueAtTime, withKey } from "../keyframes";
 import type { KeyedField, NumberField } from "../schema";
 import { controlFor } from "./field";
 import { valueOf, type Control, type Place } from "./control";
 import { numberBox } from "./number";
-
-type Key = [number, unknown];
-
-/** Keys are a list whose items are a number and a value each; a vector is a list of numbers. */
-export const keysOf = (value: unknown): Key[] | null =>
-  Array.isArray(value) && value.length > 0 && value.every((k) => Array.isArray(k)) ? (value as Key[]) : null;
-
-/** The value at a time: as drawn in films, resting at the first and the last key, smooth between. */
-export function valueAtTime(value: unknown, time: number): unknown {
-  const keys = keysOf(value);
-  if (!keys) return value;
-  const after = keys.findIndex(([t]) => t >= time);
-  if (after === 0) return keys[0]![1];
-  if (after < 0) return keys.at(-1)![1];
-  const [[t0, a], [t1, b]] = [keys[after - 1]!, keys[after]!];
-  const way = (time - t0) / (t1 - t0);
-  const eased = way * way * (3 - 2 * way);
-  const mix = (x: unknown, y: unknown): number => Number((Number(x) + (Number(y) - Number(x)) * eased).toFixed(4));
-  return Array.isArray(a) && Array.isArray(b) ? a.map((x, i) => mix(x, b[i])) : mix(a, b);
-}
-
-/** With a key at that time, in place of one that is (all but) there. */
-export function withKey(value: unknown, time: number, at: unknown): Key[] {
-  const keys = keysOf(value) ?? [];
-  const t = Number(time.toFixed(3));
-  const kept = keys.filter(([other]) => Math.abs(other - t) > 0.02);
-  return [...kept, [t, at] as Key].sort((a, b) => a[0] - b[0]);
-}
 
 const SECONDS: NumberField = { type: "number", doc: "", unit: "s", low: -1e6, high: 1e6, integer: false };
 

@@ -57,7 +57,7 @@ async function write(store: Store, file: string, disk: string | null, overwrite:
   const chosen = await ask(changed ? "The file has changed on disk" : "There is such a file", changed
     ? `${file} is not what was opened here: somebody else has written it since. Overwriting takes their changes away.`
     : `${file} is there already.`,
-    [{ value: "cancel", label: "Cancel" }, ...(changed ? [{ value: "load", label: "Load theirs" }] : []), { value: "other", label: "Another name" }, { value: "overwrite", label: "Overwrite", primary: true }], "save-conflict");
+    [{ value: "cancel", label: "Cancel" }, ...(changed ? [{ value: "load", label: "Load theirs" }] : []), { value: "overwrite", label: "Overwrite" }, { value: "other", label: "Another name", primary: true }], "save-conflict");
   if (chosen === "overwrite") await write(store, file, answer.disk, true, force);
   if (chosen === "other") await saveAs(store);
   if (chosen === "load") await loadTheirs(store, file);

@@ -1,7 +1,7 @@
 /** The view of the model, what is said over it, and what is dragged in it. */
 
 import { Binding } from "../controls/binding";
-import { keysOf, valueAtTime, withKey } from "../controls/keys";
+import { keysOf, valueAtTime, withKey } from "../keyframes";
 import { vectorOf } from "../controls/vector";
 import { bytes, el, grouped, icon, spoken } from "../dom";
 import { setAt } from "../edits";
@@ -61,6 +61,7 @@ export function stage(store: Store): Stage {
     element.classList.toggle("busy", busy);
     element.classList.toggle("wrong", faults > 0);
     // Words that change with each picture would be read aloud without end.
+    figures.setAttribute("aria-live", faults ? "polite" : "off");
     figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
     over.hidden = foretold === null;
   };

@@ -11,6 +11,7 @@ export function textPanel(store: Store): { element: HTMLElement; goTo(line: numb
   // A pause in typing ends what undo takes back at once.
   const pause = quiet(1200, () => store.endGesture());
   const area = codeArea("The preset as text", () => (take(), pause()), { "data-testid": "text" });
+  area.box.addEventListener("keydown", (event) => (event.ctrlKey || event.metaKey) && take.now());
   area.box.addEventListener("blur", () => {
     take.now();
     store.endGesture();

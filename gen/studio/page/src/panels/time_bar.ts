@@ -1,10 +1,9 @@
 /** Time: a slider over the film, and play. */
 
 import { el, icon } from "../dom";
-import { keysOf } from "../controls/keys";
+import { timesIn } from "../keyframes";
 import type { SceneLoop } from "../scene_loop";
 import type { Store } from "../store";
-import { isObject } from "../pointer";
 
 export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; toggle(): void } {
   const play = el<HTMLButtonElement>("button.icon-button", { type: "button", "data-testid": "play", click: () => toggle() });
@@ -31,9 +30,7 @@ export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; 
   };
   const showKeys = (): void => {
     const { seconds } = film();
-    const times = new Set<number>();
-    collectKeys(store.preset.whole.scene, times);
-    collectKeys(typeof store.selected === "number" ? store.preset.organism(store.selected) : store.preset.defaults, times);
+    const times = timesIn(typeof store.selected === "number" ? store.preset.organism(store.selected) : store.preset.defaults, timesIn(store.preset.whole.scene));
     marks.replaceChildren(...[...times].filter((t) => t >= 0 && t <= seconds).map((t) => {
       const mark = el("i");
       mark.style.left = `${(100 * t) / Math.max(seconds, 1e-6)}%`;
@@ -76,13 +73,4 @@ export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; 
   });
   refresh();
   return { element, toggle };
-}
-
-function collectKeys(value: unknown, times: Set<number>): void {
-  if (!isObject(value)) return;
-  for (const [name, inner] of Object.entries(value)) {
-    const keys = ["at", "points", "curve", "profile"].includes(name) ? null : keysOf(inner);
-    if (keys?.every((k) => k.length === 2)) keys.forEach(([t]) => typeof t === "number" && times.add(t));
-    else if (isObject(inner)) collectKeys(inner, times);
-  }
 }

@@ -2,11 +2,11 @@
 
 import * as api from "../api";
 import type { Binding } from "../controls/binding";
-import { valueAtTime, withKey, keysOf } from "../controls/keys";
 import { anySeed, numberBox, shown } from "../controls/number";
 import { isBoundless, rounded, scaleOf, valueAt } from "../controls/scale";
 import { el, iconButton, sleep } from "../dom";
 import { setAt } from "../edits";
+import { keysOf, valueAtTime, withKey } from "../keyframes";
 import type { Path } from "../pointer";
 import { spelled, type Field, type NumberField } from "../schema";
 import type { Store } from "../store";
@@ -75,9 +75,7 @@ export function wall(store: Store, resized: () => void): Wall {
     host.style.width = `${Math.round(360 * Math.min(1, w / h))}px`;
     host.style.height = `${Math.round((360 * Math.min(1, w / h) * h) / w)}px`;
     document.body.append(host);
-    const { frond } = window as { frond?: unknown };
     const view = new View(host, { picked: NOTHING, placed: NOTHING, key: NOTHING, camera: NOTHING });
-    Object.assign(window, { frond });
     view.lookThrough(true);
     // It flies there.
     const there = sleep(600);

@@ -1,0 +1,134 @@
+/** What of the page needs no browser: edits of texts, whose value counts, sliders, keys. */
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { parse } from "jsonc-parser";
+import { scaleOf, valueAt } from "../src/controls/scale";
+import { insertAt, removeAt, setAt } from "../src/edits";
+import { valueAtTime, withKey } from "../src/keyframes";
+import { getAt, isObject, type Path } from "../src/pointer";
+import { beside, Preset } from "../src/preset";
+import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
+
+const TEXT = `{
+  // What it is
+  "title": "One", // said here
+  "scene": {"floor": {"relief": 0.1}},
+  "organisms": [
+    {"kind": "coral", "height": 1}, /* the first */
+    {"kind": "rock"} // the last
+  ]
+}
+`;
+
+test("a value is changed and all else stays", () => {
+  assert.equal(setAt(TEXT, ["scene", "floor", "relief"], 0.2), TEXT.replace("0.1", "0.2"));
+});
+
+test("a member is added as its neighbours stand", () => {
+  assert.ok(setAt(TEXT, ["scene", "floor", "scale"], 3).includes('{"relief": 0.1, "scale": 3}'));
+  assert.ok(setAt(TEXT, ["seed"], 4).endsWith('  ],\n  "seed": 4\n}\n'));
+  assert.ok(setAt(TEXT, ["film", "fps"], 4).includes('"film": {"fps": 4}'));
+});
+
+test("what was added is removed without a trace", () => {
+  for (const path of [["seed"], ["scene", "floor", "scale"], ["film", "fps"], ["organisms", 0, "wave", "speed"]] as Path[])
+    assert.equal(removeAt(setAt(TEXT, path, 7), path), TEXT);
+});
+
+test("comments stay at what they belong to", () => {
+  const added = setAt('{\n  "a": 1 // one\n}', ["b"], 2);
+  assert.equal(added, '{\n  "a": 1, // one\n  "b": 2\n}');
+  const removed = removeAt('{\n  "a": 1, // one\n  "b": 2}', ["b"]);
+  assert.deepEqual(parse(removed), { a: 1 });
+  assert.ok(removed.includes("// one\n"));
+});
+
+test("items of lists come and go", () => {
+  const more = insertAt(TEXT, ["organisms"], 2, { kind: "ivy" });
+  assert.ok(more.includes('{"kind": "rock"}, // the last\n    {"kind": "ivy"}\n'));
+  const fewer = removeAt(TEXT, ["organisms", 0]);
+  assert.deepEqual((parse(fewer) as { organisms: unknown }).organisms, [{ kind: "rock" }]);
+  const between = parse(insertAt(TEXT, ["organisms"], 1, { kind: "ivy" })) as { organisms: { kind: string }[] };
+  assert.deepEqual(between.organisms.map((o) => o.kind), ["coral", "ivy", "rock"]);
+});
+
+test("any edit of a text does to its value what it says", () => {
+  const before = parse(TEXT) as unknown;
+  const paths: Path[] = [];
+  const walk = (value: unknown, path: Path): void => {
+    if (path.length) paths.push(path);
+    if (Array.isArray(value)) value.forEach((v, i) => walk(v, [...path, i]));
+    else if (isObject(value)) Object.entries(value).forEach(([k, v]) => walk(v, [...path, k]));
+  };
+  walk(before, []);
+  assert.ok(paths.length > 8);
+  for (const path of paths) {
+    assert.deepEqual(getAt(parse(setAt(TEXT, path, [1, { x: "y" }])), path), [1, { x: "y" }]);
+    const errors: never[] = [];
+    parse(removeAt(TEXT, path), errors, { allowTrailingComma: false });
+    assert.deepEqual(errors, [], path.join("/"));
+  }
+});
+
+test("an organism's own value wins, then the scene's, and force turns that round", () => {
+  const text = (force: string): string =>
+    `{"defaults": {"wave": {"amplitude": 9}}, "force": ${force}, "organisms": [{"kind": "coral", "wave": {"amplitude": 4, "speed": 1}, "lift": 1}]}`;
+  const free = new Preset(text("[]"));
+  assert.deepEqual(free.organism(0).wave, { amplitude: 4, speed: 1 });
+  assert.equal(free.scope(0, ["wave", "amplitude"]), "own");
+  assert.equal(free.scope(0, ["wave", "phase"]), "unset");
+  const part = new Preset(text('["wave/amplitude", "lift"]'));
+  assert.deepEqual(part.organism(0).wave, { amplitude: 9, speed: 1 });
+  assert.equal(part.organism(0).lift, undefined);
+  assert.equal(part.scope(0, ["wave", "amplitude"]), "all");
+  assert.deepEqual(new Preset(text('["wave"]')).organism(0).wave, { amplitude: 9 });
+});
+
+test("a base lies below, and lists count as a whole", () => {
+  const preset = new Preset('{"title": "mine", "organisms": [{"kind": "ivy"}]}', { seed: 3, title: "base", organisms: [{}, {}] });
+  assert.equal(preset.whole.seed, 3);
+  assert.equal(preset.title, "mine");
+  assert.equal(preset.organisms.length, 1);
+  assert.equal(beside("/a/b/c.json", "../d.json"), "/a/d.json");
+  assert.equal(beside("c.json", "d.json"), "d.json");
+});
+
+test("a slider reaches both ends, and its way back is its way there", () => {
+  for (const [minimum, maximum, standard] of [[0, 1, 0.5], [0.0001, 100, 0.05], [0, 1000, 2], [-1e6, 1e6, 0], [-180, 180, 25], [0, 5000, 50]]) {
+    const field = fieldOf({ type: "number", minimum, maximum, default: standard }, "") as NumberField;
+    const scale = scaleOf(field);
+    assert.equal(valueAt(scale, field, 0), minimum);
+    assert.equal(valueAt(scale, field, 1), maximum);
+    let last = -Infinity;
+    for (let way = 0.05; way < 1; way += 0.05) {
+      const value = scale.toValue(way);
+      assert.ok(value > last);
+      assert.ok(Math.abs(scale.toWay(value) - way) < 1e-6, `${minimum}..${maximum} at ${way}`);
+      last = value;
+    }
+  }
+});
+
+test("between keys a value goes smoothly, and rests at the ends", () => {
+  const keys = [[0, 0], [1, 10], [3, 10]];
+  assert.equal(valueAtTime(keys, -1), 0);
+  assert.equal(valueAtTime(keys, 0.5), 5);
+  assert.equal(valueAtTime(keys, 2), 10);
+  assert.equal(valueAtTime(7, 2), 7);
+  assert.deepEqual(valueAtTime([[0, [0, 4]], [2, [2, 4]]], 1), [1, 4]);
+  assert.deepEqual(withKey(keys, 1.01, 8), [[0, 0], [1.01, 8], [3, 10]]);
+});
+
+test("the schema of presets is read whole", () => {
+  const path = new URL("../../../../docs/preset.schema.json", `file://${process.cwd()}/test/`);
+  const schema = new PresetSchema(JSON.parse(readFileSync(path, "utf8")) as Record<string, unknown>);
+  assert.ok(schema.kinds.length > 10 && schema.kinds.every((k) => k.doc));
+  for (const { value } of schema.kinds) assert.ok(schema.kind(value).fields.size > 8, value);
+  const skin = schema.at(["organisms", 0, "skin", "tint", "base"], ["coral"]);
+  assert.equal(skin?.type, "color");
+  assert.equal(schema.at(["scene", "camera", "angle"], [])?.type, "keyed");
+  assert.equal(schema.at(["scene", "camera", "angle"], [])?.unit, "°");
+  assert.equal(schema.at(["defaults", "season"], ["tree"])?.type, "object");
+});
