@@ -150,7 +150,7 @@ function build(): void {
     workshop.classList.remove("no-side");
     // Built anew, with those groups open.
     store.emit("opened-groups");
-    const names = [...groups].reverse().map((g) => `[data-testid="row:${typeof store.selected === "number" ? "organism/" : ""}${g}"] :is(input, select, button.label)`);
+    const names = [...groups].reverse().map((g) => `[data-testid="row:${typeof store.selected === "number" ? "organism/" : ""}${g}"] .control :is(input, select, button)`);
     const found = names.map((n) => properties.querySelector<HTMLElement>(n)).find(Boolean);
     found?.scrollIntoView({ block: "center" });
     found?.focus();
