@@ -12,7 +12,8 @@ Runs the tests; the summary is ctest's. Those labelled "large", which need large
 unless --all is given. Options go to ctest: -L scripts runs the tests of one label, -LE slow leaves the slow ones
 out, -R NAME runs those of a name.
 
-  --all     also the tests labelled "large", and installs what they need
+  --all     also the tests labelled "large", and installs what they need; and then the quick ones of the
+            library once more, in build-asan, with asserts and the address and undefined behaviour sanitizers
   --help    this text
 
 Exit codes: 0 all passed, 1 not.
@@ -38,3 +39,11 @@ if [[ $setup != --all ]]; then
   say "Left out without --all: ${left:-nothing}"
 fi
 ctest --preset release -j "$(nproc)" --no-tests=error ${excluded:+-LE "$excluded"} "${options[@]}" || fail 1 "not all tests passed"
+if [[ $setup == --all ]]; then
+  say "Building with sanitizers"
+  mkdir -p build-asan
+  { cmake --preset asan && cmake --build --preset asan -j "$(nproc)"; } >build-asan/build.log 2>&1 ||
+    { tail -n 40 build-asan/build.log >&2 && fail 1 "could not build with sanitizers; the whole log is $root/build-asan/build.log"; }
+  ctest --preset asan -j "$(nproc)" --no-tests=ignore "${options[@]}" ||
+    fail 1 "not all tests passed with sanitizers"
+fi

@@ -12,7 +12,6 @@
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/body.h"
-#include "emit/coat.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
 #include "emit/skin.h"

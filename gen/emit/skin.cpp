@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "emit/plant.h"
+#include "geometry/tubes.h"
 
 namespace frond {
 
@@ -50,5 +51,34 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const Specim
   if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
   text += '}';
 }
+
+namespace {
+
+TubeShape shape_of(const Specimen& tree) {
+  const BarkCoat& coat = *tree.look.coat;
+  return {.wrap = coat.wrap,
+          .aspect = coat.aspect,
+          .side = coat.facet,
+          .lobes = tree.look.lobes,
+          .lobe_depth = tree.look.lobe_depth,
+          .least = static_cast<float>(coat.twigs),
+          .girth = tree.model.girth};
+}
+
+}  // namespace
+
+std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose) {
+  const BarkCoat& coat = *tree.look.coat;
+  Surface wood = tube_surface(tree.model.skeleton, pose.position, pose.radius, pose.turn, shape_of(tree));
+  if (wood.triangle.empty()) return {};
+  std::string text = "object{\n";
+  append_mesh(text, space, wood);
+  text += "\ntexture{Tree_Bark(\"" + bark_color_name(coat) + "\",\"" + bark_height_name(coat) + "\",";
+  append_list(text, 4, coat.relief, tree.brightness);
+  text += ")}}\n";
+  return text;
+}
+
+std::vector<bool> coatless(const Specimen& tree) { return left_out(tree.model.skeleton, shape_of(tree)); }
 
 }  // namespace frond

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "emit/pov.h"
 #include "scene/scene.h"
@@ -11,5 +12,12 @@ namespace frond {
 /// skin has moved.
 void append_chunk_texture(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
                           Chunk chunk, std::size_t index);
+
+/// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
+/// has grown.
+std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose);
+
+/// Which nodes it leaves out, for they are of twigs too thin for a picture.
+std::vector<bool> coatless(const Specimen& tree);
 
 }  // namespace frond

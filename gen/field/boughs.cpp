@@ -107,7 +107,7 @@ void add_boughs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> posit
     root[i] = p == Skeleton::kRoot ? node : root[static_cast<std::size_t>(p)];
     if (p == Skeleton::kRoot || rest.birth[p] >= front) continue;
     float foot = radius[static_cast<std::size_t>(p)];
-    assert(foot > 0 && radius[i] > 0);
+    assert(foot >= 0 && radius[i] >= 0);
     // A branch leaves its parent little thicker than it goes on, or the fork would swell.
     if (p != node - 1) foot = std::min(foot, 1.25f * radius[i]);
     Cone cone =

@@ -16,53 +16,24 @@ struct RimPoint {
   bool corner = false, coarse = true;
 };
 
-constexpr RimPoint kArrow[] = {{0, 1.12, true},           {9, 0.86, false, false},
-                               {17, 0.62, false, false},  {27, 0.45},
-                               {40, 0.57, false, false},  {53, 0.74, true},
-                               {64, 0.55, false, false},  {79, 0.38},
-                               {97, 0.43, false, false},  {112, 0.53, true},
-                               {130, 0.43, false, false}, {150, 0.30},
-                               {166, 0.17, false, false}, {180, 0.06}};
-constexpr RimPoint kFive[] = {{0, 1.0, true},
-                              {10, 0.83, false, false},
-                              {19, 0.66, false, false},
-                              {29, 0.54},
-                              {39, 0.63, false, false},
-                              {50, 0.80, true},
-                              {61, 0.65, false, false},
-                              {76, 0.48},
-                              {92, 0.52, false, false},
-                              {108, 0.61, true},
-                              {126, 0.52, false, false},
-                              {147, 0.38},
-                              {165, 0.21, false, false},
-                              {180, 0.07}};
-constexpr RimPoint kThree[] = {{0, 1.0, true},
-                               {11, 0.86, false, false},
-                               {22, 0.71, false, false},
-                               {33, 0.62},
-                               {44, 0.68, false, false},
-                               {55, 0.78, true},
-                               {68, 0.68, false, false},
-                               {86, 0.58},
-                               {104, 0.55, false, false},
-                               {122, 0.51},
-                               {142, 0.43, false, false},
-                               {158, 0.31},
-                               {170, 0.17, false, false},
-                               {180, 0.07}};
-constexpr RimPoint kHeart[] = {{0, 1.05, true},
-                               {8, 0.94, false, false},
-                               {18, 0.83, false, false},
-                               {32, 0.74},
-                               {48, 0.67, false, false},
-                               {66, 0.61},
-                               {86, 0.57, false, false},
-                               {106, 0.53},
-                               {126, 0.48, false, false},
-                               {144, 0.41},
-                               {159, 0.29, false, false},
-                               {170, 0.17, false, false},
+/// A point that only a leaf nearby has.
+constexpr RimPoint fine(double angle, double radius) { return {angle, radius, false, false}; }
+
+constexpr RimPoint kArrow[] = {{0, 1.12, true}, fine(9, 0.86),     fine(17, 0.62),  {27, 0.45},
+                               fine(40, 0.57),  {53, 0.74, true},  fine(64, 0.55),  {79, 0.38},
+                               fine(97, 0.43),  {112, 0.53, true}, fine(130, 0.43), {150, 0.30},
+                               fine(166, 0.17), {180, 0.06}};
+constexpr RimPoint kFive[] = {{0, 1.0, true},  fine(10, 0.83),    fine(19, 0.66),  {29, 0.54},
+                              fine(39, 0.63),  {50, 0.80, true},  fine(61, 0.65),  {76, 0.48},
+                              fine(92, 0.52),  {108, 0.61, true}, fine(126, 0.52), {147, 0.38},
+                              fine(165, 0.21), {180, 0.07}};
+constexpr RimPoint kThree[] = {{0, 1.0, true},  fine(11, 0.86),   fine(22, 0.71),  {33, 0.62},
+                               fine(44, 0.68),  {55, 0.78, true}, fine(68, 0.68),  {86, 0.58},
+                               fine(104, 0.55), {122, 0.51},      fine(142, 0.43), {158, 0.31},
+                               fine(170, 0.17), {180, 0.07}};
+constexpr RimPoint kHeart[] = {{0, 1.05, true}, fine(8, 0.94), fine(18, 0.83),  {32, 0.74},
+                               fine(48, 0.67),  {66, 0.61},    fine(86, 0.57),  {106, 0.53},
+                               fine(126, 0.48), {144, 0.41},   fine(159, 0.29), fine(170, 0.17),
                                {180, 0.07}};
 
 /// The directions of the lateral and the basal veins, degrees from the tip.
@@ -70,17 +41,8 @@ constexpr double kVeins[kIvyForms][2] = {{53, 112}, {50, 108}, {55, 122}, {48, 1
 constexpr double kStandard[2] = {50, 110};  // where the texture has them
 
 std::span<const RimPoint> rim_points(IvyForm form) {
-  switch (form) {
-    case IvyForm::arrow:
-      return kArrow;
-    case IvyForm::five:
-      return kFive;
-    case IvyForm::three:
-      return kThree;
-    case IvyForm::heart:
-      return kHeart;
-  }
-  return kFive;
+  constexpr std::span<const RimPoint> kRims[kIvyForms] = {kArrow, kFive, kThree, kHeart};
+  return kRims[static_cast<int>(form)];
 }
 
 /// The angle on the texture of an angle on the leaf, both 0..pi.

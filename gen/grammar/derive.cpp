@@ -6,7 +6,6 @@
 
 #include "grammar/fast.h"
 #include "grammar/forecast.h"
-#include "grammar/general.h"
 #include "grammar/rewrite.h"
 #include "grammar/turtle.h"
 

@@ -1,4 +1,3 @@
-#include "grammar/general.h"
 
 #include <fmt/format.h>
 
@@ -6,6 +5,7 @@
 #include <atomic>
 
 #include "core/parallel.h"
+#include "grammar/fast.h"
 #include "grammar/match.h"
 #include "grammar/rewrite.h"
 

@@ -45,7 +45,6 @@ Vec3 turned(Vec3 v, Vec3 axis, double angle) {
 
 /// `side` made square to a unit direction.
 Vec3 squared(Vec3 side, Vec3 direction) {
-  assert(std::abs(glm::length(direction) - 1) < 1e-3f);
   Vec3 other = std::abs(direction.x) < 0.7f ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   return normalized(side - direction * glm::dot(side, direction),
                     glm::normalize(glm::cross(direction, other)));

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "images/leaf_parts.h"
+#include "core/parallel.h"
+#include "images/tiling_noise.h"
 
 namespace frond {
 
@@ -38,9 +39,8 @@ const std::vector<Named>& table() {
   return list;
 }
 
-}  // namespace
-
-// Control points are joined by Catmull-Rom.
+/// Radius of the blade at an angle from the tip, -pi..pi, in the outline's own unit. Control points are
+/// joined by Catmull-Rom.
 double leaf_radius(const LeafOutline& o, double angle) {
   double a = std::abs(angle);
   auto n = static_cast<int>(o.radii.size());
@@ -62,11 +62,19 @@ double leaf_radius(const LeafOutline& o, double angle) {
   return std::max(value, 0.02);
 }
 
+/// How a blade lies in the unit of its leaf: where on the stalk's line the middle of its circle is, and what
+/// a radius of 1 is there.
+struct LeafFrame {
+  double middle, scale;
+};
+
 LeafFrame leaf_frame(const LeafOutline& o) {
   double tip = leaf_radius(o, 0), foot = leaf_radius(o, kPi), blade = 1 - o.stalk;
   double scale = blade / (tip + foot);
   return {o.stalk + foot * scale, scale};
 }
+
+}  // namespace
 
 LeafOutline leaf_outline(std::string_view name) {
   for (const Named& n : table())
@@ -146,6 +154,174 @@ std::vector<Vec2> leaf_rim(const LeafOutline& outline, int points) {
     rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(least));
   }
   return rim;
+}
+
+namespace {
+
+using Rgb = glm::dvec3;
+
+constexpr int kSamples = 3;  // a pixel, each way
+
+Rgb rgb(const Color& c) { return {c.red, c.green, c.blue}; }
+
+/// 1 on a line .. 0 away from it. Where it is finer than a pixel it is drawn as wide as one and fainter, or
+/// what shows of it would be dots.
+double line(double away, double width, double pixel) {
+  double drawn = std::max(width, 0.8 * pixel);
+  return drawn > 0 ? std::sqrt(width / drawn) * smooth_step(0.0, 1.0, 1.6 - away / drawn) : 0;
+}
+
+/// The same for a straight vein, which tapers toward its end.
+double vein(Vec2 p, Vec2 from, Vec2 to, double width, double pixel) {
+  Vec2 way = to - from, off = p - from;
+  double t = std::clamp<double>(glm::dot(off, way) / glm::dot(way, way), 0, 1);
+  return line(glm::length(off - way * static_cast<float>(t)), width * (1 - 0.8 * t), pixel);
+}
+
+class Blade {
+ public:
+  Blade(const LeafImage& leaf, Seed seed) : leaf_(leaf), o_(leaf.outline), seed_(seed) {
+    LeafFrame f = leaf_frame(o_);
+    middle_ = f.middle;
+    scale_ = f.scale;
+    foot_ = Vec2(0, o_.stalk);
+    for (Vec2 p : leaf_rim(o_, 64))
+      wide_ = std::max(wide_, 1.03f * p.x), high_ = std::max(high_, 1.01f * p.y);
+    if (!o_.palmate) return;
+    // Main veins go to the lobes: where the rim is farthest out.
+    auto n = static_cast<int>(o_.radii.size());
+    for (int i = 1; i + 1 < n; ++i) {
+      auto at = [&](int k) { return o_.radii[static_cast<std::size_t>(k)]; };
+      if (at(i) < at(i - 1) || at(i) < at(i + 1)) continue;
+      double a = kPi * i / (n - 1), r = at(i) * scale_;
+      lobes_.emplace_back(r * std::sin(a) * o_.width, middle_ + r * std::cos(a));
+    }
+  }
+
+  /// Whether the leaf or its stalk covers a point of its own plane, one unit long.
+  bool covers(Vec2 p) const {
+    if (p.y < -0.01f || p.y > high_ || std::abs(p.x) > wide_) return false;
+    return on_stalk(p) || out(p) <= 1;
+  }
+
+  /// The colour there; it goes on beyond the rim. `pixel` is the side of one in the leaf's unit.
+  Rgb color(Vec2 p, int index, double pixel) const {
+    double away = out(p);
+    if (away > 1 && on_stalk(p)) return glm::mix(rgb(leaf_.veins), rgb(leaf_.color), 0.3) * 0.9;
+    double strength = veins(p, pixel);
+    Seed own = seed_.child(static_cast<std::uint64_t>(index));
+    double blotch = tiling_fractal(p.x * 5 + 8, p.y * 5, 64, 64, 4, 0.6, own.child("blotch"));
+    Cells net = tiling_cells(p.x * 46 + 64, p.y * 46, 512, 512, own.child("net"));
+    double mesh = smooth_step(0.0, 0.16, net.second - net.nearest);
+    Rgb color = rgb(leaf_.color) * (0.80 + 0.30 * std::min(away, 1.0)) * (0.93 + 0.07 * mesh);
+    color *= Rgb(1) + Rgb(0.9, 0.5, 0.3) * (leaf_.spots * blotch);
+    color = glm::mix(color, rgb(leaf_.rim), 0.55 * smooth_step(0.80, 1.0, away));
+    // Beside a vein the blade bulges: light on one side, dark on the other.
+    color *= 1 - 0.14 * smooth_step(0.02, 0.35, strength) * (1 - smooth_step(0.35, 1.0, strength));
+    return glm::mix(color, rgb(leaf_.veins), 0.75 * smooth_step(0.3, 1.0, strength));
+  }
+
+ private:
+  bool on_stalk(Vec2 p) const { return p.y <= o_.stalk + 0.03 && p.y >= -0.01 && std::abs(p.x) < 0.018; }
+
+  /// How far from the middle of the blade, 1 on its rim.
+  double out(Vec2 p) const {
+    double x = p.x / o_.width, y = p.y - middle_;
+    return std::hypot(x, y) / (leaf_radius(o_, std::atan2(x, y)) * scale_);
+  }
+
+  /// 1 on a vein .. 0 away from it.
+  double veins(Vec2 p, double pixel) const {
+    double strongest = vein(p, foot_, Vec2(0, 1), 0.013, pixel);
+    if (o_.palmate) {
+      for (Vec2 lobe : lobes_)
+        for (float side : {1.0f, -1.0f})
+          strongest = std::max(strongest, vein(p, foot_, Vec2(lobe.x * side, lobe.y), 0.010, pixel));
+      return std::max(strongest, 0.5 * side_veins(p, 11, 1.2, pixel));
+    }
+    return std::max(strongest, 0.8 * side_veins(p, 9, 0.75, pixel));
+  }
+
+  /// Side veins that leave the midrib forward and bend to the tip.
+  double side_veins(Vec2 p, int count, double slope, double pixel) const {
+    double x = std::abs(p.x), along = (p.y - slope * x - 0.5 * x * x - o_.stalk) / (1 - o_.stalk);
+    if (along < 0.02) return 0;
+    double k = along * count + (p.x > 0 ? 0.15 : 0), d = std::abs(k - std::floor(k) - 0.5) / count;
+    return line(d, 0.006 * (1 - std::min(1.0, 1.6 * x)), pixel / (1 - o_.stalk));
+  }
+
+  const LeafImage& leaf_;
+  const LeafOutline& o_;
+  Seed seed_;
+  double middle_ = 0.5, scale_ = 1;
+  Vec2 foot_{0};
+  float wide_ = 0.02f, high_ = 1.01f;
+  std::vector<Vec2> lobes_;
+};
+
+/// A leaf or a sprig of them in the plane of its picture.
+struct LeafPainter {
+  const LeafImage& leaf;
+  const Blade& blade;
+  const std::vector<LeafPlace>& places;
+  double pixel = 0;
+
+  Vec2 on_leaf(Vec2 p, const LeafPlace& place) const {
+    Vec2 d = (p - place.foot) / static_cast<float>(place.size);
+    auto c = static_cast<float>(std::cos(place.turn)), s = static_cast<float>(std::sin(place.turn));
+    return {d.x * c - d.y * s, d.x * s + d.y * c};
+  }
+
+  bool on_stalk(Vec2 p) const {
+    return leaf.sprig && std::abs(p.x) < 0.012 && p.y > -0.01 && p.y < places.back().foot.y + 0.02;
+  }
+
+  bool covers(Vec2 p) const {
+    for (const LeafPlace& place : places)
+      if (blade.covers(on_leaf(p, place))) return true;
+    return on_stalk(p);
+  }
+
+  /// Of the topmost leaf.
+  Rgb color(Vec2 p) const {
+    for (std::size_t i = places.size(); i-- > 0;)
+      if (Vec2 q = on_leaf(p, places[i]); blade.covers(q))
+        return blade.color(q, static_cast<int>(i), pixel / places[i].size);
+    if (on_stalk(p)) return glm::mix(rgb(leaf.veins), rgb(leaf.color), 0.4) * 0.85;
+    return blade.color(on_leaf(p, places.back()), 0, pixel / places.back().size);
+  }
+};
+
+}  // namespace
+
+Raster leaf_picture(const LeafImage& leaf, int height, Seed seed) {
+  PictureFrame frame = picture_frame(leaf);
+  double tall = frame.high - frame.low;
+  int width = std::max(8, static_cast<int>(std::lround(2 * frame.half / tall * height)));
+  std::vector<LeafPlace> places = leaf.sprig ? sprig_places(leaf.sprigs) : std::vector<LeafPlace>{{}};
+  if (places.empty()) places.push_back({});
+  Blade blade(leaf, seed.child("leaf"));
+  LeafPainter painter{leaf, blade, places, tall / height};
+  Raster raster(width, height, 4);
+  parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
+    int y = static_cast<int>(row);
+    for (int x = 0; x < width; ++x) {
+      auto point = [&](double px, double py) {
+        return Vec2((px / width * 2 - 1) * frame.half, frame.high - py / height * tall);
+      };
+      int covered = 0;
+      Vec2 inside = point(x + 0.5, y + 0.5);
+      for (int k = 0; k < kSamples * kSamples; ++k) {
+        Vec2 p = point(x + (k % kSamples + 0.5) / kSamples, y + (k / kSamples + 0.5) / kSamples);
+        if (!painter.covers(p)) continue;
+        if (covered++ == 0) inside = p;
+      }
+      Rgb color = painter.color(covered == kSamples * kSamples ? point(x + 0.5, y + 0.5) : inside);
+      for (int c = 0; c < 3; ++c) raster.data[raster.index(x, y, c)] = to_byte(color[c]);
+      raster.data[raster.index(x, y, 3)] = to_byte(static_cast<double>(covered) / (kSamples * kSamples));
+    }
+  });
+  return raster;
 }
 
 }  // namespace frond

@@ -73,4 +73,10 @@ double volume(const Surface& surface) {
   return sum / 6;
 }
 
+Color toned(const Color& color, double brightness, double warmth) {
+  auto channel = [](double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); };
+  return {channel(color.red * brightness * (1 + warmth)), channel(color.green * brightness),
+          channel(color.blue * brightness * (1 - warmth))};
+}
+
 }  // namespace frond

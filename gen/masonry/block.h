@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/vec.h"
 #include "model/surface.h"
 
 namespace frond {
@@ -27,5 +28,8 @@ void bend(Surface& surface, const Place& place) {
 
 /// What the triangles enclose, cubic metres; negative where they run the wrong way round.
 double volume(const Surface& surface);
+
+/// A colour so many times as bright, and by a share warmer.
+Color toned(const Color& color, double brightness, double warmth);
 
 }  // namespace frond

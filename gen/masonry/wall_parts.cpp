@@ -62,10 +62,8 @@ Surface extruded(const FaceGrid& grid, double half, double inset) {
 void append_box(Surface& to, Vec3 middle, Vec3 size) {
   FaceGrid one{{-0.5 * size.x, 0.5 * size.x}, {-0.5 * size.y, 0.5 * size.y}, {true}};
   Surface box = extruded(one, 0.5 * size.z, 0);
-  auto offset = static_cast<std::uint32_t>(to.position.size());
-  for (const Vec3& p : box.position) to.position.push_back(p + middle);
-  to.normal.insert(to.normal.end(), box.normal.begin(), box.normal.end());
-  for (auto [a, b, c] : box.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+  for (Vec3& p : box.position) p += middle;
+  append(to, box);
 }
 
 namespace {

@@ -20,7 +20,6 @@ void Skeleton::reserve(std::size_t nodes) {
 
 std::int32_t Skeleton::add(Vec3 at, float thickness, std::int32_t below, std::uint16_t depth) {
   assert(below >= kRoot && below < static_cast<std::int32_t>(size()));
-  assert(std::isfinite(glm::dot(at, at)));
   float along = below == kRoot ? 0.0f : distance[below] + glm::distance(position[below], at);
   position.push_back(at);
   radius.push_back(thickness);

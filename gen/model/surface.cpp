@@ -34,7 +34,6 @@ void append(Surface& to, const Surface& more) {
 }
 
 void append_placed(Surface& to, const Surface& more, Vec3 at, Quat turn, Vec3 scale) {
-  assert(to.position.empty() || to.uv.empty() == more.uv.empty());
   assert(scale.x > 0 && scale.y > 0 && scale.z > 0);
   assert(std::abs(glm::length(turn) - 1) < 1e-3f);
   assert(more.normal.size() == more.position.size());

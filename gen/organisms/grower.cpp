@@ -72,10 +72,18 @@ void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed see
 
 std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const World& world,
                                                const Step& step) const {
-  std::vector<std::pair<const Bed*, const Planting*>> all;
-  for (const Bed& bed : beds)
-    for (const Planting& planting : bed.plantings) all.emplace_back(&bed, &planting);
-  auto grow_one = [&](const Bed& bed, const Planting& planting) -> Result<Specimen> {
+  struct Task {
+    const Bed& bed;
+    const Planting& planting;
+    std::shared_ptr<const Dress> dress;  // one for all of the bed
+  };
+  std::vector<Task> all;
+  for (const Bed& bed : beds) {
+    auto dress = std::make_shared<const Dress>(bed.organism->grower->dress());
+    for (const Planting& planting : bed.plantings) all.push_back({bed, planting, dress});
+  }
+  auto grow_one = [&](const Task& task) -> Result<Specimen> {
+    const auto& [bed, planting, dress] = task;
     const auto& grower = static_cast<const LoneGrower&>(*bed.organism->grower);
     Seed seed = planting.seed.child("grow");
     Result<Model> model = grower.grow_alone(seed);
@@ -85,7 +93,7 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
     put(specimen.model, stance.foot, stance.turn, stance.size);
     if (specimen.model.solids.follow_ground && bed.organism->place.raise == 0)
       follow_ground(specimen.model.solids, world, planting.foot.y);
-    put_on(specimen, grower.dress(), world, planting.seed);
+    put_on(specimen, *dress, world, planting.seed);
     if (auto develop = grower.develop(specimen.motion, seed))
       specimen.life.develop = [develop = std::move(develop), stance](double time) {
         Result<Model> now = develop(time);
@@ -94,14 +102,12 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
       };
     return specimen;
   };
-  std::vector<std::optional<Result<Specimen>>> grown(all.size());
+  std::vector<Result<Specimen>> grown(all.size(), Error{});
   parallel_for(all.size(), [&](std::size_t i) {
-    grown[i] = grow_one(*all[i].first, *all[i].second);
+    grown[i] = grow_one(all[i]);
     step();
   });
-  std::vector<Result<Specimen>> list;
-  for (auto& one : grown) list.push_back(std::move(*one));
-  return list;
+  return grown;
 }
 
 Result<Model> LoneGrower::grow_copy(const Organism&, Seed seed) const { return grow_alone(seed); }

@@ -12,11 +12,10 @@ namespace frond {
 Value overlay(const Value& below, const Value& own);
 
 /// What an object is when it has `defaults` behind it: overlay(defaults, own), but the properties named in
-/// `force`
-/// ("wave", or "wave/amplitude" for one inside another) count as in the defaults, whatever the object says of
-/// its own; one that the defaults do not have is taken out, so that the built-in default counts. What comes
-/// from the defaults is marked `inherited`: Reader passes over it where the kind of the object has no such
-/// property.
+/// `force` ("wave", or "wave/amplitude" for one inside another) count as in the defaults, whatever the object
+/// says of its own; one that the defaults do not have is taken out, so that the built-in default counts. What
+/// comes from the defaults is marked `inherited`: Reader passes over it where the kind of the object has no
+/// such property.
 Value merge(const Value& defaults, const Value& own, std::span<const std::string> force = {});
 
 }  // namespace frond

@@ -83,6 +83,22 @@ int rings_for(double radius, int usual) {
   return static_cast<int>(std::lround(usual * std::sqrt(radius / kRadius)));
 }
 
+/// The level of a pond, as far as its shore may reach.
+Surface water_of(const PondShape& pond) {
+  constexpr std::uint32_t kSides = 48;
+  constexpr float kShore = 1.35f;  // the uneven shore against the ellipse
+  Surface water;
+  water.position.push_back(Vec3(pond.center.x, pond.level, pond.center.y));
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    double turn = 2 * kPi * i / kSides;
+    water.position.push_back(water.position[0] +
+                             kShore * Vec3(pond.size.x * std::cos(turn), 0, pond.size.y * std::sin(turn)));
+    water.triangle.push_back({0, 1 + (i + 1) % kSides, 1 + i});
+  }
+  water.normal.assign(water.position.size(), Vec3(0, 1, 0));
+  return water;
+}
+
 }  // namespace
 
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed)
@@ -109,6 +125,7 @@ Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double r
     return plot_.height(at, lawn);
   };
   lay(ground_surface(height, Vec2(0), radius, rings_for(radius, 150)));
+  if (plot_.has_pond()) water_ = water_of(plot_.pond());
 }
 
 void Lawn::strew(const Camera&, TakenSpots&) {
@@ -174,6 +191,11 @@ Land Lawn::land(std::vector<Spot> taken) const {
   Land land = sloping_land(kLawnSown, std::move(taken));
   if (plot_.has_path() || plot_.has_pond()) land.path = clear_of(plot_);
   return land;
+}
+
+std::vector<Strewn> Lawn::strewn() const {
+  if (water_.triangle.empty()) return {};
+  return {{&water_, Color{0.20f, 0.29f, 0.27f}, {{}}}};
 }
 
 std::vector<Specimen> Lawn::furnishings() const {

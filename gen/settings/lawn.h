@@ -43,6 +43,7 @@ class Lawn final : public Grounds {
   void strew(const Camera& camera, TakenSpots& taken) override;
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
+  std::vector<Strewn> strewn() const override;
   std::vector<Specimen> furnishings() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {
@@ -65,6 +66,7 @@ class Lawn final : public Grounds {
   Quality quality_;
   bool planned_ = false;  // has a plot
   Plot plot_;
+  Surface water_;  // of the pond, for a quick look
   int lilies_ = 0;
   double stone_ = 0, path_width_ = 0;
   Seed seed_;

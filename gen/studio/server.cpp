@@ -26,7 +26,7 @@ constexpr std::size_t kMostMesh = std::size_t{32} << 20, kMostText = std::size_t
 constexpr int kSmallest = 16, kLargest = 8192;  // pixels of a side
 constexpr std::size_t kThreads = 48;            // browsers keep six connections a tab
 constexpr const char* kPolicy =
-    "default-src 'self'; img-src 'self' array: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
+    "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
     "'none'; "
     "base-uri 'none'; form-action 'none'";
 

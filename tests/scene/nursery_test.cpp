@@ -8,16 +8,16 @@
 namespace frond {
 namespace {
 
-const Watch kNobody{[](auto, auto) {}, [] {}};
+const Watch kUnwatched{[](auto, auto) {}, [] {}};
 
-Preset preset_at(const std::string& path, const std::vector<std::string>& sets = {}) {
+Preset preset_with(const std::string& path, const std::vector<std::string>& sets = {}) {
   Result<Preset> preset = read_preset(*read_file(path), path, sets);
   if (!preset) ADD_FAILURE() << preset.errors().front().text();
   return preset ? *preset : Preset{};
 }
 
-Scene built(const Preset& preset, Nursery* nursery) {
-  Result<Scene> scene = build_scene(preset, kNobody, nursery);
+Scene grown_with(const Preset& preset, Nursery* nursery) {
+  Result<Scene> scene = build_scene(preset, kUnwatched, nursery);
   if (!scene) ADD_FAILURE() << scene.errors().front().text();
   return scene ? std::move(*scene) : Scene{};
 }
@@ -40,9 +40,9 @@ TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
   for (const char* path : {"presets/reef.json", "presets/ivy/column.json", "presets/trees/light_race.json"}) {
     std::vector<std::string> smaller;
     if (std::string_view(path).starts_with("presets/trees")) smaller = {"/defaults/years=4"};
-    Preset preset = preset_at(path, smaller);
+    Preset preset = preset_with(path, smaller);
     Nursery nursery;
-    Scene plain = built(preset, nullptr), first = built(preset, &nursery), again = built(preset, &nursery);
+    Scene plain = grown_with(preset, nullptr), first = grown_with(preset, &nursery), again = grown_with(preset, &nursery);
     EXPECT_FALSE(first.grown.empty()) << path;
     EXPECT_TRUE(again.grown.empty()) << path;
     expect_same(plain, first);
@@ -52,36 +52,36 @@ TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
 
 TEST(Nursery, GrowsOnlyWhatWasChanged) {
   Nursery nursery;
-  built(preset_at("presets/reef.json"), &nursery);
-  Preset other = preset_at("presets/reef.json", {"/organisms/2/pitch=40"});
-  Scene changed = built(other, &nursery);
+  grown_with(preset_with("presets/reef.json"), &nursery);
+  Preset other = preset_with("presets/reef.json", {"/organisms/2/pitch=40"});
+  Scene changed = grown_with(other, &nursery);
   EXPECT_EQ(changed.grown, std::vector<std::size_t>{2});
-  expect_same(built(other, nullptr), changed);
+  expect_same(grown_with(other, nullptr), changed);
   // The camera and the light grow nothing.
   EXPECT_TRUE(
-      built(preset_at("presets/reef.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}), &nursery)
+      grown_with(preset_with("presets/reef.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}), &nursery)
           .grown.empty());
 }
 
 TEST(Nursery, IvyGrowsAnewWhereItsHostDoes) {
   Nursery nursery;
-  built(preset_at("presets/ivy/column.json"), &nursery);
-  Preset other = preset_at("presets/ivy/column.json", {"/organisms/0/place/size_variation=0.5"});
-  Scene changed = built(other, &nursery);
+  grown_with(preset_with("presets/ivy/column.json"), &nursery);
+  Preset other = preset_with("presets/ivy/column.json", {"/organisms/0/place/size_variation=0.5"});
+  Scene changed = grown_with(other, &nursery);
   EXPECT_EQ(changed.grown.size(), 2u);  // the column, and what creeps on it
-  expect_same(built(other, nullptr), changed);
+  expect_same(grown_with(other, nullptr), changed);
 }
 
 TEST(Nursery, ForgetsWhatWasNotUsedForLong) {
   Nursery small(1);  // room for one bed
-  Preset preset = preset_at("presets/reef.json");
-  built(preset, &small);
-  EXPECT_GE(built(preset, &small).grown.size(), preset.organisms.size() - 1);
+  Preset preset = preset_with("presets/reef.json");
+  grown_with(preset, &small);
+  EXPECT_GE(grown_with(preset, &small).grown.size(), preset.organisms.size() - 1);
 }
 
 TEST(Nursery, ASceneThatIsGivenUpIsAnError) {
   Watch gone{[](auto, auto) {}, [] {}, [] { return true; }};
-  EXPECT_FALSE(build_scene(preset_at("presets/reef.json"), gone).ok());
+  EXPECT_FALSE(build_scene(preset_with("presets/reef.json"), gone).ok());
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "organisms/column/column.h"
 
 #include "geometry/crease.h"
-#include "masonry/tone.h"
+#include "masonry/block.h"
 #include "organisms/kinds.h"
 #include "preset/reader.h"
 

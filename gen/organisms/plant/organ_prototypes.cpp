@@ -11,26 +11,18 @@ namespace frond {
 namespace {
 
 BladeShape leaf_shape(const OrganParams& p) {
-  BladeShape shape;
-  shape.width = p.width;
-  shape.detail = p.detail;
-  shape.fold = p.fold;
-  shape.bend = p.bend;
-  shape.wave = p.wave;
-  return shape;
+  return {.width = p.width, .fold = p.fold, .bend = p.bend, .wave = p.wave, .detail = p.detail};
 }
 
 BladeShape petal_shape(const OrganParams& p) {
-  BladeShape shape;
-  shape.width = p.width;
-  shape.detail = p.detail;
-  shape.widest = 0.62;
-  shape.fold = p.fold * 0.5;
-  shape.bend = p.bend;
-  shape.stalk = 0;
-  shape.round = p.shape == OrganShape::flower ? 0.85 : 0;
-  shape.wave = p.wave;
-  return shape;
+  return {.width = p.width,
+          .widest = 0.62,
+          .fold = p.fold * 0.5,
+          .bend = p.bend,
+          .stalk = 0,
+          .wave = p.wave,
+          .detail = p.detail,
+          .round = p.shape == OrganShape::flower ? 0.85 : 0};
 }
 
 void resize(Surface& surface, float factor, Vec3 shift) {

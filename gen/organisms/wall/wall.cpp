@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/crease.h"
-#include "masonry/tone.h"
+#include "masonry/block.h"
 #include "organisms/kinds.h"
 #include "preset/reader.h"
 

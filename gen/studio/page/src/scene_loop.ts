@@ -5,7 +5,7 @@ import type { Store } from "./store";
 import type { View } from "./view/view";
 
 /** What takes longer than so many seconds is asked first. */
-const PATIENCE = 4;
+const PATIENCE = 8;
 
 export class SceneLoop {
   private session = crypto.randomUUID();

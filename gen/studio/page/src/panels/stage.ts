@@ -43,18 +43,13 @@ export function stage(store: Store): Stage {
       store.set(fromPointer(pointer), at.map(round), pointer);
       if (done) store.endGesture();
     },
-    camera: (at) => {
-      // Who turns the view by hand no longer looks through the camera.
-      const film = store.scene.header?.camera.at ?? at;
-      const away = Math.hypot(at[0] - film[0], at[1] - film[1], at[2] - film[2]);
-      if (through && away > 0.01) showThrough(false);
-    },
+    camera: (at, to) => setCamera(store, at, to),
+    through: (on) => showThrough(on),
   });
   const loop = new SceneLoop(store, view);
 
   function toggleCamera(): void {
-    showThrough(!through);
-    view.lookThrough(through);
+    view.lookThrough(!through);
   }
   function showThrough(on: boolean): void {
     through = on;
@@ -91,8 +86,7 @@ export function stage(store: Store): Stage {
     void askIfLong();
   });
   store.on("opened", () => {
-    through = true;
-    toggleCamera();
+    view.lookThrough(false);
   });
   const drawPaths = (): void => view.paths(pathsOf(store));
   store.on(["text", "selected", "opened"], () => {

@@ -33,6 +33,7 @@ export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
   readonly uniforms: Uniforms;
   /** Whether it throws a shadow. */
   casts = true;
+  isGround = false;
   /** About how many triangles it costs where it is drawn quickly. */
   triangles = 0;
 

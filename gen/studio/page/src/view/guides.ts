@@ -35,6 +35,7 @@ export class Guides extends Group {
   private film: LineSegments;
   private ring: Line;
   private list: Path[] = [];
+  private cameraShown = true;
 
   constructor() {
     super();
@@ -97,7 +98,10 @@ export class Guides extends Group {
   }
 
   showCamera(on: boolean): void {
-    this.film.visible = on;
+    this.cameraShown = on;
+  }
+  get cameraSeen(): boolean {
+    return this.film.visible;
   }
 
   /** The ring on the ground below what is dragged; null: none. */
@@ -121,8 +125,12 @@ export class Guides extends Group {
     return best;
   }
 
-  /** Handles are of one size on the screen. `pixel`: metres that a pixel covers a metre away. */
+  /** Handles are of one size on the screen; the preset's camera is not seen from where it stands itself. `pixel`: metres
+   *  that a pixel covers a metre away. */
   scaleTo(camera: PerspectiveCamera, pixel: number): void {
+    const position = this.film.geometry.getAttribute("position") as BufferAttribute;
+    const away = camera.position.distanceTo(apex.fromBufferAttribute(position, 0));
+    this.film.visible = this.cameraShown && away > 1.5 * apex.distanceTo(base.fromBufferAttribute(position, 1));
     for (const { ball } of this.handles) ball.scale.setScalar(HANDLE * pixel * ball.position.distanceTo(camera.position));
     this.updateMatrixWorld();
   }
@@ -148,3 +156,6 @@ export class Guides extends Group {
     this.handles = [];
   }
 }
+
+const apex = new Vector3();
+const base = new Vector3();

@@ -141,15 +141,17 @@ export class Painter {
     this.renderer.readRenderTargetPixels(this.spot, 0, 0, 1, 1, this.byte);
     this.renderer.setRenderTarget(null);
     camera.clearViewOffset();
+    this.unflat();
     const [a, b, c] = this.byte;
     return a! + (b! << 8) + (c! << 16);
   }
 
-  /** Organisms white on black, as RGBA bytes from the lowest row up. */
+  /** Organisms white on black, without the ground, as RGBA bytes from the lowest row up. */
   mask(camera: PerspectiveCamera, width: number, height: number): Uint8Array {
     const target = new WebGLRenderTarget(width, height, { generateMipmaps: false });
     for (const stand of this.stands) stand.sort(camera, this.pixelOf(camera, height));
     this.flat(false, false);
+    for (const one of this.things) one.visible &&= !one.isGround;
     this.shared.mask.value = 1;
     this.setEye(camera, height, 0);
     this.renderer.setRenderTarget(target);
@@ -161,6 +163,7 @@ export class Painter {
     this.renderer.setRenderTarget(null);
     target.dispose();
     this.shared.mask.value = 0;
+    this.unflat();
     return pixels;
   }
 

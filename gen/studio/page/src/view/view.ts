@@ -23,6 +23,8 @@ export interface ViewEvents {
   key(what: "food" | "camera", pointer: string, at: Vec3, done: boolean): void;
   /** The preset's camera was dragged. */
   camera(at: Vec3, to: Vec3): void;
+  /** One looks through the preset's camera now, or no more. */
+  through?(on: boolean): void;
   dropped?(file: File): void;
 }
 
@@ -231,6 +233,7 @@ export class View implements PointerTarget {
   }
 
   private throughChanged(): void {
+    this.events.through?.(this.eyes.through);
     this.guides.showCamera(!this.eyes.through);
     this.placeFrame();
     this.changed();
@@ -262,6 +265,7 @@ export class View implements PointerTarget {
     for (const one of thing instanceof Stand ? thing.drawn() : [thing]) {
       one.identify(number, part.entry >= 0);
       if (part.kind !== "ground") continue;
+      one.isGround = true;
       if (!part.instances && !one.defines.INSTANCED) one.uniforms.rough!.value = 0.6;
       one.casts = Boolean(one.defines.INSTANCED) && one.triangles < 400_000;
     }
@@ -294,7 +298,7 @@ export class View implements PointerTarget {
     return this.guides.handleAt(x, y, this.toPixel);
   }
   cameraAt(x: number, y: number): boolean {
-    if (this.eyes.through || !this.header) return false;
+    if (!this.guides.cameraSeen || !this.header) return false;
     const p = this.toPixel(this.guides.cameraAt());
     return p.near && Math.hypot(p.x - x, p.y - y) < 14;
   }
