@@ -90,7 +90,7 @@ function build(): void {
     [
       { name: "problems", label: "Problems", element: faults.element },
       { name: "grammar", label: "Grammar", element: grammar.element, opened: grammar.opened, closed: grammar.closed },
-      { name: "text", label: "Text", element: text.element },
+      { name: "text", label: "Text", element: text.element, opened: text.opened, closed: text.closed },
       { name: "renders", label: "Renders", element: made.element, opened: () => void made.reload().catch(() => undefined) },
     ],
     () => scene.view.resize(),
