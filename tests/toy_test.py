@@ -137,7 +137,7 @@ def main():
             source, target = root / part, tree / part
             tree.mkdir(exist_ok=True)
             if source.is_dir():
-                shutil.copytree(source, target)
+                shutil.copytree(source, target, ignore=shutil.ignore_patterns("node_modules", "dist"))
             else:
                 shutil.copy2(source, target)
         (tree / "gen/organisms/toy").mkdir()

@@ -22,7 +22,7 @@ function status(method, where, headers = {}, body) {
     request.end(body && JSON.stringify(body));
   });
 }
-const save = file => status('POST', 'api/save', {}, {file, text: TEXT, disk: null, overwrite: true});
+const save = file => status('POST', 'api/save', {}, {doc: {text: TEXT, file: path.join(scratch, 'own.json')}, file, disk: null, overwrite: true});
 
 test('its own page is answered', async () => assert.equal(await status('GET', 'api/ping'), 200));
 

@@ -27,7 +27,11 @@ export function preset(name, text) {
 }
 
 const running = new Set();
-after(() => running.forEach(server => server.kill()));
+const browsers = [];
+after(async () => {
+  for (const browser of browsers) await browser.close();
+  running.forEach(server => server.kill());
+});
 
 /** Starts the studio; resolves when it has printed its address. */
 export function start(...words) {
@@ -59,7 +63,7 @@ export async function browse() {
     executablePath: '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
-  after(() => browser.close());
+  browsers.push(browser);
   return browser;
 }
 

@@ -1,0 +1,116 @@
+// What a person does in the studio, with a real server and a real browser.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import {before, beforeEach, afterEach, test} from 'node:test';
+import {TEXT} from './plant.mjs';
+import {browse, changed, parts, preset, shown, start, visit} from './studio.mjs';
+
+let browser, file, page, studio;
+before(async () => (browser = await browse()));
+beforeEach(async () => {
+  file = preset('plant.json', TEXT);
+  studio = await start(file);
+  page = await visit(browser, studio.address);
+  await shown(page);
+});
+afterEach(async () => {
+  await page.context().close();
+  await studio.stop();
+});
+
+const slider = (page, name) => page.locator(`[data-testid="row:organism/${name}"] input[type=range]`);
+const number = (page, name) => page.locator(`[data-testid="row:organism/${name}"] input.number`);
+
+/** Moves a slider a little; answers when the model is another. */
+async function nudge(page, name) {
+  const was = await parts(page);
+  await slider(page, name).focus();
+  for (let i = 0; i < 8; ++i) await page.keyboard.press('ArrowRight');
+  await changed(page, was);
+}
+
+test('a slider changes the model, undo brings it back, and saving keeps the comments', async () => {
+  const was = await parts(page);
+  await nudge(page, 'height');
+  const height = Number(await number(page, 'height').inputValue());
+  assert.ok(height > 1);
+  await page.getByTestId('save').click();
+  await page.getByText('Saved').waitFor();
+  const saved = fs.readFileSync(file, 'utf8');
+  assert.equal(saved, TEXT.replace('"height": 1,', `"height": ${height},`));
+
+  const now = await parts(page);
+  while (await page.getByTestId('undo').isEnabled()) await page.getByTestId('undo').click();
+  await changed(page, now);
+  await shown(page);
+  assert.equal(await parts(page), was);
+  assert.deepEqual(page.faults, []);
+});
+
+test('a wrong rule is told of at its place', async () => {
+  const was = await parts(page);
+  await page.getByTestId('tab:grammar').click();
+  const rules = page.getByTestId('rules:rules');
+  await rules.fill('A -> F[+A][-A]FA\nF -> F[F');
+  await page.getByTestId('grammar-panel').locator('p.fault', {hasText: /^2: .+/}).waitFor();
+  await page.getByTestId('tab:problems').click();
+  const line = TEXT.split('\n').findIndex(l => l.includes('F -> FF')) + 1;
+  await page.getByTestId('problems').getByRole('button', {name: `line ${line}`}).first().waitFor();
+  assert.equal(await parts(page), was, 'the model stays as it was');
+
+  await page.getByTestId('tab:grammar').click();
+  await rules.fill('A -> F[+A][-A]FA\nF -> F');
+  await changed(page, was);
+  await page.getByTestId('problems').getByText('Nothing is wrong').waitFor({state: 'attached'});
+});
+
+test('a render comes with its picture', async () => {
+  await page.getByTestId('tab:renders').click();
+  await page.getByTestId('render-start').click();
+  const card = page.getByTestId('renders').locator('img');
+  await card.waitFor();
+  await page.waitForFunction(() => document.querySelector('[data-testid="renders"] img')?.naturalWidth === 160);
+});
+
+test('a variation is picked from the wall', async () => {
+  const was = await parts(page);
+  await page.getByTestId('variations').click();
+  const tiles = page.locator('[data-testid^="variation:"]');
+  assert.equal(await tiles.count(), 9);
+  await page.waitForFunction(() => document.querySelectorAll('[data-testid^="variation:"].drawn').length === 9);
+  await tiles.nth(4).click();
+  await changed(page, was);
+  await page.getByTestId('undo').click();
+  await page.waitForFunction(was => window.frond.view.header.parts.map(part => part.id).join() === was, was);
+});
+
+test('two tabs do not disturb each other, and neither overwrites the other unasked', async () => {
+  const other = await visit(browser, studio.address);
+  await shown(other);
+  const was = await parts(page);
+  await Promise.all([nudge(page, 'height'), nudge(other, 'height')]);
+  await nudge(other, 'height');
+  await Promise.all([shown(page), shown(other)]);
+  assert.notEqual(await parts(page), was);
+  assert.notEqual(await parts(page), await parts(other));
+  await page.getByTestId('save').click();
+  await page.getByText('Saved').waitFor();
+  await other.getByTestId('save').click();
+  await other.getByTestId('save-conflict').waitFor();
+  await other.context().close();
+});
+
+test('nothing is lost when the server is killed and started again', async () => {
+  await nudge(page, 'height');
+  const height = await number(page, 'height').inputValue();
+  await studio.stop();
+  const banner = page.getByTestId('banner');
+  await banner.getByText('does not answer').waitFor();
+  studio = await start(file, '--port', String(studio.port));
+  await banner.getByText('Open the address').waitFor();
+  page.once('dialog', dialog => dialog.accept());
+  await page.goto('about:blank');
+  await page.goto(studio.address);
+  await shown(page);
+  assert.equal(await number(page, 'height').inputValue(), height);
+});
