@@ -22,7 +22,9 @@
 import "./styles/base.css";
 import "./styles/layout.css";
 import "./styles/controls.css";
+import "./styles/editors.css";
 import "./styles/panels.css";
+import "./styles/pictures.css";
 import "./styles/gallery.css";
 import * as api from "./api";
 import { anySeed } from "./controls/number";
