@@ -22,7 +22,9 @@
 import "./styles/base.css";
 import "./styles/layout.css";
 import "./styles/controls.css";
+import "./styles/editors.css";
 import "./styles/panels.css";
+import "./styles/pictures.css";
 import "./styles/gallery.css";
 import * as api from "./api";
 import { anySeed } from "./controls/number";
@@ -90,7 +92,7 @@ function build(): void {
     [
       { name: "problems", label: "Problems", element: faults.element },
       { name: "grammar", label: "Grammar", element: grammar.element, opened: grammar.opened, closed: grammar.closed },
-      { name: "text", label: "Text", element: text.element },
+      { name: "text", label: "Text", element: text.element, opened: text.opened, closed: text.closed },
       { name: "renders", label: "Renders", element: made.element, opened: () => void made.reload().catch(() => undefined) },
     ],
     () => scene.view.resize(),
@@ -150,7 +152,7 @@ function build(): void {
     workshop.classList.remove("no-side");
     // Built anew, with those groups open.
     store.emit("opened-groups");
-    const names = [...groups].reverse().map((g) => `[data-testid="row:${typeof store.selected === "number" ? "organism/" : ""}${g}"] :is(input, select, button.label)`);
+    const names = [...groups].reverse().map((g) => `[data-testid="row:${typeof store.selected === "number" ? "organism/" : ""}${g}"] .control :is(input, select, button)`);
     const found = names.map((n) => properties.querySelector<HTMLElement>(n)).find(Boolean);
     found?.scrollIntoView({ block: "center" });
     found?.focus();

@@ -120,14 +120,17 @@ export class Preset {
   }
 
   /** Mistakes that keep the text from being read at all. */
-  faults(): Fault[] {
-    return this.syntax.map((error) => {
-      const before = this.text.slice(0, error.offset);
-      const line = before.split("\n").length;
-      const column = error.offset - before.lastIndexOf("\n");
-      const said = printParseErrorCode(error.error).replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
-      return { text: `JSON: ${said}`, where: `${line}:${column}`, line, column, pointer: "" };
-    });
+  get faults(): Fault[] {
+    return (this.told ??= this.syntax.map((error) => this.fault(error)));
+  }
+  private told: Fault[] | undefined;
+
+  private fault(error: ParseError): Fault {
+    const before = this.text.slice(0, error.offset);
+    const line = before.split("\n").length;
+    const column = error.offset - before.lastIndexOf("\n");
+    const said = printParseErrorCode(error.error).replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
+    return { text: `JSON: ${said}`, where: `${line}:${column}`, line, column, pointer: "" };
   }
 }
 

@@ -349,8 +349,7 @@ export class Store {
 
   /** All that is wrong: what keeps the text from being read, or what the server says. */
   get faults(): Fault[] {
-    const syntax = this.preset.faults();
-    return syntax.length ? syntax : this.scene.errors;
+    return this.preset.syntax.length ? this.preset.faults : this.scene.errors;
   }
 
   keepDraft(): void {

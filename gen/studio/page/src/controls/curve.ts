@@ -82,7 +82,11 @@ export function curveControl(place: Place<PlainField>): Control {
     binding.store.endGesture();
   });
 
+  let drawn = "";
   const draw = (): void => {
+    const state = JSON.stringify([points, held]);
+    if (state === drawn) return;
+    drawn = state;
     const xs = points.map((p) => p[0]);
     const ys = points.map((p) => p[1]);
     if (held < 0) span = { x: [Math.min(0, ...xs), Math.max(isOverX() ? 1 : 0.01, ...xs)], y: [Math.min(0, ...ys), Math.max(1, ...ys)] };

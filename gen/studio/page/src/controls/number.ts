@@ -37,7 +37,7 @@ export function numberBox(label: string, field: NumberField, put: (value: number
     box.value = shown(next);
   });
   const show = (value: unknown): void => {
-    if (!isTyping(box)) box.value = shown(value);
+    if (!isTyping(box) && box.value !== shown(value)) box.value = shown(value);
   };
   return Object.assign(box, { show });
 }
@@ -69,7 +69,9 @@ export function numberControl(place: Place<NumberField>): Control {
     refresh(): void {
       const value = Number(valueOf(place) ?? field.low);
       box.show(valueOf(place) ?? "");
-      slider.setAttribute("aria-valuetext", `${shown(value)} ${field.unit}`);
+      const said = `${shown(value)} ${field.unit}`;
+      if (slider.getAttribute("aria-valuetext") === said) return;
+      slider.setAttribute("aria-valuetext", said);
       if (slider.dataset.held) return;
       slider.value = String(Math.round(scale.toWay(value) * scale.steps));
       fill();

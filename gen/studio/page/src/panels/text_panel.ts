@@ -6,7 +6,7 @@ import { placeOf } from "../edits";
 import type { Path } from "../pointer";
 import type { Store } from "../store";
 
-export function textPanel(store: Store): { element: HTMLElement; goTo(line: number, column?: number): void; goToPath(path: Path): void } {
+export function textPanel(store: Store): { element: HTMLElement; opened(): void; closed(): void; goTo(line: number, column?: number): void; goToPath(path: Path): void } {
   const take = quiet(200, () => store.change(area.box.value, "text"));
   // A pause in typing ends what undo takes back at once.
   const pause = quiet(1200, () => store.endGesture());
@@ -16,7 +16,9 @@ export function textPanel(store: Store): { element: HTMLElement; goTo(line: numb
     take.now();
     store.endGesture();
   });
+  let open = false;
   const refresh = (): void => {
+    if (!open) return;
     if (document.activeElement !== area.box) area.show(store.text);
     const lines = new Map(store.faults.filter((f) => f.line > 0).map((f) => [f.line, f.text]));
     area.mark(lines);
@@ -29,6 +31,14 @@ export function textPanel(store: Store): { element: HTMLElement; goTo(line: numb
   store.on(["opened", "scene"], refresh);
   return {
     element: el("div.text-panel", {}, area.element),
+    opened(): void {
+      open = true;
+      refresh();
+    },
+    closed(): void {
+      take.now();
+      open = false;
+    },
     goTo: (line, column) => area.goTo(line, column),
     goToPath(path): void {
       for (let length = path.length; length >= 0; length--) {
