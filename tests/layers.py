@@ -111,12 +111,32 @@ def check_file(path, shown, modules):
                 yield f"{shown}:{line_of(searched, found.start())}: {found.group(0).strip()}: {why}"
 
 
+def types_of(text):
+    """The types that a file defines straight in a named namespace: two of one name are undefined behaviour."""
+    inside, coming = [], None
+    pattern = (r"[{};]|\bnamespace\b\s*(?P<space>[\w:]*)\s*(?=\{)|\b(?:struct|class|enum class|enum|union)\s+"
+               r"(?P<type>\w+)(?!\w|\s*::)(?:\s+final)?\s*(?::[^;{]*)?(?=\{)")
+    for found in re.finditer(pattern, without_comments(text)):
+        token = found.group(0)
+        if token == "{":
+            inside.append(coming)
+            coming = None
+        elif token == "}":
+            inside = inside[:-1]
+        elif found.group("space") is not None:
+            coming = "named" if found.group("space") else "anonymous"
+        elif found.group("type"):
+            if all(around == "named" for around in inside):
+                yield found.group("type")
+            coming = "type"
+
+
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1]).resolve()
     modules = read_modules((root / "gen/CMakeLists.txt").read_text(encoding="utf-8"))
     if not modules:
         sys.exit("gen/CMakeLists.txt: no gen_module() found")
-    faults, files = [], 0
+    faults, files, defined = [], 0, {}
     for path in sorted(root.glob("gen/**/*")):
         if path.suffix not in (".h", ".cpp"):
             continue
@@ -128,6 +148,9 @@ def main():
         if shown.parts[1] not in modules and shown.parts[1] != "app":
             faults.append(f"{shown}: {shown.parts[1]} is no module of gen/CMakeLists.txt")
         faults.extend(check_file(path, shown, modules))
+        for name in types_of(path.read_text(encoding="utf-8")):
+            if defined.setdefault(name, shown) != shown:
+                faults.append(f"{shown}: {name} is a type of {defined[name]} already: one of them wants another name")
     print("\n".join(faults) if faults else f"{files} files in {len(modules)} modules keep to the layers")
     sys.exit(1 if faults else 0)
 

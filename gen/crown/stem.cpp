@@ -13,8 +13,8 @@ class Tracer {
  public:
   Tracer(const WeberPenn& tree, const Stem& stem, double& left) : tree_(tree), stem_(stem), left_(left) {}
 
-  std::vector<Chain> trace() {
-    Chain first;
+  std::vector<StemChain> trace() {
+    StemChain first;
     first.at.push_back(stem_.foot);
     extend(std::move(first), {stem_.turn});
     if (points_ > kMostNodes) return {};
@@ -30,7 +30,7 @@ class Tracer {
   };
 
   /// Leads a chain from its last point to the tip, and the clones that split off it.
-  void extend(Chain chain, Course course) {
+  void extend(StemChain chain, Course course) {
     const StemLevel& level = tree_.stem(stem_.level);
     int res = level.curve_res;
     points_ += static_cast<std::size_t>(res - chain.first);
@@ -64,7 +64,7 @@ class Tracer {
     return splits;
   }
 
-  void split(int mine, const Chain& chain, Course& course, int end, int splits, bool base, Seed seed) {
+  void split(int mine, const StemChain& chain, Course& course, int end, int splits, bool base, Seed seed) {
     const StemLevel& level = tree_.stem(stem_.level);
     DQuat before = course.turn;
     double slope = std::acos(std::clamp(heading(before).y, -1.0, 1.0));
@@ -78,7 +78,7 @@ class Tracer {
       double yaw = radians(20 + 0.75 * (30 + std::abs(degrees(slope) - 90)) * draw_of * draw_of);
       if (own.child(1).unit() < 0.5) yaw = -yaw;
       if (base) yaw = 2 * kPi * i / (splits + 1);
-      Chain clone;
+      StemChain clone;
       clone.first = end;
       clone.from = mine;
       clone.at.push_back(chain.at.back());
@@ -123,14 +123,14 @@ class Tracer {
 
   const WeberPenn& tree_;
   const Stem& stem_;
-  std::vector<Chain> chains_;
+  std::vector<StemChain> chains_;
   std::size_t points_ = 0;
   double& left_;
 };
 
 }  // namespace
 
-DVec3 Chain::point(double s) const {
+DVec3 StemChain::point(double s) const {
   double place_of = place(s);
   std::size_t i = std::min(static_cast<std::size_t>(place_of), at.size() - 2);
   Hermite w = hermite(place_of - static_cast<double>(i));
@@ -139,13 +139,13 @@ DVec3 Chain::point(double s) const {
   return at[i] * w.start + leave * w.start_slope + at[i + 1] * w.end + arrive * w.end_slope;
 }
 
-DQuat Chain::frame(double s) const {
+DQuat StemChain::frame(double s) const {
   double place_of = place(s);
   std::size_t i = std::min(static_cast<std::size_t>(place_of), at.size() - 2);
   return glm::slerp(turn[i], turn[i + 1], place_of - static_cast<double>(i));
 }
 
-std::vector<Chain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left) {
+std::vector<StemChain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left) {
   return Tracer(tree, stem, left).trace();
 }
 

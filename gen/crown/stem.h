@@ -34,7 +34,7 @@ struct Stem {
 };
 
 /// A stem or a clone of it from its split to its tip, at the ends of the segments.
-struct Chain {
+struct StemChain {
   int first = 0;  // segment that it begins with
   int from = -1;  // chain that it splits off
   std::vector<DVec3> at;
@@ -53,6 +53,6 @@ struct Chain {
 /// A stem and its clones as points; the first is the stem itself. `left` is the part of a clone that splits
 /// of stems of its level have left over, 0.5 at most either way, before and after. None where there would be
 /// more than kMostNodes points.
-std::vector<Chain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left);
+std::vector<StemChain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left);
 
 }  // namespace frond

@@ -76,8 +76,8 @@ class Grower {
            tree_.pruning.width * shape_ratio(CrownShape::envelope, ratio, tree_.pruning);
   }
 
-  bool inside(const std::vector<Chain>& chains) const {
-    for (const Chain& chain : chains)
+  bool inside(const std::vector<StemChain>& chains) const {
+    for (const StemChain& chain : chains)
       for (std::size_t i = 1; i < chain.at.size(); ++i)
         if (!inside(chain.at[i])) return false;
     return true;
@@ -116,16 +116,16 @@ class Grower {
     assert(stem.length > 0 && stem.radius >= 0 && stem.level < tree_.levels);
     assert(stem.below >= Skeleton::kRoot && stem.below < static_cast<std::int32_t>(crown_.skeleton.size()));
     if (full_) return;
-    std::vector<Chain> chains = trace_stem(tree_, stem, left_of(stem));
+    std::vector<StemChain> chains = trace_stem(tree_, stem, left_of(stem));
     full_ = full_ || chains.empty();
     std::vector<std::vector<std::int32_t>> node_at(chains.size());  // of each chain at the ends of segments
     bool last = stem.level + 1 >= tree_.levels;
     for (std::size_t c = 0; c < chains.size(); ++c) {
-      Chain& chain = chains[c];
+      StemChain& chain = chains[c];
       if (chain.at.size() < 2) continue;
       std::int32_t below = stem.below;
       if (chain.from >= 0) {
-        const Chain& from = chains[static_cast<std::size_t>(chain.from)];
+        const StemChain& from = chains[static_cast<std::size_t>(chain.from)];
         below =
             node_at[static_cast<std::size_t>(chain.from)][static_cast<std::size_t>(chain.first - from.first)];
       }
@@ -147,7 +147,7 @@ class Grower {
     double weight() const { return (to - from) * share; }
   };
 
-  static std::vector<Stretch> stretches_of(const Chain& chain, double from, int res) {
+  static std::vector<Stretch> stretches_of(const StemChain& chain, double from, int res) {
     std::vector<Stretch> all;
     for (auto s = static_cast<int>(from); s < res; ++s) {
       double share = chain.share[static_cast<std::size_t>(s - chain.first)];
@@ -161,7 +161,7 @@ class Grower {
   }
 
   /// Where the stems of the next level stand on a chain, in segments from the stem's foot.
-  std::vector<double> places_of_children(const Stem& stem, const Chain& chain) const {
+  std::vector<double> places_of_children(const Stem& stem, const StemChain& chain) const {
     const StemLevel& own = tree_.stem(stem.level);
     double count = std::max(stem_count(tree_, stem.level, stem.share, stem.offset), 0.0);
     int res = own.curve_res;
@@ -188,7 +188,7 @@ class Grower {
 
   /// Adds the nodes of a chain: at its segments' ends, between them and at `places`. Returns the node at each
   /// place, or those along the chain where none are asked for.
-  std::vector<std::int32_t> draw_chain(const Stem& stem, const Chain& chain, std::int32_t below,
+  std::vector<std::int32_t> draw_chain(const Stem& stem, const StemChain& chain, std::int32_t below,
                                        const std::vector<double>& places, std::vector<std::int32_t>& ends) {
     int res = tree_.stem(stem.level).curve_res, pieces = tree_.smoothing;
     std::vector<double> stops;
@@ -226,7 +226,7 @@ class Grower {
     return at;
   }
 
-  void bear_stems(const Stem& stem, const Chain& chain, const std::vector<double>& places,
+  void bear_stems(const Stem& stem, const StemChain& chain, const std::vector<double>& places,
                   const std::vector<std::int32_t>& nodes, Seed seed) {
     const StemLevel& next = tree_.stem(stem.level + 1);
     int res = tree_.stem(stem.level).curve_res;
@@ -268,7 +268,8 @@ class Grower {
     return level.down_angle + level.down_angle_v * (1 - 2 * rise);
   }
 
-  void bear_leaves(const Stem& stem, const Chain& chain, const std::vector<std::int32_t>& nodes, Seed seed) {
+  void bear_leaves(const Stem& stem, const StemChain& chain, const std::vector<std::int32_t>& nodes,
+                   Seed seed) {
     if (tree_.leaves == 0 || nodes.empty()) return;
     const StemLevel& next = tree_.stem(stem.level + 1);
     int res = tree_.stem(stem.level).curve_res;

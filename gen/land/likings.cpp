@@ -23,7 +23,7 @@ double window(double x, Vec2 range, double least, double most, double soft) {
 
 }  // namespace
 
-Likings::Likings(const SowRules& rules, const Land& land, std::span<const Bed> above, Seed seed)
+Likings::Likings(const SowRules& rules, const Land& land, std::span<const PlantGrid> above, Seed seed)
     : rules_(rules), land_(land), above_(above), seed_(seed) {
   Vec2 half(static_cast<float>(land.size / 2)), high = half;
   low_ = -half;
@@ -68,8 +68,8 @@ double Likings::clumps(Vec2 at) const {
 
 double Likings::shade(Vec2 at) const {
   double open = 1;
-  for (const Bed& bed : above_)
-    bed.each_within(at, 2.2, [&](const Bed::Plant& plant) {
+  for (const PlantGrid& bed : above_)
+    bed.each_within(at, 2.2, [&](const PlantGrid::Plant& plant) {
       open *= 1 - hidden_sky(glm::distance(at, plant.at), plant.radius);
     });
   return 1 - open;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "land/bed.h"
+#include "land/plant_grid.h"
 #include "land/sow.h"
 
 namespace frond {
@@ -11,7 +11,7 @@ namespace frond {
 class Likings {
  public:
   /// What it is given must outlive it.
-  Likings(const SowRules& rules, const Land& land, std::span<const Bed> above, Seed seed);
+  Likings(const SowRules& rules, const Land& land, std::span<const PlantGrid> above, Seed seed);
 
   /// 0: not at all, to 1.
   double operator()(Vec2 at) const;
@@ -36,7 +36,7 @@ class Likings {
 
   const SowRules& rules_;
   const Land& land_;
-  std::span<const Bed> above_;
+  std::span<const PlantGrid> above_;
   Seed seed_;
   double relief_ = 0;      // metres, from the lowest to the highest of the land
   double clump_edge_ = 0;  // the noise at the edge of a clump

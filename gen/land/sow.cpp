@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "land/bed.h"
 #include "land/likings.h"
+#include "land/plant_grid.h"
 
 namespace frond {
 
@@ -28,10 +28,11 @@ double size_of(const SowOrder& order, Seed own) {
 /// All that stands while sowing.
 struct Field {
   const Land& land;
-  std::vector<Bed> beds;  // of each layer
-  Bed taken;
+  std::vector<PlantGrid> beds;  // of each layer
+  PlantGrid taken;
 
-  explicit Field(const Land& ground) : land(ground), beds(kLayers, Bed(ground.size)), taken(ground.size) {
+  explicit Field(const Land& ground)
+      : land(ground), beds(kLayers, PlantGrid(ground.size)), taken(ground.size) {
     for (const Spot& spot : land.taken) taken.add(spot.at, spot.radius, spot.radius);
   }
 

@@ -11,7 +11,7 @@
 namespace frond {
 
 /// Plants of one layer, found by place: a grid for each octave of crown radii, so that none looks far.
-class Bed {
+class PlantGrid {
  public:
   struct Plant {
     Vec2 at{0};
@@ -20,7 +20,7 @@ class Bed {
   };
 
   /// About the origin; plants beyond `size` metres across may be added, too.
-  explicit Bed(double size) : size_(size) {}
+  explicit PlantGrid(double size) : size_(size) {}
 
   void add(Vec2 at, double radius, double stem) {
     Octave& octave = octave_of(radius);
