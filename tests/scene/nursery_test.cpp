@@ -42,7 +42,8 @@ TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
     if (std::string_view(path).starts_with("presets/trees")) smaller = {"/defaults/years=4"};
     Preset preset = preset_with(path, smaller);
     Nursery nursery;
-    Scene plain = grown_with(preset, nullptr), first = grown_with(preset, &nursery), again = grown_with(preset, &nursery);
+    Scene plain = grown_with(preset, nullptr), first = grown_with(preset, &nursery),
+          again = grown_with(preset, &nursery);
     EXPECT_FALSE(first.grown.empty()) << path;
     EXPECT_TRUE(again.grown.empty()) << path;
     expect_same(plain, first);
@@ -59,7 +60,8 @@ TEST(Nursery, GrowsOnlyWhatWasChanged) {
   expect_same(grown_with(other, nullptr), changed);
   // The camera and the light grow nothing.
   EXPECT_TRUE(
-      grown_with(preset_with("presets/reef.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}), &nursery)
+      grown_with(preset_with("presets/reef.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}),
+                 &nursery)
           .grown.empty());
 }
 

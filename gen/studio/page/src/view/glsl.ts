@@ -42,7 +42,7 @@ vec3 shown(vec3 c) {
 /** For fragment shaders: sun with its shadows, light from all around, haze. QUICK: hard shadows. */
 export const LIGHT = /* glsl */ `
 precision highp sampler2DShadow;
-uniform vec3 sun, sun_light, from_above, from_aside, from_below;
+uniform vec3 sun, sun_light, from_above, from_aside, from_below, from_eye;
 uniform vec4 haze;     // colour, metres
 uniform vec4 eye;
 uniform sampler2DShadow shade;
@@ -66,7 +66,8 @@ float sunlight(vec3 p, vec3 n) {
 vec3 lit(vec3 color, vec3 p, vec3 n, float gloss, float through) {
   vec3 to_eye = eye.xyz - p;
   float away = length(to_eye), facing = dot(n, sun);
-  vec3 light = color * mix(from_aside, n.y > 0.0 ? from_above : from_below, abs(n.y));
+  float seen = abs(dot(n, to_eye)) / away;
+  vec3 light = color * (mix(from_aside, n.y > 0.0 ? from_above : from_below, abs(n.y)) + from_eye * seen);
   if (facing > 0.0 || through > 0.0) {
     float shine = sunlight(p, n);
     light += color * sun_light * (shine * (max(facing, 0.0) + through * max(-facing, 0.0)));
@@ -74,7 +75,7 @@ vec3 lit(vec3 color, vec3 p, vec3 n, float gloss, float through) {
       light += sun_light * (shine * gloss * 0.25 * pow(max(dot(n, normalize(sun + to_eye / away)), 0.0), 8.0 + 60.0 * gloss));
   }
   if (highlight.b > 0.0) {
-    float rim = 1.0 - abs(dot(n, to_eye)) / away;
+    float rim = 1.0 - seen;
     light += highlight * (0.15 + 0.85 * rim * rim);
   }
   return haze.w > 0.0 ? mix(haze.rgb, light, exp(-away / haze.w)) : light;

@@ -10,6 +10,8 @@ interface Lamps {
   above: Color;
   aside: Color;
   below: Color;
+  /** From where one looks. */
+  eye: Color;
   sky: Sky;
 }
 
@@ -28,10 +30,11 @@ const mixed = (c: Color, times: number, plus: number): Color => new Color(c.r * 
 function under_water(sky: Color): Lamps {
   const water = sky.clone().multiplyScalar(1 / Math.max(sky.r, sky.g, sky.b, 1e-3));
   return {
-    sun: new Color(1, 0.98, 0.88).multiplyScalar(2.25),
-    above: mixed(water, 0.75, 0.6),
-    aside: mixed(water, 0.42, 0.18),
-    below: new Color(0.5, 0.46, 0.38).multiplyScalar(0.24).add(mixed(water, 0.22, 0.04)),
+    sun: new Color(0.97, 0.98, 0.9).multiplyScalar(2),
+    above: mixed(water, 0.6, 0.5),
+    aside: mixed(water, 0.25, 0.08),
+    below: new Color(0.5, 0.46, 0.38).multiplyScalar(0.24).add(mixed(water, 0.15, 0.02)),
+    eye: mixed(water, 0.28, 0.2),
     sky: WATER,
   };
 }
@@ -43,6 +46,7 @@ function in_the_open(sky: Color, horizon: Color, ground: Color, sunlight: Color,
     above: mixed(sky, 0.27, 0.5).multiplyScalar(dim),
     aside: mixed(sky, 0.18, 0.2).multiplyScalar(dim),
     below: mixed(ground, 0.2, 0.1).multiplyScalar(dim),
+    eye: mixed(sky, 0.08, 0.12).multiplyScalar(dim),
     sky: OPEN,
   };
 }
@@ -52,6 +56,7 @@ const in_a_room = (): Lamps => ({
   above: new Color(0.4, 0.41, 0.42),
   aside: new Color(0.26, 0.27, 0.29),
   below: new Color(0.1, 0.1, 0.1),
+  eye: new Color(0.08, 0.08, 0.08),
   sky: WALL,
 });
 
@@ -71,6 +76,7 @@ export function setLight(shared: Shared, header: Header): void {
   shared.from_above.value.copy(lamps.above).multiplyScalar(FINISH);
   shared.from_aside.value.copy(lamps.aside).multiplyScalar(FINISH);
   shared.from_below.value.copy(lamps.below).multiplyScalar(FINISH);
+  shared.from_eye.value.copy(lamps.eye).multiplyScalar(FINISH);
   shared.haze.value.set(...light.fog.color, light.fog.distance);
   shared.zenith.value.setRGB(...light.sky);
   shared.horizon.value.setRGB(...light.horizon);

@@ -17,6 +17,7 @@ function all() {
     from_above: { value: new Color() },
     from_aside: { value: new Color() },
     from_below: { value: new Color() },
+    from_eye: { value: new Color() },
     haze: { value: new Vector4() },
     zenith: { value: new Color() },
     horizon: { value: new Color() },

@@ -47,13 +47,15 @@ void main() {
   float angle = float(corner >> 1) * (6.2831853 / float(COLUMNS));
 #endif
   vec3 out_of = side * cos(angle) + front * sin(angle);
-  vec3 axis = b.xyz - a.xyz;
-  float slope = clamp((a.w - b.w) / max(length(axis), 1e-6), -3.0, 3.0);
+  // How far normals lean: as those of a cone, or, where that is a cap, of the ball through both rings.
+  float long_ = max(distance(a.xyz, b.xyz), 1e-6), leaning = end.w * clamp((a.w - b.w) / long_, -3.0, 3.0);
+  float heart = (a.w * a.w - b.w * b.w - long_ * long_) / (2.0 * long_);
+  if (heart > -0.02 * long_) leaning = upper ? heart + long_ : max(heart, 0.0);
   at = end.xyz + out_of * (end.w * wide);
 #ifdef RIBBON
   radial = front;
 #else
-  radial = normalize(out_of + way * slope);
+  radial = normalize(out_of * max(end.w, 1e-6) + way * leaning);
 #endif
   aside = side;
   across = cos(angle);

@@ -11,7 +11,7 @@ const BUNDLE = 512;
 
 /** How many corners a ring has where there are so many segments; 2: ribbons that face the eye. */
 function columnsFor(segments: number, slow: boolean): { fine: number; quick: number } {
-  if (slow) return { fine: segments <= 60_000 ? 8 : segments <= 200_000 ? 4 : 2, quick: segments <= 3000 ? 6 : 2 };
+  if (slow) return { fine: segments <= 100_000 ? 8 : segments <= 250_000 ? 4 : 2, quick: segments <= 3000 ? 6 : 2 };
   return { fine: segments <= 100_000 ? 8 : 6, quick: segments <= 60_000 ? 8 : segments <= 200_000 ? 6 : 2 };
 }
 
