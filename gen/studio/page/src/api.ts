@@ -1,7 +1,5 @@
 /** The calls of the server. */
 
-import type { Header } from "./view/header";
-
 export interface Doc {
   text: string;
   file: string;
@@ -190,7 +188,5 @@ export async function save(file: string, doc: Doc, disk: string | null, overwrit
 
 /** Puts an OBJ file beside the presets; answers the name to write into an organism of kind "mesh". */
 export const mesh = (name: string, file: Blob): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}`, file);
-
-export type { Header };
 
 export const pictureAddress = (id: string): string => withToken(`/api/picture/${encodeURIComponent(id)}`);

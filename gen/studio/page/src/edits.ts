@@ -7,7 +7,7 @@ const WIDTH = 118;
 const PARSING = { allowTrailingComma: true };
 
 /** A value as a person would write it: on one line where there is room, else one member or item a line. */
-export function print(value: unknown, indent = ""): string {
+function print(value: unknown, indent = ""): string {
   const line = oneLine(value);
   if (indent.length + line.length <= WIDTH || typeof value !== "object" || value === null) return line;
   const inner = indent + "  ";

@@ -5,7 +5,7 @@ import * as api from "./api";
 import { quiet } from "./dom";
 import { loadDraft, saveDraft, type Selection } from "./drafts";
 import { insertAt, removeAt, setAt, sliceAt } from "./edits";
-import { getAt, isObject, same, type Path } from "./pointer";
+import { getAt, isObject, type Path } from "./pointer";
 import { beside, overlay, Preset } from "./preset";
 import { PresetSchema } from "./schema";
 import type { Header } from "./view/header";
@@ -357,10 +357,5 @@ export class Store {
     if (!this.isOpen) return;
     const { file, text, saved, disk, copy, time, selected } = this;
     saveDraft({ file, text, saved, disk, copy, time, selected, undo: this.undoTexts, redo: this.redoTexts });
-  }
-
-  /** Is that value what the text or its base says? */
-  holds(path: Path, value: unknown): boolean {
-    return same(getAt(this.preset.whole, path), value);
   }
 }

@@ -7,7 +7,7 @@ import { isTyping, valueOf, type Control, type Place } from "./control";
 const byte = (share: number): string => Math.round(255 * Math.min(1, Math.max(0, share))).toString(16).padStart(2, "0");
 
 /** "#d98a4e", also of [0.85, 0.54, 0.31]. */
-export function hexOf(value: unknown): string {
+function hexOf(value: unknown): string {
   if (Array.isArray(value) && value.length === 3) return "#" + value.map((v) => byte(Number(v))).join("");
   return typeof value === "string" && /^#[0-9a-f]{6}$/i.test(value) ? value.toLowerCase() : "#000000";
 }

@@ -11,7 +11,7 @@ export interface MenuItem {
 
 let open: { menu: HTMLElement; from: HTMLElement } | null = null;
 
-export function closeMenu(refocus = true): void {
+function closeMenu(refocus = true): void {
   if (!open) return;
   const { menu, from } = open;
   open = null;

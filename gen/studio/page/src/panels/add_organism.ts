@@ -78,7 +78,7 @@ function fromPreset(store: Store, close: (answer: string) => void): HTMLElement 
 }
 
 /** Sends an OBJ file to the server and lets it stand in the scene. */
-export async function addMesh(store: Store, file: File): Promise<void> {
+async function addMesh(store: Store, file: File): Promise<void> {
   if (!store.isOpen) return say("Open a preset first, then drop the file on it.", true);
   if (!/\.obj$/i.test(file.name)) return say(`${file.name} is no OBJ file.`, true);
   if (file.size > 32e6) return say(`${file.name} is larger than 32 MB.`, true);

@@ -5,7 +5,7 @@ const system = matchMedia("(prefers-color-scheme: dark)");
 const listeners = new Set<(dark: boolean) => void>();
 
 const chosen = (): string | null => localStorage.getItem(KEY);
-export const isDark = (): boolean => (chosen() ? chosen() === "dark" : system.matches);
+const isDark = (): boolean => (chosen() ? chosen() === "dark" : system.matches);
 
 function apply(): void {
   document.documentElement.dataset.theme = isDark() ? "dark" : "light";
