@@ -41,4 +41,5 @@ std::span<const PageFile> page_files() {
 
 }  // namespace frond
 ]])
-set_source_files_properties(${page_source} PROPERTIES OBJECT_DEPENDS "${page_dist_files}")
+# Apart from the others, so that it is compiled anew when the page is.
+set_source_files_properties(${page_source} PROPERTIES OBJECT_DEPENDS "${page_dist_files}" SKIP_UNITY_BUILD_INCLUSION ON)
