@@ -50,7 +50,7 @@ void main() {
   // How far normals lean: as those of a cone, or, where that is a cap, of the ball through both rings.
   float long_ = max(distance(a.xyz, b.xyz), 1e-6), leaning = end.w * clamp((a.w - b.w) / long_, -3.0, 3.0);
   float heart = (a.w * a.w - b.w * b.w - long_ * long_) / (2.0 * long_);
-  if (heart > -0.02 * long_) leaning = upper ? heart + long_ : max(heart, 0.0);
+  if (heart > -0.02 * long_ && a.w - b.w > 0.2 * long_) leaning = upper ? heart + long_ : max(heart, 0.0);
   at = end.xyz + out_of * (end.w * wide);
 #ifdef RIBBON
   radial = front;
