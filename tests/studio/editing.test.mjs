@@ -53,10 +53,11 @@ test('a wrong rule is told of at its place', async () => {
   const rules = page.getByTestId('rules:rules');
   await rules.fill('A -> F[+A][-A]FA\nF -> F[F');
   await page.getByTestId('grammar-panel').locator('p.fault', {hasText: /^2: .+/}).waitFor();
-  await page.getByTestId('tab:problems').click();
+  await page.getByTestId('tab:text').click();
   const text = await page.getByTestId('text').inputValue();
   const line = text.split('\n').findIndex(l => l.includes('F -> F[F')) + 1;
   assert.ok(line > 10);
+  await page.getByTestId('tab:problems').click();
   await page.getByTestId('problems').getByRole('button', {name: `line ${line}`}).first().waitFor();
   assert.equal(await parts(page), was, 'the model stays as it was');
 
