@@ -53,7 +53,8 @@ std::optional<std::string> picture_of(const fs::path& gallery, const fs::path& p
 std::optional<std::string> title_of(const fs::path& file) {
   Result<std::string> text = read_file(file);
   Result<Document> document = text ? parse_json(*text, file.string()) : text.errors();
-  if (!document || !(document->root.find("organisms") || document->root.find("base"))) return std::nullopt;  // a grammar
+  if (!document || !(document->root.find("organisms") || document->root.find("base")))
+    return std::nullopt;  // a grammar
   const Value* title = document->root.find("title");
   return title && title->is(Value::Type::text) ? title->text : file.stem().string();
 }
