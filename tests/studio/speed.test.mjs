@@ -9,7 +9,7 @@ before(async () => (browser = await browse()));
 const text = steps => `{
   "film": {"frames": 1, "size": [640, 400]},
   "scene": {"setting": "studio", "camera": {"location": [0, 0.9, 3], "look_at": [0, 0.5, 0]}},
-  "organisms": [{"kind": "plant", "height": 1, "place": {"at": [[0, 0]]}, "smoothing": 0,
+  "organisms": [{"kind": "plant", "height": 1, "place": {"at": [[0, 0]]}, "smoothing": 1,
     "grammar": {"axiom": "A", "steps": ${steps}, "angle": 25, "rules": ["A -> F[+A]/A"]}}]
 }`;
 
