@@ -16,15 +16,17 @@ out, -R NAME runs those of a name.
             library once more, in build-asan, with asserts and the address and undefined behaviour sanitizers
   --help    this text
 
+What is labelled "long" only ctest runs: \`ctest --preset release -L long\`.
+
 Exit codes: 0 all passed, 1 not.
 TEXT
 }
 # ctest leaves out only what all of several -LE name, so they are made one.
-setup=--tests excluded='^large$' options=()
+setup=--tests excluded='^long$|^large$' options=()
 while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
-    --all) setup=--all excluded=${excluded#'^large$'} ;;
+    --all) setup=--all excluded=${excluded/'|^large$'/} ;;
     -LE | --label-exclude) excluded+=${excluded:+|}${2:-} && shift ;;
     *) options+=("$1") ;;
   esac
