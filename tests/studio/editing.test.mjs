@@ -35,7 +35,7 @@ test('a slider changes the model, undo brings it back, and saving keeps the comm
   const height = Number(await number(page, 'height').inputValue());
   assert.ok(height > 1);
   await page.getByTestId('save').click();
-  await page.getByText('Saved').waitFor();
+  await page.getByText(/^Saved /).waitFor();
   const saved = fs.readFileSync(file, 'utf8');
   assert.equal(saved, TEXT.replace('"height": 1,', `"height": ${height},`));
 
@@ -97,7 +97,7 @@ test('two tabs do not disturb each other, and neither overwrites the other unask
   assert.notEqual(await parts(page), was);
   assert.notEqual(await parts(page), await parts(other));
   await page.getByTestId('save').click();
-  await page.getByText('Saved').waitFor();
+  await page.getByText(/^Saved /).waitFor();
   await other.getByTestId('save').click();
   await other.getByTestId('save-conflict').waitFor();
   await other.context().close();
