@@ -20,6 +20,7 @@ RESERVED = {
     "httplib.h": lambda path: path.parent.name == "studio" and path.name == "server.cpp",
     "tbb/": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
     "oneapi/tbb": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
+    "meshoptimizer.h": lambda path: path.parent.name == "geometry" and path.name == "far.cpp",
     "embree3/": lambda path: path.parent.name == "creeping" and path.name == "host.cpp",
     "openvdb/": lambda path: path.parent.name == "field" and path.suffix == ".cpp",
     "CLI/": lambda path: path.parent.name == "app",

@@ -1,5 +1,7 @@
 #include "geometry/far.h"
 
+#include <meshoptimizer.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -185,6 +187,30 @@ Surface one_diamond(const Surface& surface, const Pieces& pieces) {
   const Piece& largest = *std::max_element(list.begin(), list.end(),
                                            [](const Piece& a, const Piece& b) { return a.area < b.area; });
   std::fill(out.uv.begin(), out.uv.end(), largest.uv / std::max(largest.area, 1e-12f));
+  return out;
+}
+
+Surface simplified(const Surface& surface, std::size_t triangles) {
+  triangles = std::max<std::size_t>(triangles, 4);
+  if (surface.triangle.size() <= triangles) return surface;
+  Surface out;
+  out.triangle.resize(surface.triangle.size());
+  std::size_t left = meshopt_simplifySloppy(out.triangle.data()->data(), surface.triangle.data()->data(),
+                                            3 * surface.triangle.size(), &surface.position.data()->x,
+                                            surface.position.size(), sizeof(Vec3), 3 * triangles, 1.0f);
+  out.triangle.resize(left / 3);
+  std::vector<std::uint32_t> number(surface.position.size(), UINT32_MAX);
+  for (auto& corners : out.triangle)
+    for (std::uint32_t& corner : corners) {
+      std::uint32_t from = corner;
+      if (number[from] == UINT32_MAX) {
+        number[from] = static_cast<std::uint32_t>(out.position.size());
+        out.position.push_back(surface.position[from]);
+        out.normal.push_back(surface.normal[from]);
+        if (!surface.uv.empty()) out.uv.push_back(surface.uv[from]);
+      }
+      corner = number[from];
+    }
   return out;
 }
 

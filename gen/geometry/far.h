@@ -26,4 +26,8 @@ Surface diamonds(const Surface& surface, const Pieces& pieces, int stride = 1);
 /// The whole surface as one such diamond, all of which has the `uv` of the middle of its largest piece.
 Surface one_diamond(const Surface& surface, const Pieces& pieces);
 
+/// About so many of a body's triangles, at least 4 where it has them: its corners with their normals and
+/// `uv`, those of each cell of a grid drawn together (meshoptimizer's sloppy simplification).
+Surface simplified(const Surface& surface, std::size_t triangles);
+
 }  // namespace frond

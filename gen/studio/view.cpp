@@ -110,14 +110,12 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
 }
 
 void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart>& parts) {
-  auto add = [&](const Surface& shape, const Color& color) -> DrawnPart& {
+  auto add = [&](Surface shape, const Color& color, std::span<const float> places = {}) {
     DrawnPart& part = parts.emplace_back();
     part.head = {
         {"kind", "ground"}, {"entry", -1}, {"specimen", -1}, {"material", material_json(color, 0.02)}};
-    Surface plain = shape;
-    plain.uv.clear();
-    part.add_surface("", plain);
-    return part;
+    shape.uv.clear();
+    places.empty() ? part.add_surface("", shape) : add_placed(part, shape, places, false);
   };
   if (!scene.ground->floor().triangle.empty()) {
     add(scene.ground->floor(), light.ground);
@@ -136,7 +134,7 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     for (const Strewn::At& a : strewn.at)
       places.insert(places.end(), {a.place.x, a.place.y, a.place.z, a.turn.x, a.turn.y, a.turn.z, a.turn.w,
                                    a.size.x, a.size.y, a.size.z});
-    add(*strewn.shape, strewn.color).add("/instances", places);
+    add(*strewn.shape, strewn.color, places);
   }
 }
 

@@ -57,6 +57,10 @@ struct BranchColors {
   std::vector<Color> old_, young_;
 };
 
+/// A mesh that is placed at `places`, ten numbers each, with coarser ones for where it is small: those of
+/// leaves keep what each piece covers. "coarse" lists them with the "size" in metres of what they lose.
+void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> places, bool leaf);
+
 /// `{"color", "gloss", "both_sides", …}`.
 Json material_json(const Color& color, double gloss, bool both_sides = false);
 

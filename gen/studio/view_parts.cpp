@@ -4,6 +4,7 @@
 #include "emit/sweep.h"
 #include "export/look.h"
 #include "field/cubes.h"
+#include "geometry/far.h"
 #include "motion/unfold.h"
 #include "studio/view.h"
 
@@ -12,6 +13,7 @@ namespace frond {
 namespace {
 
 constexpr double kLeafGloss = 0.2, kLightThroughLeaf = 0.35;
+constexpr std::size_t kManyTriangles = 10'000;  // in all places together: fewer are quick to draw
 
 void push(std::vector<float>& to, Vec3 at, Quat turn, Vec3 scale) {
   to.insert(to.end(), {at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w, scale.x, scale.y, scale.z});
@@ -94,8 +96,7 @@ void add_organs(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& par
       if (leaf) material["light_through"] = kLightThroughLeaf;
       if (!shape.pictures.empty()) material["picture"] = shape.pictures[key.second % shape.pictures.size()];
       part.head["material"] = std::move(material);
-      part.add_surface("", shape.surface);
-      part.add("/instances", group.at);
+      add_placed(part, shape.surface, group.at, leaf);
       if (!heart && shape.pictures.empty()) part.add("/instance_colors", group.color);
     }
   }
@@ -127,8 +128,7 @@ void add_solids(const Solids& solids, std::vector<DrawnPart>& parts) {
     part.head["kind"] = "mesh";
     part.head["material"] = material_json(solid.material.color, solid.material.gloss);
     if (solid.material.matter == Matter::glass) part.head["material"]["opacity"] = 0.35;
-    part.add_surface("", solid.surface);
-    part.add("/instances", at);
+    add_placed(part, solid.surface, at, false);
   }
 }
 
@@ -136,6 +136,30 @@ void add_solids(const Solids& solids, std::vector<DrawnPart>& parts) {
 
 Json material_json(const Color& color, double gloss, bool both_sides) {
   return {{"color", json_of(color)}, {"gloss", gloss}, {"both_sides", both_sides}};
+}
+
+void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> places, bool leaf) {
+  part.add_surface("", surface);
+  part.add("/instances", places);
+  if (places.size() / 10 * surface.triangle.size() < kManyTriangles) return;
+  Json list = Json::array();
+  auto add = [&](const Surface& coarse, double size) {
+    if (coarse.triangle.size() * 2 > surface.triangle.size() || coarse.triangle.empty()) return;
+    std::string below = "/coarse/" + std::to_string(list.size());
+    list.push_back({{"size", size}});
+    part.head["coarse"] = list;
+    part.add_surface(below, coarse);
+  };
+  double reach = 0;
+  for (const Vec3& p : surface.position) reach = std::max<double>(reach, glm::length(p));
+  if (leaf) {
+    Pieces pieces = pieces_of(surface);
+    add(diamonds(surface, pieces), std::sqrt(area(surface) / std::max(1u, pieces.count)));
+    if (pieces.count > 1) add(one_diamond(surface, pieces), reach);
+  } else {
+    add(simplified(surface, surface.triangle.size() / 12), reach / 8);
+    add(simplified(surface, 8), reach);
+  }
 }
 
 Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double time) {

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "core/parallel.h"
 #include "emit/sweep.h"
@@ -46,6 +47,25 @@ Color mixed(const Color& a, const Color& b, double t) {
 Vec3 direction(Vec3 from, Vec3 to, Vec3 otherwise) {
   float length = glm::distance(from, to);
   return length > 1e-9f ? (to - from) / length : otherwise;
+}
+
+/// The largest first, those of like sizes strewn evenly: any number of the first is the best picture that so
+/// many make.
+std::vector<WireSegment> largest_first(const std::vector<WireSegment>& segments) {
+  constexpr std::uint32_t kSizes = 1024, kStrewn = 8;
+  auto rank = [&](std::size_t i) {
+    const WireSegment& s = segments[i];
+    float area = glm::distance(s.from, s.to) * std::max(s.from_radius, s.to_radius);
+    // Four sizes to each power of two; the golden ratio strews.
+    std::uint32_t size = kSizes - 1 - (std::bit_cast<std::uint32_t>(area) >> 21);
+    return kStrewn * size + (static_cast<std::uint32_t>(i) * 2654435769u >> 29);
+  };
+  std::vector<std::uint32_t> first(kSizes * kStrewn + 1);
+  for (std::size_t i = 0; i < segments.size(); ++i) ++first[rank(i) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<WireSegment> sorted(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) sorted[first[rank(i)]++] = segments[i];
+  return sorted;
 }
 
 /// Builds the segments of one skeleton.
@@ -159,7 +179,7 @@ DrawnPart tubes_part(const Specimen& specimen, const Pose& pose) {
   DrawnPart part;
   part.head["kind"] = "tubes";
   part.head["gloss"] = specimen.look.bark ? bark_gloss(*specimen.look.bark) : 0.1;
-  std::vector<WireSegment> segments = Weaver(specimen, pose).weave();
+  std::vector<WireSegment> segments = largest_first(Weaver(specimen, pose).weave());
   part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
                                   sizeof(WireSegment) * segments.size()));
   return part;

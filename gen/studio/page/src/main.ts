@@ -158,7 +158,7 @@ function build(): void {
     found?.focus();
   }
 
-  takeDrops(store);
+  takeDrops(store, (x, y) => scene.view.groundAt(x, y));
   listenToKeys({
     undo: () => store.undo(),
     redo: () => store.redo(),

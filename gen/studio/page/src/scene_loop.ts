@@ -59,6 +59,7 @@ export class SceneLoop {
     store.setScene({ busy: true });
     const begin = performance.now();
     const session = this.session;
+    this.view.hold(true);
     const answer = await api.scene(session, ++this.seq, {
       doc: store.doc,
       time: store.time,
@@ -66,7 +67,7 @@ export class SceneLoop {
       solo: store.solo.size ? [...store.solo] : null,
       hide: [...store.hidden],
       ask: this.patience,
-    });
+    }).finally(() => this.view.hold(false));
     store.setLink("up");
     if (session !== this.session || answer.is === "stale") return;
     if (answer.is === "picture") {

@@ -78,21 +78,21 @@ function fromPreset(store: Store, close: (answer: string) => void): HTMLElement 
 }
 
 /** Sends an OBJ file to the server and lets it stand in the scene. */
-async function addMesh(store: Store, file: File): Promise<void> {
+async function addMesh(store: Store, file: File, at: [number, number] = [0, 0]): Promise<void> {
   if (!store.isOpen) return say("Open a preset first, then drop the file on it.", true);
   if (!/\.obj$/i.test(file.name)) return say(`${file.name} is no OBJ file.`, true);
   if (file.size > 32e6) return say(`${file.name} is larger than 32 MB.`, true);
   try {
     const answer = await api.mesh(file.name, file);
-    store.addOrganism({ kind: "mesh", name: file.name.replace(/\.obj$/i, ""), file: answer.file, place: { at: [[0, 0]], size_variation: 0, turn_variation: 0, lean: 0 } });
+    store.addOrganism({ kind: "mesh", name: file.name.replace(/\.obj$/i, ""), file: answer.file, place: { at: [at], size_variation: 0, turn_variation: 0, lean: 0 } });
     say(`${file.name} stands in the scene. Ivy climbs it.`);
   } catch (error) {
     say((error as Error).message, true);
   }
 }
 
-/** Files that are dropped anywhere on the page. */
-export function takeDrops(store: Store): void {
+/** Files that are dropped anywhere on the page; on the ground they stand where they fell. */
+export function takeDrops(store: Store, groundAt: (x: number, y: number) => [number, number, number] | null): void {
   const over = (event: DragEvent): void => {
     if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
@@ -102,7 +102,8 @@ export function takeDrops(store: Store): void {
   addEventListener("dragleave", over);
   addEventListener("drop", (event) => {
     over(event);
-    for (const file of event.dataTransfer?.files ?? []) void addMesh(store, file);
+    const [x, , z] = groundAt(event.clientX, event.clientY) ?? [0, 0, 0];
+    for (const file of event.dataTransfer?.files ?? []) void addMesh(store, file, [Number(x.toFixed(2)), Number(z.toFixed(2))]);
   });
 }
 

@@ -87,8 +87,15 @@ export function stage(store: Store): Stage {
   });
   store.on("opened", () => {
     view.lookThrough(false);
+    view.clear();
   });
-  const drawPaths = (): void => view.paths(pathsOf(store));
+  let drawn = "[]";
+  const drawPaths = (): void => {
+    const paths = pathsOf(store);
+    const now = JSON.stringify(paths);
+    if (now !== drawn) view.paths(paths);
+    drawn = now;
+  };
   store.on(["text", "selected", "opened"], () => {
     drawPaths();
     view.select(typeof store.selected === "number" ? store.selected : null);

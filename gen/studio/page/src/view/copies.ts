@@ -16,7 +16,7 @@ const MARGIN = 0.12;
 interface Level {
   grain: number;
   order: DataTexture;
-  drawn: ReturnType<typeof placed>[];
+  drawn: Drawn[];
   count: number;
 }
 
@@ -51,7 +51,7 @@ export class Stand extends Group {
       const drawn = level.parts.flatMap((p) => {
         const shape = shapeOf(packet, p);
         reach = Math.max(reach, shape?.reach ?? 0);
-        return shape ? [placed(shape, p.material, places, studio, order)] : [];
+        return shape ? [placed([{ shape, size: 0 }], p.material, places, studio, order)] : [];
       });
       return { grain: level.grain, order, drawn, count: 0 };
     };
@@ -106,7 +106,7 @@ export class Stand extends Group {
     const list = this.shadow!;
     (list.order.image.data as Uint32Array).set(this.sequence);
     list.order.needsUpdate = true;
-    for (const d of list.drawn) d.setCount(this.sequence.length);
+    for (const d of list.drawn) d.count = this.sequence.length;
   }
 
   /** Whether the pass that comes is the sun's. */
@@ -132,7 +132,7 @@ export class Stand extends Group {
     for (const block of this.blocks) if (frustum.intersectsBox(block.box)) this.list(block, eye, pixel);
     for (const level of this.levels) {
       level.order.needsUpdate = true;
-      for (const d of level.drawn) d.setCount(level.count);
+      for (const d of level.drawn) d.count = level.count;
     }
     this.forSun(this.toSun);
   }

@@ -1,4 +1,4 @@
-import { BufferGeometry, Color, DoubleSide, FrontSide, GLSL3, Mesh, RawShaderMaterial, Vector4, type IUniform } from "three";
+import { Box3, BufferGeometry, Color, DoubleSide, FrontSide, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial, Vector3, Vector4, type IUniform } from "three";
 import type { LeafPictures } from "./leaf_pictures";
 import type { Shared } from "./shared";
 
@@ -10,60 +10,134 @@ export interface Shaders {
 
 /** What making a part needs from the view. */
 export interface Studio {
-  /** Whether there is no graphics card. */
-  slow: boolean;
   shared: Shared;
   leaves: LeafPictures;
-}
-
-/** Materials over one set of uniforms: as it looks, and flat, for shadows, picking and masks. */
-interface Dress {
-  geometry: BufferGeometry;
-  look: RawShaderMaterial;
-  flat: RawShaderMaterial;
 }
 
 type Defines = Record<string, number>;
 type Uniforms = Record<string, IUniform>;
 
-/** One thing that the view draws: finely, or quickly while something moves. */
+/** A shape of a thing. Where it is drawn many times, `geometry` is instanced: `bundle` of it in each. */
+export interface Level {
+  /** Metres of what it loses: it serves where that is a few pixels. */
+  size: number;
+  geometry: BufferGeometry;
+  bundle: number;
+  defines: Defines;
+  uniforms: Uniforms;
+  bothSides: boolean;
+}
+
+/** Materials over one set of uniforms, by what they are for; made when they are first needed. */
+class Dress {
+  private worn = new Map<string, RawShaderMaterial>();
+
+  constructor(
+    readonly level: Level,
+    private shaders: Shaders,
+    private uniforms: Uniforms,
+  ) {}
+
+  material(flat: boolean, quickly: boolean): RawShaderMaterial {
+    const name = flat ? "flat" : quickly ? "quick" : "fine";
+    const known = this.worn.get(name);
+    if (known) return known;
+    const made = new RawShaderMaterial({
+      vertexShader: this.shaders.vertex,
+      fragmentShader: flat ? this.shaders.flat : this.shaders.look,
+      defines: name === "quick" ? { ...this.level.defines, QUICK: 1 } : this.level.defines,
+      uniforms: this.uniforms,
+      glslVersion: GLSL3,
+      side: this.level.bothSides ? DoubleSide : FrontSide,
+    });
+    this.worn.set(name, made);
+    return made;
+  }
+
+  dispose(): void {
+    this.level.geometry.setIndex(null); // bundles share theirs
+    this.level.geometry.dispose();
+    for (const material of this.worn.values()) material.dispose();
+  }
+}
+
+/** One thing that the view draws, as finely as it has to be. */
 export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
-  private fine: Dress;
-  private quick: Dress | null = null;
+  private dresses: Dress[];
   readonly uniforms: Uniforms;
+  /** How many there are, for one that is drawn many times. */
+  count: number;
+  /** Where the nearest of it is from an eye, in metres. */
+  distance: (x: number, y: number, z: number) => number = () => 0;
   /** Whether it throws a shadow. */
   casts = true;
   isGround = false;
-  /** About how many triangles it costs where it is drawn quickly. */
-  triangles = 0;
+  private level = 0;
+  private share = 1;
 
+  /** The finest of `levels` comes first. `thinning`: where a share has to stand for all, "first" draws the first of them,
+   *  "every" each so manyth and larger. */
   constructor(
-    geometry: BufferGeometry,
-    private shaders: Shaders,
-    readonly defines: Defines,
+    levels: Level[],
+    shaders: Shaders,
     own: Uniforms,
     studio: Studio,
-    bothSides: boolean,
+    count = 1,
+    private thinning: "none" | "first" | "every" = "none",
   ) {
-    const uniforms = { ...studio.shared, highlight: { value: new Color(0, 0, 0) }, number: { value: new Vector4() }, organism: { value: 0 }, ...own };
-    const fine = dress(geometry, shaders, defines, uniforms, bothSides);
-    super(geometry, fine.look);
-    this.fine = fine;
+    const uniforms = {
+      ...studio.shared,
+      highlight: { value: new Color(0, 0, 0) },
+      number: { value: new Vector4() },
+      organism: { value: 0 },
+      count: { value: count },
+      every: { value: 1 },
+      ...own,
+    };
+    const dresses = levels.map((level) => new Dress(level, shaders, { ...uniforms, ...level.uniforms }));
+    super(levels[0]!.geometry, dresses[0]!.material(false, false));
+    this.dresses = dresses;
     this.uniforms = uniforms;
-    if (studio.slow) this.quickly(geometry, defines, bothSides);
+    this.count = count;
     this.frustumCulled = false;
     this.matrixAutoUpdate = false;
   }
 
-  /** Another geometry for when it has to be quick. */
-  quickly(geometry: BufferGeometry, defines: Defines, bothSides: boolean): void {
-    this.quick = dress(geometry, this.shaders, { ...defines, QUICK: 1 }, this.uniforms, bothSides);
+  get instanced(): boolean {
+    return this.geometry instanceof InstancedBufferGeometry;
+  }
+
+  /** Takes the coarsest level that loses nothing larger than `grain` metres; answers what it costs, in triangles. */
+  choose(grain: number): number {
+    this.level = this.dresses.length - 1;
+    while (this.level > 0 && this.dresses[this.level]!.level.size > grain) --this.level;
+    return this.triangles;
+  }
+
+  /** Lets a share, 0..1, stand for all where there are many. */
+  thin(share: number): void {
+    this.share = share;
+  }
+
+  /** Of the level that was chosen. */
+  get triangles(): number {
+    const { geometry, bundle } = this.dresses[this.level]!.level;
+    return (this.count * geometry.index!.count) / (3 * bundle);
   }
 
   wear(flat: boolean, quickly: boolean): void {
-    const worn = (quickly && this.quick) || this.fine;
-    this.geometry = worn.geometry;
-    this.material = flat ? worn.flat : worn.look;
+    const dress = this.dresses[this.level]!;
+    this.geometry = dress.level.geometry;
+    this.material = dress.material(flat, quickly);
+    if (this.thinning === "none") return;
+    const every = this.thinning === "every" ? Math.ceil(1 / this.share) : 1;
+    const drawn = this.thinning === "first" ? Math.ceil(this.count * this.share) : Math.ceil(this.count / every);
+    this.uniforms.every!.value = every;
+    this.uniforms.count!.value = this.thinning === "first" ? drawn : this.count;
+    const geometry = this.geometry as InstancedBufferGeometry;
+    const { bundle } = dress.level;
+    geometry.instanceCount = Math.ceil(drawn / bundle);
+    geometry.setDrawRange(0, drawn < bundle ? (drawn * geometry.index!.count) / bundle : Infinity);
   }
 
   /** What is read where a person clicks: `number`, from 1; white in a mask where it is an organism. */
@@ -79,26 +153,16 @@ export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
 
   dispose(): void {
     for (const uniform of Object.values(this.uniforms)) if (ownTextures.has(uniform.value as object)) (uniform.value as { dispose(): void }).dispose();
-    for (const { geometry, look, flat } of this.quick ? [this.fine, this.quick] : [this.fine]) {
-      geometry.setIndex(null); // bundles share theirs
-      geometry.dispose();
-      look.dispose();
-      flat.dispose();
-    }
+    for (const dress of this.dresses) dress.dispose();
   }
 }
 
-function dress(geometry: BufferGeometry, shaders: Shaders, defines: Defines, uniforms: Uniforms, bothSides: boolean): Dress {
-  const made = (fragmentShader: string): RawShaderMaterial =>
-    new RawShaderMaterial({
-      vertexShader: shaders.vertex,
-      fragmentShader,
-      defines,
-      uniforms,
-      glslVersion: GLSL3,
-      side: bothSides ? DoubleSide : FrontSide,
-    });
-  return { geometry, look: made(shaders.look), flat: made(shaders.flat) };
+/** How far an eye is from the box of points, of which each `stride` numbers begin with one. */
+export function distanceToBox(points: Float32Array, stride: number): Drawn["distance"] {
+  const box = new Box3();
+  const corner = new Vector3();
+  for (let i = 0; i < points.length; i += stride) box.expandByPoint(corner.fromArray(points, i));
+  return (x, y, z) => box.distanceToPoint(corner.set(x, y, z));
 }
 
 const ownTextures = new WeakSet<object>();

@@ -49,6 +49,8 @@ export interface MeshPart extends PartBase, Partial<Surface> {
   kind: "mesh" | "ground";
   instances?: BlobRef;
   instance_colors?: BlobRef;
+  /** Meshes that serve in its place where `size` metres are a few pixels. */
+  coarse?: (Omit<Surface, "material"> & { size: number })[];
 }
 
 export interface CopiesPart extends PartBase {

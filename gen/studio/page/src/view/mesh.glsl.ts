@@ -20,6 +20,7 @@ flat out uint own;
 #ifdef INSTANCED
 uniform sampler2D places;
 uniform int count, corners;
+uniform int every;  // one of so many stands for all
 uniform float reach;  // from the middle of the mesh to its farthest corner
 #ifdef INSTANCE_COLORS
 uniform sampler2D paints;
@@ -37,7 +38,7 @@ void main() {
   color = colors;
 #endif
 #ifdef INSTANCED
-  int k = gl_InstanceID * BUNDLE + gl_VertexID / corners;
+  int k = (gl_InstanceID * BUNDLE + gl_VertexID / corners) * every;
   if (k >= count) { gl_Position = kNowhere; return; }
 #ifdef ORDERED
   k = int(texelFetch(order, ivec2(k % ORDER_ROW, k / ORDER_ROW), 0).r);
@@ -48,6 +49,7 @@ void main() {
        e = texelFetch(places, texel + ivec2(4, 0), 0).rg;
   vec3 place = vec3(a, b.x), size = vec3(d.y, e);
   vec4 turn = vec4(b.y, c, d.x);
+  size *= sqrt(float(every));
   // Where they are smaller than pixels some stand for all.
   float pixels = reach * max(size.x, max(size.y, size.z)) / pixel_at(place), least = 3.0 * thin;
   if (pixels < least) {

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, InstancedBufferGeometry, Color, type DataTexture, type IUniform } from "three";
 import type { Material, MeshPart, Surface } from "./header";
-import { Drawn, type Studio } from "./drawn";
+import { distanceToBox, Drawn, type Level, type Studio } from "./drawn";
 import { MESH_FLAT, MESH_LOOK, MESH_VERTEX } from "./mesh.glsl";
 import { bytes, floats, signedBytes, words, type Packet } from "./packet";
 import { PER_ROW, paintsTexture, placesTexture } from "./texels";
@@ -82,9 +82,7 @@ export function still(shape: Shape, material: Material, studio: Studio): Drawn {
   const { defines, own } = describe(shape, material, studio);
   const geometry = new BufferGeometry();
   fill(geometry, shape, 1);
-  const made = new Drawn(geometry, SHADERS, defines, own, studio, material.both_sides);
-  made.triangles = shape.index.length / 3;
-  return made;
+  return new Drawn([{ size: 0, geometry, bundle: 1, defines, uniforms: {}, bothSides: material.both_sides }], SHADERS, own, studio);
 }
 
 /** Where copies of a mesh are, and how they are coloured. */
@@ -103,42 +101,29 @@ export const placesOf = (data: Float32Array, paints: Uint8Array | null, tint: bo
   tint,
 });
 
-/** Copies of a mesh; with `order` only those that are listed in it, as many as `setCount` says. */
-export function placed(shape: Shape, material: Material, places: Places, studio: Studio, order?: DataTexture): Drawn & { setCount(count: number): void } {
-  const { defines, own } = describe(shape, material, studio);
-  const corners = shape.position.length / 3;
-  const bundle = Math.max(1, Math.min(Math.floor(BUNDLE_CORNERS / corners), places.count));
-  const geometry = new InstancedBufferGeometry();
-  fill(geometry, shape, bundle);
-  Object.assign(defines, { INSTANCED: 1, BUNDLE: bundle });
-  if (places.paints) defines.INSTANCE_COLORS = 1;
-  if (order) Object.assign(defines, { ORDERED: 1, ORDER_ROW: PER_ROW });
-  const count = { value: places.count };
-  const made = new Drawn(
-    geometry,
-    SHADERS,
-    defines,
-    {
-      ...own,
-      places: { value: places.texture },
-      count,
-      corners: { value: corners },
-      reach: { value: shape.reach },
-      paints: { value: places.paints },
-      tint: { value: places.tint ? 1 : 0 },
-      ...(order ? { order: { value: order } } : {}),
-    },
-    studio,
-    material.both_sides,
-  );
-  const setCount = (n: number): void => {
-    count.value = n;
-    geometry.instanceCount = Math.ceil(n / bundle);
-    made.triangles = (n * shape.index.length) / 3;
-    made.visible = n > 0;
-  };
-  setCount(places.count);
-  return Object.assign(made, { setCount });
+/** Copies of a mesh, and the coarser meshes that serve for it; with `order` only those that are listed in it. */
+export function placed(shapes: { shape: Shape; size: number }[], material: Material, places: Places, studio: Studio, order?: DataTexture): Drawn {
+  const shared: Record<string, number> = { INSTANCED: 1 };
+  if (places.paints) shared.INSTANCE_COLORS = 1;
+  if (order) Object.assign(shared, { ORDERED: 1, ORDER_ROW: PER_ROW });
+  let own: Record<string, IUniform> = {};
+  const levels = shapes.map(({ shape, size }): Level => {
+    const described = describe(shape, material, studio);
+    own = described.own;
+    const corners = shape.position.length / 3;
+    const bundle = Math.max(1, Math.min(Math.floor(BUNDLE_CORNERS / corners), places.count));
+    const geometry = new InstancedBufferGeometry();
+    fill(geometry, shape, bundle);
+    const uniforms = { corners: { value: corners }, reach: { value: shape.reach } };
+    return { size, geometry, bundle, defines: { ...described.defines, ...shared, BUNDLE: bundle }, uniforms, bothSides: material.both_sides };
+  });
+  Object.assign(own, {
+    places: { value: places.texture },
+    paints: { value: places.paints },
+    tint: { value: places.tint ? 1 : 0 },
+    ...(order ? { order: { value: order } } : {}),
+  });
+  return new Drawn(levels, SHADERS, own, studio, places.count, "every");
 }
 
 /** What stands, with its instances where it has any. */
@@ -147,5 +132,13 @@ export function mesh(packet: Packet, part: MeshPart, studio: Studio): Drawn | nu
   if (!shape || !part.material) return null;
   if (!part.instances) return still(shape, part.material, studio);
   const paints = part.instance_colors ? bytes(packet, part.instance_colors) : null;
-  return placed(shape, part.material, placesOf(floats(packet, part.instances), paints, false), studio);
+  const at = floats(packet, part.instances);
+  const shapes = [{ shape, size: 0 }];
+  for (const coarse of part.coarse ?? []) {
+    const shape = shapeOf(packet, coarse);
+    if (shape) shapes.push({ shape, size: coarse.size });
+  }
+  const made = placed(shapes, part.material, placesOf(at, paints, false), studio);
+  made.distance = distanceToBox(at, 10);
+  return made;
 }

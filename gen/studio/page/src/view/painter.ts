@@ -8,8 +8,12 @@ import { Sky } from "./sky";
 
 /** Machines that draw without a graphics card are spared. */
 const SLOW = /swiftshader|llvmpipe|software|basic render/i;
-/** Triangles whose shadows a slow machine draws at once. */
-const SHADE_AT_ONCE = 150_000;
+/** Triangles of a picture while something moves, and of one at rest. */
+const BUDGET = { quick: 4e6, fine: 8e6 };
+const SLOW_BUDGET = { quick: 2e4, fine: 1.2e5 };
+/** Pixels that may be lost where there is time enough, and where there is not. */
+const LOST = 4;
+const MOST_LOST = 200;
 
 /** Draws the scene in its several ways. */
 export class Painter {
@@ -23,11 +27,14 @@ export class Painter {
   private settle: Settle;
   private stands: Stand[] = [];
   private things: Drawn[] = [];
+  /** Pixels that may be lost, for the budget of each mode. */
+  private lost = { quick: LOST, fine: LOST };
   private bounds = new Box3();
   private shadowIsOld = true;
   private spot = new WebGLRenderTarget(1, 1, { generateMipmaps: false });
   private byte = new Uint8Array(4);
   private size = new Vector2();
+  private fence: WebGLSync | null = null;
 
   constructor(canvas: HTMLCanvasElement) {
     const probe = document.createElement("canvas").getContext("webgl2");
@@ -35,7 +42,7 @@ export class Painter {
     const info = probe.getExtension("WEBGL_debug_renderer_info");
     this.slow = SLOW.test(String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER)));
     probe.getExtension("WEBGL_lose_context")?.loseContext();
-    this.renderer = new WebGLRenderer({ canvas, antialias: !this.slow, preserveDrawingBuffer: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: !this.slow, preserveDrawingBuffer: true, powerPreference: "high-performance" });
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false;
     this.renderer.setPixelRatio(this.slow ? 1 : Math.min(2, devicePixelRatio));
@@ -55,15 +62,30 @@ export class Painter {
   /** What is drawn from now on; shadows are those of what stands in `bounds`. */
   setThings(list: (Drawn | Stand)[], bounds: Box3): void {
     this.world.clear();
-    this.world.add(...list);
+    if (list.length) this.world.add(...list);
     this.stands = list.filter((one) => one instanceof Stand);
     this.things = list.flatMap((one) => (one instanceof Stand ? one.drawn() : [one]));
     this.bounds.copy(bounds);
     this.shadowIsOld = true;
   }
 
-  get triangles(): number {
-    return this.things.reduce((sum, one) => sum + one.triangles, 0);
+  /** Makes all as coarse as the mode's budget asks for; where that is not enough, some stand for all. */
+  private plan(camera: PerspectiveCamera, mode: "quick" | "fine"): void {
+    const budget = (this.slow ? SLOW_BUDGET : BUDGET)[mode];
+    const { x, y, z } = camera.position;
+    const pixel = this.pixelOf(camera, this.size.y);
+    const cost = (): number => {
+      const grain = pixel * this.lost[mode];
+      for (const stand of this.stands) stand.sort(camera, grain / LOST);
+      return this.things.reduce((sum, one) => (one.visible ? sum + one.choose(grain * one.distance(x, y, z)) : sum), 0);
+    };
+    let sum = cost();
+    if (sum < budget / 4 && this.lost[mode] > LOST) {
+      this.lost[mode] = LOST;
+      sum = cost();
+    }
+    for (; sum > budget && this.lost[mode] < MOST_LOST; sum = cost()) this.lost[mode] *= 1.6;
+    for (const one of this.things) one.thin(Math.min(1, budget / sum));
   }
 
   /** How many pictures make a settled one. */
@@ -74,15 +96,22 @@ export class Painter {
   /** Draws at once. */
   draw(camera: PerspectiveCamera): void {
     this.settle.count = 0;
-    for (const stand of this.stands) stand.sort(camera, this.pixelOf(camera, this.size.y));
-    if (this.shadowIsOld && (!this.slow || this.triangles < SHADE_AT_ONCE)) this.shade();
+    this.plan(camera, "quick");
+    if (this.shadowIsOld && !this.slow) this.shade();
     this.renderer.setRenderTarget(null);
-    this.look(camera, this.slow ? 1 : 0.4, true);
+    if (this.slow) this.settle.roughly(() => this.look(camera, 0.5, true));
+    else this.look(camera, 0.4, true);
+    this.mark();
   }
 
   /** Makes the picture at rest finer; whether there is more to come. */
   refine(camera: PerspectiveCamera): boolean {
-    if (this.shadowIsOld) this.shade();
+    if (this.settle.count === 0) this.plan(camera, "fine");
+    if (this.shadowIsOld) {
+      this.shade();
+      this.mark();
+      return true;
+    }
     const [x, y] = Settle.shift(this.settle.count);
     const lens = camera.projectionMatrix.elements;
     const [wasX, wasY] = [lens[8]!, lens[9]!];
@@ -92,6 +121,7 @@ export class Painter {
     this.settle.step(() => this.look(camera, 0.2, false));
     lens[8] = wasX;
     lens[9] = wasY;
+    this.mark();
     return this.settle.count < this.enough;
   }
 
@@ -109,7 +139,7 @@ export class Painter {
     this.setEye(camera, this.size.y, thin);
     this.renderer.clear();
     this.renderer.render(this.world, camera);
-    this.renderer.render(this.sky, camera);
+    if (this.things.length) this.renderer.render(this.sky, camera);
     this.renderer.render(this.over, camera);
   }
 
@@ -150,6 +180,7 @@ export class Painter {
   mask(camera: PerspectiveCamera, width: number, height: number): Uint8Array {
     const target = new WebGLRenderTarget(width, height, { generateMipmaps: false });
     for (const stand of this.stands) stand.sort(camera, this.pixelOf(camera, height));
+    for (const one of this.things) one.choose(0), one.thin(1);
     this.flat(false, false);
     for (const one of this.things) one.visible &&= !one.isGround;
     this.shared.mask.value = 1;
@@ -165,6 +196,22 @@ export class Painter {
     this.shared.mask.value = 0;
     this.unflat();
     return pixels;
+  }
+
+  /** Whether the graphics card still draws the last picture: a next one would wait behind it. */
+  get busy(): boolean {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    if (this.fence && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) === gl.SIGNALED) {
+      gl.deleteSync(this.fence);
+      this.fence = null;
+    }
+    return this.fence !== null;
+  }
+  private mark(): void {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    if (this.fence) gl.deleteSync(this.fence);
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
   }
 
   /** Waits until the graphics card has drawn what it was told. */

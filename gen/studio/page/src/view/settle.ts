@@ -1,5 +1,8 @@
-import { AddEquation, BufferAttribute, BufferGeometry, CustomBlending, DepthTexture, GLSL3, HalfFloatType, Mesh, OneFactor, PerspectiveCamera, RawShaderMaterial, Scene, UnsignedIntType, WebGLRenderTarget, type WebGLRenderer } from "three";
+import { AddEquation, BufferAttribute, BufferGeometry, CustomBlending, DepthTexture, GLSL3, HalfFloatType, Mesh, OneFactor, PerspectiveCamera, RawShaderMaterial, Scene, UnsignedIntType, Vector2, WebGLRenderTarget, type WebGLRenderer } from "three";
 import { COLOR } from "./glsl";
+
+/** A small picture has so many times fewer pixels each way. */
+const SMALLER = 2;
 
 const VERTEX = /* glsl */ `
 precision highp float;
@@ -20,10 +23,22 @@ void main() {
 }
 `;
 
-/** When nothing moves the picture is drawn a few times more, each a part of a pixel beside the others, and what is seen
+const ENLARGE = /* glsl */ `
+precision mediump float;
+uniform sampler2D one;
+uniform vec2 whole;
+out vec4 picture;
+void main() { picture = vec4(texture(one, gl_FragCoord.xy / whole).rgb, 1.0); }
+`;
+
+/** Pictures that are shown by way of others: one of fewer pixels, enlarged, for machines that are slow; and, at rest, the
+ *  mean of some. When nothing moves the picture is drawn a few times more, each a part of a pixel beside the others, and what is seen
  *  is their mean: edges, thin branches and the rims of shadows become smooth on any machine. */
 export class Settle {
   private one: WebGLRenderTarget;
+  private small: WebGLRenderTarget;
+  private whole = new Vector2();
+  private enlarge: RawShaderMaterial;
   private sum: WebGLRenderTarget;
   private quad: Mesh<BufferGeometry, RawShaderMaterial>;
   private scene = new Scene();
@@ -36,6 +51,7 @@ export class Settle {
   constructor(private renderer: WebGLRenderer) {
     this.one = new WebGLRenderTarget(1, 1, { generateMipmaps: false });
     this.one.depthTexture = new DepthTexture(1, 1, UnsignedIntType);
+    this.small = new WebGLRenderTarget(1, 1, { generateMipmaps: false });
     this.sum = new WebGLRenderTarget(1, 1, { type: HalfFloatType, depthBuffer: false, generateMipmaps: false });
     const made = (fragmentShader: string, from: WebGLRenderTarget): RawShaderMaterial =>
       new RawShaderMaterial({ vertexShader: VERTEX, fragmentShader, uniforms: { one: { value: from.texture } }, glslVersion: GLSL3, depthTest: false, depthWrite: false });
@@ -44,6 +60,8 @@ export class Settle {
     this.add.blendEquation = AddEquation;
     this.add.blendSrc = this.add.blendDst = OneFactor;
     this.show = made(SHOW, this.sum);
+    this.enlarge = made(ENLARGE, this.small);
+    this.enlarge.uniforms.whole = { value: this.whole };
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
     this.quad = new Mesh(geometry, this.add);
@@ -54,12 +72,21 @@ export class Settle {
   resize(width: number, height: number): void {
     this.one.setSize(width, height);
     this.sum.setSize(width, height);
+    this.small.setSize(Math.ceil(width / SMALLER), Math.ceil(height / SMALLER));
+    this.whole.set(width, height);
     this.count = 0;
   }
 
   /** Where picture `k` lies in a pixel, -0.5..0.5: the R2 sequence (Roberts 2018). */
   static shift(k: number): [number, number] {
     return [((0.5 + 0.7548776662 * k) % 1) - 0.5, ((0.5 + 0.5698402910 * k) % 1) - 0.5];
+  }
+
+  /** Shows what `draw` draws with fewer pixels. */
+  roughly(draw: () => void): void {
+    this.renderer.setRenderTarget(this.small);
+    draw();
+    this.paint(null, this.enlarge);
   }
 
   /** Adds what `draw` draws and shows the mean of all. */
@@ -69,15 +96,20 @@ export class Settle {
     draw();
     renderer.setRenderTarget(this.sum);
     if (this.count === 0) renderer.clear();
-    this.quad.material = this.add;
-    renderer.render(this.scene, this.camera);
-    renderer.setRenderTarget(null);
-    this.quad.material = this.show;
-    renderer.render(this.scene, this.camera);
+    this.paint(this.sum, this.add);
+    this.paint(null, this.show);
     ++this.count;
   }
 
+  private paint(target: WebGLRenderTarget | null, material: RawShaderMaterial): void {
+    this.renderer.setRenderTarget(target);
+    this.quad.material = material;
+    this.renderer.render(this.scene, this.camera);
+  }
+
   dispose(): void {
+    this.small.dispose();
+    this.enlarge.dispose();
     this.one.depthTexture?.dispose();
     this.one.dispose();
     this.sum.dispose();

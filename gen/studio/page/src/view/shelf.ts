@@ -36,9 +36,8 @@ export class Shelf {
 
   /** Each part of an answer, in its order. */
   take(packet: Packet): Kept[] {
-    const all = packet.header.parts.reduce((sum, part) => sum + (part.kind === "tubes" ? (part.segments?.n ?? 0) / 48 : 0), 0);
     const shown = packet.header.parts.map((part) => {
-      const kept = this.kept.get(part.id) ?? this.make(packet, part, all);
+      const kept = this.kept.get(part.id) ?? this.make(packet, part);
       // Those asked for last stand last.
       this.kept.delete(part.id);
       this.kept.set(part.id, kept);
@@ -61,8 +60,8 @@ export class Shelf {
     this.size = 0;
   }
 
-  private make(packet: Packet, part: Part, all: number): Kept {
-    const thing = part.kind === "tubes" ? tubes(packet, part, this.studio, all) : part.kind === "copies" ? new Stand(packet, part, this.studio) : mesh(packet, part, this.studio);
+  private make(packet: Packet, part: Part): Kept {
+    const thing = part.kind === "tubes" ? tubes(packet, part, this.studio) : part.kind === "copies" ? new Stand(packet, part, this.studio) : mesh(packet, part, this.studio);
     const kept = { thing, size: sizeOf(part) };
     this.size += kept.size;
     return kept;

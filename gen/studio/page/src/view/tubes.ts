@@ -1,6 +1,6 @@
 import { BufferAttribute, InstancedBufferGeometry } from "three";
 import type { TubesPart } from "./header";
-import { Drawn, type Studio } from "./drawn";
+import { distanceToBox, Drawn, type Level, type Studio } from "./drawn";
 import { bytes, type Packet } from "./packet";
 import { PER_ROW, segmentsTexture } from "./texels";
 import { TUBES_FLAT, TUBES_LOOK, TUBES_VERTEX } from "./tubes.glsl";
@@ -8,12 +8,6 @@ import { TUBES_FLAT, TUBES_LOOK, TUBES_VERTEX } from "./tubes.glsl";
 const SEGMENT_BYTES = 48;
 /** Tubes in one bundle; bundles are drawn as instances. */
 const BUNDLE = 512;
-
-/** How many corners a ring has where there are so many segments; 2: ribbons that face the eye. */
-function columnsFor(segments: number, slow: boolean): { fine: number; quick: number } {
-  if (slow) return { fine: segments <= 100_000 ? 8 : segments <= 250_000 ? 4 : 2, quick: segments <= 3000 ? 6 : 2 };
-  return { fine: segments <= 100_000 ? 8 : 6, quick: segments <= 60_000 ? 8 : segments <= 200_000 ? 6 : 2 };
-}
 
 const bundles = new Map<number, BufferAttribute>();
 
@@ -35,38 +29,33 @@ function bundle(columns: number): BufferAttribute {
   return made;
 }
 
-function geometryOf(count: number, columns: number): InstancedBufferGeometry {
-  const index = bundle(columns);
+/** Corners of a ring, and how many radii of a branch may be a few pixels where so few serve; two: ribbons that face the
+ *  eye. */
+const RINGS: readonly [columns: number, radii: number][] = [
+  [8, 0],
+  [4, 1.2],
+  [2, 2.5],
+];
+
+function level(columns: number, size: number): Level {
   const geometry = new InstancedBufferGeometry();
-  geometry.setIndex(index);
-  geometry.instanceCount = Math.ceil(count / BUNDLE);
-  if (count < BUNDLE) geometry.setDrawRange(0, (count * index.count) / BUNDLE);
-  return geometry;
+  geometry.setIndex(bundle(columns));
+  const defines = { COLUMNS: columns, BUNDLE, PER_ROW, ...(columns === 2 ? { RIBBON: 1 } : {}) };
+  return { size, geometry, bundle: BUNDLE, defines, uniforms: {}, bothSides: columns === 2 };
 }
 
-function definesOf(columns: number): Record<string, number> {
-  return { COLUMNS: columns, BUNDLE, PER_ROW, ...(columns === 2 ? { RIBBON: 1 } : {}) };
-}
-
-/** The branches of an organism. `all`: segments in the whole picture. */
-export function tubes(packet: Packet, part: TubesPart, studio: Studio, all: number): Drawn | null {
+/** The branches of an organism. */
+export function tubes(packet: Packet, part: TubesPart, studio: Studio): Drawn | null {
   if (!part.segments || part.segments.n < SEGMENT_BYTES) return null;
   const data = bytes(packet, part.segments);
   const count = data.length / SEGMENT_BYTES;
-  const { fine, quick } = columnsFor(all, studio.slow);
-  const made = new Drawn(
-    geometryOf(count, fine),
-    { vertex: TUBES_VERTEX, look: TUBES_LOOK, flat: TUBES_FLAT },
-    definesOf(fine),
-    {
-      segments: { value: segmentsTexture(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)) },
-      count: { value: count },
-      gloss: { value: part.gloss },
-    },
-    studio,
-    fine === 2,
-  );
-  if (quick !== fine) made.quickly(geometryOf(count, quick), definesOf(quick), quick === 2);
-  made.triangles = count * (quick === 2 ? 2 : 2 * quick);
+  const words = new Uint32Array(data.buffer, data.byteOffset, data.length / 4);
+  const numbers = new Float32Array(data.buffer, data.byteOffset, data.length / 4);
+  // The largest come first: the radius of one that is large, but not of the largest.
+  const typical = numbers[12 * Math.floor(count / 20) + 3]!;
+  const own = { segments: { value: segmentsTexture(words) }, gloss: { value: part.gloss } };
+  const levels = RINGS.map(([columns, radii]) => level(columns, radii * typical));
+  const made = new Drawn(levels, { vertex: TUBES_VERTEX, look: TUBES_LOOK, flat: TUBES_FLAT }, own, studio, count, "first");
+  made.distance = distanceToBox(numbers, 12);
   return made;
 }

@@ -1,4 +1,4 @@
-import { Box3, Raycaster, Vector3, type Object3D } from "three";
+import { Box3, Raycaster, Vector2, Vector3, type Object3D } from "three";
 import { pictureAddress } from "../api";
 import { Stand } from "./copies";
 import { Drawn } from "./drawn";
@@ -25,7 +25,6 @@ export interface ViewEvents {
   camera(at: Vec3, to: Vec3): void;
   /** One looks through the preset's camera now, or no more. */
   through?(on: boolean): void;
-  dropped?(file: File): void;
 }
 
 /** What stands for an organism where one clicks: specimens from 1, entries that are sown from here on. */
@@ -49,6 +48,7 @@ export class View implements PointerTarget {
   /** Whether the model was on the screen yet. */
   private seen = false;
   private rest = 0;
+  private held = false;
   private waiting: (() => void)[] = [];
   private stop = new AbortController();
 
@@ -69,7 +69,7 @@ export class View implements PointerTarget {
     this.painter.over.add(this.guides);
     this.eyes = new Eye(this.canvas, this.changed, () => this.throughChanged());
     this.leaves = new LeafPictures(pictureAddress, this.changed);
-    this.shelf = new Shelf({ slow: this.painter.slow, shared: this.painter.shared, leaves: this.leaves });
+    this.shelf = new Shelf({ shared: this.painter.shared, leaves: this.leaves });
     this.pointer = new Pointer(this.canvas, this);
     this.listen();
     this.resize();
@@ -102,7 +102,17 @@ export class View implements PointerTarget {
     return this.shelf.names();
   }
 
+  /** Shows nothing, until there is another model. */
+  clear(): void {
+    this.header = null;
+    this.shown = [];
+    this.seen = false;
+    this.painter.setThings([], new Box3());
+    this.changed();
+  }
+
   select(entry: number | null): void {
+    if (entry === this.selected) return;
     this.selected = entry;
     this.markSelected();
     this.changed();
@@ -122,11 +132,27 @@ export class View implements PointerTarget {
     return { at: this.eyes.at(), to: this.eyes.to() };
   }
 
+  /** The ground at a place in the window; null: none is there. */
+  groundAt(clientX: number, clientY: number): Vec3 | null {
+    const box = this.canvas.getBoundingClientRect();
+    const [x, y] = [(clientX - box.left) / box.width, (clientY - box.top) / box.height];
+    if (x < 0 || x > 1 || y < 0 || y > 1) return null;
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), this.camera);
+    return this.groundUnder(ray, 0)?.toArray() ?? null;
+  }
+
   /** Resolves when the next picture is on the screen. */
   drawn(): Promise<void> {
     const done = new Promise<void>((resolve) => this.waiting.push(resolve));
     this.changed();
     return done;
+  }
+
+  /** Another picture is being asked for: this one need not become finer. */
+  hold(on: boolean): void {
+    this.held = on;
+    if (!on && !this.frame && !this.rest) this.rest = window.setTimeout(this.quiet, QUIET);
   }
 
   /** Resolves when the picture is as fine as it gets. */
@@ -187,6 +213,10 @@ export class View implements PointerTarget {
   };
 
   private draw = (): void => {
+    if (this.painter.busy) {
+      this.frame = requestAnimationFrame(this.draw);
+      return;
+    }
     this.frame = 0;
     const more = this.eyes.step();
     this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
@@ -210,7 +240,11 @@ export class View implements PointerTarget {
   };
 
   private refine = (): void => {
-    this.frame = this.painter.refine(this.camera) ? requestAnimationFrame(this.refine) : 0;
+    if (this.held) {
+      this.frame = 0;
+      return;
+    }
+    this.frame = this.painter.busy || this.painter.refine(this.camera) ? requestAnimationFrame(this.refine) : 0;
   };
 
   private listen(): void {
@@ -220,16 +254,6 @@ export class View implements PointerTarget {
     this.stop.signal.addEventListener("abort", () => watch.disconnect());
     this.canvas.addEventListener("keydown", (event) => this.eyes.key(event) && event.preventDefault(), options);
     this.canvas.addEventListener("webglcontextrestored", () => this.changed(), options);
-    if (!this.events.dropped) return;
-    this.host.addEventListener("dragover", (event) => event.preventDefault(), options);
-    this.host.addEventListener(
-      "drop",
-      (event) => {
-        event.preventDefault();
-        for (const file of event.dataTransfer?.files ?? []) this.events.dropped?.(file);
-      },
-      options,
-    );
   }
 
   private throughChanged(): void {
@@ -266,8 +290,8 @@ export class View implements PointerTarget {
       one.identify(number, part.entry >= 0);
       if (part.kind !== "ground") continue;
       one.isGround = true;
-      if (!part.instances && !one.defines.INSTANCED) one.uniforms.rough!.value = 0.6;
-      one.casts = Boolean(one.defines.INSTANCED) && one.triangles < 400_000;
+      if (!one.instanced) one.uniforms.rough!.value = 0.6;
+      one.casts = one.instanced;
     }
   }
 
@@ -309,7 +333,7 @@ export class View implements PointerTarget {
     return specimen && specimen.placed !== null ? { entry: specimen.entry, place: specimen.placed, foot: specimen.foot } : null;
   }
   groundUnder(ray: Raycaster, height: number): Vector3 | null {
-    const ground = this.shown.filter(({ part, thing }) => part.kind === "ground" && thing instanceof Drawn && !thing.defines.INSTANCED);
+    const ground = this.shown.filter(({ part, thing }) => part.kind === "ground" && thing instanceof Drawn && !thing.instanced);
     const hit = ray.intersectObjects(ground.map(({ thing }) => thing as Object3D), false)[0];
     if (hit) return hit.point;
     const { origin, direction } = ray.ray;

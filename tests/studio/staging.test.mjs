@@ -1,0 +1,113 @@
+// What a person drags in the view: plantings, keys of paths, the camera, and files from outside.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import {after, before, test} from 'node:test';
+import {browse, changed, parts, preset, scratch, shown, start, visit} from './studio.mjs';
+
+const TEXT = `{
+  "film": {"frames": 48, "fps": 24, "size": [320, 240]},
+  "scene": {"setting": "studio", "camera": {
+    "location": [[0, [0, 1.2, 3]], [2, [1, 1.2, 3]]], "look_at": [0, 0.3, 0], "angle": 50}},
+  "organisms": [
+    {"kind": "coral", "name": "coral", "height": 0.5, "place": {"at": [[-0.5, 0.2], [0.5, 0]]},
+      "food": {"strength": 20, "position": [[0, [-0.4, 0.8, 0.5]], [2, [0.9, 0.9, 0.2]]]}}
+  ]
+}`;
+
+let page, studio;
+before(async () => {
+  studio = await start(preset('staging.json', TEXT), '--assets', scratch);
+  page = await visit(await browse(), studio.address);
+  await shown(page);
+});
+after(() => studio.stop());
+
+const text = () => page.evaluate(() => document.querySelector('[data-testid="text"]').value);
+const now = async () => JSON.parse(await text());
+
+/** Where a point is in the window. */
+const pixel = at =>
+  page.evaluate(([x, y, z]) => {
+    const {view} = window.frond;
+    const {x: left, y: top} = view.toPixel(view.filmEye.set(x, y, z));
+    const box = view.canvas.getBoundingClientRect();
+    return [box.left + left, box.top + top];
+  }, at);
+
+async function drag(from, to) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  for (const share of [0.3, 0.7, 1]) await page.mouse.move(...from.map((x, i) => x + share * (to[i] - x)), {steps: 2});
+  await page.mouse.up();
+}
+
+const near = (is, should, within) =>
+  is.forEach((x, i) => assert.ok(Math.abs(x - should[i]) < within, `${JSON.stringify(is)} lies not near ${JSON.stringify(should)}`));
+
+test('a planting is dragged over the ground', async () => {
+  await page.getByTestId('tab:text').click();
+  await page.getByTestId('organism:0').click();
+  const was = await parts(page);
+  // Where it is seen, just above its foot.
+  const grip = await pixel([0.5, 0.05, 0]);
+  const foot = await pixel([0.5, 0, 0]), goal = await pixel([0.2, 0, 0.6]);
+  await drag(grip, grip.map((x, i) => x + goal[i] - foot[i]));
+  await changed(page, was);
+  const {place} = (await now()).organisms[0];
+  assert.deepEqual(place.at[0], [-0.5, 0.2]);
+  near(place.at[1], [0.2, 0.6], 0.08);
+  await page.getByTestId('undo').click();
+  assert.equal(await text(), TEXT);
+  await shown(page);
+});
+
+test('a key of the food is dragged, the others stay', async () => {
+  const key = [0.9, 0.9, 0.2], from = await pixel(key);
+  await drag(from, [from[0] - 40, from[1] + 30]);
+  const {position} = (await now()).organisms[0].food;
+  assert.deepEqual(position[0], [0, [-0.4, 0.8, 0.5]]);
+  assert.ok(Math.hypot(...position[1][1].map((x, i) => x - key[i])) > 0.05);
+  near(await pixel(position[1][1]), [from[0] - 40, from[1] + 30], 2);
+  await page.getByTestId('undo').click();
+  assert.equal(await text(), TEXT);
+  await shown(page);
+});
+
+test("the camera's way has keys once the scene is chosen", async () => {
+  await page.getByTestId('part:scene').click();
+  await page.evaluate(() => {
+    // From aside, as the preset's camera stands in the eye.
+    const {view} = window.frond;
+    view.camera.position.set(4, 3, 6);
+    return view.drawn();
+  });
+  const from = await pixel([1, 1.2, 3]);
+  await drag(from, [from[0] + 25, from[1] - 20]);
+  const {location} = (await now()).scene.camera;
+  assert.deepEqual(location[0], [0, [0, 1.2, 3]]);
+  near(await pixel(location[1][1]), [from[0] + 25, from[1] - 20], 2);
+  await page.getByTestId('undo').click();
+  assert.equal(await text(), TEXT);
+  await shown(page);
+});
+
+test('an OBJ file that is dropped stands where it fell', async () => {
+  const was = await parts(page);
+  const [x, y] = await pixel([0.4, 0, 0.8]);
+  const data = await page.evaluateHandle(() => {
+    const data = new DataTransfer();
+    const side = (a, b, c) => `f ${a} ${b} ${c}`;
+    const corners = ['v 0 0 0', 'v 0.4 0 0', 'v 0 0 0.4', 'v 0.1 0.5 0.1'];
+    const faces = [side(1, 2, 3), side(1, 4, 2), side(2, 4, 3), side(3, 4, 1)];
+    data.items.add(new File([[...corners, ...faces].join('\n')], 'stone.obj'));
+    return data;
+  });
+  await page.dispatchEvent('[data-testid="view"]', 'drop', {dataTransfer: data, clientX: x, clientY: y});
+  await changed(page, was);
+  const made = (await now()).organisms.at(-1);
+  assert.equal(made.kind, 'mesh');
+  near(made.place.at[0], [0.4, 0.8], 0.05);
+  assert.ok(fs.existsSync(path.resolve(scratch, made.file)), made.file);
+  assert.deepEqual(page.faults, []);
+});
