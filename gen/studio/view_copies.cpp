@@ -8,7 +8,7 @@ namespace {
 
 /// How finely copies are drawn; coarser than for a picture, as there may be ten thousand before a slow
 /// display.
-constexpr CopyDetail kLevels[] = {{0.012, 2.5e4}, {0.08, 5e3}, {0.4, 800}};
+constexpr CopyDetail kLevels[] = {{0.012, 2.5e4}, {0.08, 5e3}, {0.4, 800}, {1.6, 120}};
 
 /// What leaves are coloured by: the whole part of each corner's u.
 std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<Color>& colors) {

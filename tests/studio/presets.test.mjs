@@ -39,11 +39,14 @@ test('every shipped preset opens and draws', async t => {
   for (const name of names)
     await t.test(name, async () => {
       await page.getByTestId(`card:${name}`).click();
-      await shown(page);
-      const {nodes, parts, white, colors} = await seen();
-      console.log(`${name}: ${nodes} nodes, ${parts} parts, ${white} pixels of the mask, ${colors} colours`);
-      assert.ok(parts > 0 && white > 0 && colors > 100);
-      await page.getByTestId('to-gallery').click();
+      try {
+        await shown(page);
+        const {nodes, parts, white, colors} = await seen();
+        console.log(`${name}: ${nodes} nodes, ${parts} parts, ${white} pixels of the mask, ${colors} colours`);
+        assert.ok(parts > 0 && white > 0 && colors > 100);
+      } finally {
+        await page.getByTestId('to-gallery').click();
+      }
     });
   assert.deepEqual(page.faults, []);
 });

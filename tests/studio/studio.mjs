@@ -13,7 +13,7 @@ export const frond = path.resolve(program);
 export const load = createRequire(path.join(path.resolve(packages), 'node_modules/'));
 
 /** Longest that anything may take on a slow machine, in ms. */
-export const PATIENCE = 300_000;
+export const PATIENCE = +(process.env.FROND_PATIENCE ?? 300_000);
 
 /** A folder that goes when the tests are over. */
 export const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'frond_studio_'));

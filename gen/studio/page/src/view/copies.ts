@@ -7,6 +7,8 @@ import { orderTexture } from "./texels";
 
 /** Copies in one block, which is looked at as one. */
 const BLOCK = 64;
+/** Those of so few pixels, from foot to farthest tip, are left out. */
+const SMALLEST = 1.5;
 /** They are sorted anew when the eye has gone this share of the way to what it looks at, or has turned so far. */
 const MOVED = 0.04;
 const TURNED = 0.06;
@@ -38,6 +40,7 @@ export class Stand extends Group {
   private sortedWay = new Vector3();
   private sortedPixel = 0;
   private toSun = false;
+  private reach = 0;
 
   constructor(packet: Packet, part: CopiesPart, studio: Studio) {
     super();
@@ -59,6 +62,7 @@ export class Stand extends Group {
     this.shadow = make(part.levels.at(-1)!);
     for (const level of this.levels) for (const d of level.drawn) d.casts = false;
     for (const level of [...this.levels, this.shadow]) this.add(...level.drawn);
+    this.reach = reach;
     this.lay(data, reach);
     this.listForSun();
     this.forSun(false);
@@ -66,6 +70,10 @@ export class Stand extends Group {
 
   drawn(): Drawn[] {
     return this.children as Drawn[];
+  }
+
+  get triangles(): number {
+    return this.drawn().reduce((sum, one) => (one.visible ? sum + one.triangles : sum), 0);
   }
 
   /** Puts neighbours together: copies in the order of a grid of cells, then cut into blocks. */
@@ -147,6 +155,7 @@ export class Stand extends Group {
     for (let at = block.from; at < block.to; ++at) {
       const i = this.sequence[at]!;
       const covered = pixel * Math.hypot(this.feet[3 * i]! - eye.x, this.feet[3 * i + 1]! - eye.y, this.feet[3 * i + 2]! - eye.z);
+      if (this.reach < SMALLEST * covered) continue;
       let k = 0;
       while (k + 1 < this.levels.length && this.levels[k + 1]!.grain <= covered) ++k;
       const level = this.levels[k]!;

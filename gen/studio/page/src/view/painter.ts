@@ -9,11 +9,12 @@ import { Sky } from "./sky";
 /** Machines that draw without a graphics card are spared. */
 const SLOW = /swiftshader|llvmpipe|software|basic render/i;
 /** Triangles of a picture while something moves, and of one at rest. */
-const BUDGET = { quick: 4e6, fine: 8e6 };
-const SLOW_BUDGET = { quick: 2e4, fine: 1.2e5 };
-/** Pixels that may be lost where there is time enough, and where there is not. */
+const BUDGET = { quick: 8e6, fine: 16e6 };
+const SLOW_BUDGET = { quick: 6e4, fine: 1.5e6 };
+/** Pixels that may be lost where there is time enough, and where there is not; and what share is drawn at least. */
 const LOST = 4;
 const MOST_LOST = 200;
+const LEAST_SHARE = 0.02;
 
 /** Draws the scene in its several ways. */
 export class Painter {
@@ -69,7 +70,8 @@ export class Painter {
     this.shadowIsOld = true;
   }
 
-  /** Makes all as coarse as the mode's budget asks for; where that is not enough, some stand for all. */
+  /** Makes all as coarse as the mode's budget asks for; where that is not enough, some stand for all, if they are parts of
+   *  an organism. */
   private plan(camera: PerspectiveCamera, mode: "quick" | "fine"): void {
     const budget = (this.slow ? SLOW_BUDGET : BUDGET)[mode];
     const { x, y, z } = camera.position;
@@ -85,7 +87,9 @@ export class Painter {
       sum = cost();
     }
     for (; sum > budget && this.lost[mode] < MOST_LOST; sum = cost()) this.lost[mode] *= 1.6;
-    for (const one of this.things) one.thin(Math.min(1, budget / sum));
+    const whole = this.stands.reduce((sum, stand) => sum + stand.triangles, 0);
+    const share = Math.min(1, Math.max(LEAST_SHARE, (budget - whole) / Math.max(1, sum - whole)));
+    for (const one of this.things) one.thin(one.parent === this.world ? share : 1);
   }
 
   /** How many pictures make a settled one. */

@@ -171,7 +171,9 @@ export class View implements PointerTarget {
     this.painter.resize(width, height);
     this.eyes.resize(width, height);
     this.placeFrame();
-    this.changed();
+    // At once: another size is a blank sheet.
+    cancelAnimationFrame(this.frame);
+    this.paint();
   }
 
   dispose(): void {
@@ -213,10 +215,11 @@ export class View implements PointerTarget {
   };
 
   private draw = (): void => {
-    if (this.painter.busy) {
-      this.frame = requestAnimationFrame(this.draw);
-      return;
-    }
+    if (this.painter.busy) this.frame = requestAnimationFrame(this.draw);
+    else this.paint();
+  };
+
+  private paint(): void {
     this.frame = 0;
     const more = this.eyes.step();
     this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
@@ -232,7 +235,7 @@ export class View implements PointerTarget {
       return;
     }
     this.rest = window.setTimeout(this.quiet, QUIET);
-  };
+  }
 
   private quiet = (): void => {
     this.rest = 0;
