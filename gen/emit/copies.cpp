@@ -153,6 +153,17 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model) 
   return {};
 }
 
+/// No more of a part's mesh than shows at a level: a fortieth of a pixel, of far leaves facets and places to a
+/// hundredth. Wood without pictures needs no places.
+MeshText mesh_text(const CopyPart& part, const Look& look, int level) {
+  double finest = kLevels[level].grain / 40 * kModelUnit;
+  MeshText how;
+  how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
+  how.flat = level >= 2 ? 0.7f : 0.9999f;
+  how.uv_decimals = part.kind == CopyPart::Kind::wood && !look.coat ? -1 : level >= 2 ? 2 : 3;
+  return how;
+}
+
 /// The tints of a stand, spread evenly over their range so that all of it occurs.
 std::string tints_text(std::size_t stand, const Organism& organism) {
   const CopyTint& tint = organism.sown->tint;
@@ -288,7 +299,7 @@ std::string model_text(const ModelFile& file, const SownStand& stand, const Mode
     text += "#declare ";
     append_part_name(text, name, i);
     text += " = ";
-    append_mesh(text, PovSpace{kModelUnit}, parts[i].surface);
+    append_mesh(text, PovSpace{kModelUnit}, parts[i].surface, mesh_text(parts[i], look, file.level));
     text += "\n#macro ";
     append_part_name(text, name, i);
     text += "_Look(T) " + look_of(parts[i], look, model) + " #end\n";

@@ -28,6 +28,18 @@ class CountedList {
   std::size_t place_;
 };
 
+/// Whether the normals are those of the triangles, or nearly.
+bool is_flat(const Surface& s, float cosine) {
+  if (cosine > 1) return false;
+  return std::ranges::all_of(s.triangle, [&](const auto& t) {
+    Vec3 across = glm::cross(s.position[t[1]] - s.position[t[0]], s.position[t[2]] - s.position[t[0]]);
+    float area = glm::length(across);
+    return std::ranges::all_of(t, [&](std::uint32_t v) {
+      return std::abs(glm::dot(across, s.normal[v])) >= cosine * area * glm::length(s.normal[v]);
+    });
+  });
+}
+
 }  // namespace
 
 PovSpace space_for(double thinnest_radius) {
@@ -36,9 +48,9 @@ PovSpace space_for(double thinnest_radius) {
   return space;
 }
 
-void append_point(std::string& text, const PovSpace& space, Vec3 at) {
+void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals) {
   text += '<';
-  append_list(text, kDecimals, at.x * space.unit, at.y * space.unit, -at.z * space.unit);
+  append_list(text, decimals, at.x * space.unit, at.y * space.unit, -at.z * space.unit);
   text += '>';
 }
 
@@ -76,7 +88,7 @@ std::string_view group_opening(std::string_view lines) {
   return std::count(lines.begin(), lines.end(), '\n') > 1 ? "union{\n" : "object{\n";
 }
 
-void append_mesh(std::string& text, const PovSpace& space, const Surface& surface) {
+void append_mesh(std::string& text, const PovSpace& space, const Surface& surface, const MeshText& how) {
   auto list = [&](std::string_view name, std::size_t count) {
     text += name;
     text += '{';
@@ -84,20 +96,22 @@ void append_mesh(std::string& text, const PovSpace& space, const Surface& surfac
   };
   text += "mesh2{\n";
   list("vertex_vectors", surface.position.size());
-  for (const Vec3& p : surface.position) text += ",", append_point(text, space, p);
-  text += "}\n";
-  list("normal_vectors", surface.normal.size());
-  for (const Vec3& n : surface.normal) {
-    text += ",<";
-    append_list(text, 3, n.x, n.y, -n.z);
-    text += '>';
+  for (const Vec3& p : surface.position) text += ",", append_point(text, space, p, how.decimals);
+  if (!is_flat(surface, how.flat)) {
+    text += "}\n";
+    list("normal_vectors", surface.normal.size());
+    for (const Vec3& n : surface.normal) {
+      text += ",<";
+      append_list(text, 3, n.x, n.y, -n.z);
+      text += '>';
+    }
   }
-  if (!surface.uv.empty()) {
+  if (!surface.uv.empty() && how.uv_decimals >= 0) {
     text += "}\n";
     list("uv_vectors", surface.uv.size());
     for (const Vec2& at : surface.uv) {
       text += ",<";
-      append_list(text, 3, at.x, at.y);
+      append_list(text, how.uv_decimals, at.x, at.y);
       text += '>';
     }
   }

@@ -22,7 +22,7 @@ inline constexpr double kThinnest = 0.002;  ///< POV-Ray units; sphere_sweeps br
 PovSpace space_for(double thinnest_radius);
 
 /// Appends `<x,y,z>` of a place in the world.
-void append_point(std::string& text, const PovSpace& space, Vec3 at);
+void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals = 4);
 
 /// Appends `<x,y,z>` of a direction in the world.
 void append_direction(std::string& text, Vec3 direction);
@@ -40,9 +40,17 @@ void append_comment(std::string& text, std::string_view words);
 /// warns.
 std::string_view group_opening(std::string_view lines);
 
+/// How much of a surface is written: POV-Ray reads some 20 MB a second.
+struct MeshText {
+  int decimals = 4;     ///< of places, in POV units
+  int uv_decimals = 3;  ///< -1: no `uv`
+  /// Normals are left out where they turn from their triangles by angles of no smaller cosine.
+  float flat = 2;
+};
+
 /// Appends `mesh2 { ... }` without a texture, with the surface's `uv` where it has them. Triangles that are
-/// points after rounding are left out.
-void append_mesh(std::string& text, const PovSpace& space, const Surface& surface);
+/// points are left out.
+void append_mesh(std::string& text, const PovSpace& space, const Surface& surface, const MeshText& how = {});
 
 /// Appends the sphere_sweep of one chunk up to its texture, `sphere_sweep{linear_spline,n,<x,y,z>,r,...`, and
 /// returns true; appends nothing and returns false where fewer than two different points are left of it.
