@@ -153,8 +153,8 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model) 
   return {};
 }
 
-/// No more of a part's mesh than shows at a level: a fortieth of a pixel, of far leaves facets and places to a
-/// hundredth. Wood without pictures needs no places.
+/// No more of a part's mesh than shows at a level: a fortieth of a pixel, of far leaves facets and places to
+/// a hundredth. Wood without pictures needs no places.
 MeshText mesh_text(const CopyPart& part, const Look& look, int level) {
   double finest = kLevels[level].grain / 40 * kModelUnit;
   MeshText how;
