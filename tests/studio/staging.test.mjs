@@ -111,3 +111,18 @@ test('an OBJ file that is dropped stands where it fell', async () => {
   assert.ok(fs.existsSync(path.resolve(scratch, made.file)), made.file);
   assert.deepEqual(page.faults, []);
 });
+
+test('what the graphics card forgets is shown anew', async () => {
+  const was = await parts(page);
+  await page.evaluate(() => {
+    const card = window.frond.view.painter.renderer.getContext().getExtension('WEBGL_lose_context');
+    card.loseContext();
+    return new Promise(done => {
+      window.frond.view.canvas.addEventListener('webglcontextrestored', done);
+      setTimeout(() => card.restoreContext(), 0);
+    });
+  });
+  await shown(page);
+  assert.equal(await parts(page), was);
+  assert.ok((await page.evaluate(() => window.frond.mask(32, 24))).length > 200);
+});

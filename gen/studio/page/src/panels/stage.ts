@@ -44,6 +44,7 @@ export function stage(store: Store): Stage {
       if (done) store.endGesture();
     },
     camera: (at, to) => setCamera(store, at, to),
+    forgotten: () => loop.want(),
     through: (on) => showThrough(on),
   });
   const loop = new SceneLoop(store, view);

@@ -202,6 +202,12 @@ export class Painter {
     return pixels;
   }
 
+  /** The graphics card has lost what it held. */
+  forget(): void {
+    this.setThings([], new Box3());
+    this.fence = null;
+  }
+
   /** Whether the graphics card still draws the last picture: a next one would wait behind it. */
   get busy(): boolean {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;

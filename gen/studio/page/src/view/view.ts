@@ -23,6 +23,8 @@ export interface ViewEvents {
   key(what: "food" | "camera", pointer: string, at: Vec3, done: boolean): void;
   /** The preset's camera was dragged. */
   camera(at: Vec3, to: Vec3): void;
+  /** Everything has to be shown anew. */
+  forgotten?(): void;
   /** One looks through the preset's camera now, or no more. */
   through?(on: boolean): void;
 }
@@ -256,7 +258,17 @@ export class View implements PointerTarget {
     watch.observe(this.host);
     this.stop.signal.addEventListener("abort", () => watch.disconnect());
     this.canvas.addEventListener("keydown", (event) => this.eyes.key(event) && event.preventDefault(), options);
-    this.canvas.addEventListener("webglcontextrestored", () => this.changed(), options);
+    // What the graphics card has forgotten is here no more: it is asked for anew.
+    this.canvas.addEventListener(
+      "webglcontextrestored",
+      () => {
+        this.shown = [];
+        this.painter.forget();
+        this.shelf.clear();
+        this.events.forgotten?.();
+      },
+      options,
+    );
   }
 
   private throughChanged(): void {
