@@ -5,7 +5,7 @@
 namespace frond {
 namespace {
 
-bool contains(const std::string& text, std::string_view part) { return text.find(part) != text.npos; }
+bool holds(const std::string& text, std::string_view part) { return text.find(part) != text.npos; }
 
 FarmJob odd_job() {
   return {.folder = "/a'b \"{{c}}\"<d>", .name = "my film {{x}}", .work = {"frames", "1"}};
@@ -26,7 +26,11 @@ TEST(TaskList, AscendsFromOneOn) {
 }
 
 TEST(SbatchWords, AreEachEndedByAZeroByte) {
-  FarmSite site{.partition = "a b", .cpus = 4, .minutes = 90, .options = {"--exclusive"}};
+  FarmSite site;
+  site.partition = "a b";
+  site.cpus = 4;
+  site.minutes = 90;
+  site.options = {"--exclusive"};
   std::string expected = "--job-name=my-film---x--|--partition=a b|--cpus-per-task=4|--time=90|--exclusive|";
   for (char& c : expected)
     if (c == '|') c = '\0';
@@ -35,16 +39,18 @@ TEST(SbatchWords, AreEachEndedByAZeroByte) {
 
 TEST(OpenJd, TakesTheFolderAsAValue) {
   std::string text = openjd_text(odd_job(), {});
-  EXPECT_TRUE(contains(text, R"("default": "/a'b \"{{c}}\"<d>")"));
-  EXPECT_TRUE(contains(text, R"("args": ["{{Param.Folder}}", "1", "frames", "1", "{{Task.Param.Task}}"])"));
-  EXPECT_FALSE(contains(text, "timeout"));
+  EXPECT_TRUE(holds(text, R"("default": "/a'b \"{{c}}\"<d>")"));
+  EXPECT_TRUE(holds(text, R"("args": ["{{Param.Folder}}", "1", "frames", "1", "{{Task.Param.Task}}"])"));
+  EXPECT_FALSE(holds(text, "timeout"));
 }
 
 TEST(OpenCue, QuotesForTheShellAndForXml) {
-  std::string text = opencue_text(odd_job(), {.memory = 500});
-  EXPECT_TRUE(contains(text, "<cmd>'/a'\\''b &quot;{{c}}&quot;&lt;d&gt;/tool/scripts/farm_task.sh' "));
-  EXPECT_TRUE(contains(text, "'frames' '1' #IFRAME#</cmd>"));
-  EXPECT_TRUE(contains(text, "<cores>1</cores><memory>500m</memory>"));
+  FarmSite site;
+  site.memory = 500;
+  std::string text = opencue_text(odd_job(), site);
+  EXPECT_TRUE(holds(text, "<cmd>'/a'\\''b &quot;{{c}}&quot;&lt;d&gt;/tool/scripts/farm_task.sh' "));
+  EXPECT_TRUE(holds(text, "'frames' '1' #IFRAME#</cmd>"));
+  EXPECT_TRUE(holds(text, "<cores>1</cores><memory>500m</memory>"));
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ start_sshd() {
     PATH=$PATH:/usr/sbin command -v "$program" >/dev/null || skip "$program is not installed: scripts/setup.sh --all"
   done
   start_sshd
-  run "$FARM" film.json --hosts anna,gone,berta --chunk 1
+  run "$FARM" film.json --hosts anna,gone,berta --chunk 2
   kill "$(cat sshd.pid)"
   echo "$output"
   [ "$status" -eq 0 ]
