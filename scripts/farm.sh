@@ -101,11 +101,16 @@ jobs_of() {
 }
 
 show_status() {
-  local all rendered failed
-  all=$(grep -c '"number"' -- "$farm/latest/manifest.json")
-  if [[ -f $farm/latest/bands ]]; then all=$(<"$farm/latest/bands"); fi
-  rendered=$(find "$farm/latest/frames" -name '[!.]*.png' | wc -l)
-  printf '%s of %s pictures are rendered\n' "$((rendered < all ? rendered : all))" "$all"
+  local all=0 rendered=0 name failed
+  while IFS= read -r name; do
+    all=$((all + 1))
+    if [[ -e $farm/latest/$name.png ]]; then rendered=$((rendered + 1)); fi
+  done < <(sed -n 's/.*"file": "\(.*\)\.pov".*/\1/p' "$farm/latest/manifest.json")
+  if [[ -f $farm/latest/bands && $rendered == 0 ]]; then
+    all=$(<"$farm/latest/bands")
+    rendered=$(find "$farm/latest/frames" -name "band_*_of_$all.png" | wc -l)
+  fi
+  printf '%s of %s pictures are rendered\n' "$rendered" "$all"
   if command -v squeue >/dev/null; then
     jobs_of all | awk '$2 ~ /RUNNING|PENDING|COMPLETING/ { print $1 " tasks are " tolower($2) }'
   fi
@@ -154,7 +159,8 @@ fi
 
 # All that pictures depend on, in a folder that is named by it.
 mkdir -p -- "$farm" 2>/dev/null || fail 1 "$farm: the folder cannot be made"
-new=$(mktemp -d -- "$farm/.new.XXXXXX" 2>/dev/null) || fail 1 "$farm: cannot be written to"
+new=$farm/.new.$HOSTNAME.$$
+mkdir -- "$new" 2>/dev/null || fail 1 "$farm: cannot be written to"
 trap 'rm -rf -- "$new"' EXIT
 here=$(realpath -s -- .)
 preset=$(realpath -s -- "$preset")
@@ -171,7 +177,7 @@ key=$(cd -- "$new" && find tool files call -type f -print0 | LC_ALL=C sort -z | 
 folder=$farm/$key
 if [[ ! -d $folder ]]; then mv -T -- "$new" "$folder"; fi
 ln -sfnT -- "$key" "$farm/latest"
-rm -f -- "$folder"/failed/* "$folder"/{bands,jobs}
+rm -f -- "$folder"/failed/* "$folder/bands"
 "$frond" farm modules "$folder" "${options[@]}" >"$folder/modules"
 for name in FROND_POVRAY FROND_FFMPEG FROND_UNCONFINED; do
   if [[ -n ${!name:-} ]]; then printf '%s=%s\n' "$name" "${!name}"; fi
@@ -183,19 +189,20 @@ task=$folder/tool/scripts/farm_task.sh
 read -r first last <<<"$(sed -n 's/.*"number": \([0-9]*\),.*/\1/p' "$folder/manifest.json" | sed -n '1p;$p' | paste -sd ' ')"
 last=${last:-$first}
 height=$(sed -n 's/^size = .*x//p' "$folder/build.ninja")
+most=100000
+if [[ -z $hosts$openjd$opencue ]]; then
+  largest=$(scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p')
+  most=$((${largest:-1001} - 1))
+fi
 if grep -q '^rule still$' "$folder/build.ninja"; then
-  most=$(((height + 31) / 32))  # bands are of whole blocks of POV-Ray
-  bands=$((bands < most ? bands : most))
+  blocks=$(((height + 31) / 32))  # bands are of whole blocks of POV-Ray
+  most=$((most < blocks ? most : blocks)) bands=$((bands < most ? bands : most))
   printf '%s\n' "$bands" >"$folder/bands"
   count=$bands chunk=1 work=(bands "$bands")
 else
-  if [[ -z $hosts$openjd$opencue ]]; then
-    largest=$(scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p')
-    most=$((${largest:-1001} - 1))
-    if (((last - first) / chunk >= most)); then
-      chunk=$(((last - first) / most + 1))
-      say "This cluster takes $most tasks at most: each renders $chunk frames"
-    fi
+  if (((last - first) / chunk >= most)); then
+    chunk=$(((last - first) / most + 1))
+    say "This cluster takes $most tasks at most: each renders $chunk frames"
   fi
   count=$(((last - first) / chunk + 1)) work=(frames "$first" "$last" "$chunk")
 fi
@@ -259,4 +266,5 @@ if [[ -n $tasks ]]; then
 fi
 film=$(submit "${after[@]}" --output=log/film_%j.log "$task" "$folder" "$cpus" film)
 printf '%s\n' "${array:+$array,}$film" >"$folder/jobs"
-say "Submitted $what as job ${array:-none}, and the film as job $film; see --status"
+if [[ -n $array ]]; then say "Submitted $what as job $array"; else say "Nothing to render: all frames are there"; fi
+say "Submitted the film as job $film; see --status"

@@ -65,15 +65,23 @@ generate() {
       "${call[@]:3}" "--out=$out" -q "$@")
 }
 
-# prepare OPTION...: generates in the task's own folder. Files beside frames bear the name of what is in them: what one
-# task has grown serves all.
+# prepare NAME OPTION...: generates in the task's own folder. Files beside frames bear the name of what is in them: what
+# one task has grown serves all, and only one brings it.
 prepare() {
-  local file
+  local file said=$local/said name=$1 status=0
+  shift
   mkdir -p -- "$local/frames"
   find "$folder/models" -type f ! -name '.*' -exec cp -t "$local/frames" -- {} +
-  generate "$local" "--threads=$cpus" "$@"
+  generate "$local" "--threads=$cpus" "$@" 2>"$said" || status=$?
+  cat -- "$said" >&2
+  if ((status != 0)); then
+    cp -T -- "$said" "$folder/failed/$name" || true
+    exit "$status"
+  fi
+  rm -f -- "$folder/failed/$name"
   for file in "$local"/frames/*; do
     if [[ $file == */frame_* || -e $folder/models/${file##*/} ]]; then continue; fi
+    (set -o noclobber && : >"$folder/models/.${file##*/}.claim") 2>/dev/null || continue
     deliver "$file" "$folder/models/${file##*/}"
   done
   cd -- "$local"
@@ -121,7 +129,7 @@ render_frames() {
     say "Frames $from to $to are done already"
     return
   fi
-  prepare "--frames=${missing[0]}-${missing[-1]}"
+  prepare "frames_$from-$to" "--frames=${missing[0]}-${missing[-1]}"
   export FROND_THREADS=$((cpus > ${#missing[@]} ? cpus / ${#missing[@]} : 1))
   for number in "${missing[@]}"; do
     if ((running == cpus)); then
@@ -151,7 +159,7 @@ render_band() {
     say "Band $2 is done already"
     return
   fi
-  prepare
+  prepare "$name"
   size=$(sed -n 's/^size = //p' build.ninja)
   rows "$1" "$2" "${size#*x}"
   export FROND_THREADS=$cpus
@@ -199,7 +207,7 @@ make_film() {
   if [[ -n $lost ]]; then fail 1 "frames$lost are missing; the same call of farm.sh renders them"; fi
   NINJA_STATUS='' ninja >&2 || fail 1 "$folder: the film could not be made; its frames are kept"
   for result in "${results[@]}"; do deliver "$result" "../../$result"; done
-  rm -f -- frames/.*.part models/.*.part
+  rm -f -- frames/.*.part models/.*.{part,claim}
   say "${results[*]}: done, on $HOSTNAME"
 }
 

@@ -34,6 +34,7 @@ SchedulerParameters=batch_sched_delay=0,sched_min_interval=0,bf_interval=1
 SlurmdParameters=config_overrides
 ReturnToService=2
 KillWait=2
+MaxArraySize=5
 NodeName=n[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=$((port + 1))-$((port + 2)) CPUs=1 RealMemory=2000
 PartitionName=render Nodes=n[1-2] Default=YES MaxTime=60 State=UP
 CONF

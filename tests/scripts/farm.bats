@@ -23,6 +23,8 @@ setup() {
   make_preset film.json 6
 }
 
+teardown() { if [ -s sshd.pid ]; then kill "$(cat sshd.pid)"; fi; }
+
 need_slurm() { [ -n "${cluster:-}" ] || skip "Slurm is not installed: scripts/setup.sh --all"; }
 
 # A povray that waits for the file `go` before each picture, and says in `waits` that it does.
@@ -122,7 +124,8 @@ a_task_waits() { [ -s waits ]; }
 @test "a farm is ended by --cancel" {
   need_slurm
   make_gate
-  "$FARM" film.json
+  run "$FARM" film.json --chunk 1
+  [[ $output == *"takes 4 tasks at most: each renders 2 frames"*"Submitted 3 of 3 chunks of 2 frames"* ]]
   until_true 60 a_task_waits
   "$FARM" film.json --cancel
   until_true 60 queue_is_empty
@@ -164,9 +167,9 @@ a_task_waits() { [ -s waits ]; }
   mkdir "$odd"
   cp film.json "$odd"
   echo '{"cpus": 2, "memory": 900, "minutes": 7, "show": "a<b"}' >site.json
-  "$FARM" "$odd/film.json" -o "$odd/out" --site site.json --chunk 4 --openjd job.json --opencue job.xml
+  "$FARM" "$odd/film.json" -o "$odd/out" --site site.json --frames 2-4 --chunk 2 --openjd job.json --opencue job.xml
   python3 "$ROOT/tests/scripts/job_files.py" job.json job.xml
-  "$RENDER" film.json -o local
+  "$RENDER" film.json --frames 2-4 -o local
   same_film "$odd/out" local
   [ ! -e oops ]
 }
@@ -207,11 +210,10 @@ start_sshd() {
     PATH=$PATH:/usr/sbin command -v "$program" >/dev/null || skip "$program is not installed: scripts/setup.sh --all"
   done
   start_sshd
-  run "$FARM" film.json --hosts anna,gone,berta --chunk 2
-  kill "$(cat sshd.pid)"
+  run "$FARM" film.json --hosts anna,gone,berta --frames 1-3 --chunk 1
   echo "$output"
   [ "$status" -eq 0 ]
   [[ $output == *"/film.mp4"* ]]
-  "$RENDER" film.json -o local
+  "$RENDER" film.json --frames 1-3 -o local
   same_film out/film local
 }
