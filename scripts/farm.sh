@@ -173,7 +173,10 @@ if ! said=$({ cp -- "$root"/scripts/*.{sh,pl,ini} "$new/tool/scripts" && cp -r -
 fi
 rm -- "$new/list"
 printf '%s\0' "$here" "$preset" "$assets" "${pass[@]}" >"$new/call"
-key=$(cd -- "$new" && find tool files call -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c-16)
+key=$({
+  printf '%s\0' "$preset" "$assets" "${pass[@]}"
+  cd -- "$new" && find tool files -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum
+} | sha256sum | cut -c-16)
 folder=$farm/$key
 if [[ ! -d $folder ]]; then mv -T -- "$new" "$folder"; fi
 ln -sfnT -- "$key" "$farm/latest"
@@ -194,9 +197,10 @@ if [[ -z $hosts$openjd$opencue ]]; then
   largest=$(scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p')
   most=$((${largest:-1001} - 1))
 fi
-if grep -q '^rule still$' "$folder/build.ninja"; then
-  blocks=$(((height + 31) / 32))  # bands are of whole blocks of POV-Ray
-  most=$((most < blocks ? most : blocks)) bands=$((bands < most ? bands : most))
+blocks=$(((height + 31) / 32))  # bands are of whole blocks of POV-Ray
+if ((bands > most)); then bands=$most; fi
+if ((bands > blocks)); then bands=$blocks; fi
+if ((bands > 1)) && grep -q '^rule still$' "$folder/build.ninja"; then
   printf '%s\n' "$bands" >"$folder/bands"
   count=$bands chunk=1 work=(bands "$bands")
 else

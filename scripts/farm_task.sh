@@ -176,6 +176,16 @@ pixels_at() {
   echo "$at"
 }
 
+# remove_damaged N: bands that cannot be read, so that they are rendered again.
+remove_damaged() {
+  local band
+  for band in frames/band_*_of_"$1".png; do
+    "${FROND_FFMPEG:-ffmpeg}" -nostdin -loglevel quiet -xerror -err_detect crccheck+explode -i "file:$band" -f null - && continue
+    say "$band is damaged; the same call of farm.sh makes it again"
+    rm -f -- "$band"
+  done
+}
+
 # join_bands N SIZE: the rows of the bands as one picture, with what POV-Ray says of its colours.
 join_bands() {
   local n=$1 band inputs=() filter='' stacked='' top below first=frames/band_1_of_$1.png
@@ -187,7 +197,7 @@ join_bands() {
   done
   "${FROND_FFMPEG:-ffmpeg}" -hide_banner -nostdin -loglevel error -xerror -y -err_detect crccheck+explode "${inputs[@]}" \
     -filter_complex "$filter${stacked}vstack=$n" -frames:v 1 -update 1 -c:v png -pix_fmt rgb24 -f image2 \
-    "file:$local/joined.png" || fail 1 "the bands could not be joined"
+    "file:$local/joined.png" || { remove_damaged "$n" && fail 1 "the bands could not be joined"; }
   { head -c "$(pixels_at "$first")" -- "$first" &&
     tail -c "+$(($(pixels_at "$local/joined.png") + 1))" -- "$local/joined.png"; } >"$local/whole.png"
   whole_png "$local/whole.png" "$2" || fail 1 "the bands could not be joined"

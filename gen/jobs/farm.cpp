@@ -150,7 +150,7 @@ std::string opencue_text(const FarmJob& job, const FarmSite& site) {
     std::string timeout = site.minutes > 0 ? fmt::format("<timeout>{}</timeout>", site.minutes) : "";
     return fmt::format(
         "      <layer name=\"{}\" type=\"{}\">\n        <cmd>{}</cmd>\n"
-        "        <range>{}</range><chunk>1</chunk><cores>{}</cores>{}{}\n"
+        "        <range>{}</range><chunk>1</chunk><cores>{}.0</cores>{}{}\n"
         "        <services><service>shell</service></services>\n      </layer>\n",
         called, type, xml_quoted(command), range, site.cpus, memory, timeout);
   };

@@ -50,7 +50,7 @@ TEST(OpenCue, QuotesForTheShellAndForXml) {
   std::string text = opencue_text(odd_job(), site);
   EXPECT_TRUE(holds(text, "<cmd>'/a'\\''b &quot;{{c}}&quot;&lt;d&gt;/tool/scripts/farm_task.sh' "));
   EXPECT_TRUE(holds(text, "'frames' '1' #IFRAME#</cmd>"));
-  EXPECT_TRUE(holds(text, "<cores>1</cores><memory>500m</memory>"));
+  EXPECT_TRUE(holds(text, "<cores>1.0</cores><memory>500m</memory>"));
 }
 
 }  // namespace

@@ -102,6 +102,23 @@ is_pending() { [ "$(squeue -h -j "$1" -o %T)" = PENDING ]; }
   [ "$(stat -c %s local.raw)" -eq $((80 * 150 * 3)) ]
   cmp out.raw local.raw
   cmp out.head local.head  # size and colour space
+  # A band that the disk has damaged is found when they are joined.
+  folder=$(realpath out/still/farm/latest)
+  rm "$folder/frames/frame_0001.png"
+  printf x | dd of="$folder/frames/band_2_of_4.png" bs=1 seek=200 conv=notrunc status=none
+  run "$folder/tool/scripts/farm_task.sh" "$folder" 1 film
+  echo "$output"
+  [ "$status" -eq 1 ]
+  [[ $output == *"band_2_of_4.png is damaged"* ]]
+  "$folder/tool/scripts/farm_task.sh" "$folder" 1 bands 4 2
+  "$folder/tool/scripts/farm_task.sh" "$folder" 1 film
+  ffmpeg -nostdin -loglevel error -y -i out/still/still.png -f rawvideo out.raw
+  cmp out.raw local.raw
+
+  "$FARM" still.json --size 40x30  # too small for two
+  "$RENDER" still.json --size 40x30 -o local
+  until_true 60 queue_is_empty
+  cmp out/still/still.png local/still.png
 }
 
 @test "a frame that fails is told, and its film is not made" {
