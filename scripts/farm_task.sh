@@ -221,7 +221,7 @@ make_film() {
   say "${results[*]}: done, on $HOSTNAME"
 }
 
-load_modules
+if [[ $work != plan ]]; then load_modules; fi
 make_local
 trap 'kill $(jobs -p) 2>/dev/null; exit 143' TERM INT HUP  # what they have started ends with them
 case $work in

@@ -195,11 +195,15 @@ a_task_waits() { [ -s waits ]; }
   mkdir -p a/b
   sed 's/"title"/"base": "..\/base.json", &/' film.json >a/b/film.json
   cp film.json a/base.json
-  "$FARM" a/b/film.json --openjd one.json -o out
+  echo '{"modules": ["povray/3.7", "a; touch oops"]}' >site.json
+  module() { echo "$*" >>"$BATS_TEST_TMPDIR/loaded"; }
+  export -f module
+  "$FARM" a/b/film.json --site site.json --openjd one.json -o out
   first=$(readlink out/farm/latest)
   rm a/base.json
   "out/farm/$first/tool/scripts/farm_task.sh" "$PWD/out/farm/$first" 1 frames 1 1 1 1
   [ -s "out/farm/$first/frames/frame_0001.png" ]
+  [ "$(cat loaded)" = $'load povray/3.7\nload a; touch oops' ]
   cp film.json a/base.json
   "$FARM" a/b/film.json --openjd one.json -o out --frames 2-3
   [ "$(readlink out/farm/latest)" = "$first" ]
