@@ -1,6 +1,8 @@
 # shellcheck shell=bash
 # A cluster of Slurm on this machine, for the tests: one that rules and two nodes, as whoever runs it, without systemd, cgroups or munge.
 
+PATH=$PATH:/usr/sbin  # where daemons are
+
 # start_cluster FOLDER: two nodes of one processor each.
 start_cluster() {
   cluster=$1

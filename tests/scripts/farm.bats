@@ -228,7 +228,7 @@ start_sshd() {
 
 @test "a film over ssh has the bytes of the local one, though a machine does not answer" {
   for program in parallel ssh sshd; do
-    PATH=$PATH:/usr/sbin command -v "$program" >/dev/null || skip "$program is not installed: scripts/setup.sh --all"
+    command -v "$program" >/dev/null || skip "$program is not installed: scripts/setup.sh --all"
   done
   start_sshd
   run "$FARM" film.json --hosts anna,gone,berta --frames 1-3 --chunk 1
