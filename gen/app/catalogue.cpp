@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/commands.h"
 #include "app/inputs.h"
@@ -89,6 +90,15 @@ int info(const PresetArguments& arguments, bool json) {
   Errors errors = refuse(f, machine);
   for (Error& error : errors) error.where = arguments.path;
   return errors.empty() ? kDone : fail(errors, kWrongInput);
+}
+
+int list_files(const PresetArguments& arguments) {
+  Result<Preset> preset = load_preset(arguments);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  std::set<std::string> names{arguments.path};
+  for (const fs::path& file : preset->files) names.insert(file.string());
+  for (const std::string& name : names) put(name + '\0');
+  return kDone;
 }
 
 int list_everything(bool json) {

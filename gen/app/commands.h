@@ -25,6 +25,7 @@ struct GenerateArguments {
   std::string out;                    ///< folder; empty: out/<preset name>
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
+  bool film_only = false;             ///< no frames, only what makes a film of finished pictures
   bool quiet = false;
 };
 
@@ -53,6 +54,15 @@ struct TextureArguments {
   bool quiet = false;
 };
 
+struct FarmArguments {
+  std::string format;               ///< a name of kFarmFormats
+  std::string folder;               ///< of the job, on the disk that all machines see
+  std::vector<std::string> work;    ///< what every task is told, its number apart
+  std::string name = "frond";       ///< of the job
+  std::string tasks = "1";          ///< their numbers: 1,3,7-9
+  std::optional<std::string> site;  ///< JSON file
+};
+
 struct StudioArguments {
   std::string preset;                 ///< may be empty: the gallery
   int port = 0;                       ///< 0: any that is free
@@ -66,6 +76,8 @@ int write_textures(const TextureArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
 int info(const PresetArguments& arguments, bool json);
+int list_files(const PresetArguments& arguments);
+int farm(const FarmArguments& arguments);
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);
 int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);

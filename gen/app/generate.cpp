@@ -66,13 +66,14 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
 
 /// Writes build.ninja and manifest.json for the frames of a range.
 Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, const fs::path& out,
-                  const std::string& name) {
+                  const std::string& name, bool rendered) {
   const Film& film = preset.film;
   JobList jobs;
   jobs.size = film.size;
   jobs.quality = kRenderings[static_cast<std::size_t>(film.quality)].quality;
   jobs.fps = film.fps;
   jobs.still = film.frames == 1;
+  jobs.rendered = rendered;
   jobs.title = preset.title;
   std::error_code error;
   jobs.povinc = fs::relative(root / "povinc", out, error).string();
@@ -106,6 +107,15 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   return errors;
 }
 
+/// Removes pictures that cannot be used, and tells of those that are damaged.
+Errors remove_unusable(const fs::path& out, FrameRange range, const std::array<int, 2>& size) {
+  Result<std::vector<fs::path>> damaged = remove_damaged(out, range, size);
+  if (!damaged) return damaged.errors();
+  for (const fs::path& picture : *damaged)
+    tell(fmt::format("note: {} is damaged; it is made again", picture.string()));
+  return {};
+}
+
 /// The machine that a run is held to: what an earlier one has left in its folder makes room for the new.
 Machine machine_for(const fs::path& out) {
   Machine machine = this_machine(out);
@@ -136,8 +146,13 @@ int generate(const GenerateArguments& arguments) {
   Result<std::string> layout = read_file(*root / "templates" / "frame.pov");
   if (!layout) return fail(layout.errors(), kCouldNot);
 
-  fs::path name = fs::path(arguments.preset.path).stem();
+  std::string name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
+  if (arguments.film_only) {
+    Errors errors = write_jobs(*preset, range, *root, out, name, true);
+    if (errors.empty()) errors = remove_unusable(out, range, preset->film.size);
+    return errors.empty() ? kDone : fail(errors, kCouldNot);
+  }
   now_doing("foreseeing how much there will be");
   Result<Foretold> foretold = foretell(*preset, range.last - range.first + 1);
   Machine machine = machine_for(out);
@@ -177,12 +192,10 @@ int generate(const GenerateArguments& arguments) {
   Written written =
       write_frames(*scene, std::move(plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
-  Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
+  Errors job_errors = write_jobs(*preset, range, *root, out, name, false);
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
-  Result<std::vector<fs::path>> damaged = remove_damaged(out, range, preset->film.size);
-  if (!damaged) return fail(damaged.errors(), kCouldNot);
-  for (const fs::path& picture : *damaged)
-    tell(fmt::format("note: {} is damaged; it is made again", picture.string()));
+  job_errors = remove_unusable(out, range, preset->film.size);
+  if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   needed.merge(written.beside);
   if (in_use.by_us_alone()) tidy(out, needed);
   if (!arguments.quiet)

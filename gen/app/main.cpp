@@ -15,6 +15,7 @@
 #include "app/streams.h"
 #include "core/machine.h"
 #include "core/text.h"
+#include "jobs/farm.h"
 
 using namespace frond;
 
@@ -57,6 +58,8 @@ void add_generate(CLI::App& app, int& result) {
   add_preset(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
+  command->add_flag("--film-only", to->film_only,
+                    "No frames: only build.ninja, which makes a film of pictures rendered elsewhere");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", to->quiet, "No progress");
   command->footer("Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");
@@ -110,6 +113,32 @@ void add_info(CLI::App& app, int& result) {
   command->add_flag("--json", *json, "For machines");
   command->footer("Example:\n  frond info presets/reef.json --json");
   command->callback([&result, preset, json] { result = info(*preset, *json); });
+}
+
+void add_files(CLI::App& app, int& result) {
+  auto preset = std::make_shared<PresetArguments>();
+  auto* command =
+      app.add_subcommand("files", "Names all files that a preset is read from, each ended by a zero byte");
+  add_preset(command, *preset);
+  command->footer("Example:\n  frond files presets/ivy/any_mesh.json | xargs -0 tar cf any_mesh.tar");
+  command->callback([&result, preset] { result = list_files(*preset); });
+}
+
+void add_farm(CLI::App& app, int& result) {
+  auto to = std::make_shared<FarmArguments>();
+  auto* command = app.add_subcommand("farm", "Writes what hands a film to a farm; called by scripts/farm.sh");
+  std::vector<std::string> formats;
+  for (const auto& format : farm_formats()) formats.emplace_back(format.name);
+  command->add_option("format", to->format, fmt::format("{}", fmt::join(formats, ", ")))
+      ->required()
+      ->check(CLI::IsMember(formats));
+  command->add_option("folder", to->folder, "Of the job, as every machine sees it")->required();
+  command->add_option("work", to->work, "What each task is told, before its number");
+  command->add_option("--name", to->name, "Of the job");
+  command->add_option("--tasks", to->tasks, "Numbers of the tasks, as in 1,3,7-9");
+  command->add_option("--site", to->site, "JSON file: what this site's farm needs");
+  command->footer("Example:\n  frond farm openjd /shared/reef/farm/latest frames 1 240 8 --tasks 1-30");
+  command->callback([&result, to] { result = farm(*to); });
 }
 
 void add_derive(CLI::App& app, int& result) {
@@ -186,8 +215,8 @@ int run(int count, char** words) {
   app.require_subcommand(1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add : {add_generate, add_export, add_textures, add_check, add_info, add_derive, add_turtle,
-                   add_catalogue, add_studio})
+  for (auto add : {add_generate, add_export, add_textures, add_check, add_info, add_files, add_farm,
+                   add_derive, add_turtle, add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -54,6 +54,7 @@ Result<NamedFile> Assets::read(const std::string& name, const fs::path& folder) 
     if (!real || !fs::exists(*real, error)) continue;
     Result<std::string> text = read_file(*real);
     if (!text) return Error{"", fmt::format("{} {}", path.string(), text.errors().front().what)};
+    if (noted_) noted_->push_back(path);
     return NamedFile{path, std::move(*text)};
   }
   if (outside)

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 
@@ -28,12 +29,16 @@ class Assets {
   /// Named in the preset itself.
   Result<NamedFile> read(const std::string& name) const { return read(name, folder_); }
 
+  /// Names each file that is read from now on.
+  void note_in(std::vector<std::filesystem::path>& paths) { noted_ = &paths; }
+
  private:
   /// The path as it may be read, with `only` without links; nothing where it may not.
   std::optional<std::filesystem::path> allowed(const std::filesystem::path& path) const;
 
   std::filesystem::path folder_;
   std::optional<std::filesystem::path> only_;
+  std::vector<std::filesystem::path>* noted_ = nullptr;
 };
 
 }  // namespace frond

@@ -111,8 +111,10 @@ std::string ninja_text(const JobList& jobs) {
   append_variable(text, "size", size_text(jobs.size));
   append_variable(text, "flags", povray_flags(jobs.quality));
 
-  append_rule(text, "frame", "exec $render_frame $in $out $size $flags", "frame $number");
-  append_frames(text, jobs);
+  if (!jobs.rendered) {
+    append_rule(text, "frame", "exec $render_frame $in $out $size $flags", "frame $number");
+    append_frames(text, jobs);
+  }
 
   if (jobs.still) {
     append_variable(text += '\n', "keep_still", shell_quoted(jobs.scripts + "/keep_still.sh"));

@@ -43,6 +43,7 @@ struct JobList {
   std::string_view quality = "draft";  ///< a name of kRenderings
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film
+  bool rendered = false;               ///< the pictures come from elsewhere: only the film is to be made
   std::string title;                   ///< goes into the film's metadata
   std::string povinc = "../povinc";    ///< folder of the includes, as seen from DIR; no line break in it
   std::vector<std::string> includes;   ///< names of the files there that a frame may read: "frond_water.inc"

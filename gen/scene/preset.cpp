@@ -184,6 +184,8 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   // The base may be set, too, and all else is set over it.
   if (!set_all("/base=")) return errors;
   Assets assets(file_name, only);
+  std::vector<std::filesystem::path> read;
+  assets.note_in(read);
   errors = lay_on_base(document->root, file_name, assets);
   if (!errors.empty() || !set_all("")) return errors;
 
@@ -192,6 +194,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets, &files);
   if (!preset) return preset;
   preset->text = serialize(document->root);
+  preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
   double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {

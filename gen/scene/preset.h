@@ -26,8 +26,9 @@ struct Preset {
   std::vector<Organism> organisms;
 
   std::string text;  ///< what it was read from, overrides included, as canonical JSON; for hashes
-  std::shared_ptr<const Value> written;  ///< the same with its places, defaults merged into the organisms
-  Errors notes;                          ///< no faults, but what the user should know
+  std::shared_ptr<const Value> written;      ///< the same with its places, defaults merged into the organisms
+  std::vector<std::filesystem::path> files;  ///< that were read for it, besides its own
+  Errors notes;                              ///< no faults, but what the user should know
 };
 
 /// Reads a preset, and the one that it builds on. `file_name` is for messages and tells the folder; `sets`

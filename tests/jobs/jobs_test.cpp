@@ -83,6 +83,18 @@ TEST(NinjaText, StillHasNoFilm) {
   EXPECT_FALSE(contains(text, "film"));
 }
 
+TEST(NinjaText, OnlyTheFilmIsMadeOfPicturesFromElsewhere) {
+  JobList jobs = film_of(2);
+  jobs.includes = {"frond_sea.inc"};
+  jobs.rendered = true;
+  std::string text = ninja_text(jobs);
+  EXPECT_FALSE(contains(text, ".pov"));
+  EXPECT_FALSE(contains(text, "frond_sea.inc"));
+  EXPECT_TRUE(
+      contains(text, "build film.mp4: film $\n    frames/frame_0001.png $\n    frames/frame_0002.png\n"));
+  EXPECT_TRUE(contains(text, "size = 480x270\n"));
+}
+
 TEST(NinjaText, SizeAndQualityStandInTheCommands) {
   JobList jobs = film_of(1);
   std::string before = ninja_text(jobs);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jobs/farm_site.h"
+
+/// The text that hands a film to a farm. Each task is one call that may be made again, anywhere, at any time:
+///
+///     FOLDER/tool/scripts/farm_task.sh FOLDER CPUS WORK... NUMBER
+///     FOLDER/tool/scripts/farm_task.sh FOLDER CPUS film          once all of those are done
+namespace frond {
+
+/// A film, as farms see it.
+struct FarmJob {
+  std::string folder;             ///< of the job, as every machine sees it
+  std::string name = "frond";     ///< see job_name
+  std::string tasks = "1";        ///< numbers and ranges: 1,3,7-9
+  std::vector<std::string> work;  ///< what each task is told, before its number
+  std::string user = "frond";     ///< who owns it, and the number of that user
+  unsigned uid = 1000;
+};
+
+/// A text as the name of a job: letters, digits, dots, dashes and underscores, 64 at most.
+std::string job_name(std::string_view text);
+
+/// Whether the text is made of numbers from 1 on and ranges of them, ascending.
+bool is_task_list(std::string_view text);
+
+/// Words of the command line of sbatch, each ended by a zero byte.
+std::string sbatch_words(const FarmJob& job, const FarmSite& site);
+/// The modules that a task loads, one a line.
+std::string module_lines(const FarmJob& job, const FarmSite& site);
+/// How many processors a task has.
+std::string cpus_line(const FarmJob& job, const FarmSite& site);
+/// A template of Open Job Description, jobtemplate-2023-09.
+std::string openjd_text(const FarmJob& job, const FarmSite& site);
+/// A job of OpenCue in CJSL 1.15.
+std::string opencue_text(const FarmJob& job, const FarmSite& site);
+
+struct FarmFormat {
+  std::string_view name;
+  std::string (*text)(const FarmJob& job, const FarmSite& site);
+};
+
+std::span<const FarmFormat> farm_formats();
+
+}  // namespace frond
