@@ -8,6 +8,9 @@ usage() {
   cat <<'TEXT'
 Usage: scripts/render.sh PRESET [options]
 
+       scripts/render.sh PRESET --contact-seeds N | --sweep POINTER=FROM:TO:COUNT [options]   see scripts/sheet.sh --help
+       scripts/render.sh --compare A B [FILE]                                                 see scripts/compare.sh --help
+
 Leaves DIR/film.mp4 and DIR/contact.png, or DIR/still.png where the preset is a still. Renders only what changed:
 interrupted or killed at any moment and run again it goes on where it stopped, also within a picture.
 
@@ -16,6 +19,7 @@ interrupted or killed at any moment and run again it goes on where it stopped, a
   --size WxH                  size of the pictures, in pixels
   --scale N                   multiplies it, by 1 to 16: --scale 4 for the wall, --scale 1.5
   --quality draft|good|best   how well they are rendered
+  --format mp4|webm|gif       of the film (mp4)
   --set POINTER=VALUE         overrides one value of the preset; may be given again
   --assets DIR                reads no file but below the preset's own folder and DIR
   --jobs N                    how many processors render (all): frames at once, or parts of a picture
@@ -65,7 +69,17 @@ near_presets() {
     END { print found }'
 }
 
-preset='' out='' jobs='' pass=()
+# What is not one run of one preset has a script of its own.
+for argument in "$@"; do
+  case $argument in
+    --) break ;;
+    --compare) [[ $1 == --compare ]] || bad_usage "--compare comes first: --compare A B"
+      exec "$root/scripts/compare.sh" "${@:2}" ;;
+    --contact-seeds | --contact-seeds=* | --sweep | --sweep=*) exec "$root/scripts/sheet.sh" "$@" ;;
+  esac
+done
+
+preset='' out='' jobs='' format=mp4 pass=()
 set_preset() {
   [[ -z $preset ]] || bad_usage "one preset at a time: '$preset', and then '$1'"
   [[ -n $1 ]] || bad_usage "the preset's name is empty"
@@ -75,12 +89,12 @@ while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --) shift; for argument in "$@"; do set_preset "$argument"; done; break ;;
-    -o | --out | --frames | --size | --scale | --quality | --set | --assets | --jobs | --threads)
+    -o | --out | --frames | --size | --scale | --quality | --format | --set | --assets | --jobs | --threads)
       (($# > 1)) || bad_usage "$1 needs a value"
       option=$1 value=$2
       shift 2
       ;;
-    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --set=* | --assets=* | --jobs=* | --threads=*)
+    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --format=* | --set=* | --assets=* | --jobs=* | --threads=*)
       option=${1%%=*} value=${1#*=}
       shift
       ;;
@@ -95,6 +109,10 @@ while (($# > 0)); do
     --jobs)
       [[ $value =~ ^[1-9][0-9]{0,3}$ ]] || bad_usage "--jobs needs a number from 1 on, not '$value'"
       jobs=$value
+      ;;
+    --format)
+      [[ $value =~ ^(mp4|webm|gif)$ ]] || bad_usage "--format needs mp4, webm or gif, not '$value'"
+      format=$value
       ;;
     *) pass+=("$option=$value") ;;  # frond knows what is right
   esac
@@ -150,18 +168,22 @@ cd -- "$out"
 
 targets() { ninja -t targets rule "$1" 2>/dev/null || true; }
 still=$(targets still)
-results=(film.mp4 contact.png) others=(still.png)
-if [[ -n $still ]]; then results=(still.png) others=(film.mp4 contact.png); fi
+film=film.$format
+results=("$film" contact.png)
+if [[ -n $still ]]; then results=(still.png); fi
 for result in "${results[@]}"; do
   if [[ -d $result ]]; then fail 1 "$out/$result is a folder; expected a file, or none"; fi
 done
-for result in "${others[@]}"; do
-  if [[ -f $result ]]; then rm -f -- "$result"; fi
+# What others of the kind there are is no longer of these frames, unless ninja knows it to be.
+for result in film.{mp4,webm,gif} contact.png still.png; do
+  if [[ -f $result && " ${results[*]} " != *" $result "* && $(ninja -n "$result" 2>&1) != *'no work to do'* ]]; then
+    rm -f -- "$result"
+  fi
 done
 
 frames=$(targets frame | grep -c '' || true)
-if [[ -f film.mp4 && $(frames_in film.mp4) != "$frames" ]]; then rm -f film.mp4; fi  # damaged, or another film's
-to_do=$(NINJA_STATUS='' ninja -n | grep -c '^frame ' || true)
+if [[ -f $film && $(frames_in "$film") != "$frames" ]]; then rm -f "$film"; fi  # damaged, or another film's
+to_do=$(NINJA_STATUS='' ninja -n "${results[@]}" | grep -c '^frame ' || true)
 if ((to_do == 0)); then
   say "Nothing to render: all $frames frames are up to date."
 elif ((to_do < frames)); then
@@ -213,7 +235,7 @@ if on_terminal && ((to_do > 1)); then draw_bar "$((frames - to_do))" "$frames" "
 jobs=${jobs:-$(nproc)}
 # Processors that no frame of their own keeps busy help with another.
 export FROND_THREADS=$((to_do > 0 && jobs > to_do ? jobs / to_do : 1))
-start_ninja -j "$jobs"
+start_ninja -j "$jobs" "${results[@]}"
 room_told=''
 tell() {
   if full_disk "$1"; then set -- "ninja: $no_room"; fi
@@ -223,12 +245,12 @@ tell() {
 }
 follow_ninja step tell picture || case $failed in
   *frames/*) fail 1 "not all frames of $out could be rendered; those that are finished are kept" ;;
-  *film.mp4*) fail 1 "the film could not be encoded; the frames of $out are kept" ;;
+  *film.*) fail 1 "the film could not be encoded; the frames of $out are kept" ;;
   *) fail 1 "not all of $out could be made; the frames that are finished are kept" ;;
 esac
 if [[ -z $still ]]; then
-  encoded=$(frames_in film.mp4)
-  [[ $encoded == "$frames" ]] || fail 1 "$out/film.mp4 holds ${encoded:-0} of $frames frames"
+  encoded=$(frames_in "$film")
+  [[ $encoded == "$frames" ]] || fail 1 "$out/$film holds ${encoded:-0} of $frames frames"
 fi
 find frames -maxdepth 1 -name '.frame_*' -exec rm -rf -- {} +  # unfinished pictures that are no part of this film
 

@@ -74,6 +74,7 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   jobs.fps = film.fps;
   jobs.still = film.frames == 1;
   jobs.title = preset.title;
+  jobs.seed = preset.seed;
   std::error_code error;
   jobs.povinc = fs::relative(root / "povinc", out, error).string();
   jobs.scripts = fs::relative(root / "scripts", out, error).string();

@@ -125,13 +125,16 @@ std::string ninja_text(const JobList& jobs) {
   append_variable(text, "contact_sheet", shell_quoted(jobs.scripts + "/contact_sheet.sh"));
   append_variable(text, "fps", number_text(jobs.fps, 6));
   append_variable(text, "title", shell_quoted(jobs.title));
-  append_list_rule(text, "film", "exec $encode_film $out.list $out $fps $title", "film.mp4");
-  append_build(text, "film.mp4", "film", jobs.frames);
+  append_variable(text, "comment", shell_quoted("seed " + std::to_string(jobs.seed)));
+  append_list_rule(text, "film", "exec $encode_film $out.list $out $fps $title $comment", "$out");
+  for (std::string_view film : {"film.mp4", "film.webm", "film.gif"})
+    append_build(text, film, "film", jobs.frames);
 
   std::vector<int> sheet = sheet_frames(jobs.frames);
   append_variable(text += '\n', "columns", std::to_string(sheet_columns(sheet.size())));
   append_list_rule(text, "contact", "exec $contact_sheet $out.list $out $columns", "contact.png");
   append_build(text, "contact.png", "contact", sheet);
+  text += "\ndefault film.mp4 contact.png\n";
   return text;
 }
 

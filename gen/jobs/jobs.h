@@ -10,7 +10,7 @@
 /// scripts run the processes.
 ///
 ///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     scripts/render_frame.sh
-///     all frames                -> DIR/film.mp4                  scripts/encode_film.sh
+///     all frames                -> DIR/film.mp4, .webm, .gif     scripts/encode_film.sh
 ///     some frames               -> DIR/contact.png               scripts/contact_sheet.sh
 ///     the frame of a still      -> DIR/still.png                 scripts/keep_still.sh
 ///
@@ -44,12 +44,13 @@ struct JobList {
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film
   std::string title;                   ///< goes into the film's metadata
+  std::uint64_t seed = 0;              ///< too
   std::string povinc = "../povinc";    ///< folder of the includes, as seen from DIR; no line break in it
   std::vector<std::string> includes;   ///< names of the files there that a frame may read: "frond_water.inc"
   std::string scripts = "../scripts";  ///< folder of the scripts, as seen from DIR; no line break in it
 };
 
-/// build.ninja. Paths and title may hold any character but a line break (one in a title becomes a blank).
+/// build.ninja. What it makes unasked is film.mp4 and contact.png, or still.png. Paths and title may hold any character but a line break (one in a title becomes a blank).
 std::string ninja_text(const JobList& jobs);
 
 /// What the film is made of, for people and machines that come later. It holds no clock and no absolute path:

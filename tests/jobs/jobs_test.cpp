@@ -53,6 +53,8 @@ TEST(NinjaText, FilmHoldsTheFramesOfTheListOnly) {
   std::string text = ninja_text(jobs);
   EXPECT_EQ(paragraph(text, "build film.mp4"),
             "build film.mp4: film $\n    frames/frame_0005.png $\n    frames/frame_0006.png");
+  EXPECT_EQ(count(text, "frames/frame_0006.png"), 5) << "rendered, in each format of the film, on the sheet";
+  EXPECT_TRUE(contains(text, "\ndefault film.mp4 contact.png\n"));
   EXPECT_TRUE(contains(text, "fps = 12.5\n"));
   EXPECT_FALSE(contains(text, "still.png"));
   EXPECT_FALSE(contains(text, "includes:"));
@@ -101,11 +103,12 @@ TEST(NinjaText, OddCharactersAreEscaped) {
   jobs.scripts = "../it's $HOME/scripts";
   jobs.includes = {"a b.inc"};
   jobs.title = "Reef: $(date)\n`id`";
+  jobs.seed = 18446744073709551615ull;
   std::string text = ninja_text(jobs);
   EXPECT_TRUE(contains(text, "povinc = ../it's $$HOME|x/povinc\n"));
   EXPECT_TRUE(contains(text, "render_frame = '../it'\\''s $$HOME/scripts/render_frame.sh'\n"));
   EXPECT_TRUE(contains(text, "$povinc/a$ b.inc"));
-  EXPECT_TRUE(contains(text, "title = 'Reef: $$(date) `id`'\n"));
+  EXPECT_TRUE(contains(text, "title = 'Reef: $$(date) `id`'\ncomment = 'seed 18446744073709551615'\n"));
 }
 
 TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
