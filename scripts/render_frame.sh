@@ -17,6 +17,8 @@ Usage: scripts/render_frame.sh SCENE.pov PICTURE.png WIDTHxHEIGHT [POVRAY_FLAG..
 
 Renders one frame. Called by ninja in the folder of the film; when ninja ends, so does this.
 
+Adds a line to .times in that folder: the frame, milliseconds of processor that it took, and its size.
+
 FROND_THREADS is how many threads trace it (1); the pixels do not depend on it. FROND_POVRAY names another povray.
 FROND_UNCONFINED=1 lets POV-Ray open any file that you may open, where the kernel has no Landlock (Linux 5.13).
 TEXT
@@ -77,6 +79,8 @@ give_up() {
 # POV-Ray removes its state before it writes the picture, which takes long if that is large: a second name keeps it.
 if ! { mkdir -p -- "$large" && : >>"$kept"; } 2>/dev/null; then give_up "$folder: cannot be written to"; fi
 ln -f -- "$kept" "$state" 2>/dev/null || true
+taken_up=''
+if [[ -s $kept ]]; then taken_up=yes; fi
 
 # POV-Ray parses its options by itself and stumbles over quotes in a path: folders come through descriptors.
 exec {includes}<"$povinc" {pictures}<"$(dirname -- "$scene")" {scripts}<"$root/scripts"
@@ -109,9 +113,22 @@ timeless() {
   tail -c +$((at + 1)) -- "$1"
 }
 
+# Notes the time that this process and its children took; where another one began the picture it says nothing.
+note_time() {
+  local user system spent=0 time
+  if [[ -n $taken_up ]]; then return; fi
+  times >"$log"
+  { read -r _ && read -r user system; } <"$log"
+  for time in "${user%s}" "${system%s}"; do
+    spent=$((spent + ${time%m*} * 60000 + 10#$(printf '%s' "${time#*m}" | tr -d .)))
+  done
+  printf '%s %d %s\n' "${name#.}" "$spent" "$size" >>"$(dirname -- "$folder")/.times"
+}
+
 if ((status == 0)) && whole_png "$part" "$size"; then
   { timeless "$part" >"$plain"; } 2>/dev/null || give_up "its picture could not be written"
   put_in_place "$plain" "$picture"
+  note_time 2>/dev/null || true
   rm -rf -- "$part" "$log" "$kept" "$large"
   exit 0
 fi

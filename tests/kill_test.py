@@ -21,9 +21,9 @@ chance = random.Random(6)
 
 
 def files(folder):
-    """All that a folder holds, but for the notes of ninja and of the lock."""
+    """All that a folder holds, but for the notes of ninja, of the lock and of times."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*"))
-            if path.is_file() and path.name not in (".ninja_log", ".ninja_deps", ".lock")}
+            if path.is_file() and path.name not in (".ninja_log", ".ninja_deps", ".lock", ".times")}
 
 
 def same(a, b, when):

@@ -30,7 +30,8 @@ namespace {
 struct Written {
   int frames = 0;  // that changed on disk
   Errors errors;
-  std::set<std::string> beside;  // what frames include
+  std::set<std::string> beside;    // what frames include
+  std::vector<std::size_t> nodes;  // that each shows
 };
 
 /// Writes the frames of a range, up to `at_once` at a time.
@@ -41,32 +42,35 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   for (const Picture& file : parts.files) {
     beside.insert(file.name);
     Result<bool> written = write_file(out / "frames" / file.name, file.bytes);
-    if (!written) return {0, written.errors(), {}};
+    if (!written) return {0, written.errors(), {}, {}};
   }
   int count = range.last - range.first + 1;
   Progress progress("frames", count, quiet);
   std::atomic<int> changed = 0, next = 0;
   std::vector<Errors> errors(static_cast<std::size_t>(count));
+  std::vector<std::size_t> nodes(errors.size());
   parallel_for(static_cast<std::size_t>(std::min(at_once, count)), [&](std::size_t) {
     for (int i; (i = next++) < count;) {
       int frame = range.first + i;
-      Result<bool> written =
+      Result<FrameFile> written =
           write_frame_file(scene, parts, layout, out / "frames" / (frame_name(frame) + ".pov"), frame);
-      if (!written)
+      if (written) {
+        changed += written->changed;
+        nodes[static_cast<std::size_t>(i)] = written->nodes;
+      } else {
         errors[static_cast<std::size_t>(i)] = written.errors();
-      else if (*written)
-        ++changed;
+      }
       progress.step();
     }
   });
-  Written result{changed, {}, std::move(beside)};
+  Written result{changed, {}, std::move(beside), std::move(nodes)};
   for (const Errors& list : errors) result.errors.insert(result.errors.end(), list.begin(), list.end());
   return result;
 }
 
 /// Writes build.ninja and manifest.json for the frames of a range.
-Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, const fs::path& out,
-                  const std::string& name) {
+Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std::size_t>& nodes,
+                  const fs::path& root, const fs::path& out, const std::string& name) {
   const Film& film = preset.film;
   JobList jobs;
   jobs.size = film.size;
@@ -95,7 +99,7 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   manifest.still = jobs.still;
   for (int frame = range.first; frame <= range.last; ++frame) {
     jobs.frames.push_back(frame);
-    manifest.frames.push_back({frame, film.time(frame)});
+    manifest.frames.push_back({frame, film.time(frame), nodes[static_cast<std::size_t>(frame - range.first)]});
   }
   Errors errors;
   auto write = [&](const char* file, const std::string& text) {
@@ -178,7 +182,7 @@ int generate(const GenerateArguments& arguments) {
   Written written =
       write_frames(*scene, std::move(plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
-  Errors job_errors = write_jobs(*preset, range, *root, out, name.string());
+  Errors job_errors = write_jobs(*preset, range, written.nodes, *root, out, name.string());
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   Result<std::vector<fs::path>> damaged = remove_damaged(out, range, preset->film.size);
   if (!damaged) return fail(damaged.errors(), kCouldNot);

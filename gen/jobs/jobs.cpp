@@ -162,6 +162,7 @@ std::string manifest_text(const Manifest& manifest) {
   for (const Manifest::Frame& frame : manifest.frames) {
     text += between;
     text += "{\"number\": " + std::to_string(frame.number) + ", \"time\": " + number_text(frame.time, 6) +
+            ", \"nodes\": " + std::to_string(frame.nodes) +
             ", \"file\": " + json_quoted(scene_file(frame.number)) + "}";
     between = ",\n    ";
   }

@@ -58,7 +58,8 @@ std::string ninja_text(const JobList& jobs);
 struct Manifest {
   struct Frame {
     int number = 1;
-    double time = 0;  ///< seconds from the first frame of the preset
+    double time = 0;        ///< seconds from the first frame of the preset
+    std::size_t nodes = 0;  ///< of skeletons, that growth has reached
   };
   std::string version;  ///< of frond
   std::string preset;   ///< the preset's file name without .json

@@ -118,7 +118,7 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
   manifest.title = "A \"reef\"";
   manifest.preset_hash = "0123abcd";
   manifest.seed = 18446744073709551615ull;
-  manifest.frames = {{1, 0}, {2, 1 / 24.0}};
+  manifest.frames = {{1, 0, 0}, {2, 1 / 24.0, 17}};
   EXPECT_EQ(manifest_text(manifest),
             "{\n"
             "  \"tool\": \"frond\",\n"
@@ -132,8 +132,8 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
             "  \"quality\": \"draft\",\n"
             "  \"still\": false,\n"
             "  \"frames\": [\n"
-            "    {\"number\": 1, \"time\": 0, \"file\": \"frames/frame_0001.pov\"},\n"
-            "    {\"number\": 2, \"time\": 0.041667, \"file\": \"frames/frame_0002.pov\"}\n"
+            "    {\"number\": 1, \"time\": 0, \"nodes\": 0, \"file\": \"frames/frame_0001.pov\"},\n"
+            "    {\"number\": 2, \"time\": 0.041667, \"nodes\": 17, \"file\": \"frames/frame_0002.pov\"}\n"
             "  ]\n"
             "}\n");
 }

@@ -131,3 +131,76 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   [ "$status" -eq 2 ]
   [[ $output == *"oak: no such preset; there is"* ]]
 }
+
+@test "each K-th frame comes first, and the film can be seen meanwhile" {
+  make_preset film.json 9
+  # Notes how many frames each film that is made holds.
+  printf '#!/bin/sh\nfor last; do :; done\nffmpeg "$@" || exit 1\ncase $last in *.part) echo "$last" >>made ;; esac\n' >ffmpeg
+  sed -i "s|>>made|>>$PWD/made|" ffmpeg
+  chmod +x ffmpeg
+  FROND_FFMPEG=$PWD/ffmpeg run "$RENDER" film.json --every 4 --jobs 1
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ "$(sed 's/[^0-9]//g; s/^0*//' "$RENDERED" | paste -sd ' ')" = "1 5 9 3 7 2 4 6 8" ]
+  [ "$(grep -c preview made)" -eq 2 ]
+  [[ $output == *"out/film/preview.mp4"*"frame 6 of 9"* ]]
+  [[ $output == *" s of processor; the slowest frames: "* ]]
+  [ ! -e out/film/preview.mp4 ]
+  "$RENDER" film.json -o other
+  cmp other/film.mp4 out/film/film.mp4
+}
+
+@test "a frame that fails stops no other, and shows what POV-Ray says" {
+  cat >frond <<SH
+#!/usr/bin/env bash
+"$FROND_BIN" "\$@"
+for n in 2 5; do echo broken >out/film/frames/frame_000\$n.pov; done
+SH
+  chmod +x frond
+  for every in 1 3; do
+    rm -rf out
+    : >"$RENDERED"
+    FROND_BIN=$PWD/frond run "$RENDER" film.json --every "$every"
+    echo "$output"
+    [ "$status" -eq 1 ]
+    [ "$(count_rendered)" -eq 4 ]
+    [ "$(grep -c "Expected 'object'" <<<"$output")" -eq 2 ]
+    [ "${lines[-1]}" = "error: of out/film these frames could not be rendered: 2, 5; those that are finished are kept" ]
+  done
+}
+
+@test "a run says why a frame is out of date" {
+  run "$RENDER" film.json --why 2
+  [[ $output == *"frame 2 is rendered again: there is no picture of it"* ]]
+  "$RENDER" film.json
+  run "$RENDER" film.json --why 2
+  [[ $output == *"frame 2 is up to date" ]]
+  run "$RENDER" film.json --why 2 --size 80x60
+  [[ $output == *"frame 2 is rendered again: "* ]]
+  run "$RENDER" film.json --why 2 --quality good
+  [[ $output == *"frame 2 is rendered again: "* ]]
+  "$RENDER" film.json
+  run "$RENDER" film.json --why 2 --set '/scene/camera/look_at=[0, 0.4, 0]'
+  echo "$output"
+  [[ $output == *"frame 2 is rendered again: its scene is newer than its picture"*"its scene has changed, from line "*"was: "*"is: "* ]]
+  "$RENDER" film.json
+  truncate -s -5 out/film/frames/frame_0002.png
+  run "$RENDER" film.json --why 2
+  [[ $output == *"frame_0002.png is damaged"*"there is no picture of it" ]]
+  run "$RENDER" film.json --why 7
+  [ "$status" -eq 2 ]
+  [[ $output == *"frame 7 is none of this film" ]]
+  [ "$(count_rendered)" -le 18 ]
+}
+
+@test "a plot shows nodes, bytes and seconds of each frame" {
+  run "$RENDER" film.json --plot "a 'plot.svg"
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"/a 'plot.svg"* ]]
+  for title in nodes "bytes of the scene" "seconds of processor"; do grep -q ">$title</text>" "a 'plot.svg"; done
+  [ "$(grep -c 'class="line" d="M60.0 .*L620.0 ' "a 'plot.svg")" -eq 3 ]
+  [ "$(wc -l <out/film/.times)" -eq 6 ]
+  run "$RENDER" film.json --plot plot.png
+  [ "$status" -eq 2 ]
+}
