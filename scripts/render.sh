@@ -171,6 +171,7 @@ if [[ -n $why ]]; then
   cp -- "$(printf '%s/frames/frame_%04d.pov' "$out" "$why")" "$old_scene" 2>/dev/null || true
 fi
 export FROND_HOME=${FROND_HOME:-$root}  # templates and includes, wherever the program lies
+"$root/scripts/pace.sh" || true
 say "Generating $out"
 status=0
 # As a child that is waited for, so that a signal to this script alone is heeded at once.
@@ -321,6 +322,7 @@ if [[ -z $still ]]; then
 fi
 find frames -maxdepth 1 -name '.frame_*' -exec rm -rf -- {} +  # unfinished pictures that are no part of this film
 rm -f preview.mp4 preview.mp4.list
+if ((frames_now > 0)); then "$root/scripts/pace.sh" . "$timed" || true; fi
 if ((frames_now > 1)); then
   tail -n +$((timed + 1)) .times 2>/dev/null | sort -k2,2nr | awk '
     { all += $2; if (NR <= 3) slow = slow sprintf("%s%d (%.1f s)", NR > 1 ? ", " : "", substr($1, 7), $2 / 1000) }

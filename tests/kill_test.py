@@ -34,7 +34,8 @@ def same(a, b, when):
 
 def start(command):
     return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                            start_new_session=True, env={**os.environ, "FROND_BIN": str(frond)})
+                            start_new_session=True, env={**os.environ, "FROND_BIN": str(frond),
+                                 "XDG_CACHE_HOME": str(source / "build" / "cache")})
 
 
 def follow(run, until=None):

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/out_folder.h"
+#include "app/pace.h"
 #include "app/progress.h"
 #include "app/streams.h"
 #include "core/content.h"
@@ -70,7 +71,7 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
 
 /// Writes build.ninja and manifest.json for the frames of a range.
 Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std::size_t>& nodes,
-                  const fs::path& root, const fs::path& out, const std::string& name) {
+                  double render_seconds, const fs::path& root, const fs::path& out, const std::string& name) {
   const Film& film = preset.film;
   JobList jobs;
   jobs.size = film.size;
@@ -97,9 +98,11 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
   manifest.size = film.size;
   manifest.quality = jobs.quality;
   manifest.still = jobs.still;
+  manifest.render_seconds = render_seconds;
   for (int frame = range.first; frame <= range.last; ++frame) {
     jobs.frames.push_back(frame);
-    manifest.frames.push_back({frame, film.time(frame), nodes[static_cast<std::size_t>(frame - range.first)]});
+    manifest.frames.push_back(
+        {frame, film.time(frame), nodes[static_cast<std::size_t>(frame - range.first)]});
   }
   Errors errors;
   auto write = [&](const char* file, const std::string& text) {
@@ -151,6 +154,13 @@ int generate(const GenerateArguments& arguments) {
     error.where = arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
   if (!refused.empty()) return fail(refused, kWrongInput);
 
+  if (!arguments.quiet) {
+    Pace pace = pace_of(name.string());
+    tell(fmt::format("foretold: {} of disk, {} of processor to render (reckoned {})",
+                     bytes_text(foretold->disk()),
+                     seconds_text(pace.factor * foretold->frames * foretold->render_seconds), pace.measured));
+  }
+
   std::optional<Progress> shown;
   Watch watch{.begin =
                   [&](std::string_view phase, std::size_t steps) {
@@ -182,7 +192,8 @@ int generate(const GenerateArguments& arguments) {
   Written written =
       write_frames(*scene, std::move(plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
-  Errors job_errors = write_jobs(*preset, range, written.nodes, *root, out, name.string());
+  Errors job_errors =
+      write_jobs(*preset, range, written.nodes, foretold->render_seconds, *root, out, name.string());
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   Result<std::vector<fs::path>> damaged = remove_damaged(out, range, preset->film.size);
   if (!damaged) return fail(damaged.errors(), kCouldNot);

@@ -157,6 +157,7 @@ std::string manifest_text(const Manifest& manifest) {
   line("size", "[" + std::to_string(manifest.size[0]) + ", " + std::to_string(manifest.size[1]) + "]");
   line("quality", json_quoted(manifest.quality));
   line("still", manifest.still ? "true" : "false");
+  line("render_seconds", number_text(manifest.render_seconds, 2));
   text += "  \"frames\": [";
   std::string_view between = "\n    ";
   for (const Manifest::Frame& frame : manifest.frames) {

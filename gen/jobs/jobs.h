@@ -50,7 +50,8 @@ struct JobList {
   std::string scripts = "../scripts";  ///< folder of the scripts, as seen from DIR; no line break in it
 };
 
-/// build.ninja. What it makes unasked is film.mp4 and contact.png, or still.png. Paths and title may hold any character but a line break (one in a title becomes a blank).
+/// build.ninja. What it makes unasked is film.mp4 and contact.png, or still.png. Paths and title may hold any
+/// character but a line break (one in a title becomes a blank).
 std::string ninja_text(const JobList& jobs);
 
 /// What the film is made of, for people and machines that come later. It holds no clock and no absolute path:
@@ -70,6 +71,7 @@ struct Manifest {
   std::array<int, 2> size{480, 270};
   std::string_view quality = "draft";
   bool still = false;
+  double render_seconds = 0;  ///< of a frame, as foretold for a processor as ours
   std::vector<Frame> frames;
 };
 

@@ -118,6 +118,7 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
   manifest.title = "A \"reef\"";
   manifest.preset_hash = "0123abcd";
   manifest.seed = 18446744073709551615ull;
+  manifest.render_seconds = 1.25;
   manifest.frames = {{1, 0, 0}, {2, 1 / 24.0, 17}};
   EXPECT_EQ(manifest_text(manifest),
             "{\n"
@@ -131,6 +132,7 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
             "  \"size\": [480, 270],\n"
             "  \"quality\": \"draft\",\n"
             "  \"still\": false,\n"
+            "  \"render_seconds\": 1.25,\n"
             "  \"frames\": [\n"
             "    {\"number\": 1, \"time\": 0, \"nodes\": 0, \"file\": \"frames/frame_0001.pov\"},\n"
             "    {\"number\": 2, \"time\": 0.041667, \"nodes\": 17, \"file\": \"frames/frame_0002.pov\"}\n"

@@ -204,3 +204,34 @@ SH
   run "$RENDER" film.json --plot plot.png
   [ "$status" -eq 2 ]
 }
+
+@test "what a run takes is foretold from what the last one took" {
+  reckoned() { "$FROND_BIN" info film.json --json "$@" | sed 's/.*"render_seconds": \([0-9.]*\).*/\1/'; }
+  export XDG_CACHE_HOME=$BATS_TEST_TMPDIR/another
+  run "$FROND_BIN" info film.json
+  [[ $output == *" of processor to render (reckoned on no run of this machine)" ]]
+  local first
+  first=$(reckoned)
+  mkdir -p another/frond
+  echo "machine 2 6" >another/frond/pace  # three times as slow
+  [ "$(awk -v a="$first" -v b="$(reckoned)" 'BEGIN { print (b > 2.8 * a && b < 3.2 * a) }')" = 1 ]
+  run "$RENDER" film.json
+  [[ $output == *"foretold: "*" of disk, "*" of processor to render (reckoned on other runs of this machine)"* ]]
+  # The fake povray takes no more than a moment, whatever is foretold of the real one; the next foretelling knows.
+  local taken
+  taken=$(awk '{ all += $2 } END { print all / 1000 }' out/film/.times)
+  echo "$taken $(reckoned)"
+  [ "$(awk -v a="$taken" -v b="$(reckoned)" 'BEGIN { print (b > a / 2 - 0.1 && b < a * 2 + 0.1) }')" = 1 ]
+  run "$FROND_BIN" info film.json
+  [[ $output == *"(reckoned on its last run)" ]]
+  "$RENDER" film.json  # renders nothing, and so measures nothing
+  [ "$(wc -l <another/frond/pace)" -eq 2 ]
+}
+
+@test "a machine that nothing is known of is measured by a small picture" {
+  export XDG_CACHE_HOME=$BATS_TEST_TMPDIR/another
+  use_real_povray
+  "$ROOT/scripts/pace.sh"
+  [[ $(cat another/frond/pace) =~ ^machine\ 2\ [0-9.]+$ ]]
+  [ "$(awk '{ print ($3 > 0.1) }' another/frond/pace)" = 1 ]
+}
