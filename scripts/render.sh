@@ -208,6 +208,9 @@ done
 
 mapfile -t pictures < <(targets frame | sort -V)
 frames=${#pictures[@]}
+for picture in "${pictures[@]}"; do
+  [[ -f ${picture%.png}.pov ]] || fail 1 "$out/${picture%.png}.pov is gone; the same command writes it again"
+done
 if [[ -f $film && $(frames_in "$film") != "$frames" ]]; then rm -f "$film"; fi  # damaged, or another film's
 mapfile -t numbers < <(NINJA_STATUS='' ninja -n "${results[@]}" | sed -n 's/^frame //p')
 to_do=${#numbers[@]}

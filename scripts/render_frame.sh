@@ -35,6 +35,8 @@ folder=$(dirname -- "$picture")
 name=.$(basename -- "$picture" .png)
 renderer=$(command -v "${FROND_POVRAY:-povray}") || fail 1 "${FROND_POVRAY:-povray}: no such program"
 
+[[ -f $scene ]] || fail 1 "$scene could not be rendered: it is gone"
+
 # All that the picture depends on. What lies beside the scene is named by what is in it.
 key=$({
   printf '%s\n' "$size" "$@"
@@ -65,7 +67,7 @@ trap stop TERM INT HUP
 # POV-Ray does not tell a full disk from others; so it is tried what still fits, up to what this picture needs.
 no_room_left() {
   local bytes=$((${size%x*} * ${size#*x} * 4))
-  full_disk "$(head -c $((bytes < 1 << 24 ? bytes : 1 << 24)) /dev/zero 2>&1 >"$plain")"
+  full_disk "$({ head -c $((bytes < 1 << 24 ? bytes : 1 << 24)) /dev/zero 2>&1 >"$plain"; } 2>/dev/null)"
 }
 give_up() {
   local why=$1
@@ -97,7 +99,7 @@ POVINI=/proc/self/fd/$scripts/povray.ini POV_TEMP_DIR=$large \
   "$renderer" "+I$scene" "+O$part" +FN8 "+W${size%x*}" "+H${size#*x}" \
   "+L$library" "+L/proc/self/fd/$pictures" "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
 povray=$!
-wait "$povray" || status=$?
+{ wait "$povray"; } 2>/dev/null || status=$?  # without what bash says of one that was killed
 
 # A PNG without its chunks of time and text: POV-Ray writes the hour into its pictures.
 timeless() {
@@ -132,6 +134,7 @@ if ((status == 0)) && whole_png "$part" "$size"; then
   rm -rf -- "$part" "$log" "$kept" "$large"
   exit 0
 fi
+[[ -f $log ]] || give_up "$folder has vanished"
 # What matters of POV-Ray's many lines: the file, the line and what was wrong.
 errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
 if [[ -z $errors ]] && grep -q 'Cannot access data in file' "$log"; then
