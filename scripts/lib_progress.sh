@@ -6,7 +6,7 @@
 # that are being traced counts the share that POV-Ray has noted, 20 bytes a pixel; scripts/povray.ini spreads what is
 # noted over the picture, so that a plain sky says nothing wrong of the rest.
 
-declare -A _weight=()
+declare -gA _weight=()
 _all=0 _at_once=1 _done=0 _noted=0 _noted_before='' _picture_bytes=1 _began=0 _read=''
 frames_now=0  # finished in this run
 

@@ -94,12 +94,14 @@ while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --) shift; for argument in "$@"; do set_preset "$argument"; done; break ;;
-    -o | --out | --frames | --size | --scale | --quality | --format | --every | --plot | --why | --set | --assets | --jobs | --threads)
+    -o | --out | --frames | --size | --scale | --quality | --set | --assets | --jobs | --threads | --format | --every | --plot | \
+      --why)
       (($# > 1)) || bad_usage "$1 needs a value"
       option=$1 value=$2
       shift 2
       ;;
-    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --format=* | --every=* | --plot=* | --why=* | --set=* | --assets=* | --jobs=* | --threads=*)
+    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --set=* | --assets=* | --jobs=* | --threads=* | --format=* | \
+      --every=* | --plot=* | --why=*)
       option=${1%%=*} value=${1#*=}
       shift
       ;;
@@ -233,8 +235,9 @@ step() {  # FINISHED ALL SECONDS WHAT
   if [[ $what != frame\ * ]]; then return; fi
   frame_done "${what#frame }"
   look_at_notes
-  text="frame $((frames - to_do + frames_now)) of $frames"
-  if ((frames_now < to_do)); then text+=", about $(clock "$(seconds_left)") left"; else text+=", rendered in $(clock "$(seconds_taken)")"; fi
+  text="frame $((frames - to_do + frames_now)) of $frames" left=$(seconds_left)
+  if ((frames_now == to_do)); then text+=", rendered in $(clock "$(seconds_taken)")"
+  elif [[ -n $left ]]; then text+=", about $(clock "$left") left"; fi
   if on_terminal; then
     draw_bar "$((frames - to_do + frames_now))" "$frames" "$text"
   elif ((frames_now == to_do || to_do <= 200 || SECONDS >= said + 5)); then
@@ -311,10 +314,11 @@ else
   make "${wanted[@]}"
 fi
 if [[ -n $stopped || -n $broken ]]; then
-  read -r -a which < <(tr ' ' '\n' <<<"$broken" | sed -n 's/^frames\/frame_0*\([0-9]*\)\.png$/\1/p' | sort -nu | head -n 12 | tr '\n' ' ') || true
+  mapfile -t which < <(tr ' ' '\n' <<<"$broken" | sed -n 's/^frames\/frame_0*\([0-9]*\)\.png$/\1/p' | sort -nu)
   if ((${#which[@]} > 0)); then
-    list=${which[*]}
-    fail 1 "of $out these frames could not be rendered: ${list// /, }$( ((${#which[@]} < 12)) || echo ' ...'); those that are finished are kept"
+    list=${which[*]:0:12}
+    if ((${#which[@]} > 12)); then list+=" ..."; fi
+    fail 1 "of $out these frames could not be rendered: ${list// /, }; those that are finished are kept"
   fi
   [[ $broken != *film.* ]] || fail 1 "the film could not be encoded; the frames of $out are kept"
   fail 1 "not all of $out could be made; the frames that are finished are kept"

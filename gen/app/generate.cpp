@@ -69,7 +69,7 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   return result;
 }
 
-/// Writes build.ninja and manifest.json for the frames of a range.
+/// Writes build.ninja and manifest.json for the frames of a range; `nodes` of each, where that is known.
 Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std::size_t>& nodes,
                   double render_seconds, const fs::path& root, const fs::path& out, const std::string& name) {
   const Film& film = preset.film;
@@ -101,8 +101,8 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
   manifest.render_seconds = render_seconds;
   for (int frame = range.first; frame <= range.last; ++frame) {
     jobs.frames.push_back(frame);
-    manifest.frames.push_back(
-        {frame, film.time(frame), nodes[static_cast<std::size_t>(frame - range.first)]});
+    auto i = static_cast<std::size_t>(frame - range.first);
+    manifest.frames.push_back({frame, film.time(frame), i < nodes.size() ? nodes[i] : 0});
   }
   Errors errors;
   auto write = [&](const char* file, const std::string& text) {
