@@ -6,16 +6,17 @@ set -euo pipefail
 
 usage() {
   cat <<TEXT
-Usage: scripts/contact_sheet.sh LIST SHEET.png COLUMNS
+Usage: scripts/contact_sheet.sh LIST SHEET.png COLUMNS [WIDTH]
 
-Tiles the PNG pictures that LIST names, one a line, row by row. Ends with 1 and makes none where a picture is damaged.
+Tiles the PNG pictures that LIST names, one a line, row by row, each at most WIDTH pixels (240)
+wide. Ends with 1 and makes none where a picture is damaged.
 FROND_FFMPEG names another ffmpeg.
 TEXT
 }
 help_where_asked "$@"
-(($# == 3)) || bad_usage "expected LIST SHEET.png COLUMNS"
+[[ ${3:-} =~ ^[1-9][0-9]*$ && ${4:-1} =~ ^[1-9][0-9]*$ ]] || bad_usage "expected LIST SHEET.png COLUMNS [WIDTH]"
 
-list=$1 sheet=$2 columns=$3
+list=$1 sheet=$2 columns=$3 width=${4:-240}
 part=$(dirname -- "$sheet")/.$(basename -- "$sheet").part
 trap 'rm -f -- "$part"' EXIT
 
@@ -28,7 +29,7 @@ done <"$list"
 said=$(xargs -d '\n' -a "$list" cat -- |
   "${FROND_FFMPEG:-ffmpeg}" -hide_banner -nostdin -loglevel error -xerror -y -err_detect crccheck+explode \
     -f image2pipe -c:v png -framerate 1 -i pipe:0 \
-    -vf "format=gbrp,scale='min(iw,240)':-1,tile=${columns}x${rows}:padding=4:margin=4:color=0x202020,format=rgb24" \
+    -vf "format=gbrp,scale='min(iw,$width)':-1,tile=${columns}x${rows}:padding=4:margin=4:color=0x202020,format=rgb24" \
     -frames:v 1 -update 1 -c:v png -f image2 "file:$part" 2>&1) || failed=$?
 if full_disk "$said"; then said=$no_room; fi
 if [[ -n ${failed:-} ]] || ! whole_png "$part"; then fail 1 "$sheet could not be made: $said"; fi

@@ -64,6 +64,18 @@ whole_png() {
   [[ $begin =~ ^89504e470d0a1a0a0000000d49484452$size$ && $end == 0000000049454e44ae426082 ]]
 }
 
+# label NAME TEXT WIDTH: notes in the file NAME what is to stand below a picture; of a long text its end.
+label() {
+  local text=${2//[[:cntrl:]]/ } most=$(($3 > 224 ? $3 / 9 : 23))
+  if ((${#text} > most)); then text=...${text: -most}; fi
+  printf '%s' "$text" >"$1"
+}
+# labelled NAME: the filter of ffmpeg that puts it there. So no text is ever part of a filter.
+labelled() {
+  printf "pad=iw:ih+28:0:0:0x202020,drawtext=textfile=%s:expansion=none:fontcolor=white:fontsize='clip(w/14,8,16)'" "$1"
+  printf ":x='max(0,(w-tw)/2)':y=h-20"
+}
+
 # frames_in FILM: how many pictures a film holds, by what is there of them and not by its header.
 frames_in() {
   "${FROND_FFMPEG:-ffmpeg}" -hide_banner -nostdin -loglevel quiet -nostats -i "file:$1" -map 0:v -c copy -progress pipe:1 \

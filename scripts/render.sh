@@ -3,10 +3,15 @@
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+# shellcheck source-path=SCRIPTDIR source=lib_progress.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/lib_progress.sh"
 
 usage() {
   cat <<'TEXT'
 Usage: scripts/render.sh PRESET [options]
+
+       scripts/render.sh PRESET --contact-seeds N | --sweep POINTER=FROM:TO:COUNT [options]   see scripts/sheet.sh --help
+       scripts/render.sh --compare A B [FILE]                                                 see scripts/compare.sh --help
 
 Leaves DIR/film.mp4 and DIR/contact.png, or DIR/still.png where the preset is a still. Renders only what changed:
 interrupted or killed at any moment and run again it goes on where it stopped, also within a picture.
@@ -16,6 +21,10 @@ interrupted or killed at any moment and run again it goes on where it stopped, a
   --size WxH                  size of the pictures, in pixels
   --scale N                   multiplies it, by 1 to 16: --scale 4 for the wall, --scale 1.5
   --quality draft|good|best   how well they are rendered
+  --format mp4|webm|gif       of the film (mp4)
+  --every K                   renders each K-th frame first, then those between, with a film preview.mp4 of what there is
+  --plot FILE.svg             draws nodes, bytes and seconds of each frame
+  --why N                     renders nothing; says why frame N is out of date
   --set POINTER=VALUE         overrides one value of the preset; may be given again
   --assets DIR                reads no file but below the preset's own folder and DIR
   --jobs N                    how many processors render (all): frames at once, or parts of a picture
@@ -65,7 +74,17 @@ near_presets() {
     END { print found }'
 }
 
-preset='' out='' jobs='' pass=()
+# What is not one run of one preset has a script of its own.
+for argument in "$@"; do
+  case $argument in
+    --) break ;;
+    --compare) [[ $1 == --compare ]] || bad_usage "--compare comes first: --compare A B"
+      exec "$root/scripts/compare.sh" "${@:2}" ;;
+    --contact-seeds | --contact-seeds=* | --sweep | --sweep=*) exec "$root/scripts/sheet.sh" "$@" ;;
+  esac
+done
+
+preset='' out='' jobs='' format=mp4 every=1 plot='' why='' pass=()
 set_preset() {
   [[ -z $preset ]] || bad_usage "one preset at a time: '$preset', and then '$1'"
   [[ -n $1 ]] || bad_usage "the preset's name is empty"
@@ -75,12 +94,14 @@ while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --) shift; for argument in "$@"; do set_preset "$argument"; done; break ;;
-    -o | --out | --frames | --size | --scale | --quality | --set | --assets | --jobs | --threads)
+    -o | --out | --frames | --size | --scale | --quality | --set | --assets | --jobs | --threads | --format | --every | --plot | \
+      --why)
       (($# > 1)) || bad_usage "$1 needs a value"
       option=$1 value=$2
       shift 2
       ;;
-    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --set=* | --assets=* | --jobs=* | --threads=*)
+    --out=* | --frames=* | --size=* | --scale=* | --quality=* | --set=* | --assets=* | --jobs=* | --threads=* | --format=* | \
+      --every=* | --plot=* | --why=*)
       option=${1%%=*} value=${1#*=}
       shift
       ;;
@@ -95,6 +116,18 @@ while (($# > 0)); do
     --jobs)
       [[ $value =~ ^[1-9][0-9]{0,3}$ ]] || bad_usage "--jobs needs a number from 1 on, not '$value'"
       jobs=$value
+      ;;
+    --format)
+      [[ $value =~ ^(mp4|webm|gif)$ ]] || bad_usage "--format needs mp4, webm or gif, not '$value'"
+      format=$value
+      ;;
+    --every | --why)
+      [[ $value =~ ^[1-9][0-9]{0,8}$ ]] || bad_usage "$option needs a number from 1 on, not '$value'"
+      if [[ $option == --every ]]; then every=$value; else why=$value; fi
+      ;;
+    --plot)
+      [[ $value == *.svg ]] || bad_usage "--plot needs a name that ends in .svg, not '$value'"
+      plot=$(realpath -m -- "$value")
       ;;
     *) pass+=("$option=$value") ;;  # frond knows what is right
   esac
@@ -113,6 +146,8 @@ if [[ -z $out ]]; then out=out/$(basename -- "$preset" .json); fi
 "$root/scripts/setup.sh" --quiet
 if [[ -z ${FROND_BIN:-} ]]; then (tied "$root/scripts/build.sh"); fi
 
+renderer=${FROND_POVRAY:-povray}
+command -v "$renderer" >/dev/null || fail 1 "$renderer: no such program; it is what renders"
 mkdir -p -- "$out" 2>/dev/null || fail 1 "$out: the folder cannot be made"
 { exec {lock}>"$out/.lock"; } 2>/dev/null || fail 1 "$out: cannot be written to"
 if ! flock --nonblock "$lock"; then
@@ -132,7 +167,13 @@ interrupted() {
 }
 trap interrupted INT TERM HUP
 
+if [[ -n $why ]]; then
+  old_scene=$(mktemp)
+  trap 'rm -f -- "$old_scene"' EXIT
+  cp -- "$(printf '%s/frames/frame_%04d.pov' "$out" "$why")" "$old_scene" 2>/dev/null || true
+fi
 export FROND_HOME=${FROND_HOME:-$root}  # templates and includes, wherever the program lies
+"$root/scripts/pace.sh" || true
 say "Generating $out"
 status=0
 # As a child that is waited for, so that a signal to this script alone is heeded at once.
@@ -146,22 +187,35 @@ case $status in
   130 | 143) interrupted ;;
   *) fail 1 "frond ended with exit code $status" ;;
 esac
+if [[ -n $why ]]; then
+  "$root/scripts/why.sh" "$out" "$why" "$old_scene"
+  exit
+fi
 cd -- "$out"
 
 targets() { ninja -t targets rule "$1" 2>/dev/null || true; }
 still=$(targets still)
-results=(film.mp4 contact.png) others=(still.png)
-if [[ -n $still ]]; then results=(still.png) others=(film.mp4 contact.png); fi
+film=film.$format
+results=("$film" contact.png)
+if [[ -n $still ]]; then results=(still.png); fi
 for result in "${results[@]}"; do
   if [[ -d $result ]]; then fail 1 "$out/$result is a folder; expected a file, or none"; fi
 done
-for result in "${others[@]}"; do
-  if [[ -f $result ]]; then rm -f -- "$result"; fi
+# What others of the kind there are is no longer of these frames, unless ninja knows it to be.
+for result in film.{mp4,webm,gif} contact.png still.png; do
+  if [[ -f $result && " ${results[*]} " != *" $result "* && $(ninja -n "$result" 2>&1) != *'no work to do'* ]]; then
+    rm -f -- "$result"
+  fi
 done
 
-frames=$(targets frame | grep -c '' || true)
-if [[ -f film.mp4 && $(frames_in film.mp4) != "$frames" ]]; then rm -f film.mp4; fi  # damaged, or another film's
-to_do=$(NINJA_STATUS='' ninja -n | grep -c '^frame ' || true)
+mapfile -t pictures < <(targets frame | sort -V)
+frames=${#pictures[@]}
+for picture in "${pictures[@]}"; do
+  [[ -f ${picture%.png}.pov ]] || fail 1 "$out/${picture%.png}.pov is gone; the same command writes it again"
+done
+if [[ -f $film && $(frames_in "$film") != "$frames" ]]; then rm -f "$film"; fi  # damaged, or another film's
+mapfile -t numbers < <(NINJA_STATUS='' ninja -n "${results[@]}" | sed -n 's/^frame //p')
+to_do=${#numbers[@]}
 if ((to_do == 0)); then
   say "Nothing to render: all $frames frames are up to date."
 elif ((to_do < frames)); then
@@ -169,67 +223,118 @@ elif ((to_do < frames)); then
 else
   say "Rendering $frames frame$( ((frames == 1)) || echo s)."
 fi
+jobs=${jobs:-$(nproc)}
+size=$(sed -n 's/^size = //p' build.ninja)
+begin_progress "$size" "$jobs" < <(printf '%s\n' ${numbers[@]+"${numbers[@]}"})
+if [[ -f .times ]]; then timed=$(grep -c '' .times || true); else timed=0; fi
 
-done_now=0 said=0
+said=$SECONDS pause=10 tenth=-1
+# shellcheck disable=SC2154  # of lib_progress.sh
 step() {  # FINISHED ALL SECONDS WHAT
-  local seconds=$3 what=$4 left text
+  local what=$4 left text
   if [[ $what != frame\ * ]]; then return; fi
-  done_now=$((done_now + 1))
-  left=$(((seconds * (to_do - done_now) + done_now - 1) / done_now))
-  text="frame $((frames - to_do + done_now)) of $frames"
-  if ((done_now < to_do)); then text+=", about $(clock "$left") left"; else text+=", rendered in $(clock "$seconds")"; fi
+  frame_done "${what#frame }"
+  look_at_notes
+  text="frame $((frames - to_do + frames_now)) of $frames" left=$(seconds_left)
+  if ((frames_now == to_do)); then text+=", rendered in $(clock "$(seconds_taken)")"
+  elif [[ -n $left ]]; then text+=", about $(clock "$left") left"; fi
   if on_terminal; then
-    draw_bar "$((frames - to_do + done_now))" "$frames" "$text"
-  elif ((done_now == to_do || to_do <= 200 || seconds >= said + 5)); then
-    said=$seconds
+    draw_bar "$((frames - to_do + frames_now))" "$frames" "$text"
+  elif ((frames_now == to_do || to_do <= 200 || SECONDS >= said + 5)); then
+    said=$SECONDS
     say "$text"
   fi
-  if ((done_now == to_do)) && [[ -z $still ]]; then say "Encoding the film"; fi
+  if ((frames_now == to_do)) && [[ -z $still ]]; then say "Encoding the film"; fi
 }
 
-# Where one picture is all there is to do: how much of it is traced, by the bytes that POV-Ray has noted of it.
-size=$(sed -n 's/^size = //p' build.ninja)
-whole=$((${size%x*} * ${size#*x} * 20)) first='' started=0 tenth=-1
-picture() {
-  local now percent text
-  if ((to_do != 1 || done_now > 0)); then return; fi
-  now=$(cat frames/.frame_*.kept 2>/dev/null | wc -c)
-  percent=$((now < whole ? now * 100 / whole : 99))
-  text="$percent % of the picture"
-  if [[ $now == "${first:-$now}" ]]; then  # it still reads the scene
-    first=$now started=$SECONDS
-  else
-    text+=", about $(clock $(((SECONDS - started) * (now < whole ? whole - now : 0) / (now - first)))) left"
-  fi
+# What is said while no frame ends: how much of those at work is traced.
+idle() {
+  local percent left text
+  if ((frames_now >= to_do)); then return; fi
+  look_at_notes
+  percent=$(percent_done) left=$(seconds_left)
+  text="$percent % of the $( ((to_do == 1)) && echo picture || echo "$to_do frames")"
+  if [[ -n $left ]]; then text+=", about $(clock "$left") left"; fi
+  if [[ -z $_read ]]; then text+=", reading the scene"; fi
   if on_terminal; then
     draw_bar "$percent" 100 "$text"
-  elif ((percent / 10 > tenth)); then
-    tenth=$((percent / 10))
+  elif ((to_do == 1 && percent / 10 > tenth || SECONDS >= said + pause)); then
+    tenth=$((percent / 10)) said=$SECONDS pause=$((pause < 60 ? pause * 2 : pause))
     say "$text"
   fi
 }
 
-if on_terminal && ((to_do > 1)); then draw_bar "$((frames - to_do))" "$frames" "frame $((frames - to_do)) of $frames"; fi
-jobs=${jobs:-$(nproc)}
 # Processors that no frame of their own keeps busy help with another.
 export FROND_THREADS=$((to_do > 0 && jobs > to_do ? jobs / to_do : 1))
-start_ninja -j "$jobs"
-room_told=''
+room_told='' faults=0
 tell() {
   if full_disk "$1"; then set -- "ninja: $no_room"; fi
-  if [[ $1 == *": $no_room" && -n $room_told ]]; then return; fi  # once is enough
-  if [[ $1 == *": $no_room" ]]; then room_told=yes; fi
-  say "$1"
+  if [[ $1 == *": $no_room" ]]; then
+    if [[ -n $room_told ]]; then return; fi  # once is enough, and no other frame would fare better
+    room_told=yes
+    kill -TERM "$ninja_pid" 2>/dev/null || true
+  fi
+  if [[ $1 == error:* ]]; then faults=$((faults + 1)); fi
+  if ((faults == 6)); then say "What else fails is not shown."; faults=7; fi
+  if ((faults < 6)); then say "$1"; fi
 }
-follow_ninja step tell picture || case $failed in
-  *frames/*) fail 1 "not all frames of $out could be rendered; those that are finished are kept" ;;
-  *film.mp4*) fail 1 "the film could not be encoded; the frames of $out are kept" ;;
-  *) fail 1 "not all of $out could be made; the frames that are finished are kept" ;;
-esac
+
+# make TARGET...: a frame that fails does not stop the others. What has failed stands in $broken.
+broken='' stopped=''
+make() {
+  if [[ -n $stopped || $# == 0 ]]; then return; fi
+  start_ninja -k 0 -j "$jobs" "$@"
+  if follow_ninja step tell idle; then return; fi
+  broken+=$failed
+  if [[ -z $failed || -n $room_told ]]; then stopped=yes; fi
+}
+# pictures_of K: each K-th of all pictures, but for those that have failed
+pictures_of() {
+  local i
+  for ((i = 0; i < frames; i += $1)); do
+    if [[ " $broken " != *" ${pictures[i]} "* ]]; then printf '%s\n' "${pictures[i]}"; fi
+  done
+}
+
+fps=$(sed -n 's/^fps = //p' build.ninja)
+for ((k = every < frames ? every : frames; k > 1 && to_do > 0; k /= 2)); do
+  before=$frames_now
+  mapfile -t wanted < <(pictures_of "$k")
+  make "${wanted[@]}"
+  if [[ -n $broken$stopped ]] || ((frames_now == before || frames_now == to_do)); then continue; fi
+  printf '%s\n' "${wanted[@]}" >preview.mp4.list
+  "$root/scripts/encode_film.sh" preview.mp4.list preview.mp4 "$(awk -v fps="$fps" -v k="$k" 'BEGIN { print fps / k }')" preview
+  rm -f preview.mp4.list
+  say "One of $k frames is there, and a film of them: $out/preview.mp4"
+done
+if [[ -z $broken ]]; then
+  make "${results[@]}"
+else
+  mapfile -t wanted < <(pictures_of 1)
+  make "${wanted[@]}"
+fi
+if [[ -n $stopped || -n $broken ]]; then
+  mapfile -t which < <(tr ' ' '\n' <<<"$broken" | sed -n 's/^frames\/frame_0*\([0-9]*\)\.png$/\1/p' | sort -nu)
+  if ((${#which[@]} > 0)); then
+    list=${which[*]:0:12}
+    if ((${#which[@]} > 12)); then list+=" ..."; fi
+    fail 1 "of $out these frames could not be rendered: ${list// /, }; those that are finished are kept"
+  fi
+  [[ $broken != *film.* ]] || fail 1 "the film could not be encoded; the frames of $out are kept"
+  fail 1 "not all of $out could be made; the frames that are finished are kept"
+fi
 if [[ -z $still ]]; then
-  encoded=$(frames_in film.mp4)
-  [[ $encoded == "$frames" ]] || fail 1 "$out/film.mp4 holds ${encoded:-0} of $frames frames"
+  encoded=$(frames_in "$film")
+  [[ $encoded == "$frames" ]] || fail 1 "$out/$film holds ${encoded:-0} of $frames frames"
 fi
 find frames -maxdepth 1 -name '.frame_*' -exec rm -rf -- {} +  # unfinished pictures that are no part of this film
+rm -f preview.mp4 preview.mp4.list
+if ((frames_now > 0)); then "$root/scripts/pace.sh" . "$timed" || true; fi
+if ((frames_now > 1)); then
+  tail -n +$((timed + 1)) .times 2>/dev/null | sort -k2,2nr | awk '
+    { all += $2; if (NR <= 3) slow = slow sprintf("%s%d (%.1f s)", NR > 1 ? ", " : "", substr($1, 7), $2 / 1000) }
+    END { if (NR) printf "%.0f s of processor; the slowest frames: %s\n", all / 1000, slow }' >&2
+fi
 
+if [[ -n $plot ]]; then "$root/scripts/plot.sh" . "$plot"; fi
 for result in "${results[@]}"; do printf '%s\n' "$out/$result"; done

@@ -17,6 +17,8 @@ Usage: scripts/render_frame.sh SCENE.pov PICTURE.png WIDTHxHEIGHT [POVRAY_FLAG..
 
 Renders one frame. Called by ninja in the folder of the film; when ninja ends, so does this.
 
+Adds a line to .times in that folder: the frame, milliseconds of processor that it took, and its size.
+
 FROND_THREADS is how many threads trace it (1); the pixels do not depend on it. FROND_POVRAY names another povray.
 FROND_UNCONFINED=1 lets POV-Ray open any file that you may open, where the kernel has no Landlock (Linux 5.13).
 TEXT
@@ -32,6 +34,8 @@ povinc=$root/povinc
 folder=$(dirname -- "$picture")
 name=.$(basename -- "$picture" .png)
 renderer=$(command -v "${FROND_POVRAY:-povray}") || fail 1 "${FROND_POVRAY:-povray}: no such program"
+
+[[ -f $scene ]] || fail 1 "$scene could not be rendered: it is gone"
 
 # All that the picture depends on. What lies beside the scene is named by what is in it.
 key=$({
@@ -63,7 +67,7 @@ trap stop TERM INT HUP
 # POV-Ray does not tell a full disk from others; so it is tried what still fits, up to what this picture needs.
 no_room_left() {
   local bytes=$((${size%x*} * ${size#*x} * 4))
-  full_disk "$(head -c $((bytes < 1 << 24 ? bytes : 1 << 24)) /dev/zero 2>&1 >"$plain")"
+  full_disk "$({ head -c $((bytes < 1 << 24 ? bytes : 1 << 24)) /dev/zero 2>&1 >"$plain"; } 2>/dev/null)"
 }
 give_up() {
   local why=$1
@@ -77,6 +81,8 @@ give_up() {
 # POV-Ray removes its state before it writes the picture, which takes long if that is large: a second name keeps it.
 if ! { mkdir -p -- "$large" && : >>"$kept"; } 2>/dev/null; then give_up "$folder: cannot be written to"; fi
 ln -f -- "$kept" "$state" 2>/dev/null || true
+taken_up=''
+if [[ -s $kept ]]; then taken_up=yes; fi
 
 # POV-Ray parses its options by itself and stumbles over quotes in a path: folders come through descriptors.
 exec {includes}<"$povinc" {pictures}<"$(dirname -- "$scene")" {scripts}<"$root/scripts"
@@ -93,7 +99,7 @@ POVINI=/proc/self/fd/$scripts/povray.ini POV_TEMP_DIR=$large \
   "$renderer" "+I$scene" "+O$part" +FN8 "+W${size%x*}" "+H${size#*x}" \
   "+L$library" "+L/proc/self/fd/$pictures" "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
 povray=$!
-wait "$povray" || status=$?
+{ wait "$povray"; } 2>/dev/null || status=$?  # without what bash says of one that was killed
 
 # A PNG without its chunks of time and text: POV-Ray writes the hour into its pictures.
 timeless() {
@@ -109,12 +115,26 @@ timeless() {
   tail -c +$((at + 1)) -- "$1"
 }
 
+# Notes the time that this process and its children took; where another one began the picture it says nothing.
+note_time() {
+  local user system spent=0 time
+  if [[ -n $taken_up ]]; then return; fi
+  times >"$log"
+  { read -r _ && read -r user system; } <"$log"
+  for time in "${user%s}" "${system%s}"; do
+    spent=$((spent + ${time%m*} * 60000 + 10#$(printf '%s' "${time#*m}" | tr -d .)))
+  done
+  printf '%s %d %s\n' "${name#.}" "$spent" "$size" >>"$(dirname -- "$folder")/.times"
+}
+
 if ((status == 0)) && whole_png "$part" "$size"; then
   { timeless "$part" >"$plain"; } 2>/dev/null || give_up "its picture could not be written"
   put_in_place "$plain" "$picture"
+  note_time 2>/dev/null || true
   rm -rf -- "$part" "$log" "$kept" "$large"
   exit 0
 fi
+[[ -f $log ]] || give_up "$folder has vanished"
 # What matters of POV-Ray's many lines: the file, the line and what was wrong.
 errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
 if [[ -z $errors ]] && grep -q 'Cannot access data in file' "$log"; then

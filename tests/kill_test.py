@@ -21,9 +21,9 @@ chance = random.Random(6)
 
 
 def files(folder):
-    """All that a folder holds, but for the notes of ninja and of the lock."""
+    """All that a folder holds, but for the notes of ninja, of the lock and of times."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*"))
-            if path.is_file() and path.name not in (".ninja_log", ".ninja_deps", ".lock")}
+            if path.is_file() and path.name not in (".ninja_log", ".ninja_deps", ".lock", ".times")}
 
 
 def same(a, b, when):
@@ -34,7 +34,8 @@ def same(a, b, when):
 
 def start(command):
     return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                            start_new_session=True, env={**os.environ, "FROND_BIN": str(frond)})
+                            start_new_session=True, env={**os.environ, "FROND_BIN": str(frond),
+                                 "XDG_CACHE_HOME": str(source / "build" / "cache")})
 
 
 def follow(run, until=None):

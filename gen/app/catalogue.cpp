@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/pace.h"
 #include "app/streams.h"
 #include "core/files.h"
 #include "core/printable.h"
@@ -74,19 +75,24 @@ int info(const PresetArguments& arguments, bool json) {
   const Foretold& f = *foretold;
   Machine machine = this_machine(".");
   double memory = f.memory(f.at_once(machine)), seconds = f.seconds(machine.threads);
+  Pace pace = pace_of(fs::path(arguments.path).stem().string());
+  double render = pace.factor * f.frames * f.render_seconds;
   if (json)
     put(
         fmt::format("{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"organs\": {:.0f}, "
                     "\"copies\": {:.0f}, \"models\": {:.0f}, \"memory_bytes\": {:.0f}, \"frames\": {}, "
-                    "\"bytes_a_frame\": {:.0f}, \"disk_bytes\": {:.0f}, \"seconds\": {:.1f}}}\n",
+                    "\"bytes_a_frame\": {:.0f}, \"disk_bytes\": {:.0f}, \"seconds\": {:.1f}, "
+                    "\"render_seconds\": {:.1f}}}\n",
                     f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, memory, f.frames,
-                    f.frame_bytes, f.disk(), seconds));
+                    f.frame_bytes, f.disk(), seconds, render));
   else
     put(fmt::format(
         "about {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.0f} organs; {:.0f} copies of {:.0f} "
-        "models; {} of memory; {} frames of {}, {} in all; {:.2g} s to generate\n",
+        "models; {} of memory; {} frames of {}, {} in all; {:.2g} s to generate, {} of "
+        "processor to render (reckoned {})\n",
         f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, bytes_text(memory), f.frames,
-        bytes_text(f.frame_bytes), bytes_text(f.disk()), seconds));
+        bytes_text(f.frame_bytes + f.picture_bytes), bytes_text(f.disk()), seconds, seconds_text(render),
+        pace.measured));
   Errors errors = refuse(f, machine);
   for (Error& error : errors) error.where = arguments.path;
   return errors.empty() ? kDone : fail(errors, kWrongInput);

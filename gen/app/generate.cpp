@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/out_folder.h"
+#include "app/pace.h"
 #include "app/progress.h"
 #include "app/streams.h"
 #include "core/content.h"
@@ -30,7 +31,8 @@ namespace {
 struct Written {
   int frames = 0;  // that changed on disk
   Errors errors;
-  std::set<std::string> beside;  // what frames include
+  std::set<std::string> beside;    // what frames include
+  std::vector<std::size_t> nodes;  // that each shows
 };
 
 /// Writes the frames of a range, up to `at_once` at a time.
@@ -41,32 +43,37 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   for (const Picture& file : parts.files) {
     beside.insert(file.name);
     Result<bool> written = write_file(out / "frames" / file.name, file.bytes);
-    if (!written) return {0, written.errors(), {}};
+    if (!written) return {0, written.errors(), {}, {}};
   }
   int count = range.last - range.first + 1;
   Progress progress("frames", count, quiet);
   std::atomic<int> changed = 0, next = 0;
   std::vector<Errors> errors(static_cast<std::size_t>(count));
+  std::vector<std::size_t> nodes(errors.size());
   parallel_for(static_cast<std::size_t>(std::min(at_once, count)), [&](std::size_t) {
     for (int i; (i = next++) < count;) {
       int frame = range.first + i;
-      Result<bool> written =
+      Result<FrameFile> written =
           write_frame_file(scene, parts, layout, out / "frames" / (frame_name(frame) + ".pov"), frame);
-      if (!written)
+      if (written) {
+        changed += written->changed;
+        nodes[static_cast<std::size_t>(i)] = written->nodes;
+      } else {
         errors[static_cast<std::size_t>(i)] = written.errors();
-      else if (*written)
-        ++changed;
+      }
       progress.step();
     }
   });
-  Written result{changed, {}, std::move(beside)};
+  Written result{changed, {}, std::move(beside), std::move(nodes)};
   for (const Errors& list : errors) result.errors.insert(result.errors.end(), list.begin(), list.end());
   return result;
 }
 
-/// Writes build.ninja and manifest.json for the frames of a range.
-Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, const fs::path& out,
-                  const std::string& name, bool rendered) {
+/// Writes build.ninja and manifest.json for the frames of a range; `nodes` of each, where that is known.
+/// `rendered`: the pictures come from elsewhere.
+Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std::size_t>& nodes,
+                  double render_seconds, const fs::path& root, const fs::path& out, const std::string& name,
+                  bool rendered) {
   const Film& film = preset.film;
   JobList jobs;
   jobs.size = film.size;
@@ -75,6 +82,7 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   jobs.still = film.frames == 1;
   jobs.rendered = rendered;
   jobs.title = preset.title;
+  jobs.seed = preset.seed;
   std::error_code error;
   jobs.povinc = fs::relative(root / "povinc", out, error).string();
   jobs.scripts = fs::relative(root / "scripts", out, error).string();
@@ -93,9 +101,11 @@ Errors write_jobs(const Preset& preset, FrameRange range, const fs::path& root, 
   manifest.size = film.size;
   manifest.quality = jobs.quality;
   manifest.still = jobs.still;
+  manifest.render_seconds = render_seconds;
   for (int frame = range.first; frame <= range.last; ++frame) {
     jobs.frames.push_back(frame);
-    manifest.frames.push_back({frame, film.time(frame)});
+    auto i = static_cast<std::size_t>(frame - range.first);
+    manifest.frames.push_back({frame, film.time(frame), i < nodes.size() ? nodes[i] : 0});
   }
   Errors errors;
   auto write = [&](const char* file, const std::string& text) {
@@ -149,7 +159,7 @@ int generate(const GenerateArguments& arguments) {
   std::string name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
   if (arguments.film_only) {
-    Errors errors = write_jobs(*preset, range, *root, out, name, true);
+    Errors errors = write_jobs(*preset, range, {}, 0, *root, out, name, true);
     if (errors.empty()) errors = remove_unusable(out, range, preset->film.size);
     return errors.empty() ? kDone : fail(errors, kCouldNot);
   }
@@ -160,6 +170,13 @@ int generate(const GenerateArguments& arguments) {
   for (Error& error : refused)
     error.where = arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
   if (!refused.empty()) return fail(refused, kWrongInput);
+
+  if (!arguments.quiet) {
+    Pace pace = pace_of(name);
+    tell(fmt::format("foretold: {} of disk, {} of processor to render (reckoned {})",
+                     bytes_text(foretold->disk()),
+                     seconds_text(pace.factor * foretold->frames * foretold->render_seconds), pace.measured));
+  }
 
   std::optional<Progress> shown;
   Watch watch{.begin =
@@ -192,7 +209,8 @@ int generate(const GenerateArguments& arguments) {
   Written written =
       write_frames(*scene, std::move(plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
-  Errors job_errors = write_jobs(*preset, range, *root, out, name, false);
+  Errors job_errors =
+      write_jobs(*preset, range, written.nodes, foretold->render_seconds, *root, out, name, false);
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   job_errors = remove_unusable(out, range, preset->film.size);
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);

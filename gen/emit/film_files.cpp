@@ -86,12 +86,15 @@ Errors write_drawings(const Scene& scene, const fs::path& folder, const Watch& w
   return {};
 }
 
-Result<bool> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
-                              const fs::path& path, int frame) {
+Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
+                                   const fs::path& path, int frame) {
   GrowingFile file(path);
-  Errors errors = write_frame(scene, parts, layout, frame, [&](std::string_view text) { file.add(text); });
-  if (!errors.empty()) return errors;
-  return file.close();
+  Result<std::size_t> nodes =
+      write_frame(scene, parts, layout, frame, [&](std::string_view text) { file.add(text); });
+  if (!nodes) return nodes.errors();
+  Result<bool> changed = file.close();
+  if (!changed) return changed.errors();
+  return FrameFile{*changed, *nodes};
 }
 
 }  // namespace frond

@@ -19,8 +19,13 @@ Errors write_models(const Scene& scene, CopyPlan& plan, const std::filesystem::p
 /// Draws the pictures of bark and leaves that are not there yet.
 Errors write_drawings(const Scene& scene, const std::filesystem::path& folder, const Watch& watch);
 
-/// Writes one frame; true where it was not there just so.
-Result<bool> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
-                              const std::filesystem::path& path, int frame);
+struct FrameFile {
+  bool changed = false;   ///< it was not there just so
+  std::size_t nodes = 0;  ///< that growth has reached in it
+};
+
+/// Writes one frame.
+Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
+                                   const std::filesystem::path& path, int frame);
 
 }  // namespace frond

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "organisms/organism.h"
 #include "settings/settings.h"
@@ -29,6 +30,22 @@ constexpr double kHeldTriangle = 40;
 constexpr double kFrameBuffers = 3e7;
 // A second.
 constexpr double kOrgansGrown = 5e5, kTrianglesMade = 5e5, kBytesWritten = 3e7, kPixelsDrawn = 5e5;
+
+constexpr double kPictureBytes = 1.8;  // of a pixel
+// Of POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
+// picture of kTracedPixels, by quality, and by which power of their number a pixel of a larger picture, where
+// fewer lie on edges, takes less; crowded scenes take more.
+constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
+constexpr double kPixelTraced[] = {1.8e-4, 1.3e-3, 3.2e-3}, kEdges[] = {0.1, 0.3, 0.3};
+
+double render_seconds(const Foretold& f, const Film& film) {
+  double pixels = double(film.size[0]) * film.size[1];
+  auto quality = static_cast<std::size_t>(film.quality);
+  double traced =
+      pixels * kPixelTraced[quality] * std::pow(kTracedPixels / std::max(pixels, 1.0), kEdges[quality]);
+  return f.frame_bytes / kBytesRead + f.shared_bytes / kModelsRead +
+         traced * (f.copies > kCrowd ? kCrowded : 1);
+}
 
 /// Bytes of text that a node takes.
 double node_bytes(const Foresight& size, const Dress& dress) {
@@ -128,6 +145,8 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
     (preset.film.frames > 1 && same > kAsideBytes ? f.shared_bytes : text) += same;
   f.frame_bytes = text;
   f.frame_seconds = text / kBytesWritten;
+  f.picture_bytes = kPictureBytes * preset.film.size[0] * preset.film.size[1];
+  f.render_seconds = render_seconds(f, preset.film);
   return f;
 }
 
@@ -140,11 +159,12 @@ Errors refuse(const Foretold& f, const Machine& machine) {
                          "smaller ones, or fewer steps or years",
                          bytes_text(memory), bytes_text(machine.memory), most)});
   if (f.disk() > machine.disk)
-    errors.push_back({"", fmt::format("the run would write about {}, {} frames of {} and {} beside them, and "
-                                      "{} of the disk are free; fewer frames (film.frames, --frames), or "
-                                      "another --out; {}",
-                                      bytes_text(f.disk()), f.frames, bytes_text(f.frame_bytes),
-                                      bytes_text(f.shared_bytes), bytes_text(machine.disk), most)});
+    errors.push_back(
+        {"", fmt::format("the run would write about {}, {} frames of {} and {} beside them, and "
+                         "{} of the disk are free; fewer frames (film.frames, --frames), or "
+                         "another --out; {}",
+                         bytes_text(f.disk()), f.frames, bytes_text(f.frame_bytes + f.picture_bytes),
+                         bytes_text(f.shared_bytes), bytes_text(machine.disk), most)});
   return errors;
 }
 

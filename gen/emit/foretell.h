@@ -16,12 +16,14 @@ struct Foretold {
   double scene_memory = 0, frame_memory = 0;  ///< bytes: while frames are written, and more for each at work
   double growth_memory = 0;                   ///< the most that is held while it grows
   double growth_seconds = 0, frame_seconds = 0;  ///< of one thread; of each frame
-  std::size_t largest = 0;                       ///< the organism that takes most
+  double picture_bytes = 0;                      ///< of one rendered picture
+  double render_seconds = 0;  ///< of one processor as ours, for POV-Ray to render one frame
+  std::size_t largest = 0;    ///< the organism that takes most
 
   /// How many frames are best written at a time, at least 1.
   int at_once(const Machine& machine) const;
   double memory(int at_once) const;
-  double disk() const { return frames * frame_bytes + shared_bytes; }
+  double disk() const { return frames * (frame_bytes + picture_bytes) + shared_bytes; }
   double seconds(int threads) const;
 };
 

@@ -216,9 +216,10 @@ Errors write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, st
   return {};
 }
 
-Errors write_branches(const PovSpace& space, const Specimen& b, std::size_t index, double time,
-                      const Out& out) {
-  if (!b.look.skin && !b.look.bark) return {};
+/// Gives how many nodes there are by then.
+Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std::size_t index, double time,
+                                   const Out& out) {
+  if (!b.look.skin && !b.look.bark) return 0;
   Pose pose;
   pose_specimen(b, time, pose);
   bool named = false;
@@ -231,12 +232,14 @@ Errors write_branches(const PovSpace& space, const Specimen& b, std::size_t inde
   };
   if (Errors errors = write_wood(space, b, pose, index, under_name); !errors.empty()) return errors;
   write_foliage(space, b, pose, time, under_name);
-  return {};
+  const std::vector<float>& birth = b.model.skeleton.birth;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(birth, [&](float born) { return born <= pose.front; }));
 }
 
 /// Writes organism i as it is at a time.
-Errors write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
-                      const Out& out) {
+Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
+                                   const Out& out) {
   const Specimen& b = scene.specimens[i];
   if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], time, out);
   Result<Specimen> now = developed(b, time);
@@ -249,26 +252,34 @@ std::size_t lines_of(const Specimen& b) {
 }
 
 /// Small ones are written side by side and put together, large ones one by one with nothing held.
-void write_organisms(const FrameParts& parts, const Scene& scene, double time, Errors& errors,
-                     const Out& out) {
+std::size_t write_organisms(const FrameParts& parts, const Scene& scene, double time, Errors& errors,
+                            const Out& out) {
+  std::size_t nodes = 0;
+  auto take = [&](const Result<std::size_t>& written) {
+    if (written)
+      nodes += *written;
+    else
+      errors.insert(errors.end(), written.errors().begin(), written.errors().end());
+  };
   for (std::size_t from = 0, to = 0; from < scene.specimens.size() && errors.empty(); from = to) {
     for (std::size_t lines = 0; to < scene.specimens.size(); ++to) {
       lines += lines_of(scene.specimens[to]);
       if (lines > kLinesAtOnce && to > from) break;
     }
     if (to == from + 1) {
-      errors = write_organism(parts, scene, from, time, out);
+      take(write_organism(parts, scene, from, time, out));
       continue;
     }
     std::vector<std::string> texts(to - from);
-    std::vector<Errors> faults(texts.size());
+    std::vector<Result<std::size_t>> written(texts.size(), 0);
     parallel_for(texts.size(), [&](std::size_t i) {
-      faults[i] =
+      written[i] =
           write_organism(parts, scene, from + i, time, [&](std::string_view piece) { texts[i] += piece; });
     });
-    for (const Errors& fault : faults) errors.insert(errors.end(), fault.begin(), fault.end());
+    for (const Result<std::size_t>& one : written) take(one);
     for (const std::string& text : texts) out(text);
   }
+  return nodes;
 }
 
 constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
@@ -309,13 +320,14 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
   return parts;
 }
 
-Errors write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame,
-                   const Out& out) {
+Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
+                                int frame, const Out& out) {
   const Film& film = scene.film;
   double time = film.time(frame);
   std::string padded = number_text(frame);
   padded.insert(0, padded.size() < 4 ? 4 - padded.size() : 0, '0');
   Errors errors;
+  std::size_t nodes = 0;
   fill(layout, out, [&](std::string_view hole) {
     if (hole == "frame") return out(number_text(frame));
     if (hole == "frames") return out(number_text(film.frames));
@@ -332,20 +344,22 @@ Errors write_frame(const Scene& scene, const FrameParts& parts, std::string_view
     if (hole == "materials") return out(parts.materials);
     if (hole == "ground") return out(parts.ground);
     if (hole == "organisms") {
-      write_organisms(parts, scene, time, errors, out);
+      nodes = write_organisms(parts, scene, time, errors, out);
       return out(swaying_copies_text(parts.space, scene, parts.plan, time));
     }
     if (hole == "food") return out(food_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
   });
-  return errors;
+  if (!errors.empty()) return errors;
+  return nodes;
 }
 
 Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame) {
   std::string text;
-  Errors errors = write_frame(scene, parts, layout, frame, [&](std::string_view piece) { text += piece; });
-  if (!errors.empty()) return errors;
+  Result<std::size_t> written =
+      write_frame(scene, parts, layout, frame, [&](std::string_view piece) { text += piece; });
+  if (!written) return written.errors();
   return text;
 }
 

@@ -30,8 +30,9 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {});
 Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame);
 
-/// The same, piece by piece: the text of a large frame is held nowhere as a whole.
-Errors write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout, int frame,
-                   const Out& out);
+/// The same, piece by piece: the text of a large frame is held nowhere as a whole. Gives how many nodes
+/// growth has reached in it; those of copies do not count.
+Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
+                                int frame, const Out& out);
 
 }  // namespace frond

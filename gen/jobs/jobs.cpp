@@ -127,13 +127,16 @@ std::string ninja_text(const JobList& jobs) {
   append_variable(text, "contact_sheet", shell_quoted(jobs.scripts + "/contact_sheet.sh"));
   append_variable(text, "fps", number_text(jobs.fps, 6));
   append_variable(text, "title", shell_quoted(jobs.title));
-  append_list_rule(text, "film", "exec $encode_film $out.list $out $fps $title", "film.mp4");
-  append_build(text, "film.mp4", "film", jobs.frames);
+  append_variable(text, "comment", shell_quoted("seed " + std::to_string(jobs.seed)));
+  append_list_rule(text, "film", "exec $encode_film $out.list $out $fps $title $comment", "$out");
+  for (std::string_view film : {"film.mp4", "film.webm", "film.gif"})
+    append_build(text, film, "film", jobs.frames);
 
   std::vector<int> sheet = sheet_frames(jobs.frames);
   append_variable(text += '\n', "columns", std::to_string(sheet_columns(sheet.size())));
   append_list_rule(text, "contact", "exec $contact_sheet $out.list $out $columns", "contact.png");
   append_build(text, "contact.png", "contact", sheet);
+  text += "\ndefault film.mp4 contact.png\n";
   return text;
 }
 
@@ -156,11 +159,13 @@ std::string manifest_text(const Manifest& manifest) {
   line("size", "[" + std::to_string(manifest.size[0]) + ", " + std::to_string(manifest.size[1]) + "]");
   line("quality", json_quoted(manifest.quality));
   line("still", manifest.still ? "true" : "false");
+  line("render_seconds", number_text(manifest.render_seconds, 2));
   text += "  \"frames\": [";
   std::string_view between = "\n    ";
   for (const Manifest::Frame& frame : manifest.frames) {
     text += between;
     text += "{\"number\": " + std::to_string(frame.number) + ", \"time\": " + number_text(frame.time, 6) +
+            ", \"nodes\": " + std::to_string(frame.nodes) +
             ", \"file\": " + json_quoted(scene_file(frame.number)) + "}";
     between = ",\n    ";
   }

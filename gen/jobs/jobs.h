@@ -10,7 +10,7 @@
 /// scripts run the processes.
 ///
 ///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     scripts/render_frame.sh
-///     all frames                -> DIR/film.mp4                  scripts/encode_film.sh
+///     all frames                -> DIR/film.mp4, .webm, .gif     scripts/encode_film.sh
 ///     some frames               -> DIR/contact.png               scripts/contact_sheet.sh
 ///     the frame of a still      -> DIR/still.png                 scripts/keep_still.sh
 ///
@@ -45,12 +45,14 @@ struct JobList {
   bool still = false;                  ///< one picture, no film
   bool rendered = false;               ///< the pictures come from elsewhere: only the film is to be made
   std::string title;                   ///< goes into the film's metadata
+  std::uint64_t seed = 0;              ///< too
   std::string povinc = "../povinc";    ///< folder of the includes, as seen from DIR; no line break in it
   std::vector<std::string> includes;   ///< names of the files there that a frame may read: "frond_water.inc"
   std::string scripts = "../scripts";  ///< folder of the scripts, as seen from DIR; no line break in it
 };
 
-/// build.ninja. Paths and title may hold any character but a line break (one in a title becomes a blank).
+/// build.ninja. What it makes unasked is film.mp4 and contact.png, or still.png. Paths and title may hold any
+/// character but a line break (one in a title becomes a blank).
 std::string ninja_text(const JobList& jobs);
 
 /// What the film is made of, for people and machines that come later. It holds no clock and no absolute path:
@@ -58,7 +60,8 @@ std::string ninja_text(const JobList& jobs);
 struct Manifest {
   struct Frame {
     int number = 1;
-    double time = 0;  ///< seconds from the first frame of the preset
+    double time = 0;        ///< seconds from the first frame of the preset
+    std::size_t nodes = 0;  ///< of skeletons, that growth has reached
   };
   std::string version;  ///< of frond
   std::string preset;   ///< the preset's file name without .json
@@ -69,6 +72,7 @@ struct Manifest {
   std::array<int, 2> size{480, 270};
   std::string_view quality = "draft";
   bool still = false;
+  double render_seconds = 0;  ///< of a frame, as foretold for a processor as ours
   std::vector<Frame> frames;
 };
 

@@ -62,6 +62,30 @@ TEST(Foretell, RefusesAFilmThatTheDiskCannotHold) {
   EXPECT_TRUE(refuse(*foretell(preset, 24), machine).empty());
 }
 
+TEST(Foretell, ReckonsRenderingByPixelsAndQuality) {
+  // Seconds of a processor, measured at 160x90 when it was busy elsewhere, too.
+  struct Row {
+    const char* preset;
+    double draft, good;
+  };
+  for (const Row& row : {Row{"reef", 4.8, 18.9}, Row{"bush", 2.8, 18.2}, Row{"lsystems/trees-2.6", 3.8, 23.6},
+                         Row{"ivy/brick_wall", 6.0, 31.9}}) {
+    auto seconds = [&](const char* size, const char* quality) {
+      return foretold_of(
+                 preset_at(std::string("presets/") + row.preset + ".json",
+                           {std::string("/film/size=") + size, std::string("/film/quality=") + quality}))
+          .render_seconds;
+    };
+    SCOPED_TRACE(row.preset);
+    EXPECT_GT(seconds("[160,90]", "draft"), row.draft / 2);
+    EXPECT_LT(seconds("[160,90]", "draft"), row.draft * 2);
+    EXPECT_GT(seconds("[160,90]", "good"), row.good / 2);
+    EXPECT_LT(seconds("[160,90]", "good"), row.good * 2);
+    EXPECT_GT(seconds("[160,90]", "best"), seconds("[160,90]", "good"));
+    EXPECT_GT(seconds("[640,360]", "good"), 4 * row.good);
+  }
+}
+
 TEST(Foretell, RefusesWhatTheMemoryCannotHold) {
   Preset preset = preset_at("presets/lsystems/trees-2.8.json", {"/organisms/0/grammar/steps=14"});
   Foretold f = foretold_of(preset);

@@ -53,6 +53,8 @@ TEST(NinjaText, FilmHoldsTheFramesOfTheListOnly) {
   std::string text = ninja_text(jobs);
   EXPECT_EQ(paragraph(text, "build film.mp4"),
             "build film.mp4: film $\n    frames/frame_0005.png $\n    frames/frame_0006.png");
+  EXPECT_EQ(count(text, "frames/frame_0006.png"), 5) << "rendered, in each format of the film, on the sheet";
+  EXPECT_TRUE(contains(text, "\ndefault film.mp4 contact.png\n"));
   EXPECT_TRUE(contains(text, "fps = 12.5\n"));
   EXPECT_FALSE(contains(text, "still.png"));
   EXPECT_FALSE(contains(text, "includes:"));
@@ -113,11 +115,12 @@ TEST(NinjaText, OddCharactersAreEscaped) {
   jobs.scripts = "../it's $HOME/scripts";
   jobs.includes = {"a b.inc"};
   jobs.title = "Reef: $(date)\n`id`";
+  jobs.seed = 18446744073709551615ull;
   std::string text = ninja_text(jobs);
   EXPECT_TRUE(contains(text, "povinc = ../it's $$HOME|x/povinc\n"));
   EXPECT_TRUE(contains(text, "render_frame = '../it'\\''s $$HOME/scripts/render_frame.sh'\n"));
   EXPECT_TRUE(contains(text, "$povinc/a$ b.inc"));
-  EXPECT_TRUE(contains(text, "title = 'Reef: $$(date) `id`'\n"));
+  EXPECT_TRUE(contains(text, "title = 'Reef: $$(date) `id`'\ncomment = 'seed 18446744073709551615'\n"));
 }
 
 TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
@@ -127,7 +130,8 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
   manifest.title = "A \"reef\"";
   manifest.preset_hash = "0123abcd";
   manifest.seed = 18446744073709551615ull;
-  manifest.frames = {{1, 0}, {2, 1 / 24.0}};
+  manifest.render_seconds = 1.25;
+  manifest.frames = {{1, 0, 0}, {2, 1 / 24.0, 17}};
   EXPECT_EQ(manifest_text(manifest),
             "{\n"
             "  \"tool\": \"frond\",\n"
@@ -140,9 +144,10 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
             "  \"size\": [480, 270],\n"
             "  \"quality\": \"draft\",\n"
             "  \"still\": false,\n"
+            "  \"render_seconds\": 1.25,\n"
             "  \"frames\": [\n"
-            "    {\"number\": 1, \"time\": 0, \"file\": \"frames/frame_0001.pov\"},\n"
-            "    {\"number\": 2, \"time\": 0.041667, \"file\": \"frames/frame_0002.pov\"}\n"
+            "    {\"number\": 1, \"time\": 0, \"nodes\": 0, \"file\": \"frames/frame_0001.pov\"},\n"
+            "    {\"number\": 2, \"time\": 0.041667, \"nodes\": 17, \"file\": \"frames/frame_0002.pov\"}\n"
             "  ]\n"
             "}\n");
 }

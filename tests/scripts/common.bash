@@ -4,6 +4,10 @@
 export ROOT=${BATS_TEST_DIRNAME%/tests/scripts}
 export RENDER=$ROOT/scripts/render.sh
 export NO_COLOR=1
+# So that no run is measured against the user's own, nor begins with measuring the machine.
+export XDG_CACHE_HOME=$BATS_FILE_TMPDIR/cache
+mkdir -p "$XDG_CACHE_HOME/frond"
+echo "machine 2 2" >"$XDG_CACHE_HOME/frond/pace"
 
 # A stand-in for povray: writes a picture of the size asked for, notes the scene in $RENDERED and takes $FRAME_TIME.
 # A scene that holds the word "broken" is a parse error. It notes half a picture before that time, as POV-Ray notes blocks;

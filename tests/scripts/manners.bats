@@ -7,13 +7,13 @@ setup() {
 
 @test "every script has help, and says what it wants" {
   for script in "$ROOT"/scripts/*; do
-    case $script in */lib.sh | *.ini | */__pycache__) continue ;; esac
+    case $script in */lib*.sh | *.ini | */__pycache__) continue ;; esac
     run "$script" --help
     echo "$script: $output"
     [ "$status" -eq 0 ]
     [[ ${output,,} == usage:* ]]
   done
-  for script in render render_frame encode_film contact_sheet keep_still; do
+  for script in render render_frame encode_film contact_sheet keep_still compare sheet plot why; do
     run "$ROOT/scripts/$script.sh"
     echo "$script: $output"
     [ "$status" -eq 2 ]

@@ -27,7 +27,7 @@ setup() {
 @test "nothing but the results and what ninja needs is left" {
   "$RENDER" film.json
   run ls -A out/film
-  [ "$output" = $'.lock\n.ninja_log\nbuild.ninja\ncontact.png\nfilm.mp4\nframes\nmanifest.json' ]
+  [ "$output" = $'.lock\n.ninja_log\n.times\nbuild.ninja\ncontact.png\nfilm.mp4\nframes\nmanifest.json' ]
   [ "$(find out/film/frames -name '.*' -type f | wc -l)" -eq 0 ]
 }
 

@@ -1,0 +1,60 @@
+#include "app/pace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace frond {
+
+namespace {
+
+std::filesystem::path pace_file() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* user = std::getenv("HOME");
+  if (cache && *cache) return std::filesystem::path(cache) / "frond" / "pace";
+  return std::filesystem::path(user ? user : "/") / ".cache" / "frond" / "pace";
+}
+
+/// As scripts/pace.sh writes it: one word.
+std::string key_of(std::string_view preset) {
+  std::string key(preset);
+  for (char& c : key) {
+    bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+                 c == '_' || c == '-';
+    if (!plain) c = '_';
+  }
+  return key;
+}
+
+}  // namespace
+
+Pace pace_of(std::string_view preset) {
+  Pace pace;
+  std::vector<double> all;
+  std::ifstream in(pace_file());
+  std::string wanted = key_of(preset), key;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    double foretold = 0, taken = 0;
+    if (!(words >> key >> foretold >> taken) || !(foretold > 0) || !(taken > 0)) continue;
+    all.push_back(taken / foretold);
+    if (key == wanted) pace = {all.back(), "on its last run"};
+  }
+  if (pace.measured != Pace{}.measured || all.empty()) return pace;
+  auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return {*middle, "on other runs of this machine"};
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+}  // namespace frond

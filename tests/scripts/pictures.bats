@@ -1,0 +1,237 @@
+# Formats, comparisons and sheets, with a povray that only pretends.
+
+setup() {
+  load common
+  need_frond
+  make_fake_povray
+  cd "$BATS_TEST_TMPDIR"
+  make_preset film.json 6
+}
+
+tag() { ffprobe -v error -show_entries "format_tags=$1" -of csv=p=0 "file:$2"; }
+size_of() { ffprobe -v error -select_streams v:0 -show_entries stream=width,height -of csv=p=0 "file:$1"; }
+color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},format=rgb24" -frames:v 1 -update 1 -y "$2"; }
+
+@test "a film may be MP4, WebM or GIF, has its frames, and title and seed in its metadata" {
+  for format in mp4 webm gif; do
+    "$RENDER" film.json --format "$format" --set '/title=A $(title): "x"'
+    [ "$(frames_of "out/film/film.$format")" -eq 6 ]
+  done
+  [ "$(count_rendered)" -eq 6 ]
+  for film in out/film/film.mp4 out/film/film.webm; do
+    [ "$(tag title "$film")" = '"A $(title): ""x"""' ]
+  done
+  [ "$(tag comment out/film/film.mp4)" = "seed 3" ]
+  [ "$(tag COMMENT out/film/film.webm)" = "seed 3" ]
+  sha256sum out/film/film.* >before
+  rm out/film/film.*
+  for format in mp4 webm gif; do "$RENDER" film.json --format "$format" --set '/title=A $(title): "x"'; done
+  sha256sum -c before
+  run "$RENDER" film.json --format avi
+  [ "$status" -eq 2 ]
+  [[ $output == *"--format needs mp4, webm or gif, not 'avi'"* ]]
+}
+
+@test "no film of other frames is left beside the new one" {
+  "$RENDER" film.json
+  "$RENDER" film.json --format gif
+  [ -s out/film/film.mp4 ]
+  "$RENDER" film.json --format webm --frames 1-3
+  run ls out/film
+  [ "$output" = $'build.ninja\ncontact.png\nfilm.webm\nframes\nmanifest.json' ]
+}
+
+@test "two pictures are shown side by side with their difference, in figures too" {
+  color 0x202020 "a 'b.png"
+  color 0x302020 'b;c.png'
+  run "$RENDER" --compare "a 'b.png" 'b;c.png' both.png
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"They differ by 9.2 of 255 (RMSE)."* ]]  # 16 in one of three
+  [ "$(size_of both.png)" = 192,76 ]
+  # The last third is four times the difference.
+  ffmpeg -nostdin -loglevel error -i both.png -vf crop=1:1:160:20,format=rgb24 -f rawvideo pixel
+  [ "$(od -An -tu1 pixel | tr -s " ")" = " 64 0 0" ]
+  run "$RENDER" --compare "a 'b.png" "a 'b.png" both.png
+  [[ $output == *"No pixel differs."* ]]
+}
+
+@test "two films are compared frame by frame" {
+  mkdir one two
+  for n in 1 2 3 4; do color gray "$n.png"; done
+  printf '%s.png\n' 1 2 3 4 >list
+  "$ROOT/scripts/encode_film.sh" list one/film.mp4 12
+  color white 3.png
+  "$ROOT/scripts/encode_film.sh" list two/film.mp4 24
+  run "$RENDER" --compare one two
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"of 4 frames differ, most of all frame 3: by 1"* ]]
+  [ "$(frames_of out/compare.mp4)" -eq 4 ]
+}
+
+@test "what cannot be compared is told" {
+  color gray a.png
+  color gray b.png 32x32
+  mkdir empty
+  echo a.png >list
+  "$ROOT/scripts/encode_film.sh" list a.mp4 12
+  for row in "a.png b.png|a.png is of 64,48 pixels, b.png of 32,32" "a.png a.mp4|expected two films or two pictures" \
+    "a.png empty|empty: a folder without film or still" "a.png none|none: no such film" "a.png list|expected .png" \
+    "a.png a.png c.mp4|c.mp4: expected a name that ends in .png" "a.png|expected A B"; do
+    # shellcheck disable=SC2086
+    run "$RENDER" --compare ${row%|*}
+    echo "$row: $output"
+    [ "$status" -eq 2 ]
+    [[ $output == *"${row#*|}"* ]]
+  done
+  echo no >damaged.mp4
+  run "$RENDER" --compare a.mp4 damaged.mp4
+  [ "$status" -eq 1 ]
+  [ ! -e out/compare.mp4 ]
+}
+
+@test "a sweep is a sheet of labelled pictures, and a longer one renders only the new ones" {
+  run "$RENDER" film.json --sweep /organisms/0/pitch=10:30:3 --size 80x60
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"Picture 2 of 3: pitch 20"* ]]
+  [ "${lines[-1]}" = "$PWD/out/film-sheet/sheet.png" ]
+  [ "$(size_of out/film-sheet/sheet.png)" = 172,188 ]  # 2 by 2, each 80 by 60 and 28
+  [ "$(sort -u "$RENDERED")" = frames/frame_0006.pov ]
+  "$RENDER" film.json --sweep=/organisms/0/pitch=10:30:5 --size=80x60
+  [ "$(count_rendered)" -eq 5 ]
+  [ "$(cat out/film-sheet/pictures/*/manifest.json | grep preset_hash | sort -u | wc -l)" -eq 5 ]
+}
+
+@test "two sweeps make a grid, and seeds are one of them" {
+  run "$ROOT/scripts/sheet.sh" film.json --contact-seeds 2 --sweep /organisms/0/pitch=1e1:30:3 --frames 2-2 -o grid
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"Picture 3 of 6: seed 1   pitch 20"* ]]
+  [ "$(size_of grid/sheet.png)" = 140,244 ]  # 2 by 3
+  [ "$(sort -u "$RENDERED")" = frames/frame_0002.pov ]
+  [ "$(cat grid/pictures/*/manifest.json | grep -c ".seed.: 2,")" -eq 3 ]
+}
+
+@test "what no sheet can be made of is told" {
+  for row in "--sweep /seed|--sweep needs POINTER=FROM:TO:COUNT" "--sweep seed=1:2:3|--sweep needs" \
+    "--contact-seeds 0|--contact-seeds needs" "--contact-seeds 2 --frames 1-2|--frames needs one frame" \
+    "--sweep /seed=1:2:2 --sweep /a=1:2:2 --sweep /b=1:2:2|two directions" \
+    "--sweep /organisms/0/pitch=10:1000:2|picture 2 of 2 (pitch 1000) could not be made" \
+    "--sweep /organisms/7/pitch=10:20:2|--set /organisms/7/pitch"; do
+    # shellcheck disable=SC2086
+    run "$RENDER" film.json ${row%|*} -o none
+    echo "$row: $output"
+    [ "$status" -eq 2 ]
+    [[ $output == *"${row#*|}"* ]]
+    [ ! -e none/sheet.png ]
+  done
+  run "$RENDER" oak --contact-seeds 4
+  [ "$status" -eq 2 ]
+  [[ $output == *"oak: no such preset; there is"* ]]
+}
+
+@test "each K-th frame comes first, and the film can be seen meanwhile" {
+  make_preset film.json 9
+  # Notes how many frames each film that is made holds.
+  printf '#!/bin/sh\nfor last; do :; done\nffmpeg "$@" || exit 1\ncase $last in *.part) echo "$last" >>made ;; esac\n' >ffmpeg
+  sed -i "s|>>made|>>$PWD/made|" ffmpeg
+  chmod +x ffmpeg
+  FROND_FFMPEG=$PWD/ffmpeg run "$RENDER" film.json --every 4 --jobs 1
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ "$(sed 's/[^0-9]//g; s/^0*//' "$RENDERED" | paste -sd ' ')" = "1 5 9 3 7 2 4 6 8" ]
+  [ "$(grep -c preview made)" -eq 2 ]
+  [[ $output == *"out/film/preview.mp4"*"frame 6 of 9"* ]]
+  [[ $output == *" s of processor; the slowest frames: "* ]]
+  [ ! -e out/film/preview.mp4 ]
+  "$RENDER" film.json -o other
+  cmp other/film.mp4 out/film/film.mp4
+}
+
+@test "a frame that fails stops no other, and shows what POV-Ray says" {
+  cat >frond <<SH
+#!/usr/bin/env bash
+"$FROND_BIN" "\$@"
+for n in 2 5; do echo broken >out/film/frames/frame_000\$n.pov; done
+SH
+  chmod +x frond
+  for every in 1 3; do
+    rm -rf out
+    : >"$RENDERED"
+    FROND_BIN=$PWD/frond run "$RENDER" film.json --every "$every"
+    echo "$output"
+    [ "$status" -eq 1 ]
+    [ "$(count_rendered)" -eq 4 ]
+    [ "$(grep -c "Expected 'object'" <<<"$output")" -eq 2 ]
+    [ "${lines[-1]}" = "error: of out/film these frames could not be rendered: 2, 5; those that are finished are kept" ]
+  done
+}
+
+@test "a run says why a frame is out of date" {
+  run "$RENDER" film.json --why 2
+  [[ $output == *"frame 2 is rendered again: there is no picture of it"* ]]
+  "$RENDER" film.json
+  run "$RENDER" film.json --why 2
+  [[ $output == *"frame 2 is up to date" ]]
+  run "$RENDER" film.json --why 2 --size 80x60
+  [[ $output == *"frame 2 is rendered again: "* ]]
+  run "$RENDER" film.json --why 2 --quality good
+  [[ $output == *"frame 2 is rendered again: "* ]]
+  "$RENDER" film.json
+  run "$RENDER" film.json --why 2 --set '/scene/camera/look_at=[0, 0.4, 0]'
+  echo "$output"
+  [[ $output == *"frame 2 is rendered again: its scene is newer than its picture"*"its scene has changed, from line "*"was: "*"is: "* ]]
+  "$RENDER" film.json
+  truncate -s -5 out/film/frames/frame_0002.png
+  run "$RENDER" film.json --why 2
+  [[ $output == *"frame_0002.png is damaged"*"there is no picture of it" ]]
+  run "$RENDER" film.json --why 7
+  [ "$status" -eq 2 ]
+  [[ $output == *"frame 7 is none of this film" ]]
+  [ "$(count_rendered)" -le 18 ]
+}
+
+@test "a plot shows nodes, bytes and seconds of each frame" {
+  run "$RENDER" film.json --plot "a 'plot.svg"
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"/a 'plot.svg"* ]]
+  for title in nodes "bytes of the scene" "seconds of processor"; do grep -q ">$title</text>" "a 'plot.svg"; done
+  [ "$(grep -c 'class="line" d="M60.0 .*L620.0 ' "a 'plot.svg")" -eq 3 ]
+  [ "$(wc -l <out/film/.times)" -eq 6 ]
+  run "$RENDER" film.json --plot plot.png
+  [ "$status" -eq 2 ]
+}
+
+@test "what a run takes is foretold from what the last one took" {
+  reckoned() { "$FROND_BIN" info film.json --json "$@" | sed 's/.*"render_seconds": \([0-9.]*\).*/\1/'; }
+  export XDG_CACHE_HOME=$BATS_TEST_TMPDIR/another
+  run "$FROND_BIN" info film.json
+  [[ $output == *" of processor to render (reckoned on no run of this machine)" ]]
+  local first
+  first=$(reckoned)
+  mkdir -p another/frond
+  echo "machine 2 6" >another/frond/pace  # three times as slow
+  [ "$(awk -v a="$first" -v b="$(reckoned)" 'BEGIN { print (b > 2.8 * a && b < 3.2 * a) }')" = 1 ]
+  run "$RENDER" film.json
+  [[ $output == *"foretold: "*" of disk, "*" of processor to render (reckoned on other runs of this machine)"* ]]
+  # The fake povray takes no more than a moment, whatever is foretold of the real one; the next foretelling knows.
+  local taken
+  taken=$(awk '{ all += $2 } END { print all / 1000 }' out/film/.times)
+  echo "$taken $(reckoned)"
+  [ "$(awk -v a="$taken" -v b="$(reckoned)" 'BEGIN { print (b > a / 2 - 0.1 && b < a * 2 + 0.1) }')" = 1 ]
+  run "$FROND_BIN" info film.json
+  [[ $output == *"(reckoned on its last run)" ]]
+  "$RENDER" film.json  # renders nothing, and so measures nothing
+  [ "$(wc -l <another/frond/pace)" -eq 2 ]
+}
+
+@test "a machine that nothing is known of is measured by a small picture" {
+  export XDG_CACHE_HOME=$BATS_TEST_TMPDIR/another
+  use_real_povray
+  "$ROOT/scripts/pace.sh"
+  [[ $(cat another/frond/pace) =~ ^machine\ 2\ [0-9.]+$ ]]
+  [ "$(awk '{ print ($3 > 0.1) }' another/frond/pace)" = 1 ]
+}
