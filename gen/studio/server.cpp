@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <sys/random.h>
 
+#include <chrono>
 #include <thread>
 
 #include "core/machine.h"
@@ -109,6 +110,8 @@ class Server {
     std::thread([this, ends] {
       int signal = 0;
       sigwait(&ends, &signal);
+      // Before it runs it would not hear of it.
+      while (!server_.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       server_.stop();
     }).detach();  // the process ends with the server
     if (options_.ready) options_.ready(fmt::format("http://{}:{}/#token={}", kHost, port_, token_));
