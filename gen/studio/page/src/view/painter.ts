@@ -10,7 +10,7 @@ import { Sky } from "./sky";
 const SLOW = /swiftshader|llvmpipe|software|basic render/i;
 /** Triangles of a picture while something moves, and of one at rest. */
 const BUDGET = { quick: 8e6, fine: 16e6 };
-const SLOW_BUDGET = { quick: 6e4, fine: 1.5e6 };
+const SLOW_BUDGET = { quick: 2e4, fine: 1.5e6 };
 /** Pixels that may be lost where there is time enough, and where there is not; and what share is drawn at least. */
 const LOST = 4;
 const MOST_LOST = 200;
@@ -35,6 +35,8 @@ export class Painter {
   private spot = new WebGLRenderTarget(1, 1, { generateMipmaps: false });
   private byte = new Uint8Array(4);
   private size = new Vector2();
+  /** What is behind nothing. */
+  backdrop = 0x16181a;
   private fence: WebGLSync | null = null;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -43,7 +45,7 @@ export class Painter {
     const info = probe.getExtension("WEBGL_debug_renderer_info");
     this.slow = SLOW.test(String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER)));
     probe.getExtension("WEBGL_lose_context")?.loseContext();
-    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: !this.slow, preserveDrawingBuffer: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.slow, preserveDrawingBuffer: true, powerPreference: "high-performance" });
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false;
     this.renderer.setPixelRatio(this.slow ? 1 : Math.min(2, devicePixelRatio));
@@ -141,7 +143,9 @@ export class Painter {
   private look(camera: PerspectiveCamera, thin: number, quickly: boolean): void {
     for (const one of this.things) one.wear(false, quickly);
     this.setEye(camera, this.size.y, thin);
+    this.renderer.setClearColor(this.backdrop, 1);
     this.renderer.clear();
+    this.renderer.setClearColor(0, 0);
     this.renderer.render(this.world, camera);
     if (this.things.length) this.renderer.render(this.sky, camera);
     this.renderer.render(this.over, camera);

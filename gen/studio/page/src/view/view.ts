@@ -164,7 +164,8 @@ export class View implements PointerTarget {
   };
 
   theme(dark: boolean): void {
-    this.host.style.background = dark ? "#16181a" : "#e8e9ea";
+    this.painter.backdrop = dark ? 0x16181a : 0xe8e9ea;
+    this.changed();
   }
 
   resize(): void {
