@@ -9,6 +9,8 @@
 #include <sstream>
 #include <vector>
 
+#include "core/printable.h"
+
 namespace frond {
 
 namespace {
@@ -23,11 +25,8 @@ std::filesystem::path pace_file() {
 /// As scripts/pace.sh writes it: one word.
 std::string key_of(std::string_view preset) {
   std::string key(preset);
-  for (char& c : key) {
-    bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-                 c == '_' || c == '-';
-    if (!plain) c = '_';
-  }
+  std::ranges::replace_if(
+      key, [](char c) { return !is_plain(c); }, '_');
   return key;
 }
 

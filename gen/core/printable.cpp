@@ -74,4 +74,26 @@ std::string printable(const Error& error) {
   return (text.empty() ? text : text + ": ") + printable(error.what);
 }
 
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
+         c == '-';
+}
+
+std::string xml_quoted(std::string_view text) {
+  std::string quoted;
+  for (char c : text) {
+    if (c == '&')
+      quoted += "&amp;";
+    else if (c == '<')
+      quoted += "&lt;";
+    else if (c == '>')
+      quoted += "&gt;";
+    else if (c == '"')
+      quoted += "&quot;";
+    else
+      quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return quoted;
+}
+
 }  // namespace frond

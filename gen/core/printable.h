@@ -17,4 +17,12 @@ std::string printable(std::string_view text, std::size_t most = 1500);
 /// the column stay.
 std::string printable(const Error& error);
 
+/// Whether it is a letter, digit, dot, dash or underscore: what shells, file systems and queues take as it
+/// is.
+bool is_plain(char c);
+
+/// A text as it stands between tags of XML or in quotes there; control characters, which XML cannot write,
+/// are blanks.
+std::string xml_quoted(std::string_view text);
+
 }  // namespace frond

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/printable.h"
 #include "core/text.h"
 #include "grammar/picture.h"
 
@@ -18,24 +19,6 @@ struct Node {
 };
 
 using Row = std::vector<Node>;
-
-/// Escaped for XML.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 Row row_of(const Grammar& grammar, const Word& word, const std::vector<std::uint32_t>& parents) {
   Row row;
@@ -112,7 +95,7 @@ std::string draw_rows(const std::vector<Row>& rows, double width) {
     for (const Node& node : rows[level]) {
       out += "<text x=\"", put_hundredths(out, node.x + 48), out += "\" y=\"", put_hundredths(out, y),
           out += "\">";
-      out += escaped(node.label) + "</text>\n";
+      out += xml_quoted(node.label) + "</text>\n";
     }
   }
   return out + "</g>\n</svg>\n";

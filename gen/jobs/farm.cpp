@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/printable.h"
 #include "jobs/escape.h"
 
 namespace frond {
@@ -16,29 +17,6 @@ constexpr FarmFormat kFarmFormats[] = {{"sbatch", sbatch_words},
                                        {"cpus", cpus_line},
                                        {"openjd", openjd_text},
                                        {"opencue", opencue_text}};
-
-bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
-         c == '-';
-}
-
-/// A text between the tags of XML, or in quotes. XML has no way to write a control character.
-std::string xml_quoted(std::string_view text) {
-  std::string quoted;
-  for (char c : text) {
-    if (c == '&')
-      quoted += "&amp;";
-    else if (c == '<')
-      quoted += "&lt;";
-    else if (c == '>')
-      quoted += "&gt;";
-    else if (c == '"')
-      quoted += "&quot;";
-    else
-      quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return quoted;
-}
 
 /// The beginning of what OpenCue runs by a shell.
 std::string shell_command(const FarmJob& job, const FarmSite& site) {

@@ -142,12 +142,11 @@ void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> 
   part.add_surface("", surface);
   part.add("/instances", places);
   if (places.size() / 10 * surface.triangle.size() < kManyTriangles) return;
-  Json list = Json::array();
+  Json& list = part.head["coarse"] = Json::array();
   auto add = [&](const Surface& coarse, double size) {
     if (coarse.triangle.size() * 2 > surface.triangle.size() || coarse.triangle.empty()) return;
     std::string below = "/coarse/" + std::to_string(list.size());
     list.push_back({{"size", size}});
-    part.head["coarse"] = list;
     part.add_surface(below, coarse);
   };
   double reach = 0;

@@ -50,6 +50,14 @@ make_preset() {
   sed "s/\"frames\": 6/\"frames\": $2/" "$ROOT/tests/presets/tiny_film.json" >"$BATS_TEST_TMPDIR/$1"
 }
 
+# A fake povray and film.json, of six frames, in the folder of the test, which is gone to.
+begin_with_a_film() {
+  need_frond
+  make_fake_povray
+  cd "$BATS_TEST_TMPDIR" || return
+  make_preset film.json 6
+}
+
 count_rendered() { grep -c '' "$RENDERED" || true; }
 frames_of() { ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 "file:$1"; }
 

@@ -3,10 +3,7 @@
 
 setup() {
   load common
-  need_frond
-  make_fake_povray
-  cd "$BATS_TEST_TMPDIR"
-  make_preset film.json 6
+  begin_with_a_film
   "$RENDER" film.json -o whole >/dev/null 2>&1
   : >"$RENDERED"
 }

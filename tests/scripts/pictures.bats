@@ -2,10 +2,7 @@
 
 setup() {
   load common
-  need_frond
-  make_fake_povray
-  cd "$BATS_TEST_TMPDIR"
-  make_preset film.json 6
+  begin_with_a_film
 }
 
 tag() { ffprobe -v error -show_entries "format_tags=$1" -of csv=p=0 "file:$2"; }

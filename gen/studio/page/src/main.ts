@@ -29,7 +29,7 @@ import "./styles/gallery.css";
 import * as api from "./api";
 import { anySeed } from "./controls/number";
 import { Section } from "./controls/group";
-import { el, quiet } from "./dom";
+import { el } from "./dom";
 import { addOrganism, takeDrops } from "./panels/add_organism";
 import { ask, say } from "./panels/dialogs";
 import { drawer } from "./panels/drawer";
@@ -76,9 +76,9 @@ async function begin(): Promise<void> {
 function build(): void {
   const scene = stage(store);
   const time = timeBar(store, scene.loop);
-  const variations = wall(store, () => scene.view.resize());
+  const variations = wall(store);
   const made = renders(store, () => pane);
-  const pane = picturePane({ goBack: (id) => void made.goBack(id), cancel: made.cancel, resized: () => scene.view.resize() });
+  const pane = picturePane({ goBack: (id) => void made.goBack(id), cancel: made.cancel });
   const text = textPanel(store);
   const grammar = grammarPanel(store);
   const faults = problems(store, {
@@ -95,7 +95,6 @@ function build(): void {
       { name: "text", label: "Text", element: text.element, opened: text.opened, closed: text.closed },
       { name: "renders", label: "Renders", element: made.element, opened: () => void made.reload().catch(() => undefined) },
     ],
-    () => scene.view.resize(),
   );
   const properties = inspector(store, {
     vary: variations.vary,
@@ -109,10 +108,7 @@ function build(): void {
   const side = el("aside.side", { "aria-label": "Preset" }, outliner(store, () => void addOrganism(store)), properties);
   const center = el("div.center", {}, el("div.pictures-row", {}, scene.element, pane.element, variations.element), time.element, below.element);
   const workshop = el("div.workshop", { hidden: true }, center, side);
-  const toggleSide = (): void => {
-    workshop.classList.toggle("no-side");
-    scene.view.resize();
-  };
+  const toggleSide = (): void => void workshop.classList.toggle("no-side");
   const bar = topBar(store, {
     gallery: () => void leave(),
     save: () => void save(store),
@@ -138,7 +134,6 @@ function build(): void {
     if (!store.isOpen) begin.show();
     pane.close();
     variations.close();
-    scene.view.resize();
   };
   store.on("opened", showOpen);
   store.on(["text", "scene"], () => below.badge("problems", faults.count() ? String(faults.count()) : store.scene.notes.length ? String(store.scene.notes.length) : "", faults.count() > 0));
@@ -170,7 +165,6 @@ function build(): void {
   });
   addEventListener("pagehide", () => store.keepDraft());
   addEventListener("beforeunload", (event) => store.unsaved && event.preventDefault());
-  addEventListener("resize", quiet(100, () => scene.view.resize()));
   const { frond } = window as { frond?: object };
   Object.assign(window, { frond: { ...frond, view: scene.view, shown: () => scene.loop.settled(), took: () => store.scene.took } });
 }

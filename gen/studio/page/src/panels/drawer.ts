@@ -20,7 +20,7 @@ export interface Drawer {
 
 const KEY = "frond.drawer";
 
-export function drawer(tabs: Tab[], resized: () => void): Drawer {
+export function drawer(tabs: Tab[]): Drawer {
   let current: string | null = null;
   let height = Number(localStorage.getItem(KEY)) || 260;
   const buttons = tabs.map((tab) =>
@@ -48,7 +48,6 @@ export function drawer(tabs: Tab[], resized: () => void): Drawer {
       buttons[i]!.tabIndex = chosen || (!current && i === 0) ? 0 : -1;
       panels[i]!.hidden = !chosen;
     });
-    resized();
   };
   const left = (): void => tabs.find((t) => t.name === current)?.closed?.();
   const open = (name: string): void => {

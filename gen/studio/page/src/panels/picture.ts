@@ -14,7 +14,7 @@ export interface PicturePane {
 
 export const describe = (r: api.PastRender): string => `${r.time.toFixed(2)} s, seed ${r.seed}, ${r.size.join("×")}, ${r.quality}`;
 
-export function picturePane(acts: { goBack(id: string): void; cancel(id: string): void; resized(): void }): PicturePane {
+export function picturePane(acts: { goBack(id: string): void; cancel(id: string): void }): PicturePane {
   const title = el("h2");
   const image = el<HTMLImageElement>("img", { hidden: true, "data-testid": "render-picture" });
   const second = el<HTMLImageElement>("img.second", { hidden: true });
@@ -32,12 +32,10 @@ export function picturePane(acts: { goBack(id: string): void; cancel(id: string)
   const open = (): void => {
     if (!element.hidden) return;
     element.hidden = false;
-    acts.resized();
   };
   const close = (): void => {
     element.hidden = true;
     current = null;
-    acts.resized();
   };
   const load = (render: api.PastRender, version: string): void => {
     if (loaded === `${render.id} ${version}`) return;

@@ -102,7 +102,6 @@ export function stage(store: Store): Stage {
     view.select(typeof store.selected === "number" ? store.selected : null);
   });
   onTheme((dark) => view.theme(dark));
-  new ResizeObserver(() => view.resize()).observe(host);
   return { element, loop, view, toggleCamera };
 }
 

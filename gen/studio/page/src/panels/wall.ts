@@ -32,7 +32,7 @@ export interface Wall {
   close(): void;
 }
 
-export function wall(store: Store, resized: () => void): Wall {
+export function wall(store: Store): Wall {
   const title = el("h2");
   const grid = el("div.wall-grid", { "data-testid": "wall-grid" });
   const range = el("span.wall-range");
@@ -47,7 +47,6 @@ export function wall(store: Store, resized: () => void): Wall {
     round++;
     element.hidden = true;
     grid.replaceChildren();
-    resized();
     if (before?.isConnected) before.focus();
   };
   element.addEventListener("keydown", (event) => event.key === "Escape" && close());

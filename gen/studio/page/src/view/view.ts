@@ -168,7 +168,7 @@ export class View implements PointerTarget {
     this.changed();
   }
 
-  resize(): void {
+  private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
     this.painter.resize(width, height);
