@@ -37,11 +37,18 @@ renderer=$(command -v "${FROND_POVRAY:-povray}") || fail 1 "${FROND_POVRAY:-povr
 
 [[ -f $scene ]] || fail 1 "$scene could not be rendered: it is gone"
 
+# The soft light that the scene's first line names lies beside it.
+light=()
+if [[ $(head -n 1 -- "$scene" | tr -d '\0') =~ \+RF([a-z0-9_]+\.rca) ]]; then
+  light=("$(dirname -- "$scene")/${BASH_REMATCH[1]}")
+  [[ -f ${light[0]} ]] || fail 1 "$scene could not be rendered: ${light[0]} is gone"
+fi
+
 # All that the picture depends on. What lies beside the scene is named by what is in it.
 key=$({
   printf '%s\n' "$size" "$@"
   find "$folder" -maxdepth 1 -type f ! -name '.*' ! -name 'frame_*' -printf '%f %s\n' | LC_ALL=C sort
-  sha256sum -- "$renderer" "$scene" "$povinc"/*.inc | cut -d' ' -f1
+  sha256sum -- "$renderer" "$scene" "${light[@]}" "$povinc"/*.inc | cut -d' ' -f1
 } | sha256sum | cut -c-16)
 
 part=$folder/$name.$key.png
@@ -97,7 +104,7 @@ fi
 POVINI=/proc/self/fd/$scripts/povray.ini POV_TEMP_DIR=$large \
   setsid setpriv --pdeathsig KILL --no-new-privs -- ${confined[@]+"${confined[@]}"} \
   "$renderer" "+I$scene" "+O$part" +FN8 "+W${size%x*}" "+H${size#*x}" \
-  "+L$library" "+L/proc/self/fd/$pictures" "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
+  "+L$library" "+L/proc/self/fd/$pictures" ${light[@]+"+RFI" "+RF${light[0]}"} "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
 povray=$!
 { wait "$povray"; } 2>/dev/null || status=$?  # without what bash says of one that was killed
 

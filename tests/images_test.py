@@ -2,12 +2,19 @@
 """Renders small frames with POV-Ray and measures them: usage images_test.py FROND SOURCE_DIR."""
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 frond, source = sys.argv[1], pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 64, 48
+
+
+def soft_light(scene):
+    """The options that the first line of a scene names."""
+    name = re.search(r"[+]RF(\w+[.]rca)", scene.read_text().split("\n", 1)[0])
+    return ["+RFI", f"+RF{scene.parent / name[1]}"] if name else []
 
 
 def render(preset, frames, folder, quality="+A0.3", sets=()):
@@ -19,9 +26,11 @@ def render(preset, frames, folder, quality="+A0.3", sets=()):
         scene = folder / "frames" / f"frame_{frame:04}.pov"
         picture = folder / f"{frame}.ppm"
         run = subprocess.run(
-            ["povray", f"+L{source / 'povinc'}", f"+I{scene}", f"+O{picture}", f"+W{WIDTH}", f"+H{HEIGHT}", quality,
+            ["povray", f"+L{source / 'povinc'}", *soft_light(scene), f"+I{scene}", f"+O{picture}", f"+W{WIDTH}", f"+H{HEIGHT}", quality,
              "+FP8", "-D", "-GA", "+WT1"], capture_output=True, text=True)
         assert run.returncode == 0, run.stderr[-2000:]
+        sampled = re.search(r"Radiosity samples calculated: +(\d+)", run.stderr)
+        assert not sampled or int(sampled[1]) < 0.005*WIDTH*HEIGHT, f"{scene}: light was missing at {sampled[1]} places"
         assert "Warning" not in run.stderr.replace("Warning Stream", ""), run.stderr[-2000:]
         data = picture.read_bytes()[-3 * WIDTH * HEIGHT:]
         pictures[frame] = [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]

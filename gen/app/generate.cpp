@@ -45,6 +45,8 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
     Result<bool> written = write_file(out / "frames" / file.name, file.bytes);
     if (!written) return {0, written.errors(), {}, {}};
   }
+  if (Errors lost = write_light(scene, parts, out / "frames"); !lost.empty()) return {0, lost, {}, {}};
+  if (!parts.light.empty()) beside.insert(parts.light);
   int count = range.last - range.first + 1;
   Progress progress("frames", count, quiet);
   std::atomic<int> changed = 0, next = 0;
@@ -204,6 +206,7 @@ int generate(const GenerateArguments& arguments) {
   for (const ModelFile& file : plan.files) needed.insert(file.name);
   if (Errors errors = write_models(*scene, plan, out / "frames", watch); !errors.empty())
     return fail(errors, kCouldNot);
+  needed.insert(plan.crumb_files.begin(), plan.crumb_files.end());
   shown.reset();
   now_doing("writing frames");
   Written written =

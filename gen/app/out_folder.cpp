@@ -19,7 +19,7 @@ namespace {
 
 /// Whether a file beside frames has a name that only we give.
 bool is_ours(std::string_view name) {
-  for (std::string_view kind : {"bark_", "leaf_", "model_", "part_"}) {
+  for (std::string_view kind : {"bark_", "leaf_", "light_", "model_", "part_"}) {
     if (!name.starts_with(kind)) continue;
     std::string_view key = name.substr(kind.size(), 16);
     return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == key.npos;

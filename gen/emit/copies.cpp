@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "core/text.h"
+#include "emit/eyes.h"
 #include "emit/solid.h"
 
 namespace frond {
@@ -23,39 +24,6 @@ constexpr double kModelUnit = 10;     // units a metre in which models are writt
 constexpr double kLeastPixels = 1.2;  // of a crown; what is smaller is left out
 constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
                                        "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
-
-/// The eye at one frame.
-struct Eye {
-  Vec3 at{0}, ahead{0, 0, -1};
-  double wide = 0.8;     // half the angle of the view's diagonal, radians
-  double pixel = 0.001;  // metres that a pixel covers a metre away
-};
-
-std::vector<Eye> eyes(const Scene& scene) {
-  std::vector<Eye> list;
-  const Camera& camera = scene.stage.camera;
-  const Film& film = scene.film;
-  for (int frame = 1; frame <= film.frames; ++frame) {
-    double time = film.time(frame), half = std::tan(radians(camera.angle.at(time)) / 2);
-    double aspect = static_cast<double>(film.size[1]) / film.size[0];
-    Eye eye;
-    eye.at = camera.location.at(time);
-    eye.ahead = glm::normalize(camera.look_at.at(time) - eye.at);
-    eye.wide = std::atan(half * std::hypot(1.0, aspect));
-    eye.pixel = 2 * half / film.size[0];
-    list.push_back(eye);
-  }
-  return list;
-}
-
-/// Whether something of that size round a place is in view, or may throw a shadow into it.
-bool in_view(const Eye& eye, Vec3 at, double around) {
-  Vec3 way = at - eye.at;
-  double far = glm::length(way);
-  if (far < around) return true;
-  double angle = std::acos(std::clamp<double>(glm::dot(way, eye.ahead) / far, -1, 1));
-  return angle < eye.wide + std::asin(around / far);
-}
 
 /// About how tall an organism may be, metres; rather too much.
 double tallest(const Organism& organism) {

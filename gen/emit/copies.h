@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "emit/crumbs.h"
 #include "emit/pov.h"
 #include "scene/copies.h"
 
@@ -25,6 +26,8 @@ struct CopyPlan {
   static constexpr std::uint8_t kUnseen = 255;
   std::vector<std::vector<std::uint8_t>> level;  ///< of each copy of each stand
   std::vector<ModelFile> files;                  ///< all that are needed: by stand, model and level
+  std::vector<std::string> crumb_files;          ///< names of what they are read from
+  Crumbs crumbs;                                 ///< of all models that stand, once they are written
 };
 
 /// By how near each copy comes to the camera in the film, and whether it is ever in view.

@@ -16,6 +16,10 @@ namespace frond {
 Errors write_models(const Scene& scene, CopyPlan& plan, const std::filesystem::path& folder,
                     const Watch& watch);
 
+/// Works out the soft light, where it is the same in all frames, and notes in `parts` where frames find it.
+/// The models must have been written.
+Errors write_light(const Scene& scene, FrameParts& parts, const std::filesystem::path& folder);
+
 /// Draws the pictures of bark and leaves that are not there yet.
 Errors write_drawings(const Scene& scene, const std::filesystem::path& folder, const Watch& watch);
 
@@ -24,7 +28,7 @@ struct FrameFile {
   std::size_t nodes = 0;  ///< that growth has reached in it
 };
 
-/// Writes one frame.
+/// Writes one frame, with its soft light where that is its own.
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
                                    const std::filesystem::path& path, int frame);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emit/setting.h"
+#include "emit/soft_light.h"
 #include "organisms/organism.h"
 #include "settings/settings.h"
 
@@ -30,6 +32,7 @@ constexpr double kHeldTriangle = 40;
 constexpr double kFrameBuffers = 3e7;
 // A second.
 constexpr double kOrgansGrown = 5e5, kTrianglesMade = 5e5, kBytesWritten = 3e7, kPixelsDrawn = 5e5;
+constexpr double kLightWorkedOut = 4e6, kLightMemory = 2e8;  // bytes a second; bytes
 
 constexpr double kPictureBytes = 1.8;  // of a pixel
 // Of POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
@@ -83,6 +86,7 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
   f.frames = frames;
   f.scene_memory = kProgram;
   f.frame_memory = kFrameBuffers;
+  bool changing = false;
   double ground = 0, materials = 0, text = kLayout, most = 0, growing = 0;
   GroundForesight laid = settings()[preset.stage.setting].answers.foresee(preset.stage, preset.film);
   ground += kTriangle * 0.87 * laid.triangles + kGrassTriangle * laid.grass + kPlacement * laid.placed;
@@ -103,6 +107,7 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
     double wood = organism.style.build == Build::sweeps ? node_bytes(size, dress) : kBodyNode;
     double own = wood * nodes + kPlacement * size.parts + kCorner * size.corners;
     double made = nodes / size.nodes_a_second + size.organs / kOrgansGrown + size.triangles / kTrianglesMade;
+    changing = changing || dress.motion.growth.duration > 0 || grower.develops(preset.film.frames > 1);
     double count = std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
     for (const Drawing& drawing : drawings(dress.look)) {
       f.shared_bytes += 4e5 * static_cast<double>(drawing.names.size());
@@ -138,14 +143,21 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
     f.growth_seconds += count * made;
     if (count * own > most) most = count * own, f.largest = o;
   }
+  if (has_soft_light(preset.stage)) {
+    double light = light_bytes(preset.film);
+    bool each = changing && preset.film.frames > 1;
+    (each ? f.picture_bytes : f.shared_bytes) += light;
+    (each ? f.frame_seconds : f.growth_seconds) += light / kLightWorkedOut;
+    f.growth_memory += kLightMemory;
+  }
   f.scene_memory += 2 * (ground + materials);
-  f.growth_memory = f.scene_memory + growing;
+  f.growth_memory += f.scene_memory + growing;
   // What all frames share is written once where it is surely long.
   for (double same : {ground, materials})
     (preset.film.frames > 1 && same > kAsideBytes ? f.shared_bytes : text) += same;
   f.frame_bytes = text;
-  f.frame_seconds = text / kBytesWritten;
-  f.picture_bytes = kPictureBytes * preset.film.size[0] * preset.film.size[1];
+  f.frame_seconds += text / kBytesWritten;
+  f.picture_bytes += kPictureBytes * preset.film.size[0] * preset.film.size[1];
   f.render_seconds = render_seconds(f, preset.film);
   return f;
 }

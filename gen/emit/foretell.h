@@ -16,7 +16,7 @@ struct Foretold {
   double scene_memory = 0, frame_memory = 0;  ///< bytes: while frames are written, and more for each at work
   double growth_memory = 0;                   ///< the most that is held while it grows
   double growth_seconds = 0, frame_seconds = 0;  ///< of one thread; of each frame
-  double picture_bytes = 0;                      ///< of one rendered picture
+  double picture_bytes = 0;                      ///< of one rendered picture, and of its soft light
   double render_seconds = 0;  ///< of one processor as ours, for POV-Ray to render one frame
   std::size_t largest = 0;    ///< the organism that takes most
 

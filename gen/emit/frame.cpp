@@ -336,6 +336,10 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
     if (hole == "height") return out(number_text(film.size[1]));
     if (hole == "unit") return out(number_text(parts.space.unit));
     if (hole == "quality") return out(number_text(static_cast<int>(film.quality)));
+    if (hole == "light") {
+      if (parts.light.empty()) return;
+      return out("+RFI +RF" + (parts.light == kOwnLight ? "frame_" + padded + ".rca" : parts.light) + " ");
+    }
     if (hole == "time") return out(number_text(time));
     if (hole == "loop") return out(number_text(film.length()));
     if (hole == "includes") return out(includes_text(scene));

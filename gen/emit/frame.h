@@ -12,6 +12,8 @@
 
 namespace frond {
 
+inline constexpr std::string_view kOwnLight = "*";
+
 /// What is the same in each frame of a film, written once.
 struct FrameParts {
   std::vector<Picture> files;  ///< that frames include, to be put beside them
@@ -20,6 +22,7 @@ struct FrameParts {
   std::string materials;                ///< the skins of all organisms and the shapes of their organs
   std::string ground;                   ///< floor, stones, grass and solids
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
+  std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none
 };
 
 /// With the plan of copies, whose files must have been counted.

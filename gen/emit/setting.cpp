@@ -13,18 +13,18 @@ FROND_SETTINGS(FROND_DECLARE)
 
 namespace {
 
-const SettingText& text_of(const Scene& scene) {
+const SettingText& text_of(const Stage& stage) {
 #define FROND_ROW(name) name##_text(),
   static const std::vector<SettingText> rows{FROND_SETTINGS(FROND_ROW)};
 #undef FROND_ROW
-  return rows[scene.stage.setting];
+  return rows[stage.setting];
 }
 
 }  // namespace
 
 std::string includes_text(const Scene& scene) {
   auto any = [&](auto has) { return std::ranges::any_of(scene.specimens, has); };
-  std::vector<std::string_view> names = text_of(scene).includes;
+  std::vector<std::string_view> names = text_of(scene.stage).includes;
   bool water = std::ranges::find(names, "water") != names.end();  // food may drift there in any case
   if (water || any([](const Specimen& s) { return s.look.skin.has_value(); }))
     names.insert(names.end(), {"coral", "food"});
@@ -41,10 +41,19 @@ std::string includes_text(const Scene& scene) {
   return text;
 }
 
-std::string setting_text(const Scene& scene, double time) { return text_of(scene).surroundings(scene, time); }
+std::string setting_text(const Scene& scene, double time) {
+  return text_of(scene.stage).surroundings(scene, time);
+}
+
+bool has_soft_light(const Stage& stage) { return text_of(stage).ambience; }
+
+std::optional<Ambience> ambience_of(const Scene& scene, double time) {
+  const SettingText& text = text_of(scene.stage);
+  return text.ambience ? std::optional(text.ambience(scene, time)) : std::nullopt;
+}
 
 std::string ground_text(const PovSpace& space, const Scene& scene) {
-  return text_of(scene).ground(space, scene);
+  return text_of(scene.stage).ground(space, scene);
 }
 
 }  // namespace frond

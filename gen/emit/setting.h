@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "emit/pov.h"
+#include "light/light.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -16,12 +18,18 @@ struct SettingText {
   std::string (*surroundings)(const Scene& scene, double time);
   /// The ground with what lies on it; the same in each frame.
   std::string (*ground)(const PovSpace& space, const Scene& scene);
+  /// What shines on all of it but the sun itself; null where it has lamps.
+  Ambience (*ambience)(const Scene& scene, double time) = nullptr;
 };
 
 /// The `#include` lines of the files that a scene needs.
 std::string includes_text(const Scene& scene);
 
 std::string setting_text(const Scene& scene, double time);
+/// Whether light comes from all around there, and not from lamps alone.
+bool has_soft_light(const Stage& stage);
+/// What shines on a scene; none where there are lamps.
+std::optional<Ambience> ambience_of(const Scene& scene, double time);
 std::string ground_text(const PovSpace& space, const Scene& scene);
 
 }  // namespace frond

@@ -10,9 +10,9 @@ namespace {
 std::string sky_and_pond_text(const Scene& scene, double time) {
   const auto& garden = scene.stage.block<Garden>();
   const auto& lawn = scene.stage.block<Meadow>();
-  Vec3 sun = sun_at(garden.hour, garden.south);
-  std::string text = "Meadow_Globals()\nGarden_Setting(" + eye_text(scene, time) + "," +
-                     color_text(lawn.grass) + "," + direction_text(sun) + "," + number_text(lawn.haze) + "," +
+  Daytime day = daytime(sun_at(garden.hour, garden.south));
+  std::string text = "Meadow_Globals()\nMeadow_Setting(" + eye_text(scene, time) + "," + sky_text(day) + "," +
+                     color_text(lawn.grass) + "," + sun_text(day) + "," + number_text(lawn.haze) + "," +
                      number_text(lawn.clouds) + ")";
   const PondShape& pond = garden.pond;
   if (pond.size.x > 0 && pond.size.y > 0)
@@ -21,13 +21,21 @@ std::string sky_and_pond_text(const Scene& scene, double time) {
   return text;
 }
 
+Ambience garden_light(const Scene& scene, double) {
+  const auto& garden = scene.stage.block<Garden>();
+  return ambience(daytime(sun_at(garden.hour, garden.south)), scene.stage.block<Meadow>().grass);
+}
+
 }  // namespace
 
 SettingText garden_text() {
-  return {{"meadow", "garden"}, sky_and_pond_text, [](const PovSpace& space, const Scene& scene) {
+  return {{"meadow", "garden"},
+          sky_and_pond_text,
+          [](const PovSpace& space, const Scene& scene) {
             return lawn_text(space, scene, scene.stage.block<Meadow>().grass,
                              scene.stage.block<Garden>().gravel_color);
-          }};
+          },
+          garden_light};
 }
 
 }  // namespace frond

@@ -33,6 +33,25 @@ void append_shapes(std::string& text, const PovSpace& space, const std::vector<S
 void append_patches(std::string& text, const PovSpace& space, const std::vector<Patch>& patches,
                     std::string_view name, std::string_view texture, const std::vector<bool>& missing = {});
 
+/// The sky at some hour: linear colours of light.
+struct Daytime {
+  Vec3 sun{0, 1, 0};  ///< toward it, or the moon; of length 1
+  Vec3 zenith{0}, horizon{0}, sunlight{0};
+  Vec3 glow{0};   ///< what the sun adds to the sky round it
+  Vec3 cloud{1};  ///< of lit clouds
+};
+
+/// The sky when the sun stands there. At night the moon stands where the sun would be by day, dim and blue;
+/// at dusk light comes from the horizon.
+Daytime daytime(Vec3 sun);
+
+/// `<zenith>,<horizon>` and `<sun>,<sunlight>,<glow>,<cloud>`: arguments of macros.
+std::string sky_text(const Daytime& day);
+std::string sun_text(const Daytime& day);
+
+/// What shines under that sky over a ground of that colour.
+Ambience ambience(const Daytime& day, const Color& ground);
+
 /// A lawn of a colour, with its grass and gravel.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel);
 

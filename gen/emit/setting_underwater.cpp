@@ -1,3 +1,4 @@
+#include "core/linear.h"
 #include "core/text.h"
 #include "emit/setting_parts.h"
 #include "settings/underwater.h"
@@ -50,8 +51,23 @@ std::string sea_floor_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
+/// The water scatters: from above most, from all sides, a little from below. The lamp of frond_water.inc is
+/// the sun.
+Ambience water_light(const Scene& scene, double) {
+  const auto& water = scene.stage.block<Water>();
+  Vec3 near = linear(water.near), tint = near / std::max({near.x, near.y, near.z});
+  Ambience light;
+  light.sun = glm::normalize(water.sun);
+  light.sunlight = Vec3(1.00f, 0.98f, 0.88f) * 2.25f;
+  light.zenith = 0.8f * (0.4f * tint + 0.6f);
+  light.horizon = 0.26f * (0.6f * tint + 0.4f);
+  light.below = 0.1f * tint;
+  light.ground = {0.50f, 0.45f, 0.36f};
+  return light;
+}
+
 }  // namespace
 
-SettingText underwater_text() { return {{"water", "sand"}, water_text, sea_floor_text}; }
+SettingText underwater_text() { return {{"water", "sand"}, water_text, sea_floor_text, water_light}; }
 
 }  // namespace frond

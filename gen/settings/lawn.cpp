@@ -198,6 +198,11 @@ std::vector<Strewn> Lawn::strewn() const {
   return {{&water_, Color{0.20f, 0.29f, 0.27f}, {{}}}};
 }
 
+LowCover Lawn::low_cover() const {
+  constexpr double kWidth = 0.004;  // metres, of a blade
+  return {shape_.blade, shape_.blades * shape_.blade * kWidth};
+}
+
 std::vector<Specimen> Lawn::furnishings() const {
   Solids lilies = water_lilies(plot_, lilies_, seed_.child("lilies"));
   if (lilies.size() == 0) return {};

@@ -45,6 +45,7 @@ class Lawn final : public Grounds {
   Land land(std::vector<Spot> taken) const override;
   std::vector<Strewn> strewn() const override;
   std::vector<Specimen> furnishings() const override;
+  LowCover low_cover() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {
     return {};

@@ -68,6 +68,12 @@ struct Strewn {
   std::vector<At> at;
 };
 
+/// Grass or litter all over the ground.
+struct LowCover {
+  double height = 0;  ///< metres that it stands high; 0: none
+  double area = 0;    ///< m2 of it on a square metre
+};
+
 /// What a setting lays, and how things stand on it. Metres.
 class Grounds {
  public:
@@ -89,6 +95,7 @@ class Grounds {
   virtual std::vector<Specimen> furnishings() const = 0;
   /// What lies about and is large enough to matter to a quick look.
   virtual std::vector<Strewn> strewn() const { return {}; }
+  virtual LowCover low_cover() const { return {}; }
   /// What the user should know of how all that stands there fits in. `things` makes the list of them.
   virtual std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& things,
                                            const Camera& camera, double film_end) const = 0;

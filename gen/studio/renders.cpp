@@ -217,6 +217,7 @@ Errors Renders::write(Job& job) {
   FrameParts parts = prepare_frames(*scene, std::move(plan));
   for (const Picture& file : parts.files)
     if (Result<bool> written = write_file(frames / file.name, file.bytes); !written) return written.errors();
+  if (Errors errors = write_light(*scene, parts, frames); !errors.empty()) return errors;
   Result<FrameFile> written = write_frame_file(*scene, parts, *layout, frames / "frame_0001.pov", frame);
   return written ? Errors{} : written.errors();
 }

@@ -1,4 +1,4 @@
-// Frame 1 of 6. Render with: povray +Lpovinc +W64 +H48 frame_0001.pov
+// Frame 1 of 6. Render with: povray +Lpovinc +RFI +RFframe_0001.rca +W64 +H48 frame_0001.pov
 #version 3.7;
 #declare Frond_Unit = 10;        // POV-Ray units a metre
 #declare Frond_Quality = 0;      // 0 draft, 1 good, 2 best

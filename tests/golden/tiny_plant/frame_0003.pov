@@ -1,4 +1,4 @@
-// Frame 3 of 4. Render with: povray +Lpovinc +W64 +H48 frame_0003.pov
+// Frame 3 of 4. Render with: povray +Lpovinc +RFI +RFframe_0003.rca +W64 +H48 frame_0003.pov
 #version 3.7;
 #declare Frond_Unit = 10;        // POV-Ray units a metre
 #declare Frond_Quality = 0;      // 0 draft, 1 good, 2 best
@@ -7,7 +7,7 @@
 #include "frond_meadow.inc"
 #include "frond_plant.inc"
 Meadow_Globals()
-Meadow_Setting(<0,0.7,-2.4>,srgb<0.22,0.45,0.78>,srgb<0.8,0.88,0.93>,srgb<0.43,0.53,0.17>,<0.5,0.75,-0.6>,200,0.45)
+Meadow_Setting(<0,0.7,-2.4>,<0.0397,0.1706,0.5705>,<0.6038,0.7484,0.8481>,srgb<0.43,0.53,0.17>,<0.4618,0.6926,-0.5541>,<3,2.79,2.34>,<0,0,0>,<1,1,1>,200,0.45)
 camera{location<0,7,-24> right x*image_width/image_height angle 45 look_at<0,4.5,0>}
 // The skins, old and young.
 #declare Skin = array[2];

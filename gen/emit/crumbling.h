@@ -1,0 +1,184 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/linear.h"
+#include "core/parallel.h"
+#include "light/light.h"
+#include "motion/unfold.h"
+#include "world/specimen.h"
+
+// What stands in a scene as bits of surface, for whom they are enough.
+
+namespace frond {
+
+inline Vec3 mean(const std::vector<Color>& colors) {
+  Vec3 sum(0);
+  for (const Color& color : colors) sum += linear(color);
+  return colors.empty() ? Vec3(0.2f) : sum / static_cast<float>(colors.size());
+}
+
+inline Vec3 wood_color(const Look& look) {
+  if (look.skin) return linear(look.skin->tint.base);
+  return look.bark ? mean(look.bark->colors) : Vec3(0.2f);
+}
+
+/// Calls `bit(at, area, facing)` for points all over a triangle, none more than `step` wide.
+template <class Bit>
+void each_bit(const std::array<Vec3, 3>& corner, float step, const Bit& bit) {
+  Vec3 cross = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  float twice = glm::length(cross);
+  if (!(twice > 0)) return;
+  int count = static_cast<int>(std::clamp(0.5f * twice / (step * step), 1.0f, 1e5f));
+  Facing ways = facing(cross / twice);
+  for (int i = 0; i < count; ++i) {
+    // A lattice of good spread (Roberts), folded into the triangle.
+    double u = 0.5 + 0.7548776662466927 * i, v = 0.5 + 0.5698402909980532 * i;
+    auto a = static_cast<float>(u - std::floor(u)), b = static_cast<float>(v - std::floor(v));
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    if (count == 1) a = b = 1.0f / 3;
+    bit(corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]),
+        0.5f * twice / static_cast<float>(count), ways);
+  }
+}
+
+/// What bits go to: `add(at, area, albedo, facing, solid)`, and `step(at)`, how fine they are to be there.
+template <class Sink>
+struct Crumbling {
+  const Sink& sink;
+
+  void skeleton(const Skeleton& s, const std::vector<Vec3>& position, const std::vector<float>& radius,
+                Vec3 albedo) const {
+    parallel_for((s.size() + 1023) / 1024, [&](std::size_t part) {
+      for (std::size_t i = part * 1024; i < std::min(s.size(), (part + 1) * 1024); ++i) {
+        std::int32_t parent = s.parent[i];
+        if (parent < 0) continue;
+        Vec3 from = position[static_cast<std::size_t>(parent)], way = position[i] - from;
+        float length = glm::length(way), r = radius[i];
+        if (!(length > 0) || !(r > 0)) continue;
+        float step = sink.step(from);
+        int along = static_cast<int>(std::clamp(std::ceil(length / step), 1.0f, 1e4f));
+        int round = r > 0.7f * step ? static_cast<int>(std::min(std::ceil(6.2832f * r / step), 256.0f)) : 1;
+        Vec3 ahead = way / length;
+        Vec3 side =
+            glm::normalize(glm::cross(ahead, std::abs(ahead.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+        Vec3 other = glm::cross(ahead, side);
+        float area = 6.2832f * r * length / static_cast<float>(along * round);
+        for (int k = 0; k < along; ++k) {
+          Vec3 at = from + way * ((static_cast<float>(k) + 0.5f) / static_cast<float>(along));
+          if (round == 1) {
+            sink.add(at, area, albedo, kAllWays, true);
+            continue;
+          }
+          for (int q = 0; q < round; ++q) {
+            float turn = 6.2832f * static_cast<float>(q) / static_cast<float>(round);
+            Vec3 out = std::cos(turn) * side + std::sin(turn) * other;
+            sink.add(at + r * out, area, albedo, facing(out), true);
+          }
+        }
+      }
+    });
+  }
+
+  void surface(const Surface& surface, Vec3 albedo, bool solid, Vec3 at = Vec3(0),
+               Quat turn = Quat(1, 0, 0, 0), Vec3 scale = Vec3(1)) const {
+    parallel_for((surface.triangle.size() + 1023) / 1024, [&](std::size_t part) {
+      for (std::size_t i = part * 1024; i < std::min(surface.triangle.size(), (part + 1) * 1024); ++i) {
+        std::array<Vec3, 3> corner;
+        for (std::size_t c = 0; c < 3; ++c)
+          corner[c] = at + turn * (scale * surface.position[surface.triangle[i][c]]);
+        each_bit(corner, sink.step(corner[0]), [&](Vec3 where, float area, Facing ways) {
+          sink.add(where, area, albedo, solid ? ways : kAllWays, solid);
+        });
+      }
+    });
+  }
+
+  void solids(const Solids& solids) const {
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      const Solid& solid = solids.shapes[solids.shape[i]];
+      surface(solid.surface, linear(solid.material.color), solid.material.matter != Matter::glass,
+              solids.position[i], solids.turn[i], solids.scale[i]);
+    }
+  }
+
+  /// Places of organs are asked as `place(i)`, their turns as `turn(i)`, their sizes as a factor `size(i)`.
+  template <class Place, class Turn, class Size>
+  void organs(const Model& model, const Place& place, const Turn& turn, const Size& size) const {
+    struct Part {
+      std::vector<std::pair<Vec3, float>> bits;  // of one unit
+      Vec3 middle{0};
+      float area = 0;
+    };
+    std::vector<Part> parts;
+    for (const Prototype& prototype : model.prototypes) {
+      Part part;
+      for (const OrganPart& p : prototype.parts) {
+        for (const auto& t : p.surface.triangle) {
+          Vec3 a = p.surface.position[t[0]], b = p.surface.position[t[1]], c = p.surface.position[t[2]];
+          float area = 0.5f * glm::length(glm::cross(b - a, c - a));
+          part.bits.emplace_back((a + b + c) / 3.0f, area);
+          part.middle += area * part.bits.back().first;
+          part.area += area;
+        }
+      }
+      if (part.area > 0) part.middle /= part.area;
+      parts.push_back(std::move(part));
+    }
+    const Organs& o = model.organs;
+    parallel_for((o.size() + 1023) / 1024, [&](std::size_t group) {
+      for (std::size_t i = group * 1024; i < std::min(o.size(), (group + 1) * 1024); ++i) {
+        float grown = size(i);
+        if (grown < kUnfoldedLeast) continue;
+        const Part& part = parts[o.prototype[i]];
+        Vec3 at = place(i), scale = o.scale[i] * grown;
+        Quat turned = turn(i);
+        const Prototype& prototype = model.prototypes[o.prototype[i]];
+        Vec3 albedo = linear(prototype.colors[color_index(o.color[i], prototype.colors.size())]);
+        float wide = std::cbrt(scale.x * scale.y * scale.z), area = std::pow(wide, 2.0f);
+        if (wide < 1.5f * sink.step(at) || part.bits.size() < 2) {
+          sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllWays, false);
+          continue;
+        }
+        for (const auto& [where, share] : part.bits)
+          sink.add(at + turned * (scale * where), area * share, albedo, kAllWays, false);
+      }
+    });
+  }
+};
+
+inline Vec3 blade_color(const Look& look) { return mean(look.blades.colors); }
+
+template <class Sink>
+void crumble(const Sink& sink, const Specimen& b, double time) {
+  Crumbling<Sink> to{sink};
+  Pose pose;
+  pose_specimen(b, time, pose);
+  const Model& m = b.model;
+  to.skeleton(m.skeleton, pose.position, pose.radius, wood_color(b.look));
+  to.solids(m.solids);
+  to.organs(
+      m, [&](std::size_t i) { return organ_place(m.skeleton, pose, m.organs, i); },
+      [&](std::size_t i) { return organ_turn(pose, m.organs, i); },
+      [&](std::size_t i) { return unfolded(m.organs.birth[i], pose.front, unfold_time(b.motion)); });
+  if (m.blades.size() > 0)
+    to.surface(
+        posed_blades(m.skeleton, pose, m.blades, b.motion.growth.ripen, [](std::size_t) { return true; }),
+        blade_color(b.look), false);
+}
+
+template <class Sink>
+void crumble(const Sink& sink, const Look& look, const Model& m) {
+  Crumbling<Sink> to{sink};
+  to.skeleton(m.skeleton, m.skeleton.position, m.skeleton.radius, wood_color(look));
+  to.solids(m.solids);
+  to.organs(
+      m, [&](std::size_t i) { return m.organs.position[i]; }, [&](std::size_t i) { return m.organs.turn[i]; },
+      [](std::size_t) { return 1.0f; });
+  to.surface(m.blades.surface, blade_color(look), false);
+}
+
+}  // namespace frond

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/specimen.h"
+
+namespace frond {
+
+/// A bit of what a model is made of, its foot at the origin. Metres.
+struct Crumb {
+  Vec3 at{0};
+  float area = 0;  ///< m2
+  Vec3 albedo{0};  ///< linear
+  bool solid = false;
+};
+
+/// What models of stands are made of, for each stand those of each model; some may be empty.
+using Crumbs = std::vector<std::vector<std::vector<Crumb>>>;
+
+/// A model in crumbs of about a twelfth of its height.
+std::vector<Crumb> crumbs_of(const Look& look, const Model& model);
+
+/// As a text, and back; what is no such text has none.
+std::string crumbs_text(const std::vector<Crumb>& crumbs);
+std::vector<Crumb> read_crumbs(std::string_view text);
+
+}  // namespace frond

@@ -1,0 +1,27 @@
+#include "emit/eyes.h"
+
+#include <cmath>
+
+namespace frond {
+
+Eye eye_at(const Scene& scene, double time) {
+  const Camera& camera = scene.stage.camera;
+  const Film& film = scene.film;
+  double half = std::tan(radians(camera.angle.at(time)) / 2);
+  double aspect = static_cast<double>(film.size[1]) / film.size[0];
+  Eye eye;
+  eye.at = camera.location.at(time);
+  eye.ahead = glm::normalize(camera.look_at.at(time) - eye.at);
+  eye.wide = std::atan(half * std::hypot(1.0, aspect));
+  eye.pixel = 2 * half / film.size[0];
+  return eye;
+}
+
+std::vector<Eye> eyes(const Scene& scene) {
+  std::vector<Eye> list;
+  for (int frame = 1; frame <= scene.film.frames; ++frame)
+    list.push_back(eye_at(scene, scene.film.time(frame)));
+  return list;
+}
+
+}  // namespace frond

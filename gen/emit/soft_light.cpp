@@ -1,0 +1,161 @@
+#include "emit/soft_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/linear.h"
+#include "core/parallel.h"
+#include "core/text.h"
+#include "emit/crumbling.h"
+#include "emit/eyes.h"
+#include "emit/setting.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kPixels[] = {24, 18, 12};  // that a cell covers, of each Quality
+constexpr std::size_t kEyes = 12;           // of a film that are heeded
+constexpr float kFarthest = 250;            // metres from the middle
+constexpr double kReuse =
+    1.45;  // cells within which POV-Ray uses a place's light again; its tree grows coarse from 1.5
+constexpr double kErrorBound = 4;  // of povinc's radiosity
+
+/// The room that a scene takes, metres.
+struct Room {
+  SoftLight::Box box{Vec3(1e30f), Vec3(-1e30f)};
+
+  void take(Vec3 at, float round = 0) {
+    box.low = glm::min(box.low, at - round);
+    box.high = glm::max(box.high, at + round);
+  }
+};
+
+SoftLight::Box room_of(const Scene& scene, const std::vector<Specimen>& now, const Crumbs& crumbs) {
+  Room room;
+  for (const Specimen& b : now) {
+    const Model& m = b.model;
+    for (const Vec3& at : m.skeleton.position) room.take(at, 0.1f);
+    for (std::size_t i = 0; i < m.organs.size(); ++i)
+      room.take(m.organs.position[i],
+                std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
+    for (std::size_t i = 0; i < m.solids.size(); ++i)
+      for (const Vec3& at : m.solids.shapes[m.solids.shape[i]].surface.position)
+        room.take(m.solids.position[i] + m.solids.turn[i] * (m.solids.scale[i] * at));
+    for (const Vec3& at : m.blades.surface.position) room.take(at);
+  }
+  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
+    const Copies& copies = scene.stands[s].copies;
+    std::vector<float> reach;
+    for (const auto& model : crumbs[s]) {
+      float far = 0;
+      for (const Crumb& crumb : model) far = std::max(far, glm::length(crumb.at));
+      reach.push_back(far);
+    }
+    for (std::size_t i = 0; i < copies.size(); ++i)
+      room.take(copies.foot[i], copies.scale[i] * reach[copies.model[i]]);
+  }
+  for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
+  Vec3 far(kFarthest, 1e6f, kFarthest);
+  return {glm::max(room.box.low, -far), glm::min(room.box.high, far)};
+}
+
+/// Lays bits into the grid; three of them across a cell.
+struct IntoGrid {
+  SoftLight& grid;
+
+  void add(Vec3 at, float area, Vec3 albedo, Facing facing, bool solid) const {
+    grid.add(at, area, albedo, facing, solid);
+  }
+  float step(Vec3 at) const { return 0.4f * grid.cell_at(at); }
+};
+
+void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
+  const Grounds& ground = *scene.ground;
+  LowCover cover = ground.low_cover();
+  grid.add_land([&](Vec2 at) { return ground.height(at); }, albedo, static_cast<float>(cover.height),
+                static_cast<float>(cover.area));
+  Crumbling<IntoGrid> to{IntoGrid{grid}};
+  for (const Strewn& strewn : ground.strewn())
+    for (const Strewn::At& at : strewn.at)
+      to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
+}
+
+void add_copies(SoftLight& grid, const Scene& scene, const Crumbs& crumbs) {
+  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
+    const Copies& copies = scene.stands[s].copies;
+    parallel_for(copies.size(), [&](std::size_t i) {
+      float scale = copies.scale[i];
+      for (const Crumb& crumb : crumbs[s][copies.model[i]])
+        grid.add(copies.foot[i] + copies.turn[i] * (scale * crumb.at), scale * scale * crumb.area,
+                 crumb.albedo, kAllWays, crumb.solid);
+    });
+  }
+}
+
+/// As POV-Ray packs a direction: three bytes in hexadecimal.
+constexpr const char* kPacked[] = {"fe7f7f", "007f7f", "7ffe7f",
+                                   "7f007f", "7f7f00", "7f7ffe"};  // z is mirrored
+
+void append_probe(std::string& text, const PovSpace& space, const Probe& probe) {
+  double unit = space.unit, reach = kReuse / kErrorBound * probe.cell * unit;
+  text += "C1 ";
+  append(text, probe.at.x * unit, 3);
+  text += ' ';
+  append(text, probe.at.y * unit, 3);
+  text += ' ';
+  append(text, -probe.at.z * unit, 3);
+  text += ' ';
+  text += kPacked[probe.axis];
+  for (int c = 0; c < 3; ++c) text += ' ', append(text, probe.light[c], 3);
+  for (int twice = 0; twice < 2; ++twice) text += ' ', append(text, reach, 4);
+  text += ' ';
+  text += kPacked[probe.axis];
+  text += '\n';
+}
+
+}  // namespace
+
+double light_bytes(const Film& film) {
+  constexpr double kBytes = 60 * 500;  // of the places behind each other in one cell of the picture
+  double pixels = kPixels[static_cast<std::size_t>(film.quality)];
+  return kBytes * film.size[0] * film.size[1] / (pixels * pixels);
+}
+
+bool light_changes(const Scene& scene) {
+  return scene.film.frames > 1 && std::ranges::any_of(scene.specimens, [](const Specimen& s) {
+           return s.life.changes() || s.motion.growth.duration > 0;
+         });
+}
+
+Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Crumbs& crumbs,
+                                    double time) {
+  std::optional<Ambience> ambience = ambience_of(scene, time);
+  if (!ambience) return std::string();
+  bool changes = light_changes(scene);
+  std::vector<Specimen> now;
+  for (const Specimen& specimen : scene.specimens) {
+    Result<Specimen> one = specimen.life.changes() ? developed(specimen, time) : specimen;
+    if (!one) return one.errors();
+    now.push_back(std::move(*one));
+  }
+  std::vector<Eye> all = eyes(scene), some, here{eye_at(scene, time)};
+  for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
+    some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, std::min(all.size(), kEyes) - 1)]);
+  SoftLight grid(some, room_of(scene, now, crumbs), kPixels[static_cast<std::size_t>(scene.film.quality)],
+                 1 / space.unit);
+  for (const Specimen& specimen : now) crumble(IntoGrid{grid}, specimen, time);
+  add_copies(grid, scene, crumbs);
+  add_ground(grid, scene, ambience->ground);
+  std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
+  std::vector<std::string> texts((probes.size() + 4095) / 4096);
+  parallel_for(texts.size(), [&](std::size_t i) {
+    for (std::size_t k = i * 4096; k < std::min(probes.size(), (i + 1) * 4096); ++k)
+      append_probe(texts[i], space, probes[k]);
+  });
+  std::string text;
+  for (const std::string& part : texts) text += part;
+  return text;
+}
+
+}  // namespace frond

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "emit/crumbs.h"
+#include "emit/pov.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+/// About how many bytes the soft light of a picture takes, within a factor of two or three.
+double light_bytes(const Film& film);
+
+/// Whether the soft light is another in each frame: where something grows or becomes another shape. What only
+/// sways keeps that of the first frame.
+bool light_changes(const Scene& scene);
+
+/// The soft light of a scene at a time, as POV-Ray's radiosity keeps it in files (+RFI): each line a place, a
+/// direction and the light that comes from the half of all directions round it. Empty where the setting
+/// brings lamps of its own instead.
+Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Crumbs& crumbs,
+                                    double time);
+
+}  // namespace frond

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace frond {
+
+/// Where a camera is at one moment and what it sees. Metres.
+struct Eye {
+  Vec3 at{0}, ahead{0, 0, -1};
+  double wide = 0.8;     ///< half the angle of the view's diagonal, radians
+  double pixel = 0.001;  ///< metres that a pixel covers a metre away
+};
+
+/// Whether something of that size round a place is in view.
+bool in_view(const Eye& eye, Vec3 at, double around);
+
+/// What shines on a scene from far away. Linear colours; of the sky as radiance: a white matt surface that
+/// sees nothing else shows it.
+struct Ambience {
+  Vec3 sun{0, 1, 0};                     ///< toward it, of length 1
+  Vec3 sunlight{0};                      ///< what a white matt surface that faces it shows
+  Vec3 zenith{0}, horizon{0}, below{0};  ///< of the sky; of what is lower than all that stands
+  Vec3 ground{0.2f};                     ///< share of light that the land throws back
+};
+
+/// Which way a surface faces: a bit for each of +x, -x, +y, -y, +z, -z.
+using Facing = std::uint8_t;
+inline constexpr Facing kAllWays = 63;
+Facing facing(Vec3 normal);
+
+/// The light that comes to a place from the half of all directions round one axis.
+struct Probe {
+  Vec3 at;     ///< metres
+  int axis;    ///< bit of its Facing
+  float cell;  ///< metres to its neighbours
+  Vec3 light;  ///< linear; what a white matt surface there that faces that way shows of it
+};
+
+/// Soft light in a scene: how much of the sky each place sees past what stands there, and what that throws
+/// back of sun and sky. All that stands is laid into nested grids of cells, finer near the camera, each cell
+/// with the optical depth and colour of what is in it, as for voxel cone tracing (Crassin and others 2011).
+/// Add all, then ask once. The sum of what is added does not depend on its order.
+class SoftLight {
+ public:
+  struct Box {
+    Vec3 low{0}, high{0};
+  };
+
+  /// For eyes of a film, within bounds. A cell covers about `pixels`; its side is a power of two of `unit`
+  /// metres.
+  SoftLight(std::vector<Eye> eyes, const Box& bounds, double pixels, double unit);
+
+  /// The side of the cells there, metres.
+  float cell_at(Vec3 at) const;
+
+  /// A bit of a surface. `facing` tells which way its sides look; what is solid lets no light through. From
+  /// many threads at once.
+  void add(Vec3 at, float area, Vec3 albedo, Facing facing, bool solid);
+
+  /// Land, solid below. Grass or litter stands `tall` metres on it, `area` m2 a square metre.
+  void add_land(const std::function<float(Vec2)>& height, Vec3 albedo, float tall, float area);
+
+  /// The light at all that was added, as far as the eyes given see it, and coarser beyond.
+  std::vector<Probe> probes(const Ambience& ambience, std::span<const Eye> seen_by);
+
+ private:
+  struct Level {
+    float cell = 1;
+    glm::ivec3 low{0}, size{0};
+    // Sums in fixed point until light(), then optical depth across a cell, and radiance.
+    std::vector<std::uint32_t> area;
+    std::array<std::vector<std::uint32_t>, 3> color;
+    std::vector<Facing> ways;
+
+    std::size_t index(glm::ivec3 of) const;
+    bool index(Vec3 at, std::size_t& found) const;
+    Vec3 middle(glm::ivec3 of) const;
+    float depth(std::size_t i) const;
+    Vec3 radiance(std::size_t i) const;
+  };
+
+  std::size_t level_for(double cell) const;
+  /// What comes from a direction, of what lies `from` metres off and farther.
+  Vec3 arriving(std::size_t level, Vec3 at, Vec3 way, float from, float spread, const Ambience& ambience,
+                float& open) const;
+  /// Adds to `sum` of each of the directions what comes from the half of all that is round it.
+  void gather(std::size_t level, Vec3 at, Facing facing, const Ambience& ambience,
+              std::array<Vec3, 6>& sum) const;
+  void light(const Ambience& ambience);
+  std::vector<Probe> probes_of(std::size_t level, const Ambience& ambience,
+                               std::span<const Eye> seen_by) const;
+
+  std::vector<Eye> eyes_;
+  double pixels_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace frond
