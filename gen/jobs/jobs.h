@@ -26,9 +26,9 @@ struct Rendering {
 };
 
 inline constexpr Rendering kRenderings[] = {
-    {"draft", "+A0.3 +AM1 +R2 -J"},
-    {"good", "+A0.1 +AM2 +R3 -J"},
-    {"best", "+A0.05 +AM2 +R4 -J"},
+    {"draft", "+A0.15 +AM1 +R2 -J"},
+    {"good", "+A0.0 +AM1 +R3 -J"},
+    {"best", "+A0.0 +AM1 +R5 -J"},
 };
 
 /// What the name of a frame's files begins with: "frame_0001"; more digits from 10000 on.

@@ -15,7 +15,6 @@ constexpr double kNearest = 0.3;            // metres from the eye from where on
 constexpr float kQuanta = 4096;             // of fixed point, to a cell's face
 constexpr Facing kSolid = 64;               // bit: something in the cell lets no light through
 constexpr Facing kLand = 128;               // and that the land is in it
-constexpr Facing kUpright = kAllWays & ~8;  // grass shows its sides, and the light from above
 constexpr std::size_t kMostCells = 6'000'000;
 constexpr int kUnseen = 2;       // levels that what no eye sees is coarser
 constexpr float kDark = 0.02f;   // of light: what is behind is left out
@@ -193,7 +192,7 @@ void SoftLight::add_land(const std::function<float(Vec2)>& height, Vec3 albedo, 
                 static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c]);
           Facing ways = y <= solid ? kSolid | kLand : 0;
           if (y >= solid && y <= top) ways |= facing(normal);
-          if (y >= top && tall > 0) ways |= kUpright;
+          if (y >= top && tall > 0) ways |= kAllWays;
           level.ways[i] = static_cast<Facing>(level.ways[i] | ways);
         }
       }

@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# Renders the pictures of docs/gallery from the presets as they are; only those that changed.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=lib.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+
+usage() {
+  cat <<TEXT
+Usage: scripts/gallery.sh [-o DIR] [NAME...]
+
+Renders the pictures of docs/gallery, all or those of the names given, at the quality "good". DIR (out/gallery) keeps
+what they are made of: interrupted and run again it goes on where it stopped.
+TEXT
+}
+help_where_asked "$@"
+work=out/gallery
+if [[ ${1:-} == -o ]]; then work=${2:?} && shift 2; fi
+frond=${FROND_BIN:-$root/build/frond}
+mkdir -p -- "$work"
+work=$(cd -- "$work" && pwd)
+
+# NAME WIDTHxHEIGHT COLUMNS PRESET[@FRAME][,POINTER=VALUE]...: several make a sheet of so many columns.
+pictures() {
+  cat <<'TEXT'
+reef 800x450 1 reef@96
+garden 960x540 1 garden/garden@48
+tree-oak 512x384 1 trees/oak
+ivy-brick_wall 800x450 1 ivy/brick_wall@120
+heart_tree 480x480 1 heart_tree
+stone_bridge 720x405 1 garden/stone_bridge
+rocks 720x450 1 garden/rocks
+vases 720x405 1 garden/vases
+fused 640x400 1 fused
+voxel 800x500 1 voxel
+tree-birch 540x720 1 trees/birch
+tree-spruce 480x640 1 trees/spruce
+tree-willow 560x420 1 trees/willow
+tree-acacia 640x427 1 trees/acacia
+tree-poplar 480x640 1 trees/poplar
+tree-dead_tree 720x540 1 trees/dead_tree
+tree-light_race 560x420 1 trees/light_race@120
+trees-seasons 404x304 2 trees/seasons@40 trees/seasons@110 trees/seasons@200 trees/seasons@235
+aspen 420x525 1 aspen
+black_oak 400x320 1 black_oak
+weeping_willow 340x340 1 weeping_willow
+forest-anemone 640x426 1 forest/anemone
+forest-fern 640x426 1 forest/fern
+forest-log 640x426 1 forest/log
+forest-rock 640x426 1 forest/rock
+forest-sedge 640x426 1 forest/sedge
+forest-blueberry 480x320 1 forest/blueberry
+forest-bracken 480x320 1 forest/bracken
+forest-bramble 480x320 1 forest/bramble
+forest-mushrooms 480x320 1 forest/mushrooms
+forest-sapling 480x320 1 forest/sapling
+forest-undergrowth 286x190 3 forest/fern forest/bracken forest/bramble forest/blueberry forest/sedge forest/anemone forest/mushrooms forest/rock forest/log
+ivy-any_mesh 800x450 1 ivy/any_mesh@120
+ivy-column 800x450 1 ivy/column@120
+ivy-rocks 800x450 1 ivy/rocks@120
+bridge 704x396 1 garden/bridge
+garden-bush 440x330 1 garden/bush
+garden-guided_bush 440x330 1 garden/guided_bush
+garden-guided_palm 480x360 1 garden/guided_palm
+garden-palm 330x440 1 garden/palm
+garden-tree 560x280 1 garden/tree
+garden-hours 320x180 3 garden/garden@1,/scene/garden/hour=6.5 garden/garden@1,/scene/garden/hour=12 garden/garden@1,/scene/garden/hour=20
+staghorn 480x360 1 staghorn
+bush 480x360 1 bush
+fan 480x360 1 fan
+tufted 480x360 1 tufted
+anabaena-1.38 480x270 1 lsystems/anabaena-1.38
+bush-1.25 480x360 1 lsystems/bush-1.25
+crocus-3 480x320 1 lsystems/crocus-3
+dragon-1.10a 480x360 1 lsystems/dragon-1.10a
+field-1.27 480x270 1 lsystems/field-1.27
+growing-tree-2.6 240x180 4 lsystems/growing-tree-2.6@24 lsystems/growing-tree-2.6@48 lsystems/growing-tree-2.6@72 lsystems/growing-tree-2.6@96
+hilbert-1.19 480x360 1 lsystems/hilbert-1.19
+hogeweg-hesper-1.31 480x240 1 lsystems/hogeweg-hesper-1.31
+inflorescence-3 440x528 1 lsystems/inflorescence-3
+koch-1.6 480x360 1 lsystems/koch-1.6
+plants-1.24 480x240 1 lsystems/plants-1.24
+row-of-trees-1.37 480x270 1 lsystems/row-of-trees-1.37
+sunflower-4 480x360 1 lsystems/sunflower-4
+trees-2.6 480x240 1 lsystems/trees-2.6
+trees-2.7 480x270 1 lsystems/trees-2.7
+trees-2.8 540x304 1 lsystems/trees-2.8
+forest 960x540 1 forest
+forest-autumn 640x360 1 forest/autumn
+forest-flight 648x368 1 forest/flight@120
+TEXT
+}
+
+# still ITEM SIZE FOLDER: names the picture.
+still() {
+  local words frame preset set=() word
+  IFS=, read -r -a words <<<"$1"
+  preset=${words[0]%@*}
+  frame=1
+  if [[ ${words[0]} == *@* ]]; then frame=${words[0]#*@}; fi
+  for word in "${words[@]:1}"; do set+=(--set "$word"); done
+  "$frond" generate "$root/presets/$preset.json" -o "$3" --frames "$frame-$frame" --size "$2" --quality good \
+    ${set[@]+"${set[@]}"} -q >&2
+  (cd -- "$3" && ninja "frames/$(printf 'frame_%04d.png' "$frame")" >&2)
+  printf '%s/frames/frame_%04d.png\n' "$3" "$frame"
+}
+
+while read -r name size columns items; do
+  if (($# > 0)) && [[ " $* " != *" $name "* ]]; then continue; fi
+  inputs=() layout='' count=0
+  for item in $items; do
+    picture=$(still "$item" "$size" "$work/$name-$count") || fail 1 "$name could not be rendered"
+    inputs+=(-i "$picture")
+    layout+="${layout:+|}$((count % columns * (${size%x*} + 4)))_$((count / columns * (${size#*x} + 4)))"
+    count=$((count + 1))
+  done
+  sheet=()
+  if ((count > 1)); then sheet=(-filter_complex "xstack=inputs=$count:layout=$layout:fill=white"); fi
+  part=$work/$name.jpg
+  ffmpeg -y -loglevel error "${inputs[@]}" ${sheet[@]+"${sheet[@]}"} -bitexact -q:v 3 "$part" </dev/null
+  put_in_place "$part" "$root/docs/gallery/$name.jpg"
+  printf '%s\n' "docs/gallery/$name.jpg"
+done < <(pictures)
