@@ -238,7 +238,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
     growing += creeps ? 1 : bed.plantings.size();  // all creepers of an entry grow as one
   }
   watch.begin("grow", growing);
-  World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1);
+  World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
   world.add(ground->furnishings());
   Gardener gardener(preset, watch, nursery, ground->floor());
   if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
