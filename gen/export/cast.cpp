@@ -8,7 +8,7 @@
 #include "export/look.h"
 #include "export/sown.h"
 #include "field/cubes.h"
-#include "geometry/tube.h"
+#include "geometry/tubes.h"
 #include "motion/unfold.h"
 
 namespace frond {
@@ -55,7 +55,7 @@ class Caster {
                  static_cast<float>(b_.style.blend));
     if (b_.style.build == Build::sweeps) {
       TubeMesh tubes =
-          branch_tubes(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
+          closed_tubes(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
       surface = std::move(tubes.surface), node = std::move(tubes.node);
     } else if (b_.style.build == Build::fused) {
       Result<FusedMesh> mesh = fuse(limbs, volume);
