@@ -49,20 +49,20 @@ class Caster {
     Surface surface;
     std::vector<std::int32_t> node;
     VolumeOptions volume{b_.style.voxel, b_.style.adaptivity, b_.style.limit};
-    Boughs limbs;
+    Boughs boughs;
     if (b_.style.build != Build::sweeps)
-      add_boughs(limbs, b_.model.skeleton, pose_.position, pose_.radius, pose_.front,
+      add_boughs(boughs, b_.model.skeleton, pose_.position, pose_.radius, pose_.front,
                  static_cast<float>(b_.style.blend));
     if (b_.style.build == Build::sweeps) {
       TubeMesh tubes =
           closed_tubes(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
       surface = std::move(tubes.surface), node = std::move(tubes.node);
     } else if (b_.style.build == Build::fused) {
-      Result<FusedMesh> mesh = fuse(limbs, volume);
+      Result<FusedMesh> mesh = fuse(boughs, volume);
       if (!mesh) return mesh.errors();
       surface = std::move(mesh->surface), node = std::move(mesh->node);
     } else {
-      Result<Cubes> cubes = cubes_of(limbs, volume);
+      Result<Cubes> cubes = cubes_of(boughs, volume);
       if (!cubes) return cubes.errors();
       std::vector<std::uint32_t> cube;
       surface = cubes_surface(*cubes, cube);

@@ -27,18 +27,18 @@ void push(std::vector<std::uint8_t>& to, const Color& c) {
 
 /// Branches that have grown together, or cubes.
 Result<DrawnPart> body_part(const Specimen& s, const Pose& pose) {
-  Boughs limbs;
-  add_boughs(limbs, s.model.skeleton, pose.position, pose.radius, pose.front,
+  Boughs boughs;
+  add_boughs(boughs, s.model.skeleton, pose.position, pose.radius, pose.front,
              static_cast<float>(s.style.blend));
   VolumeOptions volume{s.style.voxel, s.style.adaptivity, s.style.limit};
   Surface surface;
   std::vector<std::int32_t> node;
   if (s.style.build == Build::fused) {
-    Result<FusedMesh> mesh = fuse(limbs, volume);
+    Result<FusedMesh> mesh = fuse(boughs, volume);
     if (!mesh) return mesh.errors();
     surface = std::move(mesh->surface), node = std::move(mesh->node);
   } else {
-    Result<Cubes> cubes = cubes_of(limbs, volume);
+    Result<Cubes> cubes = cubes_of(boughs, volume);
     if (!cubes) return cubes.errors();
     std::vector<std::uint32_t> cube;
     surface = cubes_surface(*cubes, cube);
