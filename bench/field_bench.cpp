@@ -26,29 +26,29 @@ const Skeleton& coral() {
 }
 
 void Fuse(benchmark::State& state) {
-  Boughs limbs = boughs_of(coral(), 1);
+  Boughs boughs = boughs_of(coral(), 1);
   VolumeOptions options{.voxel = kVoxel, .adaptivity = 0.01 * static_cast<double>(state.range(0))};
   std::size_t triangles = 0;
   for (auto _ : state) {
-    Result<FusedMesh> mesh = fuse(limbs, options);
+    Result<FusedMesh> mesh = fuse(boughs, options);
     if (!mesh) return state.SkipWithError(mesh.errors()[0].what.c_str());
     triangles = mesh->surface.triangle.size();
   }
   rusage use{};
   getrusage(RUSAGE_SELF, &use);
-  state.counters["segments"] = static_cast<double>(limbs.cones.size());
+  state.counters["segments"] = static_cast<double>(boughs.cones.size());
   state.counters["triangles"] = static_cast<double>(triangles);
   state.counters["peak_MB"] = static_cast<double>(use.ru_maxrss) / 1024;
-  state.counters["foreseen_MB"] = foresee_volume(limbs, kVoxel).bytes / 1e6;
+  state.counters["foreseen_MB"] = foresee_volume(boughs, kVoxel).bytes / 1e6;
 }
 BENCHMARK(Fuse)->Arg(0)->Arg(10)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 void LevelSet(benchmark::State& state) {
-  Boughs limbs = boughs_of(coral(), static_cast<float>(state.range(0)));
+  Boughs boughs = boughs_of(coral(), static_cast<float>(state.range(0)));
   VolumeOptions options{.voxel = kVoxel};
   double voxels = 0;
   for (auto _ : state) {
-    Volume volume = *volume_of(limbs, options);
+    Volume volume = *volume_of(boughs, options);
     voxels = static_cast<double>(volume.active_voxels());
     state.counters["bytes"] = static_cast<double>(volume.bytes());
   }
@@ -57,9 +57,9 @@ void LevelSet(benchmark::State& state) {
 BENCHMARK(LevelSet)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 void Gather(benchmark::State& state) {
-  Boughs limbs = boughs_of(coral(), 1);
+  Boughs boughs = boughs_of(coral(), 1);
   for (auto _ : state)
-    state.counters["blocks"] = static_cast<double>(gather_blocks(limbs, 0.002f, 0.006f).size());
+    state.counters["blocks"] = static_cast<double>(gather_blocks(boughs, 0.002f, 0.006f).size());
 }
 BENCHMARK(Gather)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 

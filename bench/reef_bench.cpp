@@ -35,7 +35,7 @@ BENCHMARK(Grow)->Unit(benchmark::kMillisecond)->UseRealTime();
 void Pose(benchmark::State& state) {
   frond::Pose pose;
   for (auto _ : state)
-    for (const Specimen& b : reef().branches) pose_skeleton(b.model.skeleton, b.motion, 0.3, pose);
+    for (const Specimen& b : reef().specimens) pose_skeleton(b.model.skeleton, b.motion, 0.3, pose);
   per_node(state);
 }
 BENCHMARK(Pose)->Unit(benchmark::kMillisecond)->UseRealTime();

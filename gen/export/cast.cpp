@@ -8,7 +8,7 @@
 #include "export/look.h"
 #include "export/sown.h"
 #include "field/cubes.h"
-#include "geometry/tube.h"
+#include "geometry/tubes.h"
 #include "motion/unfold.h"
 
 namespace frond {
@@ -46,30 +46,15 @@ class Caster {
   }
 
   Errors add_branches() {
-    Surface surface;
-    std::vector<std::int32_t> node;
-    VolumeOptions volume{b_.style.voxel, b_.style.adaptivity, b_.style.limit};
-    Boughs limbs;
-    if (b_.style.build != Build::sweeps)
-      add_boughs(limbs, b_.model.skeleton, pose_.position, pose_.radius, pose_.front,
-                 static_cast<float>(b_.style.blend));
     if (b_.style.build == Build::sweeps) {
       TubeMesh tubes =
-          branch_tubes(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
-      surface = std::move(tubes.surface), node = std::move(tubes.node);
-    } else if (b_.style.build == Build::fused) {
-      Result<FusedMesh> mesh = fuse(limbs, volume);
-      if (!mesh) return mesh.errors();
-      surface = std::move(mesh->surface), node = std::move(mesh->node);
-    } else {
-      Result<Cubes> cubes = cubes_of(limbs, volume);
-      if (!cubes) return cubes.errors();
-      std::vector<std::uint32_t> cube;
-      surface = cubes_surface(*cubes, cube);
-      // Each face has four corners of its own.
-      for (std::uint32_t c : cube) node.insert(node.end(), 4, cubes->node[c]);
+          closed_tubes(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
+      add_by_color(std::move(tubes.surface), tubes.node);
+      return {};
     }
-    add_by_color(std::move(surface), node);
+    Result<FusedMesh> mesh = body_mesh(b_, pose_);
+    if (!mesh) return mesh.errors();
+    add_by_color(std::move(mesh->surface), mesh->node);
     return {};
   }
 
@@ -233,6 +218,23 @@ CastSize foresee_cast(const Scene& scene, const CastOptions& options) {
     size.placements += static_cast<double>(b.model.solids.size()) + 1;
   }
   return size;
+}
+
+Result<FusedMesh> body_mesh(const Specimen& specimen, const Pose& pose) {
+  const Style& style = specimen.style;
+  Boughs boughs;
+  add_boughs(boughs, specimen.model.skeleton, pose.position, pose.radius, pose.front,
+             static_cast<float>(style.blend));
+  VolumeOptions volume{style.voxel, style.adaptivity, style.limit};
+  if (style.build == Build::fused) return fuse(boughs, volume);
+  Result<Cubes> cubes = cubes_of(boughs, volume);
+  if (!cubes) return cubes.errors();
+  FusedMesh mesh;
+  std::vector<std::uint32_t> cube;
+  mesh.surface = cubes_surface(*cubes, cube);
+  // Each face has four corners of its own.
+  for (std::uint32_t c : cube) mesh.node.insert(mesh.node.end(), 4, cubes->node[c]);
+  return mesh;
 }
 
 Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "field/volume.h"
 #include "model/surface.h"
 #include "scene/scene.h"
 
@@ -59,6 +60,10 @@ CastSize foresee_cast(const Scene& scene, const CastOptions& options);
 /// Makes the meshes of a scene at a time, in seconds. Specimen are tubes, or what their style makes of them;
 /// ground, stones and grass are left out. An error where nothing is left.
 Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options);
+
+/// Branches that are built of cubes or have grown into one, as their style says; corners that belong to one
+/// node each.
+Result<FusedMesh> body_mesh(const Specimen& specimen, const Pose& pose);
 
 /// All placements of a mesh as one surface where they stand.
 Surface placed(const CastMesh& mesh, const CastPlacement& placement);

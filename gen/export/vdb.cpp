@@ -24,7 +24,7 @@ struct VoxelBox {
 
 /// The branches of a scene as they are put together.
 struct Gathered {
-  Boughs limbs;
+  Boughs boughs;
   std::int32_t nodes = 0;
   VoxelBox box;
   VolumeOptions options;
@@ -33,7 +33,7 @@ struct Gathered {
 void add_posed(Gathered& all, const Specimen& b, double time, bool own_voxel) {
   Pose pose;
   pose_specimen(b, time, pose);
-  add_boughs(all.limbs, b.model.skeleton, pose.position, pose.radius, pose.front,
+  add_boughs(all.boughs, b.model.skeleton, pose.position, pose.radius, pose.front,
              static_cast<float>(b.style.blend), all.nodes);
   all.nodes += static_cast<std::int32_t>(b.model.skeleton.size());
   for (const Vec3& p : pose.position) all.box.hold(p);
@@ -65,7 +65,7 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
       position.clear(), radius.clear();
       for (const Vec3& p : shapes[m].position) position.push_back(at_copy(copy, p));
       for (float r : shapes[m].radius) radius.push_back(r * copy.scale.x);
-      add_boughs(all.limbs, shapes[m], position, radius, 2, 1, all.nodes);
+      add_boughs(all.boughs, shapes[m], position, radius, 2, 1, all.nodes);
       all.nodes += static_cast<std::int32_t>(shapes[m].size());
     }
   return {};
@@ -92,12 +92,12 @@ Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& o
   for (const SownBranches& model : *sown)
     for (const CastPlacement& copy : model.copies)
       for (const Vec3& p : model.rest.position) all.box.hold(at_copy(copy, p));
-  if (all.limbs.cones.empty() && sown->empty())
+  if (all.boughs.cones.empty() && sown->empty())
     return Error{"", "there are no branches at that frame to make a volume of"};
   if (all.options.limit <= 0) all.options.limit = kLeastLimit;
   if (all.options.voxel <= 0) all.options.voxel = all.box.edge() / kVoxels;
   if (Errors errors = add_copies(all, *sown); !errors.empty()) return errors;
-  return volume_of(all.limbs, all.options);
+  return volume_of(all.boughs, all.options);
 }
 
 }  // namespace frond

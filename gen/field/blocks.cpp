@@ -62,20 +62,20 @@ void visit_near(const Cone& cone, float voxel, float band, const Visit& visit) {
 }
 
 /// Notes a fork in the blocks in which it makes a difference.
-void visit_fork(const Boughs& limbs, std::uint32_t f, float voxel, float band,
+void visit_fork(const Boughs& boughs, std::uint32_t f, float voxel, float band,
                 std::vector<std::uint64_t>& keys, const auto& visit) {
-  const Forks& forks = limbs.forks;
+  const Forks& forks = boughs.forks;
   const Forks::Fork& fork = forks.forks[f];
   float reach = fillet_reach(forks, f), half = cube_reach(kBlockSide, voxel) + voxel;
   keys.clear();
   for (std::uint32_t a = fork.first; a < fork.last; ++a)
     for (std::uint32_t m = forks.arms[a].first; m < forks.arms[a].last; ++m)
-      visit_near(limbs.cones[forks.member[m]], voxel, band + reach,
+      visit_near(boughs.cones[forks.member[m]], voxel, band + reach,
                  [&](std::uint64_t key) { keys.push_back(key); });
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   for (std::uint64_t key : keys)
-    if (choose_fork(limbs, forks, f, cube_middle(block_origin(key), kBlockSide, voxel), half, band, nullptr))
+    if (choose_fork(boughs, forks, f, cube_middle(block_origin(key), kBlockSide, voxel), half, band, nullptr))
       visit(key);
 }
 
@@ -134,9 +134,9 @@ Cell voxel_at(Vec3 place, float size) {
   return {near(place.x), near(place.y), near(place.z)};
 }
 
-bool fits_grid(const Boughs& limbs, float voxel) {
+bool fits_grid(const Boughs& boughs, float voxel) {
   float most = voxel * kBlockSide * static_cast<float>(kMiddle - 16);
-  return std::all_of(limbs.cones.begin(), limbs.cones.end(), [&](const Cone& cone) {
+  return std::all_of(boughs.cones.begin(), boughs.cones.end(), [&](const Cone& cone) {
     Vec3 to = cone.to();
     float reach = std::max(cone.radius, cone.end_radius());
     for (int a = 0; a < 3; ++a)
@@ -145,21 +145,21 @@ bool fits_grid(const Boughs& limbs, float voxel) {
   });
 }
 
-Blocks gather_blocks(const Boughs& limbs, float voxel, float band) {
+Blocks gather_blocks(const Boughs& boughs, float voxel, float band) {
   Blocks blocks{voxel, band, {}};
   constexpr std::size_t kLists = std::tuple_size_v<decltype(blocks.lists)>;
-  std::size_t cones = limbs.cones.size(), parts = (cones + limbs.forks.size()) / kPartCones + 1;
+  std::size_t cones = boughs.cones.size(), parts = (cones + boughs.forks.size()) / kPartCones + 1;
   std::vector<std::array<std::vector<Near>, kLists>> found(parts);
   parallel_for(parts, [&](std::size_t p) {
     auto& own = found[p];
     for (std::size_t c = cones * p / parts; c < cones * (p + 1) / parts; ++c)
-      visit_near(limbs.cones[c], voxel, band, [&](std::uint64_t key) {
+      visit_near(boughs.cones[c], voxel, band, [&](std::uint64_t key) {
         own[list_of(key)].push_back({key, static_cast<std::uint32_t>(c)});
       });
     std::vector<std::uint64_t> keys;
-    std::size_t forks = limbs.forks.size();
+    std::size_t forks = boughs.forks.size();
     for (std::size_t f = forks * p / parts; f < forks * (p + 1) / parts; ++f)
-      visit_fork(limbs, static_cast<std::uint32_t>(f), voxel, band, keys, [&](std::uint64_t key) {
+      visit_fork(boughs, static_cast<std::uint32_t>(f), voxel, band, keys, [&](std::uint64_t key) {
         own[list_of(key)].push_back({key, static_cast<std::uint32_t>(f) | kFork});
       });
   });
@@ -183,7 +183,7 @@ FoundBlock find_block(const Blocks& blocks, Cell voxel) {
   return {&list, &*at};
 }
 
-void near_block(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found, Nearby& near) {
+void near_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found, Nearby& near) {
   std::span<const std::uint32_t> items(found.list->item);
   const VoxelBlock& block = *found.block;
   auto cones = items.subspan(block.first, block.forks - block.first);
@@ -192,23 +192,23 @@ void near_block(const Boughs& limbs, const Blocks& blocks, const FoundBlock& fou
   float half = cube_reach(kBlockSide, blocks.voxel) + blocks.voxel;
   Vec3 middle = cube_middle(block_origin(block.key), kBlockSide, blocks.voxel);
   for (std::uint32_t f : items.subspan(block.forks, block.last - block.forks))
-    choose_fork(limbs, limbs.forks, f, middle, half, blocks.band, &near.forks);
+    choose_fork(boughs, boughs.forks, f, middle, half, blocks.band, &near.forks);
 }
 
-double count_blocks(const Boughs& limbs, double voxel, double band_voxels) {
+double count_blocks(const Boughs& boughs, double voxel, double band_voxels) {
   // Where there are too many to be looked at they are counted on a coarser grid; of a surface there are four
   // times as many on one twice as fine.
   double looks = 0, factor = 1;
   for (;; voxel *= 2, factor *= 4) {
     looks = 0;
     double band = band_voxels * voxel;
-    for (const Cone& cone : limbs.cones)
+    for (const Cone& cone : boughs.cones)
       looks += box_of(cone, static_cast<float>(band), static_cast<float>(voxel)).count();
-    if (looks <= std::max(kMostLooks, 64.0 * static_cast<double>(limbs.cones.size()))) break;
+    if (looks <= std::max(kMostLooks, 64.0 * static_cast<double>(boughs.cones.size()))) break;
   }
   auto size = static_cast<float>(voxel);
   std::vector<std::uint64_t> keys;
-  for (const Cone& cone : limbs.cones)
+  for (const Cone& cone : boughs.cones)
     visit_near(cone, size, static_cast<float>(band_voxels) * size, [&](std::uint64_t key) {
       if (Seed::mix(key) % kCounted == 0) keys.push_back(key);
     });

@@ -47,11 +47,11 @@ std::uint64_t block_key(Cell voxel);
 Vec3 voxel_middle(Cell voxel, float size);
 Cell voxel_at(Vec3 place, float size);
 
-/// Whether all places of the limbs are on a grid of such voxels: within 8 million voxels of the origin.
-bool fits_grid(const Boughs& limbs, float voxel);
+/// Whether all places of the boughs are on a grid of such voxels: within 8 million voxels of the origin.
+bool fits_grid(const Boughs& boughs, float voxel);
 
 /// Sorts cones and forks into the blocks that they are near.
-Blocks gather_blocks(const Boughs& limbs, float voxel, float band);
+Blocks gather_blocks(const Boughs& boughs, float voxel, float band);
 
 /// The block that a voxel is in and its list, or nulls where there is none.
 struct FoundBlock {
@@ -61,7 +61,7 @@ struct FoundBlock {
 FoundBlock find_block(const Blocks& blocks, Cell voxel);
 
 /// What a block lists, its forks held to what counts in it and within a voxel round it.
-void near_block(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found, Nearby& near);
+void near_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found, Nearby& near);
 
 /// The middle of a cube of `side` voxels, and how far from it their middles are at most.
 Vec3 cube_middle(Cell first, int side, float voxel);
@@ -76,10 +76,10 @@ enum class Filling {
 };
 
 /// The distance of each voxel of a block, z fastest, held to -band..band.
-Filling fill_block(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found,
+Filling fill_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found,
                    std::span<float, kBlockVoxels> distance);
 
 /// About how many blocks gather_blocks would make, in little memory and however many they are.
-double count_blocks(const Boughs& limbs, double voxel, double band_voxels);
+double count_blocks(const Boughs& boughs, double voxel, double band_voxels);
 
 }  // namespace frond

@@ -12,8 +12,8 @@ constexpr float kReach = 6;  // radii from a fork to the end of what is blended 
 /// Follows the ways from the forks of one skeleton.
 class Joiner {
  public:
-  Joiner(Boughs& limbs, const Skeleton& rest, std::span<const float> radius, float blend)
-      : limbs_(limbs),
+  Joiner(Boughs& boughs, const Skeleton& rest, std::span<const float> radius, float blend)
+      : boughs_(boughs),
         rest_(rest),
         radius_(radius),
         blend_(blend),
@@ -22,9 +22,9 @@ class Joiner {
 
   void add_cone(std::int32_t i, const Cone& cone) {
     assert(rest_.parent[i] >= 0 && cone_[static_cast<std::size_t>(i)] < 0);
-    cone_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(limbs_.cones.size());
+    cone_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(boughs_.cones.size());
     ++children_[static_cast<std::size_t>(rest_.parent[i])];
-    limbs_.cones.push_back(cone);
+    boughs_.cones.push_back(cone);
   }
 
   /// Makes the forks, of nodes with two children and more.
@@ -48,7 +48,7 @@ class Joiner {
     assert(list.size() >= 3 && "a node and two children at least");
     std::int32_t node = list[0];
     float reach = kReach * radius_[static_cast<std::size_t>(node)];
-    Forks::Fork fork{static_cast<std::uint32_t>(limbs_.forks.arms.size()), 0};
+    Forks::Fork fork{static_cast<std::uint32_t>(boughs_.forks.arms.size()), 0};
     if (cone_[static_cast<std::size_t>(node)] >= 0) {
       begin_arm(radius_[static_cast<std::size_t>(node)]);
       float way = 0;
@@ -56,20 +56,20 @@ class Joiner {
         way += add_member(i);
       end_arm();
     }
-    for (std::size_t k = 1; k < list.size() && limbs_.forks.arms.size() - fork.first < kMostArms; ++k) {
+    for (std::size_t k = 1; k < list.size() && boughs_.forks.arms.size() - fork.first < kMostArms; ++k) {
       begin_arm(radius_[static_cast<std::size_t>(list[k])]);
       float way = 0;
       for (std::int32_t i = list[k]; way < reach && takes(i); i = forks(i) ? -1 : next(i))
         way += add_member(i);
       end_arm();
     }
-    fork.last = static_cast<std::uint32_t>(limbs_.forks.arms.size());
-    limbs_.forks.forks.push_back(fork);
+    fork.last = static_cast<std::uint32_t>(boughs_.forks.arms.size());
+    boughs_.forks.forks.push_back(fork);
   }
 
   bool takes(std::int32_t i) const {
     return i >= 0 && cone_[static_cast<std::size_t>(i)] >= 0 &&
-           limbs_.forks.member.size() - limbs_.forks.arms.back().first < kMostCones;
+           boughs_.forks.member.size() - boughs_.forks.arms.back().first < kMostCones;
   }
   /// An arm ends at the next fork, which has arms of its own.
   bool forks(std::int32_t i) const { return i >= 0 && children_[static_cast<std::size_t>(i)] > 1; }
@@ -78,15 +78,16 @@ class Joiner {
   }
   float add_member(std::int32_t i) {
     auto cone = static_cast<std::uint32_t>(cone_[static_cast<std::size_t>(i)]);
-    limbs_.forks.member.push_back(cone);
-    return limbs_.cones[cone].length;
+    boughs_.forks.member.push_back(cone);
+    return boughs_.cones[cone].length;
   }
   void begin_arm(float thick) {
-    limbs_.forks.arms.push_back({static_cast<std::uint32_t>(limbs_.forks.member.size()), 0, blend_ * thick});
+    boughs_.forks.arms.push_back(
+        {static_cast<std::uint32_t>(boughs_.forks.member.size()), 0, blend_ * thick});
   }
-  void end_arm() { limbs_.forks.arms.back().last = static_cast<std::uint32_t>(limbs_.forks.member.size()); }
+  void end_arm() { boughs_.forks.arms.back().last = static_cast<std::uint32_t>(boughs_.forks.member.size()); }
 
-  Boughs& limbs_;
+  Boughs& boughs_;
   const Skeleton& rest_;
   std::span<const float> radius_;
   float blend_;
@@ -96,10 +97,10 @@ class Joiner {
 
 }  // namespace
 
-void add_boughs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
+void add_boughs(Boughs& boughs, const Skeleton& rest, std::span<const Vec3> position,
                 std::span<const float> radius, float front, float blend, std::int32_t first_node) {
   assert(position.size() == rest.size() && radius.size() == rest.size());
-  Joiner joiner(limbs, rest, radius, blend);
+  Joiner joiner(boughs, rest, radius, blend);
   std::vector<std::int32_t> root(rest.size());
   for (std::size_t i = 0; i < rest.size(); ++i) {
     std::int32_t p = rest.parent[i];
@@ -118,8 +119,8 @@ void add_boughs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> posit
   if (blend > 0) joiner.add_forks();
 }
 
-Boughs at_least_as_thick(const Boughs& limbs, float radius) {
-  Boughs thick = limbs;
+Boughs at_least_as_thick(const Boughs& boughs, float radius) {
+  Boughs thick = boughs;
   for (Cone& cone : thick.cones) {
     if (std::min(cone.radius, cone.end_radius()) >= radius) continue;
     std::int32_t root = cone.root;
@@ -131,9 +132,9 @@ Boughs at_least_as_thick(const Boughs& limbs, float radius) {
 }
 
 Boughs boughs_of(const Skeleton& rest, float blend) {
-  Boughs limbs;
-  add_boughs(limbs, rest, rest.position, rest.radius, 2, blend);
-  return limbs;
+  Boughs boughs;
+  add_boughs(boughs, rest, rest.position, rest.radius, 2, blend);
+  return boughs;
 }
 
 }  // namespace frond

@@ -39,7 +39,7 @@ struct Boughs {
   Forks forks;
 };
 
-/// What of the limbs counts in some ball: cones by index, and forks that are held to what is near.
+/// What of the boughs counts in some ball: cones by index, and forks that are held to what is near.
 struct Nearby {
   std::vector<std::uint32_t> cones;
   Forks forks;
@@ -52,11 +52,11 @@ struct Nearby {
 ///
 /// `blend` says how far fillets at forks reach, as a share of the radius of the thinner arm: 0 leaves a
 /// crease, 1 rounds it about as wide as that arm is thick.
-void add_boughs(Boughs& limbs, const Skeleton& rest, std::span<const Vec3> position,
+void add_boughs(Boughs& boughs, const Skeleton& rest, std::span<const Vec3> position,
                 std::span<const float> radius, float front, float blend, std::int32_t first_node = 0);
 
 /// The same with no branch thinner than that; metres.
-Boughs at_least_as_thick(const Boughs& limbs, float radius);
+Boughs at_least_as_thick(const Boughs& boughs, float radius);
 
 /// The same for a skeleton as it rests, fully grown.
 Boughs boughs_of(const Skeleton& rest, float blend);
@@ -69,18 +69,18 @@ struct FieldSample {
 };
 
 /// Everything, as if it were all near.
-Nearby all_of(const Boughs& limbs);
+Nearby all_of(const Boughs& boughs);
 
 /// Of what is near in a larger ball, what makes a difference to the distance in a ball of radius `half` round
 /// `at`, as far as that distance is within `band`. `to` is overwritten.
-void choose_near(const Boughs& limbs, const Nearby& from, Vec3 at, float half, float band, Nearby& to);
+void choose_near(const Boughs& boughs, const Nearby& from, Vec3 at, float half, float band, Nearby& to);
 
 /// Whether a fork makes such a difference; adds it to `to` where one is given.
-bool choose_fork(const Boughs& limbs, const Forks& from, std::size_t fork, Vec3 at, float half, float band,
+bool choose_fork(const Boughs& boughs, const Forks& from, std::size_t fork, Vec3 at, float half, float band,
                  Forks* to);
 
 /// Where the body is, by what is near.
-FieldSample sample_limbs(const Boughs& limbs, const Nearby& near, Vec3 at);
+FieldSample sample_boughs(const Boughs& boughs, const Nearby& near, Vec3 at);
 
 /// How far the fillets of a fork push the surface out at most; metres.
 float fillet_reach(const Forks& forks, std::size_t fork);
@@ -93,7 +93,7 @@ struct Nearest {
 
 /// The distance at a fork, of whose arms, in their order, the nearest cones are known there. The normal is
 /// only set where it is asked for.
-FieldSample blend_arms(const Boughs& limbs, const Forks& forks, std::size_t fork,
+FieldSample blend_arms(const Boughs& boughs, const Forks& forks, std::size_t fork,
                        std::span<const Nearest> arms, Vec3 at, bool with_normal);
 
 }  // namespace frond

@@ -44,13 +44,13 @@ void walk(Vec3 from, Vec3 to, float side, const Visit& visit) {
 }
 
 /// All cells of the body.
-CellSet occupied(const Boughs& limbs, const Blocks& blocks) {
+CellSet occupied(const Boughs& boughs, const Blocks& blocks) {
   CellSet cells;
   for (const BlockList& list : blocks.lists) {
     std::vector<std::array<bool, kBlockVoxels>> within(list.blocks.size());
     parallel_for(list.blocks.size(), [&](std::size_t b) {
       std::array<float, kBlockVoxels> distance;
-      Filling filling = fill_block(limbs, blocks, {&list, &list.blocks[b]}, distance);
+      Filling filling = fill_block(boughs, blocks, {&list, &list.blocks[b]}, distance);
       for (std::size_t i = 0; i < kBlockVoxels; ++i)
         within[b][i] = filling == Filling::inside || distance[i] < 0;
     });
@@ -61,7 +61,7 @@ CellSet occupied(const Boughs& limbs, const Blocks& blocks) {
           cells.add({first.i + (i >> 6), first.j + (i >> 3 & 7), first.k + (i & 7)});
     }
   }
-  for (const Cone& cone : limbs.cones)
+  for (const Cone& cone : boughs.cones)
     walk(cone.from, cone.to(), blocks.voxel, [&](Cell cell) { cells.add(cell); });
   mend_contacts(cells);
   return cells;
@@ -119,10 +119,10 @@ Surface joined_faces(const Cubes& cubes, std::vector<std::int32_t>& node) {
 }
 
 /// Hides the walls of voids, and cubes that lie apart.
-void keep_outsides(Cubes& cubes, const Boughs& limbs) {
+void keep_outsides(Cubes& cubes, const Boughs& boughs) {
   std::vector<std::int32_t> node;
   Surface faces = joined_faces(cubes, node);
-  std::vector<bool> outside = outsides(faces, node, limbs);
+  std::vector<bool> outside = outsides(faces, node, boughs);
   std::size_t next = 0, kept = 0;
   std::vector<std::uint8_t> shown(cubes.size());
   visit_faces(cubes, [&](std::size_t c, std::size_t f) {
@@ -137,11 +137,11 @@ void keep_outsides(Cubes& cubes, const Boughs& limbs) {
 
 }  // namespace
 
-Result<Cubes> cubes_of(const Boughs& limbs, const VolumeOptions& options) {
-  if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
+Result<Cubes> cubes_of(const Boughs& boughs, const VolumeOptions& options) {
+  if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
   auto side = static_cast<float>(options.voxel);
-  Blocks blocks = gather_blocks(limbs, side, side);
-  CellSet cells = occupied(limbs, blocks);
+  Blocks blocks = gather_blocks(boughs, side, side);
+  CellSet cells = occupied(boughs, blocks);
   Cubes cubes{side, {}, {}, {}};
   Nearby near;
   std::uint64_t last = UINT64_MAX;
@@ -153,17 +153,17 @@ Result<Cubes> cubes_of(const Boughs& limbs, const VolumeOptions& options) {
     if (std::uint64_t key = block_key(cell); key != last) {
       FoundBlock found = find_block(blocks, cell);
       near = {};
-      if (found.block) near_block(limbs, blocks, found, near);
+      if (found.block) near_block(boughs, blocks, found, near);
       last = key;
     }
-    FieldSample sample = sample_limbs(limbs, near, voxel_middle(cell, side));
+    FieldSample sample = sample_boughs(boughs, near, voxel_middle(cell, side));
     // A cube that was added far from all cones is of the one before it.
-    std::int32_t before = cubes.node.empty() ? limbs.cones[0].node : cubes.node.back();
+    std::int32_t before = cubes.node.empty() ? boughs.cones[0].node : cubes.node.back();
     cubes.cell.push_back(cell);
     cubes.shown.push_back(shown);
-    cubes.node.push_back(sample.cone < 0 ? before : limbs.cones[static_cast<std::size_t>(sample.cone)].node);
+    cubes.node.push_back(sample.cone < 0 ? before : boughs.cones[static_cast<std::size_t>(sample.cone)].node);
   });
-  keep_outsides(cubes, limbs);
+  keep_outsides(cubes, boughs);
   return cubes;
 }
 

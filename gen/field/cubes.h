@@ -15,9 +15,9 @@ struct Cubes {
   std::size_t size() const { return cell.size(); }
 };
 
-/// The cubes whose middles lie in the limbs, and those that the middle line of a limb passes: so branches
+/// The cubes whose middles lie in the boughs, and those that the middle line of a bough passes: so branches
 /// thinner than a cube hang together, face to face. Only voxel and limit of the options count.
-Result<Cubes> cubes_of(const Boughs& limbs, const VolumeOptions& options);
+Result<Cubes> cubes_of(const Boughs& boughs, const VolumeOptions& options);
 
 /// The faces that show, crisp: each has corners of its own. Triangles 2 i and 2 i + 1 are of cube `cube[i]`.
 Surface cubes_surface(const Cubes& cubes, std::vector<std::uint32_t>& cube);

@@ -38,12 +38,12 @@ struct ArmRow {
   std::array<std::uint32_t, kPartSide> cone;
 };
 
-ArmRow arm_row(const Boughs& limbs, const Forks& forks, const Arm& arm, Vec3 at, float voxel) {
+ArmRow arm_row(const Boughs& boughs, const Forks& forks, const Arm& arm, Vec3 at, float voxel) {
   ArmRow best;
   best.distance.fill(kFarAway), best.cone.fill(0);
   for (std::uint32_t m = arm.first; m < arm.last; ++m) {
     Row before = best.distance;
-    lower_row(limbs.cones[forks.member[m]], at, voxel, best.distance);
+    lower_row(boughs.cones[forks.member[m]], at, voxel, best.distance);
     for (std::size_t k = 0; k < before.size(); ++k)
       best.cone[k] = best.distance[k] < before[k] ? forks.member[m] : best.cone[k];
   }
@@ -51,7 +51,7 @@ ArmRow arm_row(const Boughs& limbs, const Forks& forks, const Arm& arm, Vec3 at,
 }
 
 /// Lowers a row to the fillets of one fork.
-void lower_to_fork(const Boughs& limbs, const Forks& forks, std::size_t f, Vec3 at, float voxel, float band,
+void lower_to_fork(const Boughs& boughs, const Forks& forks, std::size_t f, Vec3 at, float voxel, float band,
                    Row& row) {
   const Forks::Fork& fork = forks.forks[f];
   std::array<ArmRow, kMostArms> arms;
@@ -61,7 +61,7 @@ void lower_to_fork(const Boughs& limbs, const Forks& forks, std::size_t f, Vec3 
   std::size_t count = fork.last - fork.first;
   for (std::size_t a = 0; a < count; ++a) {
     const Arm& arm = forks.arms[fork.first + a];
-    arms[a] = arm_row(limbs, forks, arm, at, voxel);
+    arms[a] = arm_row(boughs, forks, arm, at, voxel);
     for (std::size_t k = 0; k < least.size(); ++k) least[k] = std::min(least[k], arms[a].distance[k]);
     width = std::max(width, arm.width);
   }
@@ -75,20 +75,20 @@ void lower_to_fork(const Boughs& limbs, const Forks& forks, std::size_t f, Vec3 
     for (std::size_t a = 0; a < count; ++a) near[a] = {arms[a].distance[k], arms[a].cone[k]};
     Vec3 place = at + Vec3(0, 0, voxel * static_cast<float>(k));
     row[k] =
-        std::min(row[k], blend_arms(limbs, forks, f, std::span(near.data(), count), place, false).distance);
+        std::min(row[k], blend_arms(boughs, forks, f, std::span(near.data(), count), place, false).distance);
   }
 }
 
 /// Fills one part of a block.
-void fill_part(const Boughs& limbs, float voxel, float band, const Nearby& near, Cell first, float* out) {
+void fill_part(const Boughs& boughs, float voxel, float band, const Nearby& near, Cell first, float* out) {
   for (int i = 0; i < kPartSide; ++i)
     for (int j = 0; j < kPartSide; ++j) {
       Vec3 at = voxel_middle({first.i + i, first.j + j, first.k}, voxel);
       Row row;
       row.fill(kFarAway);
-      for (std::uint32_t c : near.cones) lower_row(limbs.cones[c], at, voxel, row);
+      for (std::uint32_t c : near.cones) lower_row(boughs.cones[c], at, voxel, row);
       for (std::size_t f = 0; f < near.forks.size(); ++f)
-        lower_to_fork(limbs, near.forks, f, at, voxel, band, row);
+        lower_to_fork(boughs, near.forks, f, at, voxel, band, row);
       for (int k = 0; k < kPartSide; ++k)
         out[(i * kBlockSide + j) * kBlockSide + k] =
             std::clamp(row[static_cast<std::size_t>(k)], -band, band);
@@ -97,20 +97,20 @@ void fill_part(const Boughs& limbs, float voxel, float band, const Nearby& near,
 
 }  // namespace
 
-Filling fill_block(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found,
+Filling fill_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found,
                    std::span<float, kBlockVoxels> distance) {
   float voxel = blocks.voxel, band = blocks.band;
   Cell first = block_origin(found.block->key);
   Nearby listed, whole, part;
-  near_block(limbs, blocks, found, listed);
-  choose_near(limbs, listed, cube_middle(first, kBlockSide, voxel), cube_reach(kBlockSide, voxel), band,
+  near_block(boughs, blocks, found, listed);
+  choose_near(boughs, listed, cube_middle(first, kBlockSide, voxel), cube_reach(kBlockSide, voxel), band,
               whole);
   if (whole.middle + cube_reach(kBlockSide, voxel) < -band) return Filling::inside;
   for (int p = 0; p < 8; ++p) {
     int i = p >> 2 & 1, j = p >> 1 & 1, k = p & 1;
     Cell from{first.i + i * kPartSide, first.j + j * kPartSide, first.k + k * kPartSide};
-    choose_near(limbs, whole, cube_middle(from, kPartSide, voxel), cube_reach(kPartSide, voxel), band, part);
-    fill_part(limbs, voxel, band, part, from,
+    choose_near(boughs, whole, cube_middle(from, kPartSide, voxel), cube_reach(kPartSide, voxel), band, part);
+    fill_part(boughs, voxel, band, part, from,
               distance.data() + ((i * kBlockSide + j) * kBlockSide + k) * kPartSide);
   }
   bool in_band = false, deep = true;

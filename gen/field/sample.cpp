@@ -10,10 +10,10 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::max();
 constexpr float kTurning = 0.6f;  // of an arm's width, in which its direction turns round a bend
 
-Nearest nearest_of(const Boughs& limbs, const Forks& forks, const Arm& arm, Vec3 at) {
+Nearest nearest_of(const Boughs& boughs, const Forks& forks, const Arm& arm, Vec3 at) {
   Nearest best{kNone, 0};
   for (std::uint32_t m = arm.first; m < arm.last; ++m) {
-    float d = distance(limbs.cones[forks.member[m]], at);
+    float d = distance(boughs.cones[forks.member[m]], at);
     if (d < best.distance) best = {d, forks.member[m]};
   }
   return best;
@@ -21,7 +21,7 @@ Nearest nearest_of(const Boughs& limbs, const Forks& forks, const Arm& arm, Vec3
 
 /// The directions in which the arms of a fork face at one place.
 struct Faces {
-  const Boughs& limbs;
+  const Boughs& boughs;
   const Forks& forks;
   const Arm* arms_of;
   std::span<const Nearest> arms;
@@ -35,16 +35,16 @@ struct Faces {
     if (known[a]) return direction[a];
     known[a] = true;
     const Arm& arm = arms_of[a];
-    if (arm.last - arm.first == 1) return direction[a] = outward(limbs.cones[arms[a].cone], at);
+    if (arm.last - arm.first == 1) return direction[a] = outward(boughs.cones[arms[a].cone], at);
     float span = kTurning * arm.width;
     Vec3 sum(0);
     for (std::uint32_t m = arm.first; m < arm.last; ++m) {
-      const Cone& cone = limbs.cones[forks.member[m]];
+      const Cone& cone = boughs.cones[forks.member[m]];
       float share = 1 - (distance(cone, at) - arms[a].distance) / span;
       if (share > 0) sum += share * share * outward(cone, at);
     }
     float length = glm::length(sum);
-    return direction[a] = length > 1e-6f ? sum / length : outward(limbs.cones[arms[a].cone], at);
+    return direction[a] = length > 1e-6f ? sum / length : outward(boughs.cones[arms[a].cone], at);
   }
 };
 
@@ -53,10 +53,10 @@ struct Faces {
 /// The arms of a fork flow into each other: a smooth minimum (the quadratic one of Quilez 2013), but only as
 /// far as they face different ways, so that an arm does not swell where another leaves it from within (the
 /// idea of Gourmel et al. 2013, A gradient-based implicit blend).
-FieldSample blend_arms(const Boughs& limbs, const Forks& forks, std::size_t f, std::span<const Nearest> near,
+FieldSample blend_arms(const Boughs& boughs, const Forks& forks, std::size_t f, std::span<const Nearest> near,
                        Vec3 at, bool with_normal) {
   const Arm* arms = forks.arms.data() + forks.forks[f].first;
-  Faces faces{limbs, forks, arms, near, at};
+  Faces faces{boughs, forks, arms, near, at};
   std::array<float, kMostArms> weight{};  // of each arm's slope in that of the whole
   std::size_t count = near.size(), least = 0;
   for (std::size_t a = 1; a < count; ++a)
@@ -87,10 +87,10 @@ FieldSample blend_arms(const Boughs& limbs, const Forks& forks, std::size_t f, s
   return sample;
 }
 
-FieldSample sample_limbs(const Boughs& limbs, const Nearby& near, Vec3 at) {
+FieldSample sample_boughs(const Boughs& boughs, const Nearby& near, Vec3 at) {
   FieldSample best{kNone, Vec3(0), -1};
   for (std::uint32_t i : near.cones) {
-    float d = distance(limbs.cones[i], at);
+    float d = distance(boughs.cones[i], at);
     if (d < best.distance) best.distance = d, best.cone = static_cast<std::int32_t>(i);
   }
   bool filleted = false;
@@ -100,7 +100,7 @@ FieldSample sample_limbs(const Boughs& limbs, const Nearby& near, Vec3 at) {
     float least = kNone, second = kNone, width = 0;
     for (std::size_t a = 0; a < count; ++a) {
       const Arm& arm = near.forks.arms[first + a];
-      arms[a] = nearest_of(limbs, near.forks, arm, at);
+      arms[a] = nearest_of(boughs, near.forks, arm, at);
       second = std::min(second, std::max(arms[a].distance, least));
       least = std::min(least, arms[a].distance);
       width = std::max(width, arm.width);
@@ -108,20 +108,20 @@ FieldSample sample_limbs(const Boughs& limbs, const Nearby& near, Vec3 at) {
     // The cones alone say the same where no two arms are near each other, or the fork is farther than they
     // are.
     if (second - least >= width || least - fillet_reach(near.forks, f) >= best.distance) continue;
-    FieldSample fork = blend_arms(limbs, near.forks, f, std::span(arms.data(), count), at, true);
+    FieldSample fork = blend_arms(boughs, near.forks, f, std::span(arms.data(), count), at, true);
     if (fork.distance >= best.distance) continue;
     best.distance = fork.distance, best.normal = fork.normal;
     if (best.cone < 0) best.cone = fork.cone;
     filleted = true;
   }
   if (!filleted && best.cone >= 0)
-    best.normal = outward(limbs.cones[static_cast<std::size_t>(best.cone)], at);
+    best.normal = outward(boughs.cones[static_cast<std::size_t>(best.cone)], at);
   return best;
 }
 
-Nearby all_of(const Boughs& limbs) {
-  Nearby all{{}, limbs.forks, 0};
-  for (std::uint32_t i = 0; i < limbs.cones.size(); ++i) all.cones.push_back(i);
+Nearby all_of(const Boughs& boughs) {
+  Nearby all{{}, boughs.forks, 0};
+  for (std::uint32_t i = 0; i < boughs.cones.size(); ++i) all.cones.push_back(i);
   return all;
 }
 
@@ -132,7 +132,7 @@ float fillet_reach(const Forks& forks, std::size_t f) {
   return count * (count - 1) / 2 * most / 4;
 }
 
-bool choose_fork(const Boughs& limbs, const Forks& from, std::size_t f, Vec3 at, float half, float band,
+bool choose_fork(const Boughs& boughs, const Forks& from, std::size_t f, Vec3 at, float half, float band,
                  Forks* to) {
   const Forks::Fork& fork = from.forks[f];
   std::array<float, kMostArms> arm;
@@ -142,7 +142,7 @@ bool choose_fork(const Boughs& limbs, const Forks& from, std::size_t f, Vec3 at,
   for (std::uint32_t a = fork.first; a < fork.last; ++a) {
     float& d = arm[a - fork.first] = kNone;
     for (std::uint32_t m = from.arms[a].first; m < from.arms[a].last; ++m) {
-      float& own = known[m - begin] = distance(limbs.cones[from.member[m]], at);
+      float& own = known[m - begin] = distance(boughs.cones[from.member[m]], at);
       d = std::min(d, own);
     }
     second = std::min(second, std::max(d, least));
@@ -169,23 +169,23 @@ bool choose_fork(const Boughs& limbs, const Forks& from, std::size_t f, Vec3 at,
   return true;
 }
 
-void choose_near(const Boughs& limbs, const Nearby& from, Vec3 at, float half, float band, Nearby& to) {
+void choose_near(const Boughs& boughs, const Nearby& from, Vec3 at, float half, float band, Nearby& to) {
   std::array<float, 256> known;
   to.cones.clear();
   to.forks.clear();
   to.middle = kNone;
   for (std::size_t i = 0; i < from.cones.size(); ++i) {
-    float d = distance(limbs.cones[from.cones[i]], at);
+    float d = distance(boughs.cones[from.cones[i]], at);
     if (i < known.size()) known[i] = d;
     to.middle = std::min(to.middle, d);
   }
   // The nearest anywhere in the ball is in its middle at most so much farther than the nearest there.
   for (std::size_t i = 0; i < from.cones.size(); ++i) {
-    float d = i < known.size() ? known[i] : distance(limbs.cones[from.cones[i]], at);
+    float d = i < known.size() ? known[i] : distance(boughs.cones[from.cones[i]], at);
     if (d <= to.middle + 2 * half) to.cones.push_back(from.cones[i]);
   }
   for (std::size_t f = 0; f < from.forks.size(); ++f)
-    choose_fork(limbs, from.forks, f, at, half, band, &to.forks);
+    choose_fork(boughs, from.forks, f, at, half, band, &to.forks);
 }
 
 }  // namespace frond

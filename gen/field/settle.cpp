@@ -37,28 +37,28 @@ Cell octant_origin(Cell first, std::uint32_t octant, int side) {
 }
 
 /// Moves one vertex along the slope of the distance until it is 0 (Newton's way).
-void settle_vertex(const Boughs& limbs, const Nearby& near, float voxel, FusedMesh& mesh, std::uint32_t v) {
+void settle_vertex(const Boughs& boughs, const Nearby& near, float voxel, FusedMesh& mesh, std::uint32_t v) {
   assert(v < mesh.surface.position.size() && voxel > 0);
   Vec3 start = mesh.surface.position[v], at = start;
-  FieldSample sample = sample_limbs(limbs, near, at);
-  assert(sample.cone >= 0 && sample.cone < static_cast<std::int32_t>(limbs.cones.size()));
+  FieldSample sample = sample_boughs(boughs, near, at);
+  assert(sample.cone >= 0 && sample.cone < static_cast<std::int32_t>(boughs.cones.size()));
   float most = kMost * voxel;
   for (int step = 0; step < kNewtonSteps && std::abs(sample.distance) > kEnough * voxel; ++step) {
     Vec3 shift = at - sample.normal * sample.distance - start;
     float length = glm::length(shift);
     at = start + (length > most ? shift * (most / length) : shift);
-    sample = sample_limbs(limbs, near, at);
+    sample = sample_boughs(boughs, near, at);
   }
   mesh.surface.position[v] = at;
   mesh.surface.normal[v] = sample.normal;
-  mesh.node[v] = limbs.cones[static_cast<std::size_t>(sample.cone)].node;
+  mesh.node[v] = boughs.cones[static_cast<std::size_t>(sample.cone)].node;
 }
 
 /// Settles the vertices of a range; those in one place share what is near it.
 class Settler {
  public:
-  Settler(const Boughs& limbs, const Blocks& blocks, FusedMesh& mesh)
-      : limbs_(limbs), blocks_(blocks), mesh_(mesh) {}
+  Settler(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh)
+      : boughs_(boughs), blocks_(blocks), mesh_(mesh) {}
 
   void settle(std::size_t from, std::size_t to) {
     assert(from <= to && to <= mesh_.surface.position.size());
@@ -72,7 +72,7 @@ class Settler {
     });
     for (std::size_t i = 0; i < own.size(); ++i) {
       look(own[i], i == 0 ? nullptr : &own[i - 1]);
-      if (!near_.cones.empty()) settle_vertex(limbs_, near_, blocks_.voxel, mesh_, own[i].vertex);
+      if (!near_.cones.empty()) settle_vertex(boughs_, near_, blocks_.voxel, mesh_, own[i].vertex);
     }
   }
 
@@ -83,7 +83,7 @@ class Settler {
     if (block) {
       FoundBlock found = find_block(blocks_, block_origin(at.block));
       listed_ = {};
-      if (found.block) near_block(limbs_, blocks_, found, listed_);
+      if (found.block) near_block(boughs_, blocks_, found, listed_);
     }
     Cell first = octant_origin(block_origin(at.block), at.part, kPartSide);
     if (part) choose(listed_, first, kPartSide, part_);
@@ -93,11 +93,11 @@ class Settler {
 
   void choose(const Nearby& from, Cell first, int side, Nearby& to) const {
     float voxel = blocks_.voxel;
-    choose_near(limbs_, from, cube_middle(first, side, voxel), cube_reach(side, voxel) + kMargin * voxel,
+    choose_near(boughs_, from, cube_middle(first, side, voxel), cube_reach(side, voxel) + kMargin * voxel,
                 kMargin * voxel, to);
   }
 
-  const Boughs& limbs_;
+  const Boughs& boughs_;
   const Blocks& blocks_;
   FusedMesh& mesh_;
   Nearby listed_, part_, near_;
@@ -105,12 +105,12 @@ class Settler {
 
 }  // namespace
 
-void settle(const Boughs& limbs, const Blocks& blocks, FusedMesh& mesh) {
+void settle(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh) {
   std::size_t count = mesh.surface.position.size(), parts = count / kPartVertices + 1;
   mesh.surface.normal.assign(count, Vec3(0, 1, 0));
   mesh.node.assign(count, 0);
   parallel_for(parts, [&](std::size_t p) {
-    Settler(limbs, blocks, mesh).settle(count * p / parts, count * (p + 1) / parts);
+    Settler(boughs, blocks, mesh).settle(count * p / parts, count * (p + 1) / parts);
   });
 }
 

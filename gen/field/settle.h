@@ -4,8 +4,8 @@
 
 namespace frond {
 
-/// Moves the vertices of a mesh onto the exact surface of the limbs, by less than a voxel, and sets their
+/// Moves the vertices of a mesh onto the exact surface of the boughs, by less than a voxel, and sets their
 /// normals and nodes. So the mesh of a moving body moves with it, whatever its triangles are.
-void settle(const Boughs& limbs, const Blocks& blocks, FusedMesh& mesh);
+void settle(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh);
 
 }  // namespace frond

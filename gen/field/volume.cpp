@@ -62,9 +62,9 @@ struct Filled {
   bool inside = false;
 };
 
-Filled leaf_of(const Boughs& limbs, const Blocks& blocks, const FoundBlock& found) {
+Filled leaf_of(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found) {
   std::array<float, kBlockVoxels> distance;
-  Filling filling = fill_block(limbs, blocks, found, distance);
+  Filling filling = fill_block(boughs, blocks, found, distance);
   if (filling != Filling::crossed) return {nullptr, filling == Filling::inside};
   auto leaf = std::make_unique<Leaf>(coord(block_origin(found.block->key)), blocks.band, false);
   for (openvdb::Index i = 0; i < kBlockVoxels; ++i) {
@@ -77,7 +77,7 @@ Filled leaf_of(const Boughs& limbs, const Blocks& blocks, const FoundBlock& foun
   return {std::move(leaf), false};
 }
 
-Volume fill_volume(const Boughs& limbs, const Blocks& blocks) {
+Volume fill_volume(const Boughs& boughs, const Blocks& blocks) {
   prepare();
   auto grid = openvdb::FloatGrid::create(blocks.band);
   grid->setName(kName);
@@ -87,7 +87,7 @@ Volume fill_volume(const Boughs& limbs, const Blocks& blocks) {
   for (const BlockList& list : blocks.lists) {
     std::vector<Filled> filled(list.blocks.size());
     parallel_for(filled.size(), [&](std::size_t i) {
-      filled[i] = leaf_of(limbs, blocks, {&list, &list.blocks[i]});
+      filled[i] = leaf_of(boughs, blocks, {&list, &list.blocks[i]});
     });
     for (std::size_t i = 0; i < filled.size(); ++i) {
       if (filled[i].leaf)
@@ -127,9 +127,9 @@ Surface contour(const openvdb::FloatGrid& grid, double adaptivity) {
 }
 
 /// Leaves what is seen from outside.
-void keep_outsides(FusedMesh& mesh, const Boughs& limbs) {
+void keep_outsides(FusedMesh& mesh, const Boughs& boughs) {
   Surface& s = mesh.surface;
-  std::vector<bool> outside = outsides(s, mesh.node, limbs), used(s.position.size());
+  std::vector<bool> outside = outsides(s, mesh.node, boughs), used(s.position.size());
   if (std::find(outside.begin(), outside.end(), false) == outside.end()) return;
   std::size_t count = 0;
   for (std::size_t t = 0; t < s.triangle.size(); ++t)
@@ -151,22 +151,22 @@ void keep_outsides(FusedMesh& mesh, const Boughs& limbs) {
 
 }  // namespace
 
-VolumeForecast foresee_volume(const Boughs& limbs, double voxel) {
+VolumeForecast foresee_volume(const Boughs& boughs, double voxel) {
   VolumeForecast forecast;
-  forecast.blocks = count_blocks(limbs, voxel, kBand);
+  forecast.blocks = count_blocks(boughs, voxel, kBand);
   forecast.bytes = forecast.blocks * kBytesABlock;
   return forecast;
 }
 
-Errors refuse_volume(const Boughs& limbs, const VolumeOptions& options) {
-  VolumeForecast forecast = foresee_volume(limbs, options.voxel);
+Errors refuse_volume(const Boughs& boughs, const VolumeOptions& options) {
+  VolumeForecast forecast = foresee_volume(boughs, options.voxel);
   if (forecast.bytes > options.limit) {
     double enough = options.voxel * std::sqrt(forecast.bytes / options.limit) * 1.05;
     return {Error{"", fmt::format("the volume would take about {:.2g} GB of memory, more than the limit of "
                                   "{:.2g} GB; a voxel of {:.2g} m would do",
                                   forecast.bytes / 1e9, options.limit / 1e9, enough)}};
   }
-  if (!fits_grid(limbs, static_cast<float>(options.voxel)))
+  if (!fits_grid(boughs, static_cast<float>(options.voxel)))
     return {Error{"", fmt::format("voxels of {:.2g} m are too small for a place so far from the middle",
                                   options.voxel)}};
   return {};
@@ -177,11 +177,11 @@ std::uint64_t Volume::active_voxels() const { return grid_->level_set->activeVox
 std::uint64_t Volume::bytes() const { return grid_->level_set->memUsage(); }
 float Volume::at(Cell cell) const { return grid_->level_set->tree().getValue(coord(cell)); }
 
-Result<Volume> volume_of(const Boughs& limbs, const VolumeOptions& options) {
-  if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
+Result<Volume> volume_of(const Boughs& boughs, const VolumeOptions& options) {
+  if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<Volume> {
     auto voxel = static_cast<float>(options.voxel);
-    Boughs held = at_least_as_thick(limbs, kThinnest * voxel);
+    Boughs held = at_least_as_thick(boughs, kThinnest * voxel);
     return fill_volume(held, gather_blocks(held, voxel, kBand * voxel));
   });
 }
@@ -194,11 +194,11 @@ Result<Surface> mesh_of(const Volume& volume, double adaptivity) {
   });
 }
 
-Result<FusedMesh> fuse(const Boughs& limbs, const VolumeOptions& options) {
-  if (Errors errors = refuse_volume(limbs, options); !errors.empty()) return errors;
+Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options) {
+  if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<FusedMesh> {
     auto voxel = static_cast<float>(options.voxel);
-    Boughs held = at_least_as_thick(limbs, kThinnest * voxel);
+    Boughs held = at_least_as_thick(boughs, kThinnest * voxel);
     Blocks blocks = gather_blocks(held, voxel, kMeshBand * voxel);
     FusedMesh mesh;
     {

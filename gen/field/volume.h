@@ -22,11 +22,11 @@ struct VolumeForecast {
   double bytes = 0;   ///< of memory, with the mesh
 };
 
-VolumeForecast foresee_volume(const Boughs& limbs, double voxel);
+VolumeForecast foresee_volume(const Boughs& boughs, double voxel);
 
 /// Empty, or why the volume is not made: it would pass the limit (with the figure and a voxel that would do),
 /// or its voxels are too small for where it lies. Nothing large is allocated to find out.
-Errors refuse_volume(const Boughs& limbs, const VolumeOptions& options);
+Errors refuse_volume(const Boughs& boughs, const VolumeOptions& options);
 
 /// A level set: distances from a surface in a narrow band of three voxels to both sides. Holds an OpenVDB
 /// grid.
@@ -48,8 +48,8 @@ class Volume {
   std::shared_ptr<const Grid> grid_;
 };
 
-/// The body of the limbs as a level set, its voxels in world space. The same bytes at any number of threads.
-Result<Volume> volume_of(const Boughs& limbs, const VolumeOptions& options);
+/// The body of the boughs as a level set, its voxels in world space. The same bytes at any number of threads.
+Result<Volume> volume_of(const Boughs& boughs, const VolumeOptions& options);
 
 /// A mesh of branches that have grown together.
 struct FusedMesh {
@@ -58,9 +58,9 @@ struct FusedMesh {
       node;  ///< of each vertex: the node of the skeleton at the end of the nearest segment
 };
 
-/// The body of the limbs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as OpenVDB's
-/// VolumeToMesh does it), the vertices then moved onto the exact surface of the limbs.
-Result<FusedMesh> fuse(const Boughs& limbs, const VolumeOptions& options);
+/// The body of the boughs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as
+/// OpenVDB's VolumeToMesh does it), the vertices then moved onto the exact surface of the boughs.
+Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options);
 
 /// The zero surface of a volume as a mesh, normals from its triangles.
 Result<Surface> mesh_of(const Volume& volume, double adaptivity);

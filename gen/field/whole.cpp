@@ -23,9 +23,9 @@ struct Joined {
   }
 };
 
-std::vector<std::int32_t> root_of_nodes(const Boughs& limbs) {
+std::vector<std::int32_t> root_of_nodes(const Boughs& boughs) {
   std::vector<std::int32_t> root;
-  for (const Cone& cone : limbs.cones) {
+  for (const Cone& cone : boughs.cones) {
     auto node = static_cast<std::size_t>(cone.node);
     if (node >= root.size()) root.resize(node + 1, 0);
     root[node] = cone.root;
@@ -35,7 +35,7 @@ std::vector<std::int32_t> root_of_nodes(const Boughs& limbs) {
 
 }  // namespace
 
-std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node, const Boughs& limbs) {
+std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node, const Boughs& boughs) {
   Joined joined(s.position.size());
   for (auto [a, b, c] : s.triangle) joined.join(a, b), joined.join(b, c);
   std::vector<double> volume(s.position.size());  // of each piece, at the vertex that stands for it
@@ -43,7 +43,7 @@ std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node,
     volume[joined.top(a)] +=
         glm::dot(DVec3(s.position[a]), glm::cross(DVec3(s.position[b]), DVec3(s.position[c])));
   // The largest piece of each root.
-  std::vector<std::int32_t> root = root_of_nodes(limbs);
+  std::vector<std::int32_t> root = root_of_nodes(boughs);
   std::vector<std::uint32_t> largest(root.size(), UINT32_MAX);
   for (std::uint32_t v = 0; v < s.position.size(); ++v) {
     std::uint32_t piece = joined.top(v);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,5 +35,17 @@ Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::
 
 /// The same at rest.
 Surface tube_surface(const Skeleton& rest, const TubeShape& shape);
+
+/// Branches as closed tubes.
+struct TubeMesh {
+  Surface surface;                 ///< `uv`: once round the branch, and metres along it
+  std::vector<std::int32_t> node;  ///< of each vertex: the node of its ring
+};
+
+/// Each branch of a skeleton as one closed tube with a rounded end, smooth along it and twisted as little as
+/// can be. `position` and `radius` have an entry a node; what is born after `front` is not there yet. `sides`
+/// is 3 or more. Triangles are closed where vertices at one place are one.
+TubeMesh closed_tubes(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
+                      float front, int sides);
 
 }  // namespace frond

@@ -232,10 +232,13 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   std::vector<Bed> beds = set_feet(std::move(plots), *ground);
   watch.step();
 
-  std::size_t plantings = 0;
-  for (const Bed& bed : beds) plantings += bed.plantings.size();
-  watch.begin("grow", plantings);
-  World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1);
+  std::size_t growing = 0;
+  for (const Bed& bed : beds) {
+    bool creeps = bed.organism->grower->stage() == GrowthStage::creeping;
+    growing += creeps ? 1 : bed.plantings.size();  // all creepers of an entry grow as one
+  }
+  watch.begin("grow", growing);
+  World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
   world.add(ground->furnishings());
   Gardener gardener(preset, watch, nursery, ground->floor());
   if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;

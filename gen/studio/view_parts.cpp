@@ -2,8 +2,8 @@
 #include <map>
 
 #include "emit/sweep.h"
+#include "export/cast.h"
 #include "export/look.h"
-#include "field/cubes.h"
 #include "geometry/far.h"
 #include "motion/unfold.h"
 #include "studio/view.h"
@@ -27,36 +27,19 @@ void push(std::vector<std::uint8_t>& to, const Color& c) {
 
 /// Branches that have grown together, or cubes.
 Result<DrawnPart> body_part(const Specimen& s, const Pose& pose) {
-  Boughs limbs;
-  add_boughs(limbs, s.model.skeleton, pose.position, pose.radius, pose.front,
-             static_cast<float>(s.style.blend));
-  VolumeOptions volume{s.style.voxel, s.style.adaptivity, s.style.limit};
-  Surface surface;
-  std::vector<std::int32_t> node;
-  if (s.style.build == Build::fused) {
-    Result<FusedMesh> mesh = fuse(limbs, volume);
-    if (!mesh) return mesh.errors();
-    surface = std::move(mesh->surface), node = std::move(mesh->node);
-  } else {
-    Result<Cubes> cubes = cubes_of(limbs, volume);
-    if (!cubes) return cubes.errors();
-    std::vector<std::uint32_t> cube;
-    surface = cubes_surface(*cubes, cube);
-    // Each face has four corners of its own.
-    for (std::uint32_t c : cube)
-      if (node.size() < surface.position.size()) node.insert(node.end(), 2, cubes->node[c]);
-  }
+  Result<FusedMesh> mesh = body_mesh(s, pose);
+  if (!mesh) return mesh.errors();
   BranchColors colors(s);
   float longest = s.model.skeleton.longest();
   std::vector<std::uint8_t> painted;
-  painted.reserve(4 * surface.position.size());
-  for (std::int32_t i : node)
+  painted.reserve(4 * mesh->node.size());
+  for (std::int32_t i : mesh->node)
     push(painted,
          colors.at(s, i, youth(s.model.skeleton, pose, longest, static_cast<float>(colors.young_length), i)));
   DrawnPart part;
   part.head["kind"] = "mesh";
   part.head["material"] = material_json({}, s.look.bark ? bark_gloss(*s.look.bark) : 0.1);
-  part.add_surface("", surface);
+  part.add_surface("", mesh->surface);
   part.add("/colors", painted);
   return part;
 }

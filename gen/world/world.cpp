@@ -54,11 +54,6 @@ double World::open_sky(const DVec3& at) const {
   return open / (kSkyRings * kSkyRays);
 }
 
-bool World::taken(Vec2 at, float radius) const {
-  return std::ranges::any_of(
-      spots_, [&](const Spot& spot) { return glm::distance(at, spot.at) < radius + spot.radius; });
-}
-
 std::vector<Vec3> World::food(double time) const { return food_places(standing_, time); }
 
 std::vector<Vec3> food_places(std::span<const Specimen> specimens, double time) {

@@ -17,8 +17,9 @@ namespace frond {
 /// what stands is what earlier stages have made. Metres; may be asked from many threads.
 class World {
  public:
-  World(Seed seed, Heights ground, double film_length, bool filmed)
-      : seed_(seed),
+  World(Seed seed, Heights ground, double film_length, bool filmed, TakenSpots taken = {})
+      : taken_(std::move(taken)),
+        seed_(seed),
         ground_(std::make_shared<const Heights>(std::move(ground))),
         film_length_(film_length),
         filmed_(filmed) {}
@@ -49,20 +50,18 @@ class World {
   double open_sky(const DVec3& at) const;
 
   /// Whether something has taken the room within `radius` of a place already.
-  bool taken(Vec2 at, float radius) const;
-  const std::vector<Spot>& spots() const { return spots_; }
-  void take(Spot spot) { spots_.push_back(spot); }
+  bool taken(Vec2 at, float radius) const { return !taken_.free(at, radius); }
 
   /// Where food is at a time in seconds, for all that is drawn to some; each place once.
   std::vector<Vec3> food(double time) const;
 
  private:
+  TakenSpots taken_;
   Seed seed_;
   std::shared_ptr<const Heights> ground_;
   double film_length_;
   bool filmed_;
   std::vector<Specimen> standing_;
-  std::vector<Spot> spots_;
   mutable std::mutex hosts_in_work_;
   mutable std::map<std::vector<std::string>, std::shared_ptr<const Host>> hosts_;
 };

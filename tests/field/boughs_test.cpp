@@ -18,7 +18,7 @@ Skeleton fork(double angle, float radius = 0.1f) {
   return s;
 }
 
-FieldSample sample(const Boughs& limbs, Vec3 at) { return sample_limbs(limbs, all_of(limbs), at); }
+FieldSample sample(const Boughs& boughs, Vec3 at) { return sample_boughs(boughs, all_of(boughs), at); }
 
 TEST(Cone, distance_is_that_to_the_spheres_it_is_the_hull_of) {
   Cone cone = make_cone({0, 0, 0}, 0.5f, {2, 1, 0}, 0.2f, 0);
@@ -67,10 +67,11 @@ TEST(Boughs, strangers_that_pass_each_other_have_no_fillet) {
   s.add({1, 0, 0}, 0.1f, 0, 0);
   s.add({0, -1, 0.1f}, 0.1f, Skeleton::kRoot, 0);
   s.add({0, 1, 0.1f}, 0.1f, 2, 0);
-  Boughs limbs = boughs_of(s, 2);
-  EXPECT_TRUE(limbs.forks.forks.empty());
+  Boughs boughs = boughs_of(s, 2);
+  EXPECT_TRUE(boughs.forks.forks.empty());
   Vec3 at(0.1f, 0.1f, 0.05f);
-  EXPECT_EQ(sample(limbs, at).distance, std::min(distance(limbs.cones[0], at), distance(limbs.cones[1], at)));
+  EXPECT_EQ(sample(boughs, at).distance,
+            std::min(distance(boughs.cones[0], at), distance(boughs.cones[1], at)));
 }
 
 TEST(Boughs, bends_of_an_arm_leave_no_step) {
@@ -81,28 +82,28 @@ TEST(Boughs, bends_of_an_arm_leave_no_step) {
   s.add({0, 1, 0}, 0.1f, 1, 0);
   s.add({0.25f, 0.1f, 0}, 0.1f, 1, 1);
   s.add({0.3f, 0.5f, 0}, 0.1f, 3, 1);
-  Boughs limbs = boughs_of(s, 1.5f);
+  Boughs boughs = boughs_of(s, 1.5f);
   for (int i = 0; i < 20000; ++i) {
     Seed seed = Seed{5}.child(static_cast<std::uint64_t>(i));
     Vec3 at(seed.child(0).range(0, 0.4), seed.child(1).range(-0.1, 0.6), seed.child(2).range(-0.15, 0.15));
     Vec3 way(seed.child(3).normal(), seed.child(4).normal(), seed.child(5).normal());
     way = glm::normalize(way) * 0.0002f;
-    ASSERT_LT(std::abs(sample(limbs, at + way).distance - sample(limbs, at).distance), 0.0015f);
+    ASSERT_LT(std::abs(sample(boughs, at + way).distance - sample(boughs, at).distance), 0.0015f);
   }
 }
 
 TEST(Boughs, the_field_is_continuous_and_its_normal_is_its_slope) {
   Skeleton s = test_coral(3, 0.06);
-  Boughs limbs = boughs_of(s, 1);
+  Boughs boughs = boughs_of(s, 1);
   int astray = 0;
   for (int i = 0; i < 500; ++i) {
     Seed seed = Seed{3}.child(static_cast<std::uint64_t>(i));
     Vec3 at(seed.child(0).range(-0.4, 0.4), seed.child(1).range(0, 1), seed.child(2).range(-0.4, 0.4));
     Vec3 way(seed.child(3).normal(), seed.child(4).normal(), seed.child(5).normal());
     way = glm::normalize(way) * 0.0005f;
-    float here = sample(limbs, at).distance, there = sample(limbs, at + way).distance;
+    float here = sample(boughs, at).distance, there = sample(boughs, at + way).distance;
     EXPECT_LT(std::abs(there - here), 2 * 0.0005f);
-    float slope = (there - here) / 0.0005f, expected = glm::dot(sample(limbs, at).normal, way) / 0.0005f;
+    float slope = (there - here) / 0.0005f, expected = glm::dot(sample(boughs, at).normal, way) / 0.0005f;
     astray += std::abs(slope - expected) > 0.2f;
   }
   EXPECT_LE(astray, 10);  // creases

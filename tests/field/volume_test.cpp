@@ -36,12 +36,13 @@ TEST(Fuse, a_stick_is_closed_faces_outward_and_has_its_volume) {
 
 TEST(Fuse, vertices_lie_on_the_exact_surface_and_normals_stand_on_it) {
   Skeleton s = stick({0, 0, 0}, {0, 1, 0}, 0.2f, 0.1f);
-  Boughs limbs = boughs_of(s, 1);
-  Result<FusedMesh> mesh = fuse(limbs, {.voxel = 0.02, .adaptivity = 0.3});
+  Boughs boughs = boughs_of(s, 1);
+  Result<FusedMesh> mesh = fuse(boughs, {.voxel = 0.02, .adaptivity = 0.3});
   ASSERT_TRUE(mesh);
   for (std::size_t v = 0; v < mesh->surface.position.size(); ++v) {
-    EXPECT_NEAR(distance(limbs.cones[0], mesh->surface.position[v]), 0, 0.01 * 0.02);
-    EXPECT_GT(glm::dot(mesh->surface.normal[v], outward(limbs.cones[0], mesh->surface.position[v])), 0.9999f);
+    EXPECT_NEAR(distance(boughs.cones[0], mesh->surface.position[v]), 0, 0.01 * 0.02);
+    EXPECT_GT(glm::dot(mesh->surface.normal[v], outward(boughs.cones[0], mesh->surface.position[v])),
+              0.9999f);
     EXPECT_EQ(mesh->node[v], 1);
   }
 }
@@ -59,9 +60,9 @@ TEST(Fuse, a_ring_of_branches_has_a_hole) {
 
 TEST(Fuse, adaptivity_saves_triangles) {
   Skeleton s = stick({0, 0, 0}, {0, 1, 0}, 0.2f, 0.2f);
-  Boughs limbs = boughs_of(s, 1);
-  std::size_t fine = fuse(limbs, {.voxel = 0.01, .adaptivity = 0})->surface.triangle.size();
-  std::size_t coarse = fuse(limbs, {.voxel = 0.01, .adaptivity = 0.2})->surface.triangle.size();
+  Boughs boughs = boughs_of(s, 1);
+  std::size_t fine = fuse(boughs, {.voxel = 0.01, .adaptivity = 0})->surface.triangle.size();
+  std::size_t coarse = fuse(boughs, {.voxel = 0.01, .adaptivity = 0.2})->surface.triangle.size();
   EXPECT_LT(coarse, fine / 2);
 }
 
@@ -103,7 +104,7 @@ TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
       FoundBlock found = find_block(blocks, voxel_at(p, 0.008f));
       ASSERT_TRUE(found.block);
       near_block(second, blocks, found, near);
-      farthest = std::max<double>(farthest, std::abs(sample_limbs(second, near, p).distance));
+      farthest = std::max<double>(farthest, std::abs(sample_boughs(second, near, p).distance));
     }
     EXPECT_LT(farthest, 1.3 * moved + 0.0005) << time;
     double volume = measure(mesh.surface).volume, next = measure(later.surface).volume;
@@ -112,12 +113,12 @@ TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
 }
 
 TEST(Fuse, is_the_same_at_any_number_of_threads) {
-  Boughs limbs = boughs_of(test_coral(4), 1);
+  Boughs boughs = boughs_of(test_coral(4), 1);
   VolumeOptions options{.voxel = 0.008};
   limit_threads(1);
-  FusedMesh one = *fuse(limbs, options);
+  FusedMesh one = *fuse(boughs, options);
   limit_threads(0);
-  FusedMesh all = *fuse(limbs, options);
+  FusedMesh all = *fuse(boughs, options);
   ASSERT_EQ(one.surface.position.size(), all.surface.position.size());
   EXPECT_EQ(std::memcmp(one.surface.position.data(), all.surface.position.data(),
                         one.surface.position.size() * sizeof(Vec3)),
@@ -128,26 +129,26 @@ TEST(Fuse, is_the_same_at_any_number_of_threads) {
 
 TEST(Volume, is_foreseen_within_a_factor_of_two) {
   for (double voxel : {0.02, 0.01, 0.004}) {
-    Boughs limbs = boughs_of(test_coral(4), 1);
-    Blocks blocks = gather_blocks(limbs, static_cast<float>(voxel), static_cast<float>(3 * voxel));
-    double foreseen = foresee_volume(limbs, voxel).blocks;
+    Boughs boughs = boughs_of(test_coral(4), 1);
+    Blocks blocks = gather_blocks(boughs, static_cast<float>(voxel), static_cast<float>(3 * voxel));
+    double foreseen = foresee_volume(boughs, voxel).blocks;
     EXPECT_LT(foreseen, 2.0 * static_cast<double>(blocks.size())) << voxel;
     EXPECT_GT(foreseen, 0.5 * static_cast<double>(blocks.size())) << voxel;
   }
 }
 
 TEST(Volume, past_the_limit_is_refused_with_the_figure) {
-  Boughs limbs = boughs_of(test_coral(4), 1);
-  Result<FusedMesh> mesh = fuse(limbs, {.voxel = 0.00002});
+  Boughs boughs = boughs_of(test_coral(4), 1);
+  Result<FusedMesh> mesh = fuse(boughs, {.voxel = 0.00002});
   ASSERT_FALSE(mesh);
   EXPECT_NE(mesh.errors()[0].what.find("GB"), std::string::npos) << mesh.errors()[0].what;
   EXPECT_NE(mesh.errors()[0].what.find("limit of 4 GB"), std::string::npos) << mesh.errors()[0].what;
-  EXPECT_FALSE(volume_of(limbs, {.voxel = 0.01, .limit = 1e5}));
+  EXPECT_FALSE(volume_of(boughs, {.voxel = 0.01, .limit = 1e5}));
 }
 
 TEST(Volume, of_a_vdb_file_is_the_one_that_was_written) {
-  Boughs limbs = boughs_of(test_coral(3), 1);
-  Volume volume = *volume_of(limbs, {.voxel = 0.01});
+  Boughs boughs = boughs_of(test_coral(3), 1);
+  Volume volume = *volume_of(boughs, {.voxel = 0.01});
   auto path =
       std::filesystem::temp_directory_path() / ("frond_field_test_" + std::to_string(getpid()) + ".vdb");
   ASSERT_TRUE(write_vdb(path, volume));
@@ -158,7 +159,7 @@ TEST(Volume, of_a_vdb_file_is_the_one_that_was_written) {
   EXPECT_EQ(read->active_voxels(), volume.active_voxels());
   EXPECT_GT(volume.active_voxels(), 1000u);
   // The distance itself, at the voxels round the first nodes.
-  for (const Cone& cone : limbs.cones) {
+  for (const Cone& cone : boughs.cones) {
     Cell cell = voxel_at(cone.from, 0.01f);
     EXPECT_EQ(read->at(cell), volume.at(cell));
     EXPECT_LT(read->at(cell), 0);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 
 #include "core/files.h"
@@ -106,6 +107,16 @@ TEST(Preset, ShippedOnesRaiseNoDoubts) {
     ++tried;
   }
   EXPECT_GT(tried, 40);
+}
+
+TEST(Scene, TellsAsManyStepsAsItForetold) {
+  for (const char* path : {"presets/ivy/column.json", "presets/reef.json", "presets/garden/vases.json"}) {
+    std::size_t foretold = 0;
+    std::atomic<std::size_t> told = 0;
+    Watch watch{[&](std::string_view, std::size_t steps) { foretold += steps; }, [&] { ++told; }};
+    ASSERT_TRUE(build_scene(preset_at(path), watch)) << path;
+    EXPECT_EQ(told, foretold) << path;
+  }
 }
 
 TEST(Scene, IsTheSameAtAnyThreadCount) {

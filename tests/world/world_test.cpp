@@ -53,8 +53,9 @@ TEST(World, HasLessLightUnderARoof) {
 }
 
 TEST(World, KnowsWhatIsTaken) {
-  World world = open_world();
-  world.take({Vec2(1, 0), 0.5f});
+  TakenSpots spots;
+  spots.take({Vec2(1, 0), 0.5f});
+  World world(Seed{1}, Heights(), 4, true, spots);
   EXPECT_TRUE(world.taken(Vec2(0.2f, 0), 0.4f));
   EXPECT_FALSE(world.taken(Vec2(0, 0), 0.4f));
 }
