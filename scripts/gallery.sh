@@ -110,7 +110,8 @@ while read -r name size columns items; do
   for item in $items; do
     picture=$(still "$item" "$size" "$work/$name-$count") || fail 1 "$name could not be rendered"
     inputs+=(-i "$picture")
-    layout+="${layout:+|}$((count % columns * (${size%x*} + 4)))_$((count / columns * (${size#*x} + 4)))"
+    row=$((count / columns))
+    layout+="${layout:+|}$((count % columns * (${size%x*} + 4)))_$((row * (${size#*x} + 4)))"
     count=$((count + 1))
   done
   sheet=()

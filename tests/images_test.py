@@ -26,7 +26,7 @@ def render(preset, frames, folder, quality="+A0.3", sets=()):
         scene = folder / "frames" / f"frame_{frame:04}.pov"
         picture = folder / f"{frame}.ppm"
         run = subprocess.run(
-            ["povray", f"+L{source / 'povinc'}", *soft_light(scene), f"+I{scene}", f"+O{picture}", f"+W{WIDTH}", f"+H{HEIGHT}", quality,
+            ["povray", f"+L{source / 'povinc'}", f"+L{scene.parent}", *soft_light(scene), f"+I{scene}", f"+O{picture}", f"+W{WIDTH}", f"+H{HEIGHT}", quality,
              "+FP8", "-D", "-GA", "+WT1"], capture_output=True, text=True)
         assert run.returncode == 0, run.stderr[-2000:]
         sampled = re.search(r"Radiosity samples calculated: +(\d+)", run.stderr)

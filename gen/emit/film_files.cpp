@@ -156,6 +156,11 @@ Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, 
     if (Result<bool> written = write_file(beside.replace_extension(".rca"), *light); !written)
       return written.errors();
   }
+  Result<std::vector<Picture>> pictures = setting_pictures(scene, scene.film.time(frame));
+  if (!pictures) return pictures.errors();
+  for (const Picture& picture : *pictures)
+    if (Result<bool> written = write_file(path.parent_path() / picture.name, picture.bytes); !written)
+      return written.errors();
   GrowingFile file(path);
   Result<std::size_t> nodes =
       write_frame(scene, parts, layout, frame, [&](std::string_view text) { file.add(text); });

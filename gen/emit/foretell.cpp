@@ -39,7 +39,7 @@ constexpr double kPictureBytes = 1.8;  // of a pixel
 // picture of kTracedPixels, by quality, and by which power of their number a pixel of a larger picture, where
 // fewer lie on edges, takes less; crowded scenes take more.
 constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
-constexpr double kPixelTraced[] = {1.8e-4, 1.3e-3, 3.2e-3}, kEdges[] = {0.1, 0.3, 0.3};
+constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3, 0.3};
 
 double render_seconds(const Foretold& f, const Film& film) {
   double pixels = double(film.size[0]) * film.size[1];

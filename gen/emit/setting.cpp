@@ -52,6 +52,11 @@ std::optional<Ambience> ambience_of(const Scene& scene, double time) {
   return text.ambience ? std::optional(text.ambience(scene, time)) : std::nullopt;
 }
 
+Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time) {
+  const SettingText& text = text_of(scene.stage);
+  return text.pictures ? text.pictures(scene, time) : std::vector<Picture>();
+}
+
 std::string ground_text(const PovSpace& space, const Scene& scene) {
   return text_of(scene.stage).ground(space, scene);
 }

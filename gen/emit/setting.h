@@ -20,12 +20,15 @@ struct SettingText {
   std::string (*ground)(const PovSpace& space, const Scene& scene);
   /// What shines on all of it but the sun itself; null where it has lamps.
   Ambience (*ambience)(const Scene& scene, double time) = nullptr;
+  /// Pictures that its text names at a time, to be put beside the frame; null where there are none.
+  Result<std::vector<Picture>> (*pictures)(const Scene& scene, double time) = nullptr;
 };
 
 /// The `#include` lines of the files that a scene needs.
 std::string includes_text(const Scene& scene);
 
 std::string setting_text(const Scene& scene, double time);
+Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time);
 /// Whether light comes from all around there, and not from lamps alone.
 bool has_soft_light(const Stage& stage);
 /// What shines on a scene; none where there are lamps.

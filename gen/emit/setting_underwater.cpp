@@ -1,11 +1,34 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "core/linear.h"
 #include "core/text.h"
 #include "emit/setting_parts.h"
+#include "images/caustics.h"
 #include "settings/underwater.h"
 
 namespace frond {
 
 namespace {
+
+/// `frame_0012.caustics.png`
+std::string caustics_name(const Scene& scene, double time) {
+  return fmt::format("frame_{:04}.caustics.png", std::lround(time * scene.film.fps) + 1);
+}
+
+Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
+  if (scene.stage.block<Water>().caustics <= 0) return std::vector<Picture>();
+  auto quality = static_cast<int>(scene.film.quality);
+  Raster picture = caustics_picture({.pixels = 224 + 64 * quality,
+                                     .focus = 0.27 + 0.04 * quality,
+                                     .time = time,
+                                     .loop = scene.film.length()});
+  Result<std::string> bytes = png_text(picture);
+  if (!bytes) return bytes.errors();
+  return std::vector<Picture>{{caustics_name(scene, time), std::move(*bytes)}};
+}
 
 /// Its macros take metres, in POV-Ray's axes.
 std::string water_text(const Scene& scene, double time) {
@@ -14,7 +37,7 @@ std::string water_text(const Scene& scene, double time) {
   std::string near = color_text(water.near), sun = direction_text(water.sun);
   std::string text = "Water_Globals()\nWater_Setting(" + eye + "," + near + "," + color_text(water.deep) +
                      "," + number_text(water.visibility) + "," + sun + "," + number_text(water.caustics) +
-                     ")\n";
+                     ",\"" + caustics_name(scene, time) + "\")\n";
   if (water.shafts > 0)
     text +=
         "Water_Shafts(" + eye + "," + look + "," + near + "," + sun + "," + number_text(water.shafts) + ")\n";
@@ -68,6 +91,8 @@ Ambience water_light(const Scene& scene, double) {
 
 }  // namespace
 
-SettingText underwater_text() { return {{"water", "sand"}, water_text, sea_floor_text, water_light}; }
+SettingText underwater_text() {
+  return {{"water", "sand"}, water_text, sea_floor_text, water_light, caustics};
+}
 
 }  // namespace frond

@@ -11,10 +11,10 @@ namespace frond {
 
 namespace {
 
-constexpr double kNearest = 0.3;            // metres from the eye from where on cells do not become smaller
-constexpr float kQuanta = 4096;             // of fixed point, to a cell's face
-constexpr Facing kSolid = 64;               // bit: something in the cell lets no light through
-constexpr Facing kLand = 128;               // and that the land is in it
+constexpr double kNearest = 0.3;  // metres from the eye from where on cells do not become smaller
+constexpr float kQuanta = 4096;   // of fixed point, to a cell's face
+constexpr Facing kSolid = 64;     // bit: something in the cell lets no light through
+constexpr Facing kLand = 128;     // and that the land is in it
 constexpr std::size_t kMostCells = 6'000'000;
 constexpr int kUnseen = 2;       // levels that what no eye sees is coarser
 constexpr float kDark = 0.02f;   // of light: what is behind is left out
