@@ -13,9 +13,9 @@ namespace frond {
 
 namespace {
 
-/// `frame_0012.caustics.png`
+/// `frame_0012.caustics`
 std::string caustics_name(const Scene& scene, double time) {
-  return fmt::format("frame_{:04}.caustics.png", std::lround(time * scene.film.fps) + 1);
+  return fmt::format("frame_{:04}.caustics", std::lround(time * scene.film.fps) + 1);
 }
 
 Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
