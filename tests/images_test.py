@@ -17,24 +17,32 @@ def soft_light(scene):
     return ["+RFI", f"+RF{scene.parent / name[1]}"] if name else []
 
 
+def picture_of(scene, flags, folder):
+    """A scene as a list of (red, green, blue)."""
+    picture = folder / "picture.ppm"
+    run = subprocess.run(
+        ["povray", f"+L{source / 'povinc'}", f"+L{scene.parent}", *soft_light(scene), f"+I{scene}", f"+O{picture}",
+         f"+W{WIDTH}", f"+H{HEIGHT}", *flags, "+FP8", "-D", "-GA", "+WT1"], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr[-2000:]
+    sampled = re.search(r"Radiosity samples calculated: +(\d+)", run.stderr)
+    assert not sampled or int(sampled[1]) < 0.005*WIDTH*HEIGHT, f"{scene}: light was missing at {sampled[1]} places"
+    assert "Warning" not in run.stderr.replace("Warning Stream", ""), run.stderr[-2000:]
+    data = picture.read_bytes()[-3 * WIDTH * HEIGHT:]
+    return [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
+
+
 def render(preset, frames, folder, quality="+A0.3", sets=()):
-    """The frames of a preset as lists of (red, green, blue)."""
+    """The frames of a preset."""
     subprocess.run([frond, "generate", source / preset, "-o", folder, "-q"] + [w for s in sets for w in ("--set", s)],
                    check=True)
-    pictures = {}
-    for frame in frames:
-        scene = folder / "frames" / f"frame_{frame:04}.pov"
-        picture = folder / f"{frame}.ppm"
-        run = subprocess.run(
-            ["povray", f"+L{source / 'povinc'}", f"+L{scene.parent}", *soft_light(scene), f"+I{scene}", f"+O{picture}", f"+W{WIDTH}", f"+H{HEIGHT}", quality,
-             "+FP8", "-D", "-GA", "+WT1"], capture_output=True, text=True)
-        assert run.returncode == 0, run.stderr[-2000:]
-        sampled = re.search(r"Radiosity samples calculated: +(\d+)", run.stderr)
-        assert not sampled or int(sampled[1]) < 0.005*WIDTH*HEIGHT, f"{scene}: light was missing at {sampled[1]} places"
-        assert "Warning" not in run.stderr.replace("Warning Stream", ""), run.stderr[-2000:]
-        data = picture.read_bytes()[-3 * WIDTH * HEIGHT:]
-        pictures[frame] = [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
-    return pictures
+    return {frame: picture_of(folder / "frames" / f"frame_{frame:04}.pov", [quality], folder) for frame in frames}
+
+
+def frond_flags(folder, quality):
+    """The build file of a small film of that quality."""
+    subprocess.run([frond, "generate", source / "tests/presets/tiny_still.json", "-o", folder, "--quality", quality, "-q"],
+                   check=True)
+    return (folder / "build.ninja").read_text()
 
 
 def mean(picture):
@@ -48,6 +56,11 @@ def deviation(picture):
 
 def difference(a, b):
     return sum(abs(x - y) for p, q in zip(a, b) for x, y in zip(p, q)) / (3 * len(a))
+
+
+def distance(a, b):
+    """The root of the mean square of the difference."""
+    return (sum((x - y) ** 2 for p, q in zip(a, b) for x, y in zip(p, q)) / (3 * len(a))) ** 0.5
 
 
 def check(name, holds, figure):
@@ -66,6 +79,15 @@ def main():
         for a, b in [(1, 2), (2, 4), (4, 6)]:
             moved = difference(film[a], film[b])
             good &= check(f"frames {a} and {b} differ", 0.5 < moved < 60, f"{moved:.2f}")
+        # The qualities bring what they cost: errors of the root of the mean square against 49 samples in each pixel.
+        flags = {quality: re.search(r"^flags = (.*)$", frond_flags(folder / quality, quality), re.MULTILINE)[1].split()
+                 for quality in ("draft", "good", "best")}
+        reference = picture_of(folder / "film/frames/frame_0004.pov", ["+A0.0", "+AM1", "+R7", "-J"], folder)
+        errors = {quality: distance(picture_of(folder / "film/frames/frame_0004.pov", how, folder), reference)
+                  for quality, how in flags.items()}
+        good &= check("draft is near enough", errors["draft"] < 9, f"{errors['draft']:.2f}")
+        good &= check("good is nearer", errors["good"] < 0.75*errors["draft"], f"{errors['good']:.2f}")
+        good &= check("best is nearest", errors["best"] < 0.75*errors["good"], f"{errors['best']:.2f}")
         # Water is blue: above the reef there is more blue than red, and it fades toward the light.
         sky = film[6][:WIDTH * 8]
         blue, red = (sum(p[c] for p in sky) / len(sky) for c in (2, 0))
