@@ -17,15 +17,16 @@ def soft_light(scene):
     return ["+RFI", f"+RF{scene.parent / name[1]}"] if name else []
 
 
-def picture_of(scene, flags, folder):
-    """A scene as a list of (red, green, blue)."""
+def picture_of(scene, flags, folder, own_light=None):
+    """A scene as a list of (red, green, blue); `own_light` is a folder of includes whose light POV-Ray works out."""
+    light = [f"+L{own_light}"] if own_light else soft_light(scene)
     picture = folder / "picture.ppm"
     run = subprocess.run(
-        ["povray", f"+L{source / 'povinc'}", f"+L{scene.parent}", *soft_light(scene), f"+I{scene}", f"+O{picture}",
+        ["povray", *light, f"+L{source / 'povinc'}", f"+L{scene.parent}", f"+I{scene}", f"+O{picture}",
          f"+W{WIDTH}", f"+H{HEIGHT}", *flags, "+FP8", "-D", "-GA", "+WT1"], capture_output=True, text=True)
     assert run.returncode == 0, run.stderr[-2000:]
     sampled = re.search(r"Radiosity samples calculated: +(\d+)", run.stderr)
-    assert not sampled or int(sampled[1]) < 0.005*WIDTH*HEIGHT, f"{scene}: light was missing at {sampled[1]} places"
+    assert own_light or not sampled or int(sampled[1]) < 0.005*WIDTH*HEIGHT, f"{scene}: light was missing at {sampled[1]} places"
     assert "Warning" not in run.stderr.replace("Warning Stream", ""), run.stderr[-2000:]
     data = picture.read_bytes()[-3 * WIDTH * HEIGHT:]
     return [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
@@ -36,6 +37,15 @@ def render(preset, frames, folder, quality="+A0.3", sets=()):
     subprocess.run([frond, "generate", source / preset, "-o", folder, "-q"] + [w for s in sets for w in ("--set", s)],
                    check=True)
     return {frame: picture_of(folder / "frames" / f"frame_{frame:04}.pov", [quality], folder) for frame in frames}
+
+
+OWN_LIGHT = """#macro Light_All_Round()
+  radiosity {
+    pretrace_start 0.08 pretrace_end 0.02 count 150 nearest_count 4 error_bound 0.6 recursion_limit 3
+    minimum_reuse 0.006 maximum_reuse 0.1
+  }
+#end
+"""
 
 
 def frond_flags(folder, quality):
@@ -88,6 +98,16 @@ def main():
         good &= check("draft is near enough", errors["draft"] < 9, f"{errors['draft']:.2f}")
         good &= check("good is nearer", errors["good"] < 0.75*errors["draft"], f"{errors['good']:.2f}")
         good &= check("best is nearest", errors["best"] < 0.75*errors["good"], f"{errors['best']:.2f}")
+        # Soft light is what POV-Ray finds by its own radiosity, with three bounces.
+        ours = render("tests/presets/tiny_light.json", [1], folder / "light")[1]
+        own = folder / "own"
+        own.mkdir()
+        (own / "frond_light.inc").write_text(OWN_LIGHT)
+        theirs = picture_of(folder / "light/frames/frame_0001.pov", ["+A0.3"], folder, own)
+        shaded = [i for i, p in enumerate(theirs) if sum(p) < 3*60]
+        bright = [mean([picture[i] for i in shaded]) for picture in (ours, theirs)]
+        good &= check("light is POV-Ray's own", distance(ours, theirs) < 10, f"{distance(ours, theirs):.1f}")
+        good &= check("so are shadows", abs(bright[0]/bright[1] - 1) < 0.25, f"{bright[0]:.1f} against {bright[1]:.1f}")
         # Water is blue: above the reef there is more blue than red, and it fades toward the light.
         sky = film[6][:WIDTH * 8]
         blue, red = (sum(p[c] for p in sky) / len(sky) for c in (2, 0))

@@ -116,7 +116,7 @@ Ambience ambience(const Daytime& day, const Color& ground) {
   light.sunlight = day.sunlight;
   light.zenith = day.zenith;
   light.horizon = day.horizon;
-  light.ground = linear(ground);
+  light.ground = 0.48f * linear(ground);  // its textures are darker than the colour, and matt
   light.below = light.ground * (0.5f * day.sunlight * day.sun.y + 0.4f * (day.zenith + day.horizon));
   return light;
 }

@@ -85,7 +85,7 @@ Ambience water_light(const Scene& scene, double) {
   light.zenith = 0.8f * (0.4f * tint + 0.6f);
   light.horizon = 0.26f * (0.6f * tint + 0.4f);
   light.below = 0.1f * tint;
-  light.ground = {0.50f, 0.45f, 0.36f};
+  light.ground = {0.36f, 0.32f, 0.26f};
   return light;
 }
 

@@ -19,6 +19,7 @@ constexpr std::size_t kEyes = 12;           // of a film that are heeded
 constexpr float kFarthest = 250;            // metres from the middle
 constexpr double kReuse =
     1.45;  // cells within which POV-Ray uses a place's light again; its tree grows coarse from 1.5
+constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throws back
 constexpr double kErrorBound = 4;  // of povinc's radiosity
 
 /// The room that a scene takes, metres.
@@ -65,7 +66,7 @@ struct IntoGrid {
   SoftLight& grid;
 
   void add(Vec3 at, float area, Vec3 albedo, Facing facing, bool solid) const {
-    grid.add(at, area, albedo, facing, solid);
+    grid.add(at, area, kDiffuse * albedo, facing, solid);
   }
   float step(Vec3 at) const { return 0.4f * grid.cell_at(at); }
 };
@@ -88,7 +89,7 @@ void add_copies(SoftLight& grid, const Scene& scene, const Crumbs& crumbs) {
       float scale = copies.scale[i];
       for (const Crumb& crumb : crumbs[s][copies.model[i]])
         grid.add(copies.foot[i] + copies.turn[i] * (scale * crumb.at), scale * scale * crumb.area,
-                 crumb.albedo, kAllWays, crumb.solid);
+                 kDiffuse * crumb.albedo, kAllWays, crumb.solid);
     });
   }
 }
