@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 
+#include "core/linear.h"
 #include "core/text.h"
 #include "export/formats.h"
 
@@ -13,11 +14,6 @@ namespace {
 
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;  // targets of buffer views
 constexpr int kFloat = 5126, kUnsigned = 5125;               // types of components
-
-/// glTF's colours are linear.
-float linear(float c) {
-  return static_cast<float>(c <= 0.04045f ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-}
 
 /// `[1,2.5e-9]`: as many digits as it takes to read back the same numbers.
 template <class Number>
@@ -78,7 +74,8 @@ std::string mesh_text(BinaryPart& buffer, const CastMesh& mesh) {
 
 std::string material_text(const CastMaterial& m) {
   std::string text = "{\"name\":\"" + m.name + "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":";
-  append_numbers<float>(text, {linear(m.color.red), linear(m.color.green), linear(m.color.blue), 1});
+  Vec3 color = linear(m.color);  // as glTF has them
+  append_numbers<float>(text, {color.x, color.y, color.z, 1});
   text += ",\"metallicFactor\":";
   text += m.metal ? '1' : '0';
   text += ",\"roughnessFactor\":";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear.h"
 #include "core/parallel.h"
 #include "images/tiling_noise.h"
 
@@ -143,11 +144,10 @@ class BarkPainter {
   int across_, along_;
 };
 
-double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 double encoded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
 
 using Rgb = glm::dvec3;
-Rgb linear(const Color& c) { return {linear(c.red), linear(c.green), linear(c.blue)}; }
+Rgb rgb_of(const Color& c) { return {linear(c.red), linear(c.green), linear(c.blue)}; }
 
 void put(Raster& raster, int x, int y, Rgb color) {
   for (int c = 0; c < 3; ++c) raster.data[raster.index(x, y, c)] = to_byte(encoded(std::max(color[c], 0.0)));
@@ -190,7 +190,7 @@ Raster normal_picture(const Grid& grid, double strength) {
 
 Raster bark_colors(const BarkImage& bark, const BarkMaps& maps, Seed seed) {
   Raster raster(maps.height.width, maps.height.height, 3);
-  Rgb high = linear(bark.color), low = linear(bark.second), lichen = linear(bark.lichen);
+  Rgb high = rgb_of(bark.color), low = rgb_of(bark.second), lichen = rgb_of(bark.lichen);
   Seed spots = seed.child("lichen"), stain = seed.child("stain");
   int rows = std::max(1, 4 * raster.height / raster.width);
   each_row(raster.height, [&](int y) {
