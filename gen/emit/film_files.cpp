@@ -141,6 +141,7 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
   }
   Result<std::string> text = soft_light_text(parts.space, scene, parts.plan.crumbs, 0);
   if (!text) return text.errors();
+  if (text->empty()) return {};
   parts.light = "light_" + content_id(*text) + ".rca";
   Result<bool> written = write_file(folder / parts.light, *text);
   return written ? Errors{} : written.errors();

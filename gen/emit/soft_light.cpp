@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPixels[] = {24, 18, 12};  // that a cell covers, of each Quality
 constexpr std::size_t kEyes = 12;           // of a film that are heeded
-constexpr float kFarthest = 250;            // metres from the middle
+constexpr float kFarthest = 3000;           // metres from the middle
 constexpr double kReuse =
     1.45;  // cells within which POV-Ray uses a place's light again; its tree grows coarse from 1.5
 constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throws back
@@ -143,8 +143,9 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   std::vector<Eye> all = eyes(scene), some, here{eye_at(scene, time)};
   for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
     some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, std::min(all.size(), kEyes) - 1)]);
-  SoftLight grid(some, room_of(scene, now, crumbs), kPixels[static_cast<std::size_t>(scene.film.quality)],
-                 1 / space.unit);
+  SoftLight::Box room = room_of(scene, now, crumbs);
+  if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
+  SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
   for (const Specimen& specimen : now) crumble(IntoGrid{grid}, specimen, time);
   add_copies(grid, scene, crumbs);
   add_ground(grid, scene, ambience->ground);
