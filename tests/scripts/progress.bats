@@ -6,6 +6,7 @@ setup() {
   mkdir frames
   # shellcheck source=../../scripts/lib_progress.sh
   . "$ROOT/scripts/lib_progress.sh"
+  unset SECONDS  # no longer the clock of the shell
   SECONDS=100
 }
 
