@@ -100,12 +100,9 @@ SoftLight::SoftLight(std::vector<Eye> eyes, const Box& bounds, double pixels, do
     : eyes_(std::move(eyes)), pixels_(pixels) {
   double pixel = 1e30;
   for (const Eye& eye : eyes_) pixel = std::min(pixel, eye.pixel);
-  Vec3 nearest = glm::clamp(eyes_[0].at, bounds.low, bounds.high);
   double least = 1e30;
-  for (const Eye& eye : eyes_) {
-    nearest = glm::clamp(eye.at, bounds.low, bounds.high);
-    least = std::min<double>(least, glm::distance(eye.at, nearest));
-  }
+  for (const Eye& eye : eyes_)
+    least = std::min<double>(least, glm::distance(eye.at, glm::clamp(eye.at, bounds.low, bounds.high)));
   double cell = std::exp2(std::floor(std::log2(std::max(least, kNearest) * pixel * pixels / unit))) * unit;
   for (;; cell *= 2) {
     // As far as cells of that size are wanted, round all eyes.
@@ -248,8 +245,8 @@ void SoftLight::light(const Ambience& ambience) {
       }
     });
   }
-  // What cells throw back is known where nothing asks for it yet: coarse ones first would be lit by fine
-  // ones.
+  // Only how open the ways to sun and sky are is asked here, not what cells show; so their order is of no
+  // matter.
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     Level& level = levels_[k];
     std::vector<Vec3> shown(level.area.size(), Vec3(0));
