@@ -19,7 +19,7 @@ struct Crumb {
 /// What models of stands are made of, for each stand those of each model; some may be empty.
 using Crumbs = std::vector<std::vector<std::vector<Crumb>>>;
 
-/// A model in crumbs of about a twelfth of its height.
+/// A model in crumbs of about a twenty-fourth of its height.
 std::vector<Crumb> crumbs_of(const Look& look, const Model& model);
 
 /// As a text, and back; what is no such text has none.

@@ -148,7 +148,7 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
     bool each = changing && preset.film.frames > 1;
     (each ? f.picture_bytes : f.shared_bytes) += light;
     (each ? f.frame_seconds : f.growth_seconds) += light / kLightWorkedOut;
-    f.growth_memory += kLightMemory;
+    (each ? f.frame_memory : f.growth_memory) += kLightMemory;
   }
   f.scene_memory += 2 * (ground + materials);
   f.growth_memory += f.scene_memory + growing;

@@ -18,7 +18,7 @@ struct SettingText {
   std::string (*surroundings)(const Scene& scene, double time);
   /// The ground with what lies on it; the same in each frame.
   std::string (*ground)(const PovSpace& space, const Scene& scene);
-  /// What shines on all of it but the sun itself; null where it has lamps.
+  /// What shines on all of it from far away; null where lamps alone do.
   Ambience (*ambience)(const Scene& scene, double time) = nullptr;
   /// Pictures that its text names at a time, to be put beside the frame; null where there are none.
   Result<std::vector<Picture>> (*pictures)(const Scene& scene, double time) = nullptr;

@@ -32,10 +32,10 @@ struct Room {
   }
 };
 
-SoftLight::Box room_of(const Scene& scene, const std::vector<Specimen>& now, const Crumbs& crumbs) {
+SoftLight::Box room_of(const Scene& scene, const std::vector<const Specimen*>& now, const Crumbs& crumbs) {
   Room room;
-  for (const Specimen& b : now) {
-    const Model& m = b.model;
+  for (const Specimen* b : now) {
+    const Model& m = b->model;
     for (const Vec3& at : m.skeleton.position) room.take(at, 0.1f);
     for (std::size_t i = 0; i < m.organs.size(); ++i)
       room.take(m.organs.position[i],
@@ -134,11 +134,15 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   std::optional<Ambience> ambience = ambience_of(scene, time);
   if (!ambience) return std::string();
   bool changes = light_changes(scene);
-  std::vector<Specimen> now;
+  std::vector<Specimen> others;  // that are another shape now
+  others.reserve(scene.specimens.size());
+  std::vector<const Specimen*> now;
   for (const Specimen& specimen : scene.specimens) {
-    Result<Specimen> one = specimen.life.changes() ? developed(specimen, time) : specimen;
+    now.push_back(&specimen);
+    if (!specimen.life.changes()) continue;
+    Result<Specimen> one = developed(specimen, time);
     if (!one) return one.errors();
-    now.push_back(std::move(*one));
+    now.back() = &others.emplace_back(std::move(*one));
   }
   std::vector<Eye> all = eyes(scene), some, here{eye_at(scene, time)};
   for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
@@ -146,7 +150,7 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   SoftLight::Box room = room_of(scene, now, crumbs);
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
-  for (const Specimen& specimen : now) crumble(IntoGrid{grid}, specimen, time);
+  for (const Specimen* specimen : now) crumble(IntoGrid{grid}, *specimen, time);
   add_copies(grid, scene, crumbs);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
