@@ -202,15 +202,14 @@ int generate(const GenerateArguments& arguments) {
   if (Errors errors = write_drawings(*scene, out / "frames", watch); !errors.empty())
     return fail(errors, kCouldNot);
   now_doing("growing the models of what is sown");
-  CopyPlan plan = plan_copies(*scene);
-  for (const ModelFile& file : plan.files) needed.insert(file.name);
-  if (Errors errors = write_models(*scene, plan, out / "frames", watch); !errors.empty())
-    return fail(errors, kCouldNot);
-  needed.insert(plan.crumb_files.begin(), plan.crumb_files.end());
+  Result<CopyPlan> plan = write_models(*scene, out / "frames", watch);
+  if (!plan) return fail(plan.errors(), kCouldNot);
+  for (const ModelFile& file : plan->files) needed.insert(file.name);
+  needed.insert(plan->crumb_files.begin(), plan->crumb_files.end());
   shown.reset();
   now_doing("writing frames");
   Written written =
-      write_frames(*scene, std::move(plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
+      write_frames(*scene, std::move(*plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors =
       write_jobs(*preset, range, written.nodes, foretold->render_seconds, *root, out, name, false);

@@ -17,40 +17,13 @@ namespace frond {
 
 namespace {
 
-/// From the nearest on; each is used from where a pixel covers its grain.
-constexpr CopyDetail kLevels[] = {{0.002, 6e5}, {0.008, 3e5}, {0.025, 1.4e5}, {0.08, 5e4}, {0.25, 1.5e4}};
-constexpr int kLevelCount = static_cast<int>(std::size(kLevels));
-constexpr double kModelUnit = 10;     // units a metre in which models are written
-constexpr double kLeastPixels = 1.2;  // of a crown; what is smaller is left out
+constexpr double kModelUnit = 10;  // units a metre in which models are written
 constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
                                        "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
 
-/// About how tall an organism may be, metres; rather too much.
-double tallest(const Organism& organism) {
-  double height = organism.grower->tallest();
-  return height > 0 ? height : 8 * organism.sown->where.radius;
-}
-
-std::uint8_t level_of(const std::vector<Eye>& eyes, Vec3 foot, double crown, double tall, double coarse) {
-  double grain = 1e9;
-  bool seen = false;
-  auto half = static_cast<float>(tall / 2);
-  for (const Eye& eye : eyes) {
-    Vec3 nearest(foot.x, std::clamp(eye.at.y, foot.y, foot.y + 2 * half), foot.z);
-    // Crowns reach toward the eye.
-    double near = std::max<double>(glm::distance(eye.at, nearest) - 1.5 * crown, 0.3);
-    grain = std::min(grain, near * eye.pixel);
-    seen = seen || in_view(eye, foot + Vec3(0, half, 0), half + 8 * crown + 3);
-  }
-  if (!seen || 2 * crown < kLeastPixels * grain) return CopyPlan::kUnseen;
-  int level = 0;
-  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain * coarse) ++level;
-  return static_cast<std::uint8_t>(level);
-}
-
-/// `Model_0123456789abcdef_2`, of the model and the level.
-std::string model_name(const Organism& organism, int model, int level) {
-  return fmt::format("Model_{}_{}", copy_id(organism, model), level);
+/// `Model_0123456789abcdef_2_7`, of the model, the level and the block.
+std::string declared_name(const ModelFile& file) {
+  return "M" + file.name.substr(1, file.name.find('.') - 1);
 }
 
 void append_part_name(std::string& text, std::string_view model, std::size_t part) {
@@ -91,25 +64,25 @@ std::string wood_look(const Look& look) {
   return text + ",T)";
 }
 
-std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue) {
+std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain) {
   std::string text = "#local C = ";
   append_colors(text, colors);
-  text += fmt::format("; texture{{{}(C,", kCopyMacros[static_cast<std::size_t>(tissue)]);
+  text += fmt::format("; texture{{{}(C,", plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)]);
   append_color(text, second);
   return text + ",T)}";
 }
 
 /// What the macro of a part holds: a texture for the tint T.
-std::string look_of(const CopyPart& part, const Look& look, const Model& model) {
+std::string look_of(const CopyPart& part, const Look& look, const Model& model, bool plain) {
   switch (part.kind) {
     case CopyPart::Kind::wood:
       return "texture{" + wood_look(look) + "}";
     case CopyPart::Kind::blade:
-      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue);
+      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue, false);
     case CopyPart::Kind::organ: {
       const Prototype& prototype = model.prototypes[part.which];
       const OrganPart& organ = prototype.parts[part.part];
-      if (organ.pictures.empty()) return leaf_look(prototype.colors, prototype.second, organ.tissue);
+      if (organ.pictures.empty()) return leaf_look(prototype.colors, prototype.second, organ.tissue, plain);
       std::string text = fmt::format("#local F = array[{}]{{", organ.pictures.size());
       for (std::size_t i = 0; i < organ.pictures.size(); ++i)
         text += fmt::format("{}\"{}\"", i > 0 ? "," : "", organ.pictures[i]);
@@ -123,12 +96,17 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model) 
 
 /// No more of a part's mesh than shows at a level: a fortieth of a pixel, of far leaves facets and places to
 /// a hundredth. Wood without pictures needs no places.
-MeshText mesh_text(const CopyPart& part, const Look& look, int level) {
+MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, int level) {
   double finest = kLevels[level].grain / 40 * kModelUnit;
   MeshText how;
   how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
   how.flat = level >= 2 ? 0.7f : 0.9999f;
-  how.uv_decimals = part.kind == CopyPart::Kind::wood && !look.coat ? -1 : level >= 2 ? 2 : 3;
+  bool pictured =
+      part.kind == CopyPart::Kind::wood ? look.coat.has_value()
+      : part.kind == CopyPart::Kind::organ
+          ? !kLevels[level].plain || !model.prototypes[part.which].parts[part.part].pictures.empty()
+          : true;
+  how.uv_decimals = !pictured ? -1 : level >= 2 ? 2 : 3;
   return how;
 }
 
@@ -167,35 +145,35 @@ Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
          Vec2(-wind.y, wind.x) * (0.4f * reach * static_cast<float>(side));
 }
 
-/// All copies of a stand: one union for each part of each model, level and tint.
+/// All copies of a stand: one union for each part of each model, level, block and tint.
 std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t which,
-                       double time) {
+                       std::size_t stretch, double time) {
   const SownStand& stand = scene.stands[which];
   const Organism& organism = stand.organism;
   const Copies& copies = stand.copies;
   const Wave* wave = sways(stand, scene.film) ? &stand.dress.motion.wave : nullptr;
-  std::map<std::array<int, 3>, std::string> groups;  // model, level, tint: lines without what they place
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    if (plan.level[which][i] == CopyPlan::kUnseen) continue;
+  std::map<std::array<int, 4>, std::string>
+      groups;  // model, level, block, tint: lines without what they place
+  for (const Drawn& one : plan.drawn[stretch][which]) {
+    std::size_t i = one.copy;
     glm::mat3 frame = glm::mat3_cast(copies.turn[i]);
     if (wave) {
       Vec2 lean = bent(*wave, scene.film.length(), copies.foot[i], time);
       for (int axis = 0; axis < 3; ++axis) frame[axis] += Vec3(lean.x, 0, lean.y) * frame[axis].y;
     }
     frame *= copies.scale[i] * static_cast<float>(space.unit / kModelUnit);
-    std::string& lines = groups[{copies.model[i], plan.level[which][i], copies.tint[i]}];
+    std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i]}];
     append_matrix(lines, space, frame, copies.foot[i]);
     lines += "}\n";
   }
   std::string text;
   append_comment(text, organism.name);
   for (const auto& [key, lines] : groups) {
-    int model = key[0], level = key[1], tint = key[2];  // clang 14 lets no lambda see parts of a binding
-    std::string name = model_name(organism, model, level);
-    auto file = std::find_if(plan.files.begin(), plan.files.end(), [&](const ModelFile& f) {
-      return f.stand == which && f.model == model && f.level == level;
-    });
-    for (int part = 0; part < file->parts; ++part) {
+    auto [model, level, block, tint] = key;
+    const ModelFile& file =
+        plan.file(which, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
+    std::string name = declared_name(file);
+    for (int part = 0; part < file.parts; ++part) {
       text += group_opening(lines);
       for (std::size_t from = 0; from < lines.size();) {
         std::size_t to = lines.find('\n', from) + 1;
@@ -212,11 +190,13 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
   return text;
 }
 
-std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, double time,
-                        bool swaying) {
-  std::vector<std::string> texts(plan.level.size());  // no plan: no copies
+std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t stretch,
+                        double time, bool swaying) {
+  if (plan.drawn.empty()) return {};
+  std::vector<std::string> texts(scene.stands.size());
   parallel_for(texts.size(), [&](std::size_t s) {
-    if (sways(scene.stands[s], scene.film) == swaying) texts[s] = stand_text(space, scene, plan, s, time);
+    if (sways(scene.stands[s], scene.film) == swaying)
+      texts[s] = stand_text(space, scene, plan, s, stretch, time);
   });
   std::string text;
   for (const std::string& part : texts) text += part;
@@ -225,54 +205,39 @@ std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPla
 
 }  // namespace
 
-CopyPlan plan_copies(const Scene& scene) {
-  CopyPlan plan;
-  std::vector<Eye> all = eyes(scene);
-  double coarse = scene.film.quality == Quality::draft ? 1.5 : 1;
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
-    const SownStand& stand = scene.stands[s];
-    const Organism& organism = stand.organism;
-    const Copies& copies = stand.copies;
-    double crown = organism.sown->where.radius, tall = tallest(organism);
-    std::vector<std::uint8_t> level(copies.size());
-    parallel_for(copies.size(), [&](std::size_t i) {
-      level[i] = level_of(all, copies.foot[i], crown * copies.scale[i], tall * copies.scale[i], coarse);
-    });
-    std::set<std::pair<int, int>> used;
-    for (std::size_t i = 0; i < copies.size(); ++i)
-      if (level[i] != CopyPlan::kUnseen) used.insert({copies.model[i], level[i]});
-    for (auto [model, which] : used) {
-      std::string name = fmt::format("model_{}_{}.inc", copy_id(organism, model), which);
-      plan.files.push_back({s, model, which, std::move(name), 0});
-    }
-    plan.level.push_back(std::move(level));
-  }
-  return plan;
-}
-
-std::string model_text(const ModelFile& file, const SownStand& stand, const Model& model) {
-  const Organism& organism = stand.organism;
+std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
+                                     const Model& model, const ModelBlocks& blocks) {
   const Look& look = stand.dress.look;
-  std::vector<CopyPart> parts = copy_parts(look, model, kLevels[file.level]);
-  std::string name = model_name(organism, file.model, file.level);
-  std::string text;
-  append_comment(text, fmt::format("{} parts: {} segments, {} organs", parts.size(),
-                                   std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
-  std::set<std::string_view> includes{"copy"};
-  for (const CopyPart& part : parts)
-    if (part.kind == CopyPart::Kind::solid)
-      includes.insert(material_include(model.solids.shapes[part.which].material));
-  for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    text += "#declare ";
-    append_part_name(text, name, i);
-    text += " = ";
-    append_mesh(text, PovSpace{kModelUnit}, parts[i].surface, mesh_text(parts[i], look, file.level));
-    text += "\n#macro ";
-    append_part_name(text, name, i);
-    text += "_Look(T) " + look_of(parts[i], look, model) + " #end\n";
-  }
-  return text;
+  int level = files[0].level;
+  std::vector<CopyPart> all = copy_parts(look, model, kLevels[level], &blocks);
+  std::vector<std::string> texts(files.size());
+  parallel_for(files.size(), [&](std::size_t i) {
+    const ModelFile& file = files[i];
+    std::string name = declared_name(file), body;
+    std::set<std::string_view> includes{"copy"};
+    std::size_t parts = 0;
+    for (const CopyPart& part : all) {
+      Surface some = file.block == ModelFile::kWhole ? Surface{} : in_block(part, file.block);
+      const Surface& surface = file.block == ModelFile::kWhole ? part.surface : some;
+      if (surface.triangle.empty()) continue;
+      if (part.kind == CopyPart::Kind::solid)
+        includes.insert(material_include(model.solids.shapes[part.which].material));
+      body += "#declare ";
+      append_part_name(body, name, parts);
+      body += " = ";
+      append_mesh(body, PovSpace{kModelUnit}, surface, mesh_text(part, look, model, level));
+      body += "\n#macro ";
+      append_part_name(body, name, parts++);
+      body += "_Look(T) " + look_of(part, look, model, kLevels[level].plain) + " #end\n";
+    }
+    std::string& text = texts[i];
+    append_comment(text,
+                   fmt::format("{} parts: {} segments, {} organs", parts,
+                               std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
+    for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);
+    text += body;
+  });
+  return texts;
 }
 
 std::optional<int> model_parts(std::string_view text) {
@@ -285,18 +250,20 @@ std::optional<int> model_parts(std::string_view text) {
   return error == std::errc{} && text.starts_with(" parts: ") ? std::optional(parts) : std::nullopt;
 }
 
-std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan) {
+std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
+                              std::size_t stretch) {
   std::string text;
-  std::set<std::string_view> names;  // two stands may share a model
-  for (const ModelFile& file : plan.files)
-    if (names.insert(file.name).second) text += "#include \"" + file.name + "\"\n";
+  std::set<std::string> names;  // two stands may share a model
+  for (std::size_t s = 0; s < scene.stands.size() && !plan.drawn.empty(); ++s)
+    for (const Drawn& one : plan.drawn[stretch][s])
+      names.insert(plan.file(s, scene.stands[s].copies.model[one.copy], one).name);
+  for (const std::string& name : names) text += "#include \"" + name + "\"\n";
   for (std::size_t s = 0; s < scene.stands.size(); ++s) text += tints_text(s, scene.stands[s].organism);
-  return text + stands_text(space, scene, plan, 0, false);
+  return text + stands_text(space, scene, plan, stretch, 0, false);
 }
 
-std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
-                                double time) {
-  return stands_text(space, scene, plan, time, true);
+std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame) {
+  return stands_text(space, scene, plan, plan.stretch_of(frame), scene.film.time(frame), true);
 }
 
 }  // namespace frond

@@ -9,12 +9,8 @@ Eye eye_at(const Scene& scene, double time) {
   const Film& film = scene.film;
   double half = std::tan(radians(camera.angle.at(time)) / 2);
   double aspect = static_cast<double>(film.size[1]) / film.size[0];
-  Eye eye;
-  eye.at = camera.location.at(time);
-  eye.ahead = glm::normalize(camera.look_at.at(time) - eye.at);
-  eye.wide = std::atan(half * std::hypot(1.0, aspect));
-  eye.pixel = 2 * half / film.size[0];
-  return eye;
+  return eye_toward(camera.location.at(time), camera.look_at.at(time), half, half * aspect,
+                    2 * half / film.size[0]);
 }
 
 std::vector<Eye> eyes(const Scene& scene) {

@@ -36,45 +36,57 @@ std::set<int> models_of(const SownStand& stand) {
 
 }  // namespace
 
-Errors write_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, const Watch& watch) {
-  // Stands of one species may share a model, which is grown and written once.
-  struct Missing {
-    const SownStand* stand = nullptr;
+Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const Watch& watch) {
+  /// A model of one stand or, of one species, of several.
+  struct Grown {
+    struct Use {
+      std::size_t stand;
+      ModelPlan plan;
+    };
+    std::vector<Use> uses;
     int model = 0;
-    std::string crumbs;  // name of their file
-    std::vector<const ModelFile*> files;
+    std::string crumbs_name;
+    std::vector<Crumb> crumbs;
+    std::vector<std::vector<ModelFile>> missing;  // of each level
   };
-  std::map<std::string, Missing> missing;
-  std::set<std::string_view> names;
-  auto lacks = [&](const SownStand& stand, int model, const ModelFile* file) {
-    std::string id = copy_id(stand.organism, model);
-    Missing& one = missing[id];
-    one.stand = &stand;
-    one.model = model;
-    one.crumbs = crumbs_name(id);
-    if (file) one.files.push_back(file);
+  Views views(scene);
+  std::map<std::string, Grown> all;
+  for (std::size_t s = 0; s < scene.stands.size(); ++s)
+    for (int model : models_of(scene.stands[s])) {
+      std::string id = copy_id(scene.stands[s].organism, model);
+      Grown& one = all[id];
+      one.uses.push_back({s, {}});
+      one.model = model;
+      one.crumbs_name = crumbs_name(id);
+    }
+  // By what the crumbs tell of its size.
+  auto plan = [&](Grown& one) {
+    std::set<std::string_view> names;
+    one.missing.assign(kLevelCount, {});
+    for (Grown::Use& use : one.uses) {
+      use.plan = views.plan(use.stand, one.model, one.crumbs);
+      for (const ModelFile& file : use.plan.files)
+        if (!parts_of(folder / file.name) && names.insert(file.name).second)
+          one.missing[static_cast<std::size_t>(file.level)].push_back(file);
+    }
   };
-  for (const ModelFile& file : plan.files)
-    if (!parts_of(folder / file.name) && names.insert(file.name).second)
-      lacks(scene.stands[file.stand], file.model, &file);
-  bool lit = ambience_of(scene, 0).has_value();
-  auto each_model = [&](const auto& visit) {
-    for (std::size_t s = 0; lit && s < scene.stands.size(); ++s)
-      for (int model : models_of(scene.stands[s])) visit(s, model);
-  };
-  each_model([&](std::size_t s, int model) {
-    const SownStand& stand = scene.stands[s];
-    std::error_code error;
-    if (!fs::exists(folder / crumbs_name(copy_id(stand.organism, model)), error))
-      lacks(stand, model, nullptr);
+  std::vector<Grown*> each, to_grow;
+  for (auto& [id, one] : all) each.push_back(&one);
+  parallel_for(each.size(), [&](std::size_t i) {
+    Result<std::string> text = read_file(folder / each[i]->crumbs_name);
+    if (!text) return;
+    each[i]->crumbs = read_crumbs(*text);
+    plan(*each[i]);
   });
-  std::vector<const Missing*> to_grow;
-  for (const auto& [id, one] : missing) to_grow.push_back(&one);
+  for (Grown* one : each)
+    if (one->missing.empty() || std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); }))
+      to_grow.push_back(one);
   watch.begin("models", to_grow.size());
   std::vector<Errors> errors(to_grow.size());
   parallel_for(to_grow.size(), [&](std::size_t i) {
-    const Missing& one = *to_grow[i];
-    Result<Model> model = grow_copy(one.stand->organism, one.model);
+    Grown& one = *to_grow[i];
+    const SownStand& stand = scene.stands[one.uses[0].stand];
+    Result<Model> model = grow_copy(stand.organism, one.model);
     if (!model) {
       errors[i] = model.errors();
       return;
@@ -83,24 +95,36 @@ Errors write_models(const Scene& scene, CopyPlan& plan, const fs::path& folder, 
       Result<bool> written = write_file(folder / name, text);
       if (!written) errors[i] = written.errors();
     };
-    if (lit) put(one.crumbs, crumbs_text(crumbs_of(one.stand->dress.look, *model)));
-    for (const ModelFile* file : one.files) put(file->name, model_text(*file, *one.stand, *model));
+    if (one.missing.empty()) {
+      // As they are read again.
+      std::string text = crumbs_text(crumbs_of(stand.dress.look, *model));
+      put(one.crumbs_name, text);
+      one.crumbs = read_crumbs(text);
+      plan(one);
+    }
+    ModelBlocks blocks = blocks_of(one.crumbs);
+    for (const std::vector<ModelFile>& files : one.missing) {
+      if (files.empty()) continue;
+      std::vector<std::string> texts = model_texts(files, stand, *model, blocks);
+      for (std::size_t k = 0; k < files.size(); ++k) put(files[k].name, texts[k]);
+    }
     watch.step();
   });
   for (const Errors& list : errors)
     if (!list.empty()) return list;
-  for (ModelFile& file : plan.files) file.parts = parts_of(folder / file.name).value_or(0);
-  plan.crumbs.resize(scene.stands.size());
-  Errors unread;
-  each_model([&](std::size_t s, int model) {
-    Result<std::string> text = read_file(folder / crumbs_name(copy_id(scene.stands[s].organism, model)));
-    plan.crumb_files.push_back(crumbs_name(copy_id(scene.stands[s].organism, model)));
-    if (!text) return unread.insert(unread.end(), text.errors().begin(), text.errors().end()), void();
-    auto which = static_cast<std::size_t>(model);
-    plan.crumbs[s].resize(std::max(plan.crumbs[s].size(), which + 1));
-    plan.crumbs[s][which] = read_crumbs(*text);
-  });
-  return unread;
+  CopyPlan joined = views.empty_plan();
+  for (std::size_t s = 0; s < scene.stands.size(); ++s)
+    for (int model : models_of(scene.stands[s])) {
+      Grown& one = all.at(copy_id(scene.stands[s].organism, model));
+      auto use = std::ranges::find(one.uses, s, &Grown::Use::stand);
+      Views::add(joined, s, use->plan);
+      std::vector<std::vector<Crumb>>& crumbs = joined.crumbs[s];
+      crumbs.resize(std::max(crumbs.size(), static_cast<std::size_t>(model) + 1));
+      crumbs[static_cast<std::size_t>(model)] = one.crumbs;
+      joined.crumb_files.push_back(one.crumbs_name);
+    }
+  for (ModelFile& file : joined.files) file.parts = parts_of(folder / file.name).value_or(0);
+  return joined;
 }
 
 Errors write_drawings(const Scene& scene, const fs::path& folder, const Watch& watch) {

@@ -12,9 +12,8 @@ namespace frond {
 // What a film needs on the disk, each file whole or not there. A watch hears of the phases "texture" and
 // "models".
 
-/// Grows the models of stands that are not in a folder yet, each with all its levels, and counts their parts.
-Errors write_models(const Scene& scene, CopyPlan& plan, const std::filesystem::path& folder,
-                    const Watch& watch);
+/// Plans how the copies of stands are drawn, and grows the models whose files are not in a folder yet.
+Result<CopyPlan> write_models(const Scene& scene, const std::filesystem::path& folder, const Watch& watch);
 
 /// Works out the soft light, where it is the same in all frames, and notes in `parts` where frames find it.
 /// The models must have been written.

@@ -310,12 +310,15 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene);
-  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene) +
-                 still_copies_text(parts.space, scene, plan);
+  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene);
+  parts.copies.resize(plan.drawn.size());
+  parallel_for(parts.copies.size(),
+               [&](std::size_t k) { parts.copies[k] = still_copies_text(parts.space, scene, plan, k); });
   parts.plan = std::move(plan);
   if (scene.film.frames > 1) {
     put_aside(parts.materials, parts.files);
     put_aside(parts.ground, parts.files);
+    for (std::string& some : parts.copies) put_aside(some, parts.files);
   }
   return parts;
 }
@@ -346,10 +349,14 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
     if (hole == "setting") return out(setting_text(scene, time));
     if (hole == "camera") return out(camera_text(parts.space, scene.stage.camera, time));
     if (hole == "materials") return out(parts.materials);
-    if (hole == "ground") return out(parts.ground);
+    if (hole == "ground") {
+      out(parts.ground);
+      if (!parts.copies.empty()) out(parts.copies[parts.plan.stretch_of(frame)]);
+      return;
+    }
     if (hole == "organisms") {
       nodes = write_organisms(parts, scene, time, errors, out);
-      return out(swaying_copies_text(parts.space, scene, parts.plan, time));
+      return out(swaying_copies_text(parts.space, scene, parts.plan, frame));
     }
     if (hole == "food") return out(food_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});

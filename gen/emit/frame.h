@@ -21,6 +21,7 @@ struct FrameParts {
   PovSpace space;
   std::string materials;                ///< the skins of all organisms and the shapes of their organs
   std::string ground;                   ///< floor, stones, grass and solids
+  std::vector<std::string> copies;      ///< those that stand still, in each stretch of the film
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
   std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none
 };

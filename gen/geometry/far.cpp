@@ -76,7 +76,7 @@ std::uint32_t outermost(const Surface& s, const Piece& piece, Vec3 toward) {
 }
 
 /// `stands_for`: so many pieces, whose area it has.
-void add_diamond(Surface& out, const Surface& s, const Piece& piece, float stands_for = 1) {
+void add_leaf(Surface& out, const Surface& s, const Piece& piece, FarLeaf as, float stands_for = 1) {
   if (piece.area <= 1e-12f) return;
   Vec3 middle = piece.middle / piece.area;
   std::uint32_t foot = farthest(s, piece, middle), tip = farthest(s, piece, s.position[foot]);
@@ -100,15 +100,19 @@ void add_diamond(Surface& out, const Surface& s, const Piece& piece, float stand
   Vec3 waist = s.position[foot] +
                axis * std::clamp(glm::dot(middle - s.position[foot], axis), 0.2f * length, 0.8f * length);
   waist += facing * glm::dot(middle - waist, facing);
+  if (as == FarLeaf::triangle) waist = s.position[tip];
   auto first = static_cast<std::uint32_t>(out.position.size());
-  for (Vec3 p : {s.position[foot], waist - across, s.position[tip], waist + across})
-    out.position.push_back(glm::mix(s.position[foot], p, larger));
-  out.normal.insert(out.normal.end(), 4, facing);
-  if (!s.uv.empty())
-    out.uv.insert(out.uv.end(), {s.uv[foot], s.uv[outermost(s, piece, -across)], s.uv[tip],
-                                 s.uv[outermost(s, piece, across)]});
+  auto corner = [&](Vec3 at, std::uint32_t like) {
+    out.position.push_back(glm::mix(s.position[foot], at, larger));
+    out.normal.push_back(facing);
+    if (!s.uv.empty()) out.uv.push_back(s.uv[like]);
+  };
+  corner(s.position[foot], foot);
+  corner(waist - across, outermost(s, piece, -across));
+  if (as == FarLeaf::diamond) corner(s.position[tip], tip);
+  corner(waist + across, outermost(s, piece, across));
   out.triangle.push_back({first, first + 1, first + 2});
-  out.triangle.push_back({first, first + 2, first + 3});
+  if (as == FarLeaf::diamond) out.triangle.push_back({first, first + 2, first + 3});
 }
 
 }  // namespace
@@ -170,18 +174,18 @@ Pieces pieces_of(const Surface& surface) {
   return pieces;
 }
 
-Surface diamonds(const Surface& surface, const Pieces& pieces, int stride) {
+Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride, FarLeaf as) {
   Surface out;
   std::vector<Piece> list = measured(surface, pieces, false);
   auto step = static_cast<std::size_t>(stride);
   for (std::size_t i = step / 2; i < list.size(); i += step)
-    add_diamond(out, surface, list[i], static_cast<float>(stride));
+    add_leaf(out, surface, list[i], as, static_cast<float>(stride));
   return out;
 }
 
-Surface one_diamond(const Surface& surface, const Pieces& pieces) {
+Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as) {
   Surface out;
-  add_diamond(out, surface, measured(surface, pieces, true)[0]);
+  add_leaf(out, surface, measured(surface, pieces, true)[0], as);
   if (out.uv.empty()) return out;
   std::vector<Piece> list = measured(surface, pieces, false);
   const Piece& largest = *std::max_element(list.begin(), list.end(),

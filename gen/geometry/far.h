@@ -18,13 +18,17 @@ struct Pieces {
 };
 Pieces pieces_of(const Surface& surface);
 
-/// Each connected piece as a diamond of two triangles: as long, of the same area, facing the same way. A
-/// round body becomes one that covers what the body covers. `uv` are those of the corners' places. With
-/// `stride` one of so many pieces stands for all of them, grown about its foot to their area.
-Surface diamonds(const Surface& surface, const Pieces& pieces, int stride = 1);
+/// What stands for a leaf from afar: a diamond of two triangles, or one triangle on its tip.
+enum class FarLeaf { diamond, triangle };
 
-/// The whole surface as one such diamond, all of which has the `uv` of the middle of its largest piece.
-Surface one_diamond(const Surface& surface, const Pieces& pieces);
+/// Each connected piece as such a leaf: as long, of the same area, facing the same way. A round body becomes
+/// one that covers what the body covers. `uv` are those of the corners' places. With `stride` one of so many
+/// pieces stands for all of them, grown about its foot to their area.
+Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride = 1,
+                   FarLeaf as = FarLeaf::diamond);
+
+/// The whole surface as one of them, all of which has the `uv` of the middle of its largest piece.
+Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as = FarLeaf::diamond);
 
 /// About so many of a body's triangles, at least 4 where it has them: its corners with their normals and
 /// `uv`, those of each cell of a grid drawn together (meshoptimizer's sloppy simplification).

@@ -57,12 +57,19 @@ double away(std::span<const Eye> eyes, Vec3 at) {
 
 }  // namespace
 
-bool in_view(const Eye& eye, Vec3 at, double around) {
+Eye eye_toward(Vec3 at, Vec3 toward, double broad, double tall, double pixel) {
+  Vec3 ahead = glm::normalize(toward - at);
+  Vec3 sky = std::abs(ahead.y) > 0.999f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
+  return {at, ahead, glm::normalize(sky - ahead * glm::dot(sky, ahead)), broad, tall, pixel};
+}
+
+bool in_view(const Eye& eye, Vec3 at, double radius) {
   Vec3 way = at - eye.at;
-  double far = glm::length(way);
-  if (far < around) return true;
-  double angle = std::acos(std::clamp<double>(glm::dot(way, eye.ahead) / far, -1, 1));
-  return angle < eye.wide + std::asin(around / far);
+  double deep = glm::dot(way, eye.ahead), high = std::abs(glm::dot(way, eye.up)),
+         aside = std::abs(glm::dot(way, glm::cross(eye.ahead, eye.up)));
+  // How far outside of each of the planes that bound the view.
+  return deep > -radius && aside - deep * eye.broad < radius * std::hypot(1, eye.broad) &&
+         high - deep * eye.tall < radius * std::hypot(1, eye.tall);
 }
 
 Facing facing(Vec3 normal) {

@@ -12,13 +12,16 @@ namespace frond {
 
 /// Where a camera is at one moment and what it sees. Metres.
 struct Eye {
-  Vec3 at{0}, ahead{0, 0, -1};
-  double wide = 0.8;     ///< half the angle of the view's diagonal, radians
-  double pixel = 0.001;  ///< metres that a pixel covers a metre away
+  Vec3 at{0}, ahead{0, 0, -1}, up{0, 1, 0};  ///< the last two of length 1, at right angles
+  double broad = 1, tall = 1;                ///< of half the picture a metre away, metres
+  double pixel = 0.001;                      ///< metres that a pixel covers a metre away
 };
 
-/// Whether something of that size round a place is in view.
-bool in_view(const Eye& eye, Vec3 at, double around);
+/// An eye that looks toward a place; x is to its right or left.
+Eye eye_toward(Vec3 at, Vec3 toward, double broad, double tall, double pixel);
+
+/// Whether a ball may be in view.
+bool in_view(const Eye& eye, Vec3 at, double radius);
 
 /// What shines on a scene from far away. Linear colours; of the sky as radiance: a white matt surface that
 /// sees nothing else shows it.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "core/content.h"
@@ -52,6 +54,7 @@ int stride_of(double pixels) {
 FarShape far_shape(const Surface& shape, double size, double count, const CopyDetail& detail) {
   FarShape far{shape, pieces_of(shape), 1};
   double piece = size * extent(shape, far.pieces.count) / detail.grain;
+  FarLeaf as = detail.plain ? FarLeaf::triangle : FarLeaf::diamond;
   if (piece > kManyPixels && count * static_cast<double>(shape.triangle.size()) < detail.leaves) return far;
   auto crowded = static_cast<int>(std::min(std::ceil(count * 2 * far.pieces.count / detail.leaves), 1e6));
   int stride = std::max(stride_of(piece), crowded);
@@ -59,9 +62,9 @@ FarShape far_shape(const Surface& shape, double size, double count, const CopyDe
   auto pieces = static_cast<int>(far.pieces.count);
   if (2 * stride <= pieces || pieces == 1) {
     if (pieces == 1) far.stride = std::exchange(stride, 1);
-    far.surface = diamonds(shape, far.pieces, stride);
+    far.surface = far_leaves(shape, far.pieces, stride, as);
   } else {
-    far.surface = one_diamond(shape, far.pieces);
+    far.surface = one_far_leaf(shape, far.pieces, as);
     far.stride = std::max(stride_of(size * extent(shape, 1) / detail.grain), crowded / pieces);
   }
   far.pieces = pieces_of(far.surface);
@@ -69,7 +72,9 @@ FarShape far_shape(const Surface& shape, double size, double count, const CopyDe
 }
 
 /// Adds one of `stride` organs of a prototype in place of all of them.
-void merge(Surface& out, const Model& model, std::size_t which, const FarShape& far, int stride) {
+void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape& far, int stride,
+           const ModelBlocks* blocks) {
+  Surface& out = part.surface;
   const Organs& o = model.organs;
   auto colors = static_cast<std::int32_t>(model.prototypes[which].colors.size());
   int rank = 0;
@@ -93,18 +98,20 @@ void merge(Surface& out, const Model& model, std::size_t which, const FarShape& 
       out.uv.push_back(uv + Vec2(static_cast<float>(k + color), 0));
     }
     for (auto [a, b, c] : far.surface.triangle) out.triangle.push_back({first + a, first + b, first + c});
+    if (blocks) part.block.resize(out.triangle.size(), blocks->of(o.position[i]));
   }
 }
 
 /// All organs of one prototype, each part of them as one mesh.
-std::vector<Surface> merged_organs(const Model& model, std::size_t which, const CopyDetail& detail) {
+std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const CopyDetail& detail,
+                                    const ModelBlocks* blocks) {
   const Prototype& prototype = model.prototypes[which];
   const Organs& o = model.organs;
   double size = 0;
   int count = 0;
   for (std::size_t i = 0; i < o.size(); ++i)
     if (o.prototype[i] == which) size += std::max({o.scale[i].x, o.scale[i].y, o.scale[i].z}), ++count;
-  std::vector<Surface> parts(prototype.parts.size());
+  std::vector<CopyPart> parts(prototype.parts.size());
   if (count == 0) return parts;
   std::vector<FarShape> shapes;
   int stride = 1;
@@ -113,7 +120,7 @@ std::vector<Surface> merged_organs(const Model& model, std::size_t which, const 
     stride = std::max(stride, shapes.back().stride);
   }
   stride = std::min(stride, count);  // one is left at least
-  for (std::size_t k = 0; k < parts.size(); ++k) merge(parts[k], model, which, shapes[k], stride);
+  for (std::size_t k = 0; k < parts.size(); ++k) merge(parts[k], model, which, shapes[k], stride, blocks);
   return parts;
 }
 
@@ -148,10 +155,69 @@ Result<Model> grow_copy(const Organism& organism, int which) {
   return model;
 }
 
-std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail) {
+ModelBlocks::ModelBlocks(std::span<const Vec3> bits) {
+  constexpr float kSide = 3, kUncut = 5;  // metres
+  Vec3 low(1e30f), high(-1e30f);
+  for (const Vec3& at : bits) low = glm::min(low, at), high = glm::max(high, at);
+  if (bits.empty()) low = high = Vec3(0);
+  Vec3 size = high - low;
+  side_ = std::max({size.x, size.y, size.z});
+  bool cut = side_ > kUncut;
+  if (cut) side_ = kSide;
+  // The trunk stands in the middle of its blocks.
+  low_ = cut ? Vec3(-0.5f, 0, -0.5f) * side_ : (low + high - side_) * 0.5f;
+  std::set<std::array<int, 3>> cells;
+  if (!cut) cells.insert({0, 0, 0});
+  for (const Vec3& at : cut ? bits : std::span<const Vec3>{}) {
+    glm::ivec3 cell(glm::floor((at - low_) / side_));
+    cells.insert({cell.x, cell.y, cell.z});
+  }
+  for (auto [x, y, z] : cells) cells_.emplace_back(x, y, z);
+}
+
+int ModelBlocks::of(Vec3 at) const {
+  int best = 0;
+  float least = 1e30f;
+  for (int i = 0; i < count(); ++i) {
+    // By the largest of the three ways: its own cell comes before all others.
+    Vec3 way = glm::abs(at - middle(i));
+    float far = std::max({way.x, way.y, way.z});
+    if (far < least) least = far, best = i;
+  }
+  return best;
+}
+
+Surface in_block(const CopyPart& part, int block) {
+  const Surface& all = part.surface;
+  Surface out;
+  std::vector<std::uint32_t> number(all.position.size(), UINT32_MAX);
+  for (std::size_t t = 0; t < all.triangle.size(); ++t) {
+    if (part.block[t] != block) continue;
+    auto corners = all.triangle[t];
+    for (std::uint32_t& corner : corners) {
+      std::uint32_t from = corner;
+      if (number[from] == UINT32_MAX) {
+        number[from] = static_cast<std::uint32_t>(out.position.size());
+        out.position.push_back(all.position[from]);
+        out.normal.push_back(all.normal[from]);
+        if (!all.uv.empty()) out.uv.push_back(all.uv[from]);
+      }
+      corner = number[from];
+    }
+    out.triangle.push_back(corners);
+  }
+  return out;
+}
+
+std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail,
+                                 const ModelBlocks* blocks) {
   std::vector<CopyPart> parts;
   auto add = [&](CopyPart::Kind kind, std::size_t which, std::size_t part, Surface surface) {
-    if (!surface.triangle.empty()) parts.push_back({kind, which, part, std::move(surface)});
+    if (surface.triangle.empty()) return;
+    std::vector<int> block;
+    for (std::size_t t = 0; blocks && t < surface.triangle.size(); ++t)
+      block.push_back(blocks->of(surface.position[surface.triangle[t][0]]));
+    parts.push_back({kind, which, part, std::move(surface), std::move(block)});
   };
   if (model.skeleton.size() > 1) {
     auto fine = static_cast<float>(detail.grain);
@@ -166,8 +232,11 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
   for (const Prototype& prototype : model.prototypes) shapes += prototype.parts.size();
   each.leaves /= static_cast<double>(std::max<std::size_t>(1, shapes));
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
-    std::vector<Surface> merged = merged_organs(model, p, each);
-    for (std::size_t k = 0; k < merged.size(); ++k) add(CopyPart::Kind::organ, p, k, std::move(merged[k]));
+    std::vector<CopyPart> merged = merged_organs(model, p, each, blocks);
+    for (std::size_t k = 0; k < merged.size(); ++k)
+      if (!merged[k].surface.triangle.empty())
+        parts.push_back(
+            {CopyPart::Kind::organ, p, k, std::move(merged[k].surface), std::move(merged[k].block)});
   }
   add(CopyPart::Kind::blade, 0, 0, model.blades.surface);
   for (std::size_t s = 0; s < model.solids.shapes.size(); ++s)

@@ -1,11 +1,35 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/result.h"
 #include "scene/scene.h"
 
 namespace frond {
+
+/// The blocks of its room that a model is cut into, so that what of it is near can be fine and the rest
+/// coarse. What is no more than a few metres wide is one block.
+class ModelBlocks {
+ public:
+  ModelBlocks() = default;
+  /// Of a model that has bits there.
+  explicit ModelBlocks(std::span<const Vec3> bits);
+
+  int count() const { return static_cast<int>(cells_.size()); }
+  Vec3 middle(int block) const {
+    return low_ + (Vec3(cells_[static_cast<std::size_t>(block)]) + 0.5f) * side_;
+  }
+  float radius() const {
+    return 0.87f * side_ + 0.3f;
+  }                       ///< of a ball round each that holds all of it, metres
+  int of(Vec3 at) const;  ///< the block there, or the nearest
+
+ private:
+  Vec3 low_{0};
+  float side_ = 1;
+  std::vector<glm::ivec3> cells_;  // in order
+};
 
 /// A part of a model that has one look.
 struct CopyPart {
@@ -16,6 +40,7 @@ struct CopyPart {
   /// `uv` of leaves: (k + u, v), where k is a whole number of each leaf's own, k modulo the number of colours
   /// the index of its colour, and (u, v) its place on the leaf; of wood as of tube_surface().
   Surface surface;
+  std::vector<int> block;  ///< of each triangle
 };
 
 /// Grows model `which` of a sown organism, its foot at the origin. A tree with `crowd` grows up among six
@@ -30,9 +55,15 @@ std::string copy_id(const Organism& organism, int which);
 struct CopyDetail {
   double grain = 0.002;  ///< metres that a pixel covers where it stands: what would be finer is left out
   double leaves = 4e5;   ///< triangles of leaves at most, about: more become fewer and larger ones
+  bool plain = false;    ///< leaves are single triangles, too small to have any `uv` but of pictures
 };
 
-/// A model as meshes. What is left of its leaves has the area of all of them.
-std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail);
+/// A model as meshes. What is left of its leaves has the area of all of them. With blocks it is known of
+/// which each triangle is; an organ is not cut.
+std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail,
+                                 const ModelBlocks* blocks = nullptr);
+
+/// What of a part is in a block.
+Surface in_block(const CopyPart& part, int block);
 
 }  // namespace frond

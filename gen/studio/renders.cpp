@@ -212,9 +212,9 @@ Errors Renders::write(Job& job) {
   int frame =
       std::clamp(static_cast<int>(std::lround(job.time * scene->film.fps)) + 1, 1, scene->film.frames);
   // How finely copies are drawn holds for the one frame.
-  CopyPlan plan = plan_copies(*scene);
-  if (Errors errors = write_models(*scene, plan, frames, watch); !errors.empty()) return errors;
-  FrameParts parts = prepare_frames(*scene, std::move(plan));
+  Result<CopyPlan> plan = write_models(*scene, frames, watch);
+  if (!plan) return plan.errors();
+  FrameParts parts = prepare_frames(*scene, std::move(*plan));
   for (const Picture& file : parts.files)
     if (Result<bool> written = write_file(frames / file.name, file.bytes); !written) return written.errors();
   if (Errors errors = write_light(*scene, parts, frames); !errors.empty()) return errors;

@@ -136,8 +136,8 @@ void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> 
   for (const Vec3& p : surface.position) reach = std::max<double>(reach, glm::length(p));
   if (leaf) {
     Pieces pieces = pieces_of(surface);
-    add(diamonds(surface, pieces), std::sqrt(area(surface) / std::max(1u, pieces.count)));
-    if (pieces.count > 1) add(one_diamond(surface, pieces), reach);
+    add(far_leaves(surface, pieces), std::sqrt(area(surface) / std::max(1u, pieces.count)));
+    if (pieces.count > 1) add(one_far_leaf(surface, pieces), reach);
   } else {
     add(simplified(surface, surface.triangle.size() / 12), reach / 8);
     add(simplified(surface, 8), reach);

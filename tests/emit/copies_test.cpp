@@ -29,43 +29,125 @@ Scene scene_of(const std::string& text) {
 
 const std::string kStill = R"({"frames": 1, "size": [800, 600], "quality": "good"})";
 
+CopyPlan planned(const Scene& scene) {
+  Views views(scene);
+  CopyPlan plan = views.empty_plan();
+  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
+    const SownStand& stand = scene.stands[s];
+    for (int model = 0; model < stand.organism.sown->models; ++model) {
+      std::vector<Crumb> crumbs = crumbs_of(stand.dress.look, *grow_copy(stand.organism, model));
+      Views::add(plan, s, views.plan(s, model, crumbs));
+      plan.crumbs[s].push_back(std::move(crumbs));
+    }
+  }
+  return plan;
+}
+
+/// The finest level at which each copy of the first stand is drawn; kLevelCount: it is not.
+std::vector<int> finest(const Scene& scene, const CopyPlan& plan, std::size_t stretch = 0) {
+  std::vector<int> level(scene.stands[0].copies.size(), kLevelCount);
+  for (const Drawn& one : plan.drawn[stretch][0]) level[one.copy] = std::min<int>(level[one.copy], one.level);
+  return level;
+}
+
 TEST(CopyPlan, NearCopiesAreFinerAndWhatIsBehindUsIsLeftOut) {
   Scene scene = scene_of(preset_text(kStill));
-  CopyPlan plan = plan_copies(scene);
   const Copies& copies = scene.stands[0].copies;
-  double worst[8] = {}, behind = 0;
+  std::vector<int> level = finest(scene, planned(scene));
+  double nearest[kLevelCount + 1] = {1e9, 1e9, 1e9, 1e9, 1e9, 1e9};
+  int behind = 0;
   for (std::size_t i = 0; i < copies.size(); ++i) {
-    int level = plan.level[0][i];
-    double far = glm::distance(copies.foot[i], Vec3(0, 2, 40));
-    if (level == CopyPlan::kUnseen) {
+    if (level[i] == kLevelCount) {
       ++behind;
       EXPECT_TRUE(copies.foot[i].z > 20 || std::abs(copies.foot[i].x) > 10) << "in full view";
-      continue;
+    } else if (copies.foot[i].z < 30) {  // in view, not only its shadow
+      nearest[level[i]] = std::min<double>(nearest[level[i]], glm::distance(copies.foot[i], Vec3(0, 2, 40)));
     }
-    worst[level] = std::max(worst[level], far);
   }
   EXPECT_GT(behind, 0);
-  for (int level = 1; level < 8; ++level) EXPECT_TRUE(worst[level] == 0 || worst[level] > worst[level - 1]);
-  for (std::size_t i = 0; i < copies.size(); ++i)
-    for (std::size_t k = 0; k < copies.size(); ++k) {
-      if (plan.level[0][i] == CopyPlan::kUnseen || plan.level[0][k] == CopyPlan::kUnseen) continue;
-      double a = glm::distance(copies.foot[i], Vec3(0, 2, 40)),
-             b = glm::distance(copies.foot[k], Vec3(0, 2, 40));
-      EXPECT_TRUE(a + 2 >= b || plan.level[0][i] <= plan.level[0][k]);
-    }
+  for (int k = 1; k < kLevelCount; ++k) EXPECT_GE(nearest[k], nearest[k - 1] < 1e9 ? nearest[k - 1] : 0);
 }
 
 TEST(CopyPlan, TheSameFilmLargerIsFiner) {
   Scene scene = scene_of(preset_text(kStill));
-  CopyPlan small = plan_copies(scene);
+  std::vector<int> small = finest(scene, planned(scene));
   scene.film.size = {3200, 2400};
-  CopyPlan large = plan_copies(scene);
+  std::vector<int> large = finest(scene, planned(scene));
   int finer = 0;
-  for (std::size_t i = 0; i < small.level[0].size(); ++i) {
-    EXPECT_LE(large.level[0][i], small.level[0][i]);
-    finer += large.level[0][i] < small.level[0][i];
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    EXPECT_LE(large[i], small[i]);
+    finer += large[i] < small[i];
   }
   EXPECT_GT(finer, 50);
+}
+
+TEST(CopyPlan, OfATallTreeWhatIsNearIsFine) {
+  Scene scene = scene_of(preset_text(kStill));
+  SownStand& stand = scene.stands[0];
+  std::vector<Crumb> crumbs;  // of a pole, eighteen metres high, right before the camera
+  for (int i = 0; i < 90; ++i)
+    crumbs.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, Vec3(0.5f), true});
+  stand.copies = {{0}, {Vec3(0, 0, 38)}, {Quat(1, 0, 0, 0)}, {1}, {0}};
+  ModelPlan plan = Views(scene).plan(0, 0, crumbs);
+  ModelBlocks blocks = blocks_of(crumbs);
+  ASSERT_EQ(blocks.count(), 6);
+  std::vector<Drawn> drawn = plan.drawn[0];
+  ASSERT_EQ(drawn.size(), 6u) << "its top throws a shadow";
+  for (std::size_t k = 1; k < drawn.size(); ++k) EXPECT_GE(drawn[k].level, drawn[k - 1].level);
+  EXPECT_LT(drawn.front().level, drawn.back().level);
+}
+
+TEST(CopyPlan, AMovingCameraHasStretchesThatDifferLittle) {
+  std::string film = R"({"frames": 96, "fps": 24, "size": [480, 270]})";
+  std::string text = preset_text(film);
+  std::string still = R"("location": [0, 2, 40])", walk = R"("location": [[0, [0, 2, 40]], [4, [0, 2, 34]]])";
+  Scene scene = scene_of(text);
+  EXPECT_EQ(planned(scene).drawn.size(), 1u) << "of a camera that stands";
+  text.replace(text.find(still), still.size(), walk);
+  scene = scene_of(text);
+  CopyPlan plan = planned(scene);
+  ASSERT_EQ(plan.drawn.size(), 4u);
+  EXPECT_EQ(plan.stretch_of(24), 0u);
+  EXPECT_EQ(plan.stretch_of(25), 1u);
+  for (std::size_t k = 1; k < plan.drawn.size(); ++k) {
+    std::vector<int> before = finest(scene, plan, k - 1), after = finest(scene, plan, k);
+    int changed = 0, drawn = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      drawn += before[i] < kLevelCount;
+      changed += before[i] != after[i];
+      if (before[i] < kLevelCount && after[i] < kLevelCount) {
+        EXPECT_LE(std::abs(before[i] - after[i]), 1);
+      }
+    }
+    EXPECT_LT(changed, drawn / 4);
+  }
+}
+
+TEST(ModelBlocks, HoldAllOfAModelOnce) {
+  Scene scene = scene_of(preset_text(kStill));
+  const SownStand& stand = scene.stands[0];
+  Model model = *grow_copy(stand.organism, 0);
+  std::vector<Vec3> corners{Vec3(-4, 0, -4), Vec3(4, 3, 4), Vec3(0, 8, 0)};
+  ModelBlocks blocks(corners);
+  EXPECT_EQ(blocks.count(), 3);
+  for (int b = 0; b < blocks.count(); ++b) {
+    EXPECT_EQ(blocks.of(blocks.middle(b)), b);
+  }
+  for (const Vec3& at : corners) EXPECT_LT(glm::distance(at, blocks.middle(blocks.of(at))), blocks.radius());
+  EXPECT_EQ(ModelBlocks(std::vector<Vec3>{Vec3(0), Vec3(0, 4, 1)}).count(), 1);
+  for (const CopyPart& part : copy_parts(stand.dress.look, model, kLevels[1], &blocks)) {
+    ASSERT_EQ(part.block.size(), part.surface.triangle.size());
+    double whole = area(part.surface), sum = 0;
+    std::size_t triangles = 0;
+    for (int b = 0; b < blocks.count(); ++b) {
+      Surface some = in_block(part, b);
+      EXPECT_EQ(some.check(), "");
+      sum += area(some);
+      triangles += some.triangle.size();
+    }
+    EXPECT_EQ(triangles, part.surface.triangle.size());
+    EXPECT_NEAR(sum, whole, 1e-4 * whole);
+  }
 }
 
 /// Counts the parts of all files, and returns what they and the frame say.
@@ -73,17 +155,19 @@ std::pair<std::string, std::string> texts(const Scene& scene, CopyPlan& plan) {
   std::string models;
   for (ModelFile& file : plan.files) {
     const SownStand& stand = scene.stands[file.stand];
-    std::string text = model_text(file, stand, *grow_copy(stand.organism, file.model));
+    const std::vector<Crumb>& crumbs = plan.crumbs[file.stand][static_cast<std::size_t>(file.model)];
+    std::string text =
+        model_texts({file}, stand, *grow_copy(stand.organism, file.model), blocks_of(crumbs))[0];
     file.parts = model_parts(text).value_or(0);
-    EXPECT_EQ(file.parts, 2) << "wood and leaves";
+    EXPECT_TRUE(file.parts == 1 || file.parts == 2) << "wood and leaves";
     models += text;
   }
-  return {models, still_copies_text({}, scene, plan)};
+  return {models, still_copies_text({}, scene, plan, 0)};
 }
 
 TEST(CopyText, PlacesOnlyWhatItsFilesDeclare) {
   Scene scene = scene_of(preset_text(kStill));
-  CopyPlan plan = plan_copies(scene);
+  CopyPlan plan = planned(scene);
   auto [models, frame] = texts(scene, plan);
   std::set<std::string> declared, placed, looks;
   std::regex declare("#declare (Model_\\w+) = mesh2"), place("object\\{(Model_\\w+) matrix<"),
@@ -103,7 +187,7 @@ TEST(CopyText, PlacesOnlyWhatItsFilesDeclare) {
 
 TEST(CopyText, AWholeFrameHoldsThem) {
   Scene scene = scene_of(preset_text(kStill));
-  CopyPlan plan = plan_copies(scene);
+  CopyPlan plan = planned(scene);
   texts(scene, plan);
   Result<std::string> text = frame_text(scene, prepare_frames(scene, plan), "{{ground}}|{{organisms}}", 1);
   ASSERT_TRUE(text);
@@ -113,12 +197,12 @@ TEST(CopyText, AWholeFrameHoldsThem) {
 TEST(CopyText, WindMovesCopiesAndComesBack) {
   const std::string film = R"({"frames": 24, "fps": 12, "size": [320, 240]})";
   Scene scene = scene_of(preset_text(film, R"(, "wave": {"amplitude": 6, "speed": 0.7})"));
-  CopyPlan plan = plan_copies(scene);
+  CopyPlan plan = planned(scene);
   auto [models, still] = texts(scene, plan);
   EXPECT_EQ(still.find("object{"), still.npos);
-  std::string start = swaying_copies_text({}, scene, plan, 0);
-  EXPECT_NE(start, swaying_copies_text({}, scene, plan, 0.5));
-  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, scene.film.length()));
+  std::string start = swaying_copies_text({}, scene, plan, 1);
+  EXPECT_NE(start, swaying_copies_text({}, scene, plan, 7));
+  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, 25)) << "where the film begins again";
 }
 
 TEST(CopyText, WhatIsTheSameInAFilmIsWrittenOnce) {

@@ -54,12 +54,12 @@ TEST(Diamonds, KeepAreaAndLengthOfEachLeaf) {
     shape.kind = kind;
     Surface sprig = sprig_surface(shape);
     Pieces pieces = pieces_of(sprig);
-    Surface far = diamonds(sprig, pieces);
+    Surface far = far_leaves(sprig, pieces);
     EXPECT_EQ(far.check(), "");
     EXPECT_GE(pieces.count, static_cast<std::uint32_t>(shape.leaves));
     EXPECT_EQ(far.triangle.size(), 2 * pieces.count);
     EXPECT_NEAR(area(far), area(sprig), 0.05 * area(sprig));
-    Surface fewer = diamonds(sprig, pieces, 3);
+    Surface fewer = far_leaves(sprig, pieces, 3);
     EXPECT_NEAR(area(fewer), area(sprig), 0.35 * area(sprig));
     EXPECT_LT(fewer.triangle.size(), far.triangle.size() / 2);
   }
@@ -70,7 +70,7 @@ TEST(Diamonds, FaceAsTheLeafDoes) {
   leaf.position = {{0, 0, 0}, {0.3f, 0.5f, 0}, {0, 1, 0}, {-0.3f, 0.5f, 0}};
   leaf.triangle = {{0, 1, 2}, {0, 2, 3}};
   set_normals(leaf);
-  Surface far = diamonds(leaf, pieces_of(leaf));
+  Surface far = far_leaves(leaf, pieces_of(leaf));
   ASSERT_EQ(far.triangle.size(), 2u);
   for (auto [a, b, c] : far.triangle)
     EXPECT_GT(glm::cross(far.position[b] - far.position[a], far.position[c] - far.position[a]).z, 0);
@@ -79,7 +79,7 @@ TEST(Diamonds, FaceAsTheLeafDoes) {
 
 TEST(Diamonds, OneStandsForAll) {
   Surface sprig = sprig_surface({});
-  Surface far = one_diamond(sprig, pieces_of(sprig));
+  Surface far = one_far_leaf(sprig, pieces_of(sprig));
   EXPECT_EQ(far.triangle.size(), 2u);
   EXPECT_NEAR(area(far), area(sprig), 0.05 * area(sprig));
   for (Vec2 uv : far.uv) EXPECT_EQ(uv, far.uv[0]);

@@ -10,7 +10,7 @@
 namespace frond {
 namespace {
 
-const Eye kEye{.at = Vec3(0, 2, 6), .ahead = glm::normalize(Vec3(0, -0.3f, -1)), .wide = 0.6, .pixel = 0.004};
+const Eye kEye = eye_toward(Vec3(0, 2, 6), Vec3(0, 1.7f, 5), 0.6, 0.45, 0.004);
 
 Ambience even_sky() {
   Ambience sky;

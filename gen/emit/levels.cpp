@@ -1,0 +1,176 @@
+#include "emit/levels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "core/parallel.h"
+#include "emit/eyes.h"
+#include "emit/setting.h"
+
+namespace frond {
+
+const CopyDetail kLevels[kLevelCount] = {
+    {0.002, 6e5}, {0.008, 3e5}, {0.025, 1.4e5}, {0.08, 5e4, true}, {0.25, 1.5e4, true}};
+
+namespace {
+
+constexpr int kWholeFrom = 3;         // the first level at which copies are not cut
+constexpr int kStretch = 24;          // frames
+constexpr int kBeyond = 12;           // frames before and after it that are heeded
+constexpr double kLeastPixels = 1.2;  // of a copy; what is smaller is left out
+constexpr double kUnseen = 2;         // as coarse is what only throws a shadow
+constexpr double kPenumbra = 0.012;   // metres of blur of a shadow that falls a metre deep
+constexpr float kMargin = 3;          // metres round what is in view
+
+int level_for(double grain) {
+  int level = 0;
+  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain) ++level;
+  return level;
+}
+
+bool moves(const Camera& camera, double length) {
+  Vec3 at = camera.location.at(0), toward = camera.look_at.at(0);
+  for (int i = 1; i <= 16; ++i) {
+    double time = length * i / 16;
+    if (camera.location.at(time) != at || camera.look_at.at(time) != toward) return true;
+  }
+  return false;
+}
+
+auto order(const ModelFile& f) { return std::tuple(f.stand, f.model, f.level, f.block); }
+
+}  // namespace
+
+const ModelFile& CopyPlan::file(std::size_t stand, int model, const Drawn& one) const {
+  auto wanted = std::tuple(stand, model, static_cast<int>(one.level), static_cast<int>(one.block));
+  return *std::lower_bound(files.begin(), files.end(), wanted,
+                           [](const ModelFile& f, const auto& key) { return order(f) < key; });
+}
+
+ModelBlocks blocks_of(const std::vector<Crumb>& crumbs) {
+  std::vector<Vec3> bits;
+  for (const Crumb& crumb : crumbs) bits.push_back(crumb.at);
+  return ModelBlocks(bits);
+}
+
+Views::Views(const Scene& scene) : scene_(scene), coarse_(scene.film.quality == Quality::draft ? 1.5 : 1) {
+  const Film& film = scene.film;
+  bool one = !moves(scene.stage.camera, film.length());
+  stretch_ = one ? film.frames : kStretch;
+  if (one) eyes_ = {{eye_at(scene, 0)}};
+  for (int first = 1; !one && first <= film.frames; first += kStretch) {
+    std::vector<Eye>& eyes = eyes_.emplace_back();
+    for (int frame = first - kBeyond; frame < first + kStretch + kBeyond; frame += 3)
+      eyes.push_back(eye_at(scene, film.time(std::clamp(frame, 1, film.frames))));
+  }
+  if (std::optional<Ambience> ambience = ambience_of(scene, 0); ambience && ambience->sunlight != Vec3(0))
+    sun_ = ambience->sun;
+}
+
+/// Whether the shadow of a ball may be in view.
+bool Views::shades(const std::vector<Eye>& eyes, Vec3 at, float radius) const {
+  if (sun_.y < 0.03f) return false;
+  float step = std::max(1.5f * radius, 1.0f);
+  for (int i = 0; i < 60; ++i) {
+    if (std::ranges::any_of(eyes, [&](const Eye& eye) { return in_view(eye, at, radius + 1.5f); }))
+      return true;
+    if (at.y + radius < scene_.ground->height({at.x, at.z})) return false;
+    at -= sun_ * step;
+  }
+  return false;
+}
+
+std::vector<Drawn> Views::drawn(std::size_t stretch, const SownStand& stand, int model,
+                                const ModelBlocks& blocks) const {
+  const std::vector<Eye>& eyes = eyes_[stretch];
+  const Copies& copies = stand.copies;
+  Vec3 low(1e30f), high(-1e30f);
+  for (int b = 0; b < blocks.count(); ++b)
+    low = glm::min(low, blocks.middle(b)), high = glm::max(high, blocks.middle(b));
+  Vec3 middle = (low + high) * 0.5f;
+  float around = glm::distance(low, middle) + blocks.radius();
+  auto levels_of = [&](std::size_t i) {
+    std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
+    float scale = copies.scale[i], radius = scale * blocks.radius();
+    auto placed = [&](Vec3 at) { return copies.foot[i] + copies.turn[i] * (scale * at); };
+    Vec3 center = placed(middle);
+    bool seen = std::ranges::any_of(
+        eyes, [&](const Eye& eye) { return in_view(eye, center, scale * around + kMargin); });
+    if (!seen && !shades(eyes, center, scale * around)) return level;
+    double finest = 1e30;
+    for (int b = 0; b < blocks.count(); ++b) {
+      Vec3 at = placed(blocks.middle(b));
+      double grain = 1e30, unseen = 1e30;
+      for (const Eye& eye : eyes) {
+        double of = std::max<double>(glm::distance(eye.at, at) - radius, 0.3) * eye.pixel;
+        unseen = std::min(unseen, of);
+        if (in_view(eye, at, radius)) grain = std::min(grain, of);
+      }
+      finest = std::min(finest, unseen);
+      if (grain > 1e29) {
+        if (!seen && !shades(eyes, at, radius)) continue;
+        double deep = std::max<double>(at.y - copies.foot[i].y, 0);
+        grain = std::max(kUnseen * unseen, kPenumbra * deep);
+      }
+      level[static_cast<std::size_t>(b)] = level_for(grain * coarse_);
+    }
+    if (2 * scale * around < kLeastPixels * finest) level.assign(level.size(), kLevelCount);
+    return level;
+  };
+  std::vector<std::vector<Drawn>> each(copies.size());
+  parallel_for(copies.size(), [&](std::size_t i) {
+    if (copies.model[i] != model) return;
+    std::vector<int> level = levels_of(i);
+    auto add = [&](int block, int of) {
+      each[i].push_back(
+          {static_cast<std::uint32_t>(i), static_cast<std::int16_t>(block), static_cast<std::int16_t>(of)});
+    };
+    int finest = *std::ranges::min_element(level);
+    if (finest < kLevelCount && (finest >= kWholeFrom || blocks.count() == 1))
+      return add(ModelFile::kWhole, finest);
+    for (std::size_t b = 0; b < level.size(); ++b)
+      if (level[b] < kLevelCount) add(static_cast<int>(b), level[b]);
+  });
+  std::vector<Drawn> list;
+  for (const auto& some : each) list.insert(list.end(), some.begin(), some.end());
+  return list;
+}
+
+ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Crumb>& crumbs) const {
+  const SownStand& sown = scene_.stands[stand];
+  ModelBlocks blocks = blocks_of(crumbs);
+  ModelPlan result;
+  std::set<std::pair<int, int>> used;
+  for (std::size_t k = 0; k < eyes_.size(); ++k) {
+    result.drawn.push_back(drawn(k, sown, model, blocks));
+    for (const Drawn& one : result.drawn.back()) used.insert({one.level, one.block});
+  }
+  for (auto [level, block] : used) {
+    std::string name = fmt::format("model_{}_{}{}.inc", copy_id(sown.organism, model), level,
+                                   block == ModelFile::kWhole ? "" : fmt::format("_{}", block));
+    result.files.push_back({stand, model, level, block, std::move(name), 0});
+  }
+  return result;
+}
+
+CopyPlan Views::empty_plan() const {
+  CopyPlan plan;
+  plan.stretch = stretch_;
+  plan.drawn.assign(eyes_.size(), std::vector<std::vector<Drawn>>(scene_.stands.size()));
+  plan.crumbs.resize(scene_.stands.size());
+  return plan;
+}
+
+void Views::add(CopyPlan& plan, std::size_t stand, const ModelPlan& model) {
+  for (std::size_t k = 0; k < plan.drawn.size(); ++k) {
+    std::vector<Drawn>& all = plan.drawn[k][stand];
+    all.insert(all.end(), model.drawn[k].begin(), model.drawn[k].end());
+  }
+  plan.files.insert(plan.files.end(), model.files.begin(), model.files.end());
+}
+
+}  // namespace frond

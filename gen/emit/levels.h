@@ -1,0 +1,87 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "emit/crumbs.h"
+#include "light/light.h"
+#include "scene/copies.h"
+
+// Which copy of a model is drawn how fine.
+
+namespace frond {
+
+inline constexpr int kLevelCount = 5;
+/// How a model is drawn at each level, from the nearest on; each is used from where a pixel covers its grain.
+extern const CopyDetail kLevels[kLevelCount];
+
+/// A file that declares one model of a stand, or a block of it, at one level of detail: its parts as mesh2,
+/// and a macro that gives each its texture for a tint. Its name says what is in it, so that one that is
+/// there is right.
+struct ModelFile {
+  std::size_t stand = 0;
+  int model = 0, level = 0;
+  int block = kWhole;
+  std::string name;  ///< without its folder
+  int parts = 0;     ///< that it declares; see model_parts()
+
+  static constexpr int kWhole = -1;
+};
+
+/// A copy, or a block of it, and its level.
+struct Drawn {
+  std::uint32_t copy = 0;
+  std::int16_t block = ModelFile::kWhole;
+  std::int16_t level = 0;
+};
+
+/// What is drawn of copies in each stretch of a film: within one it is the same, so that nothing pops; from
+/// one to the next what changes is about as large as a pixel.
+struct CopyPlan {
+  int stretch = 1;                                     ///< frames
+  std::vector<std::vector<std::vector<Drawn>>> drawn;  ///< of each stretch, of each stand
+  std::vector<ModelFile> files;                        ///< that are needed: by stand, model, level and block
+  std::vector<std::string> crumb_files;                ///< names of what they are read from
+  Crumbs crumbs;                                       ///< of all models that stand
+
+  std::size_t stretch_of(int frame) const {
+    return std::min(static_cast<std::size_t>((frame - 1) / stretch), drawn.size() - 1);
+  }
+  const ModelFile& file(std::size_t stand, int model, const Drawn& one) const;
+};
+
+/// The same of one model.
+struct ModelPlan {
+  std::vector<std::vector<Drawn>> drawn;  ///< of each stretch
+  std::vector<ModelFile> files;
+};
+
+ModelBlocks blocks_of(const std::vector<Crumb>& crumbs);
+
+/// What the cameras of a film see.
+class Views {
+ public:
+  explicit Views(const Scene& scene);
+
+  /// By how near each block of each copy comes to the camera, and whether it, or its shadow in the sun, is in
+  /// view.
+  ModelPlan plan(std::size_t stand, int model, const std::vector<Crumb>& crumbs) const;
+  /// A plan for no model yet. Models are added in their order.
+  CopyPlan empty_plan() const;
+  static void add(CopyPlan& plan, std::size_t stand, const ModelPlan& model);
+
+ private:
+  std::vector<Drawn> drawn(std::size_t stretch, const SownStand& stand, int model,
+                           const ModelBlocks& blocks) const;
+  bool shades(const std::vector<Eye>& eyes, Vec3 at, float radius) const;
+
+  const Scene& scene_;
+  std::vector<std::vector<Eye>> eyes_;
+  Vec3 sun_{0};  // no light comes from there: 0
+  int stretch_ = 1;
+  double coarse_ = 1;
+};
+
+}  // namespace frond
