@@ -97,7 +97,7 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
 /// No more of a part's mesh than shows at a level: a fortieth of a pixel, of far leaves facets and places to
 /// a hundredth. Wood without pictures needs no places.
 MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, int level) {
-  double finest = kLevels[level].grain / 40 * kModelUnit;
+  double finest = kLevels[level].grain / (kLevels[level].plain ? 8 : 40) * kModelUnit;
   MeshText how;
   how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
   how.flat = level >= 2 ? 0.7f : 0.9999f;
@@ -108,6 +108,18 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
           : true;
   how.uv_decimals = !pictured ? -1 : level >= 2 ? 2 : 3;
   return how;
+}
+
+/// A part put together from its blocks, as their files declare them.
+void append_joined(std::string& text, const CopyPart& part, std::string_view name, std::size_t which) {
+  std::set<int> blocks(part.block.begin(), part.block.end());
+  text += blocks.size() > 1 ? "union{" : "object{";
+  for (int block : blocks) {
+    if (blocks.size() > 1) text += "object{";
+    append_part_name(text, fmt::format("{}_{}", name, block), which);
+    if (blocks.size() > 1) text += '}';
+  }
+  text += '}';
 }
 
 /// The tints of a stand, spread evenly over their range so that all of it occurs.
@@ -173,7 +185,7 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
     const ModelFile& file =
         plan.file(which, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
     std::string name = declared_name(file);
-    for (int part = 0; part < file.parts; ++part) {
+    for (int part : file.parts) {
       text += group_opening(lines);
       for (std::size_t from = 0; from < lines.size();) {
         std::size_t to = lines.find('\n', from) + 1;
@@ -213,26 +225,31 @@ std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const 
   std::vector<std::string> texts(files.size());
   parallel_for(files.size(), [&](std::size_t i) {
     const ModelFile& file = files[i];
-    std::string name = declared_name(file), body;
+    bool whole = file.block == ModelFile::kWhole;
+    std::string name = declared_name(file), list, body;
     std::set<std::string_view> includes{"copy"};
-    std::size_t parts = 0;
-    for (const CopyPart& part : all) {
-      Surface some = file.block == ModelFile::kWhole ? Surface{} : in_block(part, file.block);
-      const Surface& surface = file.block == ModelFile::kWhole ? part.surface : some;
-      if (surface.triangle.empty()) continue;
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      const CopyPart& part = all[p];
+      Surface some = whole ? Surface{} : in_block(part, file.block);
+      if (!whole && some.triangle.empty()) continue;
       if (part.kind == CopyPart::Kind::solid)
         includes.insert(material_include(model.solids.shapes[part.which].material));
+      list += fmt::format(" {}", p);
       body += "#declare ";
-      append_part_name(body, name, parts);
+      append_part_name(body, name, p);
       body += " = ";
-      append_mesh(body, PovSpace{kModelUnit}, surface, mesh_text(part, look, model, level));
+      if (file.blocks > 0)
+        append_joined(body, part, name, p);
+      else
+        append_mesh(body, PovSpace{kModelUnit}, whole ? part.surface : some,
+                    mesh_text(part, look, model, level));
       body += "\n#macro ";
-      append_part_name(body, name, parts++);
+      append_part_name(body, name, p);
       body += "_Look(T) " + look_of(part, look, model, kLevels[level].plain) + " #end\n";
     }
     std::string& text = texts[i];
     append_comment(text,
-                   fmt::format("{} parts: {} segments, {} organs", parts,
+                   fmt::format("parts{}; {} segments, {} organs", list,
                                std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
     for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);
     text += body;
@@ -240,24 +257,34 @@ std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const 
   return texts;
 }
 
-std::optional<int> model_parts(std::string_view text) {
-  constexpr std::string_view kStart = "// ";
+std::optional<std::vector<int>> model_parts(std::string_view text) {
+  constexpr std::string_view kStart = "// parts";
   if (!text.starts_with(kStart)) return std::nullopt;
-  text.remove_prefix(kStart.size());
-  int parts = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parts);
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return error == std::errc{} && text.starts_with(" parts: ") ? std::optional(parts) : std::nullopt;
+  std::vector<int> parts;
+  const char* at = text.data() + kStart.size();
+  const char* end = text.data() + text.size();
+  for (int part = 0; at < end && *at == ' '; parts.push_back(part)) {
+    auto [next, error] = std::from_chars(at + 1, end, part);
+    if (error != std::errc{}) return std::nullopt;
+    at = next;
+  }
+  return at < end && *at == ';' ? std::optional(parts) : std::nullopt;
 }
 
 std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                               std::size_t stretch) {
   std::string text;
-  std::set<std::string> names;  // two stands may share a model
+  std::set<std::pair<bool, std::string>>
+      names;  // two stands may share a model; what is put together comes last
   for (std::size_t s = 0; s < scene.stands.size() && !plan.drawn.empty(); ++s)
-    for (const Drawn& one : plan.drawn[stretch][s])
-      names.insert(plan.file(s, scene.stands[s].copies.model[one.copy], one).name);
-  for (const std::string& name : names) text += "#include \"" + name + "\"\n";
+    for (Drawn one : plan.drawn[stretch][s]) {
+      int model = scene.stands[s].copies.model[one.copy];
+      const ModelFile& file = plan.file(s, model, one);
+      if (!names.insert({file.blocks > 0, file.name}).second) continue;
+      for (one.block = 0; one.block < file.blocks; ++one.block)
+        names.insert({false, plan.file(s, model, one).name});
+    }
+  for (const auto& [joined, name] : names) text += "#include \"" + name + "\"\n";
   for (std::size_t s = 0; s < scene.stands.size(); ++s) text += tints_text(s, scene.stands[s].organism);
   return text + stands_text(space, scene, plan, stretch, 0, false);
 }

@@ -14,8 +14,8 @@ namespace frond {
 std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
                                      const Model& model, const ModelBlocks& blocks);
 
-/// How many parts the file declares, by its first line; none where it is not ours.
-std::optional<int> model_parts(std::string_view text);
+/// Which parts the file declares, by its first line; none where it is not ours.
+std::optional<std::vector<int>> model_parts(std::string_view text);
 
 /// For a stretch of the film: the includes of the models and the tints of the stands, and all copies of
 /// stands that stand still.

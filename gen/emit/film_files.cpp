@@ -20,10 +20,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// How many parts a model's file declares, if it is there.
-std::optional<int> parts_of(const fs::path& path) {
-  char head[64] = {};
-  std::ifstream(path, std::ios::binary).read(head, sizeof head - 1);
+/// The parts that a model's file declares, if it is there.
+std::optional<std::vector<int>> parts_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head;
+  if (!std::getline(file, head)) return std::nullopt;
   return model_parts(head);
 }
 
@@ -123,7 +124,7 @@ Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const 
       crumbs[static_cast<std::size_t>(model)] = one.crumbs;
       joined.crumb_files.push_back(one.crumbs_name);
     }
-  for (ModelFile& file : joined.files) file.parts = parts_of(folder / file.name).value_or(0);
+  for (ModelFile& file : joined.files) file.parts = parts_of(folder / file.name).value_or(std::vector<int>{});
   return joined;
 }
 

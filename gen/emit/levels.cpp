@@ -149,10 +149,14 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Crumb>& cr
     result.drawn.push_back(drawn(k, sown, model, blocks));
     for (const Drawn& one : result.drawn.back()) used.insert({one.level, one.block});
   }
+  // Where near copies ask for its blocks and far ones for all of it, it is read but once.
+  bool joined = blocks.count() > 1 && used.contains({kWholeFrom, ModelFile::kWhole});
+  for (int b = 0; joined && b < blocks.count(); ++b) used.insert({kWholeFrom, b});
   for (auto [level, block] : used) {
     std::string name = fmt::format("model_{}_{}{}.inc", copy_id(sown.organism, model), level,
                                    block == ModelFile::kWhole ? "" : fmt::format("_{}", block));
-    result.files.push_back({stand, model, level, block, std::move(name), 0});
+    int from = joined && level == kWholeFrom && block == ModelFile::kWhole ? blocks.count() : 0;
+    result.files.push_back({stand, model, level, block, from, std::move(name), {}});
   }
   return result;
 }

@@ -18,14 +18,15 @@ inline constexpr int kLevelCount = 5;
 extern const CopyDetail kLevels[kLevelCount];
 
 /// A file that declares one model of a stand, or a block of it, at one level of detail: its parts as mesh2,
-/// and a macro that gives each its texture for a tint. Its name says what is in it, so that one that is
-/// there is right.
+/// or as unions of those of its blocks, and a macro that gives each its texture for a tint. Its name says
+/// what is in it, so that one that is there is right.
 struct ModelFile {
   std::size_t stand = 0;
   int model = 0, level = 0;
   int block = kWhole;
+  int blocks = 0;    ///< whose files, of the same level, it is put together from; 0: its meshes are its own
   std::string name;  ///< without its folder
-  int parts = 0;     ///< that it declares; see model_parts()
+  std::vector<int> parts;  ///< that it declares; see model_parts()
 
   static constexpr int kWhole = -1;
 };
