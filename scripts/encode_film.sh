@@ -13,7 +13,7 @@ usage() {
 Usage: scripts/encode_film.sh LIST FILM.mp4|FILM.webm|FILM.gif FPS [TITLE [COMMENT]]
 
 Makes a film of the PNG pictures that LIST names, one a line. Ends with 1 and makes none where a picture is damaged.
-Title and comment go into its metadata; GIF has none.
+Title and comment go into its metadata, of a GIF into a comment.
 FROND_FFMPEG names another ffmpeg.
 TEXT
 }
@@ -51,6 +51,26 @@ said=$({ ((${#first[@]} == 0)) || encode "${first[@]}"; } &&
   encode ${inputs[@]+"${inputs[@]}"} "${how[@]}" -fflags +bitexact -flags:v +bitexact -map_metadata -1 \
     -metadata "title=$title" -metadata "comment=$comment" -f "$format" "file:$part") || failed=$?
 if full_disk "$said"; then fail 1 "$film could not be encoded: $no_room"; fi
+
+# gif_with_comment FILE TEXT: the GIF with a comment, which ffmpeg does not write. It stands behind the first table of
+# colours, whose size is in byte 10.
+gif_with_comment() {
+  local LC_ALL=C text=$2 flags at=13
+  flags=$(od -An -tu1 -j 10 -N 1 -- "$1")
+  if ((flags & 128)); then ((at += 3 << (flags & 7) + 1)); fi
+  head -c "$at" -- "$1"
+  printf '\x21\xfe'
+  while [[ -n $text ]]; do
+    printf '%b%s' "\\x$(printf '%x' $((${#text} < 255 ? ${#text} : 255)))" "${text:0:255}"
+    text=${text:255}
+  done
+  printf '\0'
+  tail -c +$((at + 1)) -- "$1"
+}
+if [[ -z ${failed:-} && $format == gif && -n $title$comment ]]; then
+  mv -f -- "$part" "$part.png"
+  gif_with_comment "$part.png" "$title${title:+${comment:+; }}$comment" >"$part" || fail 1 "$film could not be written"
+fi
 
 asked=$(grep -c '' "$list")
 encoded=$(sed -n 's/^frame= *//p' <<<"$said" | tail -n 1)

@@ -100,7 +100,7 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
   double finest = kLevels[level].grain / (kLevels[level].plain ? 8 : 40) * kModelUnit;
   MeshText how;
   how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
-  how.flat = level >= 2 ? 0.7f : 0.9999f;
+  how.flat = level >= 1 ? 0.7f : 0.9999f;
   bool pictured =
       part.kind == CopyPart::Kind::wood ? look.coat.has_value()
       : part.kind == CopyPart::Kind::organ

@@ -20,6 +20,7 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   done
   [ "$(tag comment out/film/film.mp4)" = "seed 3" ]
   [ "$(tag COMMENT out/film/film.webm)" = "seed 3" ]
+  [ "$(tag comment out/film/film.gif)" = '"A $(title): ""x""; seed 3"' ]
   sha256sum out/film/film.* >before
   rm out/film/film.*
   for format in mp4 webm gif; do "$RENDER" film.json --format "$format" --set '/title=A $(title): "x"'; done
