@@ -1,4 +1,4 @@
-// Frame 1 of 1. Render with: povray +Lpovinc +RFI +RFlight_198b66100cdda183.rca +W320 +H240 frame_0001.pov
+// Frame 1 of 1. Render with: povray +Lpovinc +RFI +RFlight_97e406953b58cc2c.rca +W320 +H240 frame_0001.pov
 #version 3.7;
 #declare Frond_Unit = 10;        // POV-Ray units a metre
 #declare Frond_Quality = 0;      // 0 draft, 1 good, 2 best
@@ -7,7 +7,7 @@
 #include "frond_meadow.inc"
 #include "frond_stone.inc"
 Meadow_Globals()
-Meadow_Setting(<0,1.2,-5>,<0.0397,0.1706,0.5705>,<0.6038,0.7484,0.8481>,srgb<0.43,0.53,0.17>,<0.6189,0.722,0.3094>,<3,2.79,2.34>,<0,0,0>,<1,1,1>,100000,0)
+Meadow_Setting(<0,1.2,-5>,<0.0397,0.1706,0.5705>,<0.6038,0.7484,0.8481>,srgb<0.39,0.46,0.17>,<0.6189,0.722,0.3094>,<3,2.79,2.34>,<0,0,0>,<1,1,1>,100000,0)
 camera{location<0,12,-50> right x*image_width/image_height angle 45 look_at<0,6,0>}
 // The skins, old and young.
 #declare Skin = array[1];
@@ -18,7 +18,7 @@ mesh2{
 vertex_vectors{24201,<0,0,0>,<0.124,0,-0.0018>,<0.1239,0,-0.0053>,<0.1237,0,-0.0088>,<0.1233,0,-0.0124>,<0.1229,0,-0.015... (528819 characters, fb869dda2f5d4710)
 normal_vectors{24201,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,1,0>,<0,... (193629 characters, e1438b8f5b2566f1)
 face_indices{48180    ,<0,1,2>,<0,2,3>,<0,3,4>,<0,4,5>,<0,5,6>,<0,6,7>,<0,7,8>,<0,8,9>,<0,9,10>,<0,10,11>,<0,11,12>,<0,1... (896656 characters, 9458e888a5bc37b3)
-texture{Meadow_Ground(srgb<0.43,0.53,0.17>)}}
+texture{Meadow_Ground(srgb<0.39,0.46,0.17>)}}
 // large
 #declare Solid0_0 = mesh2{
 vertex_vectors{41692,<-2.6544,0,4.1098>,<-2.586,0,4.1595>,<-2.5838,0,4.1226>,<-2.166,0,4.1479>,<-2.0999,0,4.169>,<-2.095... (919558 characters, d041fdeed17a3537)
