@@ -24,7 +24,7 @@ pictures() {
   cat <<'TEXT'
 reef 800x450 1 reef@96
 garden 960x540 1 garden/garden@48
-tree-oak 512x384 1 trees/oak
+tree-oak 640x480 1 trees/oak
 ivy-brick_wall 800x450 1 ivy/brick_wall@120
 heart_tree 480x480 1 heart_tree
 stone_bridge 720x405 1 garden/stone_bridge
