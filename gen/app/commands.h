@@ -63,6 +63,12 @@ struct FarmArguments {
   std::optional<std::string> site;  ///< JSON file
 };
 
+struct NewArguments {
+  std::string name;  ///< of the file to write, with or without its .json
+  std::string from;  ///< a kind, the file of a preset, or the name of one that is shipped
+  bool quiet = false;
+};
+
 struct StudioArguments {
   std::string preset;                 ///< may be empty: the gallery
   int port = 0;                       ///< 0: any that is free
@@ -83,6 +89,8 @@ int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int list_everything(bool json);
 int print_schema();
+int describe_properties(const std::vector<std::string>& words, bool json);
+int new_preset(const NewArguments& arguments);
 int studio(const StudioArguments& arguments);
 
 }  // namespace frond
