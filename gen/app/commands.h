@@ -31,10 +31,12 @@ struct GenerateArguments {
 
 struct ExportArguments {
   PresetArguments preset;
-  std::string out;  ///< file to write; its extension says the format
-  int frame = 1;
-  int sides = 10;    ///< of the tubes that branches become
-  double voxel = 0;  ///< metres, of a volume; 0: as the organisms' bodies have it
+  std::string out;                    ///< file to write; its extension says the format
+  int frame = 0;                      ///< 0: the first, of an include the last
+  std::optional<std::string> frames;  ///< A-B: those that an include holds
+  int seeds = 1;                      ///< how many shapes an include holds
+  int sides = 10;                     ///< of the tubes that branches become
+  double voxel = 0;                   ///< metres, of a volume; 0: as the organisms' bodies have it
   bool quiet = false;
 };
 
@@ -80,6 +82,7 @@ struct StudioArguments {
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
 int export_scene(const ExportArguments& arguments);
+int export_include(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
 int info(const PresetArguments& arguments, bool json);
 int list_files(const PresetArguments& arguments);

@@ -81,16 +81,23 @@ void add_textures(CLI::App& app, int& result) {
 
 void add_export(CLI::App& app, int& result) {
   auto to = std::make_shared<ExportArguments>();
-  auto* command = app.add_subcommand("export", "Writes what grows, at one frame, as a mesh or a volume");
+  auto* command = app.add_subcommand(
+      "export", "Writes what grows, at one frame, for other programs or your own POV-Ray scene");
   add_preset(command, to->preset);
-  command->add_option("--frame", to->frame, "Which frame (1)");
-  command->add_option("-o,--out", to->out, "FILE.obj, FILE.ply, FILE.glb or FILE.vdb")->required();
+  command->add_option("--frame", to->frame, "Which frame (1; of an .inc the last)")
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--frames", to->frames, "A-B: of an .inc, frames whose shapes it holds");
+  command->add_option("--seeds", to->seeds, "Of an .inc: how many shapes, each of a seed of its own (1)")
+      ->check(CLI::Range(1, 100));
+  command->add_option("-o,--out", to->out, "FILE.obj, FILE.ply, FILE.glb, FILE.vdb or FILE.inc")->required();
   command->add_option("--sides", to->sides, "Of the tubes that branches become (10)")
       ->check(CLI::Range(3, 256));
   command->add_option("--voxel", to->voxel, "Metres, of a .vdb (as the organisms' bodies have it)")
       ->check(CLI::PositiveNumber);
   command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
-  command->footer("Example:\n  frond export presets/reef.json --frame 48 -o reef.glb");
+  command->footer(
+      "Examples:\n  frond export presets/reef.json --frame 48 -o reef.glb\n"
+      "  frond export presets/trees/oak.json --seeds 3 -o oak.inc");
   command->callback([&result, to] { result = export_scene(*to); });
 }
 

@@ -86,12 +86,14 @@ inline constexpr std::string_view kGuideLineSchema = R"json({
       {
         "type": "object",
         "properties": {
-          "at": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-          "radius": {"type": "number"},
-          "angle": {"type": "number"},
-          "elasticity": {"type": "number"},
-          "tropism": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-          "children": {"type": "array"}
+          "at": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
+                 "description": "Where the point is"},
+          "radius": {"type": "number", "description": "Radius of the branch from this point on"},
+          "angle": {"type": "number", "description": "Angle of turns without a parameter from this point on, degrees"},
+          "elasticity": {"type": "number", "description": "How readily branches bend from this point on"},
+          "tropism": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
+                      "description": "Direction that branches turn toward from this point on"},
+          "children": {"type": "array", "description": "Points or lines of points that start at this one"}
         },
         "required": ["at"],
         "additionalProperties": false

@@ -469,3 +469,14 @@ JSON
   [ "$status" -eq 0 ]
   [[ "$output" == *"frond new"*"frond describe"* ]]
 }
+
+@test "an include stands alone and says so where nothing is there" {
+  "$frond" new vase --from vase -q
+  run "$frond" export vase.json -o my-vase.inc
+  [ "$status" -eq 0 ]
+  [[ "$output" == 'my-vase.inc: '*'object { Frond_My_Vase(0, 0) }' ]]
+  ! grep -q '#include "frond' my-vase.inc
+  run "$frond" export "$root/presets/ivy/column.json" --frame 1000 -o ivy.inc
+  [ "$status" -eq 2 ]
+  [ ! -e ivy.inc ]
+}
