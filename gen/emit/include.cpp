@@ -104,12 +104,21 @@ class Writer {
       : what_(what), variants_(variants) {}
 
   Result<std::string> text() {
+    for (const IncludeVariant& variant : variants_)
+      if (!variant.scene.stands.empty() || std::ranges::any_of(variant.scene.specimens, has_details))
+        details_ = kIncludeDetails;
     for (std::size_t v = 0; v < variants_.size(); ++v)
       if (Errors errors = write_variant(v); !errors.empty()) return errors;
     return head() + macros_text(what_.macros, macros_used(what_.macros, shapes_)) + shapes_ + foot();
   }
 
  private:
+  /// Bodies are drawn the same at each detail.
+  static bool has_details(const Specimen& b) {
+    return b.model.skeleton.size() > 1 || b.model.organs.size() > 0 || b.model.blades.size() > 0 ||
+           b.life.changes();
+  }
+
   Errors write_variant(std::size_t v) {
     const IncludeVariant& variant = variants_[v];
     FrameParts parts = prepare_frames(variant.scene);
@@ -129,7 +138,7 @@ class Writer {
                            number_text(parts.space.unit));
     shapes_ += without_includes(parts.materials, parts) + "#end\n";
     std::string solids = solids_text(parts.space, variant.scene);
-    for (int detail = 0; detail < kIncludeDetails; ++detail) {
+    for (int detail = 0; detail < details_; ++detail) {
       const CopyPlan& plan = variant.plans[static_cast<std::size_t>(detail)];
       std::string models = models_text(v, plan), copies = still_copies_text(parts.space, variant.scene, plan);
       parts.ground = (detail == 0 ? solids : "") + copies;
@@ -246,16 +255,17 @@ class Writer {
   std::string foot() const {
     const std::string& name = what_.name;
     std::size_t frames = what_.frames.size(), last = frames - 1;
-    std::string text = fmt::format("#declare {}_Shapes = array[{}][{}][{}];\n", name, variants_.size(),
-                                   kIncludeDetails, frames);
+    std::string text =
+        fmt::format("#declare {}_Shapes = array[{}][{}][{}];\n", name, variants_.size(), details_, frames);
     text += fmt::format("#macro {0}_Make(S, D, F)\n  #switch (S*{1} + D*{2} + F)\n", name,
-                        kIncludeDetails * frames, frames);
+                        static_cast<std::size_t>(details_) * frames, frames);
     for (std::size_t v = 0; v < variants_.size(); ++v)
-      for (int d = 0; d < kIncludeDetails; ++d)
+      for (int d = 0; d < details_; ++d)
         for (std::size_t f = d == 0 ? 0 : last; f < frames; ++f)
           text +=
               fmt::format("    #case ({0}) {1}_Make_{2}_{3}_{4}() #break\n",
-                          (v * kIncludeDetails + static_cast<std::size_t>(d)) * frames + f, name, v, d, f);
+                          (v * static_cast<std::size_t>(details_) + static_cast<std::size_t>(d)) * frames + f,
+                          name, v, d, f);
     text += fmt::format(
         "  #end\n#end\n"
         "#macro {0}_Shape(S, D, F)\n"
@@ -265,7 +275,7 @@ class Writer {
         "#macro {0}(Seed, Detail)\n"
         "  {0}_Shape(mod(abs(int(Seed)), {1}), max(0, min({2}, int(Detail))), {3})\n"
         "#end\n",
-        name, variants_.size(), kIncludeDetails - 1, last);
+        name, variants_.size(), details_ - 1, last);
     if (frames > 1)
       text += fmt::format(
           "#macro {0}_At(Seed, Time)\n"
@@ -291,6 +301,7 @@ class Writer {
   const IncludeText& what_;
   const std::vector<IncludeVariant>& variants_;
   std::string shapes_;
+  int details_ = 1;
   std::set<std::string> models_;  // files that are written
   Box box_;
 };

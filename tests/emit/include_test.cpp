@@ -40,7 +40,10 @@ TEST(Include, HoldsAShapeForEachSeedAndDetail) {
   ASSERT_TRUE(text.ok()) << text.errors()[0].text();
   EXPECT_EQ(count_of(*text, "#macro Frond_Reed_Make_"), 6u);
   EXPECT_EQ(count_of(*text, "#macro Frond_Reed_At("), 0u);
-  EXPECT_NE(text->find("#declare Frond_Reed_Height = 2"), std::string::npos);
+  constexpr std::string_view kHeight = "#declare Frond_Reed_Height = ";
+  std::size_t at = text->find(kHeight);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_NEAR(std::stod(text->substr(at + kHeight.size())), 2, 0.1);
   EXPECT_EQ(text->find("#include \"frond"), std::string::npos);
   // The box in POV-Ray's axes: z is mirrored.
   EXPECT_NE(text->find("#declare Frond_Reed_High = <1.0"), std::string::npos);
