@@ -17,7 +17,7 @@ import sys
 import tempfile
 
 FROND, ROOT, WHAT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
-NOT_RUN = ("scripts/setup.sh", "scripts/build.sh", "scripts/test.sh", "scripts/farm.sh", "cmake", "git", "cd")
+NOT_RUN = ("scripts/setup.sh", "scripts/build.sh", "scripts/test.sh", "scripts/farm.sh", "cmake", "ninja", "git", "cd")
 SMALL_TREES = ["--set", "/organisms/0/years=5"]
 
 
