@@ -38,6 +38,19 @@ BASES = {
     "ivy": ("templates/new/ivy.json", BARE),
 }
 
+# What is nearer to the camera than in its preset.
+NEARER = {
+    "coral/skin/pores/cell": ["/scene/camera/angle=11"],
+    "coral/skin/kind": ["/scene/camera/angle=11"],
+    "coral/thickness/knob": ["/scene/camera/angle=20"],
+    "plant/organs/bend": ["/scene/camera/angle=14"],
+    "plant/bark/kind": ["/scene/camera/angle=8", "/scene/camera/look_at=[0,0.25,0]"],
+    "wall/wear": ["/scene/camera/angle=14"],
+    "wall/weathering": ["/scene/camera/angle=24"],
+    "column/flutes": ["/scene/camera/angle=12"],
+    "ivy/leaves/size": ["/scene/camera/angle=22"],
+}
+
 # The strips, most telling first: the property, and its three values. In organisms[0], of ivy in organisms[1].
 STRIPS = [
     ("coral/pitch", [15, 30, 50]),
@@ -144,7 +157,7 @@ def render(path, values):
         for i, value in enumerate(values):
             out = pathlib.Path(scratch) / str(i)
             words = [FROND, "generate", base, "-o", out, "-q", "--size", SIZE, "--quality", "draft"]
-            for one in sets + [f"{pointer}={json.dumps(value)}"]:
+            for one in sets + NEARER.get(path, []) + [f"{pointer}={json.dumps(value)}"]:
                 words += ["--set", one]
             subprocess.run(words, check=True, cwd=ROOT, env={**os.environ, "FROND_HOME": str(ROOT)})
             subprocess.run(["ninja", "-C", out, "frames/frame_0001.png"], check=True, capture_output=True)
@@ -157,7 +170,7 @@ def render(path, values):
 
 
 def cell(text):
-    return text.replace("|", "\\|")
+    return text.replace("|", "\\|").replace("<", "&lt;")
 
 
 def values_text(topic):
@@ -169,8 +182,8 @@ def values_text(topic):
     return text + (" " if "range" in topic else ", ") + topic["unit"] if "unit" in topic else text
 
 
-def table(topics, above):
-    """The properties right below a path, and a strip below the table for each that has one."""
+def table(topics, above, root=""):
+    """The properties right below a path, and a strip below the table for each that has one; `root` is that of the page."""
     lines, strips = [], []
     for topic in topics:
         if not topic["path"].startswith(above) or "/" in topic["path"][len(above):]:
@@ -180,7 +193,10 @@ def table(topics, above):
         if described:
             sentence += " " + "; ".join(described) + "."
         initial = f"`{topic['default']}`" if "default" in topic else ""
-        lines.append(f"| `{topic['path'][len(above):]}` | {cell(sentence)} | {cell(values_text(topic))} | {cell(initial)} |")
+        values = cell(values_text(topic))
+        if root and any(t["path"].startswith(topic["path"] + "/") for t in topics):
+            values = f"[{values}](#{topic['path'][len(root) + 1:].replace('/', '')})"
+        lines.append(f"| `{topic['path'][len(above):]}` | {cell(sentence)} | {values} | {cell(initial)} |")
         short = topic["path"].removeprefix("scene/")
         for path, values in STRIPS:
             picture = pictures_of(path) / (strip_name(path) + ".jpg")
@@ -197,9 +213,9 @@ def page(title, doc, topics, roots, more=""):
         inside = [t for t in topics if t["path"] == root or t["path"].startswith(root + "/")]
         if inside[0]["path"] == root:
             text += f"## {root.split('/')[-1]}\n\n{inside[0]['sentence']}.\n\n"
-        text += table(inside, root + "/") + "\n"
+        text += table(inside, root + "/", root) + "\n"
         for topic in inside:
-            below = table(inside, topic["path"] + "/")
+            below = table(inside, topic["path"] + "/", root)
             if topic["path"] != root and below:
                 depth = topic["path"][len(root) + 1:]
                 text += f"## {depth}\n\n{topic['sentence']}.\n\n{below}\n"
@@ -231,7 +247,7 @@ def pages():
         made[f"settings/{name}.md"] = page(name, sentence_of(doc), topics, blocks.get(name, [f"scene/{name}"]), MADE)
     made["settings/preset.md"] = page("The preset itself", "What every preset has besides its organisms and its "
                                       "setting.", topics, ["film", "scene/camera"],
-                                      "\n## The top\n\n" + table([t for t in topics if "/" not in t["path"]], "") + MADE)
+                                      "## The top\n\n" + table([t for t in topics if "/" not in t["path"]], "") + MADE)
     index = "".join(f"* [{name}]({name}.md): {doc}\n" for name, doc in settings)
     made["settings/README.md"] = ("# Settings\n\n" + index +
                                   "* [preset](preset.md): film, camera and the rest of a preset\n" + MADE)
