@@ -480,3 +480,11 @@ JSON
   [ "$status" -eq 2 ]
   [ ! -e ivy.inc ]
 }
+
+@test "render.sh alone lists the presets with their titles" {
+  run "$root/scripts/render.sh"
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"presets/reef.json  "*" A reef"* ]]
+  [[ "$output" != *"presets/grammars/"* ]]
+  [ "$(grep -c '^presets/' <<<"$output")" -eq "$(find "$root/presets" -name '*.json' ! -path '*/grammars/*' | wc -l)" ]
+}
