@@ -104,21 +104,12 @@ class Writer {
       : what_(what), variants_(variants) {}
 
   Result<std::string> text() {
-    for (const IncludeVariant& variant : variants_)
-      if (!variant.scene.stands.empty() || std::ranges::any_of(variant.scene.specimens, has_details))
-        details_ = kIncludeDetails;
     for (std::size_t v = 0; v < variants_.size(); ++v)
       if (Errors errors = write_variant(v); !errors.empty()) return errors;
     return head() + macros_text(what_.macros, macros_used(what_.macros, shapes_)) + shapes_ + foot();
   }
 
  private:
-  /// Bodies are drawn the same at each detail.
-  static bool has_details(const Specimen& b) {
-    return b.model.skeleton.size() > 1 || b.model.organs.size() > 0 || b.model.blades.size() > 0 ||
-           b.life.changes();
-  }
-
   Errors write_variant(std::size_t v) {
     const IncludeVariant& variant = variants_[v];
     FrameParts parts = prepare_frames(variant.scene);
@@ -138,10 +129,12 @@ class Writer {
                            number_text(parts.space.unit));
     shapes_ += without_includes(parts.materials, parts) + "#end\n";
     std::string solids = solids_text(parts.space, variant.scene);
-    for (int detail = 0; detail < details_; ++detail) {
+    shapes_ += fmt::format("#macro {}_Solids_{}()\n{}#end\n", what_.name, v, solids);
+    solids_ = count_objects(solids);
+    for (int detail = 0; detail < kIncludeDetails; ++detail) {
       const CopyPlan& plan = variant.plans[static_cast<std::size_t>(detail)];
       std::string models = models_text(v, plan), copies = still_copies_text(parts.space, variant.scene, plan);
-      parts.ground = (detail == 0 ? solids : "") + copies;
+      parts.ground = copies;
       parts.plan = plan;
       for (std::size_t f = 0; f < what_.frames.size(); ++f) {
         bool last = f + 1 == what_.frames.size();
@@ -159,7 +152,8 @@ class Writer {
   Errors write_shape(std::size_t v, int detail, std::size_t f, const FrameParts& parts,
                      const std::string& models, const std::string& text) {
     std::string objects = without_includes(text, parts);
-    int count = count_objects(objects);
+    int count = count_objects(objects) + solids_;
+    if (solids_ > 0) objects.insert(0, fmt::format("{}_Solids_{}()\n", what_.name, v));
     bool last = f + 1 == what_.frames.size();
     if (count == 0 && last)
       return {
@@ -191,7 +185,7 @@ class Writer {
     return calls;
   }
 
-  /// All that stands by itself, as models are drawn.
+  /// All that has grown by itself, as models are drawn.
   std::string coarse_text(const Scene& scene, const FrameParts& parts, const std::vector<double>& heights,
                           int detail) {
     std::string text = parts.ground;
@@ -203,7 +197,9 @@ class Writer {
       stand.organism.sown = Sowing{};
       stand.dress.look = b.look;
       ModelFile file{0, 0, level_at(heights[i], detail - 1), {}, 0};
-      std::string model = model_text(file, stand, b.model);
+      Model grown = b.model;
+      grown.solids = {};  // these are drawn as they are at any detail
+      std::string model = model_text(file, stand, grown);
       std::string name = fmt::format("Model_{}_{}", copy_id(stand.organism, 0), file.level);
       text += without_includes(model, parts);
       for (int part = 0; part < model_parts(model).value_or(0); ++part) {
@@ -255,17 +251,16 @@ class Writer {
   std::string foot() const {
     const std::string& name = what_.name;
     std::size_t frames = what_.frames.size(), last = frames - 1;
-    std::string text =
-        fmt::format("#declare {}_Shapes = array[{}][{}][{}];\n", name, variants_.size(), details_, frames);
+    std::string text = fmt::format("#declare {}_Shapes = array[{}][{}][{}];\n", name, variants_.size(),
+                                   kIncludeDetails, frames);
     text += fmt::format("#macro {0}_Make(S, D, F)\n  #switch (S*{1} + D*{2} + F)\n", name,
-                        static_cast<std::size_t>(details_) * frames, frames);
+                        kIncludeDetails * frames, frames);
     for (std::size_t v = 0; v < variants_.size(); ++v)
-      for (int d = 0; d < details_; ++d)
+      for (int d = 0; d < kIncludeDetails; ++d)
         for (std::size_t f = d == 0 ? 0 : last; f < frames; ++f)
           text +=
               fmt::format("    #case ({0}) {1}_Make_{2}_{3}_{4}() #break\n",
-                          (v * static_cast<std::size_t>(details_) + static_cast<std::size_t>(d)) * frames + f,
-                          name, v, d, f);
+                          (v * kIncludeDetails + static_cast<std::size_t>(d)) * frames + f, name, v, d, f);
     text += fmt::format(
         "  #end\n#end\n"
         "#macro {0}_Shape(S, D, F)\n"
@@ -275,7 +270,7 @@ class Writer {
         "#macro {0}(Seed, Detail)\n"
         "  {0}_Shape(mod(abs(int(Seed)), {1}), max(0, min({2}, int(Detail))), {3})\n"
         "#end\n",
-        name, variants_.size(), details_ - 1, last);
+        name, variants_.size(), kIncludeDetails - 1, last);
     if (frames > 1)
       text += fmt::format(
           "#macro {0}_At(Seed, Time)\n"
@@ -301,8 +296,8 @@ class Writer {
   const IncludeText& what_;
   const std::vector<IncludeVariant>& variants_;
   std::string shapes_;
-  int details_ = 1;
   std::set<std::string> models_;  // files that are written
+  int solids_ = 0;                // objects among the solids of the variant that is written
   Box box_;
 };
 
