@@ -121,3 +121,25 @@ while read -r name size columns items; do
   put_in_place "$part" "$root/docs/gallery/$name.jpg"
   printf '%s\n' "docs/gallery/$name.jpg"
 done < <(pictures)
+
+# The scenes of docs/examples: their first lines hold the commands that make what they include.
+for scene in "$root"/docs/examples/*.pov; do
+  name=example-$(basename -- "$scene" .pov)
+  if (($# > 0)) && [[ " $* " != *" $name "* ]]; then continue; fi
+  mkdir -p -- "$work/$name"
+  while read -r -a words; do
+    for i in "${!words[@]}"; do
+      case ${words[i]} in
+        presets/*) words[i]=$root/${words[i]} ;;
+        *.inc) include=$work/$name/${words[i]} && words[i]=$include ;;
+      esac
+    done
+    [[ -f $include ]] || "$frond" "${words[@]}" -q >&2 || fail 1 "$include could not be made"
+  done < <(sed -n 's|^//   frond ||p' "$scene")
+  size=$(sed -nE 's|^// Then: .* \+W([0-9]+) \+H([0-9]+) .*|+W\1 +H\2|p' "$scene")
+  # shellcheck disable=SC2086  # two words
+  (cd -- "$work/$name" && povray "+I$scene" "+O$name.png" $size +A -D >&2 2>/dev/null) || fail 1 "$name could not be rendered"
+  ffmpeg -y -loglevel error -i "$work/$name/$name.png" -bitexact -q:v 3 "$work/$name.jpg" </dev/null
+  put_in_place "$work/$name.jpg" "$root/docs/gallery/$name.jpg"
+  printf '%s\n' "docs/gallery/$name.jpg"
+done

@@ -74,6 +74,16 @@ near_presets() {
     END { print found }'
 }
 
+# all_presets: the presets that there are, a line each, with their titles.
+all_presets() {
+  local file
+  printf 'Usage: scripts/render.sh PRESET [options], see scripts/render.sh --help\n\n'
+  find "$root/presets" -name '*.json' ! -path "$root/presets/grammars/*" | LC_ALL=C sort | while read -r file; do
+    printf '%-42s %s\n' "${file#"$root/"}" "$(sed -nE '0,/"title"/s/.*"title": *"([^"]*)".*/\1/p' "$file")"
+  done
+  printf '\nA preset of your own to begin with: build/frond new my_tree --from tree\n'
+}
+
 # What is not one run of one preset has a script of its own.
 for argument in "$@"; do
   case $argument in
@@ -83,6 +93,8 @@ for argument in "$@"; do
     --contact-seeds | --contact-seeds=* | --sweep | --sweep=*) exec "$root/scripts/sheet.sh" "$@" ;;
   esac
 done
+
+if (($# == 0)); then all_presets; exit 0; fi
 
 preset='' out='' jobs='' format=mp4 every=1 plot='' why='' pass=()
 set_preset() {

@@ -31,10 +31,12 @@ struct GenerateArguments {
 
 struct ExportArguments {
   PresetArguments preset;
-  std::string out;  ///< file to write; its extension says the format
-  int frame = 1;
-  int sides = 10;    ///< of the tubes that branches become
-  double voxel = 0;  ///< metres, of a volume; 0: as the organisms' bodies have it
+  std::string out;                    ///< file to write; its extension says the format
+  int frame = 0;                      ///< 0: the first, of an include the last
+  std::optional<std::string> frames;  ///< A-B: those that an include holds
+  int seeds = 1;                      ///< how many shapes an include holds
+  int sides = 10;                     ///< of the tubes that branches become
+  double voxel = 0;                   ///< metres, of a volume; 0: as the organisms' bodies have it
   bool quiet = false;
 };
 
@@ -63,6 +65,12 @@ struct FarmArguments {
   std::optional<std::string> site;  ///< JSON file
 };
 
+struct NewArguments {
+  std::string name;  ///< of the file to write, with or without its .json
+  std::string from;  ///< a kind, the file of a preset, or the name of one that is shipped
+  bool quiet = false;
+};
+
 struct StudioArguments {
   std::string preset;                 ///< may be empty: the gallery
   int port = 0;                       ///< 0: any that is free
@@ -74,6 +82,7 @@ struct StudioArguments {
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
 int export_scene(const ExportArguments& arguments);
+int export_include(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
 int info(const PresetArguments& arguments, bool json);
 int list_files(const PresetArguments& arguments);
@@ -83,6 +92,8 @@ int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int list_everything(bool json);
 int print_schema();
+int describe_properties(const std::vector<std::string>& words, bool json);
+int new_preset(const NewArguments& arguments);
 int studio(const StudioArguments& arguments);
 
 }  // namespace frond

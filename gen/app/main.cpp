@@ -81,16 +81,23 @@ void add_textures(CLI::App& app, int& result) {
 
 void add_export(CLI::App& app, int& result) {
   auto to = std::make_shared<ExportArguments>();
-  auto* command = app.add_subcommand("export", "Writes what grows, at one frame, as a mesh or a volume");
+  auto* command = app.add_subcommand(
+      "export", "Writes what grows, at one frame, for other programs or your own POV-Ray scene");
   add_preset(command, to->preset);
-  command->add_option("--frame", to->frame, "Which frame (1)");
-  command->add_option("-o,--out", to->out, "FILE.obj, FILE.ply, FILE.glb or FILE.vdb")->required();
+  command->add_option("--frame", to->frame, "Which frame (1; of an .inc the last)")
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--frames", to->frames, "A-B: of an .inc, frames whose shapes it holds");
+  command->add_option("--seeds", to->seeds, "Of an .inc: how many shapes, each of a seed of its own (1)")
+      ->check(CLI::Range(1, 100));
+  command->add_option("-o,--out", to->out, "FILE.obj, FILE.ply, FILE.glb, FILE.vdb or FILE.inc")->required();
   command->add_option("--sides", to->sides, "Of the tubes that branches become (10)")
       ->check(CLI::Range(3, 256));
   command->add_option("--voxel", to->voxel, "Metres, of a .vdb (as the organisms' bodies have it)")
       ->check(CLI::PositiveNumber);
   command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
-  command->footer("Example:\n  frond export presets/reef.json --frame 48 -o reef.glb");
+  command->footer(
+      "Examples:\n  frond export presets/reef.json --frame 48 -o reef.glb\n"
+      "  frond export presets/trees/oak.json --seeds 3 -o oak.inc");
   command->callback([&result, to] { result = export_scene(*to); });
 }
 
@@ -175,6 +182,29 @@ void add_catalogue(CLI::App& app, int& result) {
   list_command->callback([&result, json] { result = list_everything(*json); });
 }
 
+void add_describe(CLI::App& app, int& result) {
+  auto words = std::make_shared<std::vector<std::string>>();
+  auto json = std::make_shared<bool>(false);
+  auto* command =
+      app.add_subcommand("describe", "Says what a property of presets does, by its name or by a word");
+  command->add_option("what", *words,
+                      "A kind, a setting, a property as in tree/habit, or words; none: what there is");
+  command->add_flag("--json", *json, "For machines");
+  command->footer("Examples:\n  frond describe tree/habit\n  frond describe leaf size");
+  command->callback([&result, words, json] { result = describe_properties(*words, *json); });
+}
+
+void add_new(CLI::App& app, int& result) {
+  auto to = std::make_shared<NewArguments>();
+  auto* command = app.add_subcommand("new", "Writes a commented preset to begin with");
+  command->add_option("name", to->name, "The file to write; .json is added where it is missing")->required();
+  command->add_option("--from", to->from, "A kind, as tree, or a preset, as presets/trees/oak.json or oak")
+      ->required();
+  command->add_flag("-q,--quiet", to->quiet, "Does not say what comes next");
+  command->footer("Examples:\n  frond new my_tree --from tree\n  frond new my_reef --from presets/reef.json");
+  command->callback([&result, to] { result = new_preset(*to); });
+}
+
 void add_studio(CLI::App& app, int& result) {
   auto to = std::make_shared<StudioArguments>();
   auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
@@ -210,17 +240,35 @@ std::vector<std::string> words_of(int count, char** words) {
   return list;
 }
 
+/// What stands on the screen of who does not know where to begin.
+constexpr std::string_view kFirstWords =
+    "Frond grows plants and corals from JSON presets and writes scenes that POV-Ray films.\n"
+    "\n"
+    "  frond new my_tree --from tree      writes a commented preset to begin with\n"
+    "  scripts/render.sh my_tree.json     makes a picture or a film of it\n"
+    "  frond studio my_tree.json --open   sliders and a live view in the browser\n"
+    "  frond describe tree                says what each property does\n"
+    "  frond check my_tree.json           says what is wrong in it\n"
+    "  frond list                         presets, kinds, settings and turtle symbols\n"
+    "\n"
+    "frond --help lists all commands, frond COMMAND --help the options of one; docs/start.md takes ten "
+    "minutes.\n";
+
 int run(int count, char** words) {
   CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add : {add_generate, add_export, add_textures, add_check, add_info, add_files, add_farm,
-                   add_derive, add_turtle, add_catalogue, add_studio})
+  for (auto add : {add_new, add_describe, add_generate, add_export, add_textures, add_check, add_info,
+                   add_files, add_farm, add_derive, add_turtle, add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);
     return kWrongInput;
+  }
+  if (count < 2) {
+    put(kFirstWords);
+    return kDone;
   }
   try {
     std::vector<std::string> list = words_of(count, words);

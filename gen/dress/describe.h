@@ -51,184 +51,219 @@ inline constexpr Choice<BarkPattern> kBarkPatterns[] = {
 
 template <class Visitor>
 void describe(Visitor& v, Pores& p) {
-  v.number("cell", p.cell, {.min = 0.0005, .max = 1, .unit = "m"}, "From pore to pore");
-  v.number("warp", p.warp, {.min = 0, .max = 1}, "How far the cells are warped");
-  v.number("depth", p.depth, {.min = 0, .max = 3}, "How deep the pores look");
+  v.number("cell", p.cell, {.min = 0.0005, .max = 1, .unit = "m"}, "Distance from one pore to the next");
+  v.number("warp", p.warp, {.min = 0, .max = 1}, "How far the cells are warped out of their regular pattern");
+  v.number("depth", p.depth, {.min = 0, .max = 3}, "How deep the pores look; 0 is smooth");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Tint& t) {
   v.color("base", t.base, "Colour of the skin");
   v.color("secondary", t.secondary, "Colour in the pores and grooves");
-  v.angle("hue", t.hue, {.min = -360, .max = 360}, "Turns both colours round the colour wheel");
-  v.number("saturation", t.saturation, {.min = 0, .max = 3}, "Factor");
-  v.number("value", t.value, {.min = 0, .max = 3}, "Factor of the brightness");
-  v.number("variation", t.variation, {.min = 0, .max = 0.9}, "How much single corals differ in brightness");
-  v.number("young", t.young, {.min = 0, .max = 1}, "How much paler growing tips are");
+  v.angle("hue", t.hue, {.min = -360, .max = 360},
+          "Angle by which both colours are turned round the colour wheel");
+  v.number("saturation", t.saturation, {.min = 0, .max = 3},
+           "Factor of both colours' saturation; 0 is grey, 1 leaves it");
+  v.number("value", t.value, {.min = 0, .max = 3}, "Factor of both colours' brightness; 1 leaves it");
+  v.number("variation", t.variation, {.min = 0, .max = 0.9},
+           "How much single corals differ in brightness, as a share");
+  v.number("young", t.young, {.min = 0, .max = 1}, "How much paler growing tips are; 0 as the rest");
   v.number("young_length", t.young_length, {.min = 0, .max = 10, .unit = "m"},
-           "Below a tip, until the paleness is gone");
+           "Length below a growing tip over which the paleness fades");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Skin& s) {
-  v.choice("kind", s.kind, kSkinKinds, "What it is made of");
-  v.object("pores", s.pores, "Pores");
-  v.object("tint", s.tint, "Colours");
+  v.choice("kind", s.kind, kSkinKinds, "What the skin is made of");
+  v.object("pores", s.pores, "The pores in the skin");
+  v.object("tint", s.tint, "The colours of the skin");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Growth& g) {
-  v.number("start", g.start, {.min = -1e6, .max = 1e6, .unit = "s"}, "When it begins");
+  v.number("start", g.start, {.min = -1e6, .max = 1e6, .unit = "s"},
+           "Time in the film at which growth begins");
   v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"},
-           "How long it takes; 0: fully grown from the start");
+           "How long growth takes; 0 is fully grown from the first frame");
   v.number("stagger", g.stagger, {.min = 0, .max = 1e6, .unit = "s"},
-           "Single ones begin up to so much later");
+           "Each organism begins to grow up to so much later than the first, at random");
   v.number("ripen", g.ripen, {.min = 0.01, .max = 2},
-           "Share of the growth until a place has its full thickness");
+           "Share of the growth that a place takes from its first appearance to its full thickness");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Wave& w) {
-  v.angle("amplitude", w.amplitude, {.min = 0, .max = 120}, "How far the tips are bent");
-  v.number("speed", w.speed, {.min = 0, .max = 20, .unit = "1/s"}, "Swings a second");
+  v.angle("amplitude", w.amplitude, {.min = 0, .max = 120}, "Angle by which the tips are bent at most");
+  v.number("speed", w.speed, {.min = 0, .max = 20, .unit = "1/s"},
+           "Number of swings in a second; with loop it is rounded so that the film closes");
   v.angle("phase", w.phase, {.min = -360, .max = 360},
-          "Where in the swing the film begins; single corals differ");
+          "Where in its swing the motion begins; each organism adds a random part");
   v.number("length", w.length, {.min = 0.01, .max = 1000, .unit = "m"},
-           "From crest to crest along the current");
-  v.direction("direction", w.direction, Across::xz, "Of the current; only x and z count");
-  v.boolean("loop", w.loop, "Whole swings over the film, so that it can be repeated");
+           "Distance from crest to crest along the current or the wind");
+  v.direction("direction", w.direction, Across::xz,
+              "Direction in which the current or the wind moves; only x and z count");
+  v.boolean("loop", w.loop,
+            "Whether the film holds whole swings only, so that it can be repeated without a jump");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Food& f) {
-  v.angle("strength", f.strength, {.min = 0, .max = 180}, "About how far whole branches bend toward it");
-  v.number("reach", f.reach, {.min = 0.02, .max = 100, .unit = "m"}, "Nearer than this the pull fades");
+  v.angle("strength", f.strength, {.min = 0, .max = 180},
+          "Angle by which a whole branch may bend toward the food, about");
+  v.number("reach", f.reach, {.min = 0.02, .max = 100, .unit = "m"},
+           "Distance within which the pull is weaker, so that branches do not fold up at the food");
   v.animated("position", f.position, {.min = -1000, .max = 1000, .unit = "m"},
-             "Where the food is, or keyframes of it");
+             "Where the food is; with keyframes it moves");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Girth& g) {
-  v.choice("from", g.from, kGirths, "What the thickness of branches comes from");
-  v.number("radius", g.radius, {.min = 0, .max = 100, .unit = "m"}, "At the base; 0: as the turtle has it");
-  v.number("exponent", g.exponent, {.min = 1, .max = 4}, "n of the pipe model");
-  v.curve("curve", g.curve, "For distance: share of the radius, from 0 at a tip to 1 at the base");
-  v.number("least", g.least, {.min = 0.00001, .max = 1, .unit = "m"}, "The thinnest radius");
-  v.number("flare", g.flare, {.min = 0, .max = 4}, "How much wider the foot is");
+  v.choice("from", g.from, kGirths, "What the thickness of branches follows from");
+  v.number("radius", g.radius, {.min = 0, .max = 100, .unit = "m"},
+           "Radius at the base; 0 leaves it as the turtle draws it");
+  v.number("exponent", g.exponent, {.min = 1, .max = 4},
+           "Exponent n of the pipe model; the smaller, the thinner twigs are beside the trunk. Needs "
+           "\"from\": \"pipe\"");
+  v.curve("curve", g.curve,
+          "Share of the radius by the way to the farthest tip, from 0 at a tip to 1 at the base. Needs "
+          "\"from\": \"distance\"");
+  v.number("least", g.least, {.min = 0.00001, .max = 1, .unit = "m"}, "Radius that no branch falls below");
+  v.number("flare", g.flare, {.min = 0, .max = 4},
+           "How much wider the foot is than the stem above it, as a share");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Bark& b) {
-  v.choice("kind", b.kind, kBarks, "What it is made of");
-  v.list("colors", b.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
-  v.color("second", b.second, "In furrows and bands");
-  v.number("scale", b.scale, {.min = 0.0005, .max = 10, .unit = "m"}, "Width of a furrow");
-  v.number("depth", b.depth, {.min = 0, .max = 3}, "Of the relief");
-  v.color("young", b.young, "Of shoots");
+  v.choice("kind", b.kind, kBarks, "What the surface of branches is made of");
+  v.list("colors", b.colors, Count{1, 64},
+         "Colours of the surface; the turtle's colour index picks one, round and round");
+  v.color("second", b.second, "Colour in the furrows and bands");
+  v.number("scale", b.scale, {.min = 0.0005, .max = 10, .unit = "m"},
+           "Width of a furrow or the distance between bands");
+  v.number("depth", b.depth, {.min = 0, .max = 3}, "Depth of the relief; 0 is smooth");
+  v.color("young", b.young, "Colour of young shoots");
   v.number("young_length", b.young_length, {.min = 0, .max = 10, .unit = "m"},
-           "Below a tip, until a shoot is wood");
-  v.number("variation", b.variation, {.min = 0, .max = 0.9}, "How much single plants differ in brightness");
+           "Length below a tip over which a green shoot turns into wood; 0 leaves all of one colour");
+  v.number("variation", b.variation, {.min = 0, .max = 0.9},
+           "How much single plants differ in brightness, as a share");
 }
 
 template <class Visitor>
 void describe(Visitor& v, BladeLook& b) {
-  v.list("colors", b.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
-  v.color("second", b.second, "Of the veins");
-  v.choice("tissue", b.tissue, kBladeTissues, "What they are made of");
+  v.list("colors", b.colors, Count{1, 64},
+         "Colours of the filled outlines; the turtle's colour index picks one, round and round");
+  v.color("second", b.second, "Colour of the veins");
+  v.choice("tissue", b.tissue, kBladeTissues, "What the filled outlines are made of");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Sprig& s) {
-  v.integer("pairs", s.pairs, {.min = 0, .max = 60}, "Of leaves");
-  v.boolean("end_leaf", s.end_leaf, "Whether one stands at the tip");
-  v.angle("angle", s.angle, {.min = 5, .max = 110}, "Between leaf and stalk");
-  v.number("length", s.length, {.min = 0.05, .max = 1}, "Of a leaf as a share of the sprig's");
-  v.number("shrink", s.shrink, {.min = 0, .max = 0.9}, "How much smaller leaves at the tip are");
-  v.number("alternate", s.alternate, {.min = 0, .max = 1}, "0: in pairs; 1: by turns");
+  v.integer("pairs", s.pairs, {.min = 0, .max = 60}, "Number of pairs of leaves on a sprig");
+  v.boolean("end_leaf", s.end_leaf, "Whether a leaf stands at the tip of a sprig");
+  v.angle("angle", s.angle, {.min = 5, .max = 110}, "Angle between a leaf and the stalk of its sprig");
+  v.number("length", s.length, {.min = 0.05, .max = 1}, "Length of a leaf as a share of the sprig's");
+  v.number("shrink", s.shrink, {.min = 0, .max = 0.9},
+           "How much smaller the leaves at the tip are, as a share");
+  v.number("alternate", s.alternate, {.min = 0, .max = 1},
+           "How far the leaves of a pair stand apart; 0 opposite each other, 1 alternating");
 }
 
 template <class Visitor>
 void describe(Visitor& v, LeafLook& l) {
-  v.choice("shape", l.shape, kLeafShapes, "Its outline");
+  v.choice("shape", l.shape, kLeafShapes, "Outline of a leaf");
   v.list("outline", l.outline, Count{0, 64},
-         "Of an own shape: radii from the tip to the stalk, by even angles");
-  v.number("width", l.width, {.min = 0.1, .max = 4}, "Factor across");
-  v.number("size", l.size, {.min = 0.001, .max = 10, .unit = "m"}, "Length, of a sprig the whole of it");
-  v.boolean("sprig", l.sprig, "Sprigs in place of leaves");
-  v.object("sprigs", l.sprigs, "How leaves stand on a sprig");
-  v.list("colors", l.colors, Count{1, 16}, "Each leaf has one of them");
-  v.color("veins", l.veins, "Of veins and stalk");
-  v.color("rim", l.rim, "Toward the rim");
-  v.number("spots", l.spots, {.min = 0, .max = 1}, "How much the colour varies over a leaf");
-  v.angle("fold", l.fold, {.min = -80, .max = 80}, "By which each half is raised");
-  v.angle("bend", l.bend, {.min = -180, .max = 180}, "From foot to tip, downward");
-  v.integer("detail", l.detail, {.min = 3, .max = 80}, "Points of the mesh along half a rim");
-  v.integer("pixels", l.pixels, {.min = 16, .max = 4096}, "Height of its picture");
+         "Radii of the outline at even angles, from the tip round to the stalk. Needs \"shape\": \"own\"");
+  v.number("width", l.width, {.min = 0.1, .max = 4},
+           "Factor of the leaf's width; 1 leaves the shape as it is");
+  v.number("size", l.size, {.min = 0.001, .max = 10, .unit = "m"},
+           "Length of a leaf, or of a whole sprig where sprig is true");
+  v.boolean("sprig", l.sprig, "Whether sprigs of several leaves stand where single leaves would");
+  v.object("sprigs", l.sprigs, "How leaves are arranged on a sprig. Needs \"sprig\": true");
+  v.list("colors", l.colors, Count{1, 16}, "Colours of the leaves; each leaf takes one of them");
+  v.color("veins", l.veins, "Colour of the veins and the stalk");
+  v.color("rim", l.rim, "Colour toward the rim of a leaf");
+  v.number("spots", l.spots, {.min = 0, .max = 1}, "How much the colour varies over one leaf");
+  v.angle("fold", l.fold, {.min = -80, .max = 80}, "Angle by which each half is raised along the midrib");
+  v.angle("bend", l.bend, {.min = -180, .max = 180},
+          "Angle by which a leaf is bent down from its foot to its tip");
+  v.integer("detail", l.detail, {.min = 3, .max = 80}, "Number of points of the mesh along half the rim");
+  v.integer("pixels", l.pixels, {.min = 16, .max = 4096}, "Height of the leaf's picture");
   v.number("size_variation", l.size_variation, {.min = 0, .max = 0.9},
-           "Random change of the size, as a share");
-  v.angle("turn_variation", l.turn_variation, {.min = 0, .max = 180}, "Random tilt, either way");
+           "Random change of the size, as a share of it");
+  v.angle("turn_variation", l.turn_variation, {.min = 0, .max = 180}, "Random tilt of each leaf, either way");
 }
 
 template <class Visitor>
 void describe(Visitor& v, BarkCoat& c) {
-  v.choice("pattern", c.image.pattern, kBarkPatterns, "What it looks like");
-  v.color("color", c.image.color, "On the ridges");
-  v.color("second", c.image.second, "In furrows, cracks and bands");
-  v.color("lichen", c.image.lichen, "Of the lichens");
-  v.number("lichens", c.image.lichens, {.min = 0, .max = 1}, "How much of it they cover");
-  v.integer("ridges", c.image.ridges, {.min = 1, .max = 200}, "Round the picture");
-  v.number("stretch", c.image.stretch, {.min = 0.5, .max = 40}, "How much longer than wide its features are");
-  v.number("warp", c.image.warp, {.min = 0, .max = 3}, "How far ridges wander");
-  v.number("depth", c.image.depth, {.min = 0, .max = 1}, "Of furrows");
-  v.number("wrap", c.wrap, {.min = 0.001, .max = 20, .unit = "m"}, "Round a branch that the picture is wide");
-  v.number("aspect", c.aspect, {.min = 0.25, .max = 16}, "How much longer than wide the picture is");
-  v.integer("pixels", c.pixels, {.min = 16, .max = 8192}, "Its width");
-  v.number("relief", c.relief, {.min = 0, .max = 10}, "Of the bumps");
-  v.number("facet", c.facet, {.min = 0.0005, .max = 10, .unit = "m"}, "Width of a side of the mesh, about");
+  v.choice("pattern", c.image.pattern, kBarkPatterns, "Pattern of the bark's picture");
+  v.color("color", c.image.color, "Colour on the ridges");
+  v.color("second", c.image.second, "Colour in furrows, cracks and bands");
+  v.color("lichen", c.image.lichen, "Colour of the lichens");
+  v.number("lichens", c.image.lichens, {.min = 0, .max = 1}, "Share of the bark that lichens cover");
+  v.integer("ridges", c.image.ridges, {.min = 1, .max = 200}, "Number of ridges round the picture");
+  v.number("stretch", c.image.stretch, {.min = 0.5, .max = 40},
+           "How many times longer than wide the features of the bark are");
+  v.number("warp", c.image.warp, {.min = 0, .max = 3}, "How far the ridges wander");
+  v.number("depth", c.image.depth, {.min = 0, .max = 1}, "Depth of the furrows in the picture; 0 is flat");
+  v.number("wrap", c.wrap, {.min = 0.001, .max = 20, .unit = "m"},
+           "Length round a branch that one width of the picture covers");
+  v.number("aspect", c.aspect, {.min = 0.25, .max = 16}, "How many times longer than wide the picture is");
+  v.integer("pixels", c.pixels, {.min = 16, .max = 8192}, "Width of the picture");
+  v.number("relief", c.relief, {.min = 0, .max = 10},
+           "Height of the bumps that the picture raises on the bark; 0 is smooth");
+  v.number("facet", c.facet, {.min = 0.0005, .max = 10, .unit = "m"},
+           "Width of one side of the branches' mesh, about; less is rounder");
   v.number("twigs", c.twigs, {.min = 0, .max = 10, .unit = "m"},
-           "Branches that begin with a smaller radius wear the plain bark");
+           "Branches that begin with a smaller radius than this wear the plain bark instead");
 }
 
 inline constexpr std::string_view kSeasonTimes = "winter is 0, spring 0.25, summer 0.5, autumn 0.8";
 
 template <class Visitor>
 void describe(Visitor& v, Blossom& b) {
-  v.number("share", b.share, {.min = 0, .max = 1}, "Of the leaves' places that bear flowers");
-  v.integer("cluster", b.cluster, {.min = 1, .max = 40}, "Flowers at one place");
-  v.number("size", b.size, {.min = 0.0005, .max = 2, .unit = "m"}, "Across a flower");
-  v.integer("petals", b.petals, {.min = 1, .max = 60}, "Of a flower");
-  v.color("color", b.color, "Of the petals");
-  v.color("heart", b.heart, "Of the heart");
-  v.number("at", b.at, {.min = 0, .max = 1, .unit = "years"}, "Time of the year at which they open");
-  v.number("lasts", b.lasts, {.min = 0, .max = 0.6, .unit = "years"}, "Until the petals fall");
+  v.number("share", b.share, {.min = 0, .max = 1}, "Share of the leaves' places that bear flowers");
+  v.integer("cluster", b.cluster, {.min = 1, .max = 40}, "Number of flowers at one place");
+  v.number("size", b.size, {.min = 0.0005, .max = 2, .unit = "m"}, "Width of a flower");
+  v.integer("petals", b.petals, {.min = 1, .max = 60}, "Number of petals of a flower");
+  v.color("color", b.color, "Colour of the petals");
+  v.color("heart", b.heart, "Colour of the flower's heart");
+  v.number("at", b.at, {.min = 0, .max = 1, .unit = "years"}, "Time of the year at which the flowers open");
+  v.number("lasts", b.lasts, {.min = 0, .max = 0.6, .unit = "years"},
+           "How long a flower stands until its petals fall");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Seasons& s) {
   v.shorthand("at");
   v.animated("at", s.at, {.min = -1000, .max = 1000, .unit = "years", .sense = kSeasonTimes},
-             "0 new year, 0.25 spring, 0.5 midsummer, 0.8 autumn, 1.5 the next summer");
+             "Time of the year, or keyframes of it: 0 new year, 0.25 spring, 0.5 midsummer, 0.8 autumn, 1.5 "
+             "the next summer");
   v.number("opening", s.opening, {.min = 0, .max = 1, .unit = "years"},
            "Time of the year at which leaves unfold");
-  v.number("turning", s.turning, {.min = 0, .max = 1, .unit = "years"}, "When they begin to turn");
-  v.number("fall", s.fall, {.min = 0, .max = 1, .unit = "years"}, "When they fall");
-  v.number("spread", s.spread, {.min = 0, .max = 0.3, .unit = "years"}, "From the first leaf to the last");
-  v.number("drift", s.drift, {.min = 0.0001, .max = 0.2, .unit = "years"}, "How long a leaf is in the air");
-  v.number("litter", s.litter, {.min = 0, .max = 1}, "Share of the fallen leaves that lie until spring");
-  v.boolean("evergreen", s.evergreen, "Leaves stay as they are");
-  v.color("young", s.young, "Of leaves that unfold");
-  v.list("autumn", s.autumn, Count{1, 16}, "Colours that a leaf goes through, some to the last, some not");
-  v.object("blossom", s.blossom, "Flowers where leaves stand; none where it is not given");
+  v.number("turning", s.turning, {.min = 0, .max = 1, .unit = "years"},
+           "Time of the year at which leaves begin to change colour");
+  v.number("fall", s.fall, {.min = 0, .max = 1, .unit = "years"}, "Time of the year at which leaves fall");
+  v.number("spread", s.spread, {.min = 0, .max = 0.3, .unit = "years"},
+           "Time from the first leaf to the last, in opening, turning and falling");
+  v.number("drift", s.drift, {.min = 0.0001, .max = 0.2, .unit = "years"},
+           "How long a falling leaf is in the air");
+  v.number("litter", s.litter, {.min = 0, .max = 1},
+           "Share of the fallen leaves that lie on the ground until spring");
+  v.boolean("evergreen", s.evergreen, "Whether the leaves stay as they are all year");
+  v.color("young", s.young, "Colour of leaves that are just unfolding");
+  v.list("autumn", s.autumn, Count{1, 16},
+         "Colours that leaves go through in autumn; some stop at the first, others reach the last");
+  v.object("blossom", s.blossom, "Flowers where leaves stand; without it there are none");
 }
 
 template <class Visitor>
 void describe(Visitor& v, TreeDress& d) {
-  v.object("bark", d.bark, "Their surface");
-  v.object("coat", d.coat, "A bark as a picture; branches are meshes then");
+  v.object("bark", d.bark, "The plain surface of branches, of twigs in any case");
+  v.object("coat", d.coat, "A picture of bark on the trunk and the larger branches, which are meshes then");
   v.object("leaves", d.leaves, "The leaves");
-  v.object("season", d.season, "Its year");
+  v.object("season", d.season, "The course of the year for its leaves; without it they stay as they are");
   v.object("wave", d.wave, "Swaying in the wind");
-  v.object("growth", d.growth, "When it grows");
+  v.object("growth", d.growth, "When it grows in the film");
 }
 
 }  // namespace frond

@@ -8,7 +8,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
+
+#include "geometry/crease.h"
 
 namespace frond {
 
@@ -173,6 +176,21 @@ Errors parse(tinyobj::ObjReader& reader, std::string_view text, const std::strin
   return {{name, "is no OBJ file that can be read"}};
 }
 
+/// Turns a closed body whose faces all look inward inside out.
+void turn_outward(Surface& s) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  double volume = 0;
+  for (auto [a, b, c] : s.triangle) {
+    volume += glm::dot(DVec3(s.position[a]), glm::cross(DVec3(s.position[b]), DVec3(s.position[c])));
+    for (auto edge : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      if (!edges.insert(edge).second) return;
+  }
+  if (volume >= 0) return;
+  for (auto [from, to] : edges)
+    if (!edges.contains({to, from})) return;
+  for (auto& triangle : s.triangle) std::swap(triangle[1], triangle[2]);
+}
+
 }  // namespace
 
 Result<Surface> read_obj(std::string_view text, const std::string& name) {
@@ -194,8 +212,11 @@ Result<Surface> read_obj(std::string_view text, const std::string& name) {
     }
   }
   if (surface.triangle.empty()) return Error{name, "holds no face that could be drawn"};
-  if (!vertices.complete()) set_normals(surface);
-  return surface;
+  if (vertices.complete()) return surface;
+  turn_outward(surface);
+  constexpr double kSharp =
+      40;  // degrees between faces: what is built keeps its edges, what has grown is round
+  return creased(surface, radians(kSharp));
 }
 
 Result<LineSet> read_obj_lines(std::string_view text, const std::string& name) {

@@ -13,9 +13,10 @@
 namespace frond {
 
 /// A Wavefront OBJ text as one mesh: all its objects, faces of any number of corners, with its normals or,
-/// where it has none, smooth ones. Materials do not count. Faces without area are left out. Numbers that are
-/// none, corners that do not exist and a text without a usable face are errors, which call the text `name`
-/// and give the line.
+/// where it has none, with those of its faces, smooth but across edges of more than 40 degrees,
+/// and turned outward where it is closed. Materials do not count. Faces without area are left out. Numbers
+/// that are none, corners that do not exist and a text without a usable face are errors, which call the text
+/// `name` and give the line.
 Result<Surface> read_obj(std::string_view text, const std::string& name = "");
 
 /// Lines between numbered places.

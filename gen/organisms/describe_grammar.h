@@ -20,9 +20,11 @@ template <class Visitor>
 void describe(Visitor& v, GrammarText::Rule& r) {
   v.shorthand("rule");
   v.origin(r.where);
-  v.text("rule", r.text, "left < predecessor(parameters) > right : condition ->(weight) successor");
+  v.text("rule", r.text,
+         "The rule itself: left < predecessor(parameters) > right : condition ->(weight) successor");
   v.required("rule");
-  v.integer("limit", r.limit, {.min = 0, .max = 1e9}, "How often it may be used at all");
+  v.integer("limit", r.limit, {.min = 0, .max = 1e9},
+            "How often the rule may be used in the whole derivation");
 }
 
 /// A grammar's tropism as presets group it.
@@ -33,8 +35,10 @@ struct Tropism {
 
 template <class Visitor>
 void describe(Visitor& v, Tropism& t) {
-  v.direction("vector", t.vector, "The direction that branches turn toward; a longer one pulls more");
-  v.number("elasticity", t.elasticity, {.min = -10, .max = 10}, "How readily they do");
+  v.direction("vector", t.vector,
+              "Direction that branches turn toward as they are drawn; a longer vector pulls more");
+  v.number("elasticity", t.elasticity, {.min = -10, .max = 10},
+           "How readily branches turn toward the vector; 0 not at all, negative turns them away");
 }
 
 /// Where a grammar's turtle starts, as presets group it.
@@ -44,25 +48,27 @@ struct TurtleStart {
 
 template <class Visitor>
 void describe(Visitor& v, TurtleStart& s) {
-  v.vector("position", s.position, "Its place");
-  v.direction("heading", s.heading, "Where it looks");
+  v.vector("position", s.position, "Where the turtle starts");
+  v.direction("heading", s.heading, "Direction in which the turtle looks at the start");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Limits& l) {
-  v.integer("modules", l.modules, {.min = 1, .max = 1e12}, "Symbols of a word");
-  v.integer("bytes", l.bytes, {.min = 1, .max = 1e15}, "Memory of a word");
+  v.integer("modules", l.modules, {.min = 1, .max = 1e12}, "Greatest number of symbols in a word");
+  v.integer("bytes", l.bytes, {.min = 1, .max = 1e15}, "Greatest memory for a word");
 }
 
 /// What lies at a guide point besides its place and its children.
 template <class Visitor>
 void describe(Visitor& v, GuidePoint& p) {
-  v.vector("at", p.at, "Its place");
+  v.vector("at", p.at, "Where the point is");
   v.required("at");
-  v.number("radius", p.radius, {.min = 1e-6, .max = 1e6}, "Of the branch from here on");
-  v.number("angle", p.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Of bare turns from here on");
-  v.number("elasticity", p.elasticity, {.min = -10, .max = 10}, "How readily branches bend from here on");
-  v.vector("tropism", p.tropism, "What they turn toward from here on");
+  v.number("radius", p.radius, {.min = 1e-6, .max = 1e6}, "Radius of the branch from this point on");
+  v.number("angle", p.angle, {.min = -360, .max = 360, .unit = "degrees"},
+           "Angle of turns without a parameter from this point on");
+  v.number("elasticity", p.elasticity, {.min = -10, .max = 10},
+           "How readily branches bend from this point on");
+  v.vector("tropism", p.tropism, "Direction that branches turn toward from this point on");
 }
 
 /// Reads the lines of a guide's file.
@@ -80,12 +86,14 @@ inline constexpr std::string_view kGuideLineSchema = R"json({
       {
         "type": "object",
         "properties": {
-          "at": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-          "radius": {"type": "number"},
-          "angle": {"type": "number"},
-          "elasticity": {"type": "number"},
-          "tropism": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-          "children": {"type": "array"}
+          "at": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
+                 "description": "Where the point is"},
+          "radius": {"type": "number", "description": "Radius of the branch from this point on"},
+          "angle": {"type": "number", "description": "Angle of turns without a parameter from this point on, degrees"},
+          "elasticity": {"type": "number", "description": "How readily branches bend from this point on"},
+          "tropism": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
+                      "description": "Direction that branches turn toward from this point on"},
+          "children": {"type": "array", "description": "Points or lines of points that start at this one"}
         },
         "required": ["at"],
         "additionalProperties": false
@@ -101,56 +109,59 @@ void describe(Visitor& v, GuideText& g) {
       "A line of points, each [x, y, z] or {at, radius, angle, elasticity, tropism, children}; children are "
       "points or lines of points that start there");
   v.list("parent", g.parent,
-         "The number of the point before each point, -1 for none; without it each follows "
-         "the one before it");
-  v.list("bezier", g.bezier, "Control points of a curve of any degree, in place of points");
-  v.integer("samples", g.samples, {.min = 1, .max = 100000}, "Pieces that the curve is cut into");
+         "Number of the point that comes before each point, -1 for none; without it each follows the one "
+         "before it");
+  v.list("bezier", g.bezier, "Control points of a Bézier curve of any degree, in place of points");
+  v.integer("samples", g.samples, {.min = 1, .max = 100000},
+            "Number of pieces that the Bézier curve is cut into");
   v.file(
       "file", g.file, [&](const NamedFile& file) { return load_guide(file, g); },
-      "An OBJ file of lines, as seen from this file's folder, in place of points");
-  v.number("tolerance", g.tolerance, {.min = 0, .max = 1e6}, "How near to a point counts as there");
+      "An OBJ file of lines, named as seen from this file's folder, in place of points");
+  v.number("tolerance", g.tolerance, {.min = 0, .max = 1e6},
+           "Distance to a point at which it counts as reached");
   v.number("leniency", g.leniency, {.min = 0, .max = 10, .above_min = true},
-           "A step is this share of the way to the point");
-  v.boolean("reach_ends", g.reach_ends, "Whether a point without children must be come to as well");
+           "Length of a step toward a point, as a share of the way to it");
+  v.boolean("reach_ends", g.reach_ends, "Whether points without children must be reached as well");
 }
 
 template <class Visitor>
 void describe(Visitor& v, GrammarText& g) {
   v.origin(g.where);
-  v.text("axiom", g.axiom, "The word to begin with");
-  v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Derivation steps");
-  v.number("angle", g.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Of a turn that gives none");
-  v.number("length", g.length, {.min = -1e6, .max = 1e6}, "Of an F that gives none");
-  v.number("width", g.width, {.min = 0, .max = 1e6}, "Diameter to begin with");
-  v.number("width_scale", g.width_scale, {.min = 0, .max = 100}, "What ! multiplies the width by");
-  v.number("length_scale", g.length_scale, {.min = 0, .max = 100}, "What \" multiplies lengths by");
+  v.text("axiom", g.axiom, "The word that the derivation begins with");
+  v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Number of derivation steps");
+  v.number("angle", g.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Angle of a turn that gives none");
+  v.number("length", g.length, {.min = -1e6, .max = 1e6}, "Length of an F or f that gives none");
+  v.number("width", g.width, {.min = 0, .max = 1e6}, "Diameter that the turtle begins with");
+  v.number("width_scale", g.width_scale, {.min = 0, .max = 100}, "Factor by which ! multiplies the diameter");
+  v.number("length_scale", g.length_scale, {.min = 0, .max = 100}, "Factor by which \" multiplies lengths");
   v.number("angle_jitter", g.angle_jitter, {.min = 0, .max = 180, .unit = "degrees"},
            "Random change of each turn, either way");
   v.number("length_jitter", g.length_jitter, {.min = 0, .max = 1},
-           "Random change of each length, either way, as a share");
-  v.pairs("constants", g.constants, "Names for numbers and expressions");
-  v.list("rules", g.rules, "Productions, tried in this order");
+           "Random change of each length, either way, as a share of it");
+  v.pairs("constants", g.constants, "Names for numbers and expressions that rules may use");
+  v.list("rules", g.rules, "The productions, tried in this order");
   v.list("decomposition", g.decomposition, "Rules that take symbols apart after each step");
-  v.list("interpretation", g.interpretation, "Rules that only the turtle sees");
+  v.list("interpretation", g.interpretation,
+         "Rules that replace symbols for the turtle alone, when the last step is done");
   v.integer("interpretation_depth", g.interpretation_depth, {.min = 0, .max = 1000},
-            "How deep they are applied");
-  v.choice("mode", g.mode, kGrammarModes, "Which symbols a step rewrites");
+            "How many times over interpretation rules are applied to what they give");
+  v.choice("mode", g.mode, kGrammarModes, "Which symbols one step rewrites");
   v.choice("dialect", g.dialect, kDialects, "Whose meaning of the symbols counts");
   v.text("ignore", g.ignore, "Symbols that contexts pass over");
   v.text("consider", g.consider, "The only symbols that contexts see");
-  v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "For random choices");
-  v.object("limits", g.limits, "What passes them is refused before it is derived");
-  v.list("symbols", g.symbols, "Names of more than one character");
-  v.boolean("ring", g.ring, "The word is a circle");
+  v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "Seed of the grammar's random choices");
+  v.object("limits", g.limits, "Limits of the word; what would pass them is refused before it is derived");
+  v.list("symbols", g.symbols, "Names of symbols with more than one character");
+  v.boolean("ring", g.ring, "Whether the word is a circle, its end followed by its beginning");
   Tropism tropism{g.tropism, g.elasticity};
   v.object("tropism", tropism, "What branches turn toward as they grow");
   g.tropism = tropism.vector;
   g.elasticity = tropism.elasticity;
   TurtleStart start{g.start, g.start_heading};
-  v.object("start", start, "Where the turtle starts");
+  v.object("start", start, "Where and how the turtle starts");
   g.start = start.position;
   g.start_heading = start.heading;
-  v.object("guide", g.guide, "Places that ? leads the turtle to");
+  v.object("guide", g.guide, "Places that the symbol ? leads the turtle to");
 }
 
 }  // namespace frond

@@ -143,8 +143,8 @@ class SchemaWriter {
                        std::string_view doc) {
     Value all = defaults_of<T>(kinds);
     add(names.force, forced_schema(all),
-        "Properties for which the defaults count, whatever one element says");
-    add(names.defaults, std::move(all), "Values for every element that does not give its own");
+        "Properties that all organisms take from the defaults, whatever their own value");
+    add(names.defaults, std::move(all), "Properties of all organisms that do not give their own");
     Value element = without_required(tagged_schema<T>(kinds));
     element.set("required", make_list({make_text("kind")}));
     add(names.list, list_schema(element, {}), doc);

@@ -18,34 +18,41 @@ inline constexpr Range kSides{.min = 16, .max = 16384, .unit = "pixels"};
 
 template <class Visitor>
 void describe(Visitor& v, Film& f) {
-  v.integer("frames", f.frames, {.min = 1, .max = 100000}, "1: a still");
+  v.integer("frames", f.frames, {.min = 1, .max = 100000}, "Number of frames; 1 makes a still");
   v.number("fps", f.fps, {.min = 0.1, .max = 1000}, "Frames a second");
-  v.size("size", f.size, kSides, "Width and height");
+  v.size("size", f.size, kSides, "Width and height of the pictures");
   v.choice("quality", f.quality, kQualities, "How carefully the pictures are rendered");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Camera& c) {
-  v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where it stands");
-  v.animated("look_at", c.look_at, {.min = -1000, .max = 1000, .unit = "m"}, "What it looks at");
-  v.animated("angle", c.angle, {.min = 1, .max = 160, .unit = "degrees"}, "Width of the view");
-  v.boolean("follow", c.follow, "Heights count from the ground below, not from y = 0");
+  v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where the camera stands");
+  v.animated("look_at", c.look_at, {.min = -1000, .max = 1000, .unit = "m"},
+             "The point that the camera looks at");
+  v.animated("angle", c.angle, {.min = 1, .max = 160, .unit = "degrees"},
+             "Angle of the view, from its left edge to its right");
+  v.boolean("follow", c.follow,
+            "Whether heights of the camera count from the ground below it instead of from y = 0");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Floor& f) {
-  v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"}, "Height of the dunes");
-  v.number("scale", f.scale, {.min = 0.1, .max = 100, .unit = "m"}, "From dune to dune");
-  v.integer("stones", f.stones, {.min = 0, .max = 5000}, "Loose stones");
-  v.number("stone_size", f.stone_size, {.min = 0.001, .max = 10, .unit = "m"}, "Of the largest of them");
-  v.number("extent", f.extent, {.min = 0.1, .max = 30, .unit = "m"}, "How far from the middle they lie");
+  v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"},
+           "Height of the dunes, or of the lawn's swells");
+  v.number("scale", f.scale, {.min = 0.1, .max = 100, .unit = "m"},
+           "Distance from one dune or swell to the next");
+  v.integer("stones", f.stones, {.min = 0, .max = 5000}, "Number of loose stones, under water only");
+  v.number("stone_size", f.stone_size, {.min = 0.001, .max = 10, .unit = "m"},
+           "Size of the largest loose stone");
+  v.number("extent", f.extent, {.min = 0.1, .max = 30, .unit = "m"},
+           "Distance from the middle within which loose stones lie");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Stage& s) {
   std::vector<Choice<std::size_t>> names;
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
-  v.choice("setting", s.setting, names, "The surroundings");
+  v.choice("setting", s.setting, names, "The surroundings, which bring their own light and ground");
   v.object("camera", s.camera, "The camera");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const SettingRow& row = settings()[i];
@@ -53,18 +60,21 @@ void describe(Visitor& v, Stage& s) {
     std::string schema = std::is_same_v<Visitor, SchemaWriter> ? row.schema() : std::string();
     v.custom(row.block, s.blocks[i], row.read, schema, row.block_doc);
   }
-  v.object("floor", s.floor, "The ground");
+  v.object("floor", s.floor, "The ground of the sea and the lawn");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Preset& p) {
-  v.text("title", p.title, "Shown nowhere in the picture");
-  v.text("base", p.base,
-         "Another preset, as seen from this one's folder, whose values stand where this one has none");
-  v.integer("seed", p.seed, {.min = 0, .max = 9e15}, "Another number, another reef");
-  v.object("film", p.film, "Length, size and quality");
-  v.object("scene", p.stage, "Everything but the organisms");
-  v.inheriting_list({}, p.organisms, organism_kinds(), "What grows");
+  v.text("title", p.title, "A name for the preset, shown in lists but not in the picture");
+  v.text(
+      "base", p.base,
+      "Another preset, named as seen from this one's folder, whose values stand wherever this one has none");
+  v.integer("seed", p.seed, {.min = 0, .max = 9e15},
+            "Seed of everything random: another number gives another reef, tree or wood by the same rules");
+  v.object("film", p.film, "Length, size and quality of the film");
+  v.object("scene", p.stage, "Everything but the organisms: surroundings, light and camera");
+  v.inheriting_list({}, p.organisms, organism_kinds(),
+                    "What grows and stands in the scene, one entry for each kind of thing");
 }
 
 }  // namespace frond

@@ -12,17 +12,18 @@ inline constexpr Range kHours{.min = 0, .max = 24, .unit = "h", .sense = "dawn i
 
 template <class Visitor>
 void describe(Visitor& v, PondShape& p) {
-  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"}, "x, z of its middle");
+  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"}, "Middle of the pond, x and z");
   v.vector("size", p.size, {.min = 0, .max = 20, .unit = "m"},
-           "From the middle to the shore along x and z; 0: none");
-  v.number("depth", p.depth, {.min = 0.1, .max = 5, .unit = "m"}, "Of the bed below the lawn");
-  v.number("level", p.level, {.min = -2, .max = 0, .unit = "m"}, "Of the water, above the lawn");
+           "Distance from the middle to the shore along x and along z; 0 is no pond");
+  v.number("depth", p.depth, {.min = 0.1, .max = 5, .unit = "m"}, "Depth of the pond's bed below the lawn");
+  v.number("level", p.level, {.min = -2, .max = 0, .unit = "m"},
+           "Height of the water above the lawn; negative is below it");
 }
 
 template <class Visitor>
 void describe(Visitor& v, PathShape& p) {
-  v.list("points", p.points, "x, z in metres of a smooth curve; fewer than two: no path");
-  v.number("width", p.width, {.min = 0.1, .max = 20, .unit = "m"}, "From edge to edge");
+  v.list("points", p.points, "Points [x, z] in metres of a smooth curve; fewer than two make no path");
+  v.number("width", p.width, {.min = 0.1, .max = 20, .unit = "m"}, "Width of the path");
 }
 
 }  // namespace frond

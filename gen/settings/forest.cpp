@@ -13,21 +13,23 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, TerrainShape& t) {
-  v.number("size", t.size, {.min = 2, .max = 4000, .unit = "m"}, "Of the square of land that is sown");
-  v.number("hills", t.hills, {.min = 0, .max = 500, .unit = "m"}, "From valley to top");
-  v.number("hill_size", t.hill_size, {.min = 1, .max = 5000, .unit = "m"}, "From hill to hill");
-  v.number("rough", t.rough, {.min = 0, .max = 1}, "0 rolling, 1 broken");
-  v.object("path", t.path, "A path, kept clear");
+  v.number("size", t.size, {.min = 2, .max = 4000, .unit = "m"}, "Side of the square of land that is sown");
+  v.number("hills", t.hills, {.min = 0, .max = 500, .unit = "m"}, "Height from valley to hilltop");
+  v.number("hill_size", t.hill_size, {.min = 1, .max = 5000, .unit = "m"},
+           "Distance from one hill to the next");
+  v.number("rough", t.rough, {.min = 0, .max = 1}, "How broken the land is: 0 rolling, 1 broken");
+  v.object("path", t.path, "A path through the wood that is kept clear");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Forest& f) {
-  v.number("hour", f.hour, kHours, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.number("hour", f.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
   v.angle("south", f.south, {.min = -360, .max = 360},
-          "Where the sun stands at noon: 0 toward +z, 90 toward +x");
-  v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"}, "How high it fills the valleys; 0: none");
-  v.object("terrain", f.terrain, "The land");
-  v.color("litter", f.litter, "Of fallen leaves and earth");
+          "Direction in which the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"},
+           "Height to which mist fills the valleys; 0 is none");
+  v.object("terrain", f.terrain, "The shape of the land");
+  v.color("litter", f.litter, "Colour of fallen leaves and earth");
   v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
 }
 

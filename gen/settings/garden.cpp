@@ -13,14 +13,14 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Garden& g) {
-  v.number("hour", g.hour, kHours, "Of the day: 6 dawn, 12 noon, 19 dusk");
+  v.number("hour", g.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
   v.angle("south", g.south, {.min = -360, .max = 360},
-          "Where the sun stands at noon: 0 toward +z, 90 toward +x");
+          "Direction in which the sun stands at noon: 0 toward +z, 90 toward +x");
   v.object("pond", g.pond, "The pond");
   v.object("path", g.path, "The gravel path");
-  v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Leaves of water lilies on the pond");
+  v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Number of leaves of water lilies on the pond");
   v.number("gravel", g.gravel, {.min = 0.02, .max = 1, .unit = "m"}, "Size of the stones on the path");
-  v.color("gravel_color", g.gravel_color, "Of the stones on the path");
+  v.color("gravel_color", g.gravel_color, "Colour of the stones on the path");
 }
 
 namespace {

@@ -6,16 +6,19 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Meadow& m) {
-  v.color("zenith", m.zenith, "Of the sky above");
-  v.color("horizon", m.horizon, "Of the sky far off, and of the haze");
-  v.color("grass", m.grass, "Of the grass");
-  v.direction("sun", m.sun, "Toward the sun");
-  v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"}, "Until two thirds of a colour are lost");
-  v.number("clouds", m.clouds, {.min = 0, .max = 1}, "How much of the sky they cover");
-  v.number("blade", m.lawn.blade, {.min = 0, .max = 5, .unit = "m"}, "Length of the grass; 0: none stands");
-  v.number("blades", m.lawn.blades, {.min = 0, .max = 20000, .unit = "1/m2"}, "How dense the grass is");
+  v.color("zenith", m.zenith, "Colour of the sky above");
+  v.color("horizon", m.horizon, "Colour of the sky far off, and of the haze");
+  v.color("grass", m.grass, "Colour of the grass");
+  v.direction("sun", m.sun, "Direction toward the sun");
+  v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"},
+           "Distance at which two thirds of a colour are lost in the haze");
+  v.number("clouds", m.clouds, {.min = 0, .max = 1}, "Share of the sky that clouds cover");
+  v.number("blade", m.lawn.blade, {.min = 0, .max = 5, .unit = "m"},
+           "Length of the blades of grass; 0 leaves a bare lawn");
+  v.number("blades", m.lawn.blades, {.min = 0, .max = 20000, .unit = "1/m2"},
+           "Number of blades on a square metre");
   v.number("extent", m.lawn.extent, {.min = 0.1, .max = 200, .unit = "m"},
-           "How far from the middle single blades stand");
+           "Distance from the middle within which single blades stand");
   v.number("flowers", m.lawn.flowers, {.min = 0, .max = 0.2}, "Share of the blades that bear a flower");
 }
 

@@ -11,11 +11,11 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Studio& s) {
-  v.color("wall", s.wall, "Of wall and floor");
+  v.color("wall", s.wall, "Colour of the wall and the floor");
   v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"},
-           "From the middle to the wall behind it");
-  v.direction("key", s.key, "Toward the main light");
-  v.number("softness", s.softness, {.min = 0, .max = 3}, "Of shadows");
+           "Distance from the middle back to the wall");
+  v.direction("key", s.key, "Direction toward the main light");
+  v.number("softness", s.softness, {.min = 0, .max = 3}, "How soft the shadows are; 0 is hard");
 }
 
 namespace {

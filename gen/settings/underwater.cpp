@@ -9,14 +9,16 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Water& w) {
-  v.color("near", w.near, "What distance fades to");
-  v.color("deep", w.deep, "Of the depth below the horizon");
+  v.color("near", w.near, "Colour that everything fades to with distance");
+  v.color("deep", w.deep, "Colour of the depth below the horizon");
   v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
-           "Until two thirds of a colour are lost");
-  v.direction("sun", w.sun, "Toward the sun");
-  v.number("caustics", w.caustics, {.min = 0, .max = 1.5}, "How strongly waves focus the light");
-  v.number("shafts", w.shafts, {.min = 0, .max = 1}, "Beams of light");
-  v.integer("particles", w.particles, {.min = 0, .max = 1000}, "Specks that drift before the camera");
+           "Distance at which two thirds of a colour are lost in the water");
+  v.direction("sun", w.sun, "Direction toward the sun");
+  v.number("caustics", w.caustics, {.min = 0, .max = 1.5},
+           "How strongly waves focus the light into moving lines on the ground");
+  v.number("shafts", w.shafts, {.min = 0, .max = 1}, "How strong the beams of light in the water are");
+  v.integer("particles", w.particles, {.min = 0, .max = 1000},
+            "Number of specks that drift before the camera");
 }
 
 namespace {

@@ -21,6 +21,27 @@ TEST(ReadObj, KeepsTheNormalsThatAreGiven) {
   EXPECT_NEAR(mesh->normal[0].y, 0.6f, 1e-5);
 }
 
+TEST(ReadObj, PartsSharpEdgesWhereNoNormalsAreGiven) {
+  // A flat roof ridge of 20 degrees is smooth, one of 90 degrees is not.
+  const char* fold = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 {} 2\nv 1 {} 2\nf 1 4 3 2\nf 4 5 6 3\n";
+  auto folded = [&](const std::string& height) {
+    std::string text = fold;
+    for (std::size_t at; (at = text.find("{}")) != text.npos;) text.replace(at, 2, height);
+    return read_obj(text)->position.size();
+  };
+  EXPECT_EQ(folded("0.36"), 6u);
+  EXPECT_EQ(folded("5"), 8u);
+}
+
+TEST(ReadObj, TurnsAClosedBodyOutward) {
+  const char* places = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  for (const char* faces : {"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n", "f 2 3 1\nf 4 2 1\nf 4 3 2\nf 3 4 1\n"}) {
+    Result<Surface> mesh = read_obj(std::string(places) + faces);
+    for (std::size_t v = 0; v < mesh->position.size(); ++v)
+      EXPECT_GT(glm::dot(mesh->normal[v], mesh->position[v] - Vec3(0.25f)), 0) << faces;
+  }
+}
+
 TEST(ReadObj, PassesOverWhatCannotBeDrawn) {
   Result<Surface> mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2\nf 1 2 3\n");
   ASSERT_TRUE(mesh.ok());

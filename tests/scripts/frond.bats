@@ -300,10 +300,10 @@ body_preset() {
 @test "an unknown command is told with those there are and the nearest" {
   run "$frond" genrate x.json
   [ "$status" -eq 2 ]
-  [[ "$output" == 'genrate: no such command; expected one of generate, export, '*'; did you mean "generate"?' ]]
+  [[ "$output" == 'genrate: no such command; expected one of new, describe, generate, export, '*'; did you mean "generate"?' ]]
   run "$frond" preview
   [ "$status" -eq 2 ]
-  [[ "$output" == 'preview: no such command; expected one of generate, '* ]]
+  [[ "$output" == 'preview: no such command; expected one of new, describe, generate, '* ]]
 }
 
 @test "list and schema are for machines too" {
@@ -417,4 +417,74 @@ JSON
   run "$frond" generate "$root/presets/staghorn.json" --set /film/frames=100000 --set /film/size=[64,36] -o /proc/none -q
   [ "$status" -eq 2 ]
   [[ "$output" == *"of the disk are free"* ]]
+}
+
+@test "new writes a preset of each kind and of presets that name files, and each is right" {
+  local kind
+  for kind in coral plant rock pebbles wall column mesh bridge vase weber_penn colonized tree ivy; do
+    [ -f "$root/templates/new/$kind.json" ]
+    run --separate-stderr "$frond" new "my_$kind" --from "$kind"
+    [ "$status" -eq 0 ]
+    [ "$output" = "my_$kind.json" ]
+    grep -q '^ *// ' "my_$kind.json"
+  done
+  for kind in any_mesh autumn presets/lsystems/bush-1.25.json; do
+    "$frond" new "deep/my_$(basename "$kind")" --from "$kind" -q
+  done
+  run "$frond" check my_*.json deep/*.json
+  [ "$status" -eq 0 ]
+  [ "$output" = "" ]
+}
+
+@test "new takes no name that is taken and no beginning that is none" {
+  "$frond" new mine --from vase -q
+  cp mine.json before.json
+  run "$frond" new mine.json --from tree
+  [ "$status" -eq 2 ]
+  [[ "$output" == "mine.json: is there already; expected a name that is free" ]]
+  cmp mine.json before.json
+  run "$frond" new other --from trea
+  [ "$status" -eq 2 ]
+  [[ "$output" == *'did you mean "tree"?'* ]]
+}
+
+@test "describe says what a property does, by name and by word" {
+  run "$frond" describe tree/habit/internode
+  [ "$status" -eq 0 ]
+  [ "${lines[0]}" = "tree/habit/internode  (number, 0.005 to 2 m; default 0.1)" ]
+  [ "${#lines[@]}" -eq 2 ]
+  run "$frond" describe leaf size
+  [[ "$output" == *"ivy/leaves/size"* ]]
+  run "$frond" describe
+  [[ "$output" == *"weber_penn"*"underwater"*"organism/place"*"film"* ]]
+  run "$frond" describe coral/grammar
+  [[ "${lines[1]}" == *'"form": "own"'* ]]
+  run "$frond" describe no-such-word
+  [ "$status" -eq 2 ]
+  [ "${#lines[@]}" -eq 1 ]
+}
+
+@test "alone it says what to do next" {
+  run "$frond"
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"frond new"*"frond describe"* ]]
+}
+
+@test "an include stands alone and says so where nothing is there" {
+  "$frond" new vase --from vase -q
+  run "$frond" export vase.json -o my-vase.inc
+  [ "$status" -eq 0 ]
+  [[ "$output" == 'my-vase.inc: '*'object { Frond_My_Vase(0, 0) }' ]]
+  ! grep -q '#include "frond' my-vase.inc
+  run "$frond" export "$root/presets/ivy/column.json" --frame 1000 -o ivy.inc
+  [ "$status" -eq 2 ]
+  [ ! -e ivy.inc ]
+}
+
+@test "render.sh alone lists the presets with their titles" {
+  run "$root/scripts/render.sh"
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"presets/reef.json  "*" A reef"* ]]
+  [[ "$output" != *"presets/grammars/"* ]]
+  [ "$(grep -c '^presets/' <<<"$output")" -eq "$(find "$root/presets" -name '*.json' ! -path '*/grammars/*' | wc -l)" ]
 }

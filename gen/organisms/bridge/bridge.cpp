@@ -95,36 +95,36 @@ template <class Visitor>
 void describe(Visitor& v, BridgeParams& b) {
   BridgeShape& s = b.shape;
   v.choice("style", s.style, kBridgeStyles, "What it is built of");
-  v.number("length", s.length, {.min = 1, .max = 60, .unit = "m"}, "From foot to foot");
-  v.number("width", s.width, {.min = 0.6, .max = 12, .unit = "m"}, "Of the deck, over all");
+  v.number("length", s.length, {.min = 1, .max = 60, .unit = "m"}, "Length from foot to foot");
+  v.number("width", s.width, {.min = 0.6, .max = 12, .unit = "m"}, "Width of the deck, over all");
   v.number("height", s.height, {.min = 0.05, .max = 20, .unit = "m"},
-           "Of the deck at mid-span above its feet");
-  v.number(
-      "crown", s.crown, {.min = 0, .max = 0.5},
-      "Where the middle control point of each half lies, as a share of the length: 0.1 nearly pointed to 0.5 "
-      "upright at its feet; 0: at random between the two");
+           "Height of the deck at mid-span above its feet");
+  v.number("crown", s.crown, {.min = 0, .max = 0.5},
+           "Where the middle control point of each half of the arch lies, as a share of the length: 0.1 "
+           "nearly pointed, 0.5 upright at its feet; 0 is at random between the two");
   v.number("thickness", s.thickness, {.min = 0.05, .max = 5, .unit = "m"},
-           "Of the deck at mid-span; held to what the bend of the arch allows");
-  v.integer("posts", s.posts, {.min = 1, .max = 60}, "Of each railing on each half");
+           "Thickness of the deck at mid-span; held to what the bend of the arch allows");
+  v.integer("posts", s.posts, {.min = 1, .max = 60}, "Number of posts of each railing on each half");
   v.number("post", s.post, {.min = 0.02, .max = 1.5, .unit = "m"}, "Width of a post");
   v.number("rail_height", s.rail_height, {.min = 0.15, .max = 3, .unit = "m"},
-           "Of the hand rail above the deck");
+           "Height of the hand rail above the deck");
   v.number("rail", s.rail, {.min = 0.02, .max = 0.6, .unit = "m"}, "Width of the hand rail");
   v.number("lower_rail", s.lower_rail, {.min = 0, .max = 2, .unit = "m"},
-           "Height of the lower rail above the deck; 0: none (wood)");
-  v.integer("balusters", s.balusters, {.min = 0, .max = 30}, "Thin bars between each two posts (wood)");
+           "Height of the lower rail above the deck; 0 leaves it out. Needs \"style\": \"wood\"");
+  v.integer("balusters", s.balusters, {.min = 0, .max = 30},
+            "Number of thin bars between each two posts. Needs \"style\": \"wood\"");
   v.number("plank", s.plank, {.min = 0.04, .max = 1, .unit = "m"},
-           "Width of a plank, length of a paving stone");
-  v.number("gap", s.gap, {.min = 0.001, .max = 0.1, .unit = "m"}, "Between planks, between stones");
+           "Width of a plank, or length of a paving stone");
+  v.number("gap", s.gap, {.min = 0.001, .max = 0.1, .unit = "m"}, "Gap between planks or stones");
   v.number("foundation", s.foundation, {.min = 0, .max = 10, .unit = "m"},
            "How deep it reaches below its feet");
-  v.color("color", b.color, "Of the wood or the stone; by itself as the style has it");
-  v.color("second", b.second, "Of weathered wood, of the mortar");
+  v.color("color", b.color, "Colour of the wood or the stone; without it that of the style");
+  v.color("second", b.second, "Colour of weathered wood, or of the mortar");
   v.number("variation", b.variation, {.min = 0, .max = 0.9},
-           "How much planks or stones differ in brightness");
-  v.number("weathering", b.weathering, {.min = 0, .max = 1}, "0 new to 1 old");
-  v.number("moss", b.moss, {.min = 0, .max = 1}, "How much grows on it");
-  v.number("gloss", b.gloss, {.min = 0, .max = 1}, "0 raw to 1 oiled");
+           "How much planks or stones differ in brightness, as a share");
+  v.number("weathering", b.weathering, {.min = 0, .max = 1}, "How weathered it is: 0 new, 1 old");
+  v.number("moss", b.moss, {.min = 0, .max = 1}, "How much moss grows on it");
+  v.number("gloss", b.gloss, {.min = 0, .max = 1}, "How glossy the wood is: 0 raw, 1 oiled");
 }
 
 namespace {

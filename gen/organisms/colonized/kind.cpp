@@ -17,42 +17,52 @@ inline constexpr Choice<EnvelopeKind> kEnvelopeKinds[] = {
 
 template <class Visitor>
 void describe(Visitor& v, EnvelopeParams& e) {
-  v.choice("shape", e.kind, kEnvelopeKinds, "What it is");
-  v.number("base", e.base, {.min = 0, .max = 500, .unit = "m"}, "Above the ground");
-  v.number("height", e.height, {.min = 0.01, .max = 500, .unit = "m"}, "Of the crown alone");
-  v.number("width", e.width, {.min = 0.01, .max = 500, .unit = "m"}, "Of a ball, cone or cylinder");
+  v.choice("shape", e.kind, kEnvelopeKinds, "Shape of the room that the crown fills");
+  v.number("base", e.base, {.min = 0, .max = 500, .unit = "m"},
+           "Height of the crown's foot above the ground");
+  v.number("height", e.height, {.min = 0.01, .max = 500, .unit = "m"}, "Height of the crown alone");
+  v.number("width", e.width, {.min = 0.01, .max = 500, .unit = "m"},
+           "Width of a ball, cone or cylinder; an outline has its own");
   v.number("depth", e.depth, {.min = 0, .max = 500, .unit = "m"},
-           "From front to back; 0: as wide, an outline is turned about its middle");
-  v.number("top", e.top, {.min = 0, .max = 10}, "Of a cone: its top as a share of its foot");
+           "Depth from front to back; 0 makes it as deep as wide and turns an outline about its middle");
+  v.number("top", e.top, {.min = 0, .max = 10},
+           "Width of a cone's top as a share of its foot. Needs \"shape\": \"cone\"");
   v.file(
       "file", e.file, [&](const NamedFile& file) { return load_envelope(file, e); },
-      "OBJ, SVG or PNG, as seen from the preset's folder",
+      "An OBJ file for a mesh, an SVG or PNG for an outline, named as seen from the preset's folder",
       e.kind == EnvelopeKind::mesh || e.kind == EnvelopeKind::outline);
-  v.text("path", e.path, "Of an outline: SVG path data");
+  v.text("path", e.path, "SVG path data of the silhouette. Needs \"shape\": \"outline\"");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Colonization& c) {
-  v.integer("attractors", c.attractors, {.min = 1, .max = 2e6}, "Points in the envelope");
-  v.number("influence", c.influence, {.min = 0.001, .max = 1000, .unit = "m"}, "How far a point attracts");
-  v.number("kill", c.kill, {.min = 0.001, .max = 1000, .unit = "m"}, "How near a branch takes a point");
+  v.integer("attractors", c.attractors, {.min = 1, .max = 2e6},
+            "Number of points in the room that branches grow toward");
+  v.number("influence", c.influence, {.min = 0.001, .max = 1000, .unit = "m"},
+           "Distance from which a point attracts branches");
+  v.number("kill", c.kill, {.min = 0.001, .max = 1000, .unit = "m"},
+           "Distance at which a branch has reached a point, which is gone then");
   v.number("step", c.step, {.min = 0.001, .max = 100, .unit = "m"}, "Length of a segment");
-  v.number("tropism", c.tropism, {.min = -2, .max = 2}, "Upward pull; negative: downward");
+  v.number("tropism", c.tropism, {.min = -2, .max = 2}, "Upward pull on branches; negative pulls them down");
   v.number("jitter", c.jitter, {.min = 0, .max = 1}, "Random part of each direction");
-  v.number("crowding", c.crowding, {.min = -1, .max = 1}, "-1: more points inside; 1: more at the rim");
-  v.integer("most_nodes", c.most_nodes, {.min = 10, .max = 4e6}, "Where growth ends in any case");
+  v.number("crowding", c.crowding, {.min = -1, .max = 1},
+           "Where points are denser: -1 inside, 0 evenly, 1 at the rim");
+  v.integer("most_nodes", c.most_nodes, {.min = 10, .max = 4e6},
+            "Number of nodes at which growth ends in any case");
 }
 
 template <class Visitor>
 void describe(Visitor& v, ColonizedParams& p) {
-  v.object("envelope", p.envelope, "The room that it fills");
+  v.object("envelope", p.envelope, "The room that the crown fills");
   v.object("colonize", p.growth_into, "How branches find their way");
   v.object("thickness", p.thickness, "Thickness of the branches");
-  v.integer("smoothing", p.smoothing, {.min = 1, .max = 16}, "Nodes for each segment");
+  v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},
+            "Number of nodes that each segment is rounded with");
   v.number("leaf_reach", p.leaf_reach, {.min = 0, .max = 100, .unit = "m"},
-           "How far from tips leaves stand; 0: none");
-  v.number("leaf_spacing", p.leaf_spacing, {.min = 0.001, .max = 100, .unit = "m"}, "From leaf to leaf");
-  v.angle("leaf_down", p.leaf_down, {.min = 0, .max = 180}, "Between branch and leaf");
+           "Distance from a tip within which leaves stand; 0 leaves it bare");
+  v.number("leaf_spacing", p.leaf_spacing, {.min = 0.001, .max = 100, .unit = "m"},
+           "Distance along a branch from leaf to leaf");
+  v.angle("leaf_down", p.leaf_down, {.min = 0, .max = 180}, "Angle between a branch and its leaves");
   describe(v, p.dress);
 }
 

@@ -13,44 +13,54 @@ inline constexpr Choice<CoralForm> kCoralForms[] = {
 
 template <class Visitor>
 void describe(Visitor& v, Thickness& t) {
-  v.number("radius", t.radius, {.min = 0, .max = 5, .above_min = true, .unit = "m"}, "At the base");
-  v.curve("curve", t.curve, "Share of the radius, from 0 at the farthest tip to 1 at the base");
-  v.number("knob", t.knob, {.min = 0.1, .max = 4}, "Factor right at each tip");
-  v.number("flare", t.flare, {.min = 0, .max = 4}, "How much wider the foot is");
+  v.number("radius", t.radius, {.min = 0, .max = 5, .above_min = true, .unit = "m"}, "Radius at the base");
+  v.curve("curve", t.curve,
+          "Share of the radius by the way to the farthest tip, from 0 at that tip to 1 at the base");
+  v.number("knob", t.knob, {.min = 0.1, .max = 4},
+           "Factor of the thickness right at each tip; above 1 makes knobs");
+  v.number("flare", t.flare, {.min = 0, .max = 4},
+           "How much wider the foot is than the stem above it, as a share");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Distortion& d) {
   v.number("strength", d.strength, {.min = 0, .max = 10, .unit = "m"}, "How far noise bends the tips");
-  v.number("scale", d.scale, {.min = 0, .max = 100, .above_min = true, .unit = "m"}, "From bend to bend");
+  v.number("scale", d.scale, {.min = 0, .max = 100, .above_min = true, .unit = "m"},
+           "Distance from one bend to the next");
 }
 
 template <class Visitor>
 void describe(Visitor& v, CoralParams& c) {
   v.choice("form", c.form, kCoralForms, "The rules that it grows by");
   v.integer("steps", c.steps, {.min = 1, .max = 12},
-            "How often it forks (own rules have steps of their own)");
-  v.angle("pitch", c.pitch, {.min = -180, .max = 180}, "Of a new branch, &");
-  v.angle("roll", c.roll, {.min = -180, .max = 180}, "Of one of the four / between branches");
+            "How often it forks; each step makes three branches of one. Not with \"form\": \"own\", whose "
+            "grammar has steps of its own");
+  v.angle("pitch", c.pitch, {.min = -180, .max = 180},
+          "Angle by which & turns a new branch away from its parent");
+  v.angle("roll", c.roll, {.min = -180, .max = 180},
+          "Angle by which one of the four / between branches rolls");
   v.angle("angle_jitter", c.angle_jitter, {.min = 0, .max = 90}, "Random change of each turn, either way");
   v.number("length_jitter", c.length_jitter, {.min = 0, .max = 0.95},
            "Random change of each internode, as a share of it");
-  v.number("internode", c.internode, {.min = 0.0001, .max = 100, .unit = "m"}, "What one F draws");
-  v.number("length_scale", c.length_scale, {.min = 0.2, .max = 3}, "What \" multiplies lengths by");
-  v.number("width_scale", c.width_scale, {.min = 0.2, .max = 2}, "What ! multiplies thickness by");
-  v.number("lift", c.lift, {.min = -1, .max = 1}, "How much each internode turns upward");
+  v.number("internode", c.internode, {.min = 0.0001, .max = 100, .unit = "m"}, "Length that one F draws");
+  v.number("length_scale", c.length_scale, {.min = 0.2, .max = 3}, "Factor by which \" multiplies lengths");
+  v.number("width_scale", c.width_scale, {.min = 0.2, .max = 2},
+           "Factor by which ! multiplies the thickness");
+  v.number("lift", c.lift, {.min = -1, .max = 1},
+           "How much each internode turns upward; negative turns it down");
   v.number("height", c.height, {.min = 0, .max = 1000, .unit = "m"},
-           "What the whole is scaled to; 0: as it grows");
-  v.integer("smoothing", c.smoothing, {.min = 1, .max = 16}, "Nodes for each internode");
+           "Height that the whole is scaled to; 0 leaves it as it grows");
+  v.integer("smoothing", c.smoothing, {.min = 1, .max = 16},
+            "Number of nodes that each internode is rounded with");
   v.origin(c.grammar.where, "steps");
   v.given("grammar", c.own_rules);
-  v.object("grammar", c.grammar, "Rules of your own, for the form own");
+  v.object("grammar", c.grammar, "Rules of your own. Needs \"form\": \"own\", and no other form may have it");
   v.object("thickness", c.thickness, "Thickness along the branches");
   v.object("distortion", c.distortion, "Noise that bends the shape");
-  v.object("skin", c.skin, "Pores and colours");
+  v.object("skin", c.skin, "Pores and colours of the skin");
   v.object("wave", c.wave, "Swaying in the current");
   v.object("food", c.food, "What the branches bend toward");
-  v.object("growth", c.growth, "When it grows");
+  v.object("growth", c.growth, "When it grows in the film");
 }
 
 namespace {

@@ -22,87 +22,109 @@ inline constexpr Choice<IvyDetail> kIvyDetails[] = {
 
 template <class Visitor>
 void describe(Visitor& v, Crawl& c) {
-  v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "One step of a strand");
-  v.angle("wander", c.wander, {.min = 0, .max = 120}, "How far each step turns at random, either way");
+  v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "Length of one step of a strand");
+  v.angle("wander", c.wander, {.min = 0, .max = 120}, "Angle by which each step turns at random, either way");
   v.number("bias", c.bias, {.min = 0, .max = 1}, "How much of the way to the lure each step turns");
   v.choice("lure", c.lure, kLures, "What strands turn toward");
-  v.vector("toward", c.toward, {.min = -1000, .max = 1000}, "A direction, or for point a place in metres");
+  v.vector("toward", c.toward, {.min = -1000, .max = 1000},
+           "The direction that strands turn toward with the lure along; the place, in metres, with the lure "
+           "point");
   v.number("branch_every", c.branch_every, {.min = 0.001, .max = 1000, .unit = "m"},
-           "Along a strand from branch to branch");
-  v.number("branch_jitter", c.branch_jitter, {.min = 0, .max = 1}, "Random change of that, as a share");
-  v.angle("branch_angle", c.branch_angle, {.min = 5, .max = 150}, "Between a branch and its strand");
-  v.integer("branch_depth", c.branch_depth, {.min = 0, .max = 16}, "Branches of branches; 0: none");
+           "Distance along a strand from one branch to the next");
+  v.number("branch_jitter", c.branch_jitter, {.min = 0, .max = 1},
+           "Random change of that distance, as a share of it");
+  v.angle("branch_angle", c.branch_angle, {.min = 5, .max = 150}, "Angle between a branch and its strand");
+  v.integer("branch_depth", c.branch_depth, {.min = 0, .max = 16},
+            "How many times over branches branch again; 0 leaves single strands");
   v.number("radius", c.radius, {.min = 0.0001, .max = 1, .unit = "m"},
-           "Of a grown strand that carries itself");
-  v.number("ripening", c.ripening, {.min = 0.0001, .max = 1}, "Share of that a step adds");
+           "Radius of a grown strand that carries nothing but itself");
+  v.number("ripening", c.ripening, {.min = 0.0001, .max = 1},
+           "Share of the final radius that each step adds");
   v.number("pipe", c.pipe, {.min = 0, .max = 5},
-           "k strands above make a stem k^(1/pipe) times as thick; 0: they do not");
-  v.number("thickest", c.thickest, {.min = 1, .max = 100}, "Radii that an old stem has at most");
-  v.integer("max_age", c.max_age, {.min = 1, .max = 100000}, "Steps of the whole growth");
+           "Exponent of the stem's thickness: one that carries k strands is k^(1/pipe) times as thick; 0 "
+           "leaves all alike");
+  v.number("thickest", c.thickest, {.min = 1, .max = 100},
+           "Radius of an old stem at most, as a multiple of a strand's");
+  v.integer("max_age", c.max_age, {.min = 1, .max = 100000}, "Number of steps of the whole growth");
   std::optional<double> longest;
-  v.number("max_length", longest, {.min = 0.001, .max = 1e6, .unit = "m"}, "Of one strand; not given: any");
+  v.number("max_length", longest, {.min = 0.001, .max = 1e6, .unit = "m"},
+           "Length of one strand at most; without it there is no limit");
   if (longest) c.max_length = *longest;
   std::optional<Vec3> low, high;
-  v.vector("low", low, {.min = -1e6, .max = 1e6, .unit = "m"}, "Strands stop at this corner's walls");
-  v.vector("high", high, {.min = -1e6, .max = 1e6, .unit = "m"}, "And at this one's");
+  v.vector("low", low, {.min = -1e6, .max = 1e6, .unit = "m"},
+           "Low corner x, y, z of a box that strands do not leave");
+  v.vector("high", high, {.min = -1e6, .max = 1e6, .unit = "m"},
+           "High corner x, y, z of the box that strands do not leave");
   if (low) c.low = *low;
   if (high) c.high = *high;
-  v.number("spacing", c.spacing, {.min = 0, .max = 10, .unit = "m"}, "That strands keep apart");
-  v.integer("patience", c.patience, {.min = 1, .max = 1000}, "Steps without room until a strand stops");
-  v.number("let_go", c.let_go, {.min = 0, .max = 1}, "Chance to lose hold at an edge or overhang");
-  v.number("hang_most", c.hang_most, {.min = 0, .max = 50, .unit = "m"}, "How long strands hang at most");
+  v.number("spacing", c.spacing, {.min = 0, .max = 10, .unit = "m"},
+           "Distance that strands keep from each other");
+  v.integer("patience", c.patience, {.min = 1, .max = 1000},
+            "Number of steps without room after which a strand stops");
+  v.number("let_go", c.let_go, {.min = 0, .max = 1},
+           "Chance that a strand loses its hold at an edge or overhang");
+  v.number("hang_most", c.hang_most, {.min = 0, .max = 50, .unit = "m"},
+           "Length to which a strand hangs at most");
   v.number("stiffness", c.stiffness, {.min = 0.001, .max = 10, .unit = "m"},
-           "That a strand stands out freely before it bends down");
+           "Length over which a strand stands out freely before it bends down");
 }
 
 template <class Visitor>
 void describe(Visitor& v, IvyLeaves& l) {
-  v.number("size", l.size, {.min = 0.001, .max = 2, .unit = "m"}, "Length of a grown blade");
-  v.number("size_variation", l.size_variation, {.min = 0, .max = 0.9}, "Random change of it, as a share");
-  v.number("spacing", l.spacing, {.min = 0.002, .max = 10, .unit = "m"}, "Along a strand from leaf to leaf");
-  v.number("bare", l.bare, {.min = 0, .max = 100, .unit = "m"}, "Above the root, without leaves");
+  v.number("size", l.size, {.min = 0.001, .max = 2, .unit = "m"}, "Length of a grown leaf's blade");
+  v.number("size_variation", l.size_variation, {.min = 0, .max = 0.9},
+           "Random change of the size, as a share of it");
+  v.number("spacing", l.spacing, {.min = 0.002, .max = 10, .unit = "m"},
+           "Distance along a strand from leaf to leaf");
+  v.number("bare", l.bare, {.min = 0, .max = 100, .unit = "m"}, "Length above the root that bears no leaves");
   v.number("overlap", l.overlap, {.min = 0, .max = 20},
-           "Share of a leaf that others may cover; what finds no such place does not grow");
-  v.direction("light", l.light, "Toward the light");
-  v.number("turn", l.turn, {.min = 0, .max = 1}, "0: flat on the surface, 1: square to the light");
+           "Share of a leaf that others may cover; a leaf that finds no such place does not grow");
+  v.direction("light", l.light, "Direction toward the light that leaves turn to");
+  v.number("turn", l.turn, {.min = 0, .max = 1},
+           "How leaves are turned: 0 flat on the surface, 1 square to the light");
   v.number("adult", l.adult, {.min = 0, .max = 1}, "Share of heart-shaped leaves on the oldest shoots");
   v.number("young_length", l.young_length, {.min = 0, .max = 10, .unit = "m"},
-           "Below a tip in which leaves are small and fresh");
+           "Length below a tip over which leaves are small and fresh");
   v.choice("detail", l.detail, kIvyDetails, "How leaves are drawn");
-  v.list("colors", l.colors, Count{1, 16}, "Of grown leaves");
-  v.color("young", l.young, "Of leaves near the tips");
-  v.color("bud", l.bud, "That leaves unfold from");
-  v.color("veins", l.veins, "Of the veins");
+  v.list("colors", l.colors, Count{1, 16}, "Colours of grown leaves");
+  v.color("young", l.young, "Colour of leaves near the tips");
+  v.color("bud", l.bud, "Colour of the buds that leaves unfold from");
+  v.color("veins", l.veins, "Colour of the veins");
   v.number("unfold", l.unfold, {.min = 0.001, .max = 1}, "Share of the growth in which a leaf unfolds");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Flutter& f) {
-  v.angle("amplitude", f.amplitude, {.min = 0, .max = 60}, "Of a leaf on a petiole of 5 cm in a gust");
-  v.number("speed", f.speed, {.min = 0, .max = 20, .unit = "1/s"}, "Swings a second; single leaves differ");
-  v.number("gust", f.gust, {.min = 0.05, .max = 1000, .unit = "m"}, "From gust to gust");
-  v.direction("direction", f.direction, Across::xz, "In which gusts travel; only x and z count");
+  v.angle("amplitude", f.amplitude, {.min = 0, .max = 60},
+          "Angle by which a gust moves a leaf on a petiole of 5 cm");
+  v.number("speed", f.speed, {.min = 0, .max = 20, .unit = "1/s"},
+           "Number of swings in a second; single leaves differ");
+  v.number("gust", f.gust, {.min = 0.05, .max = 1000, .unit = "m"}, "Distance from one gust to the next");
+  v.direction("direction", f.direction, Across::xz, "Direction in which gusts travel; only x and z count");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Breeze& b) {
-  v.angle("amplitude", b.amplitude, {.min = 0, .max = 60}, "How far the free end of a hanging strand swings");
-  v.direction("direction", b.direction, Across::xz, "Of the wind; only x and z count");
+  v.angle("amplitude", b.amplitude, {.min = 0, .max = 60},
+          "Angle by which the free end of a hanging strand swings");
+  v.direction("direction", b.direction, Across::xz, "Direction of the wind; only x and z count");
 }
 
 template <class Visitor>
 void describe(Visitor& v, IvyParams& i) {
-  v.list("on", i.on, "Names of the organisms that it grows on; none: all bodies there are");
+  v.list("on", i.on,
+         "Names of the organisms that it grows on, as their `name` says; without any it grows on all bodies "
+         "there are");
   v.vector("facing", i.facing, {.min = -1000, .max = 1000},
-           "Roots without a place stand where the host looks this way; 0: anywhere");
+           "Roots without a place of their own stand where the host looks this way; [0, 0, 0] is anywhere");
   v.number("above", i.above, {.min = 0, .max = 100, .unit = "m"},
-           "Of those roots, over the host's lowest point");
+           "Height above the host's lowest point up to which roots without a place of their own stand");
   v.object("crawl", i.crawl, "How strands creep");
-  v.object("leaves", i.leaves, "Leaves");
-  v.object("bark", i.bark, "Of the strands; its colours run from old wood to shoots");
-  v.object("flutter", i.flutter, "How leaves tremble");
-  v.object("breeze", i.breeze, "How hanging strands swing");
-  v.object("growth", i.growth, "When it grows");
+  v.object("leaves", i.leaves, "The leaves");
+  v.object("bark", i.bark, "Surface of the strands; its colours run from old wood to shoots");
+  v.object("flutter", i.flutter, "How leaves tremble in the wind");
+  v.object("breeze", i.breeze, "How hanging strands swing in the wind");
+  v.object("growth", i.growth, "When it grows in the film");
 }
 
 namespace {

@@ -27,14 +27,16 @@ template <class Visitor>
 void describe(Visitor& v, MeshParams& m) {
   v.file(
       "file", m.file, [&](const NamedFile& file) { return load_unit_mesh(file, m.mesh); },
-      "A Wavefront OBJ file, as seen from the preset's folder or from where Frond runs");
+      "A Wavefront OBJ file, named as seen from the preset's folder or from where Frond runs; y is up, and "
+      "the middle of its underside stands at its place");
   v.required("file");
-  v.number("size", m.size, {.min = 0.001, .max = 100, .unit = "m"}, "Of its longest side");
+  v.number("size", m.size, {.min = 0.001, .max = 100, .unit = "m"},
+           "Length of its longest side, to which the file is scaled");
   v.choice("matter", m.matter, kMeshMatters, "What it is made of");
-  v.color("color", m.color, "Of its surface");
-  v.color("second", m.second, "Of stains and cracks");
-  v.number("scale", m.scale, {.min = 0.001, .max = 10, .unit = "m"}, "Of the pattern");
-  v.number("weathering", m.weathering, {.min = 0, .max = 1}, "Soot, damp and moss");
+  v.color("color", m.color, "Colour of its surface");
+  v.color("second", m.second, "Colour of stains and cracks");
+  v.number("scale", m.scale, {.min = 0.001, .max = 10, .unit = "m"}, "Size of the pattern");
+  v.number("weathering", m.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
 }
 
 namespace {

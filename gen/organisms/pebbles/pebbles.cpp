@@ -77,15 +77,17 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
 template <class Visitor>
 void describe(Visitor& v, PebblesParams& p) {
   describe_shape(v, p.shape);
-  v.object("stone", p.stone, "Their surface");
-  v.integer("shapes", p.shapes, {.min = 1, .max = 1000}, "How many different ones");
-  v.integer("number", p.number, {.min = 1, .max = 20000}, "How many lie there, if there is room");
-  v.number("radius", p.radius, {.min = 0.01, .max = 100, .unit = "m"}, "Of the field");
-  v.number("inner", p.inner, {.min = 0, .max = 100, .unit = "m"}, "What stays free round its middle");
+  v.object("stone", p.stone, "The surface of the stones");
+  v.integer("shapes", p.shapes, {.min = 1, .max = 1000}, "How many different shapes there are");
+  v.integer("number", p.number, {.min = 1, .max = 20000}, "How many stones lie there, if there is room");
+  v.number("radius", p.radius, {.min = 0.01, .max = 100, .unit = "m"}, "Radius of the field of stones");
+  v.number("inner", p.inner, {.min = 0, .max = 100, .unit = "m"},
+           "Radius round the middle of the field that stays free");
   v.number("least_size", p.least_size, {.min = 0.001, .max = 100, .unit = "m"},
-           "Longest side of the smallest");
-  v.number("most_size", p.most_size, {.min = 0.001, .max = 100, .unit = "m"}, "Longest side of the largest");
-  v.number("buried", p.buried, {.min = 0, .max = 1}, "Share of the height that is in the ground");
+           "Longest side of the smallest stone");
+  v.number("most_size", p.most_size, {.min = 0.001, .max = 100, .unit = "m"},
+           "Longest side of the largest stone");
+  v.number("buried", p.buried, {.min = 0, .max = 1}, "Share of a stone's height that is in the ground");
 }
 
 namespace {

@@ -31,33 +31,42 @@ void describe(Visitor& v, OrganParams& o) {
   v.text("symbol", o.symbol,
          "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
   v.required("symbol");
-  v.choice("shape", o.shape, kOrganShapes, "What it is");
+  v.choice("shape", o.shape, kOrganShapes, "What the organ is");
   v.file(
       "file", o.file, [&](const NamedFile& file) { return load_unit_mesh(file, o.mesh); },
-      "Of an obj: the file, as seen from the preset's folder", o.shape == OrganShape::obj);
+      "A Wavefront OBJ file, named as seen from the preset's folder: y is up, the middle of its underside is "
+      "its foot, its longest side becomes size. Needs \"shape\": \"obj\"",
+      o.shape == OrganShape::obj);
   v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
            "Length; a parameter in the grammar multiplies it");
-  v.list("colors", o.colors, Count{1, 64}, "The turtle's colour index picks one, round and round");
-  v.color("second", o.second, "Heart of a flower, veins of a leaf, calyx of a bud, stem of a frond");
-  v.number("width", o.width, {.min = 0.02, .max = 3}, "Share of the length");
-  v.integer("detail", o.detail, {.min = 1, .max = 3}, "Of leaves and petals: 10, 52 or 126 triangles each");
-  v.angle("fold", o.fold, {.min = -80, .max = 80},
-          "Of a leaf along its midrib; of a frond's leaflets above the flat");
+  v.list("colors", o.colors, Count{1, 64},
+         "Colours of the organ; the turtle's colour index picks one, round and round");
+  v.color("second", o.second,
+          "Colour of a flower's heart, a leaf's veins, a bud's calyx, a frond's stem or an obj at its axis");
+  v.number("width", o.width, {.min = 0.02, .max = 3}, "Width as a share of the length");
+  v.integer("detail", o.detail, {.min = 1, .max = 3},
+            "How fine leaves and petals are: 10, 52 or 126 triangles each");
+  v.angle(
+      "fold", o.fold, {.min = -80, .max = 80},
+      "Angle by which a leaf is folded along its midrib, or a frond's leaflets are raised above the flat");
   v.angle("bend", o.bend, {.min = -180, .max = 180},
-          "Of a leaf, petal, sprig or frond from foot to tip, downward");
+          "Angle by which a leaf, petal, sprig or frond is bent down from foot to tip");
   v.number("wave", o.wave, {.min = 0, .max = 2}, "How much the rim is waved");
-  v.integer("petals", o.petals, {.min = 1, .max = 200}, "Of a flower");
+  v.integer("petals", o.petals, {.min = 1, .max = 200}, "Number of petals. Needs \"shape\": \"flower\"");
   v.integer("leaflets", o.leaflets, {.min = 0, .max = 400},
-            "Leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape");
+            "Number of leaves of a sprig or pairs of leaflets of a frond; 0 is as usual for the shape");
   v.integer("lobes", o.lobes, {.min = 0, .max = 40},
-            "On either side of a frond's leaflets, as a fern has them; 0: leaflets are whole");
-  v.angle("droop", o.droop, {.min = -90, .max = 180}, "Of a frond's leaflets from foot to tip");
-  v.integer("variants", o.variants, {.min = 1, .max = 12}, "Different shapes of a sprig or frond");
-  v.angle("open", o.open, {.min = 0, .max = 150}, "Between petals and heading");
+            "Number of lobes on either side of a frond's leaflets, as a fern has them; 0 leaves them whole");
+  v.angle("droop", o.droop, {.min = -90, .max = 180},
+          "Angle by which a frond's leaflets hang from foot to tip");
+  v.integer("variants", o.variants, {.min = 1, .max = 12}, "Number of different shapes of a sprig or frond");
+  v.angle("open", o.open, {.min = 0, .max = 150},
+          "Angle between petals and the heading of the flower or bud");
   v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
   v.number("size_variation", o.size_variation, {.min = 0, .max = 0.9},
-           "Random change of the size, as a share");
-  v.angle("turn_variation", o.turn_variation, {.min = 0, .max = 180}, "Random tilt, either way");
+           "Random change of the size, as a share of it");
+  v.angle("turn_variation", o.turn_variation, {.min = 0, .max = 180},
+          "Random tilt of each organ, either way");
 }
 
 template <class Visitor>
@@ -65,18 +74,19 @@ void describe(Visitor& v, PlantParams& p) {
   v.object("grammar", p.grammar, "The rules that it grows by");
   v.required("grammar");
   v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
-           "What the whole is scaled to; 0: as the turtle draws");
-  v.choice("stand", p.stand, kStands, "What is put at its place");
-  v.integer("smoothing", p.smoothing, {.min = 1, .max = 16}, "Nodes for each segment; 1: straight lines");
+           "Height that the whole is scaled to; 0 leaves it as the turtle draws it");
+  v.choice("stand", p.stand, kStands, "Which point of it stands at its place");
+  v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},
+            "Number of nodes that each segment is rounded with; 1 leaves straight lines");
   v.object("thickness", p.thickness, "Thickness of the branches");
-  v.object("bark", p.bark, "Their surface");
-  v.list("organs", p.organs, "What stands at symbols of the grammar");
+  v.object("bark", p.bark, "The surface of the branches");
+  v.list("organs", p.organs, "What stands at symbols of the grammar: leaves, flowers, meshes");
   v.object("blades", p.blades, "What the turtle's filled outlines are made of");
-  v.object("season", p.season, "The year of its leaves");
+  v.object("season", p.season, "The course of the year for its leaves; without it they stay as they are");
   v.object("wave", p.wave, "Swaying in the wind");
-  v.object("growth", p.growth, "When it grows");
+  v.object("growth", p.growth, "When it grows in the film");
   v.boolean("by_steps", p.by_steps,
-            "Growth runs through the derivation steps instead of along the finished branches");
+            "Whether growth runs through the derivation steps instead of along the finished branches");
 }
 
 namespace {

@@ -26,11 +26,14 @@ Result<Model> build_rock(const RockParams& params, Seed seed) {
 
 template <class Visitor>
 void describe(Visitor& v, RockParams& r) {
-  v.number("size", r.shape.size, {.min = 0.001, .max = 1000, .unit = "m"}, "Longest side, before weathering");
+  v.number("size", r.shape.size, {.min = 0.001, .max = 1000, .unit = "m"},
+           "Length of its longest side, before weathering");
   describe_shape(v, r.shape);
-  v.object("stone", r.stone, "Its surface");
+  v.object("stone", r.stone, "The surface of the stone");
   v.number("buried", r.buried, {.min = 0, .max = 1}, "Share of its height that is in the ground");
-  v.boolean("native", r.native, "An isosurface of POV-Ray's own: the blobs alone, exact, without weathering");
+  v.boolean(
+      "native", r.native,
+      "Whether it is written as an isosurface of POV-Ray's own: the blobs alone, exact, without weathering");
 }
 
 namespace {

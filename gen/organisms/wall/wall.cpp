@@ -74,32 +74,36 @@ inline constexpr Choice<WallHole> kWallHoles[] = {{"window", WallHole::window, "
 
 template <class Visitor>
 void describe(Visitor& v, WallOpening& o) {
-  v.choice("kind", o.kind, kWallHoles, "What stands in it");
-  v.number("at", o.at, {.min = -50, .max = 50, .unit = "m"}, "Its middle, from the middle of the wall");
-  v.number("sill", o.sill, {.min = 0, .max = 50, .unit = "m"}, "Height of its lower edge; not of a door");
-  v.number("width", o.width, {.min = 0.2, .max = 20, .unit = "m"}, "Of the hole");
-  v.number("height", o.height, {.min = 0.2, .max = 20, .unit = "m"}, "Of the hole");
+  v.choice("kind", o.kind, kWallHoles, "What stands in the opening");
+  v.number("at", o.at, {.min = -50, .max = 50, .unit = "m"},
+           "Where its middle is, from the middle of the wall along it");
+  v.number("sill", o.sill, {.min = 0, .max = 50, .unit = "m"}, "Height of its lower edge; a door has none");
+  v.number("width", o.width, {.min = 0.2, .max = 20, .unit = "m"}, "Width of the opening");
+  v.number("height", o.height, {.min = 0.2, .max = 20, .unit = "m"}, "Height of the opening");
 }
 
 template <class Visitor>
 void describe(Visitor& v, WallParams& w) {
   WallShape& s = w.shape;
   v.number("width", s.width, {.min = 0.1, .max = 30, .unit = "m"}, "Length of the wall");
-  v.number("height", s.height, {.min = 0.1, .max = 15, .unit = "m"}, "Without the coping; whole courses");
-  v.number("thickness", s.thickness, {.min = 0.05, .max = 2, .unit = "m"}, "From face to face");
+  v.number("height", s.height, {.min = 0.1, .max = 15, .unit = "m"},
+           "Height without the coping, rounded to whole courses");
+  v.number("thickness", s.thickness, {.min = 0.05, .max = 2, .unit = "m"}, "Thickness from face to face");
   v.vector("brick", s.brick, {.min = 0.03, .max = 1, .unit = "m"}, "Length, height and depth of a brick");
-  v.number("joint", s.joint, {.min = 0.002, .max = 0.03, .unit = "m"}, "Mortar between bricks");
+  v.number("joint", s.joint, {.min = 0.002, .max = 0.03, .unit = "m"},
+           "Thickness of the mortar between bricks");
   v.number("recess", s.recess, {.min = 0, .max = 0.02, .unit = "m"},
            "How far the mortar lies behind the bricks' faces");
-  v.number("wear", s.wear, {.min = 0, .max = 1}, "0 as new, 1: bricks chipped and askew");
+  v.number("wear", s.wear, {.min = 0, .max = 1}, "How worn the bricks are: 0 as new, 1 chipped and askew");
   v.number("ruin", s.ruin, {.min = 0, .max = 0.95}, "Share of its height that has fallen down at most");
-  v.boolean("coping", s.coping, "A top course of bricks on edge, where nothing has fallen down");
-  v.list("openings", s.openings, "Windows, doors, gaps");
+  v.boolean("coping", s.coping,
+            "Whether a top course of bricks stands on edge, where nothing has fallen down");
+  v.list("openings", s.openings, "Windows, doors and gaps in the wall");
   v.list("bricks", w.bricks, Count{1, 64}, "Colours of the bricks");
-  v.color("mortar", w.mortar, "Of the joints");
-  v.color("stone", w.stone, "Of sills and lintels");
-  v.color("paint", w.paint, "Of windows and doors");
-  v.number("weathering", w.weathering, {.min = 0, .max = 1}, "Soot, damp and moss");
+  v.color("mortar", w.mortar, "Colour of the mortar");
+  v.color("stone", w.stone, "Colour of sills and lintels");
+  v.color("paint", w.paint, "Colour of windows and doors");
+  v.number("weathering", w.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
 }
 
 namespace {

@@ -52,84 +52,102 @@ inline constexpr Choice<CrownShape> kCrownShapes[] = {
 template <class Visitor>
 void describe(Visitor& v, StemLevel& s) {
   constexpr Range kAngle{.min = -3600, .max = 3600};
-  v.angle("down_angle", s.down_angle, kAngle, "From the parent");
+  v.angle("down_angle", s.down_angle, kAngle, "Angle between a stem and its parent");
   v.angle("down_angle_v", s.down_angle_v, kAngle,
-          "Its variation; negative: it falls by so much from the parent's base to its top");
-  v.angle("rotate", s.rotate, kAngle, "About the parent from stem to stem; negative: to and fro");
-  v.angle("rotate_v", s.rotate_v, kAngle, "Its variation");
+          "Random change of down_angle; negative makes it fall by so much from the parent's base to its top");
+  v.angle("rotate", s.rotate, kAngle,
+          "Angle about the parent from one stem to the next; negative turns to and fro");
+  v.angle("rotate_v", s.rotate_v, kAngle, "Random change of rotate");
   v.number("branches", s.branches, {.min = 0, .max = 2000},
-           "Stems of this level on one of the level below, which it shares with its clones");
+           "Number of stems of this level on one of the level below, shared with its clones");
   v.number("branch_dist", s.branch_dist, {.min = 0, .max = 100},
-           "0: in whorls at each segment; 1: evenly; more: a whorl each so many segments");
-  v.number("length", s.length, {.min = 0, .max = 100}, "Share of the parent's, of a trunk: of the scale");
-  v.number("length_v", s.length_v, {.min = 0, .max = 100}, "Its variation");
-  v.number("taper", s.taper, {.min = 0, .max = 3}, "0: cylinder; 1: to a point; 2: a round end; 3: pearls");
-  v.number("seg_splits", s.seg_splits, {.min = 0, .max = 4}, "Clones that split off at each segment");
-  v.angle("split_angle", s.split_angle, {.min = 0, .max = 180}, "Between stem and clone");
-  v.angle("split_angle_v", s.split_angle_v, {.min = 0, .max = 180}, "Its variation");
-  v.integer("curve_res", s.curve_res, {.min = 1, .max = 200}, "Segments of a stem");
-  v.angle("curve", s.curve, kAngle, "By which it bends over its length");
-  v.angle("curve_back", s.curve_back, kAngle, "By which its upper half bends instead");
-  v.angle("curve_v", s.curve_v, kAngle, "Random bending; negative: a helix of that slope");
+           "How stems are distributed: 0 in whorls at each segment, 1 evenly, more a whorl every so many "
+           "segments");
+  v.number("length", s.length, {.min = 0, .max = 100},
+           "Length as a share of the parent's; of the trunk as a share of the scale");
+  v.number("length_v", s.length_v, {.min = 0, .max = 100}, "Random change of the length");
+  v.number("taper", s.taper, {.min = 0, .max = 3},
+           "How the stem tapers: 0 a cylinder, 1 to a point, 2 a round end, 3 pearls");
+  v.number("seg_splits", s.seg_splits, {.min = 0, .max = 4},
+           "Number of clones that split off at each segment");
+  v.angle("split_angle", s.split_angle, {.min = 0, .max = 180}, "Angle between a stem and its clone");
+  v.angle("split_angle_v", s.split_angle_v, {.min = 0, .max = 180}, "Random change of split_angle");
+  v.integer("curve_res", s.curve_res, {.min = 1, .max = 200}, "Number of segments of a stem");
+  v.angle("curve", s.curve, kAngle, "Angle by which a stem bends over its length");
+  v.angle("curve_back", s.curve_back, kAngle, "Angle by which its upper half bends instead");
+  v.angle("curve_v", s.curve_v, kAngle,
+          "Random bending over the length; negative makes a helix of that slope");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Pruning& p) {
-  v.number("ratio", p.ratio, {.min = 0, .max = 1}, "0: none; 1: nothing stands out of the envelope");
-  v.number("width", p.width, {.min = 0, .max = 10}, "Radius as a share of the scale");
+  v.number("ratio", p.ratio, {.min = 0, .max = 1},
+           "How strictly branches are cut to the envelope: 0 not at all, 1 nothing stands out of it");
+  v.number("width", p.width, {.min = 0, .max = 10}, "Radius of the envelope as a share of the scale");
   v.number("width_peak", p.width_peak, {.min = 0, .max = 1},
-           "Where it is widest: 0 at the foot; 1 at the top");
-  v.number("power_low", p.power_low, {.min = 0, .max = 100}, "Bulge below: 1 straight, less is rounder");
-  v.number("power_high", p.power_high, {.min = 0, .max = 100}, "Bulge above");
+           "Where the envelope is widest: 0 at its foot, 1 at its top");
+  v.number("power_low", p.power_low, {.min = 0, .max = 100},
+           "Bulge of the envelope below its widest place: 1 is straight, less is rounder");
+  v.number("power_high", p.power_high, {.min = 0, .max = 100},
+           "Bulge of the envelope above its widest place: 1 is straight, less is rounder");
 }
 
 template <class Visitor>
 void describe(Visitor& v, WeberPenn& t) {
-  v.choice("shape", t.shape, kCrownShapes, "How long branches are by their height");
+  v.choice("shape", t.shape, kCrownShapes, "How long branches are by their height on the trunk");
   v.number("cone_top", t.cone_top, {.min = 0, .max = 1},
-           "Of a conical crown: its topmost branches as a share of the longest");
-  v.number("base_size", t.base_size, {.min = 0, .max = 1}, "Share of the tree without branches");
-  v.number("scale", t.scale, {.min = 0.01, .max = 500, .unit = "m"}, "Size of the tree");
-  v.number("scale_v", t.scale_v, {.min = 0, .max = 500, .unit = "m"}, "Its variation");
+           "Length of the topmost branches as a share of the longest. Needs \"shape\": \"conical\"");
+  v.number("base_size", t.base_size, {.min = 0, .max = 1},
+           "Share of the tree's height, from the ground, that bears no branches");
+  v.number("scale", t.scale, {.min = 0.01, .max = 500, .unit = "m"}, "Height of the tree, about");
+  v.number("scale_v", t.scale_v, {.min = 0, .max = 500, .unit = "m"}, "Random change of the scale");
   v.number("z_scale", t.z_scale, {.min = 0.05, .max = 20}, "Factor of the height alone");
-  v.number("z_scale_v", t.z_scale_v, {.min = 0, .max = 20}, "Its variation");
-  v.integer("levels", t.levels, {.min = 1, .max = 9}, "Of stems, the trunk included");
+  v.number("z_scale_v", t.z_scale_v, {.min = 0, .max = 20}, "Random change of z_scale");
+  v.integer("levels", t.levels, {.min = 1, .max = 9}, "Number of levels of stems, the trunk included");
   v.number("ratio", t.ratio, {.min = 0.0001, .max = 1}, "Radius of the trunk as a share of its length");
   v.number("ratio_power", t.ratio_power, {.min = -10, .max = 10}, "How fast radii fall with length");
-  v.number("flare", t.flare, {.min = -1, .max = 10}, "How much wider the foot is");
-  v.integer("lobes", t.lobes, {.min = 0, .max = 100}, "Of the trunk's cross-section (branches with a coat)");
-  v.number("lobe_depth", t.lobe_depth, {.min = 0, .max = 0.9}, "Share of the radius");
+  v.number("flare", t.flare, {.min = -1, .max = 10},
+           "How much wider the foot is than the stem above it, as a share");
+  v.integer("lobes", t.lobes, {.min = 0, .max = 100},
+            "Number of lobes of the trunk's cross-section. Needs a coat");
+  v.number("lobe_depth", t.lobe_depth, {.min = 0, .max = 0.9}, "Depth of a lobe as a share of the radius");
   v.number("trunk_scale", t.trunk_scale, {.min = 0.01, .max = 20}, "Factor of the trunk's radius");
-  v.number("trunk_scale_v", t.trunk_scale_v, {.min = 0, .max = 20}, "Its variation");
-  v.integer("base_splits", t.base_splits, {.min = 0, .max = 20}, "Clones above the trunk's first segment");
-  v.integer("trunks", t.trunks, {.min = 1, .max = 1000}, "How many stand beside each other");
+  v.number("trunk_scale_v", t.trunk_scale_v, {.min = 0, .max = 20}, "Random change of trunk_scale");
+  v.integer("base_splits", t.base_splits, {.min = 0, .max = 20},
+            "Number of clones that split off above the trunk's first segment");
+  v.integer("trunks", t.trunks, {.min = 1, .max = 1000}, "Number of trunks that stand beside each other");
   v.number("trunk_spread", t.trunk_spread, {.min = 0, .max = 100, .unit = "m"},
-           "How far from the middle they stand, at most");
-  v.object("trunk", t.level[0], "Level 0");
-  v.object("branches", t.level[1], "Level 1");
-  v.object("twigs", t.level[2], "Level 2");
-  v.object("shoots", t.level[3], "Level 3 and all beyond");
+           "Distance from the middle at which trunks stand, at most");
+  v.object("trunk", t.level[0], "The trunk, level 0");
+  v.object("branches", t.level[1], "The branches on the trunk, level 1");
+  v.object("twigs", t.level[2], "The twigs on branches, level 2");
+  v.object("shoots", t.level[3], "The shoots on twigs, level 3 and all beyond");
   v.number("leaves", t.leaves, {.min = -2000, .max = 2000},
-           "On one stem of the last level, and on each clone; negative: a fan at its end");
-  v.choice("leaf_distribution", t.leaf_distribution, kCrownShapes, "Over the level that bears them");
+           "Number of leaves on one stem of the last level and on each clone; negative sets them as a fan at "
+           "its end");
+  v.choice("leaf_distribution", t.leaf_distribution, kCrownShapes,
+           "How leaves are distributed over the level that bears them");
   v.number("leaf_scale", t.leaf_scale, {.min = 0.001, .max = 20, .unit = "m"}, "Length of a leaf");
-  v.number("leaf_scale_x", t.leaf_scale_x, {.min = 0.01, .max = 10}, "Its width as a share of the length");
+  v.number("leaf_scale_x", t.leaf_scale_x, {.min = 0.01, .max = 10},
+           "Width of a leaf as a share of its length");
   v.number("leaf_bend", t.leaf_bend, {.min = 0, .max = 1}, "How far leaves turn to the light");
-  v.number("leaf_stem_length", t.leaf_stem_length, {.min = -1, .max = 10}, "Share of the leaf's length");
+  v.number("leaf_stem_length", t.leaf_stem_length, {.min = -1, .max = 10},
+           "Length of a leaf's stalk as a share of the leaf's");
   v.number("leaf_quality", t.leaf_quality, {.min = 0.01, .max = 1},
-           "Share of the leaves; they grow to make up");
+           "Share of the leaves that are drawn; they are enlarged to make up");
   v.number("attraction_up", t.attraction_up, {.min = -20, .max = 20},
-           "Of twigs and shoots; negative: they hang");
+           "Upward pull on twigs and shoots; negative lets them hang");
   v.object("pruning", t.pruning, "The envelope that branches are cut to");
-  v.integer("smoothing", t.smoothing, {.min = 1, .max = 16}, "Nodes for each segment");
+  v.integer("smoothing", t.smoothing, {.min = 1, .max = 16},
+            "Number of nodes that each segment is rounded with");
 }
 
 template <class Visitor>
 void describe(Visitor& v, WeberPennParams& p) {
-  v.object("tree", p.tree, "Its shape");
+  v.object("tree", p.tree, "The shape of the tree");
   v.file(
       "species", p.species, [&](const NamedFile& file) { return load_species(file, p.tree); },
-      "An Arbaro XML file in place of tree, as seen from the preset's folder");
+      "An XML file of Arbaro, named as seen from the preset's folder, in place of tree");
   describe(v, p.dress);
 }
 

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/inputs.h"
+#include "app/streams.h"
+#include "core/files.h"
+#include "core/parallel.h"
+#include "emit/film_files.h"
+#include "emit/foretell.h"
+#include "emit/include.h"
+#include "settings/settings.h"
+
+// A scene as an include for POV-Ray: export to an .inc.
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const Watch kQuiet{[](auto, auto) {}, [] {}};
+
+/// The files of povinc.
+Result<MacroFiles> read_macros() {
+  Result<fs::path> root = home();
+  if (!root) return root.errors();
+  MacroFiles macros;
+  for (const fs::path& file : files_in(*root / "povinc")) {
+    if (file.extension() != ".inc") continue;
+    Result<std::string> text = read_file(file);
+    if (!text) return text.errors();
+    macros.emplace_back(file.filename().string(), std::move(*text));
+  }
+  return macros;
+}
+
+/// Grows the models of what is sown.
+Errors grow_models(IncludeVariant& variant) {
+  std::vector<ModelFile> files = variant.plans.front().files;  // by stand, model and level
+  variant.models.resize(files.size());
+  std::vector<Errors> errors(files.size());
+  parallel_for(files.size(), [&](std::size_t i) {
+    auto same = [&](std::size_t k) {
+      return files[k].stand == files[i].stand && files[k].model == files[i].model;
+    };
+    if (i > 0 && same(i - 1)) return;
+    const SownStand& stand = variant.scene.stands[files[i].stand];
+    Result<Model> model = grow_copy(stand.organism, files[i].model);
+    if (!model) errors[i] = model.errors();
+    for (std::size_t k = i; model && k < files.size() && same(k); ++k)
+      variant.models[k] = model_texts({files[k]}, stand, *model, {})[0];
+  });
+  for (const Errors& list : errors)
+    if (!list.empty()) return list;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    files[i].parts = model_parts(variant.models[i]).value_or(std::vector<int>{});
+  for (CopyPlan& plan : variant.plans) plan.files = files;
+  return {};
+}
+
+/// The preset's scene by the n-th seed, with all that an include needs of it beside the include.
+Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
+  Preset bare = preset;
+  // What is sown follows the land; all else stands on flat ground.
+  auto sown = [](const Organism& organism) { return organism.sown.has_value(); };
+  if (std::ranges::none_of(preset.organisms, sown)) bare.stage.setting = row_of("studio");
+  Result<Scene> scene = build_scene(bare);
+  if (!scene) return scene.errors();
+  IncludeVariant variant = include_variant(std::move(*scene));
+  if (Errors errors = grow_models(variant); !errors.empty()) return errors;
+  fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+  if (Errors errors = write_drawings(variant.scene, folder, kQuiet); !errors.empty()) return errors;
+  return variant;
+}
+
+}  // namespace
+
+int export_include(const ExportArguments& arguments) {
+  fs::path out = arguments.out;
+  Result<Preset> preset = load_preset(arguments.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  if (!arguments.quiet) tell_notes(preset->notes);
+  const Film& film = preset->film;
+  int last = arguments.frame == 0 ? film.frames : arguments.frame;
+  FrameRange range{last, last};
+  if (arguments.frames) {
+    Result<FrameRange> asked = read_frames(*arguments.frames, film.frames);
+    if (!asked) return fail(asked.errors(), kWrongInput);
+    range = *asked;
+  }
+  if (range.last > film.frames)
+    return fail(
+        {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
+        kWrongInput);
+  Result<Foretold> foretold = foretell(*preset, range.last - range.first + 1);
+  Errors refused = foretold ? refuse(*foretold, this_machine(".")) : foretold.errors();
+  if (!refused.empty()) return fail(refused, kWrongInput);
+  Result<MacroFiles> macros = read_macros();
+  if (!macros) return fail(macros.errors(), kCouldNot);
+
+  IncludeText text{include_name(out.stem().string()),
+                   out.filename().string(),
+                   preset->title,
+                   arguments.preset.path,
+                   std::move(*macros),
+                   {}};
+  for (int frame = range.first; frame <= range.last; ++frame) text.frames.push_back(frame);
+  std::vector<IncludeVariant> variants;
+  for (int i = 0; i < arguments.seeds; ++i) {
+    now_doing("growing what stands in the scene");
+    preset->seed += i > 0 ? 1 : 0;
+    Result<IncludeVariant> variant = grow_variant(*preset, out);
+    if (!variant) return fail(variant.errors(), kCouldNot);
+    variants.push_back(std::move(*variant));
+  }
+  now_doing("writing the include");
+  Result<std::string> written = include_text(text, variants);
+  if (!written) {
+    Errors errors = written.errors();
+    if (errors.front().where.empty()) errors.front().where = arguments.out;
+    return fail(errors, kWrongInput);
+  }
+  if (Result<bool> done = write_file(out, *written); !done) return fail(done.errors(), kCouldNot);
+  if (!arguments.quiet)
+    tell(fmt::format("{}: {:.2g} MB; in a scene: #include \"{}\", then object {{ {}(0, 0) }}", arguments.out,
+                     static_cast<double>(written->size()) / 1e6, text.file, text.name));
+  return kDone;
+}
+
+}  // namespace frond
