@@ -32,7 +32,7 @@ BASES = {
     "mesh": ("templates/new/mesh.json", BARE),
     "bridge": ("templates/new/bridge.json", BARE),
     "vase": ("templates/new/vase.json", []),
-    "weber_penn": ("templates/new/weber_penn.json", BARE),
+    "weber_penn": ("templates/new/weber_penn.json", BARE + ["/scene/camera/angle=50"]),
     "colonized": ("templates/new/colonized.json", BARE),
     "tree": ("templates/new/tree.json", BARE),
     "ivy": ("templates/new/ivy.json", BARE),
@@ -47,6 +47,7 @@ NEARER = {
     "plant/bark/kind": ["/scene/camera/angle=8", "/scene/camera/look_at=[0,0.25,0]"],
     "wall/wear": ["/scene/camera/angle=14"],
     "wall/weathering": ["/scene/camera/angle=24"],
+    "column/broken": ["/scene/camera/angle=46"],
     "column/flutes": ["/scene/camera/angle=12"],
     "ivy/leaves/size": ["/scene/camera/angle=22"],
 }

@@ -59,10 +59,15 @@ def small(words):
         if word in ("--size", "--scale"):
             words = words[:i] + words[i + 2:]
             break
-    words = [re.sub(r"frames=\d+$", "frames=2", w) for w in words]
+    words = [re.sub(r"frames=\d+$", "frames=2", re.sub(r"^(/\S+:\S+):\d+$", r"\1:2", w)) for w in words]
+    if "--contact-seeds" in words:
+        words[words.index("--contact-seeds") + 1] = "2"
     words += ["--size", "32x24", "--jobs", "1"]
+    if "presets/reef.json" in words:  # one coral of it stands for all
+        words[words.index("presets/reef.json")] = "presets/staghorn.json"
+        words += ["--set", "/film/frames=96"] + ([] if "-o" in words else ["-o", "out/reef"])
     sheet = any(w.startswith(("--contact", "--sweep")) for w in words)
-    film = any("frames=" in w for w in words)
+    film = any(w.endswith("frames=2") for w in words)
     return words if sheet or film or "--frames" in words or "--why" in words else words + ["--frames", "1-1"]
 
 
