@@ -18,6 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FROND = os.environ.get("FROND_BIN", str(ROOT / "build" / "frond"))
+os.environ.setdefault("FROND_HOME", str(ROOT))
 SIZE = "160x120"
 
 # Where a strip's preset comes from, and what is simpler in it than there.
@@ -160,7 +161,7 @@ def render(path, values):
             words = [FROND, "generate", base, "-o", out, "-q", "--size", SIZE, "--quality", "draft"]
             for one in sets + NEARER.get(path, []) + [f"{pointer}={json.dumps(value)}"]:
                 words += ["--set", one]
-            subprocess.run(words, check=True, cwd=ROOT, env={**os.environ, "FROND_HOME": str(ROOT)})
+            subprocess.run(words, check=True, cwd=ROOT)
             subprocess.run(["ninja", "-C", out, "frames/frame_0001.png"], check=True, capture_output=True)
             inputs += ["-i", out / "frames" / "frame_0001.png"]
         part = pathlib.Path(scratch) / "strip.jpg"
