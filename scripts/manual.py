@@ -18,6 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FROND = os.environ.get("FROND_BIN", str(ROOT / "build" / "frond"))
+os.environ.setdefault("FROND_HOME", str(ROOT))
 SIZE = "160x120"
 
 # Where a strip's preset comes from, and what is simpler in it than there.
@@ -32,7 +33,7 @@ BASES = {
     "mesh": ("templates/new/mesh.json", BARE),
     "bridge": ("templates/new/bridge.json", BARE),
     "vase": ("templates/new/vase.json", []),
-    "weber_penn": ("templates/new/weber_penn.json", BARE),
+    "weber_penn": ("templates/new/weber_penn.json", BARE + ["/scene/camera/angle=50"]),
     "colonized": ("templates/new/colonized.json", BARE),
     "tree": ("templates/new/tree.json", BARE),
     "ivy": ("templates/new/ivy.json", BARE),
@@ -47,6 +48,7 @@ NEARER = {
     "plant/bark/kind": ["/scene/camera/angle=8", "/scene/camera/look_at=[0,0.25,0]"],
     "wall/wear": ["/scene/camera/angle=14"],
     "wall/weathering": ["/scene/camera/angle=24"],
+    "column/broken": ["/scene/camera/angle=46"],
     "column/flutes": ["/scene/camera/angle=12"],
     "ivy/leaves/size": ["/scene/camera/angle=22"],
 }
@@ -159,7 +161,7 @@ def render(path, values):
             words = [FROND, "generate", base, "-o", out, "-q", "--size", SIZE, "--quality", "draft"]
             for one in sets + NEARER.get(path, []) + [f"{pointer}={json.dumps(value)}"]:
                 words += ["--set", one]
-            subprocess.run(words, check=True, cwd=ROOT, env={**os.environ, "FROND_HOME": str(ROOT)})
+            subprocess.run(words, check=True, cwd=ROOT)
             subprocess.run(["ninja", "-C", out, "frames/frame_0001.png"], check=True, capture_output=True)
             inputs += ["-i", out / "frames" / "frame_0001.png"]
         part = pathlib.Path(scratch) / "strip.jpg"

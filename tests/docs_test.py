@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs the commands that README and docs show, small and without rendering.
 
-  docs_test.py FROND ROOT pages    those of fenced blocks, page by page, in the order of the page; files that it shows are
-                                   written first
-  docs_test.py FROND ROOT lines    all others, one by one
+  docs_test.py FROND ROOT pages             those of fenced blocks, page by page, in the order of the page; files that it shows are
+                                            written first
+  docs_test.py FROND ROOT lines [PAGE...]   all others, one by one
 
 POV-Ray is a stand-in in what scripts/render.sh runs: what it makes of scenes is tested elsewhere. A command that installs,
 builds, serves or needs other machines is not run: its script must know every option of it.
@@ -17,6 +17,7 @@ import sys
 import tempfile
 
 FROND, ROOT, WHAT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
+ONLY = sys.argv[4:]
 NOT_RUN = ("scripts/setup.sh", "scripts/build.sh", "scripts/test.sh", "scripts/farm.sh", "cmake", "ninja", "git", "cd")
 SMALL_TREES = ["--set", "/organisms/0/years=5"]
 
@@ -59,10 +60,15 @@ def small(words):
         if word in ("--size", "--scale"):
             words = words[:i] + words[i + 2:]
             break
-    words = [re.sub(r"frames=\d+$", "frames=2", w) for w in words]
+    words = [re.sub(r"frames=\d+$", "frames=2", re.sub(r"^(/\S+:\S+):\d+$", r"\1:2", w)) for w in words]
+    if "--contact-seeds" in words:
+        words[words.index("--contact-seeds") + 1] = "2"
     words += ["--size", "32x24", "--jobs", "1"]
+    if "presets/reef.json" in words:  # one coral of it stands for all
+        words[words.index("presets/reef.json")] = "presets/staghorn.json"
+        words += ["--set", "/film/frames=96"] + ([] if "-o" in words else ["-o", "out/reef"])
     sheet = any(w.startswith(("--contact", "--sweep")) for w in words)
-    film = any("frames=" in w for w in words)
+    film = any(w.endswith("frames=2") for w in words)
     return words if sheet or film or "--frames" in words or "--why" in words else words + ["--frames", "1-1"]
 
 
@@ -101,6 +107,8 @@ def check_lines():
         env = environment(scratch)
         (scratch / "tree.json").write_text('{"axiom": "A", "steps": 3, "angle": 30, "rules": ["A -> F[+A]F[-A]A"]}')
         for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]:
+            if ONLY and page.stem not in ONLY:
+                continue
             for line in re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.M | re.S).splitlines():
                 if not (found := starts.match(line)):
                     continue
