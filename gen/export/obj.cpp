@@ -1,6 +1,7 @@
 #include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <array>
+#include <span>
+#include <unordered_map>
 
 #include "core/text.h"
 #include "export/formats.h"
@@ -9,55 +10,55 @@ namespace frond {
 
 namespace {
 
-void append_row(std::string& text, const char* word, Vec3 v, int decimals) {
+constexpr int kPlaceDigits = 6, kUvDigits = 4, kNormalDigits = 3;
+
+void append_row(std::string& text, std::string_view word, std::span<const float> numbers, int decimals) {
   text += word;
-  for (int axis = 0; axis < 3; ++axis) text += ' ', append(text, v[axis], decimals);
+  for (float number : numbers) text += ' ', append(text, number, decimals);
   text += '\n';
 }
 
-/// The places of a mesh, each once: where normals or the texture have a seam the body has none.
-struct Welded {
-  std::vector<Vec3> place;
-  std::vector<std::uint32_t> of;  // of each vertex
-};
+/// Lines of one sort, each written once; OBJ counts from 1, over the file.
+class Lines {
+ public:
+  Lines(std::string_view word, int decimals) : word_(word), decimals_(decimals) {}
 
-Welded welded(const std::vector<Vec3>& position) {
-  std::vector<std::uint32_t> order(position.size());
-  std::iota(order.begin(), order.end(), 0u);
-  auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, position[v].z); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  // The first vertex at each place stands for all of them, so that the order stays.
-  std::vector<std::uint32_t> first(position.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
-  Welded result;
-  for (std::uint32_t v = 0; v < position.size(); ++v) {
-    result.of.push_back(first[v] == v ? static_cast<std::uint32_t>(result.place.size())
-                                      : result.of[first[v]]);
-    if (first[v] == v) result.place.push_back(position[v]);
+  /// The number of a line, which is added to the text where it is new.
+  std::size_t number(std::string& text, std::span<const float> numbers) {
+    line_.clear();
+    append_row(line_, word_, numbers, decimals_);
+    auto [at, fresh] = index_.try_emplace(line_, count_ + 1);
+    if (fresh) text += line_, ++count_;
+    return at->second;
   }
-  return result;
-}
+  /// What follows shares no line with what went before.
+  void part() { index_.clear(); }
 
-/// How many vertices, places on textures and normals there are already; OBJ counts from 1, over the file.
-struct Counted {
-  std::size_t places = 1, uvs = 1, normals = 1;
+ private:
+  std::string_view word_;
+  int decimals_;
+  std::size_t count_ = 0;
+  std::string line_;
+  std::unordered_map<std::string, std::size_t> index_;
 };
 
 /// `f 1/1/1 2/2/2 3/3/3`: vertex, place on the texture if it has one, normal.
-void append_face(std::string& text, const std::array<std::uint32_t, 3>& corners, const Welded& mesh,
-                 const Counted& counted, bool with_uv) {
-  text += 'f';
-  for (std::uint32_t corner : corners) {
-    text += ' ';
-    append_integer(text, static_cast<long long>(counted.places + mesh.of[corner]));
-    text += '/';
-    if (with_uv) append_integer(text, static_cast<long long>(counted.uvs + corner));
-    text += '/';
-    append_integer(text, static_cast<long long>(counted.normals + corner));
+void append_faces(std::string& text, const Surface& surface, Lines& places, Lines& uvs, Lines& normals) {
+  std::vector<std::string> corner;
+  auto append_slash = [](std::string& to, std::size_t n) {
+    to += '/', append_integer(to, static_cast<long long>(n));
+  };
+  for (std::size_t v = 0; v < surface.position.size(); ++v) {
+    std::string own = " ";
+    append_integer(own, static_cast<long long>(places.number(text, std::span(&surface.position[v].x, 3))));
+    if (surface.uv.empty())
+      own += '/';
+    else
+      append_slash(own, uvs.number(text, std::span(&surface.uv[v].x, 2)));
+    append_slash(own, normals.number(text, std::span(&surface.normal[v].x, 3)));
+    corner.push_back(std::move(own));
   }
-  text += '\n';
+  for (const auto& t : surface.triangle) text += 'f' + corner[t[0]] + corner[t[1]] + corner[t[2]] + '\n';
 }
 
 }  // namespace
@@ -66,40 +67,40 @@ std::string obj_text(const Cast& cast, std::string_view materials) {
   std::string text = "# metres, y up\nmtllib ";
   text += materials;
   text += '\n';
-  Counted counted;
+  std::vector<std::size_t> times(cast.meshes.size(), 0);
+  for (const CastPlacement& p : cast.placements) ++times[p.mesh];
+  Lines places("v", kPlaceDigits), uvs("vt", kUvDigits), normals("vn", kNormalDigits);
   for (std::size_t i = 0; i < cast.placements.size(); ++i) {
     const CastMesh& mesh = cast.meshes[cast.placements[i].mesh];
-    Surface surface = placed(mesh, cast.placements[i]);
-    text += "o " + mesh.name + '_';
-    append_integer(text, static_cast<long long>(i));
-    text += "\nusemtl " + cast.materials[mesh.material].name + '\n';
-    Welded body = welded(surface.position);
-    for (Vec3 p : body.place) append_row(text, "v", p, 6);
-    for (Vec2 at : surface.uv) {
-      text += "vt ";
-      append(text, at.x, 5);
-      text += ' ';
-      append(text, at.y, 5);
-      text += '\n';
+    text += "o " + mesh.name;
+    if (times[cast.placements[i].mesh] > 1) text += '_', append_integer(text, static_cast<long long>(i));
+    text += '\n';
+    places.part();
+    for (const CastPart& part : mesh.parts) {
+      text += "usemtl " + cast.materials[part.material].name + '\n';
+      append_faces(text, placed(part, cast.placements[i]), places, uvs, normals);
     }
-    for (Vec3 n : surface.normal) append_row(text, "vn", n, 5);
-    for (const auto& t : surface.triangle) append_face(text, t, body, counted, !surface.uv.empty());
-    counted.places += body.place.size();
-    counted.uvs += surface.uv.size();
-    counted.normals += surface.normal.size();
   }
   return text;
 }
 
 std::string mtl_text(const Cast& cast) {
   std::string text;
+  auto file = [&](std::size_t picture) { return cast.pictures[picture].name + ".png\n"; };
   for (const CastMaterial& m : cast.materials) {
     text += "newmtl " + m.name + '\n';
-    append_row(text, "Kd", Vec3(m.color.red, m.color.green, m.color.blue), 4);
-    append_row(text, "Ks", Vec3(static_cast<float>(0.5 * m.gloss)), 4);
+    const Color& color = m.colors == kNoPicture ? m.color : m.factor;
+    auto shine = static_cast<float>(0.5 * std::min(m.gloss, 1.0));
+    append_row(text, "Kd", std::array{color.red, color.green, color.blue}, 4);
+    append_row(text, "Ks", std::array{shine, shine, shine}, 4);
     text += "Ns ";
     append(text, 10 + 300 * m.gloss, 2);
+    if (m.transmission > 0) text += "\nd ", append(text, 1 - m.transmission, 2), text += "\nNi 1.5";
     text += "\nillum 2\n";
+    if (m.colors != kNoPicture) text += "map_Kd " + file(m.colors);
+    if (m.cutout) text += "map_d -imfchan m " + file(m.colors);
+    if (m.normals != kNoPicture) text += "norm " + file(m.normals);
+    if (m.roughness != kNoPicture) text += "map_Pr -imfchan g " + file(m.roughness);
   }
   return text;
 }
