@@ -141,9 +141,9 @@ void append_place(std::string& text, const CastPlacement& p, Vec3 from) {
 }
 
 /// The nodes of a cast: one for each group, its meshes below it.
-class Nodes {
+class GlbNodes {
  public:
-  Nodes(const Cast& cast, bool instances, BinaryPart& buffer)
+  GlbNodes(const Cast& cast, bool instances, BinaryPart& buffer)
       : cast_(cast), instances_(instances), buffer_(buffer) {
     for (std::size_t i = 0; i < cast.placements.size();) {
       std::size_t from = i, group = cast.placements[i].group;
@@ -243,7 +243,7 @@ void append_word(std::string& bytes, std::size_t value) {
 Result<std::string> glb_bytes(const Cast& cast, bool instances) {
   if (cast.placements.empty()) return Error{"", "there is nothing at that frame to write"};
   BinaryPart buffer;
-  Nodes nodes(cast, instances, buffer);
+  GlbNodes nodes(cast, instances, buffer);
   std::string meshes = list(cast.meshes, [&](const CastMesh& mesh) {
     return fmt::format(R"({{"name":"{}","primitives":{}}})", mesh.name,
                        list(mesh.parts, [&](const CastPart& part) { return primitive_text(buffer, part); }));

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 #include <span>
-#include <unordered_map>
+#include <tuple>
 
 #include "core/text.h"
 #include "export/formats.h"
@@ -18,47 +20,55 @@ void append_row(std::string& text, std::string_view word, std::span<const float>
   text += '\n';
 }
 
-/// Lines of one sort, each written once; OBJ counts from 1, over the file.
-class Lines {
- public:
-  Lines(std::string_view word, int decimals) : word_(word), decimals_(decimals) {}
-
-  /// The number of a line, which is added to the text where it is new.
-  std::size_t number(std::string& text, std::span<const float> numbers) {
-    line_.clear();
-    append_row(line_, word_, numbers, decimals_);
-    auto [at, fresh] = index_.try_emplace(line_, count_ + 1);
-    if (fresh) text += line_, ++count_;
-    return at->second;
+/// Writes lines of one sort, those alike once, and tells the number of each; OBJ counts from 1, over the
+/// file.
+template <class V>
+std::vector<std::size_t> append_lines(std::string& text, std::string_view word, int decimals,
+                                      const std::vector<V>& items, std::size_t& count) {
+  constexpr auto kSize = static_cast<std::size_t>(V::length());
+  auto unit = std::pow(10.0, decimals);
+  std::vector<std::array<long long, kSize>> key(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (std::size_t k = 0; k < kSize; ++k)
+      key[i][k] = std::llround(static_cast<double>(items[i][static_cast<int>(k)]) * unit);
+  std::vector<std::uint32_t> order(items.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::tie(key[a], a) < std::tie(key[b], b); });
+  // The first of those alike stands for all of them, so that the order stays.
+  std::vector<std::uint32_t> first(items.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && key[order[i]] == key[order[i - 1]] ? first[order[i - 1]] : order[i];
+  std::vector<std::size_t> number(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    number[i] = first[i] == i ? ++count : number[first[i]];
+    if (first[i] == i) append_row(text, word, std::span(&items[i].x, kSize), decimals);
   }
-  /// What follows shares no line with what went before.
-  void part() { index_.clear(); }
+  return number;
+}
 
- private:
-  std::string_view word_;
-  int decimals_;
-  std::size_t count_ = 0;
-  std::string line_;
-  std::unordered_map<std::string, std::size_t> index_;
+/// How many vertices, places on textures and normals there are already.
+struct Counted {
+  std::size_t places = 0, uvs = 0, normals = 0;
 };
 
 /// `f 1/1/1 2/2/2 3/3/3`: vertex, place on the texture if it has one, normal.
-void append_faces(std::string& text, const Surface& surface, Lines& places, Lines& uvs, Lines& normals) {
-  std::vector<std::string> corner;
-  auto append_slash = [](std::string& to, std::size_t n) {
-    to += '/', append_integer(to, static_cast<long long>(n));
-  };
-  for (std::size_t v = 0; v < surface.position.size(); ++v) {
-    std::string own = " ";
-    append_integer(own, static_cast<long long>(places.number(text, std::span(&surface.position[v].x, 3))));
-    if (surface.uv.empty())
-      own += '/';
-    else
-      append_slash(own, uvs.number(text, std::span(&surface.uv[v].x, 2)));
-    append_slash(own, normals.number(text, std::span(&surface.normal[v].x, 3)));
-    corner.push_back(std::move(own));
+void append_part(std::string& text, const Surface& surface, Counted& counted) {
+  std::vector<std::size_t> place = append_lines(text, "v", kPlaceDigits, surface.position, counted.places);
+  std::vector<std::size_t> uv = append_lines(text, "vt", kUvDigits, surface.uv, counted.uvs);
+  std::vector<std::size_t> normal = append_lines(text, "vn", kNormalDigits, surface.normal, counted.normals);
+  for (const auto& t : surface.triangle) {
+    text += 'f';
+    for (std::uint32_t corner : t) {
+      text += ' ';
+      append_integer(text, static_cast<long long>(place[corner]));
+      text += '/';
+      if (!uv.empty()) append_integer(text, static_cast<long long>(uv[corner]));
+      text += '/';
+      append_integer(text, static_cast<long long>(normal[corner]));
+    }
+    text += '\n';
   }
-  for (const auto& t : surface.triangle) text += 'f' + corner[t[0]] + corner[t[1]] + corner[t[2]] + '\n';
 }
 
 }  // namespace
@@ -69,16 +79,15 @@ std::string obj_text(const Cast& cast, std::string_view materials) {
   text += '\n';
   std::vector<std::size_t> times(cast.meshes.size(), 0);
   for (const CastPlacement& p : cast.placements) ++times[p.mesh];
-  Lines places("v", kPlaceDigits), uvs("vt", kUvDigits), normals("vn", kNormalDigits);
+  Counted counted;
   for (std::size_t i = 0; i < cast.placements.size(); ++i) {
     const CastMesh& mesh = cast.meshes[cast.placements[i].mesh];
     text += "o " + mesh.name;
     if (times[cast.placements[i].mesh] > 1) text += '_', append_integer(text, static_cast<long long>(i));
     text += '\n';
-    places.part();
     for (const CastPart& part : mesh.parts) {
       text += "usemtl " + cast.materials[part.material].name + '\n';
-      append_faces(text, placed(part, cast.placements[i]), places, uvs, normals);
+      append_part(text, placed(part, cast.placements[i]), counted);
     }
   }
   return text;
