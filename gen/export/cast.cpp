@@ -242,7 +242,13 @@ class Caster {
     if (b_.model.organs.size() == 0) return;
     Model posed = posed_organs(b_, pose_);
     if (options_.instances) return add_instances(posed);
-    double left = options_.detail * (b_.model.skeleton.size() > 1 ? 1 - kWoodShare : 1);
+    // What the branches have left.
+    double left = options_.detail;
+    if (b_.model.skeleton.size() > 1 && !maker_.cast.placements.empty() &&
+        maker_.cast.placements.back().group + 1 == maker_.cast.groups.size())
+      for (const CastPart& part : maker_.cast.meshes[maker_.cast.placements.back().mesh].parts)
+        left -= static_cast<double>(part.surface.triangle.size());
+    left = std::max(left, (1 - kWoodShare) * options_.detail);
     maker_.add_foliage(b_.look, posed, foliage_parts(b_.look, posed, left));
   }
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <utility>
 
 #include "scene/copies.h"
 
@@ -10,6 +11,7 @@ namespace frond {
 
 namespace {
 
+constexpr int kMostRows = 3;    // of a card
 constexpr double kFine = 1e-9;  // metres: nothing is left out for its size
 
 /// The triangles of one colour, each leaf's `uv` on its own 0..1. What has none is of the first.
@@ -53,39 +55,64 @@ void thin_out(Organs& o, std::size_t which, int stride) {
   o = std::move(kept);
 }
 
+/// What each may take at most so that all together take no more than there is.
+double level_of(std::vector<double> needs, double all) {
+  std::sort(needs.begin(), needs.end());
+  for (std::size_t i = 0; i < needs.size(); ++i) {
+    double level = all / static_cast<double>(needs.size() - i);
+    if (needs[i] > level) return level;
+    all -= needs[i];
+  }
+  return needs.empty() ? 0 : needs.back() + 1;
+}
+
 std::size_t colors_of(const Prototype& prototype, std::size_t part) {
   return prototype.parts[part].tissue == Tissue::heart ? 1 : prototype.colors.size();
 }
 
 }  // namespace
 
-Surface card_of(const Surface& leaf) {
-  // Least squares: place = a + b u + c v.
-  glm::dmat3 sums(0);
-  DVec3 sum_u[3] = {DVec3(0), DVec3(0), DVec3(0)};
+Surface card_of(const Surface& leaf, int rows) {
+  // Least squares: place = a + b u + c v + d v^2, the last where there are rows enough to bend.
+  glm::dmat4 sums(0);
+  DVec3 products[4] = {DVec3(0), DVec3(0), DVec3(0), DVec3(0)};
+  auto terms = [&](Vec2 at) {
+    auto u = static_cast<double>(at.x), v = static_cast<double>(at.y);
+    return glm::dvec4(1, u, v, rows > 1 ? v * v : 0);
+  };
   Vec3 up(0);
   for (std::size_t i = 0; i < leaf.position.size(); ++i) {
-    DVec3 w(1, leaf.uv[i].x, leaf.uv[i].y), p(leaf.position[i]);
+    glm::dvec4 w = terms(leaf.uv[i]);
     sums += glm::outerProduct(w, w);
-    for (int k = 0; k < 3; ++k) sum_u[k] += w[k] * p;
+    for (int k = 0; k < 4; ++k) products[k] += w[k] * DVec3(leaf.position[i]);
     up += leaf.normal[i];
   }
+  if (rows < 2) sums[3][3] = 1;
   if (std::abs(glm::determinant(sums)) < 1e-12) return leaf;
-  glm::dmat3 inverse = glm::inverse(sums);
-  DVec3 fit[3];
-  for (int k = 0; k < 3; ++k)
-    fit[k] = inverse[0][k] * sum_u[0] + inverse[1][k] * sum_u[1] + inverse[2][k] * sum_u[2];
-  Surface card;
-  Vec3 normal = glm::normalize(Vec3(glm::cross(fit[1], fit[2])));
-  if (glm::dot(normal, up) < 0) normal = -normal;
-  for (Vec2 at : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
-    card.position.push_back(Vec3(fit[0] + fit[1] * double(at.x) + fit[2] * double(at.y)));
-    card.normal.push_back(normal);
-    card.uv.push_back(at);
+  glm::dmat4 inverse = glm::inverse(sums);
+  DVec3 fit[4];
+  for (int k = 0; k < 4; ++k) {
+    fit[k] = DVec3(0);
+    for (int j = 0; j < 4; ++j) fit[k] += inverse[j][k] * products[j];
   }
-  card.triangle = {{0, 1, 2}, {0, 2, 3}};
-  Vec3 turned = glm::cross(card.position[1] - card.position[0], card.position[2] - card.position[0]);
-  if (glm::dot(turned, normal) < 0) card.triangle = {{0, 2, 1}, {0, 3, 2}};
+  Surface card;
+  for (int row = 0; row <= rows; ++row)
+    for (float u : {0.0f, 1.0f}) {
+      Vec2 at(u, static_cast<float>(row) / static_cast<float>(rows));
+      glm::dvec4 w = terms(at);
+      card.position.push_back(Vec3(w.x * fit[0] + w.y * fit[1] + w.z * fit[2] + w.w * fit[3]));
+      card.uv.push_back(at);
+    }
+  for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row) {
+    std::uint32_t k = 2 * row;
+    card.triangle.push_back({k, k + 1, k + 3});
+    card.triangle.push_back({k, k + 3, k + 2});
+  }
+  set_normals(card);
+  if (glm::dot(card.normal[0], up) < 0) {
+    for (auto& [i, j, k] : card.triangle) std::swap(j, k);
+    set_normals(card);
+  }
   return card;
 }
 
@@ -96,21 +123,25 @@ std::vector<LeafPart> foliage_parts(const Look& look, Model model, double triang
   std::vector<std::size_t> count(model.prototypes.size(), 0);
   for (std::uint16_t which : model.organs.prototype) ++count[which];
   double shapes = 0;
-  for (const Prototype& prototype : model.prototypes) shapes += static_cast<double>(prototype.parts.size());
+  std::vector<double> needs;
+  for (std::size_t p = 0; p < model.prototypes.size(); ++p)
+    for (const OrganPart& part : model.prototypes[p].parts)
+      needs.push_back(static_cast<double>(count[p] * part.surface.triangle.size())), ++shapes;
   std::vector<bool> card(model.prototypes.size(), false);
-  double share = triangles / shapes;
+  double share = level_of(needs, triangles);
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
     OrganPart& leaf = model.prototypes[p].parts[0];
     auto times = static_cast<double>(count[p]);
     if (!look.leaves || leaf.pictures.empty() ||
         times * static_cast<double>(leaf.surface.triangle.size()) < share)
       continue;
-    leaf.surface = card_of(leaf.surface);
+    int rows = std::clamp(static_cast<int>(share / (2 * times)), 1, kMostRows);
+    leaf.surface = card_of(leaf.surface, rows);
     card[p] = true;
     if (auto stride = static_cast<int>(std::ceil(2 * times / share)); stride > 1)
       thin_out(model.organs, p, stride);
   }
-  for (CopyPart& part : copy_parts(look, model, {kFine, 1.01 * triangles + 8 * shapes})) {
+  for (CopyPart& part : copy_parts(look, model, {kFine, (1.01 * share + 8) * shapes})) {
     if (part.kind != CopyPart::Kind::organ) continue;
     std::size_t colors = colors_of(model.prototypes[part.which], part.part);
     for (std::size_t k = 0; k < colors; ++k)

@@ -10,7 +10,7 @@ namespace frond {
 /// The organs of a plant that look alike, as one mesh.
 struct LeafPart {
   std::size_t prototype = 0, part = 0, color = 0;
-  bool card = false;  ///< flat, its picture as large as the leaf's
+  bool card = false;  ///< as large as its picture
   Surface surface;
 };
 
@@ -18,7 +18,8 @@ struct LeafPart {
 /// that show these, others diamonds; if those are too many, fewer and larger ones.
 std::vector<LeafPart> foliage_parts(const Look& look, Model model, double triangles);
 
-/// A card for a leaf: flat where its mesh is on average, as large as its picture.
-Surface card_of(const Surface& leaf);
+/// A card for a leaf, as large as its picture and where its mesh is on average: flat, or of several rows that
+/// bend with it.
+Surface card_of(const Surface& leaf, int rows);
 
 }  // namespace frond
