@@ -35,7 +35,7 @@ struct ExportArguments {
   int frame = 1;
   int sides = 10;          ///< of the tubes that branches become
   double voxel = 0;        ///< metres, of a volume; 0: as the organisms' bodies have it
-  double detail = 4e5;     ///< triangles of one organism, about
+  double detail = 2.5e5;   ///< triangles of one organism, about
   int texture = 512;       ///< pixels, the width of a picture; 0: none
   bool instances = false;  ///< organs and bodies once each, with their placements
   bool quiet = false;

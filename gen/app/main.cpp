@@ -89,7 +89,7 @@ void add_export(CLI::App& app, int& result) {
       ->check(CLI::Range(3, 256));
   command->add_option("--voxel", to->voxel, "Metres, of a .vdb (as the organisms' bodies have it)")
       ->check(CLI::PositiveNumber);
-  command->add_option("--detail", to->detail, "Triangles of one organism or model, about (400000)")
+  command->add_option("--detail", to->detail, "Triangles of one organism or model, about (250000)")
       ->check(CLI::Range(100.0, 1e9));
   command->add_option("--texture", to->texture, "Pixels, the width of pictures; 0: none (512)")
       ->check(CLI::Range(0, 4096));

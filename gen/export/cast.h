@@ -77,7 +77,7 @@ struct Cast {
 struct CastOptions {
   int sides = 10;          ///< of the tubes that branches without a picture become
   double voxel = 0;        ///< metres, of a volume; 0: the least of the fused organisms, or 1/400 of all
-  double detail = 4e5;     ///< triangles of one organism or model, about: what is finer is drawn more simply
+  double detail = 2.5e5;   ///< triangles of one organism or model, about: what is finer is drawn more simply
   int texture = 512;       ///< pixels, the width of a picture
   bool instances = false;  ///< each organ and body once, and its placements; otherwise all in one mesh
 };

@@ -15,7 +15,7 @@ namespace frond {
 namespace {
 
 constexpr double kGrains = 1000;     // along a model: what is finer is left out
-constexpr double kLeafShare = 0.15;  // of the detail of one that stands alone: what a model's leaves may take
+constexpr double kLeafShare = 0.25;  // of the detail of one that stands alone: what a model's leaves may take
 
 /// A model that has copies, and where they stand; stands of one species share theirs.
 struct SownModel {
