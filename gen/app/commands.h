@@ -37,6 +37,9 @@ struct ExportArguments {
   int seeds = 1;                      ///< how many shapes an include holds
   int sides = 10;                     ///< of the tubes that branches become
   double voxel = 0;                   ///< metres, of a volume; 0: as the organisms' bodies have it
+  double detail = 2.5e5;              ///< triangles of one organism, about
+  int texture = 512;                  ///< pixels, the width of a picture; 0: none
+  bool instances = false;             ///< organs and bodies once each, with their placements
   bool quiet = false;
 };
 

@@ -28,8 +28,10 @@ int export_scene(const ExportArguments& arguments) {
     if (!arguments.quiet) tell(fmt::format("{}: about {:.2g} MB", arguments.out, bytes / 1e6));
   };
   now_doing("writing the mesh or the volume");
-  Result<bool> written = write_scene(**format, *scene, film.time(frame), {arguments.sides, arguments.voxel},
-                                     arguments.out, foretell);
+  Result<bool> written = write_scene(
+      **format, *scene, film.time(frame),
+      {arguments.sides, arguments.voxel, arguments.detail, arguments.texture, arguments.instances},
+      arguments.out, foretell);
   if (written) return kDone;
   // What the disk says stands at a path; all else is what was asked for.
   Errors errors = written.errors();

@@ -94,6 +94,11 @@ void add_export(CLI::App& app, int& result) {
       ->check(CLI::Range(3, 256));
   command->add_option("--voxel", to->voxel, "Metres, of a .vdb (as the organisms' bodies have it)")
       ->check(CLI::PositiveNumber);
+  command->add_option("--detail", to->detail, "Triangles of one organism or model, about (250000)")
+      ->check(CLI::Range(100.0, 1e9));
+  command->add_option("--texture", to->texture, "Pixels, the width of pictures; 0: none (512)")
+      ->check(CLI::Range(0, 4096));
+  command->add_flag("--instances", to->instances, "Each organ and copy once, with its places (of a .glb)");
   command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
   command->footer(
       "Examples:\n  frond export presets/reef.json --frame 48 -o reef.glb\n"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,19 +12,41 @@
 
 namespace frond {
 
+inline constexpr std::size_t kNoPicture = SIZE_MAX;
+
+/// A picture that materials show.
+struct CastPicture {
+  std::string name;  ///< as that of a material
+  std::string png;   ///< the bytes of its file
+};
+
 /// What a mesh is made of, as far as other programs know of such things.
 struct CastMaterial {
   std::string name;  ///< letters, digits, - and _; no two alike
-  Color color;       ///< sRGB
+  Color color;       ///< sRGB; with a picture, about what that shows on average
+  Color factor;      ///< sRGB, that a picture's colours are multiplied by
   double gloss = 0;  ///< 0 matt .. 1 polished
   bool metal = false;
-  bool leaf = false;  ///< to be seen from both sides
+  bool leaf = false;        ///< to be seen from both sides
+  bool cutout = false;      ///< what its picture leaves open is not there
+  double transmission = 0;  ///< share of the light that goes through, 0..1
+  /// Pictures: the colour, with opacity where it is cut out; the normals; the roughness as green.
+  std::size_t colors = kNoPicture, normals = kNoPicture, roughness = kNoPicture;
+};
+
+/// A linear factor of the colour at one vertex, 255 being 1.
+using CastTint = std::array<std::uint8_t, 4>;
+
+/// A part of a mesh, of one material.
+struct CastPart {
+  Surface surface;
+  std::size_t material = 0;
+  std::vector<CastTint> tint = {};  ///< of each vertex, or empty
 };
 
 struct CastMesh {
-  std::string name;
-  Surface surface;
-  std::size_t material = 0;
+  std::string name;  ///< as that of a material
+  std::vector<CastPart> parts;
 };
 
 /// A mesh put somewhere: scaled along its own axes, turned, moved.
@@ -31,18 +55,31 @@ struct CastPlacement {
   Vec3 at{0};
   Quat turn{1, 0, 0, 0};
   Vec3 scale{1};
+  std::size_t group = 0;  ///< what it belongs to
 };
 
-/// Everything that grows or stands in a scene at one time, as meshes; our world's axes, metres.
+/// An organism or a body, or all that is sown of one kind.
+struct CastGroup {
+  std::string name;  ///< as that of a material
+  Vec3 foot{0};
+};
+
+/// Everything that grows or stands in a scene at one time, as meshes; our world's axes, metres. The groups'
+/// placements follow each other.
 struct Cast {
+  std::vector<CastPicture> pictures;
   std::vector<CastMaterial> materials;
   std::vector<CastMesh> meshes;
+  std::vector<CastGroup> groups;
   std::vector<CastPlacement> placements;
 };
 
 struct CastOptions {
-  int sides = 10;    ///< of the tubes that branches become
-  double voxel = 0;  ///< metres, of a volume; 0: the least of the fused organisms, or 1/400 of all
+  int sides = 10;          ///< of the tubes that branches without a picture become
+  double voxel = 0;        ///< metres, of a volume; 0: the least of the fused organisms, or 1/400 of all
+  double detail = 2.5e5;   ///< triangles of one organism or model, about: what is finer is drawn more simply
+  int texture = 512;       ///< pixels, the width of a picture
+  bool instances = false;  ///< each organ and body once, and its placements; otherwise all in one mesh
 };
 
 /// How large a cast is or will be, placements counted as often as they occur in `all_`.
@@ -50,6 +87,7 @@ struct CastSize {
   double vertices = 0, triangles = 0;          ///< of all meshes, each once
   double all_vertices = 0, all_triangles = 0;  ///< of all placements
   double placements = 0;
+  double pictures = 0;  ///< bytes
 };
 
 CastSize size_of(const Cast& cast);
@@ -65,7 +103,7 @@ Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& opti
 /// node each.
 Result<FusedMesh> body_mesh(const Specimen& specimen, const Pose& pose);
 
-/// All placements of a mesh as one surface where they stand.
-Surface placed(const CastMesh& mesh, const CastPlacement& placement);
+/// All placements of a part as one surface where they stand.
+Surface placed(const CastPart& part, const CastPlacement& placement);
 
 }  // namespace frond

@@ -17,35 +17,47 @@ constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr double kPlyVertex = 35;
 constexpr double kMostIndices = 2147483647;  // whole numbers of a PLY
 
-Result<bool> write_obj(const Cast& cast, const fs::path& path) {
+/// The large file first: where the disk is full the small ones would be left alone.
+Result<bool> write_obj(const Cast& cast, const CastOptions&, const fs::path& path) {
   fs::path materials = path;
   materials.replace_extension(".mtl");
-  // The large file first: where the disk is full the small one would be left alone.
-  Result<bool> written = write_file(path, obj_text(cast, materials.filename().string()));
-  if (!written) return written;
-  Result<bool> beside = write_file(materials, mtl_text(cast));
+  // Pictures are called as the file is, so that two exports in one folder do not take each other's.
+  Cast named = cast;
+  for (CastPicture& picture : named.pictures) picture.name = path.stem().string() + '_' + picture.name;
+  std::vector<fs::path> there;
+  auto write = [&](const fs::path& to, const std::string& text) {
+    Result<bool> written = write_file(to, text);
+    if (written && *written) there.push_back(to);
+    return written;
+  };
+  Result<bool> written = write(path, obj_text(named, materials.filename().string()));
+  if (written) written = write(materials, mtl_text(named));
+  for (std::size_t i = 0; written && i < named.pictures.size(); ++i)
+    written = write(path.parent_path() / (named.pictures[i].name + ".png"), named.pictures[i].png);
   std::error_code error;
-  if (!beside && *written) fs::remove(path, error);
-  return beside;
+  for (std::size_t i = 0; !written && i < there.size(); ++i) fs::remove(there[i], error);
+  return written;
 }
 
-Result<bool> write_ply(const Cast& cast, const fs::path& path) { return write_file(path, ply_bytes(cast)); }
+Result<bool> write_ply(const Cast& cast, const CastOptions&, const fs::path& path) {
+  return write_file(path, ply_bytes(cast));
+}
 
-Result<bool> write_glb(const Cast& cast, const fs::path& path) {
-  Result<std::string> bytes = glb_bytes(cast);
+Result<bool> write_glb(const Cast& cast, const CastOptions& options, const fs::path& path) {
+  Result<std::string> bytes = glb_bytes(cast, options.instances);
   if (!bytes) return bytes.errors();
   return write_file(path, *bytes);
 }
 
 constexpr Format kFormats[] = {
-    {".obj", "Wavefront OBJ, with an MTL file beside it",
-     [](const CastSize& s) { return 85 * s.all_vertices + 60 * s.all_triangles; }, kAny, write_obj},
+    {".obj", "Wavefront OBJ, with an MTL file and pictures beside it",
+     [](const CastSize& s) { return 45 * s.all_vertices + 50 * s.all_triangles; }, kAny, write_obj},
     {".ply", "binary PLY with colours at the vertices",
      [](const CastSize& s) { return kPlyVertex * s.all_vertices + 13 * s.all_triangles; },
-     kPlyVertex* kMostIndices, write_ply},
+     kPlyVertex* kMostIndices, write_ply, false},
     {".glb", "binary glTF 2.0 with materials and instances",
-     [](const CastSize& s) { return 32 * s.vertices + 12 * s.triangles + 160 * s.placements; }, 4294967295.0,
-     write_glb},
+     [](const CastSize& s) { return 32 * s.vertices + 12 * s.triangles + 120 * s.placements + s.pictures; },
+     4294967295.0, write_glb},
     {".vdb", "OpenVDB: the branches as a level set named \"surface\"", [](const CastSize&) { return 0.0; },
      kAny, nullptr},
 };
@@ -90,12 +102,14 @@ Result<bool> write_scene(const Format& format, const Scene& scene, double time, 
   // Foreseen before anything large is made, and again once what is sown has grown.
   if (Errors errors = refuse_bytes(format, format.bytes(foresee_cast(scene, options))); !errors.empty())
     return errors;
-  Result<Cast> cast = cast_scene(scene, time, options);
+  CastOptions own = options;
+  if (!format.pictures) own.texture = 0;
+  Result<Cast> cast = cast_scene(scene, time, own);
   if (!cast) return cast.errors();
   double bytes = format.bytes(size_of(*cast));
   tell(bytes);
   if (Errors errors = refuse_bytes(format, bytes); !errors.empty()) return errors;
-  return format.write(*cast, path);
+  return format.write(*cast, own, path);
 }
 
 }  // namespace frond

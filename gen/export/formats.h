@@ -18,7 +18,8 @@ struct Format {
   double (*bytes)(const CastSize& size);
   double most_bytes;  ///< that the format can hold
   /// Writes a cast: each file whole or not at all. Null for the format of volumes.
-  Result<bool> (*write)(const Cast& cast, const std::filesystem::path& path);
+  Result<bool> (*write)(const Cast& cast, const CastOptions& options, const std::filesystem::path& path);
+  bool pictures = true;  ///< whether it holds them
 };
 
 std::span<const Format> formats();
@@ -41,8 +42,9 @@ std::string mtl_text(const Cast& cast);
 /// A binary PLY, little-endian: one mesh, colours at the vertices.
 std::string ply_bytes(const Cast& cast);
 
-/// A binary glTF 2.0: a mesh for each of the cast's, a node for each placement.
-Result<std::string> glb_bytes(const Cast& cast);
+/// A binary glTF 2.0: a node for each group, below it one for each placement; with `instances`, for all of
+/// one mesh (EXT_mesh_gpu_instancing).
+Result<std::string> glb_bytes(const Cast& cast, bool instances = false);
 
 /// The branches of a whole scene, those of what is sown with them, as one volume.
 Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <span>
@@ -12,8 +14,10 @@ namespace frond {
 
 namespace {
 
-constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;  // targets of buffer views
-constexpr int kFloat = 5126, kUnsigned = 5125;               // types of components
+constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;                  // targets of buffer views
+constexpr int kFloat = 5126, kUnsigned = 5125, kShort = 5123, kByte = 5121;  // types of components
+constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing",
+                           kTransmission = "KHR_materials_transmission", kIor = "KHR_materials_ior";
 
 /// `[1,2.5e-9]`: as many digits as it takes to read back the same numbers.
 template <class Number>
@@ -29,19 +33,27 @@ void append_count(std::string& json, std::size_t n) { append_integer(json, stati
 /// The binary part and what the JSON says of it.
 struct BinaryPart {
   std::string bytes, views, accessors;
-  std::size_t count = 0;  // of views, and of accessors
+  std::size_t view_count = 0, count = 0;  // count: of accessors
+
+  /// Adds bytes as a view; target 0: not of a mesh.
+  std::size_t add_view(std::string_view data, int target) {
+    if (view_count > 0) views += ',';
+    views += fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{})", bytes.size(), data.size());
+    if (target > 0) views += fmt::format(R"(,"target":{})", target);
+    views += '}';
+    bytes += data;
+    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');  // so that every view stays aligned
+    return view_count++;
+  }
 
   /// Adds an array as a view and an accessor of its own; `extra` are further members of the accessor.
   template <class T>
   std::size_t add(std::span<const T> items, int target, int component, std::string_view type,
                   std::size_t elements, std::string_view extra = {}) {
-    if (count > 0) views += ',', accessors += ',';
-    // All items are of four bytes each, so that every view stays aligned.
-    views += fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{},"target":{}}})", bytes.size(),
-                         items.size_bytes(), target);
-    accessors += fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", count,
+    std::size_t view = add_view({reinterpret_cast<const char*>(items.data()), items.size_bytes()}, target);
+    if (count > 0) accessors += ',';
+    accessors += fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", view,
                              component, elements, type, extra);
-    bytes.append(reinterpret_cast<const char*>(items.data()), items.size_bytes());
     return count++;
   }
 };
@@ -56,44 +68,157 @@ std::string bounds_text(const Surface& surface) {
   return text;
 }
 
-std::string mesh_text(BinaryPart& buffer, const CastMesh& mesh) {
-  const Surface& s = mesh.surface;
+/// Places on pictures, whose rows glTF counts from the top: in two bytes each where they lie on one picture.
+std::size_t add_uv(BinaryPart& buffer, const std::vector<Vec2>& uv) {
+  bool within = std::all_of(uv.begin(), uv.end(),
+                            [](Vec2 at) { return at.x >= 0 && at.x <= 1 && at.y >= 0 && at.y <= 1; });
+  if (within) {
+    std::vector<std::uint16_t> at;
+    for (Vec2 p : uv)
+      for (float x : {p.x, 1 - p.y}) at.push_back(static_cast<std::uint16_t>(std::lround(x * 65535)));
+    return buffer.add(std::span<const std::uint16_t>(at), kArrayBuffer, kShort, "VEC2", uv.size(),
+                      ",\"normalized\":true");
+  }
+  std::vector<Vec2> at;
+  for (Vec2 p : uv) at.emplace_back(p.x, 1 - p.y);
+  return buffer.add(std::span<const Vec2>(at), kArrayBuffer, kFloat, "VEC2", at.size());
+}
+
+std::size_t add_indices(BinaryPart& buffer, const Surface& s) {
+  std::size_t n = 3 * s.triangle.size();
+  if (s.position.size() > 65535)
+    return buffer.add(std::span(s.triangle), kElementBuffer, kUnsigned, "SCALAR", n);
+  std::vector<std::uint16_t> small;
+  for (const auto& t : s.triangle)
+    for (std::uint32_t corner : t) small.push_back(static_cast<std::uint16_t>(corner));
+  return buffer.add(std::span<const std::uint16_t>(small), kElementBuffer, kShort, "SCALAR", n);
+}
+
+std::string primitive_text(BinaryPart& buffer, const CastPart& part) {
+  const Surface& s = part.surface;
   std::size_t n = s.position.size();
   std::size_t at = buffer.add(std::span(s.position), kArrayBuffer, kFloat, "VEC3", n, bounds_text(s));
   std::size_t normal = buffer.add(std::span(s.normal), kArrayBuffer, kFloat, "VEC3", n);
-  std::string text = fmt::format(R"({{"name":"{}","primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{})",
-                                 mesh.name, at, normal);
-  if (!s.uv.empty()) {
-    text += ",\"TEXCOORD_0\":";
-    append_count(text, buffer.add(std::span(s.uv), kArrayBuffer, kFloat, "VEC2", n));
-  }
-  std::size_t index =
-      buffer.add(std::span(s.triangle), kElementBuffer, kUnsigned, "SCALAR", 3 * s.triangle.size());
-  return text + fmt::format(R"(}},"indices":{},"material":{}}}]}})", index, mesh.material);
+  std::string text = fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{})", at, normal);
+  if (!s.uv.empty()) text += fmt::format(",\"TEXCOORD_0\":{}", add_uv(buffer, s.uv));
+  if (!part.tint.empty())
+    text += fmt::format(",\"COLOR_0\":{}", buffer.add(std::span(part.tint), kArrayBuffer, kByte, "VEC4", n,
+                                                      ",\"normalized\":true"));
+  return text + fmt::format(R"(}},"indices":{},"material":{}}})", add_indices(buffer, s), part.material);
 }
 
 std::string material_text(const CastMaterial& m) {
+  bool picture = m.colors != kNoPicture;
   std::string text = "{\"name\":\"" + m.name + "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":";
-  Vec3 color = linear(m.color);  // as glTF has them
+  Vec3 color = linear(picture ? m.factor : m.color);  // as glTF has them
   append_numbers<float>(text, {color.x, color.y, color.z, 1});
+  if (picture) text += fmt::format(",\"baseColorTexture\":{{\"index\":{}}}", m.colors);
+  // A picture of the roughness says all of it.
+  bool rough = m.roughness != kNoPicture;
   text += ",\"metallicFactor\":";
   text += m.metal ? '1' : '0';
   text += ",\"roughnessFactor\":";
-  append(text, 0.95 - 0.75 * m.gloss, 4);
+  append(text, rough ? 1 : std::max(0.02, 0.95 - 0.75 * m.gloss), 4);
+  if (rough) text += fmt::format(",\"metallicRoughnessTexture\":{{\"index\":{}}}", m.roughness);
   text += '}';
+  if (m.normals != kNoPicture) text += fmt::format(",\"normalTexture\":{{\"index\":{}}}", m.normals);
   if (m.leaf) text += ",\"doubleSided\":true";
+  if (m.cutout) text += ",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.5";
+  if (m.transmission > 0)
+    text += fmt::format(R"(,"extensions":{{"{}":{{"transmissionFactor":{}}},"{}":{{"ior":1.5}}}})",
+                        kTransmission, m.transmission, kIor);
   return text + '}';
 }
 
-std::string node_text(const CastPlacement& p) {
-  std::string text = "{\"mesh\":";
-  append_count(text, p.mesh);
-  if (p.at != Vec3(0)) text += ",\"translation\":", append_numbers(text, {p.at.x, p.at.y, p.at.z});
+void append_name(std::string& text, std::string_view name) { text += fmt::format("{{\"name\":\"{}\"", name); }
+
+void append_place(std::string& text, const CastPlacement& p, Vec3 from) {
+  if (p.at != from)
+    text += ",\"translation\":", append_numbers(text, {p.at.x - from.x, p.at.y - from.y, p.at.z - from.z});
   if (p.turn != Quat(1, 0, 0, 0))
     text += ",\"rotation\":", append_numbers(text, {p.turn.x, p.turn.y, p.turn.z, p.turn.w});
   if (p.scale != Vec3(1)) text += ",\"scale\":", append_numbers(text, {p.scale.x, p.scale.y, p.scale.z});
-  return text + '}';
 }
+
+/// The nodes of a cast: one for each group, its meshes below it.
+class GlbNodes {
+ public:
+  GlbNodes(const Cast& cast, bool instances, BinaryPart& buffer)
+      : cast_(cast), instances_(instances), buffer_(buffer) {
+    for (std::size_t i = 0; i < cast.placements.size();) {
+      std::size_t from = i, group = cast.placements[i].group;
+      while (i < cast.placements.size() && cast.placements[i].group == group) ++i;
+      add_group(cast.groups[group], std::span(cast.placements).subspan(from, i - from));
+    }
+  }
+
+  std::string text, roots;
+  bool instanced = false;  // whether there are any
+
+ private:
+  std::size_t add(const std::string& node) {
+    if (count_ > 0) text += ',';
+    text += node + '}';
+    return count_++;
+  }
+
+  void add_group(const CastGroup& group, std::span<const CastPlacement> placements) {
+    std::vector<std::size_t> nodes;
+    bool alone = placements.size() == 1;
+    Vec3 from = alone ? Vec3(0) : group.foot;
+    for (std::size_t i = 0; i < placements.size();) {
+      std::size_t first = i, mesh = placements[i].mesh;
+      while (i < placements.size() && placements[i].mesh == mesh) ++i;
+      std::span<const CastPlacement> alike = placements.subspan(first, i - first);
+      if (instances_ && alike.size() > 1) {
+        nodes.push_back(add(instances_text(alike, from)));
+        continue;
+      }
+      for (std::size_t k = 0; k < alike.size(); ++k) {
+        std::string node;
+        const std::string& name = cast_.meshes[mesh].name;
+        append_name(node, alike.size() > 1 ? fmt::format("{}_{}", name, k + 1) : name);
+        node += fmt::format(",\"mesh\":{}", mesh);
+        append_place(node, alike[k], from);
+        nodes.push_back(add(node));
+      }
+    }
+    std::size_t root = nodes[0];
+    if (!alone) {
+      std::string node;
+      append_name(node, group.name);
+      append_place(node, {0, group.foot}, Vec3(0));
+      node += fmt::format(",\"children\":[{}]", fmt::join(nodes, ","));
+      root = add(node);
+    }
+    if (!roots.empty()) roots += ',';
+    append_count(roots, root);
+  }
+
+  std::string instances_text(std::span<const CastPlacement> alike, Vec3 from) {
+    std::vector<Vec3> at, scale;
+    std::vector<std::array<float, 4>> turn;
+    for (const CastPlacement& p : alike) {
+      at.push_back(p.at - from), scale.push_back(p.scale);
+      turn.push_back({p.turn.x, p.turn.y, p.turn.z, p.turn.w});
+    }
+    std::string node;
+    append_name(node, cast_.meshes[alike[0].mesh].name);
+    std::size_t n = alike.size();
+    node += fmt::format(
+        R"(,"mesh":{},"extensions":{{"{}":{{"attributes":{{"TRANSLATION":{},"ROTATION":{},"SCALE":{}}}}}}})",
+        alike[0].mesh, kInstancing, buffer_.add(std::span<const Vec3>(at), 0, kFloat, "VEC3", n),
+        buffer_.add(std::span<const std::array<float, 4>>(turn), 0, kFloat, "VEC4", n),
+        buffer_.add(std::span<const Vec3>(scale), 0, kFloat, "VEC3", n));
+    instanced = true;
+    return node;
+  }
+
+  const Cast& cast_;
+  bool instances_;
+  BinaryPart& buffer_;
+  std::size_t count_ = 0;
+};
 
 /// A list of texts with commas between.
 template <class Items, class Text>
@@ -115,17 +240,36 @@ void append_word(std::string& bytes, std::size_t value) {
 
 }  // namespace
 
-Result<std::string> glb_bytes(const Cast& cast) {
+Result<std::string> glb_bytes(const Cast& cast, bool instances) {
   if (cast.placements.empty()) return Error{"", "there is nothing at that frame to write"};
   BinaryPart buffer;
-  std::string json = R"({"asset":{"version":"2.0","generator":"Frond"},"scene":0,"scenes":[{"nodes":[)";
-  for (std::size_t i = 0; i < cast.placements.size(); ++i) {
-    if (i > 0) json += ',';
-    append_count(json, i);
-  }
-  json += "]}],\"nodes\":" + list(cast.placements, node_text);
-  json += ",\"meshes\":" + list(cast.meshes, [&](const CastMesh& mesh) { return mesh_text(buffer, mesh); });
+  GlbNodes nodes(cast, instances, buffer);
+  std::string meshes = list(cast.meshes, [&](const CastMesh& mesh) {
+    return fmt::format(R"({{"name":"{}","primitives":{}}})", mesh.name,
+                       list(mesh.parts, [&](const CastPart& part) { return primitive_text(buffer, part); }));
+  });
+  std::string json = R"({"asset":{"version":"2.0","generator":"Frond"})";
+  std::vector<std::string_view> extensions;
+  if (nodes.instanced)
+    extensions.push_back(kInstancing), json += fmt::format(R"(,"extensionsRequired":["{}"])", kInstancing);
+  if (std::any_of(cast.materials.begin(), cast.materials.end(),
+                  [](const CastMaterial& m) { return m.transmission > 0; }))
+    extensions.insert(extensions.end(), {kTransmission, kIor});
+  if (!extensions.empty()) json += fmt::format(R"(,"extensionsUsed":["{}"])", fmt::join(extensions, "\",\""));
+  json += R"(,"scene":0,"scenes":[{"nodes":[)" + nodes.roots + "]}],\"nodes\":[" + nodes.text +
+          "],\"meshes\":" + meshes;
   json += ",\"materials\":" + list(cast.materials, material_text);
+  if (!cast.pictures.empty()) {
+    // All pictures go on over their edges.
+    std::size_t source = 0;
+    json += R"(,"samplers":[{"magFilter":9729,"minFilter":9987,"wrapS":10497,"wrapT":10497}],"textures":)";
+    json += list(cast.pictures,
+                 [&](const CastPicture&) { return fmt::format(R"({{"sampler":0,"source":{}}})", source++); });
+    json += ",\"images\":" + list(cast.pictures, [&](const CastPicture& picture) {
+              return fmt::format(R"({{"name":"{}","mimeType":"image/png","bufferView":{}}})", picture.name,
+                                 buffer.add_view(picture.png, 0));
+            });
+  }
   json += ",\"accessors\":[" + buffer.accessors + "],\"bufferViews\":[" + buffer.views + "]";
   json += fmt::format(R"(,"buffers":[{{"byteLength":{}}}]}})", buffer.bytes.size());
   // Chunks end on multiples of four, JSON with blanks.

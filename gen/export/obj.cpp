@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "core/text.h"
@@ -9,55 +12,63 @@ namespace frond {
 
 namespace {
 
-void append_row(std::string& text, const char* word, Vec3 v, int decimals) {
+constexpr int kPlaceDigits = 6, kUvDigits = 4, kNormalDigits = 3;
+
+void append_row(std::string& text, std::string_view word, std::span<const float> numbers, int decimals) {
   text += word;
-  for (int axis = 0; axis < 3; ++axis) text += ' ', append(text, v[axis], decimals);
+  for (float number : numbers) text += ' ', append(text, number, decimals);
   text += '\n';
 }
 
-/// The places of a mesh, each once: where normals or the texture have a seam the body has none.
-struct Welded {
-  std::vector<Vec3> place;
-  std::vector<std::uint32_t> of;  // of each vertex
-};
-
-Welded welded(const std::vector<Vec3>& position) {
-  std::vector<std::uint32_t> order(position.size());
+/// Writes lines of one sort, those alike once, and tells the number of each; OBJ counts from 1, over the
+/// file.
+template <class V>
+std::vector<std::size_t> append_lines(std::string& text, std::string_view word, int decimals,
+                                      const std::vector<V>& items, std::size_t& count) {
+  constexpr auto kSize = static_cast<std::size_t>(V::length());
+  auto unit = std::pow(10.0, decimals);
+  std::vector<std::array<long long, kSize>> key(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (std::size_t k = 0; k < kSize; ++k)
+      key[i][k] = std::llround(static_cast<double>(items[i][static_cast<int>(k)]) * unit);
+  std::vector<std::uint32_t> order(items.size());
   std::iota(order.begin(), order.end(), 0u);
-  auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, position[v].z); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  // The first vertex at each place stands for all of them, so that the order stays.
-  std::vector<std::uint32_t> first(position.size());
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::tie(key[a], a) < std::tie(key[b], b); });
+  // The first of those alike stands for all of them, so that the order stays.
+  std::vector<std::uint32_t> first(items.size());
   for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
-  Welded result;
-  for (std::uint32_t v = 0; v < position.size(); ++v) {
-    result.of.push_back(first[v] == v ? static_cast<std::uint32_t>(result.place.size())
-                                      : result.of[first[v]]);
-    if (first[v] == v) result.place.push_back(position[v]);
+    first[order[i]] = i > 0 && key[order[i]] == key[order[i - 1]] ? first[order[i - 1]] : order[i];
+  std::vector<std::size_t> number(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    number[i] = first[i] == i ? ++count : number[first[i]];
+    if (first[i] == i) append_row(text, word, std::span(&items[i].x, kSize), decimals);
   }
-  return result;
+  return number;
 }
 
-/// How many vertices, places on textures and normals there are already; OBJ counts from 1, over the file.
+/// How many vertices, places on textures and normals there are already.
 struct Counted {
-  std::size_t places = 1, uvs = 1, normals = 1;
+  std::size_t places = 0, uvs = 0, normals = 0;
 };
 
 /// `f 1/1/1 2/2/2 3/3/3`: vertex, place on the texture if it has one, normal.
-void append_face(std::string& text, const std::array<std::uint32_t, 3>& corners, const Welded& mesh,
-                 const Counted& counted, bool with_uv) {
-  text += 'f';
-  for (std::uint32_t corner : corners) {
-    text += ' ';
-    append_integer(text, static_cast<long long>(counted.places + mesh.of[corner]));
-    text += '/';
-    if (with_uv) append_integer(text, static_cast<long long>(counted.uvs + corner));
-    text += '/';
-    append_integer(text, static_cast<long long>(counted.normals + corner));
+void append_part(std::string& text, const Surface& surface, Counted& counted) {
+  std::vector<std::size_t> place = append_lines(text, "v", kPlaceDigits, surface.position, counted.places);
+  std::vector<std::size_t> uv = append_lines(text, "vt", kUvDigits, surface.uv, counted.uvs);
+  std::vector<std::size_t> normal = append_lines(text, "vn", kNormalDigits, surface.normal, counted.normals);
+  for (const auto& t : surface.triangle) {
+    text += 'f';
+    for (std::uint32_t corner : t) {
+      text += ' ';
+      append_integer(text, static_cast<long long>(place[corner]));
+      text += '/';
+      if (!uv.empty()) append_integer(text, static_cast<long long>(uv[corner]));
+      text += '/';
+      append_integer(text, static_cast<long long>(normal[corner]));
+    }
+    text += '\n';
   }
-  text += '\n';
 }
 
 }  // namespace
@@ -66,40 +77,39 @@ std::string obj_text(const Cast& cast, std::string_view materials) {
   std::string text = "# metres, y up\nmtllib ";
   text += materials;
   text += '\n';
+  std::vector<std::size_t> times(cast.meshes.size(), 0);
+  for (const CastPlacement& p : cast.placements) ++times[p.mesh];
   Counted counted;
   for (std::size_t i = 0; i < cast.placements.size(); ++i) {
     const CastMesh& mesh = cast.meshes[cast.placements[i].mesh];
-    Surface surface = placed(mesh, cast.placements[i]);
-    text += "o " + mesh.name + '_';
-    append_integer(text, static_cast<long long>(i));
-    text += "\nusemtl " + cast.materials[mesh.material].name + '\n';
-    Welded body = welded(surface.position);
-    for (Vec3 p : body.place) append_row(text, "v", p, 6);
-    for (Vec2 at : surface.uv) {
-      text += "vt ";
-      append(text, at.x, 5);
-      text += ' ';
-      append(text, at.y, 5);
-      text += '\n';
+    text += "o " + mesh.name;
+    if (times[cast.placements[i].mesh] > 1) text += '_', append_integer(text, static_cast<long long>(i));
+    text += '\n';
+    for (const CastPart& part : mesh.parts) {
+      text += "usemtl " + cast.materials[part.material].name + '\n';
+      append_part(text, placed(part, cast.placements[i]), counted);
     }
-    for (Vec3 n : surface.normal) append_row(text, "vn", n, 5);
-    for (const auto& t : surface.triangle) append_face(text, t, body, counted, !surface.uv.empty());
-    counted.places += body.place.size();
-    counted.uvs += surface.uv.size();
-    counted.normals += surface.normal.size();
   }
   return text;
 }
 
 std::string mtl_text(const Cast& cast) {
   std::string text;
+  auto file = [&](std::size_t picture) { return cast.pictures[picture].name + ".png\n"; };
   for (const CastMaterial& m : cast.materials) {
     text += "newmtl " + m.name + '\n';
-    append_row(text, "Kd", Vec3(m.color.red, m.color.green, m.color.blue), 4);
-    append_row(text, "Ks", Vec3(static_cast<float>(0.5 * m.gloss)), 4);
+    const Color& color = m.colors == kNoPicture ? m.color : m.factor;
+    auto shine = static_cast<float>(0.5 * std::min(m.gloss, 1.0));
+    append_row(text, "Kd", std::array{color.red, color.green, color.blue}, 4);
+    append_row(text, "Ks", std::array{shine, shine, shine}, 4);
     text += "Ns ";
     append(text, 10 + 300 * m.gloss, 2);
+    if (m.transmission > 0) text += "\nd ", append(text, 1 - m.transmission, 2), text += "\nNi 1.5";
     text += "\nillum 2\n";
+    if (m.colors != kNoPicture) text += "map_Kd " + file(m.colors);
+    if (m.cutout) text += "map_d -imfchan m " + file(m.colors);
+    if (m.normals != kNoPicture) text += "norm " + file(m.normals);
+    if (m.roughness != kNoPicture) text += "map_Pr -imfchan g " + file(m.roughness);
   }
   return text;
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/linear.h"
 #include "core/text.h"
 #include "export/formats.h"
 
@@ -18,15 +19,25 @@ void append_raw(std::string& bytes, const T& value) {
   bytes.append(raw, sizeof(T));
 }
 
-char channel(float x) { return static_cast<char>(static_cast<unsigned char>(std::lround(x * 255))); }
+/// A channel of a colour as a byte, times a factor of its light.
+char channel(std::uint8_t tint, float x) {
+  double c = tint == 255 ? static_cast<double>(x) : encoded(linear(x) * tint / 255);
+  return static_cast<char>(static_cast<unsigned char>(std::lround(c * 255)));
+}
+
+template <class Visit>
+void each_part(const Cast& cast, const Visit& visit) {
+  for (const CastPlacement& p : cast.placements)
+    for (const CastPart& part : cast.meshes[p.mesh].parts) visit(part, p);
+}
 
 }  // namespace
 
 std::string ply_bytes(const Cast& cast) {
   std::size_t vertices = 0, triangles = 0;
   for (const CastPlacement& p : cast.placements) {
-    vertices += cast.meshes[p.mesh].surface.position.size();
-    triangles += cast.meshes[p.mesh].surface.triangle.size();
+    for (const CastPart& part : cast.meshes[p.mesh].parts)
+      vertices += part.surface.position.size(), triangles += part.surface.triangle.size();
   }
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment metres, y up\nelement vertex ";
   append_integer(text, static_cast<long long>(vertices));
@@ -37,26 +48,26 @@ std::string ply_bytes(const Cast& cast) {
   append_integer(text, static_cast<long long>(triangles));
   text += "\nproperty list uchar int vertex_indices\nend_header\n";
   text.reserve(text.size() + vertices * 35 + triangles * 13);
-  for (const CastPlacement& p : cast.placements) {
-    const CastMesh& mesh = cast.meshes[p.mesh];
-    Surface surface = placed(mesh, p);
-    const Color& color = cast.materials[mesh.material].color;
+  each_part(cast, [&](const CastPart& part, const CastPlacement& p) {
+    Surface surface = placed(part, p);
+    const Color& color = cast.materials[part.material].color;
     for (std::size_t v = 0; v < surface.position.size(); ++v) {
       append_raw(text, surface.position[v]);
       append_raw(text, surface.normal[v]);
       append_raw(text, surface.uv.empty() ? Vec2(0) : surface.uv[v]);
-      for (float c : {color.red, color.green, color.blue}) text += channel(c);
+      CastTint tint = part.tint.empty() ? CastTint{255, 255, 255, 255} : part.tint[v];
+      std::size_t k = 0;
+      for (float c : {color.red, color.green, color.blue}) text += channel(tint[k], c), ++k;
     }
-  }
+  });
   std::uint32_t first = 0;
-  for (const CastPlacement& p : cast.placements) {
-    const Surface& surface = cast.meshes[p.mesh].surface;
-    for (const auto& t : surface.triangle) {
+  each_part(cast, [&](const CastPart& part, const CastPlacement&) {
+    for (const auto& t : part.surface.triangle) {
       text += '\3';
       for (std::uint32_t corner : t) append_raw(text, first + corner);
     }
-    first += static_cast<std::uint32_t>(surface.position.size());
-  }
+    first += static_cast<std::uint32_t>(part.surface.position.size());
+  });
   return text;
 }
 

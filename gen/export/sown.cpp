@@ -1,11 +1,10 @@
 #include "export/sown.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/parallel.h"
 #include "export/look.h"
@@ -15,8 +14,8 @@ namespace frond {
 
 namespace {
 
-constexpr double kGrains = 1000;  // along a model: what is finer is left out
-constexpr double kLeaves = 6e4;   // triangles of leaves of one model at most, about
+constexpr double kGrains = 1000;     // along a model: what is finer is left out
+constexpr double kLeafShare = 0.25;  // of the detail of one that stands alone: what a model's leaves may take
 
 /// A model that has copies, and where they stand; stands of one species share theirs.
 struct SownModel {
@@ -77,94 +76,60 @@ double size_of(const Model& model) {
   return std::max<double>({high.x - low.x, high.y - low.y, high.z - low.z, 0.01});
 }
 
-/// A mesh of a model, of one material, which has no name of its own yet.
-struct SownMesh {
-  std::string part;
-  CastMaterial material;
-  Surface surface;
+/// A model as it is drawn, its foliage aside.
+struct SownShape {
+  Model model;
+  std::vector<CopyPart> parts;
+  std::vector<LeafPart> foliage;
 };
 
-CastMaterial wood_material(const Look& look) {
-  if (look.bark) return {"", look.bark->colors[0], bark_gloss(*look.bark), is_metal(*look.bark), false};
-  if (look.skin) return {"", tinted(look.skin->tint, 1), 0.1, false, false};
-  return {"", Bark{}.colors[0], 0.1, false, false};
-}
-
-/// The colours and the tissue of the leaves that a part is made of.
-std::pair<std::vector<Color>, Tissue> leaf_look(const Look& look, const Model& model, const CopyPart& part) {
-  if (part.kind == CopyPart::Kind::blade) return {look.blades.colors, Tissue::leaf};
-  const Prototype& prototype = model.prototypes[part.which];
-  Tissue tissue = prototype.parts[part.part].tissue;
-  if (tissue == Tissue::heart) return {{prototype.second}, tissue};
-  return {prototype.colors, tissue};
-}
-
-/// The triangles of leaves of one colour, each leaf's `uv` on its own 0..1. What has none is of the first.
-Surface of_color(const Surface& leaves, std::size_t color, std::size_t colors) {
-  Surface out;
-  if (leaves.uv.empty()) return color == 0 ? leaves : out;
-  std::vector<std::uint32_t> index(leaves.position.size(), UINT32_MAX);
-  for (const auto& t : leaves.triangle) {
-    if (color_index(static_cast<std::int32_t>(std::floor(leaves.uv[t[0]].x)), colors) != color) continue;
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      std::uint32_t& at = index[t[c]];
-      if (at == UINT32_MAX) {
-        at = static_cast<std::uint32_t>(out.position.size());
-        out.position.push_back(leaves.position[t[c]]);
-        out.normal.push_back(leaves.normal[t[c]]);
-        out.uv.push_back({leaves.uv[t[c]].x - std::floor(leaves.uv[t[c]].x), leaves.uv[t[c]].y});
-      }
-      corners[c] = at;
-    }
-    out.triangle.push_back(corners);
-  }
-  return out;
-}
-
-std::vector<SownMesh> meshes_of(const Look& look, const Model& model) {
-  std::vector<SownMesh> meshes;
+SownShape shape_of(const Look& look, Model& model, double leaves) {
+  SownShape made;
   double grain = size_of(model) / kGrains;
-  for (CopyPart& part : copy_parts(look, model, {grain, kLeaves})) {
+  made.foliage = foliage_parts(look, model, leaves);
+  Organs organs = std::exchange(model.organs, {});
+  made.parts = copy_parts(look, model, {grain, leaves});
+  made.model.prototypes = std::move(model.prototypes);
+  made.model.solids = std::move(model.solids);
+  return made;
+}
+
+/// All of one model as one mesh.
+std::vector<CastPart> parts_of(Maker& maker, const Look& look, SownShape& shape) {
+  std::vector<CastPart> parts;
+  for (CopyPart& part : shape.parts) {
     if (part.kind == CopyPart::Kind::wood) {
-      meshes.push_back({"wood", wood_material(look), std::move(part.surface)});
-    } else if (part.kind == CopyPart::Kind::solid) {
-      const Material& m = model.solids.shapes[part.which].material;
-      meshes.push_back({fmt::format("solid_{}", part.which),
-                        {"", m.color, m.gloss, false, false},
-                        std::move(part.surface)});
-    } else {
-      auto [colors, tissue] = leaf_look(look, model, part);
-      for (std::size_t k = 0; k < colors.size(); ++k)
-        if (Surface leaves = of_color(part.surface, k, colors.size()); !leaves.triangle.empty())
-          meshes.push_back(
-              {fmt::format("{}_{}_{}_{}", part.kind == CopyPart::Kind::blade ? "blades" : "organ", part.which,
-                           part.part, k),
-               {"", colors[k], 0.2, false, is_leaf(tissue)},
-               std::move(leaves)});
+      Look worn = look;
+      if (!worn.bark && !worn.skin) worn.bark = Bark{};
+      std::size_t wood = maker.palette.branches(worn, 1, 0, maker.name() + "_branches").material;
+      parts.push_back({std::move(part.surface), wood});
+    } else if (part.kind == CopyPart::Kind::blade) {
+      parts.push_back(
+          {std::move(part.surface), maker.palette.blade(look.blades, 0, maker.name() + "_blades")});
     }
   }
-  return meshes;
+  for (auto& [own, made] : by_name(maker, look, shape.model, std::move(shape.foliage)))
+    std::move(made.begin(), made.end(), std::back_inserter(parts));
+  for (CastPart& body : body_parts(maker, shape.model.solids)) parts.push_back(std::move(body));
+  return parts;
 }
 
 }  // namespace
 
-Errors add_sown(Cast& cast, const Scene& scene) {
+Errors add_sown(Maker& maker, const Scene& scene) {
   std::vector<SownModel> models = models_of(scene);
-  auto meshes = each_grown<std::vector<SownMesh>>(models, meshes_of);
-  if (!meshes) return meshes.errors();
-  for (std::size_t m = 0; m < models.size(); ++m)
-    for (SownMesh& mesh : (*meshes)[m]) {
-      // The number of the mesh tells it from those of other organisms of that name.
-      mesh.material.name = fmt::format("{}_{}_{}_{}", plain_name(models[m].stand->organism.name, "organism"),
-                                       models[m].which, mesh.part, cast.meshes.size());
-      for (CastPlacement copy : models[m].copies) {
-        copy.mesh = cast.meshes.size();
-        cast.placements.push_back(copy);
-      }
-      cast.meshes.push_back({mesh.material.name, std::move(mesh.surface), cast.materials.size()});
-      cast.materials.push_back(std::move(mesh.material));
-    }
+  double leaves = kLeafShare * maker.options.detail;
+  auto shapes = each_grown<SownShape>(
+      models, [&](const Look& look, Model& model) { return shape_of(look, model, leaves); });
+  if (!shapes) return shapes.errors();
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    const SownStand& stand = *models[m].stand;
+    if (m == 0 || &stand != models[m - 1].stand)
+      maker.begin(plain_name(stand.organism.name, "organism"), Vec3(0));
+    auto mesh = maker.mesh(std::to_string(models[m].which), parts_of(maker, stand.dress.look, (*shapes)[m]));
+    for (const CastPlacement& copy : models[m].copies)
+      if (mesh) maker.place(*mesh, copy.at, copy.turn, copy.scale);
+  }
   return {};
 }
 

@@ -2,13 +2,14 @@
 
 #include <vector>
 
-#include "export/cast.h"
+#include "export/maker.h"
 
 namespace frond {
 
 /// Adds what is sown in a scene: each model that has copies once, fully grown, drawn as finely as its size
-/// asks for, and a placement for each copy. Copies stand still and share the colours of their model.
-Errors add_sown(Cast& cast, const Scene& scene);
+/// asks for, as one mesh, and a placement for each copy. Copies stand still and share the colours of their
+/// model.
+Errors add_sown(Maker& maker, const Scene& scene);
 
 /// The branches of a model, its foot at the origin, and where its copies stand.
 struct SownBranches {

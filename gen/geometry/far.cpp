@@ -194,15 +194,12 @@ Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as) {
   return out;
 }
 
-Surface simplified(const Surface& surface, std::size_t triangles) {
-  triangles = std::max<std::size_t>(triangles, 4);
-  if (surface.triangle.size() <= triangles) return surface;
+namespace {
+
+/// The corners that triangles still have, of those of another surface.
+Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint32_t, 3>>&& triangles) {
   Surface out;
-  out.triangle.resize(surface.triangle.size());
-  std::size_t left = meshopt_simplifySloppy(out.triangle.data()->data(), surface.triangle.data()->data(),
-                                            3 * surface.triangle.size(), &surface.position.data()->x,
-                                            surface.position.size(), sizeof(Vec3), 3 * triangles, 1.0f);
-  out.triangle.resize(left / 3);
+  out.triangle = std::move(triangles);
   std::vector<std::uint32_t> number(surface.position.size(), UINT32_MAX);
   for (auto& corners : out.triangle)
     for (std::uint32_t& corner : corners) {
@@ -216,6 +213,29 @@ Surface simplified(const Surface& surface, std::size_t triangles) {
       corner = number[from];
     }
   return out;
+}
+
+/// Either way of meshoptimizer, to so many triangles.
+template <class Simplify>
+Surface fewer(const Surface& surface, std::size_t triangles, const Simplify& simplify) {
+  triangles = std::max<std::size_t>(triangles, 4);
+  if (surface.triangle.size() <= triangles) return surface;
+  std::vector<std::array<std::uint32_t, 3>> left(surface.triangle.size());
+  std::size_t corners =
+      simplify(left.data()->data(), surface.triangle.data()->data(), 3 * surface.triangle.size(),
+               &surface.position.data()->x, surface.position.size(), sizeof(Vec3), 3 * triangles);
+  left.resize(corners / 3);
+  return with_corners_of(surface, std::move(left));
+}
+
+}  // namespace
+
+Surface simplified(const Surface& surface, std::size_t triangles) {
+  return fewer(surface, triangles, [](auto... a) { return meshopt_simplifySloppy(a..., 1.0f, nullptr); });
+}
+
+Surface reduced(const Surface& surface, std::size_t triangles) {
+  return fewer(surface, triangles, [](auto... a) { return meshopt_simplify(a..., 0.05f, 0u, nullptr); });
 }
 
 }  // namespace frond

@@ -34,4 +34,8 @@ Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as = 
 /// `uv`, those of each cell of a grid drawn together (meshoptimizer's sloppy simplification).
 Surface simplified(const Surface& surface, std::size_t triangles);
 
+/// The same by drawing edges together where that changes the shape least (Garland and Heckbert 1997), so that
+/// it stays one body; for what is seen from near.
+Surface reduced(const Surface& surface, std::size_t triangles);
+
 }  // namespace frond

@@ -144,8 +144,6 @@ class BarkPainter {
   int across_, along_;
 };
 
-double encoded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
-
 using Rgb = glm::dvec3;
 Rgb rgb_of(const Color& c) { return {linear(c.red), linear(c.green), linear(c.blue)}; }
 

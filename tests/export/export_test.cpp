@@ -14,6 +14,7 @@
 
 #include "core/files.h"
 #include "export/formats.h"
+#include "export/tile.h"
 
 namespace frond {
 namespace {
@@ -34,36 +35,93 @@ Scene garden(const std::string& style = R"("sweeps")") {
   return *build_scene(*preset);
 }
 
+const CastOptions kSmallPictures{.texture = 64};
+
 Cast cast_of(const Scene& scene, double time = 2) {
-  Result<Cast> cast = cast_scene(scene, time, {});
+  Result<Cast> cast = cast_scene(scene, time, kSmallPictures);
   EXPECT_TRUE(cast);
   return *cast;
 }
 
+template <class Visit>
+void each_part(const Cast& cast, const Visit& visit) {
+  for (const CastPlacement& p : cast.placements)
+    for (const CastPart& part : cast.meshes[p.mesh].parts) visit(part, p);
+}
+
 std::size_t all_triangles(const Cast& cast) {
   std::size_t sum = 0;
-  for (const CastPlacement& p : cast.placements) sum += cast.meshes[p.mesh].surface.triangle.size();
+  each_part(cast, [&](const CastPart& part, const CastPlacement&) { sum += part.surface.triangle.size(); });
   return sum;
 }
 
-TEST(Cast, holds_sound_meshes_and_each_organ_once) {
-  Cast cast = cast_of(garden());
-  std::set<std::string> names;
-  for (const CastMaterial& m : cast.materials) EXPECT_TRUE(names.insert(m.name).second) << m.name;
-  for (const CastMesh& mesh : cast.meshes) {
-    EXPECT_EQ(mesh.surface.check(), "") << mesh.name;
-    EXPECT_LT(mesh.material, cast.materials.size());
+TEST(Cast, holds_sound_meshes_a_few_for_each_organism) {
+  for (bool instances : {false, true}) {
+    Result<Cast> made = cast_scene(garden(), 2, {.texture = 64, .instances = instances});
+    ASSERT_TRUE(made);
+    const Cast& cast = *made;
+    std::set<std::string> names;
+    for (const CastMaterial& m : cast.materials) EXPECT_TRUE(names.insert(m.name).second) << m.name;
+    names.clear();
+    for (const CastMesh& mesh : cast.meshes) {
+      EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
+      for (const CastPart& part : mesh.parts) {
+        EXPECT_EQ(part.surface.check(), "") << mesh.name;
+        EXPECT_LT(part.material, cast.materials.size());
+      }
+    }
+    std::map<std::size_t, int> placed;
+    for (const CastPlacement& p : cast.placements) ++placed[p.mesh];
+    int thrice = 0;
+    for (auto [mesh, times] : placed) thrice += times == 3;
+    EXPECT_EQ(thrice, instances ? 1 : 0);  // the flowers
+    EXPECT_EQ(cast.groups.size(), 2u);
+    EXPECT_EQ(cast.placements.size(), instances ? 5u : 3u);  // two have branches, one has flowers
   }
-  std::map<std::size_t, int> placed;
-  for (const CastPlacement& p : cast.placements) ++placed[p.mesh];
-  int thrice = 0;
-  for (auto [mesh, times] : placed) thrice += times == 3;
-  EXPECT_EQ(thrice, 2);  // petals and heart of the three flowers
+}
+
+TEST(Cast, has_no_more_triangles_than_it_may) {
+  Scene scene = garden();
+  std::size_t all = all_triangles(cast_of(scene));
+  Result<Cast> less = cast_scene(scene, 2, {.detail = 400, .texture = 64});
+  ASSERT_TRUE(less);
+  EXPECT_LT(all_triangles(*less), all / 2);
+  for (const CastMesh& mesh : less->meshes)
+    for (const CastPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
+}
+
+TEST(Cast, paints_what_patterns_draw) {
+  Cast cast = cast_of(garden());
+  ASSERT_NE(cast.materials[0].colors, kNoPicture);  // the pores of the coral
+  Result<Raster> picture = read_png(cast.pictures[cast.materials[0].colors].png);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->width, 64);
+  auto [low, high] = std::minmax_element(picture->data.begin(), picture->data.end());
+  EXPECT_GT(*high - *low, 60);
+  Result<Cast> bare = cast_scene(garden(), 2, {.texture = 0});
+  ASSERT_TRUE(bare);
+  EXPECT_TRUE(bare->pictures.empty());
+}
+
+TEST(Cast, pictures_of_bodies_fit_on_themselves) {
+  for (Matter matter :
+       {Matter::brick, Matter::mortar, Matter::limestone, Matter::plaster, Matter::paint, Matter::timber,
+        Matter::ashlar, Matter::bed, Matter::soil, Matter::granite, Matter::karst, Matter::basalt}) {
+    Tile tile = matter_tile({.matter = matter, .moss = 0.3}, 128);
+    ASSERT_EQ(tile.height.width, 128);
+    // From edge to edge it changes no more than in between.
+    double over_edge = 0, within = 0;
+    for (int y = 0; y < 128; ++y) {
+      over_edge += std::abs(tile.height.at(0, y) - tile.height.at(127, y));
+      within += std::abs(tile.height.at(64, y) - tile.height.at(63, y));
+    }
+    EXPECT_LT(over_edge, 2 * within + 2) << static_cast<int>(matter);
+  }
 }
 
 TEST(Cast, grows_with_time_and_is_near_what_was_foreseen) {
   Scene scene = garden();
-  CastSize foreseen = foresee_cast(scene, {});
+  CastSize foreseen = foresee_cast(scene, kSmallPictures);
   auto grown = static_cast<double>(all_triangles(cast_of(scene)));
   EXPECT_GT(foreseen.all_triangles, 0.7 * grown);
   EXPECT_LT(foreseen.all_triangles, 1.5 * grown);
@@ -74,10 +132,10 @@ TEST(Cast, follows_the_style) {
   for (const char* style : {R"("fused")", R"({"build": "voxels", "voxel": 0.03})"}) {
     Scene scene = garden(style);
     Cast cast = cast_of(scene);
-    const CastMesh& coral = cast.meshes[0];
-    EXPECT_EQ(coral.surface.check(), "");
-    EXPECT_GT(coral.surface.triangle.size(), 300u);
-    EXPECT_NE(coral.surface.triangle.size(), cast_of(garden()).meshes[0].surface.triangle.size());
+    const Surface& coral = cast.meshes[0].parts[0].surface;
+    EXPECT_EQ(coral.check(), "");
+    EXPECT_GT(coral.triangle.size(), 300u);
+    EXPECT_NE(coral.triangle.size(), cast_of(garden()).meshes[0].parts[0].surface.triangle.size());
   }
 }
 
@@ -101,29 +159,26 @@ TEST(Obj, is_read_back_by_tinyobjloader) {
   EXPECT_EQ(warn, "");
   EXPECT_EQ(shapes.size(), cast.placements.size());
   EXPECT_EQ(materials.size(), cast.materials.size());
-  std::size_t faces = 0, vertex = 0;
+  std::size_t faces = 0;
   for (const auto& shape : shapes) faces += shape.mesh.num_face_vertices.size();
   EXPECT_EQ(faces, all_triangles(cast));
-  for (const CastPlacement& p : cast.placements) {
-    Surface surface = placed(cast.meshes[p.mesh], p);
-    for (std::size_t v = 0; v < surface.position.size(); ++v, ++vertex)
-      for (std::size_t a = 0; a < 3; ++a) {
-        auto axis = static_cast<int>(a);
-        ASSERT_NEAR(attrib.normals[3 * vertex + a], surface.normal[v][axis], 1e-5);
+  std::size_t o = 0, i = 0;
+  auto as_read = [](const std::vector<tinyobj::real_t>& list, int at) {
+    const float* read = &list[3 * static_cast<std::size_t>(at)];
+    return Vec3(read[0], read[1], read[2]);
+  };
+  each_part(cast, [&](const CastPart& part, const CastPlacement& p) {
+    Surface surface = placed(part, p);
+    for (const auto& t : surface.triangle)
+      for (std::uint32_t corner : t) {
+        if (i == shapes[o].mesh.indices.size()) ++o, i = 0;
+        tinyobj::index_t at = shapes[o].mesh.indices[i++];
+        ASSERT_LT(glm::distance(surface.position[corner], as_read(attrib.vertices, at.vertex_index)), 2e-6f);
+        ASSERT_LT(glm::distance(surface.normal[corner], as_read(attrib.normals, at.normal_index)), 2e-3f);
       }
-  }
-  EXPECT_EQ(attrib.normals.size(), 3 * vertex);
-  EXPECT_LT(attrib.vertices.size(), 3 * vertex);  // seams are not of the body
-  for (std::size_t o = 0; o < shapes.size(); ++o) {
-    Surface surface = placed(cast.meshes[cast.placements[o].mesh], cast.placements[o]);
-    for (std::size_t i = 0; i < shapes[o].mesh.indices.size(); ++i) {
-      Vec3 at = surface.position[surface.triangle[i / 3][i % 3]];
-      const float* read =
-          &attrib.vertices[3 * static_cast<std::size_t>(shapes[o].mesh.indices[i].vertex_index)];
-      ASSERT_LT(glm::distance(at, Vec3(read[0], read[1], read[2])), 2e-6f);
-    }
-  }
-  EXPECT_NEAR(materials[0].diffuse[0], cast.materials[0].color.red, 1e-4);
+  });
+  EXPECT_NEAR(materials[0].diffuse[0], cast.materials[0].factor.red, 1e-4);
+  EXPECT_EQ(materials[0].diffuse_texname, cast.pictures[cast.materials[0].colors].name + ".png");
 }
 
 template <class T>
@@ -150,7 +205,7 @@ TEST(Ply, has_what_its_header_says) {
   }
   EXPECT_EQ(faces, all_triangles(cast));
   ASSERT_EQ(bytes.size(), vertices * (8 * 4 + 3) + faces * 13);
-  Surface first = placed(cast.meshes[cast.placements[0].mesh], cast.placements[0]);
+  Surface first = placed(cast.meshes[cast.placements[0].mesh].parts[0], cast.placements[0]);
   for (std::size_t v = 0; v < vertices; ++v) {
     Vec3 at = take<Vec3>(bytes), normal = take<Vec3>(bytes);
     take<Vec2>(bytes);
@@ -186,20 +241,28 @@ TEST(Glb, keeps_to_the_format) {
   bytes.remove_prefix(4);
   ASSERT_EQ(bytes.size(), bin_size);
   EXPECT_EQ(root["buffers"][0]["byteLength"], bin_size);
-  EXPECT_EQ(root["nodes"].size(), cast.placements.size());
+  EXPECT_EQ(root["nodes"].size(), cast.placements.size() + 1);  // the herb has two meshes below its own node
+  EXPECT_EQ(root["scenes"][0]["nodes"].size(), cast.groups.size());
   EXPECT_EQ(root["meshes"].size(), cast.meshes.size());
 
-  std::map<std::string, std::size_t> width{{"SCALAR", 4}, {"VEC2", 8}, {"VEC3", 12}};
+  std::map<std::string, std::size_t> width{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+  std::map<int, std::size_t> bytes_of{{5121, 1}, {5123, 2}, {5125, 4}, {5126, 4}};
   std::size_t end = 0;
-  for (const json& accessor : root["accessors"]) {
-    const json& view = root["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-    auto offset = view["byteOffset"].get<std::size_t>(), size = view["byteLength"].get<std::size_t>();
-    EXPECT_EQ(offset, end);  // one after the other
-    EXPECT_EQ(offset % 4, 0u);
-    end = offset + size;
-    EXPECT_EQ(size, accessor["count"].get<std::size_t>() * width[accessor["type"]]);
+  for (const json& view : root["bufferViews"]) {
+    EXPECT_EQ(view["byteOffset"], end);  // one after the other, aligned
+    end += (view["byteLength"].get<std::size_t>() + 3) / 4 * 4;
   }
   EXPECT_EQ(end, bin_size);
+  for (const json& accessor : root["accessors"]) {
+    const json& view = root["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    EXPECT_EQ(view["byteLength"], accessor["count"].get<std::size_t>() * width[accessor["type"]] *
+                                      bytes_of[accessor["componentType"].get<int>()]);
+  }
+  for (const json& image : root["images"]) {
+    const json& view = root["bufferViews"][image["bufferView"].get<std::size_t>()];
+    EXPECT_TRUE(
+        read_png(bytes.substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>())));
+  }
 
   for (std::size_t m = 0; m < cast.meshes.size(); ++m) {
     const json& primitive = root["meshes"][m]["primitives"][0];
@@ -220,8 +283,9 @@ TEST(Glb, keeps_to_the_format) {
       EXPECT_EQ(at["min"][axis].get<double>(), low[a]);
       EXPECT_EQ(at["max"][axis].get<double>(), high[a]);
     }
+    ASSERT_EQ(index["componentType"], 5123);
     for (std::size_t i = 0; i < index["count"].get<std::size_t>(); ++i)
-      ASSERT_LT(take<std::uint32_t>(corners), at["count"].get<std::uint32_t>());
+      ASSERT_LT(take<std::uint16_t>(corners), at["count"].get<std::uint32_t>());
   }
 }
 
@@ -251,16 +315,23 @@ TEST(Cast, holds_each_sown_model_once_and_each_copy_of_it) {
   for (std::size_t m = 0; m < cast.meshes.size(); ++m) {
     const CastMesh& mesh = cast.meshes[m];
     EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
-    EXPECT_EQ(mesh.surface.check(), "") << mesh.name;
-    for (Vec2 at : mesh.surface.uv) EXPECT_TRUE(mesh.name.find("organ") == mesh.name.npos || at.x < 1);
-    if (mesh.name.starts_with("herb") && mesh.name.find("wood") != mesh.name.npos) herbs += copies[m];
+    for (const CastPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
+    if (mesh.name.starts_with("herb")) herbs += copies[m];
     if (mesh.name.starts_with("stone")) stones += copies[m];
   }
   EXPECT_EQ(herbs, scene.stands[0].copies.size());
   EXPECT_EQ(stones, scene.stands[1].copies.size());
   // The copies stand where they are sown.
-  Surface first = placed(cast.meshes[0], cast.placements[0]);
+  Surface first = placed(cast.meshes[0].parts[0], cast.placements[0]);
   EXPECT_LT(glm::distance(first.position[0], scene.stands[0].copies.foot[0]), 0.3f);
+  EXPECT_EQ(cast.groups.size(), 2u);
+  // With instances all copies of a model are one node, else each is one.
+  for (bool instances : {false, true}) {
+    std::string glb = *glb_bytes(cast, instances);
+    json root = json::parse(glb.substr(20, *reinterpret_cast<const std::uint32_t*>(&glb[12])));
+    EXPECT_EQ(root["nodes"].size(), 2 + (instances ? cast.meshes.size() : cast.placements.size()));
+    EXPECT_EQ(root.contains("extensionsRequired"), instances);
+  }
   // A file is as large as its copies are many, but for instances.
   CastSize size = size_of(cast);
   EXPECT_GT(size.all_vertices, 5 * size.vertices);
@@ -280,7 +351,7 @@ TEST(Formats, refuse_a_scene_of_which_nothing_would_be_written) {
   for (const Format& format : formats()) {
     fs::path path = fs::temp_directory_path() /
                     ("frond_nothing_" + std::to_string(getpid()) + std::string(format.extension));
-    Result<bool> written = write_scene(format, scene, 0, {}, path, [](double) {});
+    Result<bool> written = write_scene(format, scene, 0, kSmallPictures, path, [](double) {});
     ASSERT_FALSE(written) << format.extension;
     EXPECT_EQ(written.errors()[0].where, "");  // of what was asked for, not of the disk
     EXPECT_FALSE(fs::exists(path));
@@ -294,7 +365,8 @@ TEST(Formats, refuse_more_than_they_hold_before_they_make_it) {
     Format small = format;
     small.most_bytes = 1e4;
     double told = 0;
-    Result<bool> written = write_scene(small, scene, 0, {}, "/nowhere/at/all", [&](double b) { told = b; });
+    Result<bool> written =
+        write_scene(small, scene, 0, kSmallPictures, "/nowhere/at/all", [&](double b) { told = b; });
     ASSERT_FALSE(written);
     EXPECT_GT(told, 1e4);
     EXPECT_NE(written.errors()[0].what.find("GB at most"), std::string::npos) << written.errors()[0].what;
@@ -325,7 +397,7 @@ TEST(Formats, leave_nothing_where_the_disk_is_full) {
     fs::path path = folder / ("garden" + std::string(format.extension));
     {
       SmallDisk disk(8192);  // the .mtl would find room
-      Result<bool> written = write_scene(format, scene, 2, {}, path, [](double) {});
+      Result<bool> written = write_scene(format, scene, 2, kSmallPictures, path, [](double) {});
       ASSERT_FALSE(written) << format.extension;
       EXPECT_NE(written.errors()[0].where, "") << format.extension;
     }
@@ -338,8 +410,8 @@ TEST(Formats, an_obj_does_not_stay_without_its_materials) {
   namespace fs = std::filesystem;
   fs::path folder = fs::temp_directory_path() / ("frond_no_mtl_" + std::to_string(getpid()));
   fs::create_directories(folder / "garden.mtl" / "in_the_way");
-  Result<bool> written =
-      write_scene(**format_of("garden.obj"), garden(), 2, {}, folder / "garden.obj", [](double) {});
+  Result<bool> written = write_scene(**format_of("garden.obj"), garden(), 2, kSmallPictures,
+                                     folder / "garden.obj", [](double) {});
   EXPECT_FALSE(written);
   EXPECT_FALSE(fs::exists(folder / "garden.obj"));
   fs::remove_all(folder);
@@ -352,9 +424,11 @@ TEST(Formats, write_whole_files) {
   for (const Format& format : formats()) {
     fs::path path = folder / ("garden" + std::string(format.extension));
     double told = 0;
-    Result<bool> written = write_scene(format, scene, 2, {}, path, [&](double bytes) { told = bytes; });
+    Result<bool> written =
+        write_scene(format, scene, 2, kSmallPictures, path, [&](double bytes) { told = bytes; });
     ASSERT_TRUE(written) << written.errors()[0].text();
-    double foreseen = format.bytes(foresee_cast(scene, {})), size = static_cast<double>(fs::file_size(path));
+    double foreseen = format.bytes(foresee_cast(scene, kSmallPictures)),
+           size = static_cast<double>(fs::file_size(path));
     EXPECT_GT(size, 10'000);
     if (foreseen > 0) {
       EXPECT_NEAR(foreseen / size, 1, 0.7) << format.extension;
@@ -362,7 +436,7 @@ TEST(Formats, write_whole_files) {
     }
   }
   EXPECT_TRUE(fs::exists(folder / "garden.mtl"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}), 5);
+  EXPECT_GT(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}), 5);  // pictures, too
   Result<Volume> volume = read_vdb(folder / "garden.vdb");
   ASSERT_TRUE(volume);
   EXPECT_GT(volume->active_voxels(), 1000u);

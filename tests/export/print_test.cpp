@@ -32,14 +32,14 @@ std::vector<std::string> film_of(const std::string& preset, std::vector<std::str
 
 /// Of the meshes of branches: all are one piece each, every edge twice, without a void.
 void expect_printable(const Scene& scene, double time, const std::string& what) {
-  Result<Cast> cast = cast_scene(scene, time, {});
+  Result<Cast> cast = cast_scene(scene, time, {.texture = 0});
   ASSERT_TRUE(cast) << what;
   std::size_t bodies = 0;
   for (const CastMesh& mesh : cast->meshes) {
     if (mesh.name.find("_branches") == mesh.name.npos) continue;
     ++bodies;
-    PrintedPieces pieces = printed_pieces(mesh.surface);
-    EXPECT_EQ(mesh.surface.check(), "") << what;
+    PrintedPieces pieces = printed_pieces(mesh.parts[0].surface);
+    EXPECT_EQ(mesh.parts[0].surface.check(), "") << what;
     EXPECT_EQ(pieces.crowded, 0u) << what << ' ' << mesh.name;
     EXPECT_EQ(pieces.flat, 0u) << what << ' ' << mesh.name;
     ASSERT_EQ(pieces.volume.size(), 1u) << what << ' ' << mesh.name;
@@ -81,7 +81,7 @@ TEST(Printed, bodies_thinner_than_a_voxel_hold_together) {
 }
 
 TEST(Printed, bodies_in_an_obj_share_the_corners_of_their_faces) {
-  Result<Cast> cast = cast_scene(scene_of("voxel.json", {}), 0, {});
+  Result<Cast> cast = cast_scene(scene_of("voxel.json", {}), 0, {.texture = 0});
   ASSERT_TRUE(cast);
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;

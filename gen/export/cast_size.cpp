@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "export/cast.h"
+#include "field/cubes.h"
+
+namespace frond {
+
+namespace {
+
+void count(CastSize& size, const Surface& surface, double times, bool fresh) {
+  auto vertices = static_cast<double>(surface.position.size());
+  auto triangles = static_cast<double>(surface.triangle.size());
+  if (fresh) size.vertices += vertices, size.triangles += triangles;
+  size.all_vertices += vertices * times, size.all_triangles += triangles * times;
+}
+
+/// Of the branches of one organism.
+void count_branches(CastSize& size, const Specimen& b, const CastOptions& options) {
+  double vertices = 0, triangles = 0;
+  auto nodes = static_cast<double>(b.model.skeleton.size());
+  if (b.style.build == Build::sweeps) {
+    double ends = 0;
+    for (std::size_t i = 1; i < b.model.skeleton.size(); ++i)
+      ends += b.model.skeleton.parent[i] != static_cast<std::int32_t>(i) - 1;
+    vertices = (nodes + 4 * ends) * (options.sides + 1);
+    triangles = (nodes + 4 * ends) * options.sides * 2;
+  } else {
+    // A block that the surface passes has about a square of its side in it, and somewhat more aslant.
+    double blocks = foresee_volume(boughs_of(b.model.skeleton, 0), b.style.voxel).blocks;
+    vertices = blocks * 64, triangles = 2 * vertices;
+  }
+  size.vertices += vertices, size.triangles += triangles;
+  size.all_vertices += vertices, size.all_triangles += triangles;
+  size.placements += 1;
+}
+
+}  // namespace
+
+CastSize size_of(const Cast& cast) {
+  CastSize size;
+  for (const CastMesh& mesh : cast.meshes)
+    for (const CastPart& part : mesh.parts) count(size, part.surface, 0, true);
+  for (const CastPlacement& p : cast.placements)
+    for (const CastPart& part : cast.meshes[p.mesh].parts) count(size, part.surface, 1, false);
+  for (const CastPicture& picture : cast.pictures) size.pictures += static_cast<double>(picture.png.size());
+  size.placements = static_cast<double>(cast.placements.size());
+  return size;
+}
+
+namespace {
+
+constexpr double kPixelBytes = 3.5;    // of three pictures, for one pixel of the colours
+constexpr double kLeafPictures = 0.3;  // what those of a leaf take of those of a bark
+
+/// What all of one organism take without --detail and merging; fused bodies aside.
+CastSize whole(const Specimen& b) {
+  CastSize size;
+  std::vector<bool> seen(b.model.prototypes.size());
+  for (std::uint16_t which : b.model.organs.prototype) {
+    for (const OrganPart& part : b.model.prototypes[which].parts) count(size, part.surface, 1, !seen[which]);
+    size.placements += 1;
+    seen[which] = true;
+  }
+  count(size, b.model.blades.surface, 1, true);
+  for (const Solid& solid : b.model.solids.shapes) count(size, solid.surface, 0, true);
+  for (std::uint16_t which : b.model.solids.shape)
+    count(size, b.model.solids.shapes[which].surface, 1, false);
+  size.placements += static_cast<double>(b.model.solids.size());
+  return size;
+}
+
+/// How many times the pictures of a bark those of an organism take; solids share theirs by their matter.
+double pictures_of(const Specimen& b) {
+  double times = (b.look.skin || b.look.bark) && b.model.skeleton.size() > 1 ? 1 : 0;
+  std::set<std::uint16_t> used(b.model.organs.prototype.begin(), b.model.organs.prototype.end());
+  std::set<std::size_t> colors;
+  for (std::uint16_t which : used) colors.insert(b.model.prototypes[which].colors.size());
+  for (std::size_t count : colors) times += kLeafPictures * static_cast<double>(count);
+  std::set<Matter> matters;
+  for (const Solid& solid : b.model.solids.shapes) matters.insert(solid.material.matter);
+  return times + static_cast<double>(matters.size());
+}
+
+void add(CastSize& size, const CastSize& more, double share) {
+  size.vertices += share * more.vertices, size.triangles += share * more.triangles;
+  size.all_vertices += share * more.all_vertices, size.all_triangles += share * more.all_triangles;
+  size.placements += more.placements;
+}
+
+}  // namespace
+
+CastSize foresee_cast(const Scene& scene, const CastOptions& options) {
+  CastSize size;
+  double pixels = options.texture * static_cast<double>(options.texture);
+  std::set<std::size_t> entries;  // whose pictures are counted
+  for (const Specimen& b : scene.specimens) {
+    CastSize own = whole(b);
+    if (!options.instances)
+      own.vertices = own.all_vertices, own.triangles = own.all_triangles, own.placements = 2;
+    bool simpler = b.style.build == Build::sweeps;
+    if (simpler && (b.look.skin || b.look.bark) && b.model.skeleton.size() > 1)
+      count_branches(own, b, options);
+    add(size, own, options.instances ? 1 : std::min(1.0, options.detail / std::max(1.0, own.triangles)));
+    if (!simpler && (b.look.skin || b.look.bark) && b.model.skeleton.size() > 1)
+      count_branches(size, b, options);
+    if (entries.insert(b.entry).second) size.pictures += kPixelBytes * pixels * pictures_of(b);
+  }
+  return size;
+}
+
+}  // namespace frond

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "export/foliage.h"
+#include "export/palette.h"
+
+namespace frond {
+
+/// Puts a cast together.
+struct Maker {
+  Cast& cast;
+  const CastOptions& options;
+  Palette palette{cast, options};
+  Names group_names{}, mesh_names{};
+
+  /// Begins an organism, which what is added next belongs to.
+  void begin(const std::string& name, Vec3 foot) { cast.groups.push_back({group_names.unique(name), foot}); }
+  const std::string& name() const { return cast.groups.back().name; }
+  Vec3 foot() const { return cast.groups.back().foot; }
+
+  /// Adds a mesh without a placement; nothing where its parts are empty.
+  std::optional<std::size_t> mesh(const std::string& part, std::vector<CastPart> parts);
+  void place(std::size_t mesh, Vec3 at, Quat turn, Vec3 scale) {
+    cast.placements.push_back({mesh, at, turn, scale, cast.groups.size() - 1});
+  }
+  /// Adds a mesh whose corners are where they stand in the world.
+  void stand(const std::string& part, std::vector<CastPart> parts);
+
+  /// Foliage with its materials; one mesh for each name of prototypes.
+  void add_foliage(const Look& look, const Model& model, std::vector<LeafPart> parts);
+  /// The bodies of a model.
+  void add_bodies(const Solids& solids);
+};
+
+/// Foliage by the names of its prototypes, one part a material.
+std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& look, const Model& model,
+                                                     std::vector<LeafPart> parts);
+
+/// What the bodies of a model are made of, one part a material, where they stand.
+std::vector<CastPart> body_parts(Maker& maker, const Solids& solids);
+
+}  // namespace frond

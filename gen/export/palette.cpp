@@ -1,0 +1,239 @@
+#include "export/palette.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/linear.h"
+#include "core/parallel.h"
+#include "export/look.h"
+
+namespace frond {
+
+namespace {
+
+constexpr float kFaceOfGlass = 0.36f;
+constexpr int kLeafPixels = 256;  // the most of a leaf without a picture of its own
+
+std::string key_of(const Color& c) { return fmt::format("{:.4f},{:.4f},{:.4f};", c.red, c.green, c.blue); }
+
+std::string key_of(const Bark& b, std::size_t color) {
+  return fmt::format("bark {} {} {} {}{}", static_cast<int>(b.kind), b.scale, b.depth,
+                     key_of(b.colors[color]), key_of(b.second));
+}
+
+std::string key_of(const Skin& s) {
+  const Tint& t = s.tint;
+  return fmt::format("skin {} {} {} {} {} {} {} {}{}", static_cast<int>(s.kind), s.pores.cell, s.pores.warp,
+                     s.pores.depth, t.hue, t.saturation, t.value, key_of(t.base), key_of(t.secondary));
+}
+
+std::string key_of(const Material& m) {
+  std::string key = fmt::format("matter {} {} {} {} {} {}{}", static_cast<int>(m.matter), m.scale, m.relief,
+                                m.moss, m.gloss, key_of(m.color), key_of(m.second));
+  for (const Band& b : m.bands)
+    key +=
+        fmt::format("{} {} {} {} {}", b.at, b.width, static_cast<int>(b.motif), b.repeats, key_of(b.color));
+  return key;
+}
+
+/// A bark drawn by a pattern in space, as the picture that comes nearest to it.
+BarkImage image_of(const Bark& bark, std::size_t color) {
+  BarkImage image;
+  image.pattern = bark.kind == BarkKind::birch ? BarkPattern::banded : BarkPattern::furrowed;
+  image.color = bark.colors[color];
+  image.second = bark.second;
+  image.lichens = 0.1;
+  if (bark.kind == BarkKind::birch) image.stretch = 2.5;
+  return image;
+}
+
+Pictures bark_pictures(const BarkImage& image, double depth, int width, int height) {
+  Seed seed{11};
+  BarkMaps maps = bark_maps(image, width, height, seed);
+  return {bark_colors(image, maps, seed), normal_picture(maps.height, 0.02 * width * depth),
+          roughness_of(maps.height, 0.8)};
+}
+
+/// A leaf's picture: where it is open it has the colour of the rim, or its edge would be seen dark.
+Pictures leaf_pictures(const LeafLook& look, std::size_t color, int pixels) {
+  LeafImage image = leaf_image(look, color);
+  // In all seasons the same spots.
+  Raster colors = leaf_picture(image, pixels, Seed{color < look.colors.size() ? color : 0});
+  Grid height(colors.width, colors.height);
+  Pictures made{std::move(colors), {}, {}};
+  std::uint8_t rim[] = {to_byte(image.rim.red), to_byte(image.rim.green), to_byte(image.rim.blue)};
+  for (std::size_t i = 0; i < height.data.size(); ++i) {
+    std::uint8_t* pixel = &made.colors.data[4 * i];
+    if (pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0) std::copy_n(rim, 3, pixel);
+    // Veins are paler than what lies between, and sunk in.
+    double bright = (0.3 * pixel[0] + 0.6 * pixel[1] + 0.1 * pixel[2]) / 255;
+    height.data[i] = static_cast<float>(1 - bright);
+  }
+  made.normals = normal_picture(height, 0.012 * pixels);
+  made.roughness = roughness_of(height, 0.6);
+  return made;
+}
+
+bool patterned(Matter matter) {
+  return matter != Matter::plain && matter != Matter::pane && matter != Matter::glass;
+}
+
+}  // namespace
+
+std::string Names::unique(const std::string& name) {
+  int times = times_[name]++;
+  return times == 0 ? name : unique(fmt::format("{}_{}", name, times + 1));
+}
+
+void Palette::add_pictures(CastMaterial& material, const std::string& key, const std::string& name,
+                           const std::function<Pictures()>& draw) {
+  auto [at, fresh] = drawn_.try_emplace(key, std::array{kNoPicture, kNoPicture, kNoPicture});
+  if (fresh) {
+    Pictures made = draw();
+    const Raster* rasters[] = {&made.colors, &made.normals, &made.roughness};
+    const char* words[] = {"_color", "_normal", "_roughness"};
+    std::array<Result<std::string>, 3> bytes{std::string(), std::string(), std::string()};
+    parallel_for(3, [&](std::size_t i) { bytes[i] = png_text(*rasters[i]); });
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!bytes[i]) continue;
+      at->second[i] = cast_.pictures.size();
+      cast_.pictures.push_back({name + words[i], std::move(*bytes[i])});
+    }
+  }
+  material.colors = at->second[0], material.normals = at->second[1], material.roughness = at->second[2];
+}
+
+template <class Draw>
+Palette::Use Palette::keep(const std::string& key, CastMaterial made, const std::string& name,
+                           const Draw& draw) {
+  auto [at, fresh] = used_.try_emplace(key + key_of(made.factor) + key_of(made.color));
+  if (!fresh) return at->second;
+  Use use;
+  made.name = names_.unique(name);
+  if (options_.texture > 0) draw(made, use);
+  use.material = cast_.materials.size();
+  cast_.materials.push_back(std::move(made));
+  return at->second = use;
+}
+
+Palette::Use Palette::branches(const Look& look, double brightness, std::size_t color,
+                               const std::string& name) {
+  int pixels = options_.texture;
+  CastMaterial made;
+  made.factor = scaled({1, 1, 1}, brightness);
+  if (look.coat) {
+    const BarkCoat& coat = *look.coat;
+    made.color = scaled(coat.image.color, 0.85 * brightness);
+    return keep("coat " + bark_color_name(coat), made, name, [&](CastMaterial& m, Use&) {
+      int wide = std::min(pixels, coat.pixels),
+          high = std::max(1, static_cast<int>(std::lround(wide * coat.aspect)));
+      add_pictures(m, bark_color_name(coat), m.name,
+                   [&] { return bark_pictures(coat.image, coat.relief, wide, high); });
+    });
+  }
+  if (look.skin) {
+    made.color = tinted(look.skin->tint, brightness), made.gloss = 0.1;
+    return keep(key_of(*look.skin), made, name, [&](CastMaterial& m, Use& use) {
+      add_pictures(m, key_of(*look.skin), m.name,
+                   [&] { return pictures_of(skin_tile(*look.skin, pixels), 0.75); });
+      std::tie(use.wide, use.high) = picture_size(look);
+    });
+  }
+  const Bark& bark = *look.bark;
+  made.color = scaled(bark.colors[color], brightness);
+  made.gloss = bark_gloss(bark), made.metal = is_metal(bark);
+  return keep(key_of(bark, color), made, name, [&](CastMaterial& m, Use& use) {
+    if (bark.kind == BarkKind::palm) {
+      add_pictures(m, key_of(bark, color), m.name,
+                   [&] { return pictures_of(palm_tile(bark, pixels), 0.85); });
+    } else if (bark.kind == BarkKind::bark || bark.kind == BarkKind::birch) {
+      BarkImage image = image_of(bark, color);
+      add_pictures(m, key_of(bark, color), m.name,
+                   [&] { return bark_pictures(image, 1.5 * bark.depth, pixels, 2 * pixels); });
+    } else {
+      m.factor = m.color;
+    }
+    std::tie(use.wide, use.high) = picture_size(look);
+  });
+}
+
+std::pair<double, double> Palette::picture_size(const Look& look) {
+  constexpr double kRidge = 1.2;  // a ridge and the furrow beside it, in widths of a furrow
+  if (look.coat) return {1, 1};
+  if (look.skin) return {skin_metres(*look.skin), skin_metres(*look.skin)};
+  if (look.bark->kind == BarkKind::palm) return {palm_metres(*look.bark), palm_metres(*look.bark)};
+  double wide = kRidge * BarkImage{}.ridges * look.bark->scale;
+  return {wide, 2 * wide};
+}
+
+Palette::Use Palette::cubes(const Look& look, double brightness, std::size_t color, const std::string& name) {
+  CastMaterial made;
+  made.color = look.skin ? tinted(look.skin->tint, brightness) : scaled(look.bark->colors[color], brightness);
+  made.gloss = 0.2;
+  return keep("cube", made, name, [&](CastMaterial& m, Use&) {
+    add_pictures(m, "cube " + key_of(m.color), m.name,
+                 [&] { return pictures_of(cube_tile(m.color, std::min(options_.texture, 128)), 0.75); });
+  });
+}
+
+std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color,
+                           bool card, const std::string& name) {
+  Tissue tissue = organ.parts[part].tissue;
+  CastMaterial made;
+  made.color = tissue == Tissue::heart ? organ.second : organ.colors[color];
+  made.gloss = tissue == Tissue::fruit ? 0.6 : 0.2, made.leaf = is_leaf(tissue), made.cutout = card;
+  if (look.leaves && color < organ.parts[part].pictures.size()) {
+    const std::string& key = organ.parts[part].pictures[color];
+    int pixels = std::min(options_.texture, 2 * look.leaves->pixels);
+    return keep((card ? "card " : "") + key, made, name,
+                [&](CastMaterial& m, Use&) {
+                  add_pictures(m, key, m.name, [&] { return leaf_pictures(*look.leaves, color, pixels); });
+                })
+        .material;
+  }
+  std::string key = fmt::format("organ {} {}", static_cast<int>(tissue), key_of(organ.second));
+  return keep(key, made, name,
+              [&](CastMaterial& m, Use&) {
+                if (!made.leaf) return void(m.factor = m.color);
+                add_pictures(m, key + key_of(m.color), m.name, [&] {
+                  int pixels = std::min(options_.texture, kLeafPixels);
+                  return pictures_of(tissue_tile(tissue, m.color, organ.second, pixels), 0.6);
+                });
+              })
+      .material;
+}
+
+std::size_t Palette::blade(const BladeLook& look, std::size_t color, const std::string& name) {
+  Prototype blade{"blade", {{look.tissue, {}}}, look.colors, look.second};
+  return organ({}, blade, 0, color, false, name);
+}
+
+Palette::Use Palette::body(const Material& material, bool vessel, const std::string& name) {
+  CastMaterial made;
+  made.color = material.color, made.gloss = material.gloss;
+  if (material.matter == Matter::glass) {
+    // Light takes on the colour at each of the four faces of two walls: each gives a share of it.
+    Vec3 face = glm::pow(linear(material.color), Vec3(kFaceOfGlass));
+    made.color = {static_cast<float>(encoded(face.x)), static_cast<float>(encoded(face.y)),
+                  static_cast<float>(encoded(face.z))};
+    made.transmission = 0.95, made.gloss = 1.2;
+  }
+  if (material.matter == Matter::pane) made.gloss = 1.1;
+  if (material.matter == Matter::ceramic) made.gloss = 0.4 + 0.8 * material.gloss;
+  std::string key = key_of(material);
+  return keep((vessel ? "vessel " : "") + key, made, name, [&](CastMaterial& m, Use& use) {
+    bool painted = vessel && (patterned(material.matter) || !material.bands.empty());
+    if (!painted && !patterned(material.matter)) return void(m.factor = m.color);
+    Tile tile =
+        painted ? vessel_tile(material, 2 * options_.texture) : matter_tile(material, options_.texture);
+    use.wide = use.high = tile.metres;
+    m.color = mean_color(tile);
+    add_pictures(m, (vessel ? "vessel " : "") + key, m.name,
+                 [&] { return pictures_of(tile, std::clamp(0.95 - 0.75 * m.gloss, 0.05, 1.0)); });
+  });
+}
+
+}  // namespace frond

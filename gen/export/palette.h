@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "export/cast.h"
+#include "export/tile.h"
+
+namespace frond {
+
+/// Gives names that no two things share.
+class Names {
+ public:
+  std::string unique(const std::string& name);
+
+ private:
+  std::map<std::string, int> times_;
+};
+
+/// Makes the materials of a cast with their pictures, each once.
+class Palette {
+ public:
+  Palette(Cast& cast, const CastOptions& options) : cast_(cast), options_(options) {}
+
+  /// A material, and how many metres its picture is wide and high where it lies.
+  struct Use {
+    std::size_t material = 0;
+    double wide = 1, high = 1;
+  };
+
+  /// Of branches of one of the bark's colours; `name` is what the material is called.
+  Use branches(const Look& look, double brightness, std::size_t color, const std::string& name);
+  Use cubes(const Look& look, double brightness, std::size_t color, const std::string& name);
+  /// Metres that the picture of branches is wide and high; of coats, 1 and 1.
+  static std::pair<double, double> picture_size(const Look& look);
+  /// Of a part of an organ in one of its colours. As a card it is cut out of its picture.
+  std::size_t organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color, bool card,
+                    const std::string& name);
+  std::size_t blade(const BladeLook& look, std::size_t color, const std::string& name);
+  /// Of a body, on its own `uv` where that is a vessel's.
+  Use body(const Material& material, bool vessel, const std::string& name);
+
+ private:
+  /// The material of that key; a new one is `made` with pictures that `draw` makes.
+  template <class Draw>
+  Use keep(const std::string& key, CastMaterial made, const std::string& name, const Draw& draw);
+  void add_pictures(CastMaterial& material, const std::string& key, const std::string& name,
+                    const std::function<Pictures()>& draw);
+
+  Cast& cast_;
+  const CastOptions& options_;
+  std::map<std::string, Use> used_;
+  std::map<std::string, std::array<std::size_t, 3>> drawn_;
+  Names names_;
+};
+
+}  // namespace frond
