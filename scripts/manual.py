@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Writes docs/kinds/*.md and docs/settings/*.md from what `frond describe --json` says, and renders their strips.
+"""Usage: scripts/manual.py [--check | --strips [--again NAME...]]
+
+Writes docs/kinds/*.md and docs/settings/*.md from what `frond describe --json` says, and renders their strips.
 
   scripts/manual.py              the pages, with the strips that there are
   scripts/manual.py --check      whether the pages are those of the program; writes nothing
@@ -257,6 +259,13 @@ def pages():
 
 
 def main(words):
+    if "-h" in words or "--help" in words:
+        print(__doc__)
+        return 0
+    known = words[:words.index("--again")] if "--again" in words else words
+    if any(word not in ("--check", "--strips") for word in known):
+        print(__doc__, file=sys.stderr)
+        return 2
     if "--strips" in words:
         again = words[words.index("--again") + 1:] if "--again" in words else []
         for path, values in STRIPS:

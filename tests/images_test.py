@@ -109,7 +109,7 @@ def main():
         good &= check("light is POV-Ray's own", distance(ours, theirs) < 10, f"{distance(ours, theirs):.1f}")
         good &= check("so are shadows", abs(bright[0]/bright[1] - 1) < 0.25, f"{bright[0]:.1f} against {bright[1]:.1f}")
         # Where a film goes from one stretch of its way to the next, and copies to other levels, nothing pops.
-        walk = render("tests/presets/tiny_walk.json", range(22, 28), folder / "walk", "+A0.1")
+        walk = render("tests/images/walk.json", range(22, 28), folder / "walk", "+A0.1")
         steps = {frame: distance(walk[frame], walk[frame + 1]) for frame in range(22, 27)}
         usual = max(step for frame, step in steps.items() if frame != 24)
         good &= check("nothing pops on the way", 0 < steps[24] < 1.2 * usual, f"{steps[24]:.1f}, else {usual:.1f}")

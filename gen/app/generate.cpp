@@ -208,8 +208,8 @@ int generate(const GenerateArguments& arguments) {
   needed.insert(plan->crumb_files.begin(), plan->crumb_files.end());
   shown.reset();
   now_doing("writing frames");
-  Written written =
-      write_frames(*scene, std::move(*plan), *layout, out, range, foretold->at_once(machine), arguments.quiet);
+  Written written = write_frames(*scene, std::move(*plan), *layout, out, range, foretold->at_once(machine),
+                                 arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors =
       write_jobs(*preset, range, written.nodes, foretold->render_seconds, *root, out, name, false);

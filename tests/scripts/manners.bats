@@ -13,7 +13,7 @@ setup() {
     [ "$status" -eq 0 ]
     [[ ${output,,} == usage:* ]]
   done
-  for script in render render_frame encode_film contact_sheet keep_still compare sheet plot why; do
+  for script in render_frame encode_film contact_sheet keep_still compare sheet plot why; do
     run "$ROOT/scripts/$script.sh"
     echo "$script: $output"
     [ "$status" -eq 2 ]

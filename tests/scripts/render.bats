@@ -189,7 +189,7 @@ SH
 }
 
 @test "wrong input is exit code 2" {
-  for arguments in "nothing.json" "film.json --nonsense" "" "film.json film.json" "film.json --jobs 0" \
+  for arguments in "nothing.json" "film.json --nonsense" "film.json film.json" "film.json --jobs 0" \
     "film.json --frames" "film.json --frames x" "film.json --size 0x0" "film.json --scale" "film.json --scale 0.5" "film.json --scale 17" "film.json --scale big" "film.json --quality grand" "film.json --set /film=3"; do
     # shellcheck disable=SC2086
     run "$RENDER" $arguments
