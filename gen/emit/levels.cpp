@@ -33,11 +33,11 @@ int level_for(double grain) {
 }
 
 bool moves(const Camera& camera, double length) {
-  Vec3 at = camera.location.at(0), toward = camera.look_at.at(0);
-  for (int i = 1; i <= 16; ++i) {
-    double time = length * i / 16;
-    if (camera.location.at(time) != at || camera.look_at.at(time) != toward) return true;
-  }
+  auto seen = [&](double time) {
+    return std::tuple(camera.location.at(time), camera.look_at.at(time), camera.angle.at(time));
+  };
+  for (int i = 1; i <= 16; ++i)
+    if (seen(length * i / 16) != seen(0)) return true;
   return false;
 }
 

@@ -123,6 +123,19 @@ TEST(CopyPlan, AMovingCameraHasStretchesThatDifferLittle) {
   }
 }
 
+TEST(CopyPlan, ACameraThatZoomsMovesToo) {
+  std::string text = preset_text(R"({"frames": 48, "fps": 24, "size": [480, 270]})");
+  std::string still = R"("look_at": [0, 2, 0])";
+  text.replace(text.find(still), still.size(), still + R"(, "angle": [[0, 60], [2, 6]])");
+  Scene scene = scene_of(text);
+  CopyPlan plan = planned(scene);
+  ASSERT_EQ(plan.drawn.size(), 2u);
+  std::vector<int> wide = finest(scene, plan, 0), near = finest(scene, plan, 1);
+  int finer = 0;
+  for (std::size_t i = 0; i < wide.size(); ++i) finer += near[i] < wide[i];
+  EXPECT_GT(finer, 5);
+}
+
 TEST(ModelBlocks, HoldAllOfAModelOnce) {
   Scene scene = scene_of(preset_text(kStill));
   const SownStand& stand = scene.stands[0];
