@@ -17,14 +17,8 @@ namespace frond {
 
 namespace {
 
-constexpr double kModelUnit = 10;  // units a metre in which models are written
 constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
                                        "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
-
-/// `Model_0123456789abcdef_2_7`, of the model, the level and the block.
-std::string declared_name(const ModelFile& file) {
-  return "M" + file.name.substr(1, file.name.find('.') - 1);
-}
 
 void append_part_name(std::string& text, std::string_view model, std::size_t part) {
   text += model;
@@ -94,8 +88,8 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
   return {};
 }
 
-/// No more of a part's mesh than shows at a level: a fortieth of a pixel, of far leaves facets and places to
-/// a hundredth. Wood without pictures needs no places.
+/// No more of a part's mesh than shows at a level: a fortieth of a pixel, from afar an eighth; of leaves of
+/// some pixels facets, and places to a hundredth. Wood and plain leaves without pictures need no places.
 MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, int level) {
   double finest = kLevels[level].grain / (kLevels[level].plain ? 8 : 40) * kModelUnit;
   MeshText how;
@@ -216,6 +210,10 @@ std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPla
 }
 
 }  // namespace
+
+std::string declared_name(const ModelFile& file) {
+  return "M" + file.name.substr(1, file.name.find('.') - 1);
+}
 
 std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
                                      const Model& model, const ModelBlocks& blocks) {

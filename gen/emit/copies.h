@@ -10,6 +10,12 @@
 
 namespace frond {
 
+inline constexpr double kModelUnit = 10;  ///< units a metre in which models are written
+
+/// `Model_0123456789abcdef_2_7`, of the model, the level and the block: what the names of a file's parts
+/// begin with.
+std::string declared_name(const ModelFile& file);
+
 /// The texts of files of one level of a model; `blocks` are its own.
 std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
                                      const Model& model, const ModelBlocks& blocks);

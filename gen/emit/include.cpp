@@ -18,17 +18,8 @@ namespace frond {
 
 namespace {
 
-constexpr double kCoarseUnit = 10;  // units a metre in which models are written
-
-/// The coarsest level with a grain no larger than asked for.
-int level_of(double grain) {
-  int level = 0;
-  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain) ++level;
-  return level;
-}
-
 /// The grain of something so tall at a detail: a five hundredth of it, then a hundred and fiftieth.
-int level_at(double height, int detail) { return level_of(height / 500 * std::pow(3.3, detail)); }
+int level_at(double height, int detail) { return level_for(height / 500 * std::pow(3.3, detail)); }
 
 struct Box {
   Vec3 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
@@ -47,11 +38,6 @@ Box box_of(const Specimen& specimen) {
 double tall_of(const SownStand& stand) {
   double height = stand.organism.grower->tallest();
   return height > 0 ? height : 8 * stand.organism.sown->where.radius;
-}
-
-/// `Model_0123_2_0`: what a model's file declares first, by the file's name.
-std::string first_of(const std::string& file) {
-  return "M" + file.substr(1, file.size() - 1 - std::string_view(".inc").size()) + "_0";
 }
 
 /// The text without its lines that include files; those of parts are put in their place.
@@ -177,10 +163,10 @@ class Writer {
       if (std::ranges::find(drawn, file.level, &Drawn::level) == drawn.end() ||
           !names.insert(file.name).second)
         continue;
-      std::string first = first_of(file.name);
+      std::string first = declared_name(file) + "_0";
       if (models_.insert(file.name).second)
         shapes_ += fmt::format("#macro {}_{}()\n#local Frond_Unit = {};\n{}#end\n", what_.name, first,
-                               number_text(kCoarseUnit), without_includes(variants_[v].models[i], {}));
+                               number_text(kModelUnit), without_includes(variants_[v].models[i], {}));
       calls += fmt::format("#ifndef ({}) {}_{}() #end\n", first, what_.name, first);
     }
     return calls;
@@ -199,11 +185,10 @@ class Writer {
       stand.dress.look = b.look;
       ModelFile file;
       file.level = level_at(heights[i], detail - 1);
-      file.name = fmt::format("model_{}_{}.inc", copy_id(stand.organism, 0), file.level);
+      file.name = model_file_name(stand.organism, 0, file.level);
       Model grown = b.model;
       grown.solids = {};  // these are drawn as they are at any detail
-      std::string model = model_texts({file}, stand, grown, {})[0],
-                  name = "M" + file.name.substr(1, file.name.size() - 5);
+      std::string model = model_texts({file}, stand, grown, {})[0], name = declared_name(file);
       text += without_includes(model, parts);
       for (int part : model_parts(model).value_or(std::vector<int>{})) {
         // A coral is one part, its skin.
@@ -211,7 +196,7 @@ class Writer {
                                ? fmt::format("texture{{Skin[{}]}}", parts.first_skin[i])
                                : fmt::format("{}_{}_Look(<0,1,{}>)", name, part, number_text(b.brightness));
         text += fmt::format("object{{{}_{} scale {} {}}}\n", name, part,
-                            number_text(parts.space.unit / kCoarseUnit), look);
+                            number_text(parts.space.unit / kModelUnit), look);
       }
     }
     return text;
@@ -242,7 +227,7 @@ class Writer {
         name);
     for (const std::string& macro : macros_called(what_.macros, shapes_)) text += "//   " + macro + "\n";
     text += fmt::format(
-        "#ifndef ({0}_Inc)\n#declare {0}_Inc = version;\n#version 3.7;\n"
+        "#ifndef ({0}_Included)\n#declare {0}_Included = version;\n#version 3.7;\n"
         "#ifndef (Frond_Unit)    #declare Frond_Unit = 1;       #end\n"
         "#ifndef (Frond_Ambient) #declare Frond_Ambient = 0.25; #end\n"
         "#ifndef (Frond_Quality) #declare Frond_Quality = 1;    #end\n"
@@ -289,7 +274,7 @@ class Writer {
     std::swap(low.z, high.z);  // the mirror
     text += fmt::format(
         "#declare {0}_Height = {1}*{0}_Unit;\n#declare {0}_Low = {2}*{0}_Unit;\n"
-        "#declare {0}_High = {3}*{0}_Unit;\n#version {0}_Inc;\n#end\n",
+        "#declare {0}_High = {3}*{0}_Unit;\n#version {0}_Included;\n#end\n",
         name, number_text(high.y), corner(low), corner(high));
     return text;
   }
@@ -318,6 +303,8 @@ std::string include_name(std::string_view file) {
     name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
     begins = false;
   }
+  for (std::string_view own : {"Frond_Unit", "Frond_Ambient", "Frond_Quality"})
+    if (name == own) return name + "_";
   return name;
 }
 
@@ -346,7 +333,7 @@ IncludeVariant include_variant(Scene scene) {
                             level,
                             ModelFile::kWhole,
                             0,
-                            fmt::format("model_{}_{}.inc", copy_id(scene.stands[s].organism, model), level),
+                            model_file_name(scene.stands[s].organism, model, level),
                             {}});
   variant.scene = std::move(scene);
   return variant;

@@ -26,12 +26,6 @@ constexpr double kUnseen = 2;         // as coarse is what only throws a shadow
 constexpr double kPenumbra = 0.012;   // metres of blur of a shadow that falls a metre deep
 constexpr float kMargin = 3;          // metres round what is in view
 
-int level_for(double grain) {
-  int level = 0;
-  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain) ++level;
-  return level;
-}
-
 bool moves(const Camera& camera, double length) {
   auto seen = [&](double time) {
     return std::tuple(camera.location.at(time), camera.look_at.at(time), camera.angle.at(time));
@@ -44,6 +38,17 @@ bool moves(const Camera& camera, double length) {
 auto order(const ModelFile& f) { return std::tuple(f.stand, f.model, f.level, f.block); }
 
 }  // namespace
+
+int level_for(double grain) {
+  int level = 0;
+  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain) ++level;
+  return level;
+}
+
+std::string model_file_name(const Organism& organism, int model, int level, int block) {
+  return fmt::format("model_{}_{}{}.inc", copy_id(organism, model), level,
+                     block == ModelFile::kWhole ? "" : fmt::format("_{}", block));
+}
 
 const ModelFile& CopyPlan::file(std::size_t stand, int model, const Drawn& one) const {
   auto wanted = std::tuple(stand, model, static_cast<int>(one.level), static_cast<int>(one.block));
@@ -153,8 +158,7 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Crumb>& cr
   bool joined = blocks.count() > 1 && used.contains({kWholeFrom, ModelFile::kWhole});
   for (int b = 0; joined && b < blocks.count(); ++b) used.insert({kWholeFrom, b});
   for (auto [level, block] : used) {
-    std::string name = fmt::format("model_{}_{}{}.inc", copy_id(sown.organism, model), level,
-                                   block == ModelFile::kWhole ? "" : fmt::format("_{}", block));
+    std::string name = model_file_name(sown.organism, model, level, block);
     int from = joined && level == kWholeFrom && block == ModelFile::kWhole ? blocks.count() : 0;
     result.files.push_back({stand, model, level, block, from, std::move(name), {}});
   }

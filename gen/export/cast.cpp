@@ -264,10 +264,11 @@ class Caster {
         std::vector<CastPart> parts;
         std::string name = plain_name(prototype.name, "organ");
         for (std::size_t part = 0; part < prototype.parts.size(); ++part)
-          if (!prototype.parts[part].surface.triangle.empty())
-            parts.push_back(
-                {prototype.parts[part].surface,
-                 maker_.palette.organ(b_.look, prototype, part, color, false, maker_.name() + '_' + name)});
+          if (const Surface& surface = prototype.parts[part].surface; !surface.triangle.empty())
+            parts.push_back({surface, maker_.palette.organ(b_.look, prototype, part, color,
+                                                           surface.uv.empty() ? Palette::Lies::nowhere
+                                                                              : Palette::Lies::mesh,
+                                                           maker_.name() + '_' + name)});
         at->second = maker_.mesh(name, std::move(parts));
       }
       if (at->second) maker_.place(*at->second, o.position[i], o.turn[i], o.scale[i]);

@@ -37,16 +37,19 @@ Surface of_color(const Surface& leaves, std::size_t color, std::size_t colors) {
   return out;
 }
 
-/// Keeps one of so many organs of a prototype, grown to the area of all.
-void thin_out(Organs& o, std::size_t which, int stride) {
+/// Keeps one of so many organs of a prototype, grown about their middle to the area of all.
+void thin_out(Organs& o, std::size_t which, const Surface& shape, int stride) {
   Organs kept;
   float larger = std::sqrt(static_cast<float>(stride));
+  Vec3 middle(0);
+  for (const Vec3& p : shape.position) middle += p / static_cast<float>(shape.position.size());
   int rank = 0;
   for (std::size_t i = 0; i < o.size(); ++i) {
     bool own = o.prototype[i] == which;
     if (own && rank++ % stride != stride / 2) continue;
     kept.prototype.push_back(o.prototype[i]);
-    kept.position.push_back(o.position[i]);
+    Vec3 back = own ? (larger - 1) * o.scale[i] * (o.turn[i] * middle) : Vec3(0);
+    kept.position.push_back(o.position[i] - back);
     kept.turn.push_back(o.turn[i]);
     kept.scale.push_back(o.scale[i] * (own ? larger : 1));
     kept.color.push_back(o.color[i]);
@@ -139,7 +142,7 @@ std::vector<LeafPart> foliage_parts(const Look& look, Model model, double triang
     leaf.surface = card_of(leaf.surface, rows);
     card[p] = true;
     if (auto stride = static_cast<int>(std::ceil(2 * times / share)); stride > 1)
-      thin_out(model.organs, p, stride);
+      thin_out(model.organs, p, leaf.surface, stride);
   }
   for (CopyPart& part : copy_parts(look, model, {kFine, (1.01 * share + 8) * shapes})) {
     if (part.kind != CopyPart::Kind::organ) continue;

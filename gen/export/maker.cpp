@@ -33,12 +33,13 @@ std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& l
   for (LeafPart& leaf : parts) {
     const Prototype& prototype = model.prototypes[leaf.prototype];
     std::string name = plain_name(prototype.name, "organ");
+    auto lies = leaf.surface.uv.empty() ? Palette::Lies::nowhere
+                : leaf.card             ? Palette::Lies::card
+                                        : Palette::Lies::mesh;
     std::size_t material =
-        maker.palette.organ(look, prototype, leaf.part, leaf.color, leaf.card, maker.name() + '_' + name);
+        maker.palette.organ(look, prototype, leaf.part, leaf.color, lies, maker.name() + '_' + name);
     std::vector<CastPart>& made = meshes[name];
-    auto same = std::find_if(made.begin(), made.end(), [&](const CastPart& p) {
-      return p.material == material && p.surface.uv.empty() == leaf.surface.uv.empty();
-    });
+    auto same = std::ranges::find(made, material, &CastPart::material);
     if (same == made.end())
       made.push_back({std::move(leaf.surface), material});
     else

@@ -180,12 +180,13 @@ Palette::Use Palette::cubes(const Look& look, double brightness, std::size_t col
 }
 
 std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color,
-                           bool card, const std::string& name) {
+                           Lies lies, const std::string& name) {
+  bool card = lies == Lies::card, laid = lies != Lies::nowhere;
   Tissue tissue = organ.parts[part].tissue;
   CastMaterial made;
   made.color = tissue == Tissue::heart ? organ.second : organ.colors[color];
   made.gloss = tissue == Tissue::fruit ? 0.6 : 0.2, made.leaf = is_leaf(tissue), made.cutout = card;
-  if (look.leaves && color < organ.parts[part].pictures.size()) {
+  if (laid && look.leaves && color < organ.parts[part].pictures.size()) {
     const std::string& key = organ.parts[part].pictures[color];
     int pixels = std::min(options_.texture, 2 * look.leaves->pixels);
     return keep((card ? "card " : "") + key, made, name,
@@ -194,10 +195,10 @@ std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t
                 })
         .material;
   }
-  std::string key = fmt::format("organ {} {}", static_cast<int>(tissue), key_of(organ.second));
+  std::string key = fmt::format("organ {} {} {}", static_cast<int>(tissue), laid, key_of(organ.second));
   return keep(key, made, name,
               [&](CastMaterial& m, Use&) {
-                if (!made.leaf) return void(m.factor = m.color);
+                if (!made.leaf || !laid) return void(m.factor = m.color);
                 add_pictures(m, key + key_of(m.color), m.name, [&] {
                   int pixels = std::min(options_.texture, kLeafPixels);
                   return pictures_of(tissue_tile(tissue, m.color, organ.second, pixels), 0.6);
@@ -208,7 +209,7 @@ std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t
 
 std::size_t Palette::blade(const BladeLook& look, std::size_t color, const std::string& name) {
   Prototype blade{"blade", {{look.tissue, {}}}, look.colors, look.second};
-  return organ({}, blade, 0, color, false, name);
+  return organ({}, blade, 0, color, Lies::mesh, name);
 }
 
 Palette::Use Palette::body(const Material& material, bool vessel, const std::string& name) {

@@ -33,8 +33,11 @@ class Palette {
   Use cubes(const Look& look, double brightness, std::size_t color, const std::string& name);
   /// Metres that the picture of branches is wide and high; of coats, 1 and 1.
   static std::pair<double, double> picture_size(const Look& look);
-  /// Of a part of an organ in one of its colours. As a card it is cut out of its picture.
-  std::size_t organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color, bool card,
+  /// How a part of an organ lies on its picture: not at all, as a mesh of its own, or as a card that is cut
+  /// out of it.
+  enum class Lies { nowhere, mesh, card };
+  /// Of a part of an organ in one of its colours.
+  std::size_t organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color, Lies lies,
                     const std::string& name);
   std::size_t blade(const BladeLook& look, std::size_t color, const std::string& name);
   /// Of a body, on its own `uv` where that is a vessel's.
