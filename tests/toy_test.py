@@ -69,7 +69,7 @@ namespace {
 class Shelf final : public Grounds {
  public:
   explicit Shelf(double height) : height_(static_cast<float>(height)) {}
-  void strew(const Camera&, TakenSpots&) override {}
+  void strew(TakenSpots&) override {}
   float seat(Vec2, double, Seed) override { return height_; }
   Land land(std::vector<Spot>) const override { return {}; }
   std::vector<Specimen> furnishings() const override { return {}; }

@@ -13,6 +13,8 @@
 #include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
+#include "scene/scene.h"
+#include "scene/sizes.h"
 
 // What there is and how large it is: check, info, list, schema.
 
@@ -47,6 +49,19 @@ std::vector<Entry> entries(const fs::path& root) {
   return list;
 }
 
+std::string sizes_json(const std::vector<GrownSize>& sizes) {
+  Value list = make_list();
+  for (const GrownSize& s : sizes) {
+    Value one = make_object();
+    one.set("name", make_text(s.name)).set("count", make_number(static_cast<double>(s.count)));
+    one.set("height", make_number(s.height))
+        .set("width", make_number(s.width))
+        .set("stem", make_number(s.stem));
+    list.items.push_back(std::move(one));
+  }
+  return ", \"sizes\": " + serialize(list);
+}
+
 }  // namespace
 
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets) {
@@ -65,7 +80,7 @@ int check(const std::vector<std::string>& paths, const std::optional<std::string
   return result;
 }
 
-int info(const PresetArguments& arguments, bool json) {
+int info(const PresetArguments& arguments, bool json, bool sizes) {
   if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
@@ -75,6 +90,13 @@ int info(const PresetArguments& arguments, bool json) {
   const Foretold& f = *foretold;
   Machine machine = this_machine(".");
   double memory = f.memory(f.at_once(machine)), seconds = f.seconds(machine.threads);
+  std::vector<GrownSize> grown;
+  if (sizes) {
+    now_doing("growing what stands in the scene");
+    Result<Scene> scene = build_scene(*preset);
+    if (!scene) return fail(scene.errors(), kWrongInput);
+    grown = sizes_of(*scene, *preset);
+  }
   Pace pace = pace_of(fs::path(arguments.path).stem().string());
   double render = pace.factor * f.frames * f.render_seconds;
   if (json)
@@ -82,9 +104,9 @@ int info(const PresetArguments& arguments, bool json) {
         fmt::format("{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"organs\": {:.0f}, "
                     "\"copies\": {:.0f}, \"models\": {:.0f}, \"memory_bytes\": {:.0f}, \"frames\": {}, "
                     "\"bytes_a_frame\": {:.0f}, \"disk_bytes\": {:.0f}, \"seconds\": {:.1f}, "
-                    "\"render_seconds\": {:.1f}}}\n",
+                    "\"render_seconds\": {:.1f}{}}}\n",
                     f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, memory, f.frames,
-                    f.frame_bytes, f.disk(), seconds, render));
+                    f.frame_bytes, f.disk(), seconds, render, sizes ? sizes_json(grown) : ""));
   else
     put(fmt::format(
         "about {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.0f} organs; {:.0f} copies of {:.0f} "
@@ -93,6 +115,8 @@ int info(const PresetArguments& arguments, bool json) {
         f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, bytes_text(memory), f.frames,
         bytes_text(f.frame_bytes + f.picture_bytes), bytes_text(f.disk()), seconds, seconds_text(render),
         pace.measured));
+  if (!json)
+    for (const std::string& line : sizes_lines(grown)) put(line + "\n");
   Errors errors = refuse(f, machine);
   for (Error& error : errors) error.where = arguments.path;
   return errors.empty() ? kDone : fail(errors, kWrongInput);

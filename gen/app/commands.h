@@ -29,6 +29,12 @@ struct GenerateArguments {
   bool quiet = false;
 };
 
+struct LookArguments {
+  PresetArguments preset;
+  std::string out;  ///< PNG file; empty: <preset name>_look.png
+  int frame = 0;    ///< 0: the last
+};
+
 struct ExportArguments {
   PresetArguments preset;
   std::string out;                    ///< file to write; its extension says the format
@@ -84,10 +90,11 @@ struct StudioArguments {
 /// Each is one command of the program; all return an ExitCode. Data goes to stdout, messages to stderr.
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
+int look(const LookArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
-int info(const PresetArguments& arguments, bool json);
+int info(const PresetArguments& arguments, bool json, bool sizes);
 int list_files(const PresetArguments& arguments);
 int farm(const FarmArguments& arguments);
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);

@@ -79,6 +79,18 @@ void add_textures(CLI::App& app, int& result) {
   command->callback([&result, to] { result = write_textures(*to); });
 }
 
+void add_look(CLI::App& app, int& result) {
+  auto to = std::make_shared<LookArguments>();
+  auto* command = app.add_subcommand(
+      "look", "Draws at once, without a renderer, what the camera sees, and says how large all has grown");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png)");
+  command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
+  command->footer(
+      "Example:\n  frond look presets/garden/palm.json -o palm.png --set '/scene/camera/fit=[\"all\"]'");
+  command->callback([&result, to] { result = look(*to); });
+}
+
 void add_export(CLI::App& app, int& result) {
   auto to = std::make_shared<ExportArguments>();
   auto* command = app.add_subcommand(
@@ -118,13 +130,16 @@ void add_check(CLI::App& app, int& result) {
 
 void add_info(CLI::App& app, int& result) {
   auto preset = std::make_shared<PresetArguments>();
-  auto json = std::make_shared<bool>(false);
+  auto json = std::make_shared<bool>(false), sizes = std::make_shared<bool>(false);
   auto* command =
       app.add_subcommand("info", "Foresees how large a preset's scene or a grammar's word will be");
   add_preset(command, *preset);
   command->add_flag("--json", *json, "For machines");
-  command->footer("Example:\n  frond info presets/reef.json --json");
-  command->callback([&result, preset, json] { result = info(*preset, *json); });
+  command->add_flag("--sizes", *sizes,
+                    "Grows it and says how high and wide each organism has become, and its stem");
+  command->footer(
+      "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes");
+  command->callback([&result, preset, json, sizes] { result = info(*preset, *json, *sizes); });
 }
 
 void add_files(CLI::App& app, int& result) {
@@ -264,8 +279,8 @@ int run(int count, char** words) {
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add : {add_new, add_describe, add_generate, add_export, add_textures, add_check, add_info,
-                   add_files, add_farm, add_derive, add_turtle, add_catalogue, add_studio})
+  for (auto add : {add_new, add_describe, add_look, add_generate, add_export, add_textures, add_check,
+                   add_info, add_files, add_farm, add_derive, add_turtle, add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -265,10 +265,10 @@ class Caster {
         std::string name = plain_name(prototype.name, "organ");
         for (std::size_t part = 0; part < prototype.parts.size(); ++part)
           if (const Surface& surface = prototype.parts[part].surface; !surface.triangle.empty())
-            parts.push_back({surface, maker_.palette.organ(b_.look, prototype, part, color,
-                                                           surface.uv.empty() ? Palette::Lies::nowhere
-                                                                              : Palette::Lies::mesh,
-                                                           maker_.name() + '_' + name)});
+            parts.push_back({surface, maker_.palette.organ(
+                                          b_.look, prototype, part, color,
+                                          surface.uv.empty() ? Palette::Lies::nowhere : Palette::Lies::mesh,
+                                          maker_.name() + '_' + name)});
         at->second = maker_.mesh(name, std::move(parts));
       }
       if (at->second) maker_.place(*at->second, o.position[i], o.turn[i], o.scale[i]);

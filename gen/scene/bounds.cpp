@@ -39,7 +39,12 @@ double reach_of(const Preset& preset) {
   double reach = 0;
   for (const Organism& o : preset.organisms)
     if (!o.sown) reach = std::max(reach, reach_of(o));
-  for (const auto& key : preset.stage.camera.location.keys())
+  return std::max(reach, reach_of(preset.stage.camera));
+}
+
+double reach_of(const Camera& camera) {
+  double reach = 0;
+  for (const auto& key : camera.location.keys())
     reach = std::max<double>(reach, glm::length(Vec2(key.value.x, key.value.z)));
   return reach;
 }

@@ -19,5 +19,6 @@ double room_of(const Place& place, const Extent& extent);
 
 /// How far from the middle anything may stand that is not sown, the camera included; metres.
 double reach_of(const Preset& preset);
+double reach_of(const Camera& camera);
 
 }  // namespace frond

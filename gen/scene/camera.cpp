@@ -35,7 +35,28 @@ Animated<Vec3> raised(const Animated<Vec3>& way, const Heights& heights) {
 }  // namespace
 
 Camera over_ground(const Camera& camera, const Heights& heights) {
-  return {raised(camera.location, heights), raised(camera.look_at, heights), camera.angle, camera.follow};
+  Camera moved = camera;
+  moved.location = raised(camera.location, heights);
+  moved.look_at = raised(camera.look_at, heights);
+  return moved;
+}
+
+Vec3 Lens::seen(Vec3 place) const {
+  Vec3 to = place - at;
+  float depth = glm::dot(to, toward);
+  return {glm::dot(to, right) / (wide * depth), glm::dot(to, up) / (high * depth), depth};
+}
+
+Lens lens_at(const Camera& camera, double time, double aspect) {
+  Lens lens;
+  lens.at = camera.location.at(time);
+  lens.toward = glm::normalize(camera.look_at.at(time) - lens.at);
+  Vec3 sky = std::abs(lens.toward.y) > 0.999f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
+  lens.right = glm::normalize(glm::cross(lens.toward, sky));
+  lens.up = glm::cross(lens.right, lens.toward);
+  lens.wide = static_cast<float>(std::tan(radians(camera.angle.at(time)) / 2));
+  lens.high = lens.wide * static_cast<float>(aspect);
+  return lens;
 }
 
 std::string under_ground(const Camera& camera, const Film& film, const Heights& heights) {

@@ -9,6 +9,18 @@ namespace frond {
 /// hill and dale, small bumps smoothed.
 Camera over_ground(const Camera& camera, const Heights& heights);
 
+/// How a camera draws at a time.
+struct Lens {
+  Vec3 at{0}, right{1, 0, 0}, up{0, 1, 0}, toward{0, 0, -1};  ///< the last three of length 1
+  float wide = 1, high = 1;                                   ///< half the picture, a metre before it
+
+  /// Where a place is in the picture, from -1 at its left and lower edge to 1, and its depth in metres.
+  Vec3 seen(Vec3 place) const;
+};
+
+/// `aspect`: height of the picture by its width.
+Lens lens_at(const Camera& camera, double time, double aspect);
+
 /// What to say of a camera that goes under the ground while the film lasts; empty where it does not.
 std::string under_ground(const Camera& camera, const Film& film, const Heights& heights);
 

@@ -33,6 +33,12 @@ void describe(Visitor& v, Camera& c) {
              "Angle of the view, from its left edge to its right");
   v.boolean("follow", c.follow,
             "Whether heights of the camera count from the ground below it instead of from y = 0");
+  v.list(
+      "fit", c.fit,
+      "Names of organisms, or \"all\": the camera goes on looking the same way and moves to where these fill "
+      "the picture, grown, whatever its shape");
+  v.number("margin", c.margin, {.min = 0, .max = 0.45},
+           "Share of the picture's width and height that `fit` leaves free at each edge");
 }
 
 template <class Visitor>

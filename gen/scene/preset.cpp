@@ -75,6 +75,20 @@ void check_hosts(const Preset& preset, Faults& faults) {
   }
 }
 
+/// What the camera is to fit and is not there.
+void check_fit(const Preset& preset, const Value& root, Faults& faults) {
+  std::vector<std::string_view> names{kFitAll};
+  for (const Organism& organism : preset.organisms)
+    if (!organism.name.empty()) names.push_back(organism.name);
+  for (std::size_t i = 0; i < preset.stage.camera.fit.size(); ++i) {
+    const std::string& name = preset.stage.camera.fit[i];
+    if (std::ranges::find(names, name) != names.end()) continue;
+    std::string pointer = fmt::format("/scene/camera/fit/{}", i);
+    faults.add({origin_at(root, pointer), pointer,
+                fmt::format("no organism \"{}\" to fit{}", name, expected_names(name, names))});
+  }
+}
+
 /// What would be too much of something.
 void check_bounds(const Preset& preset, Faults& faults) {
   Errors errors = settings()[preset.stage.setting].answers.check(preset.stage, preset.film);
@@ -209,6 +223,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);
   check_stage(preset->stage, document->root, faults);
+  check_fit(*preset, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
   preset->notes = doubtful.errors();
   for (Error& idle : idle_settings(*preset, file_name)) preset->notes.push_back(std::move(idle));

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "scene/camera.h"
 
 namespace frond {
 
@@ -59,9 +63,38 @@ std::vector<Occupied> boxes_of(const Scene& scene) {
   return boxes;
 }
 
+/// Whether anything that grows or stands is in the picture at a time.
+bool seen(const Scene& scene, double time) {
+  Lens lens = lens_at(scene.stage.camera, time, static_cast<double>(scene.film.size[1]) / scene.film.size[0]);
+  auto in_picture = [&](Vec3 p) {
+    Vec3 at = lens.seen(p);
+    return at.z > 0 && std::abs(at.x) <= 1 && std::abs(at.y) <= 1;
+  };
+  auto any = [&](const std::vector<Vec3>& places) { return std::ranges::any_of(places, in_picture); };
+  for (const Specimen& s : scene.specimens) {
+    const Model& m = s.model;
+    if (any(m.skeleton.position) || any(m.organs.position) || any(m.blades.surface.position)) return true;
+    for (std::size_t i = 0; i < m.solids.size(); ++i)
+      for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position)
+        if (in_picture(m.solids.position[i] + m.solids.turn[i] * (p * m.solids.scale[i]))) return true;
+  }
+  for (const SownStand& stand : scene.stands)
+    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
+      auto tall = static_cast<float>(stand.organism.grower->tallest()) * stand.copies.scale[i];
+      for (float part : {0.0f, 0.25f, 0.5f, 0.75f})
+        if (in_picture(stand.copies.foot[i] + Vec3(0, part * tall, 0))) return true;
+    }
+  return scene.specimens.empty() && scene.stands.empty();
+}
+
 }  // namespace
 
 void note_fit(Scene& scene) {
+  const Film& film = scene.film;
+  if (!seen(scene, film.time(1)) && !seen(scene, film.time((1 + film.frames) / 2)) &&
+      !seen(scene, film.time(film.frames)))
+    scene.notes.push_back(
+        "/scene/camera: nothing that grows is in the picture; expected another look_at, or a \"fit\"");
   for (std::string& note : scene.ground->remarks([&] { return boxes_of(scene); }, scene.stage.camera,
                                                  scene.film.time(scene.film.frames)))
     scene.notes.push_back(std::move(note));

@@ -14,6 +14,7 @@
 #include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/fit.h"
 #include "scene/nursery.h"
 #include "scene/remarks.h"
 #include "scene/sowing.h"
@@ -221,13 +222,11 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   watch.begin("place", 3);
   std::unique_ptr<Grounds> ground = setting.lay(preset.stage, preset.film, reach_of(preset), seed);
   if (preset.stage.camera.follow) scene.stage.camera = over_ground(preset.stage.camera, ground->heights());
-  if (std::string said = under_ground(scene.stage.camera, preset.film, ground->heights()); !said.empty())
-    scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
   watch.step();
   TakenSpots taken;
   std::vector<PlacedEntry> plots = find_places(preset, setting.extent(preset.stage), taken, scene.notes);
   watch.step();
-  ground->strew(scene.stage.camera, taken);
+  ground->strew(taken);
   sow_stands(scene, preset, *ground, taken.list());
   std::vector<Bed> beds = set_feet(std::move(plots), *ground);
   watch.step();
@@ -245,8 +244,24 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   scene.grown = std::move(gardener.grown);
   scene.origins = std::move(gardener.origins);
 
-  scene.ground = std::move(ground);
   scene.specimens = in_order(std::move(world).take_all(), preset);
+  if (!preset.stage.camera.fit.empty()) {
+    Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),
+                          static_cast<double>(preset.film.size[1]) / preset.film.size[0], ground->heights());
+    // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
+    // mind.
+    if (reach_of(moved) > reach_of(preset)) {
+      Preset wider = preset;
+      wider.stage.camera = std::move(moved);
+      wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
+      return build_scene(wider, watch, nursery);
+    }
+    scene.stage.camera = std::move(moved);
+  }
+  if (std::string said = under_ground(scene.stage.camera, preset.film, ground->heights()); !said.empty())
+    scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
+  ground->lay_litter(scene.stage.camera);
+  scene.ground = std::move(ground);
   note_growth(scene);
   for (const Organism& organism : preset.organisms)
     if (organism.count > 0)

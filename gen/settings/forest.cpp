@@ -53,7 +53,7 @@ ForestLand ForestGround::floor_land() const {
           [this](Vec2 at) { return plot_.has_path() ? plot_.path_distance(at) : 1e6; }};
 }
 
-void ForestGround::strew(const Camera& camera, TakenSpots&) {
+void ForestGround::lay_litter(const Camera& camera) {
   cover = strew_floor(film_, camera, floor_land(), moss_, seed_);
 }
 

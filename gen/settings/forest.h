@@ -23,7 +23,8 @@ class ForestGround final : public Grounds {
  public:
   ForestGround(const Forest& forest, const Film& film, Seed seed);
 
-  void strew(const Camera& camera, TakenSpots& taken) override;
+  void strew(TakenSpots&) override {}
+  void lay_litter(const Camera& camera) override;
   float seat(Vec2 at, double, Seed) override { return height(at); }
   Land land(std::vector<Spot> taken) const override;
   std::vector<Specimen> furnishings() const override { return {}; }

@@ -128,7 +128,7 @@ Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double r
   if (plot_.has_pond()) water_ = water_of(plot_.pond());
 }
 
-void Lawn::strew(const Camera&, TakenSpots&) {
+void Lawn::strew(TakenSpots&) {
   sow(seed_.child("turf"));
   lay_gravel(seed_.child("gravel"));
 }

@@ -40,7 +40,7 @@ class Lawn final : public Grounds {
   Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
        double gravel, double path_width, Seed seed);
 
-  void strew(const Camera& camera, TakenSpots& taken) override;
+  void strew(TakenSpots& taken) override;
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
   std::vector<Strewn> strewn() const override;

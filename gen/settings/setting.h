@@ -84,9 +84,10 @@ class Grounds {
   const Heights& heights() const { return heights_; }
   float height(Vec2 at) const { return static_cast<float>(heights_(at.x, at.y)); }
 
-  /// Lays what lies about, clear of what is taken, and takes its own places. What is fine lies only where the
-  /// camera comes near.
-  virtual void strew(const Camera& camera, TakenSpots& taken) = 0;
+  /// Lays what lies about, clear of what is taken, and takes its own places.
+  virtual void strew(TakenSpots& taken) = 0;
+  /// Lays what is so fine that it lies only where the camera comes near, when all has grown.
+  virtual void lay_litter(const Camera&) {}
   /// How high something stands there; lays the rock that is under it, `rock` metres wide, 0 none.
   virtual float seat(Vec2 at, double rock, Seed seed) = 0;
   /// The land as sowing asks for it.

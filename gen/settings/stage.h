@@ -22,11 +22,15 @@ struct Film {
   double time(int frame) const { return (frame - 1) / fps; }  ///< of a frame, the first being 1
 };
 
+inline constexpr std::string_view kFitAll = "all";  ///< in place of names: every organism
+
 struct Camera {
   Animated<Vec3> location{Vec3(0, 1.0f, 5)};
   Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
   Animated<double> angle{45.0};  ///< degrees, the width of the view
   bool follow = false;           ///< heights count from the ground below, not from y = 0
+  std::vector<std::string> fit;  ///< names of organisms that it is moved to have in the picture, whole
+  double margin = 0.06;          ///< of the picture's sides, that stay free at each edge of it
 };
 
 /// Low dunes or a lawn, and the loose stones on it.

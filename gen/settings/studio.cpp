@@ -28,7 +28,7 @@ class StudioFloor final : public Grounds {
  public:
   explicit StudioFloor(const Studio& studio) : studio_(studio) {}
 
-  void strew(const Camera&, TakenSpots&) override {}
+  void strew(TakenSpots&) override {}
   float seat(Vec2, double, Seed) override { return 0; }
   Land land(std::vector<Spot> taken) const override {
     Land land;

@@ -63,7 +63,7 @@ float SeaFloor::lay_stone(Vec2 at, float width, float sunk, Seed seed) {
   return stone.at.y + top;
 }
 
-void SeaFloor::strew(const Camera&, TakenSpots& taken) {
+void SeaFloor::strew(TakenSpots& taken) {
   for (int i = 0; i < loose_.stones; ++i) {
     Seed seed = seed_.child("stone", static_cast<std::uint64_t>(i));
     // Many small ones, few large ones.

@@ -32,7 +32,7 @@ class SeaFloor final : public Grounds {
  public:
   SeaFloor(const Floor& floor, Quality quality, double reach, Seed seed);
 
-  void strew(const Camera& camera, TakenSpots& taken) override;
+  void strew(TakenSpots& taken) override;
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
   std::vector<Strewn> strewn() const override;

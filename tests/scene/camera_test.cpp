@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/scene.h"
@@ -32,6 +33,77 @@ TEST(Camera, FollowsTheGround) {
   EXPECT_TRUE(follows.stage.camera.look_at.constant());
   EXPECT_NEAR(follows.stage.camera.look_at.at(0).y, 1, 0.2);
   EXPECT_EQ(still.stage.camera.location.at(1).y, 1.7f);
+}
+
+/// A bush of one rule and a column, before a camera that fits.
+Scene fitting(const std::string& camera, const std::string& size) {
+  return *build_scene(*read_preset(R"({"film": {"frames": 1, "size": )" + size +
+                                       R"(}, "scene": {"setting": "meadow", "camera": {)" + camera + R"(}},
+      "organisms": [
+        {"kind": "plant", "name": "bush", "height": 2, "place": {"at": [[3, -2]]},
+         "grammar": {"axiom": "A", "steps": 5, "angle": 28, "rules": ["A -> F[+A][-A]&A"]}},
+        {"kind": "column", "name": "column", "place": {"at": [[-4, 1]]}}]})",
+                                   "test.json", {}));
+}
+
+TEST(Camera, FitsWhatIsNamedIntoAPictureOfAnyShape) {
+  for (const char* size : {"[640, 360]", "[360, 640]", "[400, 400]", "[900, 100]"})
+    for (const char* way : {R"("location": [0, 1.7, 9], "look_at": [0, 1.2, 0])",
+                            R"("location": [7, 6, 5], "look_at": [0, 0.5, 0], "angle": 70)",
+                            R"("location": [0, 9, 0], "look_at": [0, 0, 0])"})
+      for (const char* whom : {R"(["bush"])", R"(["column", "bush"])", R"(["all"])"}) {
+        Scene scene = fitting(std::string(way) + R"(, "margin": 0.1, "fit": )" + whom, size);
+        double aspect = static_cast<double>(scene.film.size[1]) / scene.film.size[0];
+        Lens lens = lens_at(scene.stage.camera, 0, aspect);
+        float most = 0;
+        for (const Specimen& s : scene.specimens) {
+          if (s.name != "bush" && (s.name != "column" || std::string(whom) == R"(["bush"])")) continue;
+          std::vector<Vec3> places = s.model.skeleton.position;
+          for (std::size_t i = 0; i < s.model.solids.size(); ++i)
+            for (const Vec3& p : s.model.solids.shapes[s.model.solids.shape[i]].surface.position)
+              places.push_back(s.model.solids.position[i] +
+                               s.model.solids.turn[i] * (p * s.model.solids.scale[i]));
+          for (const Vec3& p : places) {
+            Vec3 at = lens.seen(p);
+            EXPECT_GT(at.z, 0);
+            most = std::max({most, std::abs(at.x), std::abs(at.y)});
+          }
+        }
+        EXPECT_LE(most, 0.82) << size << way << whom << ": a margin of a tenth at each edge";
+        EXPECT_GE(most, 0.74) << size << way << whom << ": it fills the picture";
+        Vec3 at = lens.at;
+        EXPECT_GT(at.y, scene.ground->heights()(at.x, at.z)) << size << way << whom;
+      }
+}
+
+TEST(Camera, FitsAtEachKeyframe) {
+  Scene scene = fitting(R"("location": [[0, [0, 2, 9]], [1, [9, 2, 0]], [2, [0, 5, -9]]], "fit": ["column"])",
+                        "[320, 240]");
+  EXPECT_EQ(scene.stage.camera.location.keys().size(), 3u);
+  for (double time : {0.0, 1.0, 2.0}) {
+    Vec3 at = lens_at(scene.stage.camera, time, 0.75).seen(Vec3(-4, 0.5f, 1));
+    EXPECT_LT(std::max(std::abs(at.x), std::abs(at.y)), 1) << time;
+  }
+}
+
+TEST(Camera, SaysThatItSeesNothing) {
+  auto said = [](const std::string& camera) {
+    Scene scene = fitting(camera, "[320, 240]");
+    return std::ranges::any_of(scene.notes, [](const std::string& note) {
+      return note.find("nothing that grows is in the picture") != note.npos;
+    });
+  };
+  EXPECT_TRUE(said(R"("location": [0, 2, 9], "look_at": [0, 2, 20])"));
+  EXPECT_FALSE(said(R"("location": [0, 2, 9], "look_at": [0, 2, 0])"));
+}
+
+TEST(Camera, FitsOnlyWhatIsThere) {
+  auto wrong = read_preset(
+      R"({"scene": {"camera": {"fit": ["oka"]}}, "organisms": [{"kind": "column", "name": "oak"}]})",
+      "test.json", {});
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.errors()[0].what.find("oak"), std::string::npos) << wrong.errors()[0].text();
+  EXPECT_NE(wrong.errors()[0].where.find("/scene/camera/fit/0"), std::string::npos);
 }
 
 }  // namespace

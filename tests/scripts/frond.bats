@@ -48,6 +48,23 @@ setup() {
   [ "$output" = "ABAAB" ]
 }
 
+@test "look draws a picture and says how large all has grown" {
+  run --separate-stderr "$frond" look "$root/presets/staghorn.json" --size 64x48 --set '/scene/camera/fit=["all"]'
+  [ "$status" -eq 0 ]
+  [ "$output" = staghorn_look.png ]
+  [[ "$stderr" == *" high, "*" wide, stem of "* ]]
+  [ "$(od -An -tx1 -j 16 -N 8 staghorn_look.png | tr -d ' ')" = 0000004000000030 ]
+  run "$frond" info "$root/presets/staghorn.json" --sizes --json
+  [ "$status" -eq 0 ]
+  python3 -c 'import json, sys; size = json.load(sys.stdin)["sizes"][0]; assert size["height"] > 0.05 and size["stem"] > 0' <<<"$output"
+  run "$frond" look "$root/presets/staghorn.json" -o picture.jpg
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"expected .png"* ]]
+  run "$frond" look "$root/presets/staghorn.json" --set '/scene/camera/fit=["stag"]'
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"/scene/camera/fit/0: no organism \"stag\" to fit"* ]]
+}
+
 @test "info foresees and refuses" {
   run "$frond" info koch.json --json
   [ "$status" -eq 0 ]

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "images/raster.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+/// What the camera will see at a time, in seconds, of the film's size: bits of surface in their colours, and
+/// the sun's shadows. No leaf has a picture, no surface a texture; what is sown stands as the room that it
+/// takes, for its models are not grown for this. Half a second for a tree of a hundred thousand leaves.
+Raster quick_look(const Scene& scene, double time);
+
+}  // namespace frond
