@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Renders the pictures of docs/gallery from the presets as they are; only those that changed.
+# Renders the pictures of docs/gallery from the presets as they are, only those that changed, and lists them.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -9,7 +9,8 @@ usage() {
 Usage: scripts/gallery.sh [-o DIR] [NAME...]
 
 Renders the pictures of docs/gallery, all or those of the names given, at the quality "good". DIR (out/gallery) keeps
-what they are made of: interrupted and run again it goes on where it stopped.
+what they are made of: interrupted and run again it goes on where it stopped. docs/gallery.md lists all pictures with
+the seconds of processor that POV-Ray took, here or where they were rendered last.
 TEXT
 }
 help_where_asked "$@"
@@ -104,6 +105,21 @@ still() {
   printf '%s/frames/frame_%04d.png\n' "$3" "$frame"
 }
 
+# row_of NAME SIZE ITEMS...: its row of docs/gallery.md; nodes and seconds are those of all its parts.
+row_of() {
+  local name=$1 size=$2 item presets='' seed='' nodes=0 milliseconds=0 folder i=0
+  for item in "${@:3}"; do
+    folder=$work/$name-$((i++)) item=${item%%,*}
+    if [[ $presets != *"${item%@*}.json"* ]]; then presets+="${presets:+, }presets/${item%@*}.json"; fi
+    seed=$(sed -nE 's/.*"seed": *([0-9]+).*/\1/p' "$folder/manifest.json" | head -n 1)
+    nodes=$((nodes + $(sed -nE 's/.*"nodes": *([0-9]+).*/\1/p' "$folder/manifest.json" | tail -n 1)))
+    milliseconds=$((milliseconds + $(tail -n 1 "$folder/.times" 2>/dev/null | cut -d' ' -f2 || echo 0)))
+  done
+  printf '| <img src="gallery/%s.jpg" width="200"> | %s | %s | %s | %d | %d |\n' \
+    "$name" "$presets" "$size" "$seed" "$nodes" "$(((milliseconds + 500) / 1000))"
+}
+
+mkdir -p -- "$work/rows"
 while read -r name size columns items; do
   if (($# > 0)) && [[ " $* " != *" $name "* ]]; then continue; fi
   inputs=() layout='' count=0
@@ -119,6 +135,8 @@ while read -r name size columns items; do
   part=$work/$name.jpg
   ffmpeg -y -loglevel error "${inputs[@]}" ${sheet[@]+"${sheet[@]}"} -bitexact -q:v 3 "$part" </dev/null
   put_in_place "$part" "$root/docs/gallery/$name.jpg"
+  # shellcheck disable=SC2086  # several
+  row_of "$name" "$size" $items >"$work/rows/$name"
   printf '%s\n' "docs/gallery/$name.jpg"
 done < <(pictures)
 
@@ -143,3 +161,14 @@ for scene in "$root"/docs/examples/*.pov; do
   put_in_place "$work/$name.jpg" "$root/docs/gallery/$name.jpg"
   printf '%s\n' "docs/gallery/$name.jpg"
 done
+
+# What was not rendered now keeps its row.
+list=$root/docs/gallery.md
+{
+  printf '# Gallery\n\nEvery picture is made by scripts/gallery.sh from the preset as it is, at the quality "good".\n\n'
+  printf '| picture | preset | size | seed | nodes | seconds of processor |\n| --- | --- | --- | --- | --- | --- |\n'
+  while read -r name _; do
+    cat -- "$work/rows/$name" 2>/dev/null || grep -F "gallery/$name.jpg" "$list" 2>/dev/null || true
+  done < <(pictures)
+} >"$work/gallery.md"
+put_in_place "$work/gallery.md" "$list"
