@@ -46,9 +46,8 @@ struct CastShift {
 struct CastPart {
   Surface surface;
   std::size_t material = 0;
-  std::vector<CastTint> tint = {};  ///< of each vertex, or empty
-  std::vector<CastShift> shifts =
-      {};  ///< one for each of the cast's keys but the last, or none where it stands still
+  std::vector<CastTint> tint = {};     ///< of each vertex, or empty
+  std::vector<CastShift> shifts = {};  ///< for each of the cast's keys but the last; none: it stands still
 };
 
 struct CastMesh {
@@ -83,8 +82,7 @@ struct Cast {
   std::vector<CastMesh> meshes;
   std::vector<CastGroup> groups;
   std::vector<CastPlacement> placements;
-  std::vector<double>
-      keys;  ///< seconds from the first on: when its shapes are reached; none: it stands still
+  std::vector<double> keys;  ///< seconds from the first on: when its shapes are reached, if it moves
 };
 
 inline constexpr double kCoarser = 0.25;  ///< share of the triangles of a level that the next has
@@ -95,9 +93,8 @@ struct CastOptions {
   double detail = 2.5e5;   ///< triangles of one organism or model, about: what is finer is drawn more simply
   int texture = 512;       ///< pixels, the width of a picture
   bool instances = false;  ///< each organ and body once, and its placements; otherwise all in one mesh
-  double pixels =
-      0;  ///< the height at which an organism is seen: what would be finer is left out; 0: it counts not
-  int levels = 1;                 ///< of detail: each mesh also in kCoarser of its triangles, and so on
+  double pixels = 0;       ///< where not 0, how high an organism is seen: what would be finer is left out
+  int levels = 1;          ///< of detail: each mesh also in kCoarser of its triangles, and so on
   std::vector<double> keys = {};  ///< seconds, rising: the times whose shapes are wanted
   bool tints = true;              ///< young skin is paler, by colours at the vertices
 };
