@@ -39,13 +39,16 @@ struct ExportArguments {
   PresetArguments preset;
   std::string out;                    ///< file to write; its extension says the format
   int frame = 0;                      ///< 0: the first, of an include the last
-  std::optional<std::string> frames;  ///< A-B: those that an include holds
+  std::optional<std::string> frames;  ///< A-B: those that an include or a .glb holds
+  int keys = 12;                      ///< how many shapes those of a .glb go through, at most
+  int levels = 1;                     ///< of detail, of a .glb
   int seeds = 1;                      ///< how many shapes an include holds
   int sides = 10;                     ///< of the tubes that branches become
   double voxel = 0;                   ///< metres, of a volume; 0: as the organisms' bodies have it
-  double detail = 2.5e5;              ///< triangles of one organism, about
-  int texture = 512;                  ///< pixels, the width of a picture; 0: none
-  bool instances = false;             ///< organs and bodies once each, with their placements
+  std::string detail =
+      "250000";            ///< triangles of one organism, about, or as it is seen so many pixels high: 400px
+  int texture = 512;       ///< pixels, the width of a picture; 0: none
+  bool instances = false;  ///< organs and bodies once each, with their placements
   bool quiet = false;
 };
 

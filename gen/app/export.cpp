@@ -1,11 +1,60 @@
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/streams.h"
 #include "export/formats.h"
 
 namespace frond {
+
+namespace {
+
+/// Sets how fine it is, by `250000` or `400px`.
+Errors set_detail(const std::string& text, CastOptions& options) {
+  bool pixels = text.ends_with("px");
+  std::string_view number = std::string_view(text).substr(0, text.size() - (pixels ? 2 : 0));
+  double least = pixels ? 20 : 100, most = pixels ? 1e4 : 1e9, value = 0;
+  auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error != std::errc{} || end != number.data() + number.size() || !(value >= least && value <= most))
+    return {Error{"--detail",
+                  fmt::format("\"{}\" is neither 100 to 1e9 triangles, as in 250000, nor 20 to 10000 pixels, "
+                              "as in 400px",
+                              text)}};
+  options.detail = pixels ? detail_seen(value) : value;
+  options.pixels = pixels ? value : 0;
+  return {};
+}
+
+/// Sets the times of the shapes that an animation goes through. Returns the last frame.
+Result<int> set_keys(const std::string& frames, int most, const Film& film, CastOptions& options) {
+  Result<FrameRange> range = read_frames(frames, film.frames);
+  if (!range) return range.errors();
+  int steps = std::min(range->last - range->first, most - 1);
+  if (steps < 1) return Error{"--frames", "an animation needs two frames or more; for one there is --frame"};
+  for (int i = 0; i <= steps; ++i)
+    options.keys.push_back(film.time(range->first + (range->last - range->first) * i / steps));
+  return range->last;
+}
+
+/// Options that do not go with the format or with each other.
+Errors unfit(const Format& format, const ExportArguments& to) {
+  auto wrong = [](const char* option, const char* what) { return Errors{Error{option, what}}; };
+  if (!format.films && to.frames)
+    return wrong("--frames", "of these formats only .glb and .inc hold several frames");
+  if (!format.films && to.levels > 1)
+    return wrong("--lods", "of these formats only .glb holds levels of detail");
+  if (to.frames && to.frame > 0)
+    return wrong("--frames", "does not go with --frame: the last of them is written");
+  if (to.frames && to.levels > 1) return wrong("--frames", "does not go with --lods: only one mesh can move");
+  if (to.instances && (to.frames || to.levels > 1))
+    return wrong("--instances",
+                 "does not go with --frames and --lods, whose meshes are one for each organism");
+  return {};
+}
+
+}  // namespace
 
 int export_scene(const ExportArguments& arguments) {
   if (arguments.out.ends_with(".inc")) return export_include(arguments);
@@ -15,7 +64,20 @@ int export_scene(const ExportArguments& arguments) {
   if (!preset) return fail(preset.errors(), kWrongInput);
   if (!arguments.quiet) tell_notes(preset->notes);
   const Film& film = preset->film;
+  CastOptions options{.sides = arguments.sides,
+                      .voxel = arguments.voxel,
+                      .texture = arguments.texture,
+                      .instances = arguments.instances,
+                      .levels = arguments.levels};
+  if (Errors errors = set_detail(arguments.detail, options); !errors.empty())
+    return fail(errors, kWrongInput);
   int frame = arguments.frame == 0 ? 1 : arguments.frame;
+  if (arguments.frames) {
+    Result<int> last = set_keys(*arguments.frames, arguments.keys, film, options);
+    if (!last) return fail(last.errors(), kWrongInput);
+    frame = *last;
+  }
+  if (Errors errors = unfit(**format, arguments); !errors.empty()) return fail(errors, kWrongInput);
   if (frame < 1 || frame > film.frames)
     return fail(
         {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
@@ -28,10 +90,7 @@ int export_scene(const ExportArguments& arguments) {
     if (!arguments.quiet) tell(fmt::format("{}: about {:.2g} MB", arguments.out, bytes / 1e6));
   };
   now_doing("writing the mesh or the volume");
-  Result<bool> written = write_scene(
-      **format, *scene, film.time(frame),
-      {arguments.sides, arguments.voxel, arguments.detail, arguments.texture, arguments.instances},
-      arguments.out, foretell);
+  Result<bool> written = write_scene(**format, *scene, film.time(frame), options, arguments.out, foretell);
   if (written) return kDone;
   // What the disk says stands at a path; all else is what was asked for.
   Errors errors = written.errors();

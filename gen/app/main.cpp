@@ -98,7 +98,10 @@ void add_export(CLI::App& app, int& result) {
   add_preset(command, to->preset);
   command->add_option("--frame", to->frame, "Which frame (1; of an .inc the last)")
       ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--frames", to->frames, "A-B: of an .inc, frames whose shapes it holds");
+  command->add_option("--frames", to->frames,
+                      "A-B: of an .inc, frames whose shapes it holds; of a .glb, an animation of them");
+  command->add_option("--keys", to->keys, "Of --frames of a .glb: through how many shapes it goes (12)")
+      ->check(CLI::Range(2, 1000));
   command->add_option("--seeds", to->seeds, "Of an .inc: how many shapes, each of a seed of its own (1)")
       ->check(CLI::Range(1, 100));
   command->add_option("-o,--out", to->out, "FILE.obj, FILE.ply, FILE.glb, FILE.vdb or FILE.inc")->required();
@@ -106,8 +109,15 @@ void add_export(CLI::App& app, int& result) {
       ->check(CLI::Range(3, 256));
   command->add_option("--voxel", to->voxel, "Metres, of a .vdb (as the organisms' bodies have it)")
       ->check(CLI::PositiveNumber);
-  command->add_option("--detail", to->detail, "Triangles of one organism or model, about (250000)")
-      ->check(CLI::Range(100.0, 1e9));
+  command->add_option(
+      "--detail", to->detail,
+      "Triangles of one organism or model, about (250000), or as fine as it is seen so many pixels "
+      "high: 400px");
+  command
+      ->add_option(
+          "--lods", to->levels,
+          "Of a .glb: how many levels of detail, each of a quarter of the triangles of the one before (1)")
+      ->check(CLI::Range(1, 6));
   command->add_option("--texture", to->texture, "Pixels, the width of pictures; 0: none (512)")
       ->check(CLI::Range(0, 4096));
   command->add_flag("--instances", to->instances, "Each organ and copy once, with its places (of a .glb)");

@@ -8,6 +8,7 @@
 #include "emit/plant.h"
 #include "emit/skin.h"
 #include "field/cubes.h"
+#include "motion/unfold.h"
 
 namespace frond {
 

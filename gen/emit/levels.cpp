@@ -13,9 +13,6 @@
 
 namespace frond {
 
-const CopyDetail kLevels[kLevelCount] = {
-    {0.002, 6e5}, {0.008, 3e5}, {0.025, 1.4e5}, {0.08, 5e4, true}, {0.25, 1.5e4, true}};
-
 namespace {
 
 constexpr int kWholeFrom = 3;         // the first level at which copies are not cut
@@ -38,12 +35,6 @@ bool moves(const Camera& camera, double length) {
 auto order(const ModelFile& f) { return std::tuple(f.stand, f.model, f.level, f.block); }
 
 }  // namespace
-
-int level_for(double grain) {
-  int level = 0;
-  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain) ++level;
-  return level;
-}
 
 std::string model_file_name(const Organism& organism, int model, int level, int block) {
   return fmt::format("model_{}_{}{}.inc", copy_id(organism, model), level,

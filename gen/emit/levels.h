@@ -13,12 +13,6 @@
 
 namespace frond {
 
-inline constexpr int kLevelCount = 5;
-/// How a model is drawn at each level, from the nearest on; each is used from where a pixel covers its grain.
-extern const CopyDetail kLevels[kLevelCount];
-/// The coarsest level with a grain no larger than asked for.
-int level_for(double grain);
-
 /// A file that declares one model of a stand, or a block of it, at one level of detail: its parts as mesh2,
 /// or as unions of those of its blocks, and a macro that gives each its texture for a tint. Its name says
 /// what is in it, so that one that is there is right.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "motion/unfold.h"
+
 namespace frond {
 
 namespace {
@@ -104,12 +106,6 @@ void lay_along(const Skeleton& rest, Chunk& chunk) {
   Vec3 at = rest.position[chunk.anchor] - way * rest.distance[chunk.anchor];
   chunk.shift += chunk.matrix * at;
   chunk.matrix = chunk.matrix * laid;
-}
-
-float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i) {
-  if (young_length <= 0) return 0;
-  float grown_past = std::max(pose.front - rest.birth[i], 0.0f) * longest;
-  return 1 - smooth_step(0.0f, young_length, std::min(rest.to_tip[i], grown_past));
 }
 
 std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options) {

@@ -50,9 +50,6 @@ std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const Chun
 /// branch from the base, and then it goes with the moving skin.
 void lay_along(const Skeleton& rest, Chunk& chunk);
 
-/// How young the skin at node `i` is: by its way to the tip, grown or growing.
-float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i);
-
 /// How far the skin at node `i` slides under the pattern of a chunk it is in, or at the foot of, as the
 /// branch moves; metres. Thickening stretches the pattern with the skin at the anchor, and is not counted.
 float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, std::int32_t i);

@@ -34,7 +34,7 @@ Vec2 laid(Vec3 p, std::size_t side) {
 
 }  // namespace
 
-Surface box_mapped(const Surface& surface) {
+Surface box_mapped(const Surface& surface, std::vector<std::uint32_t>* of_vertex) {
   Surface out;
   std::vector<std::array<std::uint32_t, 6>> index(surface.position.size());
   for (auto& of : index) of.fill(UINT32_MAX);
@@ -49,6 +49,7 @@ Surface box_mapped(const Surface& surface) {
         out.position.push_back(surface.position[t[k]]);
         out.normal.push_back(surface.normal[t[k]]);
         out.uv.push_back(laid(surface.position[t[k]], side));
+        if (of_vertex) of_vertex->push_back(t[k]);
       }
       corners[k] = at;
     }

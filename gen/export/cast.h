@@ -37,16 +37,25 @@ struct CastMaterial {
 /// A linear factor of the colour at one vertex, 255 being 1.
 using CastTint = std::array<std::uint8_t, 4>;
 
+/// By how much each vertex is elsewhere in another shape of a surface, and its normal another.
+struct CastShift {
+  std::vector<Vec3> position, normal;
+};
+
 /// A part of a mesh, of one material.
 struct CastPart {
   Surface surface;
   std::size_t material = 0;
-  std::vector<CastTint> tint = {};  ///< of each vertex, or empty
+  std::vector<CastTint> tint = {};     ///< of each vertex, or empty
+  std::vector<CastShift> shifts = {};  ///< for each of the cast's keys but the last; none: it stands still
 };
 
 struct CastMesh {
   std::string name;  ///< as that of a material
   std::vector<CastPart> parts;
+  std::vector<std::vector<CastPart>> coarser = {};  ///< the same in fewer triangles, level by level
+
+  bool moves() const { return !parts.empty() && !parts[0].shifts.empty(); }
 };
 
 /// A mesh put somewhere: scaled along its own axes, turned, moved.
@@ -62,6 +71,7 @@ struct CastPlacement {
 struct CastGroup {
   std::string name;  ///< as that of a material
   Vec3 foot{0};
+  bool sown = false;  ///< each of its placements is one plant
 };
 
 /// Everything that grows or stands in a scene at one time, as meshes; our world's axes, metres. The groups'
@@ -72,7 +82,10 @@ struct Cast {
   std::vector<CastMesh> meshes;
   std::vector<CastGroup> groups;
   std::vector<CastPlacement> placements;
+  std::vector<double> keys;  ///< seconds from the first on: when its shapes are reached, if it moves
 };
+
+inline constexpr double kCoarser = 0.25;  ///< share of the triangles of a level that the next has
 
 struct CastOptions {
   int sides = 10;          ///< of the tubes that branches without a picture become
@@ -80,13 +93,21 @@ struct CastOptions {
   double detail = 2.5e5;   ///< triangles of one organism or model, about: what is finer is drawn more simply
   int texture = 512;       ///< pixels, the width of a picture
   bool instances = false;  ///< each organ and body once, and its placements; otherwise all in one mesh
+  double pixels = 0;       ///< where not 0, how high an organism is seen: what would be finer is left out
+  int levels = 1;          ///< of detail: each mesh also in kCoarser of its triangles, and so on
+  std::vector<double> keys = {};  ///< seconds, rising: the times whose shapes are wanted
+  bool tints = true;              ///< young skin is paler, by colours at the vertices
 };
+
+/// The `detail` with which copies in forests are drawn where they are seen so many pixels high.
+double detail_seen(double pixels);
 
 /// How large a cast is or will be, placements counted as often as they occur in `all_`.
 struct CastSize {
   double vertices = 0, triangles = 0;          ///< of all meshes, each once
   double all_vertices = 0, all_triangles = 0;  ///< of all placements
   double placements = 0;
+  double shifts = 0;    ///< of vertices, of all keys
   double pictures = 0;  ///< bytes
 };
 
@@ -96,7 +117,9 @@ CastSize size_of(const Cast& cast);
 CastSize foresee_cast(const Scene& scene, const CastOptions& options);
 
 /// Makes the meshes of a scene at a time, in seconds. Specimen are tubes, or what their style makes of them;
-/// ground, stones and grass are left out. An error where nothing is left.
+/// ground, stones and grass are left out. An error where nothing is left. With keys, the last of
+/// which is that time, vertices are also carried to where they are at the others: an error where
+/// something changes otherwise than by growing and swaying, or nothing moves.
 Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options);
 
 /// Branches that are built of cubes or have grown into one, as their style says; corners that belong to one

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -40,8 +41,14 @@ void count_branches(CastSize& size, const Specimen& b, const CastOptions& option
 
 CastSize size_of(const Cast& cast) {
   CastSize size;
-  for (const CastMesh& mesh : cast.meshes)
-    for (const CastPart& part : mesh.parts) count(size, part.surface, 0, true);
+  for (const CastMesh& mesh : cast.meshes) {
+    for (const CastPart& part : mesh.parts) {
+      count(size, part.surface, 0, true);
+      size.shifts += static_cast<double>(part.shifts.size() * part.surface.position.size());
+    }
+    for (const auto& parts : mesh.coarser)
+      for (const CastPart& part : parts) count(size, part.surface, 0, true);
+  }
   for (const CastPlacement& p : cast.placements)
     for (const CastPart& part : cast.meshes[p.mesh].parts) count(size, part.surface, 1, false);
   for (const CastPicture& picture : cast.pictures) size.pictures += static_cast<double>(picture.png.size());
@@ -107,6 +114,9 @@ CastSize foresee_cast(const Scene& scene, const CastOptions& options) {
       count_branches(size, b, options);
     if (entries.insert(b.entry).second) size.pictures += kPixelBytes * pixels * pictures_of(b);
   }
+  double levels = (1 - std::pow(kCoarser, options.levels)) / (1 - kCoarser);
+  size.vertices *= levels, size.triangles *= levels;
+  size.shifts = size.vertices * static_cast<double>(options.keys.size());
   return size;
 }
 

@@ -5,14 +5,16 @@
 #include <glm/mat4x4.hpp>
 #include <utility>
 
+#include "geometry/far.h"
 #include "scene/copies.h"
 
 namespace frond {
 
 namespace {
 
-constexpr int kMostRows = 3;    // of a card
-constexpr double kFine = 1e-9;  // metres: nothing is left out for its size
+constexpr int kMostRows = 3;         // of a card
+constexpr double kFewTriangles = 8;  // of an organ that is not yet a diamond
+constexpr double kFine = 1e-9;       // metres: nothing is left out for its size
 
 /// The triangles of one colour, each leaf's `uv` on its own 0..1. What has none is of the first.
 Surface of_color(const Surface& leaves, std::size_t color, std::size_t colors) {
@@ -135,6 +137,10 @@ std::vector<LeafPart> foliage_parts(const Look& look, Model model, double triang
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
     OrganPart& leaf = model.prototypes[p].parts[0];
     auto times = static_cast<double>(count[p]);
+    // What has no picture is drawn more simply as long as its shape allows it.
+    for (OrganPart& part : model.prototypes[p].parts)
+      if (double each = share / std::max(times, 1.0); part.pictures.empty() && each >= kFewTriangles)
+        part.surface = reduced(part.surface, static_cast<std::size_t>(each));
     if (!look.leaves || leaf.pictures.empty() ||
         times * static_cast<double>(leaf.surface.triangle.size()) < share)
       continue;

@@ -51,13 +51,16 @@ Result<bool> write_glb(const Cast& cast, const CastOptions& options, const fs::p
 
 constexpr Format kFormats[] = {
     {".obj", "Wavefront OBJ, with an MTL file and pictures beside it",
-     [](const CastSize& s) { return 45 * s.all_vertices + 50 * s.all_triangles; }, kAny, write_obj},
+     [](const CastSize& s) { return 45 * s.all_vertices + 50 * s.all_triangles; }, kAny, write_obj, true,
+     false},
     {".ply", "binary PLY with colours at the vertices",
      [](const CastSize& s) { return kPlyVertex * s.all_vertices + 13 * s.all_triangles; },
      kPlyVertex* kMostIndices, write_ply, false},
     {".glb", "binary glTF 2.0 with materials and instances",
-     [](const CastSize& s) { return 32 * s.vertices + 12 * s.triangles + 120 * s.placements + s.pictures; },
-     4294967295.0, write_glb},
+     [](const CastSize& s) {
+       return 32 * s.vertices + 12 * s.triangles + 24 * s.shifts + 120 * s.placements + s.pictures;
+     },
+     4294967295.0, write_glb, true, true, true},
     {".vdb", "OpenVDB: the branches as a level set named \"surface\"", [](const CastSize&) { return 0.0; },
      kAny, nullptr},
 };
@@ -104,6 +107,7 @@ Result<bool> write_scene(const Format& format, const Scene& scene, double time, 
     return errors;
   CastOptions own = options;
   if (!format.pictures) own.texture = 0;
+  own.tints = format.tints;
   Result<Cast> cast = cast_scene(scene, time, own);
   if (!cast) return cast.errors();
   double bytes = format.bytes(size_of(*cast));

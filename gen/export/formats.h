@@ -20,6 +20,8 @@ struct Format {
   /// Writes a cast: each file whole or not at all. Null for the format of volumes.
   Result<bool> (*write)(const Cast& cast, const CastOptions& options, const std::filesystem::path& path);
   bool pictures = true;  ///< whether it holds them
+  bool tints = true;     ///< whether what shows it heeds colours at the vertices
+  bool films = false;    ///< whether it holds levels of detail and shapes that go over into each other
 };
 
 std::span<const Format> formats();

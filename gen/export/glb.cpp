@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;                  // targets of buffer views
 constexpr int kFloat = 5126, kUnsigned = 5125, kShort = 5123, kByte = 5121;  // types of components
-constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing",
+constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing", kLod = "MSFT_lod",
                            kTransmission = "KHR_materials_transmission", kIor = "KHR_materials_ior";
 
 /// `[1,2.5e-9]`: as many digits as it takes to read back the same numbers.
@@ -29,6 +29,17 @@ void append_numbers(std::string& json, std::initializer_list<Number> numbers) {
 void append_exactly(std::string& json, Vec3 v) { append_numbers<double>(json, {v.x, v.y, v.z}); }
 
 void append_count(std::string& json, std::size_t n) { append_integer(json, static_cast<long long>(n)); }
+
+/// A list of texts with commas between.
+template <class Items, class Text>
+std::string list(const Items& items, const Text& text_of) {
+  std::string text = "[";
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ',';
+    text += text_of(item);
+  }
+  return text + ']';
+}
 
 /// The binary part and what the JSON says of it.
 struct BinaryPart {
@@ -58,9 +69,9 @@ struct BinaryPart {
   }
 };
 
-std::string bounds_text(const Surface& surface) {
-  Vec3 low = surface.position[0], high = low;
-  for (const Vec3& p : surface.position) low = glm::min(low, p), high = glm::max(high, p);
+std::string bounds_text(const std::vector<Vec3>& position) {
+  Vec3 low = position[0], high = low;
+  for (const Vec3& p : position) low = glm::min(low, p), high = glm::max(high, p);
   std::string text = ",\"min\":";
   append_exactly(text, low);
   text += ",\"max\":";
@@ -97,14 +108,40 @@ std::size_t add_indices(BinaryPart& buffer, const Surface& s) {
 std::string primitive_text(BinaryPart& buffer, const CastPart& part) {
   const Surface& s = part.surface;
   std::size_t n = s.position.size();
-  std::size_t at = buffer.add(std::span(s.position), kArrayBuffer, kFloat, "VEC3", n, bounds_text(s));
+  std::size_t at =
+      buffer.add(std::span(s.position), kArrayBuffer, kFloat, "VEC3", n, bounds_text(s.position));
   std::size_t normal = buffer.add(std::span(s.normal), kArrayBuffer, kFloat, "VEC3", n);
   std::string text = fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{})", at, normal);
   if (!s.uv.empty()) text += fmt::format(",\"TEXCOORD_0\":{}", add_uv(buffer, s.uv));
   if (!part.tint.empty())
     text += fmt::format(",\"COLOR_0\":{}", buffer.add(std::span(part.tint), kArrayBuffer, kByte, "VEC4", n,
                                                       ",\"normalized\":true"));
-  return text + fmt::format(R"(}},"indices":{},"material":{}}})", add_indices(buffer, s), part.material);
+  text += fmt::format(R"(}},"indices":{},"material":{})", add_indices(buffer, s), part.material);
+  if (!part.shifts.empty())
+    text += ",\"targets\":" + list(part.shifts, [&](const CastShift& shift) {
+              auto add = [&](const std::vector<Vec3>& by, std::string_view bounds) {
+                return buffer.add(std::span(by), kArrayBuffer, kFloat, "VEC3", n, bounds);
+              };
+              std::size_t moved = add(shift.position, bounds_text(shift.position));
+              return fmt::format(R"({{"POSITION":{},"NORMAL":{}}})", moved, add(shift.normal, ""));
+            });
+  return text + '}';
+}
+
+/// A level of a mesh; its other shapes are named by their seconds.
+std::string mesh_text(BinaryPart& buffer, const std::string& name, const std::vector<CastPart>& parts,
+                      const std::vector<double>& keys) {
+  std::string text =
+      fmt::format(R"({{"name":"{}","primitives":{})", name,
+                  list(parts, [&](const CastPart& part) { return primitive_text(buffer, part); }));
+  if (std::vector<double> shifted(parts[0].shifts.size()); !shifted.empty()) {
+    std::copy_n(keys.begin(), shifted.size(), shifted.begin());
+    text += ",\"weights\":" + list(shifted, [](double) { return "0"; });
+    text += R"(,"extras":{"targetNames":)" +
+            list(shifted, [](double time) { return fmt::format("\"{:.3f} s\"", time); });
+    text += '}';
+  }
+  return text + '}';
 }
 
 std::string material_text(const CastMaterial& m) {
@@ -145,6 +182,9 @@ class GlbNodes {
  public:
   GlbNodes(const Cast& cast, bool instances, BinaryPart& buffer)
       : cast_(cast), instances_(instances), buffer_(buffer) {
+    // Coarser meshes come after all others.
+    std::size_t next = cast.meshes.size();
+    for (const CastMesh& mesh : cast.meshes) first_level_.push_back(next), next += mesh.coarser.size();
     for (std::size_t i = 0; i < cast.placements.size();) {
       std::size_t from = i, group = cast.placements[i].group;
       while (i < cast.placements.size() && cast.placements[i].group == group) ++i;
@@ -153,7 +193,8 @@ class GlbNodes {
   }
 
   std::string text, roots;
-  bool instanced = false;  // whether there are any
+  bool instanced = false, leveled = false;  // whether there are any
+  std::vector<std::size_t> moving;          // nodes
 
  private:
   std::size_t add(const std::string& node) {
@@ -163,9 +204,9 @@ class GlbNodes {
   }
 
   void add_group(const CastGroup& group, std::span<const CastPlacement> placements) {
-    std::vector<std::size_t> nodes;
     bool alone = placements.size() == 1;
     Vec3 from = alone ? Vec3(0) : group.foot;
+    std::vector<std::size_t> nodes;
     for (std::size_t i = 0; i < placements.size();) {
       std::size_t first = i, mesh = placements[i].mesh;
       while (i < placements.size() && placements[i].mesh == mesh) ++i;
@@ -175,22 +216,63 @@ class GlbNodes {
         continue;
       }
       for (std::size_t k = 0; k < alike.size(); ++k) {
-        std::string node;
-        const std::string& name = cast_.meshes[mesh].name;
-        append_name(node, alike.size() > 1 ? fmt::format("{}_{}", name, k + 1) : name);
-        node += fmt::format(",\"mesh\":{}", mesh);
-        append_place(node, alike[k], from);
-        nodes.push_back(add(node));
+        std::string number = alike.size() > 1 ? fmt::format("_{}", k + 1) : "";
+        std::size_t coarser = group.sown || alone ? cast_.meshes[mesh].coarser.size() : 0;
+        std::vector<std::size_t> levels;
+        for (std::size_t level = 1; level <= coarser; ++level)
+          levels.push_back(add(placed_text(alike[k], from, number, level)));
+        nodes.push_back(add(placed_text(alike[k], from, number, 0) + levels_text(levels)));
+        if (cast_.meshes[mesh].moves()) moving.push_back(nodes.back());
       }
     }
-    std::size_t root = nodes[0];
-    if (!alone) {
+    append_root(alone ? nodes[0] : add_organism(group, placements, nodes));
+  }
+
+  /// A node of all that one organism is made of, and one for each coarser level.
+  std::size_t add_organism(const CastGroup& group, std::span<const CastPlacement> placements,
+                           const std::vector<std::size_t>& nodes) {
+    auto text_of = [&](std::size_t level, const std::vector<std::size_t>& children) {
       std::string node;
-      append_name(node, group.name);
+      append_name(node, group.name + level_name(level));
       append_place(node, {0, group.foot}, Vec3(0));
-      node += fmt::format(",\"children\":[{}]", fmt::join(nodes, ","));
-      root = add(node);
+      return node + fmt::format(",\"children\":[{}]", fmt::join(children, ","));
+    };
+    std::vector<std::size_t> levels;
+    for (std::size_t level = 1; !group.sown; ++level) {
+      std::vector<std::size_t> parts;
+      for (const CastPlacement& p : placements)
+        if (cast_.meshes[p.mesh].coarser.size() >= level)
+          parts.push_back(add(placed_text(p, group.foot, "", level)));
+      if (parts.empty()) break;
+      levels.push_back(add(text_of(level, parts)));
     }
+    return add(text_of(0, nodes) + levels_text(levels));
+  }
+
+  static std::string level_name(std::size_t level) { return level > 0 ? fmt::format("_LOD{}", level) : ""; }
+
+  std::string placed_text(const CastPlacement& p, Vec3 from, const std::string& number, std::size_t level) {
+    std::string node;
+    append_name(node, cast_.meshes[p.mesh].name + number + level_name(level));
+    node += fmt::format(",\"mesh\":{}", level == 0 ? p.mesh : first_level_[p.mesh] + level - 1);
+    append_place(node, p, from);
+    return node;
+  }
+
+  /// What leads from a node to its coarser levels, the share of the picture beside each from which it will
+  /// do.
+  std::string levels_text(const std::vector<std::size_t>& levels) {
+    if (levels.empty()) return {};
+    leveled = true;
+    std::vector<double> covers;
+    for (std::size_t level = 1; level <= levels.size(); ++level)
+      covers.push_back(std::pow(kCoarser, static_cast<double>(level)));
+    covers.push_back(0);
+    return fmt::format(R"(,"extensions":{{"{}":{{"ids":[{}]}}}},"extras":{{"MSFT_screencoverage":[{}]}})",
+                       kLod, fmt::join(levels, ","), fmt::join(covers, ","));
+  }
+
+  void append_root(std::size_t root) {
     if (!roots.empty()) roots += ',';
     append_count(roots, root);
   }
@@ -217,18 +299,25 @@ class GlbNodes {
   const Cast& cast_;
   bool instances_;
   BinaryPart& buffer_;
+  std::vector<std::size_t> first_level_;  // of each mesh: its first coarser one
   std::size_t count_ = 0;
 };
 
-/// A list of texts with commas between.
-template <class Items, class Text>
-std::string list(const Items& items, const Text& text_of) {
-  std::string text = "[";
-  for (const auto& item : items) {
-    if (text.size() > 1) text += ',';
-    text += text_of(item);
-  }
-  return text + ']';
+/// One shape after the other: at its time each has a weight of one, and the last is the mesh itself.
+std::string animation_text(BinaryPart& buffer, const std::vector<std::size_t>& nodes,
+                           const std::vector<double>& keys) {
+  std::vector<float> times(keys.begin(), keys.end()), weights;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    for (std::size_t k = 0; k + 1 < keys.size(); ++k) weights.push_back(i == k ? 1 : 0);
+  std::size_t input = buffer.add(std::span<const float>(times), 0, kFloat, "SCALAR", times.size(),
+                                 fmt::format(R"(,"min":[{}],"max":[{}])", static_cast<double>(times.front()),
+                                             static_cast<double>(times.back())));
+  std::size_t output = buffer.add(std::span<const float>(weights), 0, kFloat, "SCALAR", weights.size());
+  return fmt::format(
+      R"(,"animations":[{{"name":"film","samplers":[{{"input":{},"output":{}}}],"channels":{}}}])", input,
+      output, list(nodes, [](std::size_t node) {
+        return fmt::format(R"({{"sampler":0,"target":{{"node":{},"path":"weights"}}}})", node);
+      }));
 }
 
 void append_word(std::string& bytes, std::size_t value) {
@@ -244,20 +333,26 @@ Result<std::string> glb_bytes(const Cast& cast, bool instances) {
   if (cast.placements.empty()) return Error{"", "there is nothing at that frame to write"};
   BinaryPart buffer;
   GlbNodes nodes(cast, instances, buffer);
-  std::string meshes = list(cast.meshes, [&](const CastMesh& mesh) {
-    return fmt::format(R"({{"name":"{}","primitives":{}}})", mesh.name,
-                       list(mesh.parts, [&](const CastPart& part) { return primitive_text(buffer, part); }));
-  });
+  std::string meshes = list(
+      cast.meshes, [&](const CastMesh& mesh) { return mesh_text(buffer, mesh.name, mesh.parts, cast.keys); });
+  meshes.pop_back();
+  for (const CastMesh& mesh : cast.meshes)
+    for (std::size_t level = 0; level < mesh.coarser.size(); ++level)
+      meshes +=
+          ',' + mesh_text(buffer, fmt::format("{}_LOD{}", mesh.name, level + 1), mesh.coarser[level], {});
+  meshes += ']';
   std::string json = R"({"asset":{"version":"2.0","generator":"Frond"})";
   std::vector<std::string_view> extensions;
   if (nodes.instanced)
     extensions.push_back(kInstancing), json += fmt::format(R"(,"extensionsRequired":["{}"])", kInstancing);
+  if (nodes.leveled) extensions.push_back(kLod);
   if (std::any_of(cast.materials.begin(), cast.materials.end(),
                   [](const CastMaterial& m) { return m.transmission > 0; }))
     extensions.insert(extensions.end(), {kTransmission, kIor});
   if (!extensions.empty()) json += fmt::format(R"(,"extensionsUsed":["{}"])", fmt::join(extensions, "\",\""));
   json += R"(,"scene":0,"scenes":[{"nodes":[)" + nodes.roots + "]}],\"nodes\":[" + nodes.text +
           "],\"meshes\":" + meshes;
+  if (!nodes.moving.empty()) json += animation_text(buffer, nodes.moving, cast.keys);
   json += ",\"materials\":" + list(cast.materials, material_text);
   if (!cast.pictures.empty()) {
     // All pictures go on over their edges.

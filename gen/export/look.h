@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dress/dress.h"
 #include "export/cast.h"
 #include "organisms/organism.h"
 
@@ -15,6 +16,10 @@ Color scaled(Color color, double factor);
 
 /// The colour of a coral as povinc/frond_coral.inc has it.
 Color tinted(const Tint& tint, double brightness);
+
+/// By how much more light growing tips give back than old skin, channel by channel, as povinc/ has it: of a
+/// skin, or of one of a bark's colours. 1 where tips are as the rest.
+Vec3 young_light(const Look& look, std::size_t color);
 
 /// How a bark shines: its gloss, and whether it is of metal.
 double bark_gloss(const Bark& bark);

@@ -14,11 +14,59 @@
 
 namespace frond {
 
+namespace {
+
+constexpr double kNear = 0.85;  // a share that is no less is as good as all
+
+/// About so large a share of a part's triangles.
+void make_coarser(CastPart& part, double share) {
+  std::vector<std::uint32_t> kept;
+  auto goal = static_cast<std::size_t>(share * static_cast<double>(part.surface.triangle.size()));
+  part.surface = reduced(part.surface, goal, &kept);
+  std::vector<CastTint> tint;
+  for (std::size_t v = 0; !part.tint.empty() && v < part.surface.position.size(); ++v)
+    tint.push_back(part.tint[kept.empty() ? v : kept[v]]);
+  part.tint = std::move(tint);
+}
+
+double sum(const std::vector<CastPart>& parts, const auto& counted) {
+  double triangles = 0;
+  for (const CastPart& p : parts)
+    if (counted(p)) triangles += static_cast<double>(p.surface.triangle.size());
+  return triangles;
+}
+
+}  // namespace
+
+double triangles_of(const std::vector<CastPart>& parts) {
+  return sum(parts, [](const CastPart&) { return true; });
+}
+
+double solid_triangles(const Cast& cast, const std::vector<CastPart>& parts) {
+  return sum(parts, [&](const CastPart& p) { return !cast.materials[p.material].leaf; });
+}
+
+CastTint tint_of(Vec3 light) {
+  auto part = [](float x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
+  return {part(light.x), part(light.y), part(light.z), 255};
+}
+
 std::optional<std::size_t> Maker::mesh(const std::string& part, std::vector<CastPart> parts) {
   std::erase_if(parts, [](const CastPart& p) { return p.surface.triangle.empty(); });
   if (parts.empty()) return {};
-  cast.meshes.push_back({mesh_names.unique(name() + '_' + part), std::move(parts)});
-  return cast.meshes.size() - 1;
+  if (level == 0) {
+    begun[part] = cast.meshes.size();
+    cast.meshes.push_back({mesh_names.unique(name() + '_' + part), std::move(parts)});
+    return cast.meshes.size() - 1;
+  }
+  auto of = begun.find(part);
+  if (of == begun.end()) return {};
+  CastMesh& mesh = cast.meshes[of->second];
+  double factor = share() * solid_triangles(cast, mesh.parts) / std::max(1.0, solid_triangles(cast, parts));
+  for (CastPart& p : parts)
+    if (factor < kNear && !cast.materials[p.material].leaf) make_coarser(p, factor);
+  mesh.coarser.push_back(std::move(parts));
+  return {};
 }
 
 void Maker::stand(const std::string& part, std::vector<CastPart> parts) {
@@ -48,10 +96,6 @@ std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& l
   return meshes;
 }
 
-void Maker::add_foliage(const Look& look, const Model& model, std::vector<LeafPart> parts) {
-  for (auto& [own, made] : by_name(*this, look, model, std::move(parts))) stand(own, std::move(made));
-}
-
 namespace {
 
 constexpr double kBodyShare = 0.5;  // of an organism's triangles: what the bodies that it is may take
@@ -71,11 +115,6 @@ bool is_stone(Matter m) {
 bool is_vessel(const Solid& solid) {
   Matter m = solid.material.matter;
   return !solid.surface.uv.empty() && (m == Matter::ceramic || m == Matter::terracotta || m == Matter::glass);
-}
-
-CastTint tint_of(Vec3 color) {
-  auto part = [](float x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
-  return {part(color.x), part(color.y), part(color.z), 255};
 }
 
 /// Bodies that differ in little but their colour share a material of the brightest of these.
@@ -132,7 +171,7 @@ std::vector<CastPart> body_parts(Maker& maker, const Solids& solids) {
   std::vector<Surface> laid;
   double all = 0;
   for (std::uint16_t s : solids.shape) all += static_cast<double>(solids.shapes[s].surface.triangle.size());
-  double share = kBodyShare * maker.options.detail / std::max(all, 1.0);
+  double share = maker.share() * std::min(1.0, kBodyShare * maker.options.detail / std::max(all, 1.0));
   for (std::size_t s = 0; s < solids.shapes.size(); ++s) {
     const Solid& solid = solids.shapes[s];
     laid.push_back(is_vessel(solid) ? solid.surface : box_mapped(simpler(solid.surface, share)));

@@ -39,6 +39,29 @@ std::string key_of(const Material& m) {
   return key;
 }
 
+std::string key_of(Vec3 v) { return fmt::format("{:.4f},{:.4f},{:.4f};", v.x, v.y, v.z); }
+
+Color lighter(const Color& color, Vec3 factor) {
+  Vec3 light = glm::min(linear(color) * factor, Vec3(1));
+  return {static_cast<float>(encoded(light.x)), static_cast<float>(encoded(light.y)),
+          static_cast<float>(encoded(light.z))};
+}
+
+/// Pictures whose colours give back so much more light.
+Pictures lighter(Pictures pictures, Vec3 factor) {
+  Raster& colors = pictures.colors;
+  for (std::size_t c = 0; c < 3; ++c) {
+    auto more = static_cast<double>(factor[static_cast<int>(c)]);
+    if (more == 1) continue;
+    std::array<std::uint8_t, 256> of{};
+    for (std::size_t x = 0; x < 256; ++x)
+      of[x] = to_byte(encoded(std::min(1.0, more * linear(static_cast<double>(x) / 255))));
+    auto step = static_cast<std::size_t>(colors.channels);
+    for (std::size_t i = c; i < colors.data.size(); i += step) colors.data[i] = of[colors.data[i]];
+  }
+  return pictures;
+}
+
 /// A bark drawn by a pattern in space, as the picture that comes nearest to it.
 BarkImage image_of(const Bark& bark, std::size_t color) {
   BarkImage image;
@@ -120,8 +143,10 @@ Palette::Use Palette::keep(const std::string& key, CastMaterial made, const std:
 }
 
 Palette::Use Palette::branches(const Look& look, double brightness, std::size_t color,
-                               const std::string& name) {
+                               const std::string& name, bool ages) {
   int pixels = options_.texture;
+  Vec3 young = ages ? young_light(look, color) : Vec3(1), most = glm::max(young, Vec3(1));
+  auto aged = [&](Use use) { return use.young = young, use; };
   CastMaterial made;
   made.factor = scaled({1, 1, 1}, brightness);
   if (look.coat) {
@@ -135,29 +160,30 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
     });
   }
   if (look.skin) {
-    made.color = tinted(look.skin->tint, brightness), made.gloss = 0.1;
-    return keep(key_of(*look.skin), made, name, [&](CastMaterial& m, Use& use) {
-      add_pictures(m, key_of(*look.skin), m.name,
-                   [&] { return pictures_of(skin_tile(*look.skin, pixels), 0.75); });
+    made.color = lighter(tinted(look.skin->tint, brightness), most), made.gloss = 0.1;
+    std::string key = key_of(*look.skin) + key_of(most);
+    return aged(keep(key, made, name, [&](CastMaterial& m, Use& use) {
+      add_pictures(m, key, m.name,
+                   [&] { return lighter(pictures_of(skin_tile(*look.skin, pixels), 0.75), most); });
       std::tie(use.wide, use.high) = picture_size(look);
-    });
+    }));
   }
   const Bark& bark = *look.bark;
-  made.color = scaled(bark.colors[color], brightness);
+  made.color = lighter(scaled(bark.colors[color], brightness), most);
   made.gloss = bark_gloss(bark), made.metal = is_metal(bark);
-  return keep(key_of(bark, color), made, name, [&](CastMaterial& m, Use& use) {
+  std::string key = key_of(bark, color) + key_of(most);
+  return aged(keep(key, made, name, [&](CastMaterial& m, Use& use) {
     if (bark.kind == BarkKind::palm) {
-      add_pictures(m, key_of(bark, color), m.name,
-                   [&] { return pictures_of(palm_tile(bark, pixels), 0.85); });
+      add_pictures(m, key, m.name, [&] { return lighter(pictures_of(palm_tile(bark, pixels), 0.85), most); });
     } else if (bark.kind == BarkKind::bark || bark.kind == BarkKind::birch) {
       BarkImage image = image_of(bark, color);
-      add_pictures(m, key_of(bark, color), m.name,
-                   [&] { return bark_pictures(image, 1.5 * bark.depth, pixels, 2 * pixels); });
+      add_pictures(m, key, m.name,
+                   [&] { return lighter(bark_pictures(image, 1.5 * bark.depth, pixels, 2 * pixels), most); });
     } else {
       m.factor = m.color;
     }
     std::tie(use.wide, use.high) = picture_size(look);
-  });
+  }));
 }
 
 std::pair<double, double> Palette::picture_size(const Look& look) {
@@ -170,13 +196,17 @@ std::pair<double, double> Palette::picture_size(const Look& look) {
 }
 
 Palette::Use Palette::cubes(const Look& look, double brightness, std::size_t color, const std::string& name) {
+  Vec3 young = options_.tints ? young_light(look, color) : Vec3(1);
   CastMaterial made;
   made.color = look.skin ? tinted(look.skin->tint, brightness) : scaled(look.bark->colors[color], brightness);
+  made.color = lighter(made.color, glm::max(young, Vec3(1)));
   made.gloss = 0.2;
-  return keep("cube", made, name, [&](CastMaterial& m, Use&) {
+  Use use = keep("cube", made, name, [&](CastMaterial& m, Use&) {
     add_pictures(m, "cube " + key_of(m.color), m.name,
                  [&] { return pictures_of(cube_tile(m.color, std::min(options_.texture, 128)), 0.75); });
   });
+  use.young = young;
+  return use;
 }
 
 std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color,

@@ -26,10 +26,16 @@ class Palette {
   struct Use {
     std::size_t material = 0;
     double wide = 1, high = 1;
+    Vec3 young{1};  ///< how much more light a growing tip gives back, as a factor; see tint_at()
+
+    /// The tint of skin that is so young, 0..1; the material is as light as the lightest.
+    Vec3 tint_at(float age) const { return glm::mix(Vec3(1), young, age) / glm::max(young, Vec3(1)); }
   };
 
-  /// Of branches of one of the bark's colours; `name` is what the material is called.
-  Use branches(const Look& look, double brightness, std::size_t color, const std::string& name);
+  /// Of branches of one of the bark's colours; `name` is what the material is called. Where `ages`, tips
+  /// differ.
+  Use branches(const Look& look, double brightness, std::size_t color, const std::string& name,
+               bool ages = false);
   Use cubes(const Look& look, double brightness, std::size_t color, const std::string& name);
   /// Metres that the picture of branches is wide and high; of coats, 1 and 1.
   static std::pair<double, double> picture_size(const Look& look);

@@ -83,15 +83,31 @@ struct SownShape {
   std::vector<LeafPart> foliage;
 };
 
-SownShape shape_of(const Look& look, Model& model, double leaves) {
+/// With so many grains along it, and so many triangles of leaves.
+SownShape shape_of(const Look& look, Model model, double grains, double leaves) {
   SownShape made;
-  double grain = size_of(model) / kGrains;
+  double grain = size_of(model) / grains;
   made.foliage = foliage_parts(look, model, leaves);
-  Organs organs = std::exchange(model.organs, {});
+  model.organs = {};
   made.parts = copy_parts(look, model, {grain, leaves});
   made.model.prototypes = std::move(model.prototypes);
   made.model.solids = std::move(model.solids);
   return made;
+}
+
+/// At each level of detail.
+std::vector<SownShape> shapes_of(const Look& look, const Model& model, const CastOptions& options) {
+  bool seen = options.pixels > 0;
+  double grains = seen ? options.pixels : kGrains, leaves = options.detail * (seen ? 1 : kLeafShare);
+  std::vector<SownShape> levels;
+  for (int level = 0; level < options.levels; ++level) {
+    levels.push_back(shape_of(look, model, grains * std::pow(kCoarser, 0.5 * level), leaves));
+    if (level == 0) leaves = 0;
+    for (const LeafPart& part : levels[0].foliage)
+      if (level == 0) leaves += static_cast<double>(part.surface.triangle.size());
+    leaves *= kCoarser;
+  }
+  return levels;
 }
 
 /// All of one model as one mesh.
@@ -118,15 +134,19 @@ std::vector<CastPart> parts_of(Maker& maker, const Look& look, SownShape& shape)
 
 Errors add_sown(Maker& maker, const Scene& scene) {
   std::vector<SownModel> models = models_of(scene);
-  double leaves = kLeafShare * maker.options.detail;
-  auto shapes = each_grown<SownShape>(
-      models, [&](const Look& look, Model& model) { return shape_of(look, model, leaves); });
+  auto shapes = each_grown<std::vector<SownShape>>(
+      models, [&](const Look& look, Model& model) { return shapes_of(look, model, maker.options); });
   if (!shapes) return shapes.errors();
   for (std::size_t m = 0; m < models.size(); ++m) {
     const SownStand& stand = *models[m].stand;
     if (m == 0 || &stand != models[m - 1].stand)
-      maker.begin(plain_name(stand.organism.name, "organism"), Vec3(0));
-    auto mesh = maker.mesh(std::to_string(models[m].which), parts_of(maker, stand.dress.look, (*shapes)[m]));
+      maker.begin(plain_name(stand.organism.name, "organism"), Vec3(0), true);
+    std::optional<std::size_t> mesh;
+    for (SownShape& shape : (*shapes)[m]) {
+      auto made = maker.mesh(std::to_string(models[m].which), parts_of(maker, stand.dress.look, shape));
+      if (maker.level++ == 0) mesh = made;
+    }
+    maker.level = 0;
     for (const CastPlacement& copy : models[m].copies)
       if (mesh) maker.place(*mesh, copy.at, copy.turn, copy.scale);
   }

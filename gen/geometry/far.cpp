@@ -117,7 +117,7 @@ void add_leaf(Surface& out, const Surface& s, const Piece& piece, FarLeaf as, fl
 
 }  // namespace
 
-Skeleton thinned(const Skeleton& s, float least, float tolerance) {
+Skeleton thinned(const Skeleton& s, float least, float tolerance, std::vector<std::int32_t>* kept) {
   auto n = static_cast<std::int32_t>(s.size());
   std::vector<char> keep(s.size(), 0), there(s.size(), 0);
   for (std::int32_t first = 0; first < n;) {
@@ -146,6 +146,7 @@ Skeleton thinned(const Skeleton& s, float least, float tolerance) {
     if (!there[i]) continue;
     std::int32_t below = s.parent[i] == Skeleton::kRoot ? Skeleton::kRoot : index[s.parent[i]];
     index[i] = keep[i] ? out.add(s.position[i], s.radius[i], below, s.order[i]) : below;
+    if (keep[i] && kept) kept->push_back(i);
   }
   return out;
 }
@@ -197,7 +198,8 @@ Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as) {
 namespace {
 
 /// The corners that triangles still have, of those of another surface.
-Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint32_t, 3>>&& triangles) {
+Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint32_t, 3>>&& triangles,
+                        std::vector<std::uint32_t>* kept) {
   Surface out;
   out.triangle = std::move(triangles);
   std::vector<std::uint32_t> number(surface.position.size(), UINT32_MAX);
@@ -209,6 +211,7 @@ Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint
         out.position.push_back(surface.position[from]);
         out.normal.push_back(surface.normal[from]);
         if (!surface.uv.empty()) out.uv.push_back(surface.uv[from]);
+        if (kept) kept->push_back(from);
       }
       corner = number[from];
     }
@@ -217,7 +220,8 @@ Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint
 
 /// Either way of meshoptimizer, to so many triangles.
 template <class Simplify>
-Surface fewer(const Surface& surface, std::size_t triangles, const Simplify& simplify) {
+Surface fewer(const Surface& surface, std::size_t triangles, const Simplify& simplify,
+              std::vector<std::uint32_t>* kept = nullptr) {
   triangles = std::max<std::size_t>(triangles, 4);
   if (surface.triangle.size() <= triangles) return surface;
   std::vector<std::array<std::uint32_t, 3>> left(surface.triangle.size());
@@ -225,7 +229,7 @@ Surface fewer(const Surface& surface, std::size_t triangles, const Simplify& sim
       simplify(left.data()->data(), surface.triangle.data()->data(), 3 * surface.triangle.size(),
                &surface.position.data()->x, surface.position.size(), sizeof(Vec3), 3 * triangles);
   left.resize(corners / 3);
-  return with_corners_of(surface, std::move(left));
+  return with_corners_of(surface, std::move(left), kept);
 }
 
 }  // namespace
@@ -234,8 +238,9 @@ Surface simplified(const Surface& surface, std::size_t triangles) {
   return fewer(surface, triangles, [](auto... a) { return meshopt_simplifySloppy(a..., 1.0f, nullptr); });
 }
 
-Surface reduced(const Surface& surface, std::size_t triangles) {
-  return fewer(surface, triangles, [](auto... a) { return meshopt_simplify(a..., 0.05f, 0u, nullptr); });
+Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::uint32_t>* kept) {
+  return fewer(
+      surface, triangles, [](auto... a) { return meshopt_simplify(a..., 0.05f, 0u, nullptr); }, kept);
 }
 
 }  // namespace frond

@@ -7,8 +7,10 @@ namespace frond {
 
 /// Branches as they are seen from afar: without those that begin thinner than `least` metres (the stem
 /// stays), and without nodes that lie within `tolerance` metres of the line that would join their neighbours
-/// (Douglas and Peucker 1973) and are as thick as that. Forks that are left stay where they are.
-Skeleton thinned(const Skeleton& skeleton, float least, float tolerance);
+/// (Douglas and Peucker 1973) and are as thick as that. Forks that are left stay where they are. `kept` is
+/// told which nodes these are.
+Skeleton thinned(const Skeleton& skeleton, float least, float tolerance,
+                 std::vector<std::int32_t>* kept = nullptr);
 
 /// Which connected piece of a surface each vertex belongs to, counted from 0 in the order of the vertices;
 /// one of no triangle goes with the piece before it.
@@ -36,6 +38,7 @@ Surface simplified(const Surface& surface, std::size_t triangles);
 
 /// The same by drawing edges together where that changes the shape least (Garland and Heckbert 1997), so that
 /// it stays one body; for what is seen from near.
-Surface reduced(const Surface& surface, std::size_t triangles);
+/// `kept` is told which vertices are left, where not all are.
+Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::uint32_t>* kept = nullptr);
 
 }  // namespace frond

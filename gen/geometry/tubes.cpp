@@ -37,8 +37,14 @@ bool too_thin(const Skeleton& rest, const TubeShape& shape, std::int32_t first) 
 class Tube {
  public:
   Tube(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
-       std::span<const Quat> turn, const TubeShape& shape, Surface& out)
-      : rest_(rest), position_(position), radius_(radius), turn_(turn), shape_(shape), out_(out) {}
+       std::span<const Quat> turn, const TubeShape& shape, TubeMesh& mesh)
+      : rest_(rest),
+        position_(position),
+        radius_(radius),
+        turn_(turn),
+        shape_(shape),
+        out_(mesh.surface),
+        node_(mesh.node) {}
 
   /// Of the nodes first..last; the node below `first`, where there is one, is where it begins.
   void draw(std::int32_t first, std::int32_t last) {
@@ -65,6 +71,7 @@ class Tube {
       ring(k, along / pattern);
     }
     stitch(start);
+    node_.resize(out_.position.size(), nodes_.back());  // those of the tip
   }
 
  private:
@@ -93,8 +100,9 @@ class Tube {
   }
 
   void ring(std::size_t k, double v) {
-    std::int32_t node = nodes_[k];
-    Quat turn = turn_.empty() ? Quat(1, 0, 0, 0) : turn_[fork_ && k == 0 ? nodes_[1] : node];
+    std::int32_t node = nodes_[k], own = fork_ && k == 0 ? nodes_[1] : node;
+    Quat turn = turn_.empty() ? Quat(1, 0, 0, 0) : turn_[own];
+    node_.resize(node_.size() + static_cast<std::size_t>(sides_) + 1, own);
     Vec3 x = turn * normals_[k], axis = turn * axes_[k], y = glm::cross(axis, x), at = position_[node];
     float r = radius_of(k);
     // How fast it thins tilts the normals.
@@ -145,7 +153,8 @@ class Tube {
   std::span<const Quat> turn_;
   const TubeShape& shape_;
   Surface& out_;
-  std::vector<std::int32_t> nodes_;
+  std::vector<std::int32_t>& node_;  // of each vertex
+  std::vector<std::int32_t> nodes_;  // of the chain
   std::vector<Vec3> normals_, axes_;
   bool fork_ = false, lobed_ = false;
   int sides_ = 3, wraps_ = 1;
@@ -275,10 +284,10 @@ std::vector<bool> left_out(const Skeleton& rest, const TubeShape& shape) {
   return out;
 }
 
-Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
-                     std::span<const Quat> turn, const TubeShape& shape) {
-  Surface surface;
-  Tube tube(rest, position, radius, turn, shape, surface);
+TubeMesh tube_mesh(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
+                   std::span<const Quat> turn, const TubeShape& shape) {
+  TubeMesh mesh;
+  Tube tube(rest, position, radius, turn, shape, mesh);
   auto n = static_cast<std::int32_t>(rest.size());
   for (std::int32_t first = 0; first < n;) {
     std::int32_t last = first;
@@ -286,7 +295,12 @@ Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::
     tube.draw(first, last);
     first = last + 1;
   }
-  return surface;
+  return mesh;
+}
+
+Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
+                     std::span<const Quat> turn, const TubeShape& shape) {
+  return tube_mesh(rest, position, radius, turn, shape).surface;
 }
 
 Surface tube_surface(const Skeleton& rest, const TubeShape& shape) {

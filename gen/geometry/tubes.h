@@ -36,11 +36,15 @@ Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::
 /// The same at rest.
 Surface tube_surface(const Skeleton& rest, const TubeShape& shape);
 
-/// Branches as closed tubes.
+/// Branches as tubes, and what they were made of.
 struct TubeMesh {
-  Surface surface;                 ///< `uv`: once round the branch, and metres along it
-  std::vector<std::int32_t> node;  ///< of each vertex: the node of its ring
+  Surface surface;                 ///< `uv` of closed tubes: once round the branch, and metres along it
+  std::vector<std::int32_t> node;  ///< of each vertex: the node of its ring; where it leaves a fork, the next
 };
+
+/// As tube_surface().
+TubeMesh tube_mesh(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
+                   std::span<const Quat> turn, const TubeShape& shape);
 
 /// Each branch of a skeleton as one closed tube with a rounded end, smooth along it and twisted as little as
 /// can be. `position` and `radius` have an entry a node; what is born after `front` is not there yet. `sides`

@@ -13,6 +13,12 @@ float unfolded(float birth, float front, double ripen) {
   return smooth_step(0.0f, static_cast<float>(std::max(ripen, 1e-3)), front - birth);
 }
 
+float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i) {
+  if (young_length <= 0) return 0;
+  float grown_past = std::max(pose.front - rest.birth[i], 0.0f) * longest;
+  return 1 - smooth_step(0.0f, young_length, std::min(rest.to_tip[i], grown_past));
+}
+
 Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& o, std::size_t i) {
   assert(i < o.size() && o.node[i] < static_cast<std::int32_t>(pose.position.size()));
   assert(o.loose.empty() || o.loose.size() == o.size());
@@ -28,7 +34,7 @@ Quat organ_turn(const Pose& pose, const Organs& o, std::size_t i) {
 }
 
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& all, double ripen,
-                     const std::function<bool(std::size_t)>& wanted) {
+                     const std::function<bool(std::size_t)>& wanted, float least) {
   assert(pose.position.size() == rest.size() && pose.turn.size() == rest.size());
   assert(all.first.size() == all.size() + 1 && all.first.back() == all.surface.position.size());
   Surface s;
@@ -40,7 +46,7 @@ Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& all, 
       ++triangle;
     if (!wanted(i)) continue;
     float size = unfolded(all.birth[i], pose.front, ripen);
-    if (size < kUnfoldedLeast) continue;
+    if (size < least) continue;
     Quat turn = carried_turn(pose, all.node[i]);
     assert(all.node[i] < static_cast<std::int32_t>(rest.size()));
     Vec3 foot = carried(rest, pose, all.node[i], all.foot[i]);

@@ -23,6 +23,10 @@ inline double unfold_time(const Motion& motion) {
 Quat fluttering(const Flutter& flutter, double film_length, double time, Vec3 place, std::uint32_t id,
                 float supple);
 
+/// How young the skin at node `i` is, 1 at a tip, grown or growing .. 0 from `young_length` metres below it
+/// on; `longest` is that of the skeleton.
+float youth(const Skeleton& rest, const Pose& pose, float longest, float young_length, std::int32_t i);
+
 /// A place on the rest shape that rides on a node, where the pose has taken it.
 inline Vec3 carried(const Skeleton& rest, const Pose& pose, std::int32_t node, Vec3 at) {
   return node == Skeleton::kRoot ? at : pose.position[node] + pose.turn[node] * (at - rest.position[node]);
@@ -37,8 +41,8 @@ inline Quat carried_turn(const Pose& pose, std::int32_t node) {
 Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& organs, std::size_t i);
 Quat organ_turn(const Pose& pose, const Organs& organs, std::size_t i);
 
-/// The blades that are wanted, unfolded and carried to where the pose has them, as one mesh.
+/// The blades that are wanted and at least so far unfolded, carried to where the pose has them, as one mesh.
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& blades, double ripen,
-                     const std::function<bool(std::size_t blade)>& wanted);
+                     const std::function<bool(std::size_t blade)>& wanted, float least = kUnfoldedLeast);
 
 }  // namespace frond

@@ -134,6 +134,12 @@ Surface merged_solid(const Solids& solids, std::size_t shape) {
 
 }  // namespace
 
+int level_for(double grain) {
+  int level = 0;
+  while (level + 1 < kLevelCount && kLevels[level + 1].grain <= grain) ++level;
+  return level;
+}
+
 std::string copy_id(const Organism& organism, int which) {
   CopySeed s = copy_seed(organism, which);
   return made_id(fmt::format("{} {} {} {}", organism.text, s.number, s.crowd, s.ages));

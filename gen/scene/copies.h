@@ -58,6 +58,13 @@ struct CopyDetail {
   bool plain = false;    ///< leaves are single triangles, too small to have any `uv` but of pictures
 };
 
+inline constexpr int kLevelCount = 5;
+/// How a model is drawn at each level, from the nearest on; each is used from where a pixel covers its grain.
+inline constexpr CopyDetail kLevels[kLevelCount] = {
+    {0.002, 6e5}, {0.008, 3e5}, {0.025, 1.4e5}, {0.08, 5e4, true}, {0.25, 1.5e4, true}};
+/// The coarsest level with a grain no larger than asked for.
+int level_for(double grain);
+
 /// A model as meshes. What is left of its leaves has the area of all of them. With blocks it is known of
 /// which each triangle is; an organ is not cut.
 std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail,

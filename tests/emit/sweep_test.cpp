@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "motion/unfold.h"
 #include "shapes.h"
 
 namespace frond {

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "core/files.h"
+#include "core/linear.h"
 #include "export/formats.h"
 #include "export/tile.h"
 
@@ -214,7 +215,8 @@ TEST(Ply, has_what_its_header_says) {
     EXPECT_NEAR(glm::length(normal), 1, 1e-3);
     if (v < first.position.size()) {
       EXPECT_EQ(at, first.position[v]);
-      EXPECT_NEAR(red, 255 * cast.materials[0].color.red, 0.6);
+      double light = linear(cast.materials[0].color.red) * cast.meshes[0].parts[0].tint[v][0] / 255;
+      EXPECT_NEAR(red, 255 * encoded(light), 0.6);
     }
   }
   for (std::size_t f = 0; f < faces; ++f) {

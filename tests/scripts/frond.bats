@@ -352,6 +352,13 @@ for row in json.load(sys.stdin):
   run "$frond" export "$root/tests/presets/tiny_film.json" --frame 4000 -o out/late.ply
   [ "$status" -eq 2 ]
   [[ "$output" == "--frame: 4000 is no frame of this film; expected 1-"* ]]
+  for wrong in "x.obj --frames 1-3" "x.ply --lods 2" "x.glb --frames 1-3 --lods 2" "x.glb --frames 2-2" \
+    "x.glb --frames 1-3 --frame 2" "x.glb --lods 2 --instances" "x.glb --detail 10px" "x.glb --detail fine"; do
+    run "$frond" export "$root/tests/presets/tiny_film.json" -o $wrong
+    [ "$status" -eq 2 ]
+    [[ "$output" =~ ^--(frames|lods|detail|instances): ]]
+    [ ! -e "${wrong%% *}" ]
+  done
   [ ! -e out/late.ply ]
 }
 

@@ -1,0 +1,231 @@
+#include "export/branches.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "export/box_map.h"
+#include "field/cubes.h"
+#include "geometry/far.h"
+#include "geometry/tubes.h"
+#include "motion/unfold.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kFirstGrain = 1.0 / 6000, kCoarserGrain = 1.4;  // of its size, where branches are too many
+constexpr double kLastGrain = 0.05;
+
+/// How much more light than the darkest the cube gives back that holds a place, in sides.
+Vec3 brightness_at(Vec3 at) {
+  Vec3 cube = glm::floor(at + 0.5f);
+  Seed seed = Seed{34};
+  for (int axis = 0; axis < 3; ++axis)
+    seed = seed.child(static_cast<std::uint64_t>(static_cast<std::int64_t>(cube[axis])));
+  return Vec3(static_cast<float>((185 + seed.unit() * 70) / 255));
+}
+
+/// Makes the branches of one organism.
+class Brancher {
+ public:
+  Brancher(Maker& maker, const Specimen& b, const Pose& pose, double triangles)
+      : maker_(maker), options_(maker.options), b_(b), pose_(pose), most_(triangles) {}
+
+  Result<std::vector<BranchPart>> parts() {
+    if (b_.style.build == Build::sweeps) {
+      TubeMesh mesh = b_.look.coat ? coated() : tubes();
+      return finished(by_color(std::move(mesh.surface), mesh.node));
+    }
+    Result<FusedMesh> mesh = body_mesh(b_, pose_);
+    if (!mesh) return mesh.errors();
+    return finished(by_color(std::move(mesh->surface), mesh->node));
+  }
+
+ private:
+  /// Gives the parts their materials, and what is fused its places on pictures.
+  std::vector<BranchPart> finished(std::vector<BranchPart> parts) {
+    std::string name = maker_.name() + "_branches";
+    bool cubes = b_.style.build == Build::voxels;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      auto& [part, node] = parts[k];
+      if (part.surface.triangle.empty()) continue;
+      Palette::Use use = cubes ? maker_.palette.cubes(b_.look, b_.brightness, k, name)
+                               : maker_.palette.branches(b_.look, b_.brightness, k, name, options_.tints);
+      part.material = use.material;
+      if (b_.style.build != Build::sweeps) {
+        std::vector<std::uint32_t> from;
+        part.surface = box_mapped(part.surface, &from);
+        std::vector<std::int32_t> of;
+        for (std::uint32_t v : from) of.push_back(node[v]);
+        node = std::move(of);
+        double side = b_.style.voxel;
+        cubes ? lay_picture(part.surface, side, side, Vec2(0.5f))
+              : lay_picture(part.surface, use.wide, use.high);
+      }
+      add_tints(parts[k], use);
+    }
+    return parts;
+  }
+
+  /// Tips are paler, and cubes differ a little.
+  void add_tints(BranchPart& branch, const Palette::Use& use) {
+    bool cubes = b_.style.build == Build::voxels;
+    if (use.young == Vec3(1) && !cubes) return;
+    double young = b_.look.bark ? b_.look.bark->young_length : b_.look.skin->tint.young_length;
+    const Surface& s = branch.part.surface;
+    float longest = b_.model.skeleton.longest();
+    for (std::size_t v = 0; v < s.position.size(); ++v) {
+      float age = youth(b_.model.skeleton, pose_, longest, static_cast<float>(young), branch.node[v]);
+      Vec3 tint = use.tint_at(age);
+      // The middle of the cube tells its brightness: half a side below the face, less than that from a
+      // corner.
+      if (cubes)
+        tint *= brightness_at(s.position[v] / static_cast<float>(b_.style.voxel) - 0.5f * s.normal[v]);
+      branch.part.tint.push_back(tint_of(tint));
+    }
+  }
+
+  /// Branches with less in them until they have so few triangles; a skeleton that still grows stays as it is.
+  /// mesh_of(skeleton, grain, step) makes a mesh of as much as a grain leaves, in the step so many.
+  template <class Mesh>
+  TubeMesh fitting(const Mesh& mesh_of) {
+    Skeleton posed = b_.model.skeleton;
+    posed.position = pose_.position;
+    posed.radius = pose_.radius;
+    TubeMesh made = mesh_of(posed, 0.0f, 0.0);
+    if (pose_.front <= 1 || posed.size() < 2) return made;
+    Vec3 low = posed.position[0], high = low;
+    for (const Vec3& p : posed.position) low = glm::min(low, p), high = glm::max(high, p);
+    double size = glm::distance(low, high);
+    double first = size * (options_.pixels > 0 ? 1 / options_.pixels : kFirstGrain);
+    auto grain_of = [&](double step) { return first * std::pow(kCoarserGrain, step - 1); };
+    auto thinner = [&](double step) {
+      std::vector<std::int32_t> kept;
+      auto grain = static_cast<float>(grain_of(step));
+      TubeMesh mesh = mesh_of(thinned(posed, 0.4f * grain, 0.5f * grain, &kept), grain, step);
+      for (std::int32_t& node : mesh.node) node = kept[static_cast<std::size_t>(node)];
+      return mesh;
+    };
+    auto fits = [&](const TubeMesh& mesh) {
+      return static_cast<double>(mesh.surface.triangle.size()) <= most_;
+    };
+    double step = 0;
+    while ((!fits(made) || (step == 0 && options_.pixels > 0)) && grain_of(step + 1) < kLastGrain * size)
+      made = thinner(++step);
+    // A level of detail comes near to its share.
+    for (double back = 0.5; maker_.level > 0 && step > 0 && fits(made) && back > 0.1; back /= 2)
+      if (TubeMesh more = thinner(step - back); fits(more)) made = std::move(more), step -= back;
+    return made;
+  }
+
+  TubeMesh coated() {
+    const BarkCoat& coat = *b_.look.coat;
+    TubeShape shape{.wrap = coat.wrap,
+                    .aspect = coat.aspect,
+                    .side = coat.facet,
+                    .lobes = b_.look.lobes,
+                    .lobe_depth = b_.look.lobe_depth};
+    return fitting([&](const Skeleton& posed, float grain, double) {
+      if (grain == 0) {
+        shape.girth = b_.model.girth;
+        return tube_mesh(b_.model.skeleton, pose_.position, pose_.radius, pose_.turn, shape);
+      }
+      shape.girth = {};
+      shape.side = std::max(coat.facet, 4.0 * static_cast<double>(grain));
+      return tube_mesh(posed, posed.position, posed.radius, {}, shape);
+    });
+  }
+
+  TubeMesh tubes() {
+    return fitting([&](const Skeleton& posed, float grain, double step) {
+      if (grain == 0)
+        return wrapped(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
+      int sides = std::max(std::min(options_.sides, maker_.level > 0 ? 3 : 5),
+                           options_.sides - static_cast<int>(std::ceil(step)));
+      return wrapped(posed, posed.position, posed.radius, 2, sides);
+    });
+  }
+
+  /// Closed tubes, a picture going a whole number of times round each branch.
+  TubeMesh wrapped(const Skeleton& rest, const std::vector<Vec3>& position, const std::vector<float>& radius,
+                   float front, int sides) {
+    TubeMesh mesh = closed_tubes(rest, position, radius, front, sides);
+    auto [wide, high] = Palette::picture_size(b_.look);
+    std::vector<float> wraps(rest.size(), 1);
+    for (std::size_t i = 1; i < rest.size(); ++i) {
+      bool goes_on =
+          rest.parent[i] == static_cast<std::int32_t>(i) - 1 && rest.parent[i - 1] != Skeleton::kRoot;
+      wraps[i] = goes_on ? wraps[i - 1]
+                         : static_cast<float>(std::max(
+                               1.0, std::round(2 * kPi * static_cast<double>(rest.radius[i]) / wide)));
+    }
+    for (std::size_t v = 0; v < mesh.node.size(); ++v) {
+      Vec2& at = mesh.surface.uv[v];
+      at = {at.x * wraps[static_cast<std::size_t>(mesh.node[v])], at.y / static_cast<float>(high)};
+    }
+    return mesh;
+  }
+
+  /// Branches of several colours are parted by the colour of each triangle's first vertex.
+  std::vector<BranchPart> by_color(Surface&& surface, std::vector<std::int32_t>& node) {
+    std::size_t colors = b_.look.bark && !b_.look.coat ? b_.look.bark->colors.size() : 1;
+    std::vector<BranchPart> parts(colors);
+    if (b_.model.color.empty() || colors == 1) {
+      parts[0] = {{std::move(surface)}, std::move(node)};
+      return parts;
+    }
+    std::vector<std::vector<std::uint32_t>> index(
+        colors, std::vector<std::uint32_t>(surface.position.size(), UINT32_MAX));
+    for (const auto& t : surface.triangle) {
+      std::size_t k = color_index(b_.model.color[static_cast<std::size_t>(node[t[0]])], colors);
+      std::array<std::uint32_t, 3> corners{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::uint32_t& at = index[k][t[c]];
+        if (at == UINT32_MAX)
+          at = copied(surface, t[c], parts[k].part.surface), parts[k].node.push_back(node[t[c]]);
+        corners[c] = at;
+      }
+      parts[k].part.surface.triangle.push_back(corners);
+    }
+    return parts;
+  }
+
+  static std::uint32_t copied(const Surface& from, std::uint32_t v, Surface& to) {
+    to.position.push_back(from.position[v]);
+    to.normal.push_back(from.normal[v]);
+    if (!from.uv.empty()) to.uv.push_back(from.uv[v]);
+    return static_cast<std::uint32_t>(to.position.size()) - 1;
+  }
+
+  Maker& maker_;
+  const CastOptions& options_;
+  const Specimen& b_;
+  const Pose& pose_;
+  double most_;
+};
+
+}  // namespace
+
+Result<std::vector<BranchPart>> branch_parts(Maker& maker, const Specimen& specimen, const Pose& pose,
+                                             double triangles) {
+  return Brancher(maker, specimen, pose, triangles).parts();
+}
+
+Result<FusedMesh> body_mesh(const Specimen& specimen, const Pose& pose) {
+  const Style& style = specimen.style;
+  Boughs boughs;
+  add_boughs(boughs, specimen.model.skeleton, pose.position, pose.radius, pose.front,
+             static_cast<float>(style.blend));
+  VolumeOptions volume{style.voxel, style.adaptivity, style.limit};
+  if (style.build == Build::fused) return fuse(boughs, volume);
+  Result<Cubes> cubes = cubes_of(boughs, volume);
+  if (!cubes) return cubes.errors();
+  FusedMesh mesh;
+  std::vector<std::uint32_t> cube;
+  mesh.surface = cubes_surface(*cubes, cube);
+  // Each face has four corners of its own.
+  for (std::uint32_t c : cube) mesh.node.insert(mesh.node.end(), 4, cubes->node[c]);
+  return mesh;
+}
+
+}  // namespace frond

@@ -1,0 +1,54 @@
+#include "export/carry.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace frond {
+
+namespace {
+
+constexpr float kStill = 1e-5f;  // metres: less is no movement
+
+}  // namespace
+
+CastShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, const Surface& surface,
+                     std::span<const std::int32_t> node) {
+  assert(node.size() == surface.position.size());
+  CastShift shift;
+  for (std::size_t v = 0; v < node.size(); ++v) {
+    std::int32_t n = node[v], below = rest.parent[n] == Skeleton::kRoot ? n : rest.parent[n];
+    Vec3 foot = from.position[below], way = from.position[n] - foot, at = surface.position[v];
+    float length2 = glm::dot(way, way);
+    float along = length2 > 1e-14f ? std::clamp(glm::dot(at - foot, way) / length2, 0.0f, 1.0f) : 1;
+    // Where a branch leaves a fork it is as thick as it goes on.
+    float thin = below == n - 1 ? along : 1;
+    float before = glm::mix(from.radius[below], from.radius[n], thin),
+          after = glm::mix(to.radius[below], to.radius[n], thin);
+    Quat turn = to.turn[n] * glm::conjugate(from.turn[n]);
+    Vec3 aside = turn * (at - (foot + along * way)) * (before > 0 ? after / before : 0);
+    shift.position.push_back(glm::mix(to.position[below], to.position[n], along) + aside - at);
+    shift.normal.push_back(turn * surface.normal[v] - surface.normal[v]);
+  }
+  return shift;
+}
+
+CastShift shift_between(const Surface& from, const Surface& to) {
+  assert(from.position.size() == to.position.size());
+  CastShift shift;
+  for (std::size_t v = 0; v < from.position.size(); ++v) {
+    shift.position.push_back(to.position[v] - from.position[v]);
+    shift.normal.push_back(to.normal[v] - from.normal[v]);
+  }
+  return shift;
+}
+
+void leave_out_still(std::vector<CastPart>& parts) {
+  auto still = [](const CastShift& shift) {
+    return std::ranges::all_of(shift.position, [](Vec3 by) { return glm::dot(by, by) < kStill * kStill; });
+  };
+  if (std::ranges::all_of(parts,
+                          [&](const CastPart& part) { return std::ranges::all_of(part.shifts, still); }))
+    for (CastPart& part : parts) part.shifts.clear();
+}
+
+}  // namespace frond

@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "export/formats.h"
+
+// Exports that move, and their levels of detail.
+
+namespace frond {
+namespace {
+
+using nlohmann::json;
+
+Scene scene_of(const std::string& text) {
+  Result<Preset> preset = read_preset(text, "film.json", {});
+  EXPECT_TRUE(preset) << preset.errors()[0].text();
+  return *build_scene(*preset);
+}
+
+/// A coral of tubes, a fused one and a herb with leaves and blades, all of which grow and sway for two
+/// seconds.
+Scene growing() {
+  return scene_of(R"({"seed": 3, "film": {"frames": 24, "fps": 12}, "organisms": [
+      {"kind": "coral", "name": "coral", "steps": 2, "height": 0.5, "growth": {"duration": 2},
+       "skin": {"tint": {"base": "#803020", "young": 1, "young_length": 0.1}}, "place": {"at": [[0, 0]]}},
+      {"kind": "coral", "name": "fused", "steps": 2, "height": 0.5, "growth": {"duration": 2}, "body": "fused",
+       "place": {"at": [[2, 0]]}},
+      {"kind": "plant", "name": "herb", "height": 0.4, "place": {"at": [[1, 0]]}, "growth": {"duration": 2},
+       "wave": {"amplitude": 0.3},
+       "grammar": {"axiom": "F[+L]F[-L]F[+{.F+F+F}]FL", "angle": 50, "length": 1, "width": 0.1},
+       "organs": [{"symbol": "L", "shape": "flower", "size": 0.05}]}]})");
+}
+
+Vec3 highest(const std::vector<Vec3>& places) {
+  return *std::ranges::max_element(places, {}, [](Vec3 p) { return p.y; });
+}
+
+json json_of(const std::string& glb) {
+  return json::parse(glb.substr(20, *reinterpret_cast<const std::uint32_t*>(&glb[12])));
+}
+
+TEST(Film, carries_each_mesh_to_where_it_is_at_other_times) {
+  Scene scene = growing();
+  CastOptions options{.texture = 0, .keys = {0.6, 1.2, 1.9}};
+  Result<Cast> cast = cast_scene(scene, 1.9, options);
+  ASSERT_TRUE(cast) << cast.errors()[0].text();
+  EXPECT_EQ(cast->keys.size(), 3u);
+  EXPECT_DOUBLE_EQ(cast->keys[0], 0);
+  for (std::size_t key = 0; key < 2; ++key) {
+    Result<Cast> then = cast_scene(scene, options.keys[key], {.texture = 0});
+    ASSERT_TRUE(then);
+    for (const CastMesh& mesh : cast->meshes) {
+      ASSERT_TRUE(mesh.moves()) << mesh.name;
+      auto same = std::ranges::find(then->meshes, mesh.name, &CastMesh::name);
+      if (same == then->meshes.end()) continue;  // nothing of it has grown yet
+      for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+        const CastPart& part = mesh.parts[p];
+        ASSERT_EQ(part.shifts.size(), 2u);
+        std::vector<Vec3> moved = part.surface.position;
+        for (std::size_t v = 0; v < moved.size(); ++v) {
+          moved[v] += part.shifts[key].position[v];
+          ASSERT_TRUE(std::isfinite(moved[v].x + moved[v].y + moved[v].z)) << mesh.name;
+          ASSERT_LT(glm::length(part.surface.normal[v] + part.shifts[key].normal[v]), 1.01f);
+        }
+        // Flowers that are not there yet lie folded at growing tips.
+        if (mesh.name == "herb_L" && same->parts[p].surface.position.size() < moved.size()) continue;
+        Vec3 top = highest(moved), wanted = highest(same->parts[p].surface.position);
+        EXPECT_LT(glm::distance(top, wanted), 0.03f) << mesh.name << " at " << options.keys[key];
+      }
+    }
+  }
+}
+
+TEST(Film, of_a_glb_is_an_animation_of_weights) {
+  Result<Cast> cast = cast_scene(growing(), 1.9, {.texture = 0, .keys = {0.6, 1.2, 1.9}});
+  ASSERT_TRUE(cast);
+  json root = json_of(*glb_bytes(*cast));
+  EXPECT_EQ(root["animations"][0]["channels"].size(), cast->meshes.size());
+  const json& sampler = root["animations"][0]["samplers"][0];
+  const json& times = root["accessors"][sampler["input"].get<std::size_t>()];
+  EXPECT_EQ(times["count"], 3);
+  EXPECT_NEAR(times["max"][0].get<double>(), 1.3, 1e-6);
+  EXPECT_EQ(root["accessors"][sampler["output"].get<std::size_t>()]["count"], 6);
+  for (const json& mesh : root["meshes"]) {
+    EXPECT_EQ(mesh["weights"].size(), 2u);
+    for (const json& primitive : mesh["primitives"]) EXPECT_EQ(primitive["targets"].size(), 2u);
+  }
+}
+
+TEST(Film, is_refused_where_no_mesh_can_follow_or_nothing_moves) {
+  Scene still = scene_of(R"({"organisms": [{"kind": "rock", "place": {"at": [[0, 0]]}}]})");
+  Result<Cast> none = cast_scene(still, 1, {.texture = 0, .keys = {0, 1}});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.errors()[0].what, "nothing moves from the first of those frames to the last");
+  Scene changing = growing();
+  changing.specimens[2].life.develop = [](double) { return Model{}; };
+  Result<Cast> cast = cast_scene(changing, 1, {.texture = 0, .keys = {0, 1}});
+  ASSERT_FALSE(cast);
+  EXPECT_NE(cast.errors()[0].what.find("herb changes its shape"), std::string::npos) << cast.errors()[0].what;
+}
+
+TEST(Levels, have_a_quarter_of_the_triangles_each) {
+  Result<Cast> cast = cast_scene(growing(), 1.9 + 2, {.texture = 0, .levels = 3});
+  ASSERT_TRUE(cast);
+  double all[3] = {0, 0, 0};
+  for (const CastMesh& mesh : cast->meshes) {
+    ASSERT_EQ(mesh.coarser.size(), 2u) << mesh.name;
+    auto count = [&](double& sum, const std::vector<CastPart>& parts) {
+      for (const CastPart& part : parts) {
+        EXPECT_EQ(part.surface.check(), "") << mesh.name;
+        EXPECT_TRUE(part.tint.empty() || part.tint.size() == part.surface.position.size());
+        sum += static_cast<double>(part.surface.triangle.size());
+      }
+    };
+    count(all[0], mesh.parts), count(all[1], mesh.coarser[0]), count(all[2], mesh.coarser[1]);
+  }
+  EXPECT_GT(all[1], 0.15 * all[0]);
+  EXPECT_LT(all[1], 0.3 * all[0]);
+  EXPECT_LT(all[2], 0.3 * all[1]);
+  json root = json_of(*glb_bytes(*cast));
+  EXPECT_EQ(root["extensionsUsed"][0], "MSFT_lod");
+  EXPECT_EQ(root["meshes"].size(), 3 * cast->meshes.size());
+  // Coarser levels stand in no scene; the herb is one node with two levels, as the corals are.
+  ASSERT_EQ(root["scenes"][0]["nodes"].size(), 3u);
+  for (const json& at : root["scenes"][0]["nodes"]) {
+    const json& node = root["nodes"][at.get<std::size_t>()];
+    ASSERT_EQ(node["extensions"]["MSFT_lod"]["ids"].size(), 2u);
+    const json& coarse = root["nodes"][node["extensions"]["MSFT_lod"]["ids"][1].get<std::size_t>()];
+    EXPECT_EQ(coarse["name"], node["name"].get<std::string>() + "_LOD2");
+    EXPECT_EQ(coarse["translation"], node["translation"]);
+  }
+}
+
+TEST(Detail, by_pixels_follows_the_levels_of_forests) {
+  EXPECT_NEAR(detail_seen(800) / detail_seen(250), 1.4e5 / 5e4, 0.01);
+  for (double pixels = 20; pixels < 1e4; pixels *= 1.3)
+    EXPECT_LE(detail_seen(pixels), detail_seen(1.3 * pixels));
+  auto triangles = [&](double pixels) {
+    Result<Cast> cast =
+        cast_scene(growing(), 4, {.detail = detail_seen(pixels), .texture = 0, .pixels = pixels});
+    EXPECT_TRUE(cast);
+    return size_of(*cast).triangles;
+  };
+  EXPECT_LT(triangles(40), 0.7 * triangles(2000));
+}
+
+TEST(Tips, are_paler) {
+  Result<Cast> cast = cast_scene(growing(), 4, {.texture = 0});
+  ASSERT_TRUE(cast);
+  const CastPart& coral = cast->meshes[0].parts[0];
+  ASSERT_EQ(coral.tint.size(), coral.surface.position.size());
+  const std::vector<Vec3>& at = coral.surface.position;
+  auto tip =
+      static_cast<std::size_t>(std::ranges::max_element(at, {}, [](Vec3 p) { return p.y; }) - at.begin());
+  auto foot =
+      static_cast<std::size_t>(std::ranges::min_element(at, {}, [](Vec3 p) { return p.y; }) - at.begin());
+  EXPECT_EQ(coral.tint[tip], (CastTint{255, 255, 255, 255}));
+  EXPECT_LT(coral.tint[foot][2], 100);  // a pale tip is far less red
+  EXPECT_TRUE(cast_scene(growing(), 4, {.texture = 0, .tints = false})->meshes[0].parts[0].tint.empty());
+}
+
+}  // namespace
+}  // namespace frond
