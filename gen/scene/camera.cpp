@@ -35,7 +35,10 @@ Animated<Vec3> raised(const Animated<Vec3>& way, const Heights& heights) {
 }  // namespace
 
 Camera over_ground(const Camera& camera, const Heights& heights) {
-  return {raised(camera.location, heights), raised(camera.look_at, heights), camera.angle, camera.follow};
+  Camera above = camera;
+  above.location = raised(camera.location, heights);
+  above.look_at = raised(camera.look_at, heights);
+  return above;
 }
 
 std::string under_ground(const Camera& camera, const Film& film, const Heights& heights) {

@@ -33,6 +33,8 @@ void describe(Visitor& v, Camera& c) {
              "Angle of the view, from its left edge to its right");
   v.boolean("follow", c.follow,
             "Whether heights of the camera count from the ground below it instead of from y = 0");
+  v.number("exposure", c.exposure, {.min = -8, .max = 8, .sense = "1 is twice as bright, -1 half"},
+           "Stops by which a picture outdoors is brighter than a light meter has it");
 }
 
 template <class Visitor>

@@ -27,6 +27,7 @@ struct Camera {
   Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
   Animated<double> angle{45.0};  ///< degrees, the width of the view
   bool follow = false;           ///< heights count from the ground below, not from y = 0
+  double exposure = 0;           ///< stops more light than a meter says
 };
 
 /// Low dunes or a lawn, and the loose stones on it.
