@@ -9,8 +9,9 @@ std::string wood_text(const Scene& scene, double time) {
   const auto& forest = scene.stage.block<Forest>();
   const auto& meadow = scene.stage.block<Meadow>();
   Sky sky = forest_sky(scene.stage);
-  return "Meadow_Globals()\n" + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) + "," +
-         air_text(sky) + "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," + number_text(forest.mist) + "," +
+  return "Meadow_Globals()\n" + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) +
+         "," + air_text(sky) + "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," +
+         number_text(forest.mist) + "," +
          number_text(static_cast<const ForestGround&>(*scene.ground).valley) + ")";
 }
 

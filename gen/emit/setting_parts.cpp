@@ -66,25 +66,28 @@ std::string sky_text(const Sky& sky, double clouds) {
     double level = std::sqrt(1 - height * height);
     for (int i = 0; i <= kTurns; ++i) {
       double turn = kPi * i / kTurns;
-      Vec3 way = flat * static_cast<float>(level * std::cos(turn)) + aside * static_cast<float>(level * std::sin(turn));
+      Vec3 way = flat * static_cast<float>(level * std::cos(turn)) +
+                 aside * static_cast<float>(level * std::sin(turn));
       text += '[';
       append(text, static_cast<double>(i) / kTurns, 4);
       text += " rgb" + vectors_text({sky.from(way + Vec3(0, height, 0))}) + "]";
     }
     text += "}]\n";
   }
-  text += "}}\nMeadow_Sky(" + direction_text(sky.sun) + "," + vectors_text({sky.glow, sky.cloud, sky.shade}) + "," +
-          number_text(clouds) + ")\n";
+  text += "}}\nMeadow_Sky(" + direction_text(sky.sun) + "," + vectors_text({sky.glow, sky.cloud, sky.shade}) +
+          "," + number_text(clouds) + ")\n";
   return text;
 }
 
 std::string air_text(const Sky& sky) { return vectors_text({sky.zenith, sky.horizon}); }
 
-std::string lamp_text(const Sky& sky) { return direction_text(sky.lamp) + "," + vectors_text({sky.lamplight}); }
+std::string lamp_text(const Sky& sky) {
+  return direction_text(sky.lamp) + "," + vectors_text({sky.lamplight});
+}
 
 std::string country_text(const Sky& sky, const Meadow& meadow) {
-  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) + "," +
-         lamp_text(sky) + "," + number_text(meadow.haze) + ")";
+  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) +
+         "," + lamp_text(sky) + "," + number_text(meadow.haze) + ")";
 }
 
 Ambience ambience(const Sky& sky, const Color& ground) {

@@ -38,6 +38,7 @@ Camera over_ground(const Camera& camera, const Heights& heights) {
   Camera above = camera;
   above.location = raised(camera.location, heights);
   above.look_at = raised(camera.look_at, heights);
+  if (camera.focus) above.focus = raised(*camera.focus, heights);
   return above;
 }
 

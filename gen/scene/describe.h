@@ -35,6 +35,12 @@ void describe(Visitor& v, Camera& c) {
             "Whether heights of the camera count from the ground below it instead of from y = 0");
   v.number("exposure", c.exposure, {.min = -8, .max = 8, .sense = "1 is twice as bright, -1 half"},
            "Stops by which a picture outdoors is brighter than a light meter has it");
+  v.number(
+      "aperture", c.aperture,
+      {.min = 0.5, .max = 64, .sense = "1.4 a wide lens, 4 a portrait's, 16 nearly all sharp"},
+      "f-number of the lens, on film 36 mm wide: what is not in focus is blurred; not given: all is sharp");
+  v.animated("focus", c.focus, {.min = -1000, .max = 1000, .unit = "m"},
+             "The point that is sharp; not given: the one that the camera looks at");
 }
 
 template <class Visitor>

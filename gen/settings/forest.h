@@ -11,7 +11,7 @@ namespace frond {
 /// A wood on hilly land; sky and haze are the meadow's, with the sun of the hour.
 struct Forest {
   Moment when;
-  double mist = 0;   ///< metres above the valleys that morning mist reaches; 0: none
+  double mist = 0;  ///< metres above the valleys that morning mist reaches; 0: none
   TerrainShape terrain;
   Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
   double moss = 0.4;                  ///< share of the ground that is green, 0..1

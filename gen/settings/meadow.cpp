@@ -8,7 +8,8 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Meadow& m) {
-  v.number("hour", m.hour, kHours, "Hour of the day, which places the sun instead of sun: 6 dawn, 12 noon, 19 dusk");
+  v.number("hour", m.hour, kHours,
+           "Hour of the day, which places the sun instead of sun: 6 dawn, 12 noon, 19 dusk");
   describe_place(v, m.when);
   v.number("turbidity", m.turbidity, {.min = 1.7, .max = 10},
            "How dusty the air is: 2 clear as in mountains, 3 a summer's day, 6 white with haze");

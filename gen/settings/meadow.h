@@ -10,14 +10,14 @@ namespace frond {
 
 /// A day outdoors, in summer where the preset does not say.
 struct Meadow {
-  Vec3 sun{0.5f, 0.75f, 0.6f};          ///< toward the sun, where there is no hour
-  std::optional<double> hour;           ///< of the moment below
+  Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun, where there is no hour
+  std::optional<double> hour;   ///< of the moment below
   Moment when;
-  double turbidity = 2.5;               ///< see SkyShape
-  std::optional<Color> zenith, horizon; ///< of the sky above and far off, in place of their own
+  double turbidity = 2.5;                ///< see SkyShape
+  std::optional<Color> zenith, horizon;  ///< of the sky above and far off, in place of their own
   Color grass{0.39f, 0.46f, 0.17f};
-  double haze = 6000;                   ///< metres in which two thirds of a colour are lost
-  double clouds = 0.45;                 ///< 0 none .. 1 overcast
+  double haze = 6000;    ///< metres in which two thirds of a colour are lost
+  double clouds = 0.45;  ///< 0 none .. 1 overcast
   LawnShape lawn;
 };
 

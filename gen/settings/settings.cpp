@@ -25,7 +25,9 @@ Stage::Stage() {
 
 Daylight daylight(const Sky& sky, const Color& ground, double haze) {
   auto color = [](Vec3 light) {
-    auto part = [](float x) { return static_cast<float>(encoded(std::clamp(static_cast<double>(x), 0.0, 1.0))); };
+    auto part = [](float x) {
+      return static_cast<float>(encoded(std::clamp(static_cast<double>(x), 0.0, 1.0)));
+    };
     return Color{part(light.r), part(light.g), part(light.b)};
   };
   constexpr float kFull = 3;  // the lamp of a clear noon

@@ -90,7 +90,8 @@ Luminance preetham(double theta, double gamma, double sun, double t) {
 }
 
 Vec3 through_air(double height, double turbidity) {
-  // Kasten and Young (1989) for the mass of air; Rayleigh, Angstrom's dust and ozone as in Preetham's appendix.
+  // Kasten and Young (1989) for the mass of air; Rayleigh, Angstrom's dust and ozone as in Preetham's
+  // appendix.
   double up = std::max(degrees(height), -0.6);
   double mass = 1 / (std::sin(radians(up)) + 0.50572 * std::pow(up + 6.07995, -1.6364));
   double dust = std::max(0.0, 0.04608 * turbidity - 0.04586);
@@ -116,20 +117,22 @@ Vec3 Sky::day(Vec3 way) const {
   // What comes past a low sun is redder than Preetham has it.
   float a = 0.5f + 0.5f * glm::dot(Vec3(way.x, 0, way.z), flat);
   auto low = static_cast<float>(1 - smooth_step(4.0, 22.0, degrees(above)));
-  Vec3 warm = glm::mix(Vec3(1), Vec3(1.14f, 0.96f, 0.68f), low * (0.3f + 0.7f * a * a) * std::exp(-4 * std::max(way.y, 0.0f)));
+  Vec3 warm = glm::mix(Vec3(1), Vec3(1.24f, 0.90f, 0.55f),
+                       low * (0.3f + 0.7f * a * a) * std::exp(-4 * std::max(way.y, 0.0f)));
   return warm * kBalance * rgb_of(preetham(theta, gamma, kPi / 2 - above, turbidity_));
 }
 
 Vec3 Sky::dusk(Vec3 way) const {
-  // Blue above by the ozone, the afterglow over the sun, the earth's shadow opposite with the belt of Venus on it.
+  // Blue above by the ozone, the afterglow over the sun, the earth's shadow opposite with the belt of Venus
+  // on it.
   Vec3 flat(way.x, 0, way.z), west(sun.x, 0, sun.z);
   float along = glm::dot(flat, west) / std::max(glm::length(flat) * glm::length(west), 1e-6f);
   float a = 0.5f + 0.5f * along, y = std::max(way.y, 0.0f);
   auto low = static_cast<float>(std::clamp(-degrees(height_) / 8, 0.0, 1.0));
-  Vec3 blue = glm::mix(Vec3(0.16f, 0.26f, 0.56f), Vec3(0.10f, 0.17f, 0.46f), low);
-  Vec3 pale(0.60f, 0.55f, 0.56f), fire = glm::mix(Vec3(1.15f, 0.56f, 0.24f), Vec3(0.95f, 0.36f, 0.16f), low);
+  Vec3 blue = glm::mix(Vec3(0.13f, 0.24f, 0.56f), Vec3(0.07f, 0.15f, 0.44f), low);
+  Vec3 pale(0.60f, 0.48f, 0.44f), fire = glm::mix(Vec3(1.20f, 0.50f, 0.17f), Vec3(0.95f, 0.36f, 0.16f), low);
   Vec3 light = blue * (0.62f + 0.38f * a) * (1 - 0.25f * y);
-  light += pale * (0.22f + 0.78f * a * a) * std::exp(-y / (0.26f - 0.10f * low)) * 0.40f;
+  light += pale * (0.22f + 0.78f * a * a) * std::exp(-y / (0.26f - 0.10f * low)) * 0.34f;
   light += fire * (0.06f + 0.94f * a * a * a) * std::exp(-y / (0.12f - 0.035f * low));
   float belt = (y - 0.20f + 0.08f * low) / 0.10f, shadow = y / 0.09f;
   light += Vec3(0.20f, 0.06f, 0.08f) * (1 - low) * (1 - a) * std::exp(-belt * belt);
@@ -137,29 +140,40 @@ Vec3 Sky::dusk(Vec3 way) const {
   return glm::max(light, Vec3(0.02f)) * dim_;
 }
 
-Vec3 Sky::from(Vec3 way) const {
-  Vec3 light = glm::mix(twilight_ < 1 ? metered_ * day(way) : Vec3(0), dusk(way), twilight_);
-  light *= stops_ * glm::mix(tint_low_, tint_high_, std::sqrt(std::max(way.y, 0.0f)));
-  // Film gives in before it is white.
+namespace {
+
+/// Film gives in before it is white.
+Vec3 exposed(Vec3 light) {
   constexpr float kKnee = 0.45f, kRoom = 0.50f;
   float bright = brightness(light);
   if (bright <= kKnee) return light;
   return light * ((kKnee + kRoom * (1 - std::exp((kKnee - bright) / kRoom))) / bright);
 }
 
-double Sky::lit_from(const std::function<float(Vec3)>& light) {
+}  // namespace
+
+Vec3 Sky::from(Vec3 way) const {
+  Vec3 tint = stops_ * glm::mix(tint_low_, tint_high_, std::sqrt(std::max(way.y, 0.0f)));
+  Vec3 by_day = twilight_ < 1 ? exposed(metered_ * tint * day(way)) : Vec3(0);
+  return glm::mix(by_day, exposed(tint * dusk(way)), twilight_);
+}
+
+namespace {
+
+/// What level ground gets of light from all above.
+template <class Light>
+double lit_from(const Light& light) {
   constexpr int kRings = 12, kTurns = 16;
   double sum = 0;
   for (int i = 0; i < kRings; ++i)
     for (int k = 0; k < kTurns; ++k) {
       // Rings that a level surface sees alike.
       double level = std::sqrt((i + 0.5) / kRings), turn = 2 * kPi * (k + 0.5) / kTurns;
-      sum += static_cast<double>(light(Vec3(level * std::cos(turn), std::sqrt(1 - level * level), level * std::sin(turn))));
+      sum += static_cast<double>(
+          light(Vec3(level * std::cos(turn), std::sqrt(1 - level * level), level * std::sin(turn))));
     }
   return kPi * sum / (kRings * kTurns);
 }
-
-namespace {
 
 /// The mean of a sky all round, at a height.
 Vec3 mean(const Sky& sky, float height) {
@@ -198,7 +212,8 @@ Sky::Sky(const SkyShape& shape)
     // Shadows are cast by the afterglow, and at night by the moon.
     auto night = static_cast<float>(2 * smooth_step(8.0, 12.0, -up) - 1);
     lamp = night > 0 ? glm::normalize(Vec3(0.4f, 0.6f, -0.5f)) : glm::normalize(Vec3(sun.x, 0.18f, sun.z));
-    lamplight = stops_ * veil * (night > 0 ? night * Vec3(0.10f, 0.13f, 0.20f) : -night * dim_ * Vec3(0.50f, 0.30f, 0.22f));
+    lamplight = stops_ * veil *
+                (night > 0 ? night * Vec3(0.10f, 0.13f, 0.20f) : -night * dim_ * Vec3(0.50f, 0.30f, 0.22f));
   }
   glow = 0.16f * risen * lamplight;
   if (shape.zenith) tint_high_ = *shape.zenith / glm::max(mean(*this, 2), Vec3(1e-4f));

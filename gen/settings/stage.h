@@ -2,6 +2,7 @@
 
 #include <any>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct Camera {
   Animated<double> angle{45.0};  ///< degrees, the width of the view
   bool follow = false;           ///< heights count from the ground below, not from y = 0
   double exposure = 0;           ///< stops more light than a meter says
+  /// The f-number of a lens before film 36 mm wide; none: all is sharp.
+  std::optional<double> aperture;
+  std::optional<Animated<Vec3>> focus;  ///< what is sharp; else what it looks at
 };
 
 /// Low dunes or a lawn, and the loose stones on it.
