@@ -53,7 +53,7 @@ std::string vectors_text(std::initializer_list<Vec3> list) {
 std::string sky_text(const Sky& sky, double clouds) {
   // Rows of one height, finer near the horizon, each from the sun's side to the other.
   static constexpr double kHeights[] = {0,    0.01, 0.02, 0.035, 0.055, 0.08, 0.11, 0.15,
-                                        0.20, 0.27, 0.36, 0.47,  0.60,  0.75, 0.90, 1};
+                                        0.20, 0.28, 0.38, 0.50,  0.63,  0.78, 0.92, 1};
   constexpr int kTurns = 12;
   Vec3 flat(sky.sun.x, 0, sky.sun.z);
   flat = glm::length(flat) > 1e-4f ? glm::normalize(flat) : Vec3(0, 0, 1);

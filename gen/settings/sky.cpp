@@ -119,7 +119,9 @@ Vec3 Sky::day(Vec3 way) const {
   auto low = static_cast<float>(1 - smooth_step(4.0, 22.0, degrees(above)));
   Vec3 warm = glm::mix(Vec3(1), Vec3(1.24f, 0.90f, 0.55f),
                        low * (0.3f + 0.7f * a * a) * std::exp(-4 * std::max(way.y, 0.0f)));
-  return warm * kBalance * rgb_of(preetham(theta, gamma, kPi / 2 - above, turbidity_));
+  Vec3 light = warm * kBalance * rgb_of(preetham(theta, gamma, kPi / 2 - above, turbidity_));
+  light.g = std::max(light.g, 0.98f * std::min(light.r, light.b));  // no daylight is magenta
+  return light;
 }
 
 Vec3 Sky::dusk(Vec3 way) const {
