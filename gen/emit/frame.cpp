@@ -53,7 +53,23 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
   }
 }
 
-std::string camera_text(const PovSpace& space, const Camera& camera, double time) {
+/// A lens before film 36 mm wide, for what is not in focus.
+void append_lens(std::string& text, const PovSpace& space, const Camera& camera, Quality quality,
+                 double time) {
+  if (!camera.aperture) return;
+  double focal_length = 0.018 / std::tan(radians(camera.angle.at(time)) / 2);
+  text += " aperture ";
+  append(text, focal_length / *camera.aperture * space.unit, 6);
+  text += " focal_point";
+  append_point(text, space, (camera.focus ? *camera.focus : camera.look_at).at(time));
+  constexpr std::string_view kSamples[] = {"12 confidence 0.8 variance 0.003",
+                                           "40 confidence 0.95 variance 0.0004",
+                                           "150 confidence 0.99 variance 0.0001"};
+  text += " blur_samples ";
+  text += kSamples[static_cast<std::size_t>(quality)];
+}
+
+std::string camera_text(const PovSpace& space, const Camera& camera, Quality quality, double time) {
   Vec3 location = camera.location.at(time), view = camera.look_at.at(time) - location;
   bool upright = std::abs(view.y) > 0.999f * glm::length(view);
   std::string text = "camera{location";
@@ -63,6 +79,7 @@ std::string camera_text(const PovSpace& space, const Camera& camera, double time
   append(text, camera.angle.at(time), 4);
   text += " look_at";
   append_point(text, space, camera.look_at.at(time));
+  append_lens(text, space, camera, quality, time);
   text += '}';
   return text;
 }
@@ -347,7 +364,7 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
     if (hole == "loop") return out(number_text(film.length()));
     if (hole == "includes") return out(includes_text(scene));
     if (hole == "setting") return out(setting_text(scene, time));
-    if (hole == "camera") return out(camera_text(parts.space, scene.stage.camera, time));
+    if (hole == "camera") return out(camera_text(parts.space, scene.stage.camera, film.quality, time));
     if (hole == "materials") return out(parts.materials);
     if (hole == "ground") {
       out(parts.ground);

@@ -5,21 +5,12 @@ namespace frond {
 
 namespace {
 
-/// Under trees one opens the lens wider.
-Daytime sky_of(const Scene& scene) {
-  const auto& forest = scene.stage.block<Forest>();
-  double clouds = scene.stage.block<Meadow>().clouds;
-  Daytime day = daytime(sun_at(forest.hour, forest.south));
-  day.sunlight *= 1.7f * static_cast<float>(1 - 0.45 * clouds * clouds);
-  return day;
-}
-
 std::string wood_text(const Scene& scene, double time) {
   const auto& forest = scene.stage.block<Forest>();
-  const auto& sky = scene.stage.block<Meadow>();
-  Daytime day = sky_of(scene);
-  return "Meadow_Globals()\nForest_Setting(" + eye_text(scene, time) + "," + sky_text(day) + "," +
-         sun_text(day) + "," + number_text(sky.haze) + "," + number_text(sky.clouds) + "," +
+  const auto& meadow = scene.stage.block<Meadow>();
+  Sky sky = forest_sky(scene.stage);
+  return "Meadow_Globals()\n" + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) +
+         "," + air_text(sky) + "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," +
          number_text(forest.mist) + "," +
          number_text(static_cast<const ForestGround&>(*scene.ground).valley) + ")";
 }
@@ -36,10 +27,7 @@ std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
 }
 
 Ambience wood_light(const Scene& scene, double) {
-  Daytime day = sky_of(scene);
-  day.zenith *= 2.2f;
-  day.horizon *= 2.2f;
-  return ambience(day, scene.stage.block<Forest>().litter);
+  return ambience(forest_sky(scene.stage), scene.stage.block<Forest>().litter);
 }
 
 }  // namespace

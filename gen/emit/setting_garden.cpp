@@ -7,13 +7,10 @@ namespace frond {
 
 namespace {
 
-std::string sky_and_pond_text(const Scene& scene, double time) {
+std::string sky_and_pond_text(const Scene& scene, double) {
   const auto& garden = scene.stage.block<Garden>();
-  const auto& lawn = scene.stage.block<Meadow>();
-  Daytime day = daytime(sun_at(garden.hour, garden.south));
-  std::string text = "Meadow_Globals()\nMeadow_Setting(" + eye_text(scene, time) + "," + sky_text(day) + "," +
-                     color_text(lawn.grass) + "," + sun_text(day) + "," + number_text(lawn.haze) + "," +
-                     number_text(lawn.clouds) + ")";
+  std::string text =
+      "Meadow_Globals()\n" + country_text(garden_sky(scene.stage), scene.stage.block<Meadow>());
   const PondShape& pond = garden.pond;
   if (pond.size.x > 0 && pond.size.y > 0)
     text += "\nGarden_Water(" + direction_text(Vec3(pond.center.x, pond.level, pond.center.y)) + "," +
@@ -22,8 +19,7 @@ std::string sky_and_pond_text(const Scene& scene, double time) {
 }
 
 Ambience garden_light(const Scene& scene, double) {
-  const auto& garden = scene.stage.block<Garden>();
-  return ambience(daytime(sun_at(garden.hour, garden.south)), scene.stage.block<Meadow>().grass);
+  return ambience(garden_sky(scene.stage), scene.stage.block<Meadow>().grass);
 }
 
 }  // namespace

@@ -36,60 +36,6 @@ std::string floor_text(const PovSpace& space, const Scene& scene, std::string_vi
   return text + "}}\n";
 }
 
-Daytime daytime(Vec3 sun) {
-  struct Hour {
-    double height;  // of the sun, degrees
-    Vec3 zenith, horizon, sunlight, glow, cloud;
-  };
-  static constexpr Hour kHours[] = {
-      {-12,
-       {0.012f, 0.018f, 0.05f},
-       {0.03f, 0.04f, 0.08f},
-       {0.10f, 0.13f, 0.20f},
-       Vec3(0),
-       {0.05f, 0.06f, 0.09f}},
-      {-2,
-       {0.09f, 0.13f, 0.28f},
-       {0.50f, 0.35f, 0.34f},
-       {0.55f, 0.26f, 0.16f},
-       {0.85f, 0.34f, 0.16f},
-       {0.62f, 0.38f, 0.38f}},
-      {6,
-       {0.20f, 0.31f, 0.54f},
-       {1.00f, 0.75f, 0.51f},
-       {2.6f, 1.5f, 0.76f},
-       {1.1f, 0.73f, 0.38f},
-       {1.05f, 0.82f, 0.68f}},
-      {22,
-       {0.22f, 0.42f, 0.74f},
-       {0.92f, 0.91f, 0.83f},
-       {3.1f, 2.45f, 1.65f},
-       {0.7f, 0.66f, 0.55f},
-       {1.05f, 1.01f, 0.96f}},
-      {60,
-       {0.22f, 0.45f, 0.79f},
-       {0.87f, 0.93f, 0.95f},
-       {3.0f, 2.7f, 2.2f},
-       {0.45f, 0.45f, 0.43f},
-       {1.05f, 1.05f, 1.04f}},
-  };
-  sun = glm::normalize(sun);
-  double height = std::clamp(degrees(std::asin(static_cast<double>(sun.y))), -12.0, 60.0);
-  std::size_t i = 0;
-  while (i + 2 < std::size(kHours) && kHours[i + 1].height < height) ++i;
-  const Hour &a = kHours[i], &b = kHours[i + 1];
-  auto share = static_cast<float>((height - a.height) / (b.height - a.height));
-  Daytime day;
-  day.sun =
-      glm::normalize(height < -6 ? Vec3(0.4f, 0.6f, -0.5f) : Vec3(sun.x, std::max(sun.y, 0.05f), sun.z));
-  day.zenith = glm::mix(a.zenith, b.zenith, share);
-  day.horizon = glm::mix(a.horizon, b.horizon, share);
-  day.sunlight = glm::mix(a.sunlight, b.sunlight, share);
-  day.glow = glm::mix(a.glow, b.glow, share);
-  day.cloud = glm::mix(a.cloud, b.cloud, share);
-  return day;
-}
-
 namespace {
 
 std::string vectors_text(std::initializer_list<Vec3> list) {
@@ -104,20 +50,54 @@ std::string vectors_text(std::initializer_list<Vec3> list) {
 
 }  // namespace
 
-std::string sky_text(const Daytime& day) { return vectors_text({day.zenith, day.horizon}); }
-
-std::string sun_text(const Daytime& day) {
-  return direction_text(day.sun) + "," + vectors_text({day.sunlight, day.glow, day.cloud});
+std::string sky_text(const Sky& sky, double clouds) {
+  // Rows of one height, finer near the horizon, each from the sun's side to the other.
+  static constexpr double kHeights[] = {0,    0.01, 0.02, 0.035, 0.055, 0.08, 0.11, 0.15,
+                                        0.20, 0.28, 0.38, 0.50,  0.63,  0.78, 0.92, 1};
+  constexpr int kTurns = 12;
+  Vec3 flat(sky.sun.x, 0, sky.sun.z);
+  flat = glm::length(flat) > 1e-4f ? glm::normalize(flat) : Vec3(0, 0, 1);
+  Vec3 aside(flat.z, 0, -flat.x);
+  std::string text = "#declare Sky_Clear = pigment{function{min(1,max(0,y))}pigment_map{\n";
+  for (double height : kHeights) {
+    text += '[';
+    append(text, height, 3);
+    text += " Sky_Round(" + direction_text(flat) + ")color_map{";
+    double level = std::sqrt(1 - height * height);
+    for (int i = 0; i <= kTurns; ++i) {
+      double turn = kPi * i / kTurns;
+      Vec3 way = flat * static_cast<float>(level * std::cos(turn)) +
+                 aside * static_cast<float>(level * std::sin(turn));
+      text += '[';
+      append(text, static_cast<double>(i) / kTurns, 4);
+      text += " rgb" + vectors_text({sky.from(way + Vec3(0, height, 0))}) + "]";
+    }
+    text += "}]\n";
+  }
+  text += "}}\nMeadow_Sky(" + direction_text(sky.sun) + "," + vectors_text({sky.glow, sky.cloud, sky.shade}) +
+          "," + number_text(clouds) + ")\n";
+  return text;
 }
 
-Ambience ambience(const Daytime& day, const Color& ground) {
+std::string air_text(const Sky& sky) { return vectors_text({sky.zenith, sky.horizon}); }
+
+std::string lamp_text(const Sky& sky) {
+  return direction_text(sky.lamp) + "," + vectors_text({sky.lamplight});
+}
+
+std::string country_text(const Sky& sky, const Meadow& meadow) {
+  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) +
+         "," + lamp_text(sky) + "," + number_text(meadow.haze) + ")";
+}
+
+Ambience ambience(const Sky& sky, const Color& ground) {
   Ambience light;
-  light.sun = day.sun;
-  light.sunlight = day.sunlight;
-  light.zenith = day.zenith;
-  light.horizon = day.horizon;
+  light.sun = sky.lamp;
+  light.sunlight = sky.lamplight;
+  light.zenith = sky.zenith;
+  light.horizon = sky.horizon;
   light.ground = 0.48f * linear(ground);  // its textures are darker than the colour, and matt
-  light.below = light.ground * (0.5f * day.sunlight * day.sun.y + 0.4f * (day.zenith + day.horizon));
+  light.below = light.ground * (0.5f * sky.lamplight * sky.lamp.y + 0.4f * (sky.zenith + sky.horizon));
   return light;
 }
 

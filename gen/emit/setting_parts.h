@@ -6,7 +6,7 @@
 
 #include "core/text.h"
 #include "emit/setting.h"
-#include "settings/lawn.h"
+#include "settings/meadow.h"
 
 // What the texts of several settings are put together from.
 
@@ -33,24 +33,18 @@ void append_shapes(std::string& text, const PovSpace& space, const std::vector<S
 void append_patches(std::string& text, const PovSpace& space, const std::vector<Patch>& patches,
                     std::string_view name, std::string_view texture, const std::vector<bool>& missing = {});
 
-/// The sky at some hour: linear colours of light.
-struct Daytime {
-  Vec3 sun{0, 1, 0};  ///< toward it, or the moon; of length 1
-  Vec3 zenith{0}, horizon{0}, sunlight{0};
-  Vec3 glow{0};   ///< what the sun adds to the sky round it
-  Vec3 cloud{1};  ///< of lit clouds
-};
+/// The sky: its colours in all directions as `Sky_Clear`, with clouds and the sun's glare before it.
+std::string sky_text(const Sky& sky, double clouds);
 
-/// The sky when the sun stands there. At night the moon stands where the sun would be by day, dim and blue;
-/// at dusk light comes from the horizon.
-Daytime daytime(Vec3 sun);
+/// `<zenith>,<horizon>` and `<lamp>,<lamplight>`: arguments of macros.
+std::string air_text(const Sky& sky);
+std::string lamp_text(const Sky& sky);
 
-/// `<zenith>,<horizon>` and `<sun>,<sunlight>,<glow>,<cloud>`: arguments of macros.
-std::string sky_text(const Daytime& day);
-std::string sun_text(const Daytime& day);
+/// That sky with hills and haze under it.
+std::string country_text(const Sky& sky, const Meadow& meadow);
 
 /// What shines under that sky over a ground of that colour.
-Ambience ambience(const Daytime& day, const Color& ground);
+Ambience ambience(const Sky& sky, const Color& ground);
 
 /// A lawn of a colour, with its grass and gravel.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel);

@@ -38,6 +38,7 @@ Camera over_ground(const Camera& camera, const Heights& heights) {
   Camera moved = camera;
   moved.location = raised(camera.location, heights);
   moved.look_at = raised(camera.look_at, heights);
+  if (camera.focus) moved.focus = raised(*camera.focus, heights);
   return moved;
 }
 

@@ -39,6 +39,14 @@ void describe(Visitor& v, Camera& c) {
       "the picture, grown, whatever its shape");
   v.number("margin", c.margin, {.min = 0, .max = 0.45},
            "Share of the picture's width and height that `fit` leaves free at each edge");
+  v.number("exposure", c.exposure, {.min = -8, .max = 8, .sense = "1 is twice as bright, -1 half"},
+           "Stops by which a picture outdoors is brighter than a light meter has it");
+  v.number(
+      "aperture", c.aperture,
+      {.min = 0.5, .max = 64, .sense = "1.4 a wide lens, 4 a portrait's, 16 nearly all sharp"},
+      "f-number of the lens, on film 36 mm wide: what is not in focus is blurred; not given: all is sharp");
+  v.animated("focus", c.focus, {.min = -1000, .max = 1000, .unit = "m"},
+             "The point that is sharp; not given: the one that the camera looks at");
 }
 
 template <class Visitor>

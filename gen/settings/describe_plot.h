@@ -2,13 +2,25 @@
 
 #include "land/plot.h"
 #include "preset/reader.h"
+#include "settings/sky.h"
 
-// The properties of ponds and paths as presets spell them; see preset/describe.h.
+// The properties of moments, ponds and paths as presets spell them; see preset/describe.h.
 
 namespace frond {
 
 /// The hours of a day.
 inline constexpr Range kHours{.min = 0, .max = 24, .unit = "h", .sense = "dawn is 6, noon 12, dusk 19"};
+
+/// What places the sun beside the hour.
+template <class Visitor>
+void describe_place(Visitor& v, Moment& m) {
+  v.angle("south", m.south, {.min = -360, .max = 360},
+          "Direction in which south lies, where the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.angle("latitude", m.latitude, {.min = -90, .max = 90},
+          "How far north of the equator it is: 0 tropics, 50 middle Europe; negative is south of it");
+  v.number("day", m.day, {.min = 1, .max = 366},
+           "Day of the year: 80 spring, 172 midsummer, 266 autumn, 355 midwinter of the north");
+}
 
 template <class Visitor>
 void describe(Visitor& v, PondShape& p) {

@@ -23,9 +23,8 @@ void describe(Visitor& v, TerrainShape& t) {
 
 template <class Visitor>
 void describe(Visitor& v, Forest& f) {
-  v.number("hour", f.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
-  v.angle("south", f.south, {.min = -360, .max = 360},
-          "Direction in which the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.number("hour", f.when.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
+  describe_place(v, f.when);
   v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"},
            "Height to which mist fills the valleys; 0 is none");
   v.object("terrain", f.terrain, "The shape of the land");
@@ -88,7 +87,7 @@ SettingRow forest_setting() {
   return setting_row<Forest>(
       "forest", "wooded hills at any hour of the day", "forest",
       "Hour and land, for forest; clouds and haze are the meadow's",
-      {"/forest", "/meadow/haze", "/meadow/clouds"},
+      {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/zenith", "/meadow/horizon"},
       [](const Stage& stage) {
         const TerrainShape& land = stage.block<Forest>().terrain;
         return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};
@@ -114,9 +113,13 @@ SettingRow forest_setting() {
         return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed);
       },
       [](const Stage& stage) {
-        const auto& forest = stage.block<Forest>();
-        return sky_light(sun_at(forest.hour, forest.south), forest.litter, stage.block<Meadow>().haze);
+        return daylight(forest_sky(stage), stage.block<Forest>().litter, stage.block<Meadow>().haze);
       });
+}
+
+Sky forest_sky(const Stage& stage) {
+  // Under trees one opens the lens wider.
+  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Forest>().when), stage.camera.exposure + 0.75);
 }
 
 }  // namespace frond

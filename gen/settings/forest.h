@@ -8,11 +8,10 @@
 
 namespace frond {
 
-/// A wood on hilly land; sky and haze are the meadow's, whose colours the hour gives here.
+/// A wood on hilly land; sky and haze are the meadow's, with the sun of the hour.
 struct Forest {
-  double hour = 10;  ///< of the day: 6 dawn, 12 noon, 19 dusk
-  double south = 0;  ///< radians; where the sun stands at noon: 0 toward +z, to the right from there
-  double mist = 0;   ///< metres above the valleys that morning mist reaches; 0: none
+  Moment when;
+  double mist = 0;  ///< metres above the valleys that morning mist reaches; 0: none
   TerrainShape terrain;
   Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
   double moss = 0.4;                  ///< share of the ground that is green, 0..1

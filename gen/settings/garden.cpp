@@ -13,9 +13,8 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Garden& g) {
-  v.number("hour", g.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
-  v.angle("south", g.south, {.min = -360, .max = 360},
-          "Direction in which the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.number("hour", g.when.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
+  describe_place(v, g.when);
   v.object("pond", g.pond, "The pond");
   v.object("path", g.path, "The gravel path");
   v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Number of leaves of water lilies on the pond");
@@ -46,8 +45,9 @@ SettingRow garden_setting() {
   return setting_row<Garden>(
       "garden", "a lawn with pond and path at any hour of the day", "garden",
       "Hour, pond and path, for garden; lawn and sky are the meadow's",
-      {"/garden", "/meadow/grass", "/meadow/haze", "/meadow/clouds", "/meadow/blade", "/meadow/blades",
-       "/meadow/extent", "/meadow/flowers", "/floor/relief", "/floor/scale"},
+      {"/garden", "/meadow/grass", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/zenith",
+       "/meadow/horizon", "/meadow/blade", "/meadow/blades", "/meadow/extent", "/meadow/flowers",
+       "/floor/relief", "/floor/scale"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) {
         Errors errors = check_grass(stage.block<Meadow>().lawn);
@@ -69,10 +69,13 @@ SettingRow garden_setting() {
                                       garden.gravel, garden.path.width, seed);
       },
       [](const Stage& stage) {
-        const auto& garden = stage.block<Garden>();
         const auto& meadow = stage.block<Meadow>();
-        return sky_light(sun_at(garden.hour, garden.south), meadow.grass, meadow.haze);
+        return daylight(garden_sky(stage), meadow.grass, meadow.haze);
       });
+}
+
+Sky garden_sky(const Stage& stage) {
+  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Garden>().when), stage.camera.exposure);
 }
 
 }  // namespace frond

@@ -5,10 +5,9 @@
 
 namespace frond {
 
-/// What a garden has beside the lawn and the sky of a meadow, whose colours the hour gives here.
+/// What a garden has beside the lawn and the sky of a meadow, with the sun of the hour.
 struct Garden {
-  double hour = 10;  ///< of the day: 6 dawn, 12 noon, 19 dusk
-  double south = 0;  ///< radians; where the sun stands at noon: 0 toward +z, to the right from there
+  Moment when;
   PondShape pond;
   PathShape path;
   int lilies = 0;        ///< leaves of water lilies on the pond

@@ -1,15 +1,22 @@
 #include "settings/meadow.h"
 
+#include "core/linear.h"
+#include "settings/describe_plot.h"
 #include "settings/settings.h"
 
 namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Meadow& m) {
-  v.color("zenith", m.zenith, "Colour of the sky above");
-  v.color("horizon", m.horizon, "Colour of the sky far off, and of the haze");
+  v.number("hour", m.hour, kHours,
+           "Hour of the day, which places the sun instead of sun: 6 dawn, 12 noon, 19 dusk");
+  describe_place(v, m.when);
+  v.number("turbidity", m.turbidity, {.min = 1.7, .max = 10},
+           "How dusty the air is: 2 clear as in mountains, 3 a summer's day, 6 white with haze");
+  v.color("zenith", m.zenith, "Colour of the sky above; not given: as the sun makes it");
+  v.color("horizon", m.horizon, "Colour of the sky far off, and of the haze; not given: as the sun makes it");
   v.color("grass", m.grass, "Colour of the grass");
-  v.direction("sun", m.sun, "Direction toward the sun");
+  v.direction("sun", m.sun, "Direction toward the sun, where no hour is given");
   v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"},
            "Distance at which two thirds of a colour are lost in the haze");
   v.number("clouds", m.clouds, {.min = 0, .max = 1}, "Share of the sky that clouds cover");
@@ -37,13 +44,20 @@ SettingRow meadow_setting() {
       },
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();
-        return Daylight{glm::normalize(meadow.sun),
-                        {1, 0.96f, 0.88f},
-                        meadow.zenith,
-                        meadow.horizon,
-                        meadow.grass,
-                        meadow.haze};
+        return daylight(meadow_sky(stage), meadow.grass, meadow.haze);
       });
+}
+
+Sky sky_over(const Meadow& meadow, Vec3 sun, double exposure) {
+  auto light = [](const std::optional<Color>& c) { return c ? std::optional(linear(*c)) : std::nullopt; };
+  return Sky({sun, meadow.turbidity, meadow.clouds, exposure, light(meadow.zenith), light(meadow.horizon)});
+}
+
+Sky meadow_sky(const Stage& stage) {
+  const auto& meadow = stage.block<Meadow>();
+  Moment when = meadow.when;
+  if (meadow.hour) when.hour = *meadow.hour;
+  return sky_over(meadow, meadow.hour ? sun_at(when) : meadow.sun, stage.camera.exposure);
 }
 
 }  // namespace frond

@@ -1,18 +1,32 @@
 #pragma once
 
+#include <optional>
+
 #include "settings/lawn.h"
+#include "settings/sky.h"
+#include "settings/stage.h"
 
 namespace frond {
 
-/// A summer's day outdoors.
+/// A day outdoors, in summer where the preset does not say.
 struct Meadow {
-  Color zenith{0.22f, 0.45f, 0.78f};   ///< of the sky above
-  Color horizon{0.80f, 0.88f, 0.93f};  ///< of the sky far off, and of the haze
+  Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun, where there is no hour
+  std::optional<double> hour;   ///< of the moment below
+  Moment when;
+  double turbidity = 2.5;                ///< see SkyShape
+  std::optional<Color> zenith, horizon;  ///< of the sky above and far off, in place of their own
   Color grass{0.39f, 0.46f, 0.17f};
-  Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun
-  double haze = 6000;           ///< metres in which two thirds of a colour are lost
-  double clouds = 0.45;         ///< 0 none .. 1 overcast
+  double haze = 6000;    ///< metres in which two thirds of a colour are lost
+  double clouds = 0.45;  ///< 0 none .. 1 overcast
   LawnShape lawn;
 };
+
+/// The sky of a meadow with the sun there.
+Sky sky_over(const Meadow& meadow, Vec3 sun, double exposure);
+
+/// The sky over each of the settings that have one, as the camera exposes it.
+Sky meadow_sky(const Stage& stage);
+Sky garden_sky(const Stage& stage);
+Sky forest_sky(const Stage& stage);
 
 }  // namespace frond

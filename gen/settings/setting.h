@@ -16,6 +16,7 @@
 #include "land/sow.h"
 #include "preset/reader.h"
 #include "preset/schema.h"
+#include "settings/sky.h"
 #include "settings/stage.h"
 #include "world/specimen.h"
 
@@ -119,12 +120,8 @@ class Grounds {
   Heights heights_;
 };
 
-/// Toward the sun at an hour: it rises at about 5, stands highest at 13 and sets at about 21, as in June at
-/// 50 degrees of latitude; below the horizon at night.
-Vec3 sun_at(double hour, double south);
-
-/// Daylight under a sky whose sun stands there, over a ground of that colour.
-Daylight sky_light(Vec3 sun, const Color& ground, double haze);
+/// The light of day under a sky, over a ground of that colour.
+Daylight daylight(const Sky& sky, const Color& ground, double haze);
 
 /// Up from the ground, of length 1.
 Vec3 ground_normal(const Heights& heights, Vec2 at);

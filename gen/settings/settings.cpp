@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear.h"
+
 namespace frond {
 
 std::span<const SettingRow> settings() {
@@ -21,34 +23,15 @@ Stage::Stage() {
   for (const SettingRow& row : settings()) blocks.push_back(row.initial);
 }
 
-Vec3 sun_at(double hour, double south) {
-  double day = kPi * (hour - 13) / 12, latitude = radians(50.0), tilt = radians(23.4);
-  double up = std::sin(latitude) * std::sin(tilt) + std::cos(latitude) * std::cos(tilt) * std::cos(day);
-  double west = std::cos(tilt) * std::sin(day);
-  double noon = std::cos(tilt) * std::cos(day) * std::sin(latitude) - std::sin(tilt) * std::cos(latitude);
-  double c = std::cos(south), s = std::sin(south);
-  return Vec3(noon * s - west * c, up, noon * c + west * s);
-}
-
-Daylight sky_light(Vec3 sun, const Color& ground, double haze) {
-  auto mixed = [](const Color& a, const Color& b, double t) {
-    auto part = [&](float x, float y) { return static_cast<float>(x + (y - x) * t); };
-    return Color{part(a.red, b.red), part(a.green, b.green), part(a.blue, b.blue)};
+Daylight daylight(const Sky& sky, const Color& ground, double haze) {
+  auto color = [](Vec3 light) {
+    auto part = [](float x) {
+      return static_cast<float>(encoded(std::clamp(static_cast<double>(x), 0.0, 1.0)));
+    };
+    return Color{part(light.r), part(light.g), part(light.b)};
   };
-  constexpr Color kNight{0.05f, 0.07f, 0.13f}, kBlue{0.30f, 0.52f, 0.84f}, kPale{0.80f, 0.87f, 0.92f};
-  constexpr Color kLow{1, 0.62f, 0.36f}, kHigh{1, 0.96f, 0.88f}, kGlow{0.96f, 0.72f, 0.52f};
-  sun = glm::normalize(sun);
-  double day = smooth_step(-0.15, 0.15, static_cast<double>(sun.y));
-  double high = smooth_step(0.05, 0.5, static_cast<double>(sun.y));
-  // At night the moon stands where the sun would be by day.
-  Daylight light;
-  light.sun = Vec3(sun.x, std::abs(sun.y), sun.z);
-  light.sunlight = mixed(kNight, mixed(kLow, kHigh, high), day);
-  light.zenith = mixed(kNight, kBlue, day);
-  light.horizon = mixed(kNight, mixed(kGlow, kPale, high), day);
-  light.ground = ground;
-  light.fade = haze;
-  return light;
+  constexpr float kFull = 3;  // the lamp of a clear noon
+  return {sky.lamp, color(sky.lamplight / kFull), color(sky.zenith), color(sky.horizon), ground, haze};
 }
 
 Vec3 ground_normal(const Heights& heights, Vec2 at) {

@@ -2,6 +2,7 @@
 
 #include <any>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct Camera {
   bool follow = false;           ///< heights count from the ground below, not from y = 0
   std::vector<std::string> fit;  ///< names of organisms that it is moved to have in the picture, whole
   double margin = 0.06;          ///< of the picture's sides, that stay free at each edge of it
+  double exposure = 0;           ///< stops more light than a meter says
+  /// The f-number of a lens before film 36 mm wide; none: all is sharp.
+  std::optional<double> aperture;
+  std::optional<Animated<Vec3>> focus;  ///< what is sharp; else what it looks at
 };
 
 /// Low dunes or a lawn, and the loose stones on it.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/parallel.h"
 #include "emit/texts.h"
 
@@ -33,6 +35,17 @@ TEST(Frame, WritesANameThatCannotBreakOut) {
   EXPECT_EQ(text.find("\n#include \"/etc"), text.npos);
   EXPECT_EQ(text.find("\r"), text.npos);
   EXPECT_EQ(text.find("\n#error"), text.npos);
+}
+
+TEST(Frame, BlursAsALensOfTheFNumberDoes) {
+  Scene scene = scene_at("tests/presets/tiny_light.json");
+  EXPECT_EQ(count(text_of(scene, 1), "aperture"), 0u);
+  scene.stage.camera.angle = Animated<double>(degrees(2 * std::atan(0.018 / 0.05)));
+  scene.stage.camera.aperture = 2;
+  scene.stage.camera.focus = Animated<Vec3>(Vec3(1, 2, 3));
+  std::string text = text_of(scene, 1);
+  EXPECT_EQ(count(text, " aperture 0.25 focal_point<10,20,-30>"), 1u)
+      << "50 mm at f/2: 25 mm, and 10 units a metre";
 }
 
 TEST(Frame, RefusesAHoleItDoesNotKnow) {

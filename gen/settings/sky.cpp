@@ -1,0 +1,234 @@
+#include "settings/sky.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace frond {
+
+double declination(double day) {
+  double turn = 2 * kPi * (day - 1) / 365;
+  return 0.006918 - 0.399912 * std::cos(turn) + 0.070257 * std::sin(turn) - 0.006758 * std::cos(2 * turn) +
+         0.000907 * std::sin(2 * turn) - 0.002697 * std::cos(3 * turn) + 0.00148 * std::sin(3 * turn);
+}
+
+Vec3 sun_at(const Moment& when) {
+  double day = kPi * (when.hour - 13) / 12, tilt = declination(when.day);
+  double sin_lat = std::sin(when.latitude), cos_lat = std::cos(when.latitude);
+  double up = sin_lat * std::sin(tilt) + cos_lat * std::cos(tilt) * std::cos(day);
+  double west = std::cos(tilt) * std::sin(day);
+  double noon = std::cos(tilt) * std::cos(day) * sin_lat - std::sin(tilt) * cos_lat;
+  double c = std::cos(when.south), s = std::sin(when.south);
+  return Vec3(noon * s - west * c, up, noon * c + west * s);
+}
+
+namespace {
+
+/// Perez's law: what a sky shows as against a patch of it where both terms are 1.
+struct Perez {
+  double a, b, c, d, e;
+
+  double operator()(double theta, double gamma) const {
+    double cos_gamma = std::cos(gamma);
+    return (1 + a * std::exp(b / std::max(std::cos(theta), 0.01))) *
+           (1 + c * std::exp(d * gamma) + e * cos_gamma * cos_gamma);
+  }
+};
+
+/// A cubic of the sun's angle whose coefficients are quadratic in turbidity.
+double zenith_tone(const std::array<std::array<double, 4>, 3>& m, double sun, double t) {
+  auto cubic = [&](const std::array<double, 4>& k) {
+    return ((k[0] * sun + k[1]) * sun + k[2]) * sun + k[3];
+  };
+  return (cubic(m[0]) * t + cubic(m[1])) * t + cubic(m[2]);
+}
+
+/// Linear sRGB.
+Vec3 rgb_of(const Luminance& l) {
+  double X = l.x / l.y * l.Y, Y = l.Y, Z = (1 - l.x - l.y) / l.y * l.Y;
+  return glm::max(Vec3(3.2406 * X - 1.5372 * Y - 0.4986 * Z, -0.9689 * X + 1.8758 * Y + 0.0415 * Z,
+                       0.0557 * X - 0.2040 * Y + 1.0570 * Z),
+                  Vec3(0));
+}
+
+float brightness(Vec3 c) { return glm::dot(c, Vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+/// Between the values of a table of {x, value}, x rising.
+template <std::size_t N>
+float between(const std::array<std::array<double, 2>, N>& table, double x) {
+  std::size_t i = 0;
+  while (i + 2 < N && table[i + 1][0] < x) ++i;
+  double share = std::clamp((x - table[i][0]) / (table[i + 1][0] - table[i][0]), 0.0, 1.0);
+  return static_cast<float>(table[i][1] + share * (table[i + 1][1] - table[i][1]));
+}
+
+constexpr float kSunKcd = 40.7f;               // 128 klx before the air, on a white matt surface
+constexpr Vec3 kSunColor(1.05f, 1.0f, 0.95f);  // before the air
+constexpr Vec3 kBalance(0.95f, 1.0f, 1.08f);   // a camera set to daylight, not to the white of a screen
+
+}  // namespace
+
+Luminance preetham(double theta, double gamma, double sun, double t) {
+  const Perez Y{0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251, 0.1206 * t - 2.5771,
+                -0.0670 * t + 0.3703};
+  const Perez x{-0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125, -0.0641 * t - 0.8989,
+                -0.0033 * t + 0.0452};
+  const Perez y{-0.0167 * t - 0.2608, -0.0950 * t + 0.0092, -0.0079 * t + 0.2102, -0.0441 * t - 1.6537,
+                -0.0109 * t + 0.0529};
+  double chi = (4.0 / 9 - t / 120) * (kPi - 2 * sun);
+  double Y_zenith = (4.0453 * t - 4.9710) * std::tan(chi) - 0.2155 * t + 2.4192;
+  double x_zenith = zenith_tone({{{0.00166, -0.00375, 0.00209, 0},
+                                  {-0.02903, 0.06377, -0.03202, 0.00394},
+                                  {0.11693, -0.21196, 0.06052, 0.25886}}},
+                                sun, t);
+  double y_zenith = zenith_tone({{{0.00275, -0.00610, 0.00317, 0},
+                                  {-0.04214, 0.08970, -0.04153, 0.00516},
+                                  {0.15346, -0.26756, 0.06670, 0.26688}}},
+                                sun, t);
+  return {Y_zenith * Y(theta, gamma) / Y(0, sun), x_zenith * x(theta, gamma) / x(0, sun),
+          y_zenith * y(theta, gamma) / y(0, sun)};
+}
+
+Vec3 through_air(double height, double turbidity) {
+  // Kasten and Young (1989) for the mass of air; Rayleigh, Angstrom's dust and ozone as in Preetham's
+  // appendix.
+  double up = std::max(degrees(height), -0.6);
+  double mass = 1 / (std::sin(radians(up)) + 0.50572 * std::pow(up + 6.07995, -1.6364));
+  double dust = std::max(0.0, 0.04608 * turbidity - 0.04586);
+  constexpr std::array<double, 3> kWave{0.615, 0.545, 0.460}, kOzone{0.041, 0.030, 0.003};
+  Vec3 left;
+  for (int i = 0; i < 3; ++i) {
+    auto k = static_cast<std::size_t>(i);
+    double depth = 0.008735 * std::pow(kWave[k], -4.08) + dust * std::pow(kWave[k], -1.3) + kOzone[k];
+    left[i] = static_cast<float>(std::exp(-mass * depth));
+  }
+  return left;
+}
+
+double diffuse_light(double height) { return 0.8 + 15.5 * std::sqrt(std::max(0.0, std::sin(height))); }
+
+Vec3 Sky::day(Vec3 way) const {
+  // At the horizon itself Perez's law has a pole.
+  double theta = std::min(std::acos(std::clamp(static_cast<double>(way.y), 0.0, 1.0)), radians(88.5));
+  double above = std::max(height_, 0.0);
+  Vec3 flat = glm::normalize(Vec3(sun.x, 0, sun.z) + Vec3(0, 0, 1e-6f));
+  Vec3 toward = flat * static_cast<float>(std::cos(above)) + Vec3(0, std::sin(above), 0);
+  double gamma = std::acos(std::clamp(static_cast<double>(glm::dot(way, toward)), -1.0, 1.0));
+  // What comes past a low sun is redder than Preetham has it.
+  float a = 0.5f + 0.5f * glm::dot(Vec3(way.x, 0, way.z), flat);
+  auto low = static_cast<float>(1 - smooth_step(4.0, 22.0, degrees(above)));
+  Vec3 warm = glm::mix(Vec3(1), Vec3(1.24f, 0.90f, 0.55f),
+                       low * (0.3f + 0.7f * a * a) * std::exp(-4 * std::max(way.y, 0.0f)));
+  Vec3 light = warm * kBalance * rgb_of(preetham(theta, gamma, kPi / 2 - above, turbidity_));
+  light.g = std::max(light.g, 0.98f * std::min(light.r, light.b));  // no daylight is magenta
+  return light;
+}
+
+Vec3 Sky::dusk(Vec3 way) const {
+  // Blue above by the ozone, the afterglow over the sun, the earth's shadow opposite with the belt of Venus
+  // on it.
+  Vec3 flat(way.x, 0, way.z), west(sun.x, 0, sun.z);
+  float along = glm::dot(flat, west) / std::max(glm::length(flat) * glm::length(west), 1e-6f);
+  float a = 0.5f + 0.5f * along, y = std::max(way.y, 0.0f);
+  auto low = static_cast<float>(std::clamp(-degrees(height_) / 8, 0.0, 1.0));
+  Vec3 blue = glm::mix(Vec3(0.13f, 0.24f, 0.56f), Vec3(0.07f, 0.15f, 0.44f), low);
+  Vec3 pale(0.60f, 0.48f, 0.44f), fire = glm::mix(Vec3(1.20f, 0.50f, 0.17f), Vec3(0.95f, 0.36f, 0.16f), low);
+  Vec3 light = blue * (0.62f + 0.38f * a) * (1 - 0.25f * y);
+  light += pale * (0.22f + 0.78f * a * a) * std::exp(-y / (0.26f - 0.10f * low)) * 0.34f;
+  light += fire * (0.06f + 0.94f * a * a * a) * std::exp(-y / (0.12f - 0.035f * low));
+  float belt = (y - 0.20f + 0.08f * low) / 0.10f, shadow = y / 0.09f;
+  light += Vec3(0.20f, 0.06f, 0.08f) * (1 - low) * (1 - a) * std::exp(-belt * belt);
+  light -= Vec3(0.16f, 0.12f, 0.06f) * (1 - a) * std::exp(-shadow * shadow) * 0.6f;
+  return glm::max(light, Vec3(0.02f)) * dim_;
+}
+
+namespace {
+
+/// Film gives in before it is white.
+Vec3 exposed(Vec3 light) {
+  constexpr float kKnee = 0.45f, kRoom = 0.50f;
+  float bright = brightness(light);
+  if (bright <= kKnee) return light;
+  return light * ((kKnee + kRoom * (1 - std::exp((kKnee - bright) / kRoom))) / bright);
+}
+
+}  // namespace
+
+Vec3 Sky::from(Vec3 way) const {
+  Vec3 tint = stops_ * glm::mix(tint_low_, tint_high_, std::sqrt(std::max(way.y, 0.0f)));
+  Vec3 by_day = twilight_ < 1 ? exposed(metered_ * tint * day(way)) : Vec3(0);
+  return glm::mix(by_day, exposed(tint * dusk(way)), twilight_);
+}
+
+namespace {
+
+/// What level ground gets of light from all above.
+template <class Light>
+double lit_from(const Light& light) {
+  constexpr int kRings = 12, kTurns = 16;
+  double sum = 0;
+  for (int i = 0; i < kRings; ++i)
+    for (int k = 0; k < kTurns; ++k) {
+      // Rings that a level surface sees alike.
+      double level = std::sqrt((i + 0.5) / kRings), turn = 2 * kPi * (k + 0.5) / kTurns;
+      sum += static_cast<double>(
+          light(Vec3(level * std::cos(turn), std::sqrt(1 - level * level), level * std::sin(turn))));
+    }
+  return kPi * sum / (kRings * kTurns);
+}
+
+/// The mean of a sky all round, at a height.
+Vec3 mean(const Sky& sky, float height) {
+  constexpr int kWays = 12;
+  Vec3 sum(0);
+  for (int i = 0; i < kWays; ++i) {
+    double turn = 2 * kPi * (i + 0.5) / kWays;
+    sum += sky.from(glm::normalize(Vec3(std::cos(turn), height, std::sin(turn))));
+  }
+  return sum / static_cast<float>(kWays);
+}
+
+}  // namespace
+
+Sky::Sky(const SkyShape& shape)
+    : sun(glm::normalize(shape.sun)),
+      turbidity_(shape.turbidity),
+      height_(std::asin(std::clamp(static_cast<double>(sun.y), -1.0, 1.0))),
+      stops_(static_cast<float>(std::exp2(shape.exposure))) {
+  double up = degrees(height_);
+  twilight_ = static_cast<float>(1 - smooth_step(-4.5, 6.0, up));
+  dim_ = between<6>({{{-18, 0.035}, {-12, 0.07}, {-8, 0.22}, {-4, 0.62}, {0, 1.0}, {2, 1.1}}}, up);
+  // A meter reads what the sun gives and what comes from the sky beside it.
+  auto risen = static_cast<float>(smooth_step(-0.8, 0.6, up));
+  Vec3 sunny = risen * kSunKcd * kSunColor * kBalance * through_air(height_, turbidity_);
+  // Preetham's sky is too bright, most of all at a low sun: we take what it gives as measured (IES handbook).
+  double given = lit_from([&](Vec3 way) { return brightness(day(way)); });
+  auto share = static_cast<float>(diffuse_light(height_) / given);
+  auto level = static_cast<float>(diffuse_light(height_) / kPi);
+  metered_ = 2.8f / (0.5f * brightness(sunny) + 2.5f * level);
+  auto veil = static_cast<float>(1 - 0.75 * smooth_step(0.6, 1.0, shape.clouds));
+  lamplight = metered_ * stops_ * veil * sunny;
+  metered_ *= share;
+  lamp = glm::normalize(Vec3(sun.x, std::max(sun.y, 0.02f), sun.z));
+  if (up < -0.8) {
+    // Shadows are cast by the afterglow, and at night by the moon.
+    auto night = static_cast<float>(2 * smooth_step(8.0, 12.0, -up) - 1);
+    lamp = night > 0 ? glm::normalize(Vec3(0.4f, 0.6f, -0.5f)) : glm::normalize(Vec3(sun.x, 0.18f, sun.z));
+    lamplight = stops_ * veil *
+                (night > 0 ? night * Vec3(0.10f, 0.13f, 0.20f) : -night * dim_ * Vec3(0.50f, 0.30f, 0.22f));
+  }
+  glow = 0.16f * risen * lamplight;
+  if (shape.zenith) tint_high_ = *shape.zenith / glm::max(mean(*this, 2), Vec3(1e-4f));
+  if (shape.horizon) tint_low_ = *shape.horizon / glm::max(mean(*this, 0.1f), Vec3(1e-4f));
+  horizon = mean(*this, 0.1f);
+  zenith = mean(*this, 2);
+  light_clouds();
+}
+
+void Sky::light_clouds() {
+  shade = 0.50f * zenith + 0.22f * horizon + 0.05f * lamplight;
+  cloud = 0.28f * lamplight + 0.55f * glm::mix(horizon, zenith, 0.3f);
+  if (sun.y < 0) cloud += 0.35f * from(glm::normalize(Vec3(sun.x, 0.06f, sun.z)));
+}
+
+}  // namespace frond
