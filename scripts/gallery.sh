@@ -38,6 +38,13 @@ tree-spruce 480x640 1 trees/spruce
 tree-willow 560x420 1 trees/willow
 tree-acacia 640x427 1 trees/acacia
 tree-poplar 480x640 1 trees/poplar
+tree-beech 600x600 1 trees/beech
+tree-maple 600x600 1 trees/maple
+tree-pine 480x640 1 trees/pine
+tree-cherry 640x507 1 trees/cherry
+tree-olive 640x507 1 trees/olive
+tree-cypress 480x640 1 trees/cypress
+tree-cedar 640x560 1 trees/cedar
 tree-dead_tree 720x540 1 trees/dead_tree
 tree-light_race 560x420 1 trees/light_race@120
 trees-seasons 404x304 2 trees/seasons@40 trees/seasons@110 trees/seasons@200 trees/seasons@235

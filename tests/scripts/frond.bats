@@ -317,7 +317,7 @@ body_preset() {
 @test "an unknown command is told with those there are and the nearest" {
   run "$frond" genrate x.json
   [ "$status" -eq 2 ]
-  [[ "$output" == 'genrate: no such command; expected one of new, describe, generate, export, '*'; did you mean "generate"?' ]]
+  [[ "$output" == 'genrate: no such command; expected one of new, describe, look, generate, export, '*'; did you mean "generate"?' ]]
   run "$frond" preview
   [ "$status" -eq 2 ]
   [[ "$output" == 'preview: no such command; expected one of new, describe, generate, '* ]]
