@@ -83,7 +83,11 @@ struct ToPicture {
   float pixel(float depth) const {
     return 2 * lens.wide * std::max(depth, 0.05f) / static_cast<float>(pixels.width);
   }
-  float step(Vec3 at) const { return 0.8f * pixel(glm::distance(at, lens.at)); }
+  /// A place may be the middle of a trunk whose bark is much nearer.
+  float step(Vec3 at) const {
+    float away = glm::distance(at, lens.at);
+    return 0.8f * pixel(std::max(0.3f * away, away - 2));
+  }
   void add(Vec3 at, float area, Vec3 albedo, Facing, bool) const {
     Vec3 seen = lens.seen(at);
     if (seen.z < kNear || std::abs(seen.x) > 1.2f || std::abs(seen.y) > 1.2f) return;

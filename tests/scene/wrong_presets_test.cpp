@@ -83,7 +83,7 @@ const WrongPreset kWrongNames[] = {
     {"An unknown key of the camera",
      R"({"scene": {"camera": {"lookat": [0, 0, 0]}}})",
      {},
-     {R"(1:23: /scene/camera/lookat: unknown property "lookat"; expected one of location, look_at, angle, follow, exposure, aperture, focus; did you mean "look_at"?)"}},
+     {R"(1:23: /scene/camera/lookat: unknown property "lookat"; expected one of many names; did you mean "look_at"?)"}},
     {"An unknown key of a coral",
      R"({"organisms": [{"kind": "coral", "hieght": 1}]})",
      {},
