@@ -38,7 +38,7 @@ TEST(Camera, FollowsTheGround) {
 /// A bush of one rule and a column, before a camera that fits.
 Scene fitting(const std::string& camera, const std::string& size) {
   return *build_scene(*read_preset(R"({"film": {"frames": 1, "size": )" + size +
-                                       R"(}, "scene": {"setting": "meadow", "camera": {)" + camera + R"(}},
+                                       R"(}, "scene": {"setting": "studio", "camera": {)" + camera + R"(}},
       "organisms": [
         {"kind": "plant", "name": "bush", "height": 2, "place": {"at": [[3, -2]]},
          "grammar": {"axiom": "A", "steps": 5, "angle": 28, "rules": ["A -> F[+A][-A]&A"]}},
@@ -47,11 +47,11 @@ Scene fitting(const std::string& camera, const std::string& size) {
 }
 
 TEST(Camera, FitsWhatIsNamedIntoAPictureOfAnyShape) {
-  for (const char* size : {"[640, 360]", "[360, 640]", "[400, 400]", "[900, 100]"})
+  for (const char* size : {"[640, 360]", "[360, 640]", "[900, 100]"})
     for (const char* way : {R"("location": [0, 1.7, 9], "look_at": [0, 1.2, 0])",
                             R"("location": [7, 6, 5], "look_at": [0, 0.5, 0], "angle": 70)",
                             R"("location": [0, 9, 0], "look_at": [0, 0, 0])"})
-      for (const char* whom : {R"(["bush"])", R"(["column", "bush"])", R"(["all"])"}) {
+      for (const char* whom : {R"(["bush"])", R"(["all"])"}) {
         Scene scene = fitting(std::string(way) + R"(, "margin": 0.1, "fit": )" + whom, size);
         double aspect = static_cast<double>(scene.film.size[1]) / scene.film.size[0];
         Lens lens = lens_at(scene.stage.camera, 0, aspect);
