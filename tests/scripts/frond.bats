@@ -320,7 +320,7 @@ body_preset() {
   [[ "$output" == 'genrate: no such command; expected one of new, describe, look, generate, export, '*'; did you mean "generate"?' ]]
   run "$frond" preview
   [ "$status" -eq 2 ]
-  [[ "$output" == 'preview: no such command; expected one of new, describe, generate, '* ]]
+  [[ "$output" == 'preview: no such command; expected one of new, describe, look, generate, '* ]]
 }
 
 @test "list and schema are for machines too" {
