@@ -8,8 +8,7 @@ Eye eye_at(const Scene& scene, double time) {
   const Camera& camera = scene.stage.camera;
   const Film& film = scene.film;
   double half = std::tan(radians(camera.angle.at(time)) / 2);
-  double aspect = static_cast<double>(film.size[1]) / film.size[0];
-  return eye_toward(camera.location.at(time), camera.look_at.at(time), half, half * aspect,
+  return eye_toward(camera.location.at(time), camera.look_at.at(time), half, half * film.aspect(),
                     2 * half / film.size[0]);
 }
 

@@ -165,19 +165,18 @@ void crumble_all(const Sink& sink, const Scene& scene, const std::vector<Specime
     auto wide = static_cast<float>(stand.organism.sown->where.radius),
          tall = std::clamp(static_cast<float>(stand.organism.grower->tallest()), 0.3f * wide, 9 * wide);
     float bare = tall > 3 * wide ? 0.3f * tall : 0;  // of a trunk
+    Surface trunk;
+    for (float turn : {0.0f, 2.1f, 4.2f})
+      for (float up : {0.0f, bare})
+        trunk.position.push_back(Vec3(0.012f * tall * std::cos(turn), up, 0.012f * tall * std::sin(turn)));
+    trunk.triangle = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 0}, {5, 0, 1}};
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {
       Vec3 foot = stand.copies.foot[i];
       float scale = stand.copies.scale[i];
       to.surface(round, color, true, foot + Vec3(0, scale * 0.5f * (tall + bare), 0), stand.copies.turn[i],
                  scale * Vec3(wide, 0.5f * (tall - bare), wide));
-      if (bare == 0) continue;
-      Surface trunk;
-      float half = 0.012f * tall;
-      for (float turn : {0.0f, 2.1f, 4.2f})
-        for (float up : {0.0f, bare})
-          trunk.position.push_back(Vec3(half * std::cos(turn), up, half * std::sin(turn)));
-      trunk.triangle = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 0}, {5, 0, 1}};
-      to.surface(trunk, wood_color(stand.dress.look), true, foot, Quat(1, 0, 0, 0), Vec3(scale));
+      if (bare > 0)
+        to.surface(trunk, wood_color(stand.dress.look), true, foot, Quat(1, 0, 0, 0), Vec3(scale));
     }
   }
 }
@@ -257,8 +256,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
     for (const Vec3& p : s.model.organs.position) take(p);
     const Solids& solids = s.model.solids;
     for (std::size_t i = 0; i < solids.size(); ++i)
-      for (const Vec3& p : solids.shapes[solids.shape[i]].surface.position)
-        take(solids.position[i] + solids.turn[i] * (solids.scale[i] * p));
+      for (const Vec3& p : solids.shapes[solids.shape[i]].surface.position) take(solids.placed(i, p));
   }
   Vec3 eye = scene.stage.camera.location.at(0);
   for (const SownStand& stand : scene.stands)
@@ -276,7 +274,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
 Raster quick_look(const Scene& scene, double time) {
   auto [width, height] = scene.film.size;
   Daylight light = settings()[scene.stage.setting].answers.daylight(scene.stage);
-  Lens lens = lens_at(scene.stage.camera, time, static_cast<double>(height) / width);
+  Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
   std::vector<Specimen> changed;
   for (const Specimen& s : scene.specimens)
     if (s.life.changes())

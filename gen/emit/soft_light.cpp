@@ -42,7 +42,7 @@ SoftLight::Box room_of(const Scene& scene, const std::vector<const Specimen*>& n
                 std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
     for (std::size_t i = 0; i < m.solids.size(); ++i)
       for (const Vec3& at : m.solids.shapes[m.solids.shape[i]].surface.position)
-        room.take(m.solids.position[i] + m.solids.turn[i] * (m.solids.scale[i] * at));
+        room.take(m.solids.placed(i, at));
     for (const Vec3& at : m.blades.surface.position) room.take(at);
   }
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {

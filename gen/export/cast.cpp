@@ -35,7 +35,7 @@ Vec3 foot_of(const Model& model) {
   auto hold = [&](Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); };
   for (std::size_t i = 0; i < model.solids.size(); ++i)
     for (const Vec3& p : model.solids.shapes[model.solids.shape[i]].surface.position)
-      hold(model.solids.position[i] + model.solids.turn[i] * (p * model.solids.scale[i]));
+      hold(model.solids.placed(i, p));
   for (const Vec3& p : model.organs.position) hold(p);
   for (const Vec3& p : model.blades.surface.position) hold(p);
   return low.x > high.x ? Vec3(0) : Vec3(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z));

@@ -72,7 +72,7 @@ double size_of(const Model& model) {
   reach(model.blades.surface.position);
   for (std::size_t i = 0; i < model.solids.size(); ++i)
     for (const Vec3& p : model.solids.shapes[model.solids.shape[i]].surface.position)
-      reach({model.solids.position[i] + model.solids.turn[i] * (p * model.solids.scale[i])});
+      reach({model.solids.placed(i, p)});
   return std::max<double>({high.x - low.x, high.y - low.y, high.z - low.z, 0.01});
 }
 

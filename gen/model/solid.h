@@ -79,6 +79,9 @@ struct Solids {
   bool follow_ground =
       false;  ///< each keeps its height above the ground below it, not above that of the foot
 
+  /// Where placement `i` has a place of its shape.
+  Vec3 placed(std::size_t i, Vec3 at) const { return position[i] + turn[i] * (scale[i] * at); }
+
   std::size_t size() const { return position.size(); }
 
   /// Adds a shape and returns its index; at most 65535 of them.

@@ -82,7 +82,7 @@ void add(Outside& outside, const Model& m) {
   for (const Vec3& p : m.blades.surface.position) outside.add(p);
   for (std::size_t i = 0; i < m.solids.size(); ++i)
     for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position)
-      outside.add(m.solids.position[i] + m.solids.turn[i] * (p * m.solids.scale[i]));
+      outside.add(m.solids.placed(i, p));
 }
 
 struct View {

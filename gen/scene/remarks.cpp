@@ -36,7 +36,7 @@ Span span_of(const Specimen& specimen) {
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 at(corner & 1 ? shape.low.x : shape.high.x, corner & 2 ? shape.low.y : shape.high.y,
               corner & 4 ? shape.low.z : shape.high.z);
-      span.add(b.solids.position[i] + b.solids.turn[i] * (at * b.solids.scale[i]));
+      span.add(b.solids.placed(i, at));
     }
   }
   return span;
@@ -65,7 +65,7 @@ std::vector<Occupied> boxes_of(const Scene& scene) {
 
 /// Whether anything that grows or stands is in the picture at a time.
 bool seen(const Scene& scene, double time) {
-  Lens lens = lens_at(scene.stage.camera, time, static_cast<double>(scene.film.size[1]) / scene.film.size[0]);
+  Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
   auto in_picture = [&](Vec3 p) {
     Vec3 at = lens.seen(p);
     return at.z > 0 && std::abs(at.x) <= 1 && std::abs(at.y) <= 1;
@@ -76,7 +76,7 @@ bool seen(const Scene& scene, double time) {
     if (any(m.skeleton.position) || any(m.organs.position) || any(m.blades.surface.position)) return true;
     for (std::size_t i = 0; i < m.solids.size(); ++i)
       for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position)
-        if (in_picture(m.solids.position[i] + m.solids.turn[i] * (p * m.solids.scale[i]))) return true;
+        if (in_picture(m.solids.placed(i, p))) return true;
   }
   for (const SownStand& stand : scene.stands)
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {

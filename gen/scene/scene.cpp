@@ -247,7 +247,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   scene.specimens = in_order(std::move(world).take_all(), preset);
   if (!preset.stage.camera.fit.empty()) {
     Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),
-                          static_cast<double>(preset.film.size[1]) / preset.film.size[0], ground->heights());
+                          preset.film.aspect(), ground->heights());
     // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
     // mind.
     if (reach_of(moved) > reach_of(preset)) {

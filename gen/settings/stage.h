@@ -19,8 +19,9 @@ struct Film {
   std::array<int, 2> size{480, 270};  ///< width and height, pixels
   Quality quality = Quality::draft;
 
-  double length() const { return frames / fps; }              ///< seconds
-  double time(int frame) const { return (frame - 1) / fps; }  ///< of a frame, the first being 1
+  double length() const { return frames / fps; }                            ///< seconds
+  double time(int frame) const { return (frame - 1) / fps; }                ///< of a frame, the first being 1
+  double aspect() const { return static_cast<double>(size[1]) / size[0]; }  ///< height by width
 };
 
 inline constexpr std::string_view kFitAll = "all";  ///< in place of names: every organism

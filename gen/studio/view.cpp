@@ -59,7 +59,7 @@ void take(Bounds& box, const Specimen& specimen) {
     for (int corner = 0; corner < 8 && !shape.empty(); ++corner) {
       Vec3 p((corner & 1) ? shape.high.x : shape.low.x, (corner & 2) ? shape.high.y : shape.low.y,
              (corner & 4) ? shape.high.z : shape.low.z);
-      box.take(m.solids.position[i] + m.solids.turn[i] * (p * m.solids.scale[i]));
+      box.take(m.solids.placed(i, p));
     }
   }
 }
