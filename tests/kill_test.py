@@ -16,6 +16,8 @@ import time
 
 what, frond, source = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
 KILLS = 20
+STOPS = 2  # within a picture
+TRIES = 20  # at that
 IN_A_ROW = 2  # kills before a run may end
 chance = random.Random(6)
 
@@ -119,7 +121,6 @@ def kill_render(folder):
     runs = [("studio", "tiny_still", ["--set", "/scene/setting=studio", "--quality", "good", "--scale", "1.5"]),
             ("forest", "all_phases", ["--set", "/film/frames=1", "--quality", "draft"]), ("film", "tiny_film", [])]
     kills = -(-KILLS // len(runs))
-    continued = 0
     for name, preset, options in runs:
         def command(out, jobs):
             return [source / "scripts/render.sh", source / f"tests/presets/{preset}.json", "-o", folder / name / out,
@@ -133,10 +134,42 @@ def kill_render(folder):
             run = start(command("killed", 2))
             time.sleep(chance.uniform(0, length))
             kill(run, chance.choice([signal.SIGKILL, signal.SIGTERM]))
-            continued += any(path.stat().st_size > 10000 for path in killed.glob("frames/.*.kept"))
         finish(command("killed", 2), f"{name}, killed {kills} times")
         same(files(folder / name / "whole"), files(killed), f"{name}, killed {kills} times")
-    assert continued > 0, "no picture was left unfinished"
+        stop_within(lambda out: command(out, 2), folder / name)
+
+
+def traced(folder):
+    """How many bytes of unfinished pictures a run keeps."""
+    size = 0
+    for path in folder.glob("frames/.*.kept"):
+        try:
+            size += path.stat().st_size
+        except FileNotFoundError:
+            pass  # finished meanwhile
+    return size
+
+
+def stop_within(command, folder):
+    """One that is killed twice, as soon as it has traced some more, goes on from there."""
+    block = 10000  # bytes, less than the smallest that these pictures have
+    for attempt in range(TRIES):  # where the machine is busy, one may end before it is seen
+        stopped = folder / f"stopped{attempt}"
+        before = stops = 0
+        while stops < STOPS:
+            run = start(command(stopped.name))
+            while run.poll() is None and traced(stopped) < before + block:
+                time.sleep(0.002)
+            ended = run.poll() is not None
+            kill(run, signal.SIGKILL)
+            if ended:
+                break
+            before, stops = traced(stopped), stops + 1
+        if stops == STOPS:
+            break
+    assert stops == STOPS, "no picture was left unfinished"
+    finish(command(stopped.name), "stopped within a picture")
+    same(files(folder / "whole"), files(stopped), "stopped within a picture")
 
 
 with tempfile.TemporaryDirectory() as name:
