@@ -38,10 +38,17 @@ renderer=$(command -v "${FROND_POVRAY:-povray}") || fail 1 "${FROND_POVRAY:-povr
 [[ -f $scene ]] || fail 1 "$scene could not be rendered: it is gone"
 
 # The soft light that the scene's first line names lies beside it.
+first=$(head -n 1 -- "$scene" | tr -d '\0')
 light=()
-if [[ $(head -n 1 -- "$scene" | tr -d '\0') =~ \+RF([a-z0-9_]+\.rca) ]]; then
+if [[ $first =~ \+RF([a-z0-9_]+\.rca) ]]; then
   light=("$(dirname -- "$scene")/${BASH_REMATCH[1]}")
   [[ -f ${light[0]} ]] || fail 1 "$scene could not be rendered: ${light[0]} is gone"
+fi
+
+# Where it says how the picture is developed, POV-Ray draws it finer.
+develop=() depth=8
+if [[ $first =~ ' +FN16; then frond develop --highlights '([0-9.]+)' --contrast '([0-9.]+)$ ]]; then
+  develop=(--highlights "${BASH_REMATCH[1]}" --contrast "${BASH_REMATCH[2]}") depth=16
 fi
 
 # All that the picture depends on. What lies beside the scene is named by what is in it.
@@ -88,6 +95,7 @@ give_up() {
 # POV-Ray removes its state before it writes the picture, which takes long if that is large: a second name keeps it.
 if ! { mkdir -p -- "$large" && : >>"$kept"; } 2>/dev/null; then give_up "$folder: cannot be written to"; fi
 ln -f -- "$kept" "$state" 2>/dev/null || true
+if [[ -s $kept ]]; then "$root/scripts/traced.pl" "$kept"; fi
 taken_up=''
 if [[ -s $kept ]]; then taken_up=yes; fi
 
@@ -103,7 +111,7 @@ fi
 # In a session of its own: a signal to the whole group would make POV-Ray end in its own way, with half a picture.
 POVINI=/proc/self/fd/$scripts/povray.ini POV_TEMP_DIR=$large \
   setsid setpriv --pdeathsig KILL --no-new-privs -- ${confined[@]+"${confined[@]}"} \
-  "$renderer" "+I$scene" "+O$part" +FN8 "+W${size%x*}" "+H${size#*x}" \
+  "$renderer" "+I$scene" "+O$part" "+FN$depth" "+W${size%x*}" "+H${size#*x}" \
   "+L$library" "+L/proc/self/fd/$pictures" ${light[@]+"+RFI" "+RF${light[0]}"} "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
 povray=$!
 { wait "$povray"; } 2>/dev/null || status=$?  # without what bash says of one that was killed
@@ -135,6 +143,9 @@ note_time() {
 }
 
 if ((status == 0)) && whole_png "$part" "$size"; then
+  if ((${#develop[@]} > 0)); then
+    "${FROND_BIN:-$root/build/frond}" develop "$part" -o "$part" "${develop[@]}" >"$log" 2>&1 || give_up "$(<"$log")"
+  fi
   { timeless "$part" >"$plain"; } 2>/dev/null || give_up "its picture could not be written"
   put_in_place "$plain" "$picture"
   note_time 2>/dev/null || true

@@ -160,10 +160,10 @@ def stop_within(command, folder):
             run = start(command(stopped.name))
             while run.poll() is None and traced(stopped) < before + block:
                 time.sleep(0.002)
-            ended = run.poll() is not None
-            kill(run, signal.SIGKILL)
-            if ended:
+            if run.poll() is not None:
+                run.stderr.close()
                 break
+            kill(run, signal.SIGKILL)
             before, stops = traced(stopped), stops + 1
         if stops == STOPS:
             break
