@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "images/tone.h"
+
 namespace frond {
 
 /// Exit codes of the program.
@@ -33,6 +35,11 @@ struct LookArguments {
   PresetArguments preset;
   std::string out;  ///< PNG file; empty: <preset name>_look.png
   int frame = 0;    ///< 0: the last
+};
+
+struct DevelopArguments {
+  std::string picture, out;  ///< PNG files
+  Tone tone;
 };
 
 struct ExportArguments {
@@ -94,6 +101,7 @@ struct StudioArguments {
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
 int look(const LookArguments& arguments);
+int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);

@@ -91,6 +91,20 @@ void add_look(CLI::App& app, int& result) {
   command->callback([&result, to] { result = look(*to); });
 }
 
+void add_develop(CLI::App& app, int& result) {
+  auto to = std::make_shared<DevelopArguments>();
+  auto* command = app.add_subcommand(
+      "develop", "Gives a picture of 16 bits a channel the tone that the first line of its scene names");
+  command->add_option("picture", to->picture, "The PNG file that POV-Ray wrote, with +FN16")->required();
+  command->add_option("-o,--out", to->out, "FILE.png")->required();
+  command->add_option("--highlights", to->tone.highlights, "Stops above white that keep their shape (0)")
+      ->check(CLI::Range(0.0, 6.0));
+  command->add_option("--contrast", to->tone.contrast, "How steep the curve is at middle grey (1)")
+      ->check(CLI::Range(0.5, 2.0));
+  command->footer("Example:\n  frond develop frame_0001.png -o birch.png --highlights 2 --contrast 1.1");
+  command->callback([&result, to] { result = develop_picture(*to); });
+}
+
 void add_export(CLI::App& app, int& result) {
   auto to = std::make_shared<ExportArguments>();
   auto* command = app.add_subcommand(
@@ -289,8 +303,9 @@ int run(int count, char** words) {
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", FROND_VERSION);
   int result = kDone;
-  for (auto add : {add_new, add_describe, add_look, add_generate, add_export, add_textures, add_check,
-                   add_info, add_files, add_farm, add_derive, add_turtle, add_catalogue, add_studio})
+  for (auto add :
+       {add_new, add_describe, add_look, add_generate, add_export, add_textures, add_develop, add_check,
+        add_info, add_files, add_farm, add_derive, add_turtle, add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -12,6 +12,7 @@
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/body.h"
+#include "emit/camera.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
 #include "emit/skin.h"
@@ -51,37 +52,6 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
     text += ") ";
     append_comment(text, b.name);
   }
-}
-
-/// A lens before film 36 mm wide, for what is not in focus.
-void append_lens(std::string& text, const PovSpace& space, const Camera& camera, Quality quality,
-                 double time) {
-  if (!camera.aperture) return;
-  double focal_length = 0.018 / std::tan(radians(camera.angle.at(time)) / 2);
-  text += " aperture ";
-  append(text, focal_length / *camera.aperture * space.unit, 6);
-  text += " focal_point";
-  append_point(text, space, (camera.focus ? *camera.focus : camera.look_at).at(time));
-  constexpr std::string_view kSamples[] = {"12 confidence 0.8 variance 0.003",
-                                           "40 confidence 0.95 variance 0.0004",
-                                           "150 confidence 0.99 variance 0.0001"};
-  text += " blur_samples ";
-  text += kSamples[static_cast<std::size_t>(quality)];
-}
-
-std::string camera_text(const PovSpace& space, const Camera& camera, Quality quality, double time) {
-  Vec3 location = camera.location.at(time), view = camera.look_at.at(time) - location;
-  bool upright = std::abs(view.y) > 0.999f * glm::length(view);
-  std::string text = "camera{location";
-  append_point(text, space, location);
-  if (upright) text += " sky z";
-  text += " right x*image_width/image_height angle ";
-  append(text, camera.angle.at(time), 4);
-  text += " look_at";
-  append_point(text, space, camera.look_at.at(time));
-  append_lens(text, space, camera, quality, time);
-  text += '}';
-  return text;
 }
 
 /// One food object for each place that an organism is drawn to.
@@ -360,6 +330,7 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
       if (parts.light.empty()) return;
       return out("+RFI +RF" + (parts.light == kOwnLight ? "frame_" + padded + ".rca" : parts.light) + " ");
     }
+    if (hole == "tone") return out(tone_text(scene.stage.camera));
     if (hole == "time") return out(number_text(time));
     if (hole == "loop") return out(number_text(film.length()));
     if (hole == "includes") return out(includes_text(scene));

@@ -273,7 +273,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
 
 Raster quick_look(const Scene& scene, double time) {
   auto [width, height] = scene.film.size;
-  Daylight light = settings()[scene.stage.setting].answers.daylight(scene.stage);
+  Daylight light = daylight_of(scene.stage);
   Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
   std::vector<Specimen> changed;
   for (const Specimen& s : scene.specimens)

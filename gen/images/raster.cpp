@@ -38,22 +38,46 @@ Result<std::string> png_text(const Raster& raster) {
   return text;
 }
 
-Result<Raster> read_png(std::string_view bytes) {
-  png_image image{};
+namespace {
+
+/// Begins to read a file and looks at its size.
+Errors begin(png_image& image, std::string_view bytes) {
   image.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
-    return Error{"", std::string("no PNG: ") + image.message};
-  if (image.width > kLongestSide || image.height > kLongestSide ||
-      std::uint64_t{image.width} * image.height > kMostPixels) {
-    png_image_free(&image);
-    return Error{"", "the picture is larger than 16384 pixels a side, or 100 million in all"};
-  }
+    return {Error{"", std::string("no PNG: ") + image.message}};
+  if (image.width <= kLongestSide && image.height <= kLongestSide &&
+      std::uint64_t{image.width} * image.height <= kMostPixels)
+    return {};
+  png_image_free(&image);
+  return {Error{"", "the picture is larger than 16384 pixels a side, or 100 million in all"}};
+}
+
+/// Reads the rest, as `image.format` says.
+Errors finish(png_image& image, void* data) {
+  if (png_image_finish_read(&image, nullptr, data, 0, nullptr)) return {};
+  return {Error{"", std::string("no PNG: ") + image.message}};
+}
+
+}  // namespace
+
+Result<Raster> read_png(std::string_view bytes) {
+  png_image image{};
+  if (Errors errors = begin(image, bytes); !errors.empty()) return errors;
   bool color = image.format & PNG_FORMAT_FLAG_COLOR, alpha = image.format & PNG_FORMAT_FLAG_ALPHA;
   int channels = alpha ? 4 : color ? 3 : 1;
   image.format = format_of(channels);
   Raster raster(static_cast<int>(image.width), static_cast<int>(image.height), channels);
-  if (!png_image_finish_read(&image, nullptr, raster.data.data(), 0, nullptr))
-    return Error{"", std::string("no PNG: ") + image.message};
+  if (Errors errors = finish(image, raster.data.data()); !errors.empty()) return errors;
+  return raster;
+}
+
+Result<LinearRaster> read_linear_png(std::string_view bytes) {
+  png_image image{};
+  if (Errors errors = begin(image, bytes); !errors.empty()) return errors;
+  image.format = PNG_FORMAT_LINEAR_RGB;
+  LinearRaster raster{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  raster.data.resize(std::size_t{3} * image.width * image.height);
+  if (Errors errors = finish(image, raster.data.data()); !errors.empty()) return errors;
   return raster;
 }
 

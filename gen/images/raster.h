@@ -26,6 +26,12 @@ struct Raster {
   std::uint8_t at(int x, int y, int c = 0) const { return data[index(x, y, c)]; }
 };
 
+/// A colour picture of 16 bits a channel; brightness is linear.
+struct LinearRaster {
+  int width = 0, height = 0;
+  std::vector<std::uint16_t> data;
+};
+
 /// A number at each pixel, mostly 0 to 1; rows from the top down.
 struct Grid {
   int width = 0, height = 0;
@@ -51,5 +57,6 @@ Result<std::string> png_text(const Raster& raster);
 
 /// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels a side.
 Result<Raster> read_png(std::string_view bytes);
+Result<LinearRaster> read_linear_png(std::string_view bytes);
 
 }  // namespace frond

@@ -41,6 +41,10 @@ void describe(Visitor& v, Camera& c) {
            "Share of the picture's width and height that `fit` leaves free at each edge");
   v.number("exposure", c.exposure, {.min = -8, .max = 8, .sense = "1 is twice as bright, -1 half"},
            "Stops by which a picture outdoors is brighter than a light meter has it");
+  v.number("highlights", c.highlights, {.min = 0, .max = 6, .sense = "2 as on film"},
+           "Stops above white that keep their shape instead of burning out, outdoors");
+  v.number("contrast", c.contrast, {.min = 0.5, .max = 2, .sense = "1.2 a crisp picture"},
+           "How steep the picture's curve is about middle grey");
   v.number(
       "aperture", c.aperture,
       {.min = 0.5, .max = 64, .sense = "1.4 a wide lens, 4 a portrait's, 16 nearly all sharp"},

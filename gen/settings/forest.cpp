@@ -119,7 +119,7 @@ SettingRow forest_setting() {
 
 Sky forest_sky(const Stage& stage) {
   // Under trees one opens the lens wider.
-  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Forest>().when), stage.camera.exposure + 0.75);
+  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Forest>().when), stage.camera.stops() + 0.75);
 }
 
 }  // namespace frond

@@ -75,7 +75,7 @@ SettingRow garden_setting() {
 }
 
 Sky garden_sky(const Stage& stage) {
-  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Garden>().when), stage.camera.exposure);
+  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Garden>().when), stage.camera.stops());
 }
 
 }  // namespace frond

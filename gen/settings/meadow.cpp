@@ -57,7 +57,7 @@ Sky meadow_sky(const Stage& stage) {
   const auto& meadow = stage.block<Meadow>();
   Moment when = meadow.when;
   if (meadow.hour) when.hour = *meadow.hour;
-  return sky_over(meadow, meadow.hour ? sun_at(when) : meadow.sun, stage.camera.exposure);
+  return sky_over(meadow, meadow.hour ? sun_at(when) : meadow.sun, stage.camera.stops());
 }
 
 }  // namespace frond

@@ -62,4 +62,9 @@ Land Grounds::sloping_land(double size, std::vector<Spot> taken) const {
   return land;
 }
 
+Daylight daylight_of(Stage stage) {
+  stage.camera.highlights = 0;
+  return settings()[stage.setting].answers.daylight(stage);
+}
+
 }  // namespace frond

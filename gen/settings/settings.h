@@ -19,4 +19,7 @@ std::span<const SettingRow> settings();
 /// Which row a name is; as many as there are rows where it is none.
 std::size_t row_of(std::string_view name);
 
+/// What lights a stage, as its finished picture shows it.
+Daylight daylight_of(Stage stage);
+
 }  // namespace frond

@@ -34,9 +34,16 @@ struct Camera {
   std::vector<std::string> fit;  ///< names of organisms that it is moved to have in the picture, whole
   double margin = 0.06;          ///< of the picture's sides, that stay free at each edge of it
   double exposure = 0;           ///< stops more light than a meter says
+  double highlights = 0;         ///< stops above white that are kept, see Tone
+  double contrast = 1;           ///< of the picture, see Tone
   /// The f-number of a lens before film 36 mm wide; none: all is sharp.
   std::optional<double> aperture;
   std::optional<Animated<Vec3>> focus;  ///< what is sharp; else what it looks at
+
+  /// Stops more light than a meter says, as POV-Ray draws it.
+  double stops() const { return exposure - highlights; }
+  /// Whether what POV-Ray draws still has to be developed.
+  bool toned() const { return highlights != 0 || contrast != 1; }
 };
 
 /// Low dunes or a lawn, and the loose stones on it.

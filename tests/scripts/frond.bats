@@ -48,6 +48,18 @@ setup() {
   [ "$output" = "ABAAB" ]
 }
 
+@test "a picture is developed as the first line of its scene says" {
+  "$frond" generate "$root/tests/presets/tiny_still.json" -o out -q --set /scene/setting=meadow --size 20x16 \
+    --set /scene/camera/highlights=2 --set /scene/camera/contrast=1.1
+  [[ "$(head -n 1 out/frames/frame_0001.pov)" == *' +FN16; then frond develop --highlights 2 --contrast 1.1' ]]
+  (cd out && ninja frames/frame_0001.png)
+  [ "$(od -An -tu1 -j 24 -N 1 out/frames/frame_0001.png | tr -d ' ')" = 8 ]
+  run "$frond" develop out/frames/frame_0001.pov -o x.png
+  [ "$status" -eq 1 ]
+  [[ "$output" == *"frame_0001.pov: no PNG"* ]]
+  [ ! -e x.png ]
+}
+
 @test "look draws a picture and says how large all has grown" {
   run --separate-stderr "$frond" look "$root/presets/staghorn.json" --size 64x48 --set '/scene/camera/fit=["all"]'
   [ "$status" -eq 0 ]

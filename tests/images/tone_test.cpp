@@ -1,0 +1,77 @@
+#include "images/tone.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/linear.h"
+#include "images/raster.h"
+
+namespace frond {
+namespace {
+
+TEST(Tone, WithoutAnythingLightStaysAsItIs) {
+  for (double light : {0.0, 0.01, 0.18, 0.7, 1.0}) EXPECT_NEAR(toned(light, {}), light, 1e-12);
+}
+
+TEST(Tone, BrightestIsWhiteAndMiddleGreyStays) {
+  for (double stops : {0.5, 2.0, 4.0})
+    for (double contrast : {1.0, 1.2, 1.5}) {
+      Tone tone{stops, contrast};
+      EXPECT_NEAR(toned(1, tone), 1, 1e-9);
+      EXPECT_NEAR(toned(0.18 / std::exp2(stops), tone), 0.18, 1e-9);
+    }
+}
+
+TEST(Tone, MoreLightIsNeverDarkerAndNothingJumps) {
+  for (Tone tone : {Tone{2, 1}, Tone{3, 1.3}, Tone{0, 0.7}, Tone{0, 1.4}}) {
+    double before = toned(0, tone);
+    for (int i = 1; i <= 4000; ++i) {
+      double now = toned(i / 4000.0, tone);
+      EXPECT_GT(now, before);
+      EXPECT_LT(now - before, 0.02);
+      before = now;
+    }
+  }
+}
+
+TEST(Tone, ContrastTurnsAboutMiddleGrey) {
+  Tone steep{0, 1.4};
+  EXPECT_LT(toned(0.05, steep), 0.05);
+  EXPECT_GT(toned(0.4, steep), 0.4);
+}
+
+/// A row of pixels of 16 bits, as POV-Ray writes it: sRGB.
+std::string fine_png(const std::vector<double>& lights) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(lights.size()), image.height = 1;
+  image.format = PNG_FORMAT_LINEAR_RGB;
+  std::vector<png_uint_16> data;
+  for (double light : lights)
+    data.insert(data.end(), 3, static_cast<png_uint_16>(std::lround(light * 65535)));
+  png_alloc_size_t size = 1 << 16;
+  std::string text(size, '\0');
+  EXPECT_TRUE(png_image_write_to_memory(&image, text.data(), &size, 0, data.data(), 0, nullptr));
+  text.resize(size);
+  return text;
+}
+
+TEST(Tone, ADevelopedPictureHasEightBits) {
+  Tone tone{2, 1.2};
+  std::vector<double> lights{0, 0.01, 0.045, 0.2, 0.6, 1};
+  Result<std::string> picture = develop(fine_png(lights), tone);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ((*picture)[24], 8);  // of the file's head, bits a channel
+  Result<Raster> raster = read_png(*picture);
+  ASSERT_TRUE(raster);
+  for (int i = 0; i < static_cast<int>(lights.size()); ++i)
+    EXPECT_NEAR(raster->at(i, 0, 1), 255 * encoded(toned(lights[static_cast<std::size_t>(i)], tone)), 1.5);
+}
+
+TEST(Tone, WhatIsNoPictureIsAnError) { EXPECT_FALSE(develop("no picture", {})); }
+
+}  // namespace
+}  // namespace frond
