@@ -47,6 +47,8 @@ tree-cypress 480x640 1 trees/cypress
 tree-cedar 640x560 1 trees/cedar
 tree-dead_tree 720x540 1 trees/dead_tree
 tree-light_race 560x420 1 trees/light_race@120
+trees-ages 320x300 3 trees/oak,/organisms/0/years=6,/scene/camera/fit=["all"] trees/oak,/organisms/0/years=14,/scene/camera/fit=["all"] trees/oak,/scene/camera/fit=["all"]
+trees-winter 320x300 4 trees/oak,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/beech,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/birch,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/maple,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"]
 trees-seasons 404x304 2 trees/seasons@40 trees/seasons@110 trees/seasons@200 trees/seasons@235
 photograph-grass 640x400 1 photographs/grass
 aspen 420x525 1 aspen
