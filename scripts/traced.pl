@@ -15,6 +15,7 @@ if (@ARGV != 1) { print STDERR $usage; exit 2 }
 open(my $file, '+<:raw', $ARGV[0]) or die "$ARGV[0]: $!\n";
 my ($size, $at, $coarse, $first) = (-s $file, 512, 0, 0);
 my $message;
+exit 0 if read($file, $message, 25) < 25 || $message ne 'POV-Ray Render State File';    # another renderer's
 while ($at + 16 <= $size && seek($file, $at, 0) && read($file, $message, 16) == 16 && $message =~ /^POVRAYMS/) {
   my $length = 20 + unpack 'x12 N', $message;
   last if $at + $length > $size;
