@@ -186,6 +186,9 @@ void describe(Visitor& v, LeafLook& l) {
   v.angle("fold", l.fold, {.min = -80, .max = 80}, "Angle by which each half is raised along the midrib");
   v.angle("bend", l.bend, {.min = -180, .max = 180},
           "Angle by which a leaf is bent down from its foot to its tip");
+  v.number("curl", l.curl, {.min = 0, .max = 1},
+           "How far its lobes curl up and its blade buckles, as it dries");
+  v.number("age", l.age, {.min = 0, .max = 1}, "How far brown has come from the rim, and in blotches");
   v.integer("detail", l.detail, {.min = 3, .max = 80}, "Number of points of the mesh along half the rim");
   v.integer("pixels", l.pixels, {.min = 16, .max = 4096}, "Height of the leaf's picture");
   v.number("size_variation", l.size_variation, {.min = 0, .max = 0.9},

@@ -1,5 +1,8 @@
 #include "dress/dress.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace frond {
 
 LeafLook leaves_of(const TreeDress& dress) {
@@ -20,6 +23,7 @@ Dress dress_of(const TreeDress& tree, bool leafy) {
 std::vector<Drawing> drawings(const Look& look) {
   std::vector<Drawing> all;
   if (look.leaves) all = leaf_drawings(*look.leaves);
+  for (const LeafLook& organ : look.organs) std::ranges::move(leaf_drawings(organ), std::back_inserter(all));
   if (look.coat) all.push_back(bark_drawing(*look.coat));
   return all;
 }

@@ -29,6 +29,7 @@ struct Look {
   double lobe_depth = 0;
   BladeLook blades;
   std::optional<LeafLook> leaves;  ///< as pictures, where it bears such, with those of all seasons
+  std::vector<LeafLook> organs;    ///< a plant's organs that are pictures
 };
 
 /// All that the parameters of an organism say of its look and its motion.

@@ -24,6 +24,7 @@ std::string picture_name(const LeafLook& look, std::size_t color) {
   const LeafOutline& o = leaf.outline;
   append_list(key, 6, o.width, o.teeth, o.tooth, o.stalk, o.palmate, leaf.spots, look.pixels, leaf.sprig,
               spots_of(look, color));
+  if (leaf.age > 0) append_list(key += ';', 6, leaf.age);
   for (const Color& c : {leaf.color, leaf.veins, leaf.rim})
     key += ';', append_list(key, 6, c.red, c.green, c.blue);
   if (leaf.sprig) {
@@ -66,12 +67,14 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color) {
   leaf.veins = tint.veins;
   leaf.rim = tint.rim;
   leaf.spots = look.spots;
+  leaf.age = look.age;
   return leaf;
 }
 
-Prototype leaf_prototype(const LeafLook& look) {
+Prototype leaf_prototype(const LeafLook& look, double phase) {
   Prototype made{"leaf", {}, look.colors, look.veins};
-  OrganPart part{Tissue::leaf, leaf_mesh(leaf_image(look, 0), look.detail, look.fold, look.bend)};
+  OrganPart part{Tissue::leaf,
+                 leaf_mesh(leaf_image(look, 0), look.detail, look.fold, look.bend, {look.curl, phase})};
   for (std::size_t i = 0; i < look.looks(); ++i) part.pictures.push_back(picture_name(look, i));
   for (const LeafTint& tint : look.turned) made.colors.push_back(tint.color);
   if (!look.turned.empty()) made.summer = look.colors.size();

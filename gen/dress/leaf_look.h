@@ -43,6 +43,8 @@ struct LeafLook {
   double spots = 0.2;           ///< how much the colour varies over a leaf
   double fold = radians(14.0);  ///< of each half
   double bend = radians(30.0);  ///< from foot to tip
+  double curl = 0;              ///< as it dries, 0..1
+  double age = 0;               ///< brown at the rim and in blotches, 0..1
   int detail = 10;              ///< points of the mesh along half a rim
   int pixels = 256;             ///< height of the picture
   double size_variation = 0.2;
@@ -55,8 +57,8 @@ struct LeafLook {
 /// The leaf in one of its colours.
 LeafImage leaf_image(const LeafLook& look, std::size_t color);
 
-/// A leaf as an organ of a model, with the names of its pictures.
-Prototype leaf_prototype(const LeafLook& look);
+/// A leaf as an organ of a model, with the names of its pictures; one that curls does so by `phase`, radians.
+Prototype leaf_prototype(const LeafLook& look, double phase = 0);
 
 /// The pictures that its prototype names, in the same order, each a drawing of its own.
 std::vector<Drawing> leaf_drawings(const LeafLook& look);

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/eyes.h"
+#include "emit/plant.h"
 #include "emit/solid.h"
 
 namespace frond {
@@ -58,12 +59,13 @@ std::string wood_look(const Look& look) {
   return text + ",T)";
 }
 
-std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain) {
+std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
+                      const std::optional<Luster>& luster) {
   std::string text = "#local C = ";
   append_colors(text, colors);
-  text += fmt::format("; texture{{{}(C,", plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)]);
-  append_color(text, second);
-  return text + ",T)}";
+  std::string look = fmt::format("{}(C,", plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)]);
+  append_color(look, second);
+  return text + "; " + lustrous(look + ",T)", luster, plain ? "" : relief_macro(tissue), {});
 }
 
 /// What the macro of a part holds: a texture for the tint T.
@@ -72,15 +74,18 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
     case CopyPart::Kind::wood:
       return "texture{" + wood_look(look) + "}";
     case CopyPart::Kind::blade:
-      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue, false);
+      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue, false, {});
     case CopyPart::Kind::organ: {
       const Prototype& prototype = model.prototypes[part.which];
       const OrganPart& organ = prototype.parts[part.part];
-      if (organ.pictures.empty()) return leaf_look(prototype.colors, prototype.second, organ.tissue, plain);
+      if (organ.pictures.empty())
+        return leaf_look(prototype.colors, prototype.second, organ.tissue, plain, prototype.luster);
       std::string text = fmt::format("#local F = array[{}]{{", organ.pictures.size());
       for (std::size_t i = 0; i < organ.pictures.size(); ++i)
         text += fmt::format("{}\"{}\"", i > 0 ? "," : "", organ.pictures[i]);
-      return text + "}; texture{Copy_Picture(F,T)}";
+      Luster luster = prototype.luster.value_or(Luster{.gloss = 0.13});
+      return text +
+             fmt::format("}}; texture{{Copy_Picture(F,T,{:.4g},{:.4g})}}", luster.through, luster.gloss);
     }
     case CopyPart::Kind::solid:
       return material_text(model.solids.shapes[part.which].material);

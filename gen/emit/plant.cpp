@@ -31,23 +31,23 @@ void append_organ_name(std::string& text, std::size_t entry, std::size_t prototy
   append_index(text, part);
 }
 
-/// `texture{Plant_Leaf(color, second, shade)}`; `opening` is all before the first colour.
-void append_look(std::string& text, std::string_view opening, const Color& color, const Color& second,
-                 std::size_t shade) {
-  text += opening;
+/// `Plant_Leaf(color, second, shade)`
+std::string look(std::string_view macro, const Color& color, const Color& second, std::size_t shade) {
+  std::string text(macro);
+  text += '(';
   append_color(text, color);
   text += ',';
   append_color(text, second);
   text += ',';
   append_index(text, shade);
-  text += ")}";
+  return text + ')';
 }
 
 void append_tissue(std::string& text, Tissue tissue, const Color& color, const Color& second,
-                   std::size_t shade) {
+                   std::size_t shade, const std::optional<Luster>& luster) {
   std::string_view macro = kTissueMacros[static_cast<std::size_t>(tissue)];
-  append_look(text, fmt::format("texture{{{}(", macro), color, second, shade);
-  if (tissue == Tissue::ivy) append_look(text, "interior_texture{Ivy_Under(", color, second, shade);
+  text += lustrous(look(macro, color, second, shade), luster, relief_macro(tissue), {});
+  if (tissue == Tissue::ivy) text += "interior_texture{" + look("Ivy_Under", color, second, shade) + '}';
 }
 
 /// The colour of an organ that has come `step` of kSteps on its way from the bud.
@@ -62,13 +62,9 @@ Color unfolding_color(const Prototype& prototype, std::size_t color, std::size_t
 
 std::size_t steps_of(const Prototype& prototype) { return prototype.bud ? kSteps : 1; }
 
-/// `texture{Tree_Leaf("leaf_0.png", shade)}`
-void append_picture(std::string& text, std::string_view name, std::size_t shade) {
-  text += "texture{Tree_Leaf(\"";
-  text += name;
-  text += "\",";
-  append_index(text, shade);
-  text += ")}";
+/// Of the picture of a leaf.
+std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
+  return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
 }
 
 std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kLeafShades; }
@@ -154,9 +150,11 @@ void write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, do
       if (text.size() > kPiece) out(text), text.clear();
     }
     if (!prototype.parts[part].pictures.empty())
-      append_picture(text, prototype.parts[part].pictures[k / kLeafShades / steps], k % kLeafShades);
+      text += picture_look(prototype.parts[part].pictures[k / kLeafShades / steps], k % kLeafShades,
+                           prototype.luster);
     else
-      append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kLeafShades);
+      append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kLeafShades,
+                    prototype.luster);
     text += "}\n";
   }
   out(text);
@@ -185,13 +183,28 @@ void write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, co
     if (surface.triangle.empty()) continue;
     std::string text = "object{";
     append_mesh(text, space, surface);
-    append_tissue(text, look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades);
+    append_tissue(text, look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades, {});
     text += "}\n";
     out(text);
   }
 }
 
 }  // namespace
+
+std::string_view relief_macro(Tissue tissue) {
+  return tissue == Tissue::leaf ? "Plant_Veined" : tissue == Tissue::petal ? "Plant_Pleated" : "";
+}
+
+std::string lustrous(const std::string& inside, const std::optional<Luster>& luster, std::string_view relief,
+                     std::string_view file) {
+  if (!luster) return "texture{" + inside + '}';
+  std::string above = fmt::format(" Plant_Luster({:.4g},{:.4g})", luster->through, luster->gloss), rough;
+  if (luster->relief > 0 && !relief.empty())
+    rough = fmt::format(" {}({}{:.4g})", relief, file.empty() ? "" : fmt::format("\"{}\",", file),
+                        luster->relief);
+  return fmt::format("texture{{{0}{1}{2}}}interior_texture{{{0} Plant_Luster({3:.4g},0){2}}}", inside, above,
+                     rough, luster->through);
+}
 
 bool ringed(const Bark& bark) { return bark.kind == BarkKind::palm; }
 

@@ -25,6 +25,14 @@ bool one_texture(const Specimen& plant);
 /// Which of the colours of its bark a node has.
 std::size_t bark_color(const Specimen& plant, std::int32_t node);
 
+/// The macro that raises the relief of a tissue; empty: it has none.
+std::string_view relief_macro(Tissue tissue);
+
+/// The textures of an organ, given what stands inside `texture { }`: with a gloss above, none below and a
+/// relief by that macro, which may take a `file`, where it has a luster of its own.
+std::string lustrous(const std::string& inside, const std::optional<Luster>& luster, std::string_view relief,
+                     std::string_view file);
+
 /// Appends the calls that declare the skins of a plant, one for each colour of its bark, from `first` on.
 void append_bark(std::string& text, const Specimen& plant, std::size_t first);
 

@@ -27,7 +27,14 @@ const std::vector<Named>& table() {
         0.10,
         false}},
       {"maple",
-       {{1, 0.62, 0.66, 0.36, 0.56, 0.95, 0.60, 0.62, 0.36, 0.46, 0.66, 0.50, 0.34}, 1, 0, 0, 0.26, true}},
+       {{1,    0.80, 0.64, 0.72, 0.56, 0.44, 0.40, 0.46, 0.58, 0.74, 0.68, 0.84, 0.97,
+         0.80, 0.64, 0.70, 0.56, 0.46, 0.42, 0.44, 0.50, 0.59, 0.54, 0.63, 0.72, 0.60,
+         0.50, 0.51, 0.42, 0.38, 0.36, 0.35, 0.34, 0.33, 0.32, 0.30, 0.26},
+        1,
+        0,
+        0,
+        0.26,
+        true}},
       {"ivy",
        {{1, 0.80, 0.56, 0.52, 0.70, 0.84, 0.62, 0.50, 0.56, 0.62, 0.48, 0.24}, 0.95, 0, 0, 0.28, true}},
       {"aspen", {{1, 0.84, 0.80, 0.82, 0.84, 0.82, 0.74}, 0.98, 16, 0.03, 0.36, false}},
@@ -132,6 +139,8 @@ PictureFrame picture_frame(const LeafImage& leaf) {
   return frame;
 }
 
+double leaf_middle(const LeafOutline& outline) { return leaf_frame(outline).middle; }
+
 std::vector<Vec2> leaf_rim(const LeafOutline& outline, int points) {
   LeafFrame f = leaf_frame(outline);
   constexpr int kFine = 160;
@@ -161,6 +170,7 @@ namespace {
 using Rgb = glm::dvec3;
 
 constexpr int kSamples = 3;  // a pixel, each way
+constexpr Rgb kBrown{0.36, 0.20, 0.09};
 
 Rgb rgb(const Color& c) { return {c.red, c.green, c.blue}; }
 
@@ -192,7 +202,11 @@ class Blade {
     auto n = static_cast<int>(o_.radii.size());
     for (int i = 1; i + 1 < n; ++i) {
       auto at = [&](int k) { return o_.radii[static_cast<std::size_t>(k)]; };
-      if (at(i) < at(i - 1) || at(i) < at(i + 1)) continue;
+      bool lobe = true;  // and no tooth beside one
+      int round = std::max(1, n / 9);
+      for (int k = std::max(0, i - round); k <= std::min(n - 1, i + round); ++k)
+        lobe = lobe && at(i) >= at(k);
+      if (!lobe) continue;
       double a = kPi * i / (n - 1), r = at(i) * scale_;
       lobes_.emplace_back(r * std::sin(a) * o_.width, middle_ + r * std::cos(a));
     }
@@ -216,6 +230,11 @@ class Blade {
     Rgb color = rgb(leaf_.color) * (0.80 + 0.30 * std::min(away, 1.0)) * (0.93 + 0.07 * mesh);
     color *= Rgb(1) + Rgb(0.9, 0.5, 0.3) * (leaf_.spots * blotch);
     color = glm::mix(color, rgb(leaf_.rim), 0.55 * smooth_step(0.80, 1.0, away));
+    if (leaf_.age > 0) {
+      double rough = tiling_fractal(p.x * 7 + 8, p.y * 7, 64, 64, 5, 0.6, own.child("age"));
+      double brown = smooth_step(0.12, 0.34, 1.1 * leaf_.age + 0.9 * (std::min(away, 1.0) - 1) + 0.4 * rough);
+      color = glm::mix(color, kBrown * (1 + 0.5 * blotch), 0.85 * brown);
+    }
     // Beside a vein the blade bulges: light on one side, dark on the other.
     color *= 1 - 0.14 * smooth_step(0.02, 0.35, strength) * (1 - smooth_step(0.35, 1.0, strength));
     return glm::mix(color, rgb(leaf_.veins), 0.75 * smooth_step(0.3, 1.0, strength));
@@ -237,7 +256,7 @@ class Blade {
       for (Vec2 lobe : lobes_)
         for (float side : {1.0f, -1.0f})
           strongest = std::max(strongest, vein(p, foot_, Vec2(lobe.x * side, lobe.y), 0.010, pixel));
-      return std::max(strongest, 0.5 * side_veins(p, 11, 1.2, pixel));
+      return std::max(strongest, 0.7 * lobe_veins(p, pixel));
     }
     return std::max(strongest, 0.8 * side_veins(p, 9, 0.75, pixel));
   }
@@ -248,6 +267,21 @@ class Blade {
     if (along < 0.02) return 0;
     double k = along * count + (p.x > 0 ? 0.15 : 0), d = std::abs(k - std::floor(k) - 0.5) / count;
     return line(d, 0.006 * (1 - std::min(1.0, 1.6 * x)), pixel / (1 - o_.stalk));
+  }
+
+  /// Side veins of that main vein which is nearest by its direction, as the others hide behind it.
+  double lobe_veins(Vec2 p, double pixel) const {
+    Vec2 off = Vec2(std::abs(p.x), p.y) - foot_, main = Vec2(0, 1) - foot_;
+    for (Vec2 lobe : lobes_)
+      if (Vec2 way = lobe - foot_;
+          glm::dot(off, way) * glm::length(main) > glm::dot(off, main) * glm::length(way))
+        main = way;
+    float length = glm::length(main), along = glm::dot(off, main) / length;
+    double side = (off.x * main.y - off.y * main.x) / length, away = std::abs(side);
+    if (along < 0.02f || along > length) return 0;
+    double count = 2 + 7 * length, k = (along - 0.9 * away) / length * count + (side > 0 ? 0.4 : 0);
+    return line(0.74 * length * std::abs(k - std::floor(k) - 0.5) / count,
+                0.0055 * (1 - std::min(1.0, 3 * away)), pixel);
   }
 
   const LeafImage& leaf_;

@@ -54,6 +54,7 @@ struct LeafImage {
   Color veins{0.62f, 0.72f, 0.36f};
   Color rim{0.44f, 0.52f, 0.16f};
   double spots = 0.15;  ///< how much the colour varies over it, 0..1
+  double age = 0;       ///< brown at the rim and in blotches, 0..1
 };
 
 /// What part of the plane a picture shows: x of -half..half, y of low..high.
@@ -68,12 +69,22 @@ PictureFrame picture_frame(const LeafImage& leaf);
 /// unit from the stalk's foot at the origin to the tip.
 std::vector<Vec2> leaf_rim(const LeafOutline& outline, int points);
 
+/// Where on the stalk's line the middle of the blade's circle is; all of the rim is seen from there.
+double leaf_middle(const LeafOutline& outline);
+
+/// How a leaf curls as it dries: its lobes up, each by another angle.
+struct LeafCurl {
+  double share = 0;  ///< 0..1
+  double phase = 0;  ///< radians; others curl otherwise
+};
+
 /// The picture, with opacity; its colours go on a little beyond the rim. `height` in pixels.
 Raster leaf_picture(const LeafImage& leaf, int height, Seed seed);
 
 /// The same outline as a mesh one unit long: the foot at the origin, growing along +y, the upper side toward
 /// +z, `uv` on the picture. Each half of each leaf has `points` on its rim: few for far leaves, 3 a diamond.
-/// `fold` raises the halves, `bend` lets the tip down; radians.
-Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend);
+/// `fold` raises the halves, `bend` lets the tip down; radians. One that curls has points within the rim,
+/// too.
+Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend, const LeafCurl& curl = {});
 
 }  // namespace frond

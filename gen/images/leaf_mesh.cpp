@@ -14,6 +14,7 @@ constexpr double kStalkWidth = 0.018;  // half, as a share of a leaf's length
 struct Bending {
   double fold, bend;
   PictureFrame frame;
+  LeafCurl curl;
 
   Vec2 uv(Vec2 p) const {
     return {static_cast<float>(0.5 + 0.5 * p.x / frame.half),
@@ -32,6 +33,46 @@ Vec3 bent(Vec2 p, double lift, const Bending& b) {
   return {p.x, static_cast<float>(y), static_cast<float>(z)};
 }
 
+/// A point of the blade as it lies curled about its middle: each spoke is an arc of its own.
+Vec3 curled(Vec2 q, Vec2 middle, const LeafCurl& curl) {
+  Vec2 off = q - middle;
+  double r = glm::length(off), a = std::atan2(off.x, off.y), p = curl.phase;
+  double arc = curl.share * (1.1 + 1.0 * std::sin(2 * a + p) + 0.7 * std::sin(3 * a + 2.3 * p) +
+                             0.6 * std::sin(7 * a + 3.1 * p));
+  double turn = arc * r, lift = std::abs(arc) > 1e-4 ? (1 - std::cos(turn)) / arc : 0;
+  double near = std::abs(arc) > 1e-4 ? std::sin(turn) / turn : 1;
+  // Between the veins the blade buckles.
+  lift += 0.05 * curl.share * r * std::sin(26 * q.y + 3 * p) * std::sin(21 * std::abs(q.x) + p);
+  Vec2 at = r > 1e-6 ? middle + off * static_cast<float>(near) : middle;
+  return {at, static_cast<float>(lift)};
+}
+
+/// The blade of a leaf that curls: spokes from its middle to the rim, and rings.
+void add_curled(Surface& s, const LeafImage& leaf, int points, const Bending& b) {
+  constexpr std::uint32_t kRings = 10;
+  std::vector<Vec2> rim = leaf_rim(leaf.outline, points);
+  for (std::size_t i = rim.size() - 2; i > 0; --i) rim.emplace_back(-rim[i].x, rim[i].y);
+  Vec2 middle(0, leaf_middle(leaf.outline));
+  auto add = [&](Vec2 q) {
+    Vec3 at = curled(q, middle, b.curl);
+    s.position.push_back(bent(Vec2(at), at.z + std::abs(q.x) * std::tan(b.fold), b));
+    s.uv.push_back(b.uv(q));
+  };
+  auto count = static_cast<std::uint32_t>(rim.size());
+  add(middle);
+  for (std::uint32_t ring = 1; ring <= kRings; ++ring)
+    for (Vec2 q : rim) add(glm::mix(middle, q, static_cast<float>(ring) / kRings));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::uint32_t next = (i + 1) % count;
+    s.triangle.push_back({0, 1 + next, 1 + i});
+    for (std::uint32_t ring = 0; ring + 1 < kRings; ++ring) {
+      std::uint32_t in = 1 + ring * count, out = in + count;
+      s.triangle.push_back({in + i, in + next, out + next});
+      s.triangle.push_back({in + i, out + next, out + i});
+    }
+  }
+}
+
 /// One leaf where it lies on its sprig; `above` keeps leaves apart that cross.
 void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int points, const Bending& b,
               double above) {
@@ -46,7 +87,9 @@ void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int poi
     s.position.push_back(bent(p, lift, b));
     s.uv.push_back(b.uv(p));
   };
+  if (b.curl.share > 0) add_curled(s, leaf, points, b);
   for (float side : {1.0f, -1.0f}) {
+    if (b.curl.share > 0) break;
     auto start = static_cast<std::uint32_t>(s.position.size());
     std::vector<Vec3> flat;
     // Up the midrib on a few points, so that it bends, and down the rim.
@@ -95,9 +138,9 @@ void add_rachis(Surface& s, double top, const Bending& b) {
 
 }  // namespace
 
-Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend) {
+Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend, const LeafCurl& curl) {
   Surface s;
-  Bending b{fold, bend, picture_frame(leaf)};
+  Bending b{fold, bend, picture_frame(leaf), leaf.sprig ? LeafCurl{} : curl};
   if (leaf.sprig) {
     std::vector<LeafPlace> places = sprig_places(leaf.sprigs);
     double top = 0;

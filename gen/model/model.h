@@ -19,6 +19,13 @@ struct OrganPart {
       {};  ///< PNG files, one for each colour of the prototype; empty: a plain tissue
 };
 
+/// How an organ takes light, where that is told.
+struct Luster {
+  double through = 0.35;  ///< share of what it throws back of light that shines through
+  double gloss = 0.16;    ///< of its upper side; the lower one is matt
+  double relief = 0;      ///< of veins and pleats
+};
+
 /// The shape of an organ, held once however often it occurs: its foot at the origin, growing along +y, its
 /// upper side toward +z, about one unit long.
 struct Prototype {
@@ -27,6 +34,7 @@ struct Prototype {
   std::vector<Color> colors;  ///< the turtle's colour index picks one, round and round; at least one
   Color second;               ///< of what differs from the rest: the heart of a flower, the veins of a leaf
   std::optional<Color> bud = {};  ///< what the colours go over from while the organ unfolds; none: they stay
+  std::optional<Luster> luster = {};  ///< none: as its tissue is by itself
   std::size_t summer = 0;  ///< so many colours are of summer, those that follow of other seasons; 0: all
 };
 

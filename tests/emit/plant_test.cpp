@@ -45,6 +45,30 @@ TEST(PlantText, DeclaresWhatItUses) {
   EXPECT_EQ(count(text, "Plant_Bark("), 2u);
 }
 
+TEST(PlantText, OrgansWithALusterAreGlossyAboveAndMattBelow) {
+  std::string leaf = R"({"symbol": "L", "luster": {"through": 0.5, "gloss": 0.3, "relief": 2}})";
+  std::string picture =
+      R"({"symbol": "L", "shape": "picture", "picture": {}, "luster": {"gloss": 0.3, "relief": 2}})";
+  for (bool pictured : {false, true}) {
+    std::string preset = R"({"seed": 2, "film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [
+      {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [)" +
+                         (pictured ? picture : leaf) + "]}]}";
+    Result<Preset> read = read_preset(preset, "x", {});
+    ASSERT_TRUE(read.ok());
+    std::string text = text_of(*build_scene(*read), 1);
+    EXPECT_EQ(count(text, pictured ? "Plant_Luster(0.35,0.3) Tree_Veined(\"leaf_"
+                                   : "Plant_Luster(0.5,0.3) Plant_Veined(2)"),
+              1u);
+    EXPECT_EQ(
+        count(text, pictured ? "Plant_Luster(0.35,0) Tree_Veined(" : "Plant_Luster(0.5,0) Plant_Veined(2)"),
+        1u);
+  }
+  EXPECT_FALSE(read_preset(R"({"organisms": [{"kind": "plant", "grammar": {"axiom": "F~L"}, "organs":
+    [{"symbol": "L", "shape": "picture"}]}]})",
+                           "x", {})
+                   .ok());
+}
+
 TEST(PlantText, ATreeWithoutLeavesAmongOthersThatBearThemIsWritten) {
   std::string preset = R"({"seed": 2, "film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [
     {"kind": "weber_penn", "count": 12, "tree": {"levels": 1, "leaves": 1}}]})";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -154,6 +155,42 @@ TEST(Leaf, APalmatePictureHasVeinsToItsLobes) {
     }
   EXPECT_GT(bright / opaque, 0.02);
   EXPECT_LT(bright / opaque, 0.35);
+}
+
+TEST(Leaf, OneThatCurlsLeavesThePlaneAndKeepsItsArea) {
+  LeafImage leaf = leaf_of("maple");
+  Surface flat = leaf_mesh(leaf, 40, 0, 0), curled = leaf_mesh(leaf, 40, 0, 0, {1, 0.4});
+  EXPECT_EQ(curled.check(), "");
+  EXPECT_NEAR(area(curled) / area(flat), 1, 0.2);  // it buckles
+  float high = 0;
+  for (Vec3 p : curled.position) high = std::max(high, p.z);
+  EXPECT_GT(high, 0.1f);
+  EXPECT_NE(curled.position, leaf_mesh(leaf, 40, 0, 0, {1, 2.0}).position);
+  // Its upper side is up.
+  Vec3 up(0);
+  for (Vec3 n : leaf_mesh(leaf, 40, 0, 0, {0.01, 0}).normal) up += n;
+  EXPECT_GT(glm::normalize(up).z, 0.9f);
+}
+
+TEST(Leaf, AgeBrownsTheRimFirst) {
+  LeafImage leaf = leaf_of("beech");
+  leaf.spots = 0;
+  auto greens = [&](double age) {
+    leaf.age = age;
+    Raster picture = leaf_picture(leaf, 200, Seed{1});
+    std::array<double, 2> green{};  // at the rim, and near the midrib
+    for (int y = 40; y < 140; ++y) {
+      int x = 0;
+      while (picture.at(x, y, 3) < 255) ++x;
+      green[0] += picture.at(x + 2, y, 1);
+      green[1] += picture.at(picture.width / 2 - 6, y, 1);
+    }
+    return green;
+  };
+  auto fresh = greens(0), turning = greens(0.3), old = greens(1);
+  EXPECT_LT(turning[0], 0.9 * fresh[0]);
+  EXPECT_GT(turning[1], 0.95 * fresh[1]);
+  EXPECT_LT(old[1], 0.8 * fresh[1]);
 }
 
 TEST(Sprig, HasAnEndLeafOrNot) {

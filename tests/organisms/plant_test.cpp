@@ -255,6 +255,21 @@ TEST(Plant, ShapesOfOrgansAreSound) {
   EXPECT_EQ(model.organs.size(), 6u);
 }
 
+TEST(Plant, LeavesAsPicturesCurlEachInAWayOfItsOwn) {
+  PlantParams params = herb("F~K", {}, 0, 45);
+  params.organs = {organ("K", OrganShape::picture)};
+  params.organs[0].picture.emplace().shape = LeafShape::maple;
+  params.organs[0].luster = Luster{.through = 0.6};
+  Model flat = grown(params);
+  EXPECT_EQ(flat.prototypes.size(), 3u);  // and the ball and the disc
+  EXPECT_EQ(flat.prototypes[0].parts[0].pictures.size(), params.organs[0].picture->colors.size());
+  EXPECT_EQ(flat.prototypes[0].luster->through, 0.6);
+  params.organs[0].picture->curl = 0.5;
+  Model curled = grown(params);
+  EXPECT_EQ(curled.prototypes.size(), 5u);
+  EXPECT_NE(curled.prototypes[0].parts[0].surface.position, curled.prototypes[1].parts[0].surface.position);
+}
+
 double area(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles) {
   double sum = 0;
   for (auto [a, b, c] : triangles)

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "dress/describe.h"
+#include "dress/picture_bounds.h"
 #include "geometry/obj.h"
 #include "grammar/figure.h"
 #include "organisms/describe_grammar.h"
@@ -20,11 +23,21 @@ inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"ball", OrganShape::ball, "round about its middle"},
     {"obj", OrganShape::obj, "the mesh of a Wavefront OBJ file, its foot at the bottom"},
     {"sprig", OrganShape::sprig, "a twig with leaves in two rows"},
-    {"frond", OrganShape::frond, "a feathered leaf of many leaflets, as of a palm or a fern"}};
+    {"frond", OrganShape::frond, "a feathered leaf of many leaflets, as of a palm or a fern"},
+    {"picture", OrganShape::picture, "a leaf of a known outline, as its picture shows it"}};
 
 inline constexpr Choice<Stand> kStands[] = {
     {"turtle", Stand::turtle, "where the turtle starts"},
     {"middle", Stand::middle, "below its middle, the lowest point on the ground"}};
+
+template <class Visitor>
+void describe(Visitor& v, Luster& l) {
+  v.number("through", l.through, {.min = 0, .max = 0.9},
+           "Share of the light, of all that it throws back, that comes out on the other side: a leaf glows "
+           "before a low sun");
+  v.number("gloss", l.gloss, {.min = 0, .max = 1}, "Gloss of the upper side; the lower side is matt");
+  v.number("relief", l.relief, {.min = 0, .max = 3}, "Depth of a leaf's veins or a petal's pleats");
+}
 
 template <class Visitor>
 void describe(Visitor& v, OrganParams& o) {
@@ -59,7 +72,8 @@ void describe(Visitor& v, OrganParams& o) {
             "Number of lobes on either side of a frond's leaflets, as a fern has them; 0 leaves them whole");
   v.angle("droop", o.droop, {.min = -90, .max = 180},
           "Angle by which a frond's leaflets hang from foot to tip");
-  v.integer("variants", o.variants, {.min = 1, .max = 12}, "Number of different shapes of a sprig or frond");
+  v.integer("variants", o.variants, {.min = 1, .max = 12},
+            "Number of different shapes of a sprig or frond, or of a picture that curls");
   v.angle("open", o.open, {.min = 0, .max = 150},
           "Angle between petals and the heading of the flower or bud");
   v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
@@ -67,6 +81,10 @@ void describe(Visitor& v, OrganParams& o) {
            "Random change of the size, as a share of it");
   v.angle("turn_variation", o.turn_variation, {.min = 0, .max = 180},
           "Random tilt of each organ, either way");
+  v.object("picture", o.picture,
+           "The leaf's outline, colours and mesh; size and variations are those above. Needs \"shape\": "
+           "\"picture\"");
+  v.object("luster", o.luster, "How it takes light; without it as is usual for its shape");
 }
 
 template <class Visitor>
@@ -139,7 +157,17 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
  public:
   Errors check() const override {
     Result<Grammar> grammar = plant_grammar(params);
-    return pointed(params.grammar, grammar ? foreseen_trouble(*grammar) : grammar.errors());
+    if (!grammar) return pointed(params.grammar, grammar.errors());
+    for (std::size_t i = 0; i < params.organs.size(); ++i) {
+      std::string pointer = fmt::format("/organs/{}/picture", i);
+      const OrganParams& organ = params.organs[i];
+      if (organ.picture.has_value() != (organ.shape == OrganShape::picture))
+        return {{pointer, organ.picture ? "needs \"shape\": \"picture\""
+                                        : "is missing; the shape \"picture\" needs it"}};
+      if (Errors errors = check_pictures({}, organ.picture, (pointer + "/pixels").c_str()); !errors.empty())
+        return errors;
+    }
+    return pointed(params.grammar, foreseen_trouble(*grammar));
   }
   Errors doubts() const override {
     Result<Grammar> grammar = plant_grammar(params);
@@ -155,6 +183,8 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     Dress dress;
     dress.look.bark = params.bark;
     dress.look.blades = params.blades;
+    for (const OrganParams& organ : params.organs)
+      if (organ.picture) dress.look.organs.push_back(*organ.picture);
     dress.season = params.season;
     dress.motion = {params.growth, params.wave, {}, 1};
     dress.variation = params.bark.variation;

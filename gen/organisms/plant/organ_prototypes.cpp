@@ -78,7 +78,8 @@ TwigShape sprig_shape(const OrganParams& p) {
 }
 
 int variant_count(const OrganParams& p) {
-  return p.shape == OrganShape::sprig || p.shape == OrganShape::frond ? p.variants : 1;
+  bool curled = p.picture && p.picture->curl > 0;
+  return p.shape == OrganShape::sprig || p.shape == OrganShape::frond || curled ? p.variants : 1;
 }
 
 /// Gives a mesh without `uv` that of a petal: 0 on its axis, 1 at its rim.
@@ -115,6 +116,10 @@ Prototype prototype(const OrganParams& p, Seed seed) {
       made.parts.push_back({Tissue::petal, p.mesh});
       set_uv(made.parts.back().surface);
       break;
+    case OrganShape::picture:
+      if (p.picture) made = leaf_prototype(*p.picture, 2 * kPi * seed.unit());
+      made.name = p.symbol;
+      break;
     case OrganShape::berry:
     case OrganShape::ball: {
       Surface ball = ball_surface();
@@ -127,6 +132,7 @@ Prototype prototype(const OrganParams& p, Seed seed) {
       made.parts.push_back({Tissue::fruit, std::move(ball)});
     }
   }
+  made.luster = p.luster;
   return made;
 }
 

@@ -11,7 +11,7 @@
 
 namespace frond {
 
-enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond };
+enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond, picture };
 
 /// What stands where the grammar names an organ.
 struct OrganParams {
@@ -31,11 +31,13 @@ struct OrganParams {
   int leaflets = 0;  ///< leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape
   int lobes = 0;     ///< on either side of a frond's leaflets, as a fern has them
   double droop = radians(45.0);           ///< of a frond's leaflets from foot to tip
-  int variants = 3;                       ///< of a sprig or frond: how many different shapes there are
+  int variants = 3;                       ///< of a sprig, frond or curled picture: how many shapes there are
   double open = radians(65.0);            ///< between petals and heading
   double heart = 0.16;                    ///< radius of a flower's heart as a share of its size
   double size_variation = 0.12;           ///< random change of the size, as a share
   double turn_variation = radians(12.0);  ///< random tilt, up to so much
+  std::optional<LeafLook> picture;        ///< of the shape `picture`, but for its size and variations
+  std::optional<Luster> luster;
 };
 
 /// Where a plant has its origin.
