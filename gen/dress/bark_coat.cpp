@@ -30,7 +30,7 @@ namespace {
 
 Result<std::vector<Picture>> draw_bark(const BarkCoat& coat) {
   int height = std::max(1, static_cast<int>(std::lround(coat.pixels * coat.aspect)));
-  Seed seed{11};
+  Seed seed = bark_seed();
   BarkMaps maps = bark_maps(coat.image, coat.pixels, height, seed);
   Result<std::string> color = png_text(bark_colors(coat.image, maps, seed));
   Result<std::string> relief = png_text(grey_picture(maps.height));

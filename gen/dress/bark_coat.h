@@ -9,10 +9,12 @@ namespace frond {
 /// number of times.
 struct BarkCoat {
   BarkImage image;
-  double wrap = 0.6;    ///< metres round a branch that the picture is wide
-  double aspect = 2;    ///< how much longer than wide it is
-  int pixels = 512;     ///< its width
-  double relief = 1;    ///< of the bumps, 0 none
+  double wrap = 0.6;  ///< metres round a branch that the picture is wide
+  double aspect = 2;  ///< how much longer than wide it is
+  int pixels = 512;   ///< its width
+  double relief = 1;  ///< of the bumps, 0 none
+  double furrow =
+      0.3;  ///< depth that is let into the mesh where the eye is near, as a share of a ridge's width
   double facet = 0.03;  ///< metres, about the width of a side of the mesh
   double twigs = 0;     ///< metres; branches that begin with a smaller radius are sweeps, without a picture
 };
@@ -20,6 +22,9 @@ struct BarkCoat {
 /// Names of its two pictures: colour and height.
 std::string bark_color_name(const BarkCoat& coat);
 std::string bark_height_name(const BarkCoat& coat);
+
+/// What grows in all of them.
+inline Seed bark_seed() { return Seed{11}; }
 
 /// Both of them.
 Drawing bark_drawing(const BarkCoat& coat);

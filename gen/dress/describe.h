@@ -214,6 +214,9 @@ void describe(Visitor& v, BarkCoat& c) {
   v.integer("pixels", c.pixels, {.min = 16, .max = 8192}, "Width of the picture");
   v.number("relief", c.relief, {.min = 0, .max = 10},
            "Height of the bumps that the picture raises on the bark; 0 is smooth");
+  v.number("furrow", c.furrow, {.min = 0, .max = 2},
+           "Depth of the furrows that are cut into the branches where the camera is near, as a share of a "
+           "ridge's width; 0 leaves all to the bumps");
   v.number("facet", c.facet, {.min = 0.0005, .max = 10, .unit = "m"},
            "Width of one side of the branches' mesh, about; less is rounder");
   v.number("twigs", c.twigs, {.min = 0, .max = 10, .unit = "m"},

@@ -179,11 +179,11 @@ ChunkOptions chunk_options(const Specimen& b) {
   return options;
 }
 
-Errors write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, std::size_t index,
+Errors write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, std::size_t index, Vec3 eye,
                   const Out& out) {
   ChunkOptions options = chunk_options(b);
   if (b.look.coat && b.style.build == Build::sweeps) {
-    out(coat_text(space, b, pose));
+    out(coat_text(space, b, pose, eye));
     if (b.look.coat->twigs <= 0) return {};
     options.tolerance = std::numeric_limits<float>::infinity();
     std::vector<bool> bare = coatless(b);
@@ -204,8 +204,8 @@ Errors write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, st
 }
 
 /// Gives how many nodes there are by then.
-Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std::size_t index, double time,
-                                   const Out& out) {
+Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std::size_t index, Vec3 eye,
+                                   double time, const Out& out) {
   if (!b.look.skin && !b.look.bark) return 0;
   Pose pose;
   pose_specimen(b, time, pose);
@@ -217,7 +217,7 @@ Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std
     out(name);
     out(piece);
   };
-  if (Errors errors = write_wood(space, b, pose, index, under_name); !errors.empty()) return errors;
+  if (Errors errors = write_wood(space, b, pose, index, eye, under_name); !errors.empty()) return errors;
   write_foliage(space, b, pose, time, under_name);
   const std::vector<float>& birth = b.model.skeleton.birth;
   return static_cast<std::size_t>(
@@ -228,9 +228,10 @@ Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std
 Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
                                    const Out& out) {
   const Specimen& b = scene.specimens[i];
-  if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], time, out);
+  Vec3 eye = scene.stage.camera.location.at(time);
+  if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
   Result<Specimen> now = developed(b, time);
-  return now ? write_branches(parts.space, *now, parts.first_skin[i], time, out) : now.errors();
+  return now ? write_branches(parts.space, *now, parts.first_skin[i], eye, time, out) : now.errors();
 }
 
 /// About how many lines an organism takes.

@@ -18,11 +18,12 @@ std::string wood_text(const Scene& scene, double time) {
 std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
   const ForestCover& cover = static_cast<const ForestGround&>(*scene.ground).cover;
   std::string litter = color_text(scene.stage.block<Forest>().litter);
-  std::string text = floor_text(space, scene, "Forest_Ground(" + litter + ")");
+  std::string green = color_text(scene.stage.block<Forest>().green);
+  std::string text = floor_text(space, scene, "Forest_Ground(" + litter + "," + green + ")");
   append_shapes(text, space, cover.litter, "Litter");
   append_shapes(text, space, cover.moss, "Moss");
   append_patches(text, space, cover.litter_patches, "Litter", "texture{Forest_Litter(" + litter + ")}");
-  append_patches(text, space, cover.moss_patches, "Moss", "texture{Forest_Moss()}");
+  append_patches(text, space, cover.moss_patches, "Moss", "texture{Forest_Moss(" + green + ")}");
   return text;
 }
 

@@ -10,6 +10,19 @@ std::string summer_text(const Scene& scene, double) {
   return "Meadow_Globals()\n" + country_text(meadow_sky(scene.stage), meadow);
 }
 
+/// A mountain far off shows the light that comes to it: no lamp of the scene reaches it.
+std::string mountain_text(const PovSpace& space, const Scene& scene) {
+  const auto& meadow = scene.stage.block<Meadow>();
+  if (!meadow.mountain) return {};
+  Sky sky = meadow_sky(scene.stage);
+  std::string text = "object{\n";
+  append_mesh(text, space, mountain_surface(*meadow.mountain, sky.lamp));
+  text += "\ntexture{Meadow_Rock(" + color_text(meadow.mountain->rock) + "," + color_text(meadow.grass) +
+          "," + lamp_text(sky) + "," + air_text(sky) + ")}";
+  return text + "texture{Meadow_Veil(" + air_text(sky) + "," + number_text(meadow.haze) +
+         ")}no_shadow no_reflection no_radiosity}\n";
+}
+
 Ambience summer_light(const Scene& scene, double) {
   return ambience(meadow_sky(scene.stage), scene.stage.block<Meadow>().grass);
 }
@@ -20,7 +33,8 @@ SettingText meadow_text() {
   return {{"meadow"},
           summer_text,
           [](const PovSpace& space, const Scene& scene) {
-            return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {});
+            return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}) +
+                   mountain_text(space, scene);
           },
           summer_light};
 }

@@ -87,7 +87,7 @@ std::string lamp_text(const Sky& sky) {
 
 std::string country_text(const Sky& sky, const Meadow& meadow) {
   return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) +
-         "," + lamp_text(sky) + "," + number_text(meadow.haze) + ")";
+         "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," + number_text(meadow.hills) + ")";
 }
 
 Ambience ambience(const Sky& sky, const Color& ground) {

@@ -1,9 +1,11 @@
 #include "emit/skin.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.h"
 #include "emit/plant.h"
+#include "geometry/relief.h"
 #include "geometry/tubes.h"
 
 namespace frond {
@@ -54,6 +56,8 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const Specim
 
 namespace {
 
+constexpr double kNearDepths = 90;  // how many depths of a furrow away it shows that it is one
+
 TubeShape shape_of(const Specimen& tree) {
   const BarkCoat& coat = *tree.look.coat;
   return {.wrap = coat.wrap,
@@ -65,12 +69,47 @@ TubeShape shape_of(const Specimen& tree) {
           .girth = tree.model.girth};
 }
 
+/// The height of a bark at uv, which goes round and round.
+float height_at(const Grid& grid, Vec2 uv) {
+  float x = (uv.x - std::floor(uv.x)) * static_cast<float>(grid.width) - 0.5f,
+        y = (1 - (uv.y - std::floor(uv.y))) * static_cast<float>(grid.height) - 0.5f;
+  int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+  float right = x - static_cast<float>(column), down = y - static_cast<float>(row);
+  return glm::mix(glm::mix(grid.wrapped(column, row), grid.wrapped(column + 1, row), right),
+                  glm::mix(grid.wrapped(column, row + 1), grid.wrapped(column + 1, row + 1), right), down);
+}
+
+/// The furrows of what the eye sees from so near that they show.
+Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
+  double depth = coat.furrow * coat.wrap / coat.image.ridges;
+  auto reach = static_cast<float>(kNearDepths * depth);
+  auto share = [&](Vec3 at, Vec3 normal) {
+    Vec3 way = eye - at;
+    float away = glm::length(way);
+    if (away > reach || away < 1e-6f) return 0.0f;
+    auto fade = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
+    return fade(3 * (1 - away / reach)) * fade(3 * (glm::dot(way, normal) / away + 0.6f));
+  };
+  bool near = false;
+  for (std::size_t i = 0; i < wood.position.size() && !near; ++i)
+    near = share(wood.position[i], wood.normal[i]) > 0;
+  if (!near) return wood;
+  int width = std::min(coat.pixels, 512);
+  Grid height =
+      bark_maps(coat.image, width, static_cast<int>(std::lround(width * coat.aspect)), bark_seed()).height;
+  return raised(wood, {.depth = depth,
+                       .facet = std::max(0.14 * depth, 0.6 * coat.wrap / width),
+                       .height = [&](Vec2 uv) { return height_at(height, uv); },
+                       .share = share});
+}
+
 }  // namespace
 
-std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose) {
+std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye) {
   const BarkCoat& coat = *tree.look.coat;
   Surface wood = tube_surface(tree.model.skeleton, pose.position, pose.radius, pose.turn, shape_of(tree));
   if (wood.triangle.empty()) return {};
+  if (coat.furrow > 0) wood = furrowed(wood, coat, eye);
   std::string text = "object{\n";
   append_mesh(text, space, wood);
   text += "\ntexture{Tree_Bark(\"" + bark_color_name(coat) + "\",\"" + bark_height_name(coat) + "\",";

@@ -14,8 +14,8 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const Specim
                           Chunk chunk, std::size_t index);
 
 /// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
-/// has grown.
-std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose);
+/// has grown. Where the eye is near, its furrows are let in.
+std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye);
 
 /// Which nodes it leaves out, for they are of twigs too thin for a picture.
 std::vector<bool> coatless(const Specimen& tree);

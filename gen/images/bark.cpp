@@ -197,7 +197,9 @@ Raster bark_colors(const BarkImage& bark, const BarkMaps& maps, Seed seed) {
       double tone = maps.tone.at(x, y), height = maps.height.at(x, y);
       double patch = tiling_fractal(u * 4, v * rows, 4, rows, 6, 0.6, spots);
       double tint = tiling_fractal(u * 3, v * rows, 3, rows, 5, 0.6, stain);
-      Rgb color = glm::mix(low, high, tone) * (0.62 + 0.38 * height) * (1 + 0.35 * tint);
+      // Little light comes down into a furrow.
+      Rgb color = glm::mix(low, high, tone) * (0.20 + 0.80 * frond::smooth_step(0.0, 0.75, height)) *
+                  (1 + 0.45 * tint);
       color *= Rgb(1 + 0.08 * tint, 1, 1 - 0.10 * tint);
       double grown = frond::smooth_step(0.42 - 0.8 * bark.lichens, 0.62 - 0.8 * bark.lichens, patch) * tone;
       if (bark.lichens > 0) color = glm::mix(color, lichen * (0.6 + 0.5 * height), 0.75 * grown);

@@ -29,6 +29,7 @@ void describe(Visitor& v, Forest& f) {
            "Height to which mist fills the valleys; 0 is none");
   v.object("terrain", f.terrain, "The shape of the land");
   v.color("litter", f.litter, "Colour of fallen leaves and earth");
+  v.color("green", f.green, "Colour of moss");
   v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
 }
 

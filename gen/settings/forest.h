@@ -14,6 +14,7 @@ struct Forest {
   double mist = 0;  ///< metres above the valleys that morning mist reaches; 0: none
   TerrainShape terrain;
   Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
+  Color green{0.37f, 0.42f, 0.13f};   ///< of moss
   double moss = 0.4;                  ///< share of the ground that is green, 0..1
 };
 

@@ -46,8 +46,8 @@ SettingRow garden_setting() {
       "garden", "a lawn with pond and path at any hour of the day", "garden",
       "Hour, pond and path, for garden; lawn and sky are the meadow's",
       {"/garden", "/meadow/grass", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/zenith",
-       "/meadow/horizon", "/meadow/blade", "/meadow/blades", "/meadow/extent", "/meadow/flowers",
-       "/floor/relief", "/floor/scale"},
+       "/meadow/horizon", "/meadow/hills", "/meadow/blade", "/meadow/blades", "/meadow/extent",
+       "/meadow/flowers", "/floor/relief", "/floor/scale"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) {
         Errors errors = check_grass(stage.block<Meadow>().lawn);

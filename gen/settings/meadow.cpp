@@ -7,6 +7,21 @@
 namespace frond {
 
 template <class Visitor>
+void describe(Visitor& v, MountainShape& m) {
+  v.number("height", m.height, {.min = 50, .max = 6000, .unit = "m"}, "Height of its top above the plain");
+  v.number("distance", m.distance, {.min = 1500, .max = 40000, .unit = "m"},
+           "Distance from the middle to its crest");
+  v.number("width", m.width, {.min = 500, .max = 60000, .unit = "m"}, "Distance from one end to the other");
+  v.number("toward", m.toward, {.min = -360, .max = 360, .unit = "degrees"},
+           "Direction in which it stands: 0 toward +z, 90 toward +x, 180 toward -z");
+  v.number("snow", m.snow, {.min = 0, .max = 100000, .unit = "m"},
+           "Height above the plain from which snow lies");
+  v.number("woods", m.woods, {.min = 0, .max = 1}, "Share of its height that woods climb");
+  v.color("rock", m.rock, "Colour of the bare rock");
+  v.integer("seed", m.seed, {.min = 0, .max = 1000000}, "Which of many mountains it is");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Meadow& m) {
   v.number("hour", m.hour, kHours,
            "Hour of the day, which places the sun instead of sun: 6 dawn, 12 noon, 19 dusk");
@@ -20,6 +35,9 @@ void describe(Visitor& v, Meadow& m) {
   v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"},
            "Distance at which two thirds of a colour are lost in the haze");
   v.number("clouds", m.clouds, {.min = 0, .max = 1}, "Share of the sky that clouds cover");
+  v.number("hills", m.hills, {.min = 0, .max = 3},
+           "Factor of the height of the hills and woods far off; 0 leaves none");
+  v.object("mountain", m.mountain, "A mountain far off; without it there is none");
   v.number("blade", m.lawn.blade, {.min = 0, .max = 5, .unit = "m"},
            "Length of the blades of grass; 0 leaves a bare lawn");
   v.number("blades", m.lawn.blades, {.min = 0, .max = 20000, .unit = "1/m2"},

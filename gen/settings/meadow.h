@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "land/mountain.h"
 #include "settings/lawn.h"
 #include "settings/sky.h"
 #include "settings/stage.h"
@@ -18,6 +19,8 @@ struct Meadow {
   Color grass{0.39f, 0.46f, 0.17f};
   double haze = 6000;    ///< metres in which two thirds of a colour are lost
   double clouds = 0.45;  ///< 0 none .. 1 overcast
+  double hills = 1;      ///< factor of the heights of hills and woods far off
+  std::optional<MountainShape> mountain;
   LawnShape lawn;
 };
 
