@@ -50,10 +50,13 @@ tree-light_race 560x420 1 trees/light_race@120
 trees-ages 320x300 3 trees/oak,/organisms/0/years=6,/scene/camera/fit=["all"] trees/oak,/organisms/0/years=14,/scene/camera/fit=["all"] trees/oak,/scene/camera/fit=["all"]
 trees-winter 320x300 4 trees/oak,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/beech,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/birch,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/maple,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"]
 trees-seasons 404x304 2 trees/seasons@40 trees/seasons@110 trees/seasons@200 trees/seasons@235
-photograph-grass 640x400 1 photographs/grass
-photograph-star_moss 640x400 1 photographs/star_moss
-photograph-dandelions 640x400 1 photographs/dandelions
-photograph-maple_leaf 640x400 1 photographs/maple_leaf
+photograph-grass 400x250 1 photographs/grass
+photograph-bark 400x250 1 photographs/bark
+photograph-path 400x250 1 photographs/path
+photograph-hillside 400x250 1 photographs/hillside
+photograph-star_moss 400x250 1 photographs/star_moss
+photograph-dandelions 400x250 1 photographs/dandelions
+photograph-maple_leaf 400x250 1 photographs/maple_leaf
 aspen 420x525 1 aspen
 black_oak 400x320 1 black_oak
 weeping_willow 340x340 1 weeping_willow
