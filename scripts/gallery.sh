@@ -49,6 +49,9 @@ tree-dead_tree 720x540 1 trees/dead_tree
 tree-light_race 560x420 1 trees/light_race@120
 trees-seasons 404x304 2 trees/seasons@40 trees/seasons@110 trees/seasons@200 trees/seasons@235
 photograph-grass 640x400 1 photographs/grass
+photograph-bark 640x400 1 photographs/bark
+photograph-path 640x400 1 photographs/path
+photograph-hillside 640x400 1 photographs/hillside
 aspen 420x525 1 aspen
 black_oak 400x320 1 black_oak
 weeping_willow 340x340 1 weeping_willow
