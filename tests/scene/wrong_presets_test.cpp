@@ -221,11 +221,13 @@ const WrongPreset kWrongValues[] = {
   "mountain": {"height": 9000, "distance": 100, "peak": 2}}},
  "organisms": [{"kind": "tree", "coat": {"furrow": -1}}]})",
      {},
-     {"1:33: /scene/meadow/hills: found -1; expected a number, 0 to 3",
-      "2:26: /scene/meadow/mountain/height: found 9000; expected a number, 50 to 6000 m",
-      "2:44: /scene/meadow/mountain/distance: found 100; expected a number, 1500 to 40000 m",
-      "2:57: /scene/meadow/mountain/peak: ",
-      "3:50: /organisms/0/coat/furrow: found -1; expected a number, 0 to 2"}},
+     {"1:32: /scene/meadow/hills: found -1; expected a number from 0 to 3",
+      "2:26: /scene/meadow/mountain/height: found 9000; expected a number from 50 to 6000 m",
+      "2:44: /scene/meadow/mountain/distance: found 100; expected a number from 1500 to 40000 m",
+      "2:49: /scene/meadow/mountain/peak: unknown property \"peak\"; expected one of height, distance, "
+      "width, "
+      "toward, snow, woods, rock, seed",
+      "3:52: /organisms/0/coat/furrow: found -1; expected a number from 0 to 2"}},
     {"Directions of length 0",
      R"({"scene": {"water": {"sun": [0, 0, 0]},
   "meadow": {"sun": [0, 0, 0]},
