@@ -87,9 +87,7 @@ void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int poi
     s.position.push_back(bent(p, lift, b));
     s.uv.push_back(b.uv(p));
   };
-  if (b.curl.share > 0) add_curled(s, leaf, points, b);
-  for (float side : {1.0f, -1.0f}) {
-    if (b.curl.share > 0) break;
+  auto add_half = [&](float side) {
     auto start = static_cast<std::uint32_t>(s.position.size());
     std::vector<Vec3> flat;
     // Up the midrib on a few points, so that it bends, and down the rim.
@@ -108,7 +106,11 @@ void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int poi
       Vec3 area = glm::cross(flat[j - start] - flat[i - start], flat[k - start] - flat[i - start]);
       if (area.z < 0) std::swap(j, k);
     }
-  }
+  };
+  if (b.curl.share > 0)
+    add_curled(s, leaf, points, b);
+  else
+    add_half(1), add_half(-1);
   // The stalk.
   double w = kStalkWidth * (points < 6 ? 1.6 : 1), foot = leaf.outline.stalk + 0.02;
   if (leaf.outline.stalk <= 0) return;
