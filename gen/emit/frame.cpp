@@ -229,6 +229,7 @@ Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, 
                                    const Out& out) {
   const Specimen& b = scene.specimens[i];
   Vec3 eye = scene.stage.camera.location.at(time);
+  if (std::string growing = growing_solids_text(parts.space, b, time); !growing.empty()) out(growing);
   if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
   Result<Specimen> now = developed(b, time);
   return now ? write_branches(parts.space, *now, parts.first_skin[i], eye, time, out) : now.errors();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "motion/motion.h"
 
 namespace frond {
 
@@ -36,7 +37,10 @@ constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"},
                                   {Matter::soil, "vessel", "Vessel_Soil"},
                                   {Matter::granite, "stone", "Stone_Granite"},
                                   {Matter::karst, "stone", "Stone_Limestone"},
-                                  {Matter::basalt, "stone", "Stone_Basalt"}};
+                                  {Matter::basalt, "stone", "Stone_Basalt"},
+                                  {Matter::polyps, "reef", "Reef_Polyps"},
+                                  {Matter::meander, "reef", "Reef_Meander"},
+                                  {Matter::sponge, "reef", "Reef_Sponge"}};
 
 const MatterRow& row_of(Matter matter) {
   return *std::find_if(std::begin(kMatters), std::end(kMatters),
@@ -143,6 +147,27 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
   text += '}';
 }
 
+void append_placement(std::string& text, const PovSpace& space, const Solids& solids, std::size_t i) {
+  glm::mat3 frame = glm::mat3_cast(solids.turn[i]);
+  for (int axis = 0; axis < 3; ++axis) frame[axis] *= solids.scale[i][axis];
+  append_matrix(text, space, frame, solids.position[i]);
+}
+
+bool lives(const Material& material) { return row_of(material.matter).include == "reef"; }
+
+/// The share of growth that what lives has reached, by which its texture knows what is young.
+void append_front(std::string& text, const Material& material, double front) {
+  if (!lives(material)) return;
+  text += "#declare Reef_Front = ";
+  append(text, std::min(front, 1.0), 4);
+  text += ";\n";
+}
+
+/// Whether a film sees it grow.
+bool is_growing(const Specimen& b, const Solid& solid) {
+  return !solid.past.empty() && b.motion.growth.duration > 0;
+}
+
 void append_shape(std::string& text, const PovSpace& space, const Solids& solids, std::size_t organism,
                   std::size_t shape) {
   std::string lines;
@@ -150,6 +175,7 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
   if (count == 0) return;
   const Solid& solid = solids.shapes[shape];
   bool own = count <= kOwnTextures;
+  append_front(text, solid.material, 1);
   text += "#declare ";
   append_solid_name(text, organism, shape);
   text += " = ";
@@ -166,9 +192,7 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
     append_solid_name(lines, organism, shape);
     lines += ' ';
     if (own) append_material(lines, solid.material);
-    glm::mat3 frame = glm::mat3_cast(solids.turn[i]);
-    for (int axis = 0; axis < 3; ++axis) frame[axis] *= solids.scale[i][axis];
-    append_matrix(lines, space, frame, solids.position[i]);
+    append_placement(lines, space, solids, i);
     lines += "}\n";
   }
   if (own) {
@@ -206,7 +230,25 @@ std::string solids_text(const PovSpace& space, const Scene& scene) {
     if (b.model.solids.size() == 0) continue;
     append_comment(text, b.name);
     for (std::size_t s = 0; s < b.model.solids.shapes.size(); ++s)
-      append_shape(text, space, b.model.solids, o, s);
+      if (!is_growing(b, b.model.solids.shapes[s])) append_shape(text, space, b.model.solids, o, s);
+  }
+  return text;
+}
+
+std::string growing_solids_text(const PovSpace& space, const Specimen& b, double time) {
+  std::string text;
+  const Solids& solids = b.model.solids;
+  auto front = static_cast<float>(growth_front(b.motion.growth, time));
+  if (front <= 0) return text;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const Solid& solid = solids.shapes[solids.shape[i]];
+    if (!is_growing(b, solid)) continue;
+    append_front(text, solid.material, front);
+    text += "object{\n";
+    append_mesh(text, space, surface_at(solid, front));
+    append_material(text, solid.material);
+    append_placement(text, space, solids, i);
+    text += "}\n";
   }
   return text;
 }

@@ -15,7 +15,11 @@ std::vector<std::string_view> solid_includes(const Scene& scene);
 std::string material_text(const Material& material);
 std::string_view material_include(const Material& material);
 
-/// Declares the shapes of all solids and places them; the same in each frame.
+/// Declares the shapes of all solids and places them, but for those that a film sees grow; the same in each
+/// frame.
 std::string solids_text(const PovSpace& space, const Scene& scene);
+
+/// The solids of one organism that a film sees grow, as they are at a time.
+std::string growing_solids_text(const PovSpace& space, const Specimen& b, double time);
 
 }  // namespace frond

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/curve.h"
 
 namespace frond {
 
@@ -18,12 +21,35 @@ void Solids::place(std::uint16_t which, Vec3 at, Quat turned, Vec3 sized) {
   scale.push_back(sized);
 }
 
+Surface surface_at(const Solid& solid, float share) {
+  Surface now = solid.surface;
+  if (solid.past.empty() || share >= 1) return now;
+  float at = std::max(share, 0.0f) * static_cast<float>(solid.past.size());
+  auto step = std::min(static_cast<std::size_t>(at), solid.past.size() - 1);
+  float t = at - static_cast<float>(step);
+  auto places = [&](std::size_t k) -> const std::vector<Vec3>& {
+    return k < solid.past.size() ? solid.past[k] : solid.surface.position;
+  };
+  // A Catmull-Rom spline through the steps.
+  const auto &a = places(step > 0 ? step - 1 : 0), &b = places(step), &c = places(step + 1),
+             &d = places(step + 2);
+  Hermite weigh = hermite(t);
+  auto from = static_cast<float>(weigh.start), slope = static_cast<float>(weigh.start_slope) / 2,
+       to = static_cast<float>(weigh.end), last = static_cast<float>(weigh.end_slope) / 2;
+  for (std::size_t i = 0; i < now.position.size(); ++i)
+    now.position[i] = from * b[i] + to * c[i] + slope * (c[i] - a[i]) + last * (d[i] - b[i]);
+  set_normals(now);
+  return now;
+}
+
 std::string Solids::check() const {
   if (shape.size() != size() || turn.size() != size() || scale.size() != size())
     return "the arrays of the solids differ in length";
   for (const Solid& solid : shapes) {
     if (std::string fault = solid.surface.check(); !fault.empty()) return "solid: " + fault;
     if (!(solid.material.scale > 0)) return "a solid's pattern has no size";
+    for (const std::vector<Vec3>& step : solid.past)
+      if (step.size() != solid.surface.position.size()) return "a solid has had more or fewer vertices";
   }
   for (std::size_t i = 0; i < size(); ++i) {
     if (shape[i] >= shapes.size()) return fmt::format("solid {} has no shape", i);

@@ -32,6 +32,10 @@ enum class Matter {
   granite,  ///< speckled, massive
   karst,    ///< limestone as it grew: pale, banded and pitted
   basalt,   ///< dark, fine and cracked
+  // What lives; u of its `uv` is 0 in hollows .. 1 on ridges, v the share of growth after which it was there.
+  polyps,   ///< stony coral with a cup for each polyp; `scale` is that of a cup
+  meander,  ///< brain coral: valleys between ridges, by u
+  sponge,   ///< soft, pitted
 };
 
 /// What is painted in a band.
@@ -66,7 +70,13 @@ struct Solid {
   /// empty.
   std::vector<std::array<glm::dvec2, 4>> turned{};
   std::optional<Isosurface> native{};  ///< drawn in place of `surface`, which is still what it looks like
+  /// Where its vertices were at equal steps of its growth, from the first moment to the last but one, that of
+  /// `surface` being the last; empty: it was always as it is.
+  std::vector<std::vector<Vec3>> past{};
 };
+
+/// The surface of a solid at a share of its growth, 0..1, smooth from step to step.
+Surface surface_at(const Solid& solid, float share);
 
 /// Bodies without branches: rocks, walls, vases. Each shape is held once and may be placed often. The
 /// placements are a structure of arrays.

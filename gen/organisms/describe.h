@@ -88,6 +88,12 @@ void describe(Visitor& v, Place& p) {
   v.number("raise", p.raise, {.min = -100, .max = 1000, .unit = "m"}, "Height of the foot above the ground");
   v.number("rock", p.rock, {.min = 0, .max = 100, .unit = "m"},
            "Width of the rock under each, for corals and plants under water; 0 lays none");
+  v.list("on", p.on,
+         "Names of the bodies that colonies (corals, sponges) stand on, scattered over all of them that does "
+         "not "
+         "face downward; without it they stand on the ground");
+  v.number("upright", p.upright, {.min = 0, .max = 1},
+           "How upright they stand on a slope of such a body: 1 plumb, 0 at right angles to it");
 }
 
 template <class Visitor>

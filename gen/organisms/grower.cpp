@@ -10,13 +10,6 @@ namespace frond {
 
 namespace {
 
-/// Where a model is put.
-struct Stance {
-  Vec3 foot{0};
-  Quat turn{1, 0, 0, 0};
-  float size = 1;
-};
-
 /// How deep something stands in the ground: as deep as it is thick, or as a small one bears.
 float depth_of(const Model& model) {
   if (model.skeleton.size() == 0) return 0;

@@ -35,6 +35,7 @@ struct Organism;
 /// Kinds grow in this order; those of one stage see what earlier ones have made, and not each other.
 enum class GrowthStage {
   free,      ///< bodies, and what needs nothing but a place
+  in_space,  ///< what fights for space with its like, beside and on bodies
   in_light,  ///< what fights for light with its like and is shaded by bodies
   creeping   ///< what finds its own place on bodies
 };
@@ -42,7 +43,14 @@ enum class GrowthStage {
 /// A place for one organism.
 struct Planting {
   Seed seed;
-  Vec3 foot{0};  ///< on the ground or on its rock, raised as the preset says
+  Vec3 foot{0};                  ///< on the ground or on its rock, raised as the preset says
+  Vec3 normal{0, 1, 0};          ///< of what it stands on, where that is a body
+  std::size_t claim = SIZE_MAX;  ///< its own in the territories of the world, where it has one
+};
+
+/// How far one would spread from its foot if it were alone, metres.
+struct Spread {
+  float across = 0.2f, up = 0.2f;
 };
 
 /// An entry of a preset, about to grow.
@@ -104,6 +112,8 @@ class Grower {
   virtual std::optional<Result<Grammar>> grammar() const = 0;
   /// The names of the organisms that it grows on; nullptr where it stands by itself.
   virtual const std::vector<std::string>* hosts() const = 0;
+  /// What one claims of the space that colonies fight for; none: it takes no part.
+  virtual std::optional<Spread> spread() const = 0;
 
   /// Grows all plantings of all beds, in their order. All are of this kind, the first is its own.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
@@ -127,6 +137,7 @@ class LoneGrower : public Grower {
   Errors doubts() const override { return {}; }
   Errors check_together(std::span<const Organism* const>, double) const override { return {}; }
   const std::vector<std::string>* hosts() const override { return nullptr; }
+  std::optional<Spread> spread() const override { return std::nullopt; }
   std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                      const Step& step) const override;
   Result<Model> grow_copy(const Organism& organism, Seed seed) const override;
@@ -157,6 +168,13 @@ double reach_of(const Organism& organism);
 
 /// Gives a specimen that stands in its place what it wears, with what differs from one to the next.
 void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed);
+
+/// Where one is put, how it is turned and its size as a factor.
+struct Stance {
+  Vec3 foot{0};
+  Quat turn{1, 0, 0, 0};
+  float size = 1;
+};
 
 /// The lean that `place` asks of a planting, and its size as a factor.
 Quat lean_of(const Organism& organism, Seed planting);

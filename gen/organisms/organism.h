@@ -25,7 +25,9 @@ struct Place {
   double turn_variation = kPi;  ///< random change of the turn, either way
   double lean = radians(6.0);   ///< up to how far each leans, at random
   double raise = 0;             ///< metres above the ground
-  double rock = 0.5;            ///< metres, the width of the rock that each stands on; 0: on the bare ground
+  std::vector<std::string> on;  ///< names of bodies that it stands on, for colonies; empty: on the ground
+  double upright = 0.6;  ///< how upright such a one stands on a slope: 1 plumb .. 0 at right angles to it
+  double rock = 0.5;     ///< metres, the width of the rock that each stands on; 0: on the bare ground
 };
 
 /// One entry of a preset's `organisms`.

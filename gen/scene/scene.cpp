@@ -17,6 +17,7 @@
 #include "scene/fit.h"
 #include "scene/nursery.h"
 #include "scene/remarks.h"
+#include "scene/settle.h"
 #include "scene/sowing.h"
 #include "scene/style.h"
 #include "settings/settings.h"
@@ -47,6 +48,7 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
     auto room = static_cast<float>(room_of(place, extent));
     for (Vec2 at : place.at) plot.spots.push_back({at, room});
     for (const Spot& spot : plot.spots) taken.take(spot);
+    if (!place.on.empty()) continue;  // bodies are not there yet
     int more = organism.count - static_cast<int>(plot.spots.size());
     for (const Spot& spot :
          scatter(place.center, place.inner, place.radius, room, more, taken, seed.child("scatter")))
@@ -64,7 +66,7 @@ std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
   std::vector<Bed> beds;
   for (PlacedEntry& plot : plots) {
     const Organism& organism = *plot.bed.organism;
-    double rock = organism.grower->stands_on_rock() ? organism.place.rock : 0;
+    double rock = organism.grower->stands_on_rock() && organism.place.on.empty() ? organism.place.rock : 0;
     for (std::size_t i = 0; i < plot.spots.size(); ++i) {
       Seed seed = plot.bed.seed.child("instance", i);
       Vec2 at = plot.spots[i].at;
@@ -89,10 +91,20 @@ class Gardener {
   }
 
   Errors grow_all(const std::vector<Bed>& beds, World& world) {
-    for (GrowthStage stage : {GrowthStage::free, GrowthStage::in_light, GrowthStage::creeping}) {
+    for (GrowthStage stage :
+         {GrowthStage::free, GrowthStage::in_space, GrowthStage::in_light, GrowthStage::creeping}) {
       std::vector<Bed> growing;
       std::ranges::copy_if(beds, std::back_inserter(growing),
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
+      if (stage == GrowthStage::in_space) {
+        if (Errors errors = settle_colonies(growing, world, notes); !errors.empty()) return errors;
+        // Each grows by what all claim.
+        for (std::size_t i = 0; i < world.territories().size(); ++i) {
+          const Claim& claim = world.territories().claim(i);
+          surroundings_ += fmt::format(" {} {} {} {} {}", claim.foot.x, claim.foot.y, claim.foot.z,
+                                       claim.across, claim.up);
+        }
+      }
       if (Errors errors = grow_stage(stage, growing, world); !errors.empty()) return errors;
     }
     return {};
@@ -100,6 +112,7 @@ class Gardener {
 
   std::vector<std::size_t> grown;              ///< entries
   std::map<std::size_t, std::string> origins;  ///< what stands for all that an entry grew from
+  std::vector<std::string> notes;
 
  private:
   Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
@@ -243,6 +256,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
   scene.grown = std::move(gardener.grown);
   scene.origins = std::move(gardener.origins);
+  std::ranges::move(gardener.notes, std::back_inserter(scene.notes));
 
   scene.specimens = in_order(std::move(world).take_all(), preset);
   if (!preset.stage.camera.fit.empty()) {

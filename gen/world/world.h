@@ -10,6 +10,7 @@
 #include "creeping/host.h"
 #include "land/scatter.h"
 #include "world/specimen.h"
+#include "world/territory.h"
 
 namespace frond {
 
@@ -52,6 +53,10 @@ class World {
   /// Whether something has taken the room within `radius` of a place already.
   bool taken(Vec2 at, float radius) const { return !taken_.free(at, radius); }
 
+  /// The space that colonies fight for; empty until they are settled.
+  const Territories& territories() const { return territories_; }
+  void settle(Territories territories) { territories_ = std::move(territories); }
+
   /// Where food is at a time in seconds, for all that is drawn to some; each place once.
   std::vector<Vec3> food(double time) const;
 
@@ -62,6 +67,7 @@ class World {
   double film_length_;
   bool filmed_;
   std::vector<Specimen> standing_;
+  Territories territories_;
   mutable std::mutex hosts_in_work_;
   mutable std::map<std::vector<std::string>, std::shared_ptr<const Host>> hosts_;
 };

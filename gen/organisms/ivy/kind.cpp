@@ -164,6 +164,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
   bool develops(bool) const override { return false; }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
   const std::vector<std::string>* hosts() const override { return &params.on; }
+  std::optional<Spread> spread() const override { return std::nullopt; }
 
   std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                      const Step& step) const override {

@@ -248,6 +248,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
   const std::vector<std::string>* hosts() const override { return nullptr; }
+  std::optional<Spread> spread() const override { return std::nullopt; }
 
   std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                      const Step& step) const override {

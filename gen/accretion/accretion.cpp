@@ -1,0 +1,175 @@
+#include "accretion/accretion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "accretion/shade.h"
+#include "accretion/skin_mesh.h"
+#include "core/noise.h"
+#include "core/parallel.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kSteps = 16;           // of its growth that are kept
+constexpr std::size_t kBatch = 512;  // vertices that one thread takes at a time
+constexpr float kMargin = 0.6f;      // edges that are left free before what stands in the way
+
+template <class Body>
+void for_all(std::size_t count, const Body& body) {
+  parallel_for((count + kBatch - 1) / kBatch, [&](std::size_t b) {
+    for (std::size_t i = b * kBatch; i < std::min(count, (b + 1) * kBatch); ++i) body(i);
+  });
+}
+
+/// One skin while it grows.
+class Skin {
+ public:
+  Skin(const Accretion& law, const AccretionWorld& world, Seed seed)
+      : law_(law),
+        world_(world),
+        edge_(static_cast<float>(law.edge)),
+        reach_(static_cast<float>(std::max(law.across, law.up))),
+        layer_(reach_ / static_cast<float>(law.layers)),
+        shade_(
+            Vec3(-1.3f * static_cast<float>(law.across), -2 * edge_, -1.3f * static_cast<float>(law.across)),
+            Vec3(1.3f * static_cast<float>(law.across), 1.3f * static_cast<float>(law.up),
+                 1.3f * static_cast<float>(law.across)),
+            1.6f * edge_) {
+    for (int axis = 0; axis < 3; ++axis)
+      lot_[axis] = static_cast<float>(seed.child("lumps", static_cast<std::uint64_t>(axis)).range(-99, 99));
+    float first = std::max(2.5f * edge_, 0.06f * reach_);
+    mesh_.start(Vec3(0, 0.2f * first, 0), first, edge_);
+    keep();
+    for (int l = 0; l < law.layers; ++l) {
+      grow(static_cast<float>(l + 1));
+      if ((l + 1) * kSteps / law.layers > l * kSteps / law.layers) keep();
+    }
+  }
+
+  Accreted take() &&;
+
+ private:
+  void grow(float layer);
+  void look();
+  void keep() { past_.push_back(mesh_.position); }
+  Vec3 before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& known,
+              std::vector<char>& is_known) const;
+
+  const Accretion& law_;
+  const AccretionWorld& world_;
+  float edge_, reach_, layer_;
+  Vec3 lot_{0};
+  Shade shade_;
+  SkinMesh mesh_;
+  std::vector<float> open_;   // of each vertex, see Shade::openness()
+  std::vector<float> room_;   // at least so much is free round each vertex
+  std::vector<float> speed_;  // layers a layer
+  std::vector<float> laid_;   // the last layer in which each vertex moved much
+  std::vector<std::vector<Vec3>> past_;
+};
+
+void Skin::look() {
+  shade_.clear();
+  for (auto [a, b, c] : mesh_.triangle) {
+    const Vec3 &p = mesh_.position[a], &q = mesh_.position[b], &r = mesh_.position[c];
+    shade_.add((p + q + r) / 3.0f, glm::length(glm::cross(q - p, r - p)) / 2);
+  }
+  shade_.build();
+  open_.resize(mesh_.position.size(), 1);
+  for_all(mesh_.position.size(), [&](std::size_t v) {
+    open_[v] = shade_.openness(mesh_.position[v], mesh_.normal[v], static_cast<float>(law_.light));
+  });
+}
+
+void Skin::grow(float layer) {
+  look();
+  std::size_t count = mesh_.position.size();
+  room_.resize(count, 0);
+  speed_.assign(count, 0);
+  auto hunger = static_cast<float>(law_.hunger), upward = static_cast<float>(law_.upward);
+  auto lumps = static_cast<float>(law_.lumps), frequency = static_cast<float>(1 / law_.lump_size);
+  Vec3 shape(static_cast<float>(law_.across), static_cast<float>(law_.up), static_cast<float>(law_.across));
+  for_all(count, [&](std::size_t v) {
+    Vec3 at = mesh_.position[v], n = mesh_.normal[v];
+    // A body that is to be wider than high grows faster to its sides.
+    float pace = glm::length(n * shape) / reach_;
+    float fed = std::pow(std::max(open_[v], 1e-3f), hunger);
+    float rise = 1 + upward * n.y;
+    float uneven = 1 + lumps * static_cast<float>(fractal_noise(at * frequency + lot_, 2));
+    float speed = pace * fed * std::max(0.0f, rise) * std::max(0.0f, uneven);
+    if (at.y < 0) speed *= std::max(0.0f, 1 + at.y / edge_);
+    // It slows where it has come as far as it may.
+    float gone = glm::length(at / shape);
+    speed *= 1 - smooth_step(0.8f, 1.1f, gone);
+    speed = std::min(speed, 1.5f);
+    if (speed > 1e-3f && world_.room) {
+      if (room_[v] < 3 * edge_) room_[v] = world_.room(at, 8 * edge_);
+      room_[v] = std::min(room_[v], 8 * edge_);
+      speed *= smooth_step(kMargin * edge_, 2 * edge_, room_[v]);
+    }
+    speed_[v] = speed;
+  });
+  // Polyps share what they catch with their neighbours.
+  std::vector<float> sum(count, 0), number(count, 0);
+  for (auto [a, b, c] : mesh_.triangle) {
+    sum[a] += speed_[b] + speed_[c], sum[b] += speed_[c] + speed_[a], sum[c] += speed_[a] + speed_[b];
+    number[a] += 2, number[b] += 2, number[c] += 2;
+  }
+  laid_.resize(count, 0);
+  for (std::size_t v = 0; v < count; ++v) {
+    if (number[v] == 0) continue;
+    float speed = std::min(speed_[v] * 1.3f, 0.5f * speed_[v] + 0.5f * sum[v] / number[v]);
+    mesh_.position[v] += mesh_.normal[v] * (speed * layer_);
+    if (room_[v] > 0) room_[v] -= 1.5f * layer_;
+    if (speed > 0.15f) laid_[v] = layer;
+  }
+  auto smoothing = static_cast<float>(law_.smoothing);
+  mesh_.relax(0.4f, 0.3f * smoothing);
+  std::size_t old = mesh_.position.size();
+  mesh_.remesh(edge_, layer);
+  for (std::size_t v = old; v < mesh_.position.size(); ++v) {
+    auto [a, b] = mesh_.parents[v];
+    laid_.push_back(std::max(laid_[a], laid_[b]));
+    room_.push_back(0);
+  }
+}
+
+/// Where a vertex was at a step: what was not there yet lay between those that it came up between.
+Vec3 Skin::before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& known,
+                  std::vector<char>& is_known) const {
+  if (vertex < past_[step].size()) return past_[step][vertex];
+  if (is_known[vertex]) return known[vertex];
+  auto [a, b] = mesh_.parents[vertex];
+  is_known[vertex] = 1;
+  return known[vertex] = (before(step, a, known, is_known) + before(step, b, known, is_known)) * 0.5f;
+}
+
+Accreted Skin::take() && {
+  Accreted made;
+  look();
+  std::vector<std::uint32_t> order, list = mesh_.living(order);
+  for (std::uint32_t v : list) {
+    made.surface.position.push_back(mesh_.position[v]);
+    made.birth.push_back(laid_[v] / static_cast<float>(law_.layers));
+    made.shade.push_back(1 - std::min(1.0f, open_[v]));
+  }
+  for (auto [a, b, c] : mesh_.triangle) made.surface.triangle.push_back({order[a], order[b], order[c]});
+  set_normals(made.surface);
+  for (std::size_t step = 0; step + 1 < past_.size(); ++step) {
+    std::vector<Vec3> known(mesh_.position.size());
+    std::vector<char> is_known(mesh_.position.size());
+    std::vector<Vec3>& places = made.past.emplace_back();
+    for (std::uint32_t v : list) places.push_back(before(step, v, known, is_known));
+  }
+  return made;
+}
+
+}  // namespace
+
+Accreted accrete(const Accretion& law, const AccretionWorld& world, Seed seed) {
+  return Skin(law, world, seed).take();
+}
+
+}  // namespace frond

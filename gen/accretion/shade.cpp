@@ -1,0 +1,128 @@
+#include "accretion/shade.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr int kLevels = 4;
+constexpr float kWhole = 256;
+
+/// Directions round the pole z: one along it, and two rings.
+struct Cone {
+  Vec3 way;
+  float share;
+};
+
+std::vector<Cone> cones() {
+  std::vector<Cone> list{{{0, 0, 1}, 1.0f}};
+  auto ring = [&](int count, float height, float turn) {
+    float flat = std::sqrt(1 - height * height);
+    for (int k = 0; k < count; ++k) {
+      float angle = static_cast<float>(2 * kPi) * (static_cast<float>(k) + turn) / static_cast<float>(count);
+      list.push_back({{flat * std::cos(angle), flat * std::sin(angle), height}, 1.0f});
+    }
+  };
+  ring(5, 0.76f, 0);
+  ring(6, 0.28f, 0.5f);
+  return list;
+}
+
+}  // namespace
+
+Shade::Shade(Vec3 low, Vec3 high, float cell) : low_(low) {
+  std::array<int, 3> count;
+  for (int axis = 0; axis < 3; ++axis)
+    count[static_cast<std::size_t>(axis)] =
+        std::max(1, static_cast<int>(std::ceil((high[axis] - low[axis]) / cell)));
+  for (int l = 0; l < kLevels; ++l) {
+    auto cells = static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
+                 static_cast<std::size_t>(count[2]);
+    levels_.push_back({count, cell, std::vector<float>(cells)});
+    for (int& n : count) n = (n + 1) / 2;
+    cell *= 2;
+  }
+  area_.resize(levels_[0].held.size());
+}
+
+void Shade::clear() { std::ranges::fill(area_, 0); }
+
+void Shade::add(Vec3 at, float area) {
+  const Level& fine = levels_[0];
+  std::array<int, 3> i;
+  for (int axis = 0; axis < 3; ++axis) {
+    auto k = static_cast<std::size_t>(axis);
+    i[k] = static_cast<int>(std::floor((at[axis] - low_[axis]) / fine.cell));
+    if (i[k] < 0 || i[k] >= fine.count[k]) return;
+  }
+  auto index = static_cast<std::size_t>((i[2] * fine.count[1] + i[1]) * fine.count[0] + i[0]);
+  area_[index] += static_cast<std::int32_t>(kWhole * area / (fine.cell * fine.cell));
+}
+
+void Shade::build() {
+  Level& fine = levels_[0];
+  for (std::size_t i = 0; i < area_.size(); ++i)
+    fine.held[i] = std::min(1.0f, static_cast<float>(area_[i]) / kWhole);
+  for (std::size_t l = 1; l < levels_.size(); ++l) {
+    const Level& from = levels_[l - 1];
+    Level& to = levels_[l];
+    for (int z = 0; z < to.count[2]; ++z)
+      for (int y = 0; y < to.count[1]; ++y)
+        for (int x = 0; x < to.count[0]; ++x) {
+          // What a cell holds up is the mean over its face of what its two layers let through.
+          float sum = 0;
+          for (int k = 0; k < 8; ++k) {
+            int u = 2 * x + (k & 1), v = 2 * y + (k >> 1 & 1), w = 2 * z + (k >> 2);
+            if (u < from.count[0] && v < from.count[1] && w < from.count[2])
+              sum += from.held[static_cast<std::size_t>((w * from.count[1] + v) * from.count[0] + u)];
+          }
+          to.held[static_cast<std::size_t>((z * to.count[1] + y) * to.count[0] + x)] =
+              std::min(1.0f, sum / 4);
+        }
+  }
+}
+
+float Shade::held_at(const Level& level, Vec3 at) {
+  Vec3 g = at / level.cell - 0.5f;
+  Vec3 f = glm::floor(g), t = g - f;
+  int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
+  auto get = [&](int u, int v, int w) {
+    if (u < 0 || v < 0 || w < 0 || u >= level.count[0] || v >= level.count[1] || w >= level.count[2])
+      return 0.0f;
+    return level.held[static_cast<std::size_t>((w * level.count[1] + v) * level.count[0] + u)];
+  };
+  auto row = [&](int v, int w) { return get(x, v, w) * (1 - t.x) + get(x + 1, v, w) * t.x; };
+  float front = row(y, z) * (1 - t.y) + row(y + 1, z) * t.y;
+  float back = row(y, z + 1) * (1 - t.y) + row(y + 1, z + 1) * t.y;
+  return front * (1 - t.z) + back * t.z;
+}
+
+float Shade::openness(Vec3 at, Vec3 normal, float light) const {
+  static const std::vector<Cone> kCones = cones();
+  Vec3 side = std::abs(normal.y) < 0.9f ? glm::normalize(glm::cross(normal, Vec3(0, 1, 0))) : Vec3(1, 0, 0);
+  side = glm::normalize(side - normal * glm::dot(side, normal));
+  Vec3 other = glm::cross(normal, side);
+  float cell = levels_[0].cell, come = 0, all = 0;
+  for (const Cone& cone : kCones) {
+    Vec3 way = side * cone.way.x + other * cone.way.y + normal * cone.way.z;
+    float weight = cone.share * (0.4f + 0.6f * cone.way.z);
+    all += weight;
+    float source = light * std::max(0.0f, way.y) * 1.4f + (1 - light);
+    // Ground holds up what comes from below.
+    if (way.y < 0) source *= std::max(0.0f, 1 + 2.5f * way.y);
+    if (source <= 0) continue;
+    float through = 1, away = 2.2f * cell;
+    for (int step = 0; step < 7 && through > 0.02f; ++step) {
+      std::size_t level = std::min<std::size_t>(static_cast<std::size_t>(step / 2), levels_.size() - 1);
+      const Level& l = levels_[level];
+      through *= 1 - std::min(1.0f, held_at(l, at + way * away - low_));
+      away += l.cell * 1.2f;
+    }
+    come += weight * source * through;
+  }
+  return come / all;
+}
+
+}  // namespace frond

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+
+#include "organisms/grower.h"
+#include "world/territory.h"
+
+// Colonies: what grows for space
+// ==============================
+// Corals, sponges and their like grow one beside another, and on rocks. A kind of them is a ColonyGrower: it
+// says how far one of its kind would spread, and grows one where it stands, asking its Surroundings how much
+// room is left. All of them grow at once, since room depends on claims alone (world/territory.h).
+
+namespace frond {
+
+/// Where a colony grows, asked in the colony's own space: its foot at the origin, upright, not yet sized.
+class Surroundings {
+ public:
+  Surroundings() = default;  ///< nothing near
+  Surroundings(const World& world, std::size_t claim, Vec3 foot, Quat turn, float size);
+
+  /// Metres to the border of its territory and to the bodies that stand, the nearer of them, at least; less
+  /// than 0 beyond. `within`: farther bodies do not count.
+  float room(Vec3 at, float within) const;
+  /// The nearest place on a body or, where there is none within reach, on the ground, and what is outward
+  /// there.
+  struct Hold {
+    Vec3 at{0}, normal{0, 1, 0};
+  };
+  Hold hold(Vec3 at, float within) const;
+  /// How high a place lies above the ground, metres.
+  float above_ground(Vec3 at) const;
+
+ private:
+  Vec3 outside(Vec3 at) const { return foot_ + turn_ * (at * size_); }
+  Vec3 inside(Vec3 at) const { return (glm::conjugate(turn_) * (at - foot_)) / size_; }
+
+  const World* world_ = nullptr;
+  std::shared_ptr<const Host> host_;
+  std::size_t claim_ = SIZE_MAX;
+  Vec3 foot_{0};
+  Quat turn_{1, 0, 0, 0};
+  float size_ = 1;
+};
+
+/// What fights for space with its like.
+class ColonyGrower : public LoneGrower {
+ public:
+  /// Grows one, upright, its foot at the origin.
+  virtual Result<Model> grow_at(const Surroundings& around, Seed seed) const = 0;
+
+  GrowthStage stage() const final { return GrowthStage::in_space; }
+  Result<Model> grow_alone(Seed seed) const final { return grow_at(Surroundings(), seed); }
+  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
+  bool develops(bool) const override { return false; }
+  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
+  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
+                                     const Step& step) const override;
+};
+
+}  // namespace frond

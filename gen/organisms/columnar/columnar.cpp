@@ -1,0 +1,89 @@
+#include "organisms/columnar/columnar.h"
+
+#include <algorithm>
+
+#include "organisms/describe_colony.h"
+#include "organisms/kinds.h"
+
+namespace frond {
+
+Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& around, Seed seed) {
+  AccretionWorld world;
+  world.room = [&](Vec3 at, float within) { return around.room(at, within); };
+  Accreted skin = accrete(params.accretion, world, seed.child("skin"));
+  Solid solid;
+  for (std::size_t v = 0; v < skin.birth.size(); ++v)
+    skin.surface.uv.push_back({1 - skin.shade[v], skin.birth[v]});
+  solid.surface = std::move(skin.surface);
+  solid.past = std::move(skin.past);
+  solid.material = material_of(params.tissue, Matter::polyps, seed);
+  Model model;
+  model.solids.place(model.solids.add_shape(std::move(solid)));
+  return model;
+}
+
+template <class Visitor>
+void describe(Visitor& v, Accretion& a) {
+  v.number("across", a.across, {.min = 0.01, .max = 5, .unit = "m"},
+           "How far it comes to each side of its foot");
+  v.number("up", a.up, {.min = 0.01, .max = 5, .unit = "m"}, "How high it comes");
+  v.integer("layers", a.layers, {.min = 8, .max = 1000}, "Layers of skeleton, one on another");
+  v.number("edge", a.edge, {.min = 0.001, .max = 0.5, .unit = "m"}, "Length of the sides of its triangles");
+  v.number("light", a.light, {.min = 0, .max = 1},
+           "Share of the growth that light from above drives; the rest comes with the water from all sides");
+  v.number("hunger", a.hunger, {.min = 0, .max = 8},
+           "How much faster what stands out grows than what lies back: 0 a dome, 2 knobs, 4 fingers");
+  v.number("upward", a.upward, {.min = -1, .max = 1}, "Whether it spreads (-1) or rises (1)");
+  v.number("lumps", a.lumps, {.min = 0, .max = 1}, "How uneven polyps are from the start");
+  v.number("lump_size", a.lump_size, {.min = 0.002, .max = 5, .unit = "m"}, "Distance from lump to lump");
+  v.number("smoothing", a.smoothing, {.min = 0, .max = 1}, "How far polyps even out what lies between them");
+}
+
+template <class Visitor>
+void describe(Visitor& v, ColumnarParams& c) {
+  v.object("accretion", c.accretion, "How its skin lays skeleton");
+  v.object("tissue", c.tissue, "The living skin");
+  v.object("growth", c.growth, "When it grows in the film");
+}
+
+namespace {
+
+class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
+ public:
+  Errors check() const override {
+    const Accretion& a = params.accretion;
+    if (a.edge * 6 > std::min(a.across, a.up))
+      return {{"/accretion/edge",
+               "found triangles that are too large for the coral; expected a sixth of its size at most"}};
+    return {};
+  }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight sight;
+    const Accretion& a = params.accretion;
+    double area = 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger);
+    sight.triangles = 2.3 * area / (a.edge * a.edge);
+    sight.blocks = 1;
+    return sight;
+  }
+  double tallest() const override { return params.accretion.up; }
+  Dress dress() const override {
+    Dress dress;
+    dress.motion.growth = params.growth;
+    return dress;
+  }
+  std::optional<Spread> spread() const override {
+    return Spread{static_cast<float>(params.accretion.across), static_cast<float>(params.accretion.up)};
+  }
+  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
+    return grow_columnar(params, around, seed);
+  }
+};
+
+}  // namespace
+
+Kind<Organism> columnar_kind() {
+  return make_grower<ColumnarGrower>("columnar",
+                                     "A coral that grows by layers: knobs, fingers or pillars by themselves");
+}
+
+}  // namespace frond

@@ -1,0 +1,122 @@
+#include "organisms/massive/massive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "accretion/reaction.h"
+#include "accretion/refine.h"
+#include "organisms/describe_colony.h"
+#include "organisms/kinds.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kTimes = 2;  // that triangles are cut before the surface is wrought
+
+Accretion law_of(const MassiveParams& params) {
+  return {.across = params.across / 2,
+          .up = params.height,
+          .layers = 36,
+          .edge = params.edge * (1 << kTimes),
+          .light = 0.25,
+          .hunger = 0.35,
+          .lumps = params.lumps,
+          .lump_size = params.lump_size,
+          .smoothing = 0.5};
+}
+
+Reaction reaction_of(const MassiveParams& params) {
+  if (params.relief == Relief::cups)
+    return {.feed = 0.030, .kill = 0.0615, .wave = params.wave, .steps = 2400};
+  return {.feed = 0.055, .kill = 0.062, .wave = params.wave, .steps = 2400};
+}
+
+}  // namespace
+
+Result<Model> grow_massive(const MassiveParams& params, const Surroundings& around, Seed seed) {
+  AccretionWorld world;
+  world.room = [&](Vec3 at, float within) { return around.room(at, within); };
+  Accreted skin = accrete(law_of(params), world, seed.child("skin"));
+  Solid solid;
+  std::vector<float> tone(skin.surface.position.size(), 1);
+  if (params.relief != Relief::plain) {
+    refine(skin, kTimes);
+    tone = react(skin.surface, reaction_of(params), seed.child("reaction"));
+    std::vector<float> height;
+    for (float& t : tone) {
+      t = smooth_step(0.05f, 0.75f, t);
+      if (params.relief == Relief::cups) t = 1 - t;
+      height.push_back(static_cast<float>(params.depth) * (t - 0.5f));
+    }
+    raise(skin, height);
+  }
+  for (std::size_t v = 0; v < tone.size(); ++v) skin.surface.uv.push_back({tone[v], skin.birth[v]});
+  solid.surface = std::move(skin.surface);
+  solid.past = std::move(skin.past);
+  solid.material =
+      material_of(params.tissue, params.relief == Relief::plain ? Matter::polyps : Matter::meander, seed);
+  Model model;
+  model.solids.place(model.solids.add_shape(std::move(solid)));
+  return model;
+}
+
+inline constexpr Choice<Relief> kReliefs[] = {
+    {"meander", Relief::meander, "valleys that wind between ridges, as on brain corals"},
+    {"cups", Relief::cups, "a cup for each polyp, its wall shared with those beside it, as on star corals"},
+    {"plain", Relief::plain, "fine pores, as on Porites"}};
+
+template <class Visitor>
+void describe(Visitor& v, MassiveParams& m) {
+  v.number("across", m.across, {.min = 0.02, .max = 5, .unit = "m"}, "How wide it comes to be");
+  v.number("height", m.height, {.min = 0.01, .max = 5, .unit = "m"}, "How high it comes to be");
+  v.number("lumps", m.lumps, {.min = 0, .max = 1}, "How uneven it is: 0 a dome .. 1 a heap of domes");
+  v.number("lump_size", m.lump_size, {.min = 0.005, .max = 5, .unit = "m"}, "Distance from lump to lump");
+  v.choice("relief", m.relief, kReliefs, "What its surface is wrought into");
+  v.number("wave", m.wave, {.min = 0.002, .max = 1, .unit = "m"},
+           "Distance from one ridge, or one cup, to the next");
+  v.number("depth", m.depth, {.min = 0, .max = 0.2, .unit = "m"}, "Depth of the valleys, or of the cups");
+  v.number("edge", m.edge, {.min = 0.001, .max = 0.2, .unit = "m"},
+           "Length of the sides of its triangles; a fifth of a wave draws it well");
+  v.object("tissue", m.tissue, "The living skin");
+  v.object("growth", m.growth, "When it grows in the film");
+}
+
+namespace {
+
+class MassiveGrower final : public Described<MassiveParams, ColonyGrower> {
+ public:
+  Errors check() const override {
+    if (params.edge * 8 > std::min(params.across, params.height))
+      return {{"/edge",
+               "found triangles that are too large for the coral; expected an eighth of its size at most"}};
+    return {};
+  }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight sight;
+    double area = kPi * params.across * (params.across / 4 + params.height);
+    sight.triangles = 2.3 * area / (params.edge * params.edge);
+    sight.blocks = 1;
+    return sight;
+  }
+  double tallest() const override { return params.height; }
+  Dress dress() const override {
+    Dress dress;
+    dress.motion.growth = params.growth;
+    return dress;
+  }
+  std::optional<Spread> spread() const override {
+    return Spread{static_cast<float>(params.across / 2), static_cast<float>(params.height)};
+  }
+  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
+    return grow_massive(params, around, seed);
+  }
+};
+
+}  // namespace
+
+Kind<Organism> massive_kind() {
+  return make_grower<MassiveGrower>("massive", "A massive coral: a dome of valleys, cups or pores");
+}
+
+}  // namespace frond

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "accretion/accretion.h"
+#include "core/result.h"
+#include "model/model.h"
+#include "motion/motion.h"
+#include "organisms/colony.h"
+#include "organisms/tissue_look.h"
+
+namespace frond {
+
+/// What a massive coral's surface is wrought into.
+enum class Relief {
+  meander,  ///< valleys that wind between ridges, as on brain corals
+  cups,     ///< a cup for each polyp, its wall shared with those beside it, as on star corals
+  plain     ///< fine pores, as on Porites
+};
+
+/// A massive coral: a dome, or a heap of domes, wrought by a reaction of two substances in its skin.
+struct MassiveParams {
+  double across = 0.36;  ///< metres
+  double height = 0.22;  ///< metres
+  double lumps = 0.25;   ///< how uneven it is
+  double lump_size = 0.2;
+  Relief relief = Relief::meander;
+  double wave = 0.016;   ///< metres from ridge to ridge
+  double depth = 0.006;  ///< metres, of valleys
+  double edge = 0.0032;  ///< metres, of triangles
+  TissueLook tissue;
+  Growth growth;
+};
+
+Result<Model> grow_massive(const MassiveParams& params, const Surroundings& around, Seed seed);
+
+}  // namespace frond

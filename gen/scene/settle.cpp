@@ -1,0 +1,111 @@
+#include "scene/settle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frond {
+
+namespace {
+
+constexpr float kOverhang = -0.35f;    // what faces down by more bears no colony
+constexpr int kFruitlessDarts = 1000;  // in a row, before it is given up
+constexpr double kPlumb = 1e3;         // metres above and below, that a plumb line goes
+
+/// The sums of the areas of triangles that a colony may stand on, to draw one by.
+std::vector<double> sum_areas(const Host& host) {
+  std::vector<double> sums;
+  double sum = 0;
+  for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
+    const auto& [a, b, c] = host.triangles()[t];
+    if (host.face_normal(t).y > kOverhang) sum += glm::length(glm::cross(b - a, c - a)) / 2;
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+/// A place on the host, each as likely as any other.
+Planting draw_place(const Host& host, const std::vector<double>& sums, Seed lot) {
+  double mark = lot.child("triangle").unit() * sums.back();
+  auto t = static_cast<std::uint32_t>(std::ranges::upper_bound(sums, mark) - sums.begin());
+  t = std::min(t, static_cast<std::uint32_t>(sums.size() - 1));
+  const auto& [a, b, c] = host.triangles()[t];
+  double root = std::sqrt(lot.child("u").unit()), v = lot.child("v").unit();
+  Vec3 at = a * static_cast<float>(1 - root) + b * static_cast<float>(root * (1 - v)) +
+            c * static_cast<float>(root * v);
+  return {.seed = {}, .foot = at, .normal = Vec3(host.face_normal(t))};
+}
+
+/// What has found its foot on a body, and the room it keeps.
+struct Settled {
+  Vec3 foot;
+  float room;
+};
+
+bool is_free(const std::vector<Settled>& settled, Vec3 at, float room) {
+  return std::ranges::none_of(settled,
+                              [&](const Settled& s) { return glm::distance(s.foot, at) < s.room + room; });
+}
+
+Errors settle_on_bodies(Bed& bed, const World& world, std::vector<Settled>& settled,
+                        std::vector<std::string>& notes) {
+  const Organism& organism = *bed.organism;
+  const Place& place = organism.place;
+  for (const std::string& name : place.on)
+    if (std::ranges::none_of(world.standing(), [&](const Specimen& s) { return s.name == name; }))
+      return {Error{"", fmt::format("{}: no body \"{}\" stands there to grow on", organism.name, name)}};
+  Result<std::shared_ptr<const Host>> host = world.host(place.on, organism.name);
+  if (!host) return host.errors();
+  auto room = static_cast<float>(place.spacing);
+  for (Planting& planting : bed.plantings) {  // those of `at`
+    DVec3 at(planting.foot);
+    auto met = (*host)->crossing(at + DVec3(0, kPlumb, 0), at - DVec3(0, kPlumb, 0));
+    if (met) {
+      planting.foot.y = static_cast<float>(at.y + kPlumb * (1 - 2 * met->share));
+      planting.normal = Vec3(met->normal);
+    }
+    settled.push_back({planting.foot, room});
+  }
+  std::vector<double> sums = sum_areas(**host);
+  if (sums.empty() || sums.back() <= 0) return {};
+  Seed darts = bed.seed.child("settle");
+  int fruitless = 0;
+  for (std::uint64_t dart = 0; std::ssize(bed.plantings) < organism.count && fruitless < kFruitlessDarts;
+       ++dart) {
+    Planting planting = draw_place(**host, sums, darts.child(dart));
+    double away = glm::distance(Vec2(planting.foot.x, planting.foot.z), place.center);
+    bool fits = away >= place.inner && away <= place.radius && is_free(settled, planting.foot, room);
+    fruitless = fits ? 0 : fruitless + 1;
+    if (!fits) continue;
+    planting.seed = bed.seed.child("instance", bed.plantings.size());
+    settled.push_back({planting.foot, room});
+    bed.plantings.push_back(planting);
+  }
+  if (std::ssize(bed.plantings) < organism.count)
+    notes.push_back(fmt::format("{}: only {} of {} found room on what they stand on", organism.name,
+                                bed.plantings.size(), organism.count));
+  return {};
+}
+
+}  // namespace
+
+Errors settle_colonies(std::vector<Bed>& beds, World& world, std::vector<std::string>& notes) {
+  std::vector<Settled> settled;
+  std::vector<Claim> claims;
+  for (Bed& bed : beds) {
+    if (!bed.organism->place.on.empty())
+      if (Errors errors = settle_on_bodies(bed, world, settled, notes); !errors.empty()) return errors;
+    std::optional<Spread> spread = bed.organism->grower->spread();
+    if (!spread) continue;
+    for (Planting& planting : bed.plantings) {
+      float size = size_of(*bed.organism, planting.seed);
+      planting.claim = claims.size();
+      claims.push_back({planting.foot, size * spread->across, size * spread->up});
+    }
+  }
+  world.settle(Territories(std::move(claims)));
+  return {};
+}
+
+}  // namespace frond
