@@ -52,7 +52,7 @@ class Skin {
 
  private:
   void grow(float layer);
-  void look();
+  void look(std::size_t round);
   void keep() { past_.push_back(mesh_.position); }
   Vec3 before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& known,
               std::vector<char>& is_known) const;
@@ -63,14 +63,15 @@ class Skin {
   Vec3 lot_{0};
   Shade shade_;
   SkinMesh mesh_;
-  std::vector<float> open_;   // of each vertex, see Shade::openness()
+  std::vector<float> open_;  // of each vertex, see Shade::openness()
+  float most_open_ = 1;
   std::vector<float> room_;   // at least so much is free round each vertex
   std::vector<float> speed_;  // layers a layer
   std::vector<float> laid_;   // the last layer in which each vertex moved much
   std::vector<std::vector<Vec3>> past_;
 };
 
-void Skin::look() {
+void Skin::look(std::size_t round) {
   shade_.clear();
   for (auto [a, b, c] : mesh_.triangle) {
     const Vec3 &p = mesh_.position[a], &q = mesh_.position[b], &r = mesh_.position[c];
@@ -78,13 +79,19 @@ void Skin::look() {
   }
   shade_.build();
   open_.resize(mesh_.position.size(), 1);
+  speed_.resize(mesh_.position.size(), 1);
   for_all(mesh_.position.size(), [&](std::size_t v) {
+    // Little changes where nothing grows any more.
+    if (speed_[v] < 0.05f && (v + round) % 4 != 0) return;
     open_[v] = shade_.openness(mesh_.position[v], mesh_.normal[v], static_cast<float>(law_.light));
   });
+  // What is most in the open grows by a layer.
+  most_open_ = 1e-3f;
+  for (const auto& t : mesh_.triangle) most_open_ = std::max(most_open_, open_[t[0]]);
 }
 
 void Skin::grow(float layer) {
-  look();
+  look(static_cast<std::size_t>(layer));
   std::size_t count = mesh_.position.size();
   room_.resize(count, 0);
   speed_.assign(count, 0);
@@ -95,7 +102,7 @@ void Skin::grow(float layer) {
     Vec3 at = mesh_.position[v], n = mesh_.normal[v];
     // A body that is to be wider than high grows faster to its sides.
     float pace = glm::length(n * shape) / reach_;
-    float fed = std::pow(std::max(open_[v], 1e-3f), hunger);
+    float fed = std::pow(std::max(smooth_step(0.15f, 0.9f, open_[v] / most_open_), 1e-3f), hunger);
     float rise = 1 + upward * n.y;
     float uneven = 1 + lumps * static_cast<float>(fractal_noise(at * frequency + lot_, 2));
     float speed = pace * fed * std::max(0.0f, rise) * std::max(0.0f, uneven);
@@ -148,12 +155,13 @@ Vec3 Skin::before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& kno
 
 Accreted Skin::take() && {
   Accreted made;
-  look();
+  speed_.assign(mesh_.position.size(), 1);
+  look(0);
   std::vector<std::uint32_t> order, list = mesh_.living(order);
   for (std::uint32_t v : list) {
     made.surface.position.push_back(mesh_.position[v]);
     made.birth.push_back(laid_[v] / static_cast<float>(law_.layers));
-    made.shade.push_back(1 - std::min(1.0f, open_[v]));
+    made.shade.push_back(1 - std::min(1.0f, open_[v] / most_open_));
   }
   for (auto [a, b, c] : mesh_.triangle) made.surface.triangle.push_back({order[a], order[b], order[c]});
   set_normals(made.surface);

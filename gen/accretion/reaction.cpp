@@ -10,6 +10,7 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kReactionBatch = 4096;  // vertices that one thread takes
+constexpr double kMostSpread = 0.42;
 constexpr double kWaveOfSpread =
     21.0;  // about: length of a wave by the root of what the second substance spreads
 
@@ -47,7 +48,12 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
   Rings rings = rings_of(surface);
   // Spread in edges squared; a mean over neighbours spreads by a quarter of their distance squared, twice.
   double wave = reaction.wave / edge_of(surface);
-  double second = std::min(wave * wave / (kWaveOfSpread * kWaveOfSpread) * 4, 0.42);
+  double second = wave * wave / (kWaveOfSpread * kWaveOfSpread) * 4;
+  // What would spread too fast to be reckoned step by step reacts more slowly instead, in more steps.
+  double slower = std::max(1.0, second / kMostSpread);
+  second /= slower;
+  auto pace = static_cast<float>(1 / slower);
+  auto steps = static_cast<int>(reaction.steps * slower);
   auto spread_a = static_cast<float>(2 * second), spread_b = static_cast<float>(second);
   auto feed = static_cast<float>(reaction.feed), kill = static_cast<float>(reaction.kill);
   std::vector<float> a(count), b(count), next_a(count), next_b(count);
@@ -57,7 +63,7 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
     b[v] = drop ? 0.25f + 0.1f * static_cast<float>(seed.child("b", v).unit()) : 0.0f;
   }
   std::size_t batches = (count + kReactionBatch - 1) / kReactionBatch;
-  for (int step = 0; step < reaction.steps; ++step) {
+  for (int step = 0; step < steps; ++step) {
     parallel_for(batches, [&](std::size_t batch) {
       for (std::size_t v = batch * kReactionBatch; v < std::min(count, (batch + 1) * kReactionBatch); ++v) {
         float sum_a = 0, sum_b = 0;
@@ -65,8 +71,8 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
         for (std::uint32_t i = from; i < to; ++i) sum_a += a[rings.next[i]], sum_b += b[rings.next[i]];
         float share = to > from ? 1.0f / static_cast<float>(to - from) : 0.0f;
         float turned = a[v] * b[v] * b[v];
-        next_a[v] = a[v] + spread_a * (sum_a * share - a[v]) - turned + feed * (1 - a[v]);
-        next_b[v] = b[v] + spread_b * (sum_b * share - b[v]) + turned - (kill + feed) * b[v];
+        next_a[v] = a[v] + spread_a * (sum_a * share - a[v]) + pace * (feed * (1 - a[v]) - turned);
+        next_b[v] = b[v] + spread_b * (sum_b * share - b[v]) + pace * (turned - (kill + feed) * b[v]);
       }
     });
     std::swap(a, next_a), std::swap(b, next_b);

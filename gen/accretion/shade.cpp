@@ -27,6 +27,7 @@ std::vector<Cone> cones() {
   };
   ring(5, 0.76f, 0);
   ring(6, 0.28f, 0.5f);
+  ring(6, -0.35f, 0);  // below its own level: open only to what stands out
   return list;
 }
 
@@ -88,14 +89,16 @@ float Shade::held_at(const Level& level, Vec3 at) {
   Vec3 g = at / level.cell - 0.5f;
   Vec3 f = glm::floor(g), t = g - f;
   int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
-  auto get = [&](int u, int v, int w) {
-    if (u < 0 || v < 0 || w < 0 || u >= level.count[0] || v >= level.count[1] || w >= level.count[2])
-      return 0.0f;
-    return level.held[static_cast<std::size_t>((w * level.count[1] + v) * level.count[0] + u)];
+  const auto& [wide, high, deep] = level.count;
+  // The outermost cells are empty.
+  if (x < 0 || y < 0 || z < 0 || x + 1 >= wide || y + 1 >= high || z + 1 >= deep) return 0;
+  const float* held = level.held.data() + (z * high + y) * wide + x;
+  auto row = [&](int v, int w) {
+    const float* cells = held + (w * high + v) * wide;
+    return cells[0] * (1 - t.x) + cells[1] * t.x;
   };
-  auto row = [&](int v, int w) { return get(x, v, w) * (1 - t.x) + get(x + 1, v, w) * t.x; };
-  float front = row(y, z) * (1 - t.y) + row(y + 1, z) * t.y;
-  float back = row(y, z + 1) * (1 - t.y) + row(y + 1, z + 1) * t.y;
+  float front = row(0, 0) * (1 - t.y) + row(1, 0) * t.y;
+  float back = row(0, 1) * (1 - t.y) + row(1, 1) * t.y;
   return front * (1 - t.z) + back * t.z;
 }
 
@@ -105,19 +108,19 @@ float Shade::openness(Vec3 at, Vec3 normal, float light) const {
   side = glm::normalize(side - normal * glm::dot(side, normal));
   Vec3 other = glm::cross(normal, side);
   float cell = levels_[0].cell, come = 0, all = 0;
+  Vec3 from = at + normal * (0.9f * cell);
   for (const Cone& cone : kCones) {
     Vec3 way = side * cone.way.x + other * cone.way.y + normal * cone.way.z;
-    float weight = cone.share * (0.4f + 0.6f * cone.way.z);
+    float weight = cone.share * (0.5f + 0.5f * std::abs(cone.way.z));
     all += weight;
-    float source = light * std::max(0.0f, way.y) * 1.4f + (1 - light);
     // Ground holds up what comes from below.
-    if (way.y < 0) source *= std::max(0.0f, 1 + 2.5f * way.y);
+    float source = 1.3f * light * std::max(0.0f, way.y) + (1 - light) * std::min(1.0f, 1.25f * (1 + way.y));
     if (source <= 0) continue;
-    float through = 1, away = 2.2f * cell;
+    float through = 1, away = 1.5f * cell;
     for (int step = 0; step < 7 && through > 0.02f; ++step) {
       std::size_t level = std::min<std::size_t>(static_cast<std::size_t>(step / 2), levels_.size() - 1);
       const Level& l = levels_[level];
-      through *= 1 - std::min(1.0f, held_at(l, at + way * away - low_));
+      through *= 1 - std::min(1.0f, held_at(l, from + way * away - low_));
       away += l.cell * 1.2f;
     }
     come += weight * source * through;

@@ -120,14 +120,13 @@ void SkinMesh::split(float longest, float layer) {
 /// Turns edges across from which the two angles together are more than 180 degrees (Delaunay).
 void SkinMesh::flip() {
   std::vector<Side> sides = sides_of(triangle);
-  std::vector<char> touched(triangle.size());
-  std::vector<std::uint64_t> keys;  // of edges that there are now by a flip
+  std::vector<char> touched(position.size());
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     if (sides[i].key != sides[i + 1].key) continue;
     const Side &one = sides[i], &two = sides[++i];
-    if (touched[one.triangle] || touched[two.triangle]) continue;
     std::uint32_t a = triangle[one.triangle][one.k], b = triangle[one.triangle][(one.k + 1) % 3],
                   c = triangle[one.triangle][(one.k + 2) % 3], d = triangle[two.triangle][(two.k + 2) % 3];
+    if (touched[a] || touched[b] || touched[c] || touched[d]) continue;
     if (c == d || triangle[two.triangle][two.k] != b) continue;
     Vec3 ca = position[a] - position[c], cb = position[b] - position[c], da = position[a] - position[d],
          db = position[b] - position[d];
@@ -141,11 +140,9 @@ void SkinMesh::flip() {
     std::uint64_t key = key_of(c, d);
     auto known = std::ranges::lower_bound(sides, key, {}, &Side::key);
     if (known != sides.end() && known->key == key) continue;
-    if (std::ranges::find(keys, key) != keys.end()) continue;
     triangle[one.triangle] = {c, a, d};
     triangle[two.triangle] = {d, b, c};
-    touched[one.triangle] = touched[two.triangle] = 1;
-    keys.push_back(key);
+    touched[a] = touched[b] = touched[c] = touched[d] = 1;
   }
 }
 
@@ -212,8 +209,10 @@ void SkinMesh::collapse(float shortest) {
 
 void SkinMesh::remesh(float edge, float layer) {
   split(edge * 4 / 3, layer);
-  collapse(edge / 2);
-  flip();
+  if (static_cast<int>(layer) % 2 == 0) {
+    collapse(edge / 2);
+    flip();
+  }
   set_normals();
 }
 

@@ -229,7 +229,9 @@ Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, 
                                    const Out& out) {
   const Specimen& b = scene.specimens[i];
   Vec3 eye = scene.stage.camera.location.at(time);
-  if (std::string growing = growing_solids_text(parts.space, b, time); !growing.empty()) out(growing);
+  const Solids& solids = i < parts.solids.size() && parts.solids[i] ? *parts.solids[i] : b.model.solids;
+  if (std::string text = growing_solids_text(parts.space, solids, b.motion.growth, time); !text.empty())
+    out(text);
   if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
   Result<Specimen> now = developed(b, time);
   return now ? write_branches(parts.space, *now, parts.first_skin[i], eye, time, out) : now.errors();
@@ -299,7 +301,8 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene);
-  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene);
+  parts.solids = drawn_solids(scene);
+  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene, parts.solids);
   parts.copies.resize(plan.drawn.size());
   parallel_for(parts.copies.size(),
                [&](std::size_t k) { parts.copies[k] = still_copies_text(parts.space, scene, plan, k); });

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "emit/copies.h"
 #include "emit/pov.h"
+#include "emit/solid.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -21,6 +22,7 @@ struct FrameParts {
   PovSpace space;
   std::string materials;                ///< the skins of all organisms and the shapes of their organs
   std::string ground;                   ///< floor, stones, grass and solids
+  DrawnSolids solids;                   ///< of all organisms
   std::vector<std::string> copies;      ///< those that stand still, in each stretch of the film
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
   std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "core/text.h"
+#include "geometry/far.h"
 #include "motion/motion.h"
 
 namespace frond {
@@ -40,7 +42,8 @@ constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"},
                                   {Matter::basalt, "stone", "Stone_Basalt"},
                                   {Matter::polyps, "reef", "Reef_Polyps"},
                                   {Matter::meander, "reef", "Reef_Meander"},
-                                  {Matter::sponge, "reef", "Reef_Sponge"}};
+                                  {Matter::sponge, "reef", "Reef_Sponge"},
+                                  {Matter::reef, "reef", "Reef_Rock"}};
 
 const MatterRow& row_of(Matter matter) {
   return *std::find_if(std::begin(kMatters), std::end(kMatters),
@@ -164,8 +167,34 @@ void append_front(std::string& text, const Material& material, double front) {
 }
 
 /// Whether a film sees it grow.
-bool is_growing(const Specimen& b, const Solid& solid) {
-  return !solid.past.empty() && b.motion.growth.duration > 0;
+bool is_growing(const Solid& solid, const Growth& growth) {
+  return !solid.past.empty() && growth.duration > 0;
+}
+
+constexpr double kSidePixels[] = {2.2, 1.5, 1.0};  // that a triangle is long, at each quality
+
+/// How many pixels a metre is where the camera comes nearest to a place over the film.
+double nearest_pixels(const Scene& scene, Vec3 middle, float reach) {
+  double most = 0;
+  const Camera& camera = scene.stage.camera;
+  for (int frame = 1; frame <= scene.film.frames; ++frame) {
+    double time = scene.film.time(frame);
+    double away = std::max(0.05f, glm::distance(camera.location.at(time), middle) - reach);
+    most = std::max(most, scene.film.size[0] / (2 * away * std::tan(radians(camera.angle.at(time)) / 2)));
+  }
+  return most;
+}
+
+/// The same with so many triangles.
+Solid with_fewer(const Solid& solid, std::size_t triangles) {
+  std::vector<std::uint32_t> kept;
+  Solid less{reduced(solid.surface, triangles, &kept), solid.material};
+  if (kept.empty()) return solid;
+  for (const std::vector<Vec3>& step : solid.past) {
+    std::vector<Vec3>& places = less.past.emplace_back();
+    for (std::uint32_t v : kept) places.push_back(step[v]);
+  }
+  return less;
 }
 
 void append_shape(std::string& text, const PovSpace& space, const Solids& solids, std::size_t organism,
@@ -223,26 +252,50 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   return names;
 }
 
-std::string solids_text(const PovSpace& space, const Scene& scene) {
+DrawnSolids drawn_solids(const Scene& scene) {
+  DrawnSolids drawn(scene.specimens.size());
+  parallel_for(drawn.size(), [&](std::size_t i) {
+    const Solids& solids = scene.specimens[i].model.solids;
+    for (std::size_t k = 0; k < solids.size(); ++k) {
+      const Solid& solid = solids.shapes[solids.shape[k]];
+      if (!lives(solid.material) || solid.past.empty()) continue;
+      Vec3 low(1e9f), high(-1e9f);
+      for (const Vec3& p : solid.surface.position) {
+        Vec3 at = solids.placed(k, p);
+        low = glm::min(low, at), high = glm::max(high, at);
+      }
+      double pixels = nearest_pixels(scene, (low + high) * 0.5f, glm::distance(low, high) / 2);
+      double edge = kSidePixels[static_cast<std::size_t>(scene.film.quality)] / pixels / solids.scale[k].x;
+      auto triangles = static_cast<std::size_t>(area(solid.surface) / (0.43 * edge * edge));
+      if (triangles >= solid.surface.triangle.size()) continue;
+      if (!drawn[i]) drawn[i] = solids;
+      drawn[i]->shapes[solids.shape[k]] = with_fewer(solid, std::max<std::size_t>(triangles, 400));
+    }
+  });
+  return drawn;
+}
+
+std::string solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn) {
   std::string text;
   for (std::size_t o = 0; o < scene.specimens.size(); ++o) {
     const Specimen& b = scene.specimens[o];
-    if (b.model.solids.size() == 0) continue;
+    const Solids& solids = o < drawn.size() && drawn[o] ? *drawn[o] : b.model.solids;
+    if (solids.size() == 0) continue;
     append_comment(text, b.name);
-    for (std::size_t s = 0; s < b.model.solids.shapes.size(); ++s)
-      if (!is_growing(b, b.model.solids.shapes[s])) append_shape(text, space, b.model.solids, o, s);
+    for (std::size_t s = 0; s < solids.shapes.size(); ++s)
+      if (!is_growing(solids.shapes[s], b.motion.growth)) append_shape(text, space, solids, o, s);
   }
   return text;
 }
 
-std::string growing_solids_text(const PovSpace& space, const Specimen& b, double time) {
+std::string growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
+                                double time) {
   std::string text;
-  const Solids& solids = b.model.solids;
-  auto front = static_cast<float>(growth_front(b.motion.growth, time));
+  auto front = static_cast<float>(growth_front(growth, time));
   if (front <= 0) return text;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Solid& solid = solids.shapes[solids.shape[i]];
-    if (!is_growing(b, solid)) continue;
+    if (!is_growing(solid, growth)) continue;
     append_front(text, solid.material, front);
     text += "object{\n";
     append_mesh(text, space, surface_at(solid, front));

@@ -15,11 +15,17 @@ std::vector<std::string_view> solid_includes(const Scene& scene);
 std::string material_text(const Material& material);
 std::string_view material_include(const Material& material);
 
+/// The solids of each organism as a film draws them, where that is otherwise than they are: what lives has no
+/// more triangles than show from where the camera comes nearest.
+using DrawnSolids = std::vector<std::optional<Solids>>;
+DrawnSolids drawn_solids(const Scene& scene);
+
 /// Declares the shapes of all solids and places them, but for those that a film sees grow; the same in each
-/// frame.
-std::string solids_text(const PovSpace& space, const Scene& scene);
+/// frame. Without `drawn` they are written as they are.
+std::string solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
 
 /// The solids of one organism that a film sees grow, as they are at a time.
-std::string growing_solids_text(const PovSpace& space, const Specimen& b, double time);
+std::string growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
+                                double time);
 
 }  // namespace frond

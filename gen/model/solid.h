@@ -36,6 +36,7 @@ enum class Matter {
   polyps,   ///< stony coral with a cup for each polyp; `scale` is that of a cup
   meander,  ///< brain coral: valleys between ridges, by u
   sponge,   ///< soft, pitted
+  reef,     ///< old coral rock, overgrown with crusts and turf of algae
 };
 
 /// What is painted in a band.

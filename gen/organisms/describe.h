@@ -114,6 +114,10 @@ void describe(Visitor& v, Style& s) {
 
 template <class Visitor>
 void describe(Visitor& v, Organism& o) {
+  v.text(
+      "species", o.species,
+      "Another preset, named as seen from this one's folder: the kind of its first organism and all that it "
+      "says of how that grows and looks stand wherever this one has nothing of its own");
   v.text("name", o.name, "Your name for it, by which messages and ivy's `on` call it");
   v.integer("count", o.count, {.min = 0, .max = 1000000},
             "How many there are, those at given places included");

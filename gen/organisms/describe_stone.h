@@ -16,7 +16,9 @@ inline constexpr Choice<Falloff> kFalloffs[] = {
 inline constexpr Choice<StoneKind> kStoneKinds[] = {
     {"granite", StoneKind::granite, "speckled and massive"},
     {"limestone", StoneKind::limestone, "pale, banded and pitted"},
-    {"basalt", StoneKind::basalt, "dark, fine and cracked"}};
+    {"basalt", StoneKind::basalt, "dark, fine and cracked"},
+    {"reef", StoneKind::reef,
+     "limestone under water: coralline crust, and with `moss` turf of algae on what faces upward"}};
 
 template <class Visitor>
 void describe(Visitor& v, Blob& b) {

@@ -32,8 +32,9 @@ struct Place {
 
 /// One entry of a preset's `organisms`.
 struct Organism {
-  std::string name;  ///< the user's name for it, for messages and comments
-  int count = 1;     ///< how many, those at given places included; never fewer than those
+  std::string species;  ///< preset whose first organism it is laid over; it has been by the time it is read
+  std::string name;     ///< the user's name for it, for messages and comments
+  int count = 1;        ///< how many, those at given places included; never fewer than those
   Place place;
   std::optional<Sowing> sown;  ///< copies of a few models, sown over the land
   Style style;

@@ -17,7 +17,8 @@ struct KindRow {
 constexpr KindRow kKinds[] = {
     {StoneKind::granite, Matter::granite, {0.62f, 0.58f, 0.54f}, {0.27f, 0.26f, 0.26f}, 0.12},
     {StoneKind::limestone, Matter::karst, {0.74f, 0.69f, 0.58f}, {0.50f, 0.42f, 0.31f}, 0.03},
-    {StoneKind::basalt, Matter::basalt, {0.30f, 0.30f, 0.31f}, {0.44f, 0.34f, 0.25f}, 0.10}};
+    {StoneKind::basalt, Matter::basalt, {0.30f, 0.30f, 0.31f}, {0.44f, 0.34f, 0.25f}, 0.10},
+    {StoneKind::reef, Matter::reef, {0.56f, 0.52f, 0.44f}, {0.58f, 0.27f, 0.36f}, 0.05}};
 
 Color brighter(Color c, double factor) {
   auto channel = [&](float x) { return std::clamp(x * static_cast<float>(factor), 0.0f, 1.0f); };

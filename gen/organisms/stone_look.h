@@ -9,7 +9,7 @@
 
 namespace frond {
 
-enum class StoneKind { granite, limestone, basalt };
+enum class StoneKind { granite, limestone, basalt, reef };
 
 /// The surface of rocks.
 struct StoneLook {

@@ -115,6 +115,7 @@ struct Inheritance {
   std::string_view list = "organisms";
   std::string_view defaults = "defaults";
   std::string_view force = "force";
+  std::string_view instead = "species";  ///< an element that gives it need not say its kind
 };
 
 /// The type that a property is read as: T itself, or what is in the std::optional.

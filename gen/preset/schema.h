@@ -146,7 +146,11 @@ class SchemaWriter {
         "Properties that all organisms take from the defaults, whatever their own value");
     add(names.defaults, std::move(all), "Properties of all organisms that do not give their own");
     Value element = without_required(tagged_schema<T>(kinds));
-    element.set("required", make_list({make_text("kind")}));
+    auto has = [](std::string_view name) {
+      return make_object().set("required", make_list({make_text(name)}));
+    };
+    element.remove("required");
+    element.set("anyOf", make_list({has("kind"), has(names.instead)}));
     add(names.list, list_schema(element, {}), doc);
   }
   template <class T, class Read>

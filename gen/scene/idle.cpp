@@ -108,6 +108,9 @@ class Finder {
       for (std::string_view name : kStance) idle(name, "ivy takes the shape of its host");
     if (!ivy && !organism.sown && organism.place.rock > 0 && !rocks_)
       idle("rock", "rocks lie under water only");
+    bool colony = organism.grower->stage() == GrowthStage::in_space && !organism.sown;
+    for (std::string_view name : {"on", "upright"})
+      if (!colony) idle(name, "only corals and their like that are not sown stand on bodies");
     check_motion(written, pointer, "wave", "amplitude");
     check_motion(written, pointer, "food", "strength");
     const Value* strength = at(written, "/food/strength");

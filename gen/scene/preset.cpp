@@ -67,11 +67,15 @@ void check_hosts(const Preset& preset, Faults& faults) {
   for (const Organism& organism : preset.organisms)
     if (!organism.name.empty() && !organism.sown && !organism.grower->hosts()) names.push_back(organism.name);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
-    const std::vector<std::string>* hosts = preset.organisms[i].grower->hosts();
-    for (std::size_t k = 0; hosts && k < hosts->size(); ++k)
-      if (std::ranges::find(names, (*hosts)[k]) == names.end())
-        faults.add(organism_fault(preset.written->find("organisms")->items[i], i, fmt::format("/on/{}", k),
-                                  host_fault((*hosts)[k], names)));
+    auto check = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
+      for (std::size_t k = 0; k < hosts.size(); ++k)
+        if (std::ranges::find(names, hosts[k]) == names.end())
+          faults.add(organism_fault(preset.written->find("organisms")->items[i], i,
+                                    fmt::format("{}/{}", pointer, k), host_fault(hosts[k], names)));
+    };
+    const Organism& organism = preset.organisms[i];
+    if (const std::vector<std::string>* hosts = organism.grower->hosts()) check("/on", *hosts);
+    if (organism.grower->stage() == GrowthStage::in_space) check("/place/on", organism.place.on);
   }
 }
 
@@ -168,6 +172,42 @@ Errors lay_on_base(Value& root, const std::string& file_name, const Assets& asse
   return {};
 }
 
+/// Lays each organism that names a species over the first one of that preset, with the defaults there: how it
+/// grows and looks, not where it stands.
+Errors lay_on_species(Value& root, const std::string& file_name, const Assets& assets) {
+  Value* organisms = root.find("organisms");
+  Errors errors;
+  for (std::size_t i = 0; organisms && i < organisms->items.size(); ++i) {
+    Value& organism = organisms->items[i];
+    const Value* species = organism.find("species");
+    if (!species || !species->is(Value::Type::text) || species->text.empty()) continue;
+    auto fault = [&](std::string what) {
+      errors.push_back(
+          Fault{species->origin, fmt::format("/organisms/{}/species", i), std::move(what)}.error());
+    };
+    Result<NamedFile> file = assets.read(species->text, std::filesystem::path(file_name).parent_path());
+    if (!file) {
+      fault(file.errors().front().what);
+      continue;
+    }
+    Result<Document> other = read_base(*file);
+    Errors below = other ? lay_on_base(other->root, file->path.string(), assets) : other.errors();
+    if (!below.empty()) return below;
+    const Value* list = other->root.find("organisms");
+    if (!list || list->items.empty()) {
+      fault(fmt::format("{} has no organism", file->path.string()));
+      continue;
+    }
+    Value kind = merged_organism(other->root, 0);
+    for (std::string_view own : {"count", "sown", "species"}) kind.remove(own);
+    if (Value* place = kind.find("place"))
+      for (std::string_view own : {"at", "on", "center", "inner", "radius"}) place->remove(own);
+    organism.remove("species");
+    organism = overlay(kind, organism);
+  }
+  return errors;
+}
+
 /// The document with the defaults in its organisms.
 Value with_defaults(Value root) {
   Value* organisms = root.find("organisms");
@@ -202,6 +242,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   assets.note_in(read);
   errors = lay_on_base(document->root, file_name, assets);
   if (!errors.empty() || !set_all("")) return errors;
+  if (errors = lay_on_species(document->root, file_name, assets); !errors.empty()) return errors;
 
   Faults faults, doubtful;
   std::vector<std::pair<std::string, std::string>> files;

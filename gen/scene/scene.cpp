@@ -98,12 +98,6 @@ class Gardener {
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
       if (stage == GrowthStage::in_space) {
         if (Errors errors = settle_colonies(growing, world, notes); !errors.empty()) return errors;
-        // Each grows by what all claim.
-        for (std::size_t i = 0; i < world.territories().size(); ++i) {
-          const Claim& claim = world.territories().claim(i);
-          surroundings_ += fmt::format(" {} {} {} {} {}", claim.foot.x, claim.foot.y, claim.foot.z,
-                                       claim.across, claim.up);
-        }
       }
       if (Errors errors = grow_stage(stage, growing, world); !errors.empty()) return errors;
     }
@@ -117,13 +111,14 @@ class Gardener {
  private:
   Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
     std::vector<std::vector<Bed>> groups;
-    if (nursery_ && stage == GrowthStage::free)  // each by itself, whatever grows beside it
+    // Each by itself, whatever grows beside it, or by what its rivals claim.
+    if (nursery_ && (stage == GrowthStage::free || stage == GrowthStage::in_space))
       for (const Bed& bed : beds) groups.push_back({bed});
     else
       groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });
     std::vector<std::string> keys(groups.size());
     if (nursery_)
-      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g]);
+      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g], world.territories());
     std::vector<std::vector<Specimen>> specimens(groups.size());
     std::vector<Errors> errors(groups.size());
     std::vector<char> fresh(groups.size());
@@ -165,14 +160,21 @@ class Gardener {
   }
 
   /// All that the specimens of some beds depend on.
-  std::string key_of(const std::vector<Bed>& beds) const {
+  std::string key_of(const std::vector<Bed>& beds, const Territories& territories) const {
     std::string text = surroundings_;
     const Value* written = preset_.written->find("organisms");
     for (const Bed& bed : beds) {
       text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, serialize(written->items[bed.entry]),
                           bed.organism->text);
-      for (const Planting& p : bed.plantings)
-        text += fmt::format(" {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z);
+      for (const Planting& p : bed.plantings) {
+        text += fmt::format(" {} {} {} {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z, p.normal.x,
+                            p.normal.y, p.normal.z);
+        if (p.claim >= territories.size()) continue;
+        for (std::size_t rival : territories.rivals(p.claim)) {
+          const Claim& c = territories.claim(rival);
+          text += fmt::format(" {} {} {} {} {}", c.foot.x, c.foot.y, c.foot.z, c.across, c.up);
+        }
+      }
     }
     return content_id(text);
   }

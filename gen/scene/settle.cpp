@@ -52,9 +52,6 @@ Errors settle_on_bodies(Bed& bed, const World& world, std::vector<Settled>& sett
                         std::vector<std::string>& notes) {
   const Organism& organism = *bed.organism;
   const Place& place = organism.place;
-  for (const std::string& name : place.on)
-    if (std::ranges::none_of(world.standing(), [&](const Specimen& s) { return s.name == name; }))
-      return {Error{"", fmt::format("{}: no body \"{}\" stands there to grow on", organism.name, name)}};
   Result<std::shared_ptr<const Host>> host = world.host(place.on, organism.name);
   if (!host) return host.errors();
   auto room = static_cast<float>(place.spacing);

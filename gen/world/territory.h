@@ -25,6 +25,8 @@ class Territories {
 
   std::size_t size() const { return claims_.size(); }
   const Claim& claim(std::size_t i) const { return claims_[i]; }
+  /// Those that bound the territory of a claim.
+  const std::vector<std::size_t>& rivals(std::size_t i) const { return rivals_[i]; }
 
   /// At least so many metres it is from a place to the border of the territory of claim `own`; less than 0
   /// outside of it; kOpen where nobody else claims anything near.

@@ -1,5 +1,7 @@
 #include "dress/describe.h"
+#include "organisms/colony.h"
 #include "organisms/coral/coral.h"
+#include "organisms/coral/room.h"
 #include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"
@@ -65,7 +67,7 @@ void describe(Visitor& v, CoralParams& c) {
 
 namespace {
 
-class CoralGrower final : public Described<CoralParams, LoneGrower> {
+class CoralGrower final : public Described<CoralParams, ColonyGrower> {
  public:
   Errors check() const override {
     bool own = params.form == CoralForm::own;
@@ -97,16 +99,25 @@ class CoralGrower final : public Described<CoralParams, LoneGrower> {
     dress.variation = params.skin.tint.variation;
     return dress;
   }
-  bool develops(bool) const override { return false; }
   std::optional<Result<Grammar>> grammar() const override { return coral_grammar(params); }
-  Result<Model> grow_alone(Seed seed) const override {
+  std::optional<Spread> spread() const override {
+    Result<Skeleton> one = grow_coral(params, Seed{});
+    if (!one) return std::nullopt;
+    Spread spread{0.01f, 0.01f};
+    for (const Vec3& p : one->position) {
+      spread.across = std::max(spread.across, glm::length(Vec2(p.x, p.z)));
+      spread.up = std::max(spread.up, p.y);
+    }
+    return spread;
+  }
+  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
     Result<Skeleton> skeleton = grow_coral(params, seed);
     if (!skeleton) return skeleton.errors();
     Model model;
     model.skeleton = std::move(*skeleton);
+    keep_to_room(model.skeleton, around);
     return model;
   }
-  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 
 }  // namespace
