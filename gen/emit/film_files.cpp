@@ -190,8 +190,8 @@ Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, 
     if (Result<bool> written = write_file(path.parent_path() / picture.name, picture.bytes); !written)
       return written.errors();
   GrowingFile file(path);
-  Result<std::size_t> nodes =
-      write_frame(scene, parts, layout, frame, [&](std::string_view text) { file.add(text); }, exposure);
+  Result<std::size_t> nodes = write_frame(
+      scene, parts, layout, frame, [&](std::string_view text) { file.add(text); }, exposure);
   if (!nodes) return nodes.errors();
   Result<bool> changed = file.close();
   if (!changed) return changed.errors();

@@ -41,8 +41,7 @@ Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone)
     curve[i] = to_byte(encoded(toned(static_cast<double>(i) / 65535, tone)));
   Raster picture(light.width, light.height, 3);
   auto count = static_cast<std::uint32_t>(pngs.size());
-  for (std::size_t i = 0; i < picture.data.size(); ++i)
-    picture.data[i] = curve[(sum[i] + count / 2) / count];
+  for (std::size_t i = 0; i < picture.data.size(); ++i) picture.data[i] = curve[(sum[i] + count / 2) / count];
   return png_text(picture);
 }
 

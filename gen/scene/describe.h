@@ -71,8 +71,9 @@ void describe(Visitor& v, Camera& c) {
       "focus", c.focus, read_focus, kFocusSchema,
       "The point that is sharp, or the name of an organism, which is sharp where the camera sees it; not "
       "given: the point that the camera looks at (m)");
-  v.number("shutter", c.shutter, {.min = 0, .max = 1, .sense = "0.5 as a film camera's, 1 open all the time"},
-           "Share of a frame's time for which the shutter of a film is open: what moves meanwhile is blurred");
+  v.number(
+      "shutter", c.shutter, {.min = 0, .max = 1, .sense = "0.5 as a film camera's, 1 open all the time"},
+      "Share of a frame's time for which the shutter of a film is open: what moves meanwhile is blurred");
   v.integer("shutter_samples", c.shutter_samples, {.min = 1, .max = 64},
             "Exposures that make a frame where the shutter is open; not given: 1 in a draft (no blur), 4 in "
             "good, 8 in best quality");

@@ -61,8 +61,8 @@ inline int exposures(const Film& film, const Camera& camera) {
   return camera.shutter_samples.value_or(kExposures[static_cast<std::size_t>(film.quality)]);
 }
 
-/// Seconds at which an exposure of a frame is taken, the first being 1: in the middle of its share of the time
-/// for which the shutter is open. Where there is but one it is the frame's own time.
+/// Seconds at which an exposure of a frame is taken, the first being 1: in the middle of its share of the
+/// time for which the shutter is open. Where there is but one it is the frame's own time.
 inline double exposure_time(const Film& film, const Camera& camera, int frame, int exposure) {
   int count = exposures(film, camera);
   if (count == 1) return film.time(frame);

@@ -216,7 +216,8 @@ TEST(CopyText, WindMovesCopiesAndComesBack) {
   EXPECT_EQ(still.find("object{"), still.npos);
   std::string start = swaying_copies_text({}, scene, plan, 1, scene.film.time(1));
   EXPECT_NE(start, swaying_copies_text({}, scene, plan, 7, scene.film.time(7)));
-  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, 25, scene.film.time(25))) << "where the film begins again";
+  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, 25, scene.film.time(25)))
+      << "where the film begins again";
 }
 
 TEST(CopyText, WhatIsTheSameInAFilmIsWrittenOnce) {

@@ -56,7 +56,8 @@ TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
   FrameParts parts = prepare_frames(scene);
   auto exposed = [&](int frame, int exposure) {
     std::string text;
-    EXPECT_TRUE(write_frame(scene, parts, layout, frame, [&](std::string_view some) { text += some; }, exposure));
+    EXPECT_TRUE(write_frame(
+        scene, parts, layout, frame, [&](std::string_view some) { text += some; }, exposure));
     return text;
   };
   std::string sharp = exposed(3, 0);
@@ -76,7 +77,8 @@ TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
   EXPECT_LT(before, film.time(3) + 0.5 * frame_time);
   EXPECT_LT(exposure_time(film, camera, film.frames, 4), film.length()) << "never past the end of the film";
   EXPECT_NE(exposed(3, 2).find("0003_s2 "), std::string::npos);
-  EXPECT_NE(exposed(3, 1).find("0003 0.354167 +FN16; exposure 1 of 4; then frond develop --highlights 0 --contrast 1|"),
+  EXPECT_NE(exposed(3, 1).find(
+                "0003 0.354167 +FN16; exposure 1 of 4; then frond develop --highlights 0 --contrast 1|"),
             std::string::npos)
       << exposed(3, 1).substr(0, 120);
   EXPECT_NE(exposed(3, 4).find(" +FN16; exposure 4 of 4|"), std::string::npos);
@@ -94,8 +96,8 @@ TEST(Frame, AFilmThatLoopsDoesSoWithItsExposures) {
   FrameParts parts = prepare_frames(scene);
   auto exposed = [&](int frame, int exposure) {
     std::string text;
-    EXPECT_TRUE(write_frame(scene, parts, "{{organisms}}", frame, [&](std::string_view some) { text += some; },
-                            exposure));
+    EXPECT_TRUE(write_frame(
+        scene, parts, "{{organisms}}", frame, [&](std::string_view some) { text += some; }, exposure));
     return text;
   };
   EXPECT_EQ(exposed(1, 2), exposed(scene.film.frames + 1, 2));

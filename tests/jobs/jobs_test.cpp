@@ -157,8 +157,9 @@ TEST(Jobs, AFrameIsRenderedAgainWhereOneOfItsExposuresChanged) {
   jobs.frames = {7};
   jobs.exposures = 3;
   jobs.includes = {"frond_sea.inc"};
-  EXPECT_NE(ninja_text(jobs).find("build frames/frame_0007.png: frame frames/frame_0007.pov | frames/frame_0007_s2.pov "
-                                  "frames/frame_0007_s3.pov includes\n"),
+  EXPECT_NE(ninja_text(jobs).find(
+                "build frames/frame_0007.png: frame frames/frame_0007.pov | frames/frame_0007_s2.pov "
+                "frames/frame_0007_s3.pov includes\n"),
             std::string::npos);
 }
 

@@ -84,8 +84,7 @@ TEST(Nursery, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
   auto steps_of = [](const Preset& of, Scene& scene) {
     std::atomic<int> steps = 0;
     bool growing = false;
-    Watch watch{[&](std::string_view phase, auto) { growing = phase == "grow"; },
-                [&] { steps += growing; }};
+    Watch watch{[&](std::string_view phase, auto) { growing = phase == "grow"; }, [&] { steps += growing; }};
     scene = *build_scene(of, watch);
     return steps.load();
   };
