@@ -196,8 +196,9 @@ const WrongPreset kWrongValues[] = {
      R"({"scene": {"camera": {"focus": "seed haed", "shutter": 1.5, "shutter_samples": 0}},
  "organisms": [{"kind": "coral", "name": "seed head"}]})",
      {},
-     {"1:58: /scene/camera/shutter: found 1.5; expected a number from 0 to 1",
-      "1:82: /scene/camera/shutter_samples: found 0; expected a whole number from 1 to 64"}},
+     {"1:56: /scene/camera/shutter: found 1.5; expected a number from 0 to 1 (0.5 as a film camera's, 1 open all the "
+      "time)",
+      "1:80: /scene/camera/shutter_samples: found 0; expected a whole number from 1 to 64"}},
     {"A focus on one that is nearly named",
      R"({"scene": {"camera": {"focus": "seed haed"}}, "organisms": [{"kind": "coral", "name": "seed head"}]})",
      {},
