@@ -6,16 +6,33 @@ set -euo pipefail
 
 usage() {
   cat <<TEXT
-Usage: scripts/gallery.sh [-o DIR] [NAME...]
+Usage: scripts/gallery.sh [-o DIR] [--large] [NAME...]
 
 Renders the pictures of docs/gallery, all or those of the names given, at the quality "good". DIR (out/gallery) keeps
 what they are made of: interrupted and run again it goes on where it stopped. docs/gallery.md lists all pictures with
 the seconds of processor that POV-Ray took, here or where they were rendered last.
+
+--large renders the best of them 1280 pixels wide, into docs/gallery/large, and lists nothing: those of
+$best
 TEXT
 }
+best="reef garden forest heart_tree stone_bridge ivy-brick_wall tree-oak tree-cherry tree-spruce rocks"
 help_where_asked "$@"
-work=out/gallery
-if [[ ${1:-} == -o ]]; then work=${2:?} && shift 2; fi
+work=out/gallery large=''
+while (($# > 0)); do
+  case $1 in
+    -o) if (($# < 2)); then bad_usage "-o: expected a folder"; fi; work=$2 && shift 2 ;;
+    --large) large=yes && shift ;;
+    -*) bad_usage "$1: no such option" ;;
+    *) break ;;
+  esac
+done
+if [[ -n $large ]]; then
+  for name in "$@"; do
+    if [[ " $best " != *" $name "* ]]; then bad_usage "$name: no picture of --large; expected some of $best"; fi
+  done
+  if (($# == 0)); then read -r -a names <<<"$best" && set -- "${names[@]}"; fi
+fi
 frond=${FROND_BIN:-$root/build/frond}
 mkdir -p -- "$work"
 work=$(cd -- "$work" && pwd)
@@ -123,24 +140,35 @@ still() {
 
 # row_of NAME SIZE ITEMS...: its row of docs/gallery.md; nodes and seconds are those of all its parts.
 row_of() {
-  local name=$1 size=$2 item presets='' seed='' nodes=0 milliseconds=0 folder i=0
+  local name=$1 size=$2 item presets='' seed='' nodes=0 milliseconds=0 folder i=0 took seconds
   for item in "${@:3}"; do
     folder=$work/$name-$((i++)) item=${item%%,*}
     if [[ $presets != *"${item%@*}.json"* ]]; then presets+="${presets:+, }presets/${item%@*}.json"; fi
     seed=$(sed -nE 's/.*"seed": *([0-9]+).*/\1/p' "$folder/manifest.json" | head -n 1)
     nodes=$((nodes + $(sed -nE 's/.*"nodes": *([0-9]+).*/\1/p' "$folder/manifest.json" | tail -n 1)))
-    milliseconds=$((milliseconds + $(tail -n 1 "$folder/.times" 2>/dev/null | cut -d' ' -f2 || echo 0)))
+    took=$(tail -n 1 -- "$folder/.times" 2>/dev/null | cut -d' ' -f2 || true)
+    if [[ -z $took ]]; then milliseconds=''; fi
+    if [[ -n $milliseconds ]]; then milliseconds=$((milliseconds + took)); fi
   done
-  printf '| <img src="gallery/%s.jpg" width="200"> | %s | %s | %s | %d | %d |\n' \
-    "$name" "$presets" "$size" "$seed" "$nodes" "$(((milliseconds + 500) / 1000))"
+  # Where a run was killed that could not say what it took, the row keeps what it had.
+  if [[ -n $milliseconds ]]; then
+    seconds=$(((milliseconds + 500) / 1000))
+  else
+    seconds=$(sed -nE "s#.*gallery/${name//./\\.}\.jpg.*\| ([0-9]+) \|\$#\1#p" "$root/docs/gallery.md" 2>/dev/null || true)
+  fi
+  printf '| <img src="gallery/%s.jpg" width="200"> | %s | %s | %s | %d | %s |\n' \
+    "$name" "$presets" "$size" "$seed" "$nodes" "${seconds:-?}"
 }
 
 mkdir -p -- "$work/rows"
 while read -r name size columns items; do
   if (($# > 0)) && [[ " $* " != *" $name "* ]]; then continue; fi
-  inputs=() layout='' count=0
+  inputs=() layout='' count=0 place=docs/gallery/$name.jpg made=$work/$name
+  if [[ -n $large ]]; then
+    size=1280x$(((${size#*x} * 1280 + ${size%x*} / 2) / ${size%x*})) place=docs/gallery/large/$name.jpg made=$work/$name-large
+  fi
   for item in $items; do
-    picture=$(still "$item" "$size" "$work/$name-$count") || fail 1 "$name could not be rendered"
+    picture=$(still "$item" "$size" "$made-$count") || fail 1 "$name could not be rendered"
     inputs+=(-i "$picture")
     row=$((count / columns))
     layout+="${layout:+|}$((count % columns * (${size%x*} + 4)))_$((row * (${size#*x} + 4)))"
@@ -148,13 +176,15 @@ while read -r name size columns items; do
   done
   sheet=()
   if ((count > 1)); then sheet=(-filter_complex "xstack=inputs=$count:layout=$layout:fill=white"); fi
-  part=$work/$name.jpg
+  part=$made.jpg
   ffmpeg -y -loglevel error "${inputs[@]}" ${sheet[@]+"${sheet[@]}"} -bitexact -q:v 3 "$part" </dev/null
-  put_in_place "$part" "$root/docs/gallery/$name.jpg"
+  mkdir -p -- "$root/${place%/*}"
+  put_in_place "$part" "$root/$place"
   # shellcheck disable=SC2086  # several
-  row_of "$name" "$size" $items >"$work/rows/$name"
-  printf '%s\n' "docs/gallery/$name.jpg"
+  if [[ -z $large ]]; then row_of "$name" "$size" $items >"$work/rows/$name"; fi
+  printf '%s\n' "$place"
 done < <(pictures)
+if [[ -n $large ]]; then exit 0; fi
 
 # The scenes of docs/examples: their first lines hold the commands that make what they include.
 for scene in "$root"/docs/examples/*.pov; do

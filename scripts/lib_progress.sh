@@ -6,7 +6,7 @@
 # that are being traced counts the share that POV-Ray has noted, 20 bytes a pixel; scripts/povray.ini spreads what is
 # noted over the picture, so that a plain sky says nothing wrong of the rest.
 
-declare -gA _weight=()
+declare -gA _weight=() _exposures=()
 _all=0 _at_once=1 _done=0 _noted=0 _noted_before='' _picture_bytes=1 _began=0 _read=''
 frames_now=0  # finished in this run
 
@@ -15,7 +15,10 @@ begin_progress() {
   local number name bytes mean=0
   local -A scene=()
   _picture_bytes=$((${1%x*} * ${1#*x} * 20)) _at_once=$2 _began=$SECONDS
-  while read -r name bytes; do scene[$name]=$bytes; done < <(find frames -maxdepth 1 -name 'frame_*.pov' -printf '%f %s\n')
+  while read -r name bytes; do
+    scene[$name]=$bytes name=${name%.pov}
+    _exposures[${name%_s*}]=$((${_exposures[${name%_s*}]:-0} + 1))
+  done < <(find frames -maxdepth 1 -name 'frame_*.pov' -printf '%f %s\n')
   while read -r number; do
     printf -v name 'frame_%04d' "$number"
     _weight[$name]=${scene[$name.pov]:-1}
@@ -38,13 +41,13 @@ frame_done() {
 
 # Looks at what POV-Ray has noted of unfinished pictures.
 look_at_notes() {
-  local name bytes
+  local name bytes file
   _noted=0
-  while read -r name bytes; do
-    name=${name#.} name=${name%%.*}
-    if ((bytes > _picture_bytes)); then bytes=$_picture_bytes; fi
-    _noted=$((_noted + ${_weight[$name]:-0} * bytes / _picture_bytes))
-  done < <(find frames -maxdepth 1 -name '.frame_*.kept' -printf '%f %s\n' 2>/dev/null)
+  while read -r file bytes; do
+    name=${file#.} name=${name%%.*}
+    if ((bytes > _picture_bytes)) || [[ $file == *.exposed ]]; then bytes=$_picture_bytes; fi
+    _noted=$((_noted + ${_weight[$name]:-0} * bytes / _picture_bytes / ${_exposures[$name]:-1}))
+  done < <(find frames -maxdepth 1 \( -name '.frame_*.kept' -o -name '.frame_*.exposed' \) -printf '%f %s\n' 2>/dev/null)
   if [[ -z $_noted_before ]]; then _noted_before=$_noted; fi
   if ((_noted > _noted_before)) && [[ -z $_read ]]; then _read=$SECONDS; fi
 }

@@ -5,6 +5,9 @@
 # each block of pixels in a state file, and the next call goes on from there. The state bears a hash of all that makes the
 # picture, so that nothing of another scene, size or quality is taken for it.
 #
+# Where motion is blurred, the picture is the mean light of several exposures, each a scene of its own: frame_0001.pov,
+# frame_0001_s2.pov and so on. Those that are drawn are kept until all are.
+#
 # A scene is a program that may open files: POV-Ray is kept to the folders of the film and of the includes. Its own I/O
 # restrictions (povray.conf) are no help: in Debian's 3.7.0.10 the setting "restricted" is read and never heeded.
 set -euo pipefail
@@ -46,33 +49,75 @@ if [[ $first =~ \+RF([a-z0-9_]+\.rca) ]]; then
 fi
 
 # Where it says how the picture is developed, POV-Ray draws it finer.
-develop=() depth=8
-if [[ $first =~ ' +FN16; then frond develop --highlights '([0-9.]+)' --contrast '([0-9.]+)$ ]]; then
-  develop=(--highlights "${BASH_REMATCH[1]}" --contrast "${BASH_REMATCH[2]}") depth=16
+develop=() depth=8 scenes=("$scene")
+if [[ $first =~ ' +FN16'('; exposure 1 of '([0-9]+))?'; then frond develop --highlights '([0-9.]+)' --contrast '([0-9.]+)$ ]]; then
+  develop=(--highlights "${BASH_REMATCH[3]}" --contrast "${BASH_REMATCH[4]}") depth=16
+  for ((i = 2; i <= ${BASH_REMATCH[2]:-1}; ++i)); do scenes+=("${scene%.pov}_s$i.pov"); done
 fi
+for one in "${scenes[@]}"; do
+  [[ -f $one ]] || fail 1 "$scene could not be rendered: its exposure $one is gone"
+done
 
 # All that the picture depends on. What lies beside the scene is named by what is in it.
 key=$({
   printf '%s\n' "$size" "$@"
   find "$folder" -maxdepth 1 -type f ! -name '.*' ! -name 'frame_*' -printf '%f %s\n' | LC_ALL=C sort
-  sha256sum -- "$renderer" "$scene" "${light[@]}" "$povinc"/*.inc | cut -d' ' -f1
+  sha256sum -- "$renderer" "${scenes[@]}" "${light[@]}" "$povinc"/*.inc | cut -d' ' -f1
 } | sha256sum | cut -c-16)
 
-part=$folder/$name.$key.png
-state=$folder/$name.$key.pov-state  # so POV-Ray calls it
-kept=$folder/$name.$key.kept
 plain=$folder/$name.$key.plain
 log=$folder/$name.$key.log
 large=$folder/$name.$key.large  # where POV-Ray keeps the pixels of a large picture
+spent=$folder/$name.$key.spent  # milliseconds that earlier runs took for it; a ? where one was killed before it said
+# names NUMBER: those of an exposure's files.
+names() {
+  local base=$folder/$name.$key
+  if ((${#scenes[@]} > 1)); then base+=.$1; fi
+  part=$base.png
+  state=$base.pov-state  # so POV-Ray calls it
+  kept=$base.kept
+  exposed=$base.exposed  # a whole exposure
+}
+names 1
 for left in "$folder/$name".*; do
   if [[ $left != "$folder/$name.$key".* ]]; then rm -rf -- "$left"; fi
 done
-rm -rf -- "$part" "$plain" "$large"  # not finished, or they would be in their place
+rm -rf -- "$plain" "$large"  # not finished, or they would be in their place
 
-povray='' status=0
+before=0
+if [[ -s $spent && $(<"$spent") != '?' ]]; then
+  before=$(<"$spent")
+elif find "$folder" -maxdepth 1 \( -name "$name.$key*.kept" -o -name "$name.$key.*.exposed" \) -size +0 | grep -q .; then
+  before='?'
+fi
+{ echo '?' >"$spent"; } 2>/dev/null || true
+
+# Sets $took to the milliseconds of processor that what was started took, now and in earlier runs; empty where that is not
+# known.
+count_time() {
+  local time times=()
+  took=$before
+  if [[ ! $before =~ ^[0-9]+$ ]]; then took='' && return; fi
+  times >"$log"
+  { read -r _ && read -r -a times; } <"$log"
+  for time in "${times[@]%s}"; do
+    took=$((took + ${time%m*} * 60000 + 10#$(printf '%s' "${time#*m}" | tr -d .)))
+  done
+}
+# For the next run, which takes up what was traced.
+note_time() {
+  count_time
+  if [[ -n $took ]]; then printf '%d' "$took" >"$spent"; fi
+}
+
+povray='' status=0 drawn=()
 # shellcheck disable=SC2317  # called by a trap
 stop() {
-  if [[ -n $povray ]]; then kill -KILL "$povray" 2>/dev/null || true; fi
+  if [[ -n $povray ]]; then
+    kill -KILL "$povray" 2>/dev/null || true
+    { wait "$povray"; } 2>/dev/null || true
+  fi
+  note_time 2>/dev/null || true
   rm -rf -- "$log" "$part" "$plain" "$large"
   exit 143
 }
@@ -86,18 +131,16 @@ no_room_left() {
 give_up() {
   local why=$1
   if no_room_left; then why=$no_room; fi
-  rm -rf -- "$log" "$part" "$plain" "$large"
   # What was traced before it was killed is good; after any other end it is not trusted.
-  if ((status != 0 && status != 137)); then rm -f -- "$state" "$kept"; fi
+  if ((status != 0 && status != 137)); then
+    rm -f -- "$state" "$kept"
+    if ((${#drawn[@]} <= 1)); then rm -f -- "$spent"; fi
+  else
+    note_time 2>/dev/null || true
+  fi
+  rm -rf -- "$log" "$part" "$plain" "$large"
   fail 1 "$scene could not be rendered: $why"
 }
-
-# POV-Ray removes its state before it writes the picture, which takes long if that is large: a second name keeps it.
-if ! { mkdir -p -- "$large" && : >>"$kept"; } 2>/dev/null; then give_up "$folder: cannot be written to"; fi
-ln -f -- "$kept" "$state" 2>/dev/null || true
-if [[ -s $kept ]]; then "$root/scripts/traced.pl" "$kept"; fi
-taken_up=''
-if [[ -s $kept ]]; then taken_up=yes; fi
 
 # POV-Ray parses its options by itself and stumbles over quotes in a path: folders come through descriptors.
 exec {includes}<"$povinc" {pictures}<"$(dirname -- "$scene")" {scripts}<"$root/scripts"
@@ -108,13 +151,43 @@ if [[ -z ${FROND_UNCONFINED:-} ]]; then
   confined=("$root/scripts/confined.pl" --write "$folder" --read "$(dirname -- "$scene")" --read "$povinc"
     --read "$root/scripts/povray.ini" --)
 fi
-# In a session of its own: a signal to the whole group would make POV-Ray end in its own way, with half a picture.
-POVINI=/proc/self/fd/$scripts/povray.ini POV_TEMP_DIR=$large \
-  setsid setpriv --pdeathsig KILL --no-new-privs -- ${confined[@]+"${confined[@]}"} \
-  "$renderer" "+I$scene" "+O$part" "+FN$depth" "+W${size%x*}" "+H${size#*x}" \
-  "+L$library" "+L/proc/self/fd/$pictures" ${light[@]+"+RFI" "+RF${light[0]}"} "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
-povray=$!
-{ wait "$povray"; } 2>/dev/null || status=$?  # without what bash says of one that was killed
+
+# why: what matters of POV-Ray's many lines: the file, the line and what was wrong.
+why() {
+  local errors
+  errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
+  if [[ -z $errors ]] && grep -q 'Cannot access data in file' "$log"; then
+    errors="povray could not write; is there $no_room?"  # another frame may have made some since
+  elif [[ -z $errors ]]; then
+    if ((status == 0)); then errors="povray left no whole picture"$'\n'; fi
+    if ((status > 128)); then errors="povray was ended by signal $((status - 128)) (out of memory?)"$'\n'; fi
+    errors+=$(tail -n 5 "$log")
+  fi
+  printf '%s' "$errors"
+}
+
+# expose SCENE FLAG...: draws it as $part, from where it was left.
+expose() {
+  local scene=$1
+  shift
+  status=0
+  rm -f -- "$part"
+  # POV-Ray removes its state before it writes the picture, which takes long if that is large: a second name keeps it.
+  if ! { mkdir -p -- "$large" && : >>"$kept"; } 2>/dev/null; then give_up "$folder: cannot be written to"; fi
+  ln -f -- "$kept" "$state" 2>/dev/null || true
+  if [[ -s $kept ]]; then "$root/scripts/traced.pl" "$kept"; fi
+  # In a session of its own: a signal to the whole group would make POV-Ray end in its own way, with half a picture.
+  POVINI=/proc/self/fd/$scripts/povray.ini POV_TEMP_DIR=$large \
+    setsid setpriv --pdeathsig KILL --no-new-privs -- ${confined[@]+"${confined[@]}"} \
+    "$renderer" "+I$scene" "+O$part" "+FN$depth" "+W${size%x*}" "+H${size#*x}" \
+    "+L$library" "+L/proc/self/fd/$pictures" ${light[@]+"+RFI" "+RF${light[0]}"} "+WT${FROND_THREADS:-1}" +C -D -P "$@" >"$log" 2>&1 </dev/null &
+  povray=$!
+  { wait "$povray"; } 2>/dev/null || status=$?  # without what bash says of one that was killed
+  povray=''
+  if ((status == 0)) && whole_png "$part" "$size"; then return; fi
+  [[ -f $log ]] || give_up "$folder has vanished"
+  give_up "$(why)"
+}
 
 # A PNG without its chunks of time and text: POV-Ray writes the hour into its pictures.
 timeless() {
@@ -130,36 +203,29 @@ timeless() {
   tail -c +$((at + 1)) -- "$1"
 }
 
-# Notes the time that this process and its children took; where another one began the picture it says nothing.
-note_time() {
-  local user system spent=0 time
-  if [[ -n $taken_up ]]; then return; fi
-  times >"$log"
-  { read -r _ && read -r user system; } <"$log"
-  for time in "${user%s}" "${system%s}"; do
-    spent=$((spent + ${time%m*} * 60000 + 10#$(printf '%s' "${time#*m}" | tr -d .)))
-  done
-  printf '%s %d %s\n' "${name#.}" "$spent" "$size" >>"$(dirname -- "$folder")/.times"
-}
-
-if ((status == 0)) && whole_png "$part" "$size"; then
-  if ((${#develop[@]} > 0)); then
-    "${FROND_BIN:-$root/build/frond}" develop "$part" -o "$part" "${develop[@]}" >"$log" 2>&1 || give_up "$(<"$log")"
+for i in "${!scenes[@]}"; do
+  names $((i + 1))
+  if ((${#scenes[@]} == 1)); then
+    drawn=("$part")
+    expose "$scene" "$@"
+    break
   fi
-  { timeless "$part" >"$plain"; } 2>/dev/null || give_up "its picture could not be written"
-  put_in_place "$plain" "$picture"
-  note_time 2>/dev/null || true
-  rm -rf -- "$part" "$log" "$kept" "$large"
-  exit 0
+  drawn+=("$exposed")
+  if whole_png "$exposed" "$size"; then continue; fi
+  expose "${scenes[i]}" "$@"
+  put_in_place "$part" "$exposed"
+  rm -f -- "$kept"
+done
+
+names 1
+if ((${#develop[@]} > 0)); then
+  "${FROND_BIN:-$root/build/frond}" develop "${drawn[@]}" -o "$part" "${develop[@]}" >"$log" 2>&1 || give_up "$(<"$log")"
 fi
-[[ -f $log ]] || give_up "$folder has vanished"
-# What matters of POV-Ray's many lines: the file, the line and what was wrong.
-errors=$(sed -n "s|$library|povinc|g; /Fatal error\|Render failed/d; /Error:/,\$p" "$log" | grep . | head -n 6 || true)
-if [[ -z $errors ]] && grep -q 'Cannot access data in file' "$log"; then
-  errors="povray could not write; is there $no_room?"  # another frame may have made some since
-elif [[ -z $errors ]]; then
-  if ((status == 0)); then errors="povray left no whole picture"$'\n'; fi
-  if ((status > 128)); then errors="povray was ended by signal $((status - 128)) (out of memory?)"$'\n'; fi
-  errors+=$(tail -n 5 "$log")
-fi
-give_up "$errors"
+{ timeless "$part" >"$plain"; } 2>/dev/null || give_up "its picture could not be written"
+put_in_place "$plain" "$picture"
+# What it took; where a run was killed that could not say it, nothing is noted.
+{
+  count_time
+  if [[ -n $took ]]; then printf '%s %d %s\n' "${name#.}" "$took" "$size" >>"$(dirname -- "$folder")/.times"; fi
+} 2>/dev/null || true
+rm -rf -- "$folder/$name.$key".*

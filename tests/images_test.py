@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Renders small frames with POV-Ray and measures them: usage images_test.py FROND SOURCE_DIR."""
 
+import os
 import pathlib
 import re
 import subprocess
@@ -37,6 +38,20 @@ def render(preset, frames, folder, quality="+A0.3", sets=()):
     subprocess.run([frond, "generate", source / preset, "-o", folder, "-q"] + [w for s in sets for w in ("--set", s)],
                    check=True)
     return {frame: picture_of(folder / "frames" / f"frame_{frame:04}.pov", [quality], folder) for frame in frames}
+
+
+def linear(byte):
+    return byte / 255 / 12.92 if byte <= 10 else ((byte / 255 + 0.055) / 1.055) ** 2.4
+
+
+def encoded(light):
+    return 255 * (12.92 * light if light <= 0.0031308 else 1.055 * light ** (1 / 2.4) - 0.055)
+
+
+def png_of(path):
+    data = subprocess.run(["ffmpeg", "-nostdin", "-loglevel", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                          check=True, capture_output=True).stdout
+    return [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
 
 
 OWN_LIGHT = """#macro Light_All_Round()
@@ -108,6 +123,20 @@ def main():
         bright = [mean([picture[i] for i in shaded]) for picture in (ours, theirs)]
         good &= check("light is POV-Ray's own", distance(ours, theirs) < 10, f"{distance(ours, theirs):.1f}")
         good &= check("so are shadows", abs(bright[0]/bright[1] - 1) < 0.25, f"{bright[0]:.1f} against {bright[1]:.1f}")
+        # A frame with a shutter is the mean, in light, of its exposures, and what moves leaves a trail.
+        blurred = folder / "blurred"
+        sets = ["/scene/camera/shutter=1", "/scene/camera/shutter_samples=3"]
+        subprocess.run([frond, "generate", source / "tests/presets/tiny_film.json", "-o", blurred, "-q", "--frames", "4-4"] +
+                       [w for s in sets for w in ("--set", s)], check=True)
+        subprocess.run(["ninja", "-C", blurred, "frames/frame_0004.png"], check=True, capture_output=True,
+                       env={**os.environ, "FROND_BIN": frond})
+        parts = [picture_of(blurred / f"frames/frame_0004{end}.pov", ["+A0.15", "+AM1", "+R2", "-J"], folder)
+                 for end in ("", "_s2", "_s3")]
+        expected = [tuple(encoded(sum(linear(p[i][c]) for p in parts) / 3) for c in range(3)) for i in range(len(parts[0]))]
+        apart = distance(png_of(blurred / "frames/frame_0004.png"), expected)
+        trail = distance(parts[0], parts[2])
+        good &= check("a blurred frame is the mean of its exposures", apart < 0.2 * trail, f"{apart:.2f}")
+        good &= check("which differ", trail > 2, f"{trail:.1f}")
         # Where a film goes from one stretch of its way to the next, and copies to other levels, nothing pops.
         walk = render("tests/images/walk.json", range(22, 28), folder / "walk", "+A0.1")
         steps = {frame: distance(walk[frame], walk[frame + 1]) for frame in range(22, 27)}

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accretion/shade.h"
+#include "accretion/openness.h"
 #include "accretion/skin_mesh.h"
 #include "core/noise.h"
 #include "core/parallel.h"
@@ -61,9 +61,9 @@ class Skin {
   const AccretionWorld& world_;
   float edge_, reach_, layer_;
   Vec3 lot_{0};
-  Shade shade_;
+  Openness shade_;
   SkinMesh mesh_;
-  std::vector<float> open_;  // of each vertex, see Shade::openness()
+  std::vector<float> open_;  // of each vertex, see Openness::openness()
   float most_open_ = 1;
   std::vector<float> room_;   // at least so much is free round each vertex
   std::vector<float> speed_;  // layers a layer

@@ -38,7 +38,8 @@ struct LookArguments {
 };
 
 struct DevelopArguments {
-  std::string picture, out;  ///< PNG files
+  std::vector<std::string> pictures;  ///< PNG files, of one size
+  std::string out;                    ///< a PNG file
   Tone tone;
 };
 

@@ -1,3 +1,5 @@
+#include <fmt/ranges.h>
+
 #include "app/commands.h"
 #include "app/messages.h"
 #include "core/files.h"
@@ -7,10 +9,16 @@
 namespace frond {
 
 int develop_picture(const DevelopArguments& arguments) {
-  Result<std::string> drawn = read_file(arguments.picture);
-  if (!drawn) return fail(drawn.errors(), kCouldNot);
-  Result<std::string> picture = develop(*drawn, arguments.tone);
-  if (!picture) return fail({Error{arguments.picture, picture.errors()[0].what}}, kCouldNot);
+  std::vector<std::string> drawn;
+  for (const std::string& path : arguments.pictures) {
+    Result<std::string> read = read_file(path);
+    if (!read) return fail(read.errors(), kCouldNot);
+    drawn.push_back(std::move(*read));
+  }
+  Result<std::string> picture = develop(drawn, arguments.tone);
+  if (!picture)
+    return fail({Error{fmt::format("{}", fmt::join(arguments.pictures, ", ")), picture.errors()[0].what}},
+                kCouldNot);
   Result<bool> written = write_file(arguments.out, *picture);
   return written ? kDone : fail(written.errors(), kCouldNot);
 }

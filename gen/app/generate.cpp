@@ -47,26 +47,29 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   }
   if (Errors lost = write_light(scene, parts, out / "frames"); !lost.empty()) return {0, lost, {}, {}};
   if (!parts.light.empty()) beside.insert(parts.light);
-  int count = range.last - range.first + 1;
+  int each = exposures(scene.film, scene.stage.camera), count = (range.last - range.first + 1) * each;
   Progress progress("frames", count, quiet);
-  std::atomic<int> changed = 0, next = 0;
+  std::atomic<int> next = 0;
   std::vector<Errors> errors(static_cast<std::size_t>(count));
-  std::vector<std::size_t> nodes(errors.size());
+  std::vector<char> changed(errors.size());
+  std::vector<std::size_t> nodes(static_cast<std::size_t>(count / each));
   parallel_for(static_cast<std::size_t>(std::min(at_once, count)), [&](std::size_t) {
     for (int i; (i = next++) < count;) {
-      int frame = range.first + i;
-      Result<FrameFile> written =
-          write_frame_file(scene, parts, layout, out / "frames" / (frame_name(frame) + ".pov"), frame);
+      int frame = range.first + i / each, exposure = each > 1 ? 1 + i % each : 0;
+      Result<FrameFile> written = write_frame_file(
+          scene, parts, layout, out / "frames" / (exposure_name(frame, exposure) + ".pov"), frame, exposure);
       if (written) {
-        changed += written->changed;
-        nodes[static_cast<std::size_t>(i)] = written->nodes;
+        changed[static_cast<std::size_t>(i)] = written->changed;
+        if (i % each == 0) nodes[static_cast<std::size_t>(i / each)] = written->nodes;
       } else {
         errors[static_cast<std::size_t>(i)] = written.errors();
       }
       progress.step();
     }
   });
-  Written result{changed, {}, std::move(beside), std::move(nodes)};
+  Written result{0, {}, std::move(beside), std::move(nodes)};
+  for (auto i = changed.begin(); i != changed.end(); i += each)
+    result.frames += std::any_of(i, i + each, [](char one) { return one != 0; });
   for (const Errors& list : errors) result.errors.insert(result.errors.end(), list.begin(), list.end());
   return result;
 }
@@ -80,6 +83,7 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
   JobList jobs;
   jobs.size = film.size;
   jobs.quality = kRenderings[static_cast<std::size_t>(film.quality)].quality;
+  jobs.exposures = exposures(film, preset.stage.camera);
   jobs.fps = film.fps;
   jobs.still = film.frames == 1;
   jobs.rendered = rendered;
@@ -217,7 +221,7 @@ int generate(const GenerateArguments& arguments) {
   job_errors = remove_unusable(out, range, preset->film.size);
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   needed.merge(written.beside);
-  if (in_use.by_us_alone()) tidy(out, needed);
+  if (in_use.by_us_alone()) tidy(out, needed, exposures(preset->film, preset->stage.camera));
   if (!arguments.quiet)
     tell(fmt::format("{}: {} frames, {} of them changed", out.string(), range.last - range.first + 1,
                      written.frames));

@@ -94,8 +94,9 @@ void add_look(CLI::App& app, int& result) {
 void add_develop(CLI::App& app, int& result) {
   auto to = std::make_shared<DevelopArguments>();
   auto* command = app.add_subcommand(
-      "develop", "Gives a picture of 16 bits a channel the tone that the first line of its scene names");
-  command->add_option("picture", to->picture, "The PNG file that POV-Ray wrote, with +FN16")->required();
+      "develop",
+      "Gives a picture of 16 bits a channel, or the mean light of several, the tone that its scene names");
+  command->add_option("pictures", to->pictures, "The PNG files that POV-Ray wrote, with +FN16")->required();
   command->add_option("-o,--out", to->out, "FILE.png")->required();
   command->add_option("--highlights", to->tone.highlights, "Stops above white that keep their shape (0)")
       ->check(CLI::Range(0.0, 6.0));

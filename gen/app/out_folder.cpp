@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <string_view>
 
 #include "core/files.h"
@@ -25,6 +26,15 @@ bool is_ours(std::string_view name) {
     return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == key.npos;
   }
   return false;
+}
+
+/// Of "frame_0001_s3.pov" 3; else 0.
+int exposure_of(std::string_view name) {
+  std::size_t at = name.find("_s");
+  if (!name.starts_with("frame_") || at == name.npos) return 0;
+  int exposure = 0;
+  std::from_chars(name.data() + at + 2, name.data() + name.size(), exposure);
+  return exposure;
 }
 
 }  // namespace
@@ -76,7 +86,7 @@ Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange ran
   return damaged;
 }
 
-void tidy(const fs::path& out, const std::set<std::string>& needed) {
+void tidy(const fs::path& out, const std::set<std::string>& needed, int exposures) {
   std::error_code error;
   for (const fs::path& folder : {out, out / "frames"})
     for (const fs::path& path : files_in(folder)) {
@@ -84,7 +94,8 @@ void tidy(const fs::path& out, const std::set<std::string>& needed) {
       bool half =
           type.size() > 4 && type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
       bool ours = folder != out && is_ours(name);
-      if (half || (ours && !needed.contains(name))) fs::remove(path, error);
+      bool idle = folder != out && type == ".pov" && exposure_of(name) > exposures;
+      if (half || idle || (ours && !needed.contains(name))) fs::remove(path, error);
     }
 }
 

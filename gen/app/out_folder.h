@@ -35,7 +35,8 @@ Result<std::vector<std::filesystem::path>> remove_damaged(const std::filesystem:
                                                           std::array<int, 2> size);
 
 /// Removes what no frame reads any more, pictures and models of earlier runs, and what killed runs have left
-/// half written. Frames stay: those of another range may be asked for again.
-void tidy(const std::filesystem::path& out, const std::set<std::string>& needed);
+/// half written, and exposures beyond those that make a frame. Frames stay: those of another range may be
+/// asked for again.
+void tidy(const std::filesystem::path& out, const std::set<std::string>& needed, int exposures);
 
 }  // namespace frond

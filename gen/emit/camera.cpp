@@ -1,6 +1,7 @@
 #include "emit/camera.h"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "core/text.h"
@@ -10,14 +11,15 @@ namespace frond {
 namespace {
 
 /// A lens before film 36 mm wide, for what is not in focus.
-void append_lens(std::string& text, const PovSpace& space, const Camera& camera, Quality quality,
-                 double time) {
+void append_lens(std::string& text, const PovSpace& space, const Camera& camera, Quality quality, double time,
+                 std::optional<Vec3> focus) {
   if (!camera.aperture) return;
   double focal_length = 0.018 / std::tan(radians(camera.angle.at(time)) / 2);
   text += " aperture ";
   append(text, focal_length / *camera.aperture * space.unit, 6);
   text += " focal_point";
-  append_point(text, space, (camera.focus ? *camera.focus : camera.look_at).at(time));
+  bool given = camera.focus && camera.focus->organism.empty();
+  append_point(text, space, focus ? *focus : (given ? camera.focus->point : camera.look_at).at(time));
   constexpr std::string_view kSamples[] = {"12 confidence 0.8 variance 0.003",
                                            "40 confidence 0.95 variance 0.0004",
                                            "150 confidence 0.99 variance 0.0001"};
@@ -27,13 +29,17 @@ void append_lens(std::string& text, const PovSpace& space, const Camera& camera,
 
 }  // namespace
 
-std::string tone_text(const Camera& camera) {
-  if (!camera.toned()) return "";
-  return " +FN16; then frond develop --highlights " + number_text(camera.highlights) + " --contrast " +
+std::string tone_text(const Camera& camera, int exposure, int exposures) {
+  if (!camera.toned() && exposures == 1) return "";
+  std::string text = " +FN16";
+  if (exposures > 1) text += "; exposure " + number_text(exposure) + " of " + number_text(exposures);
+  if (exposure > 1) return text;
+  return text + "; then frond develop --highlights " + number_text(camera.highlights) + " --contrast " +
          number_text(camera.contrast);
 }
 
-std::string camera_text(const PovSpace& space, const Camera& camera, Quality quality, double time) {
+std::string camera_text(const PovSpace& space, const Camera& camera, Quality quality, double time,
+                        std::optional<Vec3> focus) {
   Vec3 location = camera.location.at(time), view = camera.look_at.at(time) - location;
   bool upright = std::abs(view.y) > 0.999f * glm::length(view);
   std::string text = "camera{location";
@@ -43,7 +49,7 @@ std::string camera_text(const PovSpace& space, const Camera& camera, Quality qua
   append(text, camera.angle.at(time), 4);
   text += " look_at";
   append_point(text, space, camera.look_at.at(time));
-  append_lens(text, space, camera, quality, time);
+  append_lens(text, space, camera, quality, time, focus);
   text += '}';
   return text;
 }

@@ -292,8 +292,9 @@ std::string still_copies_text(const PovSpace& space, const Scene& scene, const C
   return text + stands_text(space, scene, plan, stretch, 0, false);
 }
 
-std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame) {
-  return stands_text(space, scene, plan, plan.stretch_of(frame), scene.film.time(frame), true);
+std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
+                                double time) {
+  return stands_text(space, scene, plan, plan.stretch_of(frame), time, true);
 }
 
 }  // namespace frond

@@ -27,7 +27,8 @@ std::optional<std::vector<int>> model_parts(std::string_view text);
 /// stands that stand still.
 std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                               std::size_t stretch);
-/// The copies of stands that sway in the wind, in a frame.
-std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame);
+/// The copies of stands that sway in the wind, in a frame at its time.
+std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
+                                double time);
 
 }  // namespace frond

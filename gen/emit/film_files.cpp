@@ -173,8 +173,10 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
 }
 
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
-                                   const fs::path& path, int frame) {
-  if (parts.light == kOwnLight) {
+                                   const fs::path& path, int frame, int exposure) {
+  double time =
+      exposure > 0 ? exposure_time(scene.film, scene.stage.camera, frame, exposure) : scene.film.time(frame);
+  if (parts.light == kOwnLight && exposure <= 1) {
     Result<std::string> light =
         soft_light_text(parts.space, scene, parts.plan.crumbs, scene.film.time(frame));
     if (!light) return light.errors();
@@ -182,14 +184,14 @@ Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, 
     if (Result<bool> written = write_file(beside.replace_extension(".rca"), *light); !written)
       return written.errors();
   }
-  Result<std::vector<Picture>> pictures = setting_pictures(scene, scene.film.time(frame));
+  Result<std::vector<Picture>> pictures = setting_pictures(scene, time);
   if (!pictures) return pictures.errors();
   for (const Picture& picture : *pictures)
     if (Result<bool> written = write_file(path.parent_path() / picture.name, picture.bytes); !written)
       return written.errors();
   GrowingFile file(path);
-  Result<std::size_t> nodes =
-      write_frame(scene, parts, layout, frame, [&](std::string_view text) { file.add(text); });
+  Result<std::size_t> nodes = write_frame(
+      scene, parts, layout, frame, [&](std::string_view text) { file.add(text); }, exposure);
   if (!nodes) return nodes.errors();
   Result<bool> changed = file.close();
   if (!changed) return changed.errors();

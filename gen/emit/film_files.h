@@ -27,8 +27,9 @@ struct FrameFile {
   std::size_t nodes = 0;  ///< that growth has reached in it
 };
 
-/// Writes one frame, with its soft light where that is its own.
+/// Writes one frame, or one exposure of it as write_frame() has it, with its soft light where that is its
+/// own; that of a frame serves all its exposures.
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
-                                   const std::filesystem::path& path, int frame);
+                                   const std::filesystem::path& path, int frame, int exposure = 0);
 
 }  // namespace frond

@@ -156,9 +156,11 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
   for (double same : {ground, materials})
     (preset.film.frames > 1 && same > kAsideBytes ? f.shared_bytes : text) += same;
   f.frame_bytes = text;
-  f.frame_seconds += text / kBytesWritten;
   f.picture_bytes += kPictureBytes * preset.film.size[0] * preset.film.size[1];
   f.render_seconds = render_seconds(f, preset.film);
+  int each = exposures(preset.film, preset.stage.camera);
+  f.frame_bytes *= each, f.render_seconds *= each;
+  f.frame_seconds += f.frame_bytes / kBytesWritten;
   return f;
 }
 

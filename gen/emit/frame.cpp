@@ -13,6 +13,7 @@
 #include "core/text.h"
 #include "emit/body.h"
 #include "emit/camera.h"
+#include "emit/focus.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
 #include "emit/skin.h"
@@ -316,9 +317,11 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
 }
 
 Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
-                                int frame, const Out& out) {
+                                int frame, const Out& out, int exposure) {
   const Film& film = scene.film;
-  double time = film.time(frame);
+  const Camera& camera = scene.stage.camera;
+  int all = exposure > 0 ? exposures(film, camera) : 1;
+  double time = exposure > 0 ? exposure_time(film, camera, frame, exposure) : film.time(frame);
   std::string padded = number_text(frame);
   padded.insert(0, padded.size() < 4 ? 4 - padded.size() : 0, '0');
   Errors errors;
@@ -326,7 +329,7 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
   fill(layout, out, [&](std::string_view hole) {
     if (hole == "frame") return out(number_text(frame));
     if (hole == "frames") return out(number_text(film.frames));
-    if (hole == "number") return out(padded);
+    if (hole == "number") return out(exposure > 1 ? padded + "_s" + number_text(exposure) : padded);
     if (hole == "width") return out(number_text(film.size[0]));
     if (hole == "height") return out(number_text(film.size[1]));
     if (hole == "unit") return out(number_text(parts.space.unit));
@@ -335,12 +338,13 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
       if (parts.light.empty()) return;
       return out("+RFI +RF" + (parts.light == kOwnLight ? "frame_" + padded + ".rca" : parts.light) + " ");
     }
-    if (hole == "tone") return out(tone_text(scene.stage.camera));
+    if (hole == "tone") return out(tone_text(camera, std::max(exposure, 1), all));
     if (hole == "time") return out(number_text(time));
     if (hole == "loop") return out(number_text(film.length()));
     if (hole == "includes") return out(includes_text(scene));
     if (hole == "setting") return out(setting_text(scene, time));
-    if (hole == "camera") return out(camera_text(parts.space, scene.stage.camera, film.quality, time));
+    if (hole == "camera")
+      return out(camera_text(parts.space, camera, film.quality, time, named_focus(scene, time)));
     if (hole == "materials") return out(parts.materials);
     if (hole == "ground") {
       out(parts.ground);
@@ -349,7 +353,7 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
     }
     if (hole == "organisms") {
       nodes = write_organisms(parts, scene, time, errors, out);
-      return out(swaying_copies_text(parts.space, scene, parts.plan, frame));
+      return out(swaying_copies_text(parts.space, scene, parts.plan, frame, time));
     }
     if (hole == "food") return out(food_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});

@@ -37,8 +37,9 @@ Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std:
                                int frame);
 
 /// The same, piece by piece: the text of a large frame is held nowhere as a whole. Gives how many nodes
-/// growth has reached in it; those of copies do not count.
+/// growth has reached in it; those of copies do not count. `exposure`: of a frame that is made of several,
+/// which one, the first being 1; 0: the frame at its own time, whatever the shutter.
 Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
-                                int frame, const Out& out);
+                                int frame, const Out& out, int exposure = 0);
 
 }  // namespace frond

@@ -13,9 +13,11 @@ namespace frond {
 
 namespace {
 
-/// `frame_0012.caustics`
+/// `frame_0012.caustics`, or between frames `frame_0012_250.caustics`
 std::string caustics_name(const Scene& scene, double time) {
-  return fmt::format("frame_{:04}.caustics", std::lround(time * scene.film.fps) + 1);
+  long thousandths = std::lround(1000 * time * scene.film.fps), frame = thousandths / 1000 + 1;
+  if (thousandths % 1000 == 0) return fmt::format("frame_{:04}.caustics", frame);
+  return fmt::format("frame_{:04}_{:03}.caustics", frame, thousandths % 1000);
 }
 
 Result<std::vector<Picture>> caustics(const Scene& scene, double time) {

@@ -24,14 +24,24 @@ double toned(double light, const Tone& tone) {
   return kKnee + (at - kKnee) / (1 + bend * (at - kKnee));
 }
 
-Result<std::string> develop(std::string_view png, const Tone& tone) {
-  Result<LinearRaster> light = read_linear_png(png);
-  if (!light) return light.errors();
+Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone) {
+  LinearRaster light;
+  std::vector<std::uint32_t> sum;
+  for (const std::string& png : pngs) {
+    Result<LinearRaster> read = read_linear_png(png);
+    if (!read) return read.errors();
+    if (!sum.empty() && (read->width != light.width || read->height != light.height))
+      return Error{"", "the pictures differ in size"};
+    light = std::move(*read);
+    sum.resize(light.data.size());
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += light.data[i];
+  }
   std::vector<std::uint8_t> curve(1 << 16);
   for (std::size_t i = 0; i < curve.size(); ++i)
     curve[i] = to_byte(encoded(toned(static_cast<double>(i) / 65535, tone)));
-  Raster picture(light->width, light->height, 3);
-  for (std::size_t i = 0; i < picture.data.size(); ++i) picture.data[i] = curve[light->data[i]];
+  Raster picture(light.width, light.height, 3);
+  auto count = static_cast<std::uint32_t>(pngs.size());
+  for (std::size_t i = 0; i < picture.data.size(); ++i) picture.data[i] = curve[(sum[i] + count / 2) / count];
   return png_text(picture);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,7 +19,8 @@ struct Tone {
 /// it was before `highlights`; what is brighter bends over so that the brightest there can be is just white.
 double toned(double light, const Tone& tone);
 
-/// A PNG file of 16 bits a channel, as POV-Ray writes it, as one of 8 bits with this tone.
-Result<std::string> develop(std::string_view png, const Tone& tone);
+/// PNG files of 16 bits a channel, as POV-Ray writes them, as one of 8 bits with this tone. Of several, all
+/// of one size, it is the mean of their light, as of exposures on one film.
+Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone);
 
 }  // namespace frond

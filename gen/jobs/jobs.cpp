@@ -87,7 +87,9 @@ void append_frames(std::string& text, const JobList& jobs) {
   text += '\n';
   for (int frame : jobs.frames) {
     text += "build " + picture_file(frame) + ": frame " + scene_file(frame);
-    if (!includes.empty()) text += " | includes";
+    if (!includes.empty() || jobs.exposures > 1) text += " |";
+    for (int i = 2; i <= jobs.exposures; ++i) text += " frames/" + exposure_name(frame, i) + ".pov";
+    if (!includes.empty()) text += " includes";
     text += "\n  number = " + std::to_string(frame) + "\n";
   }
 }
@@ -98,6 +100,10 @@ std::string frame_name(int number) {
   std::string digits = std::to_string(number);
   if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
   return "frame_" + digits;
+}
+
+std::string exposure_name(int number, int exposure) {
+  return frame_name(number) + (exposure > 1 ? "_s" + std::to_string(exposure) : "");
 }
 
 std::string ninja_text(const JobList& jobs) {

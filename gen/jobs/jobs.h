@@ -34,6 +34,9 @@ inline constexpr Rendering kRenderings[] = {
 /// What the name of a frame's files begins with: "frame_0001"; more digits from 10000 on.
 std::string frame_name(int number);
 
+/// That of an exposure of it: "frame_0001_s2"; the first bears the frame's own name.
+std::string exposure_name(int number, int exposure);
+
 /// What is to be rendered. Two lists that differ in size or quality render all frames again, as both stand in
 /// the commands; a frame is rendered again, too, when its scene or one of the includes is newer than its
 /// picture.
@@ -41,6 +44,7 @@ struct JobList {
   std::vector<int> frames;             ///< the numbers, ascending, at least one
   std::array<int, 2> size{480, 270};   ///< width and height, pixels
   std::string_view quality = "draft";  ///< a name of kRenderings
+  int exposures = 1;                   ///< scenes that make a frame
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film
   bool rendered = false;               ///< the pictures come from elsewhere: only the film is to be made

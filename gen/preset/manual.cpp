@@ -19,10 +19,10 @@ std::string digits(const Value& number) { return serialize(number); }
 
 bool is_type(const Value& schema, std::string_view type) { return text_of(schema, "type") == type; }
 
-/// Of a value or its keyframes the value; else nullptr.
+/// Of a value or its keyframes, or else a name, the value; else nullptr.
 const Value* key_of(const Value& schema) {
   const Value* any = schema.find("anyOf");
-  if (!any || any->items.size() != 2) return nullptr;
+  if (!any || any->items.size() < 2 || any->items.size() > 3) return nullptr;
   const Value* items = any->items[1].find("items");
   const Value* pair = items ? items->find("items") : nullptr;
   return pair && pair->is(Value::Type::list) ? any->items.data() : nullptr;
@@ -71,7 +71,9 @@ std::string list_kind(const Value& schema) {
 }
 
 std::string kind_of(const Value& schema) {
-  if (const Value* key = key_of(schema)) return kind_of(*key) + " or keyframes";
+  if (const Value* key = key_of(schema))
+    return kind_of(*key) +
+           (schema.find("anyOf")->items.size() == 3 ? ", keyframes or text" : " or keyframes");
   if (is_color(schema)) return "colour";
   if (schema.find("enum")) return "name";
   const Value& whole = object_of(schema);

@@ -38,7 +38,8 @@ Camera over_ground(const Camera& camera, const Heights& heights) {
   Camera moved = camera;
   moved.location = raised(camera.location, heights);
   moved.look_at = raised(camera.look_at, heights);
-  if (camera.focus) moved.focus = raised(*camera.focus, heights);
+  if (camera.focus && camera.focus->organism.empty())
+    moved.focus->point = raised(camera.focus->point, heights);
   return moved;
 }
 

@@ -24,6 +24,24 @@ void describe(Visitor& v, Film& f) {
   v.choice("quality", f.quality, kQualities, "How carefully the pictures are rendered");
 }
 
+inline constexpr std::string_view kFocusSchema = R"({"anyOf": [
+  {"type": "array", "items": {"type": "number", "minimum": -1000, "maximum": 1000}, "minItems": 3, "maxItems": 3},
+  {"type": "array", "minItems": 1, "items": {"type": "array", "minItems": 2, "maxItems": 2, "items": [
+    {"type": "number"},
+    {"type": "array", "items": {"type": "number", "minimum": -1000, "maximum": 1000}, "minItems": 3, "maxItems": 3}]}},
+  {"type": "string"}]})";
+
+inline bool read_focus(Reader& reader, const Value& value, Focus& focus) {
+  if (value.is(Value::Type::text)) {
+    focus.organism = value.text;
+    if (value.text.empty()) reader.fault(value, "a point, keyframes of one, or the name of an organism");
+    return !value.text.empty();
+  }
+  auto point = reader.animated_at(value, {.min = -1000, .max = 1000, .unit = "m"}, Animated<Vec3>{});
+  if (point) focus.point = *point;
+  return point.has_value();
+}
+
 template <class Visitor>
 void describe(Visitor& v, Camera& c) {
   v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where the camera stands");
@@ -49,8 +67,16 @@ void describe(Visitor& v, Camera& c) {
       "aperture", c.aperture,
       {.min = 0.5, .max = 64, .sense = "1.4 a wide lens, 4 a portrait's, 16 nearly all sharp"},
       "f-number of the lens, on film 36 mm wide: what is not in focus is blurred; not given: all is sharp");
-  v.animated("focus", c.focus, {.min = -1000, .max = 1000, .unit = "m"},
-             "The point that is sharp; not given: the one that the camera looks at");
+  v.custom(
+      "focus", c.focus, read_focus, kFocusSchema,
+      "The point that is sharp, or the name of an organism, which is sharp where the camera sees it; not "
+      "given: the point that the camera looks at (m)");
+  v.number(
+      "shutter", c.shutter, {.min = 0, .max = 1, .sense = "0.5 as a film camera's, 1 open all the time"},
+      "Share of a frame's time for which the shutter of a film is open: what moves meanwhile is blurred");
+  v.integer("shutter_samples", c.shutter_samples, {.min = 1, .max = 64},
+            "Exposures that make a frame where the shutter is open; not given: 1 in a draft (no blur), 4 in "
+            "good, 8 in best quality");
 }
 
 template <class Visitor>

@@ -79,18 +79,23 @@ void check_hosts(const Preset& preset, Faults& faults) {
   }
 }
 
-/// What the camera is to fit and is not there.
-void check_fit(const Preset& preset, const Value& root, Faults& faults) {
-  std::vector<std::string_view> names{kFitAll};
+/// What the camera is to fit or to focus on and is not there.
+void check_named(const Preset& preset, const Value& root, Faults& faults) {
+  std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
     if (!organism.name.empty()) names.push_back(organism.name);
-  for (std::size_t i = 0; i < preset.stage.camera.fit.size(); ++i) {
-    const std::string& name = preset.stage.camera.fit[i];
-    if (std::ranges::find(names, name) != names.end()) continue;
-    std::string pointer = fmt::format("/scene/camera/fit/{}", i);
-    faults.add({origin_at(root, pointer), pointer,
-                fmt::format("no organism \"{}\" to fit{}", name, expected_names(name, names))});
-  }
+  auto check = [&](const std::string& name, const std::string& pointer, std::string_view to) {
+    if (std::ranges::find(names, name) != names.end()) return;
+    std::string what = fmt::format("no organism \"{}\" to {}", name, to);
+    what +=
+        names.empty() ? "; expected the \"name\" of one, and none here has one" : expected_names(name, names);
+    faults.add({origin_at(root, pointer), pointer, std::move(what)});
+  };
+  const std::optional<Focus>& focus = preset.stage.camera.focus;
+  if (focus && !focus->organism.empty()) check(focus->organism, "/scene/camera/focus", "focus on");
+  names.insert(names.begin(), kFitAll);
+  for (std::size_t i = 0; i < preset.stage.camera.fit.size(); ++i)
+    check(preset.stage.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
 }
 
 /// What would be too much of something.
@@ -264,7 +269,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);
   check_stage(preset->stage, document->root, faults);
-  check_fit(*preset, document->root, faults);
+  check_named(*preset, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
   preset->notes = doubtful.errors();
   for (Error& idle : idle_settings(*preset, file_name)) preset->notes.push_back(std::move(idle));

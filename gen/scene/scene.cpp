@@ -86,8 +86,9 @@ class Gardener {
     if (!nursery_) return;
     std::string_view land(reinterpret_cast<const char*>(floor.position.data()),
                           floor.position.size() * sizeof(Vec3));
-    surroundings_ = fmt::format("{} {} {} {}", content_id(land), preset.film.length(), preset.film.frames > 1,
-                                preset.stage.setting);
+    land_ = content_id(land);
+    surroundings_ =
+        fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.stage.setting);
   }
 
   Errors grow_all(const std::vector<Bed>& beds, World& world) {
@@ -118,12 +119,12 @@ class Gardener {
       groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });
     std::vector<std::string> keys(groups.size());
     if (nursery_)
-      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g], world.territories());
+      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g], stage, world.territories());
     std::vector<std::vector<Specimen>> specimens(groups.size());
     std::vector<Errors> errors(groups.size());
     std::vector<char> fresh(groups.size());
     parallel_for(groups.size(), [&](std::size_t g) {
-      fresh[g] = !take_grown(keys[g], specimens[g]);
+      fresh[g] = !take_grown(keys[g], world, specimens[g]);
       if (fresh[g]) errors[g] = grow(groups[g], world, keys[g], specimens[g]);
     });
     std::vector<Specimen> all;
@@ -132,7 +133,7 @@ class Gardener {
       std::ranges::move(specimens[g], std::back_inserter(all));
       for (const Bed& bed : groups[g]) {
         if (fresh[g]) grown.push_back(bed.entry);
-        if (nursery_) origins[bed.entry] = keys[g];
+        if (nursery_) origins[bed.entry] = keys[g] + land_;
       }
     }
     // What comes later grows among all of these.
@@ -142,10 +143,15 @@ class Gardener {
     return {};
   }
 
-  bool take_grown(const std::string& key, std::vector<Specimen>& specimens) {
+  /// What has grown on other land stands on this one: at the same feet, and only its leaves fall elsewhere.
+  bool take_grown(const std::string& key, const World& world, std::vector<Specimen>& specimens) {
     auto kept = nursery_ ? nursery_->find(key) : nullptr;
-    if (kept) specimens = *kept;
-    return kept != nullptr;
+    if (!kept || std::ranges::any_of(*kept, [](const auto& s) { return s.model.solids.follow_ground; }))
+      return false;
+    specimens = *kept;
+    for (Specimen& s : specimens)
+      if (s.life.ground) s.life.ground = world.ground();
+    return true;
   }
 
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
@@ -159,9 +165,11 @@ class Gardener {
     return {};
   }
 
-  /// All that the specimens of some beds depend on.
-  std::string key_of(const std::vector<Bed>& beds, const Territories& territories) const {
+  /// All that the specimens of some beds depend on. Of the land, what stands by itself takes the height of
+  /// its foot alone.
+  std::string key_of(const std::vector<Bed>& beds, GrowthStage stage, const Territories& territories) const {
     std::string text = surroundings_;
+    if (stage == GrowthStage::creeping || stage == GrowthStage::in_space) text += land_;
     const Value* written = preset_.written->find("organisms");
     for (const Bed& bed : beds) {
       text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, serialize(written->items[bed.entry]),
@@ -182,7 +190,8 @@ class Gardener {
   const Preset& preset_;
   const Watch& watch_;
   Nursery* nursery_;
-  std::string surroundings_;  // all that organisms grow in so far
+  std::string land_;          // a hash of it
+  std::string surroundings_;  // all that organisms grow in so far, but for the land
 };
 
 /// All specimens in the order of the preset, those of the setting first and creepers last.
@@ -228,6 +237,8 @@ std::string Scene::check() const {
 }
 
 Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nursery) {
+  // What has grown may be needed once more, see below.
+  if (Nursery own; !nursery && !preset.stage.camera.fit.empty()) return build_scene(preset, watch, &own);
   Seed seed{preset.seed};
   Scene scene;
   scene.film = preset.film;
@@ -270,7 +281,14 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
       Preset wider = preset;
       wider.stage.camera = std::move(moved);
       wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
-      return build_scene(wider, watch, nursery);
+      std::vector<std::size_t> grown = std::move(scene.grown);
+      scene = {};  // its specimens are in the nursery
+      Result<Scene> again = build_scene(wider, watch, nursery);
+      if (again)
+        for (std::size_t entry : again->grown)
+          if (std::ranges::find(grown, entry) == grown.end()) grown.push_back(entry);
+      if (again) again->grown = std::move(grown);
+      return again;
     }
     scene.stage.camera = std::move(moved);
   }

@@ -26,6 +26,12 @@ struct Film {
 
 inline constexpr std::string_view kFitAll = "all";  ///< in place of names: every organism
 
+/// What is sharp: a point, or the organism of a name where the camera sees it.
+struct Focus {
+  Animated<Vec3> point{Vec3(0)};
+  std::string organism;  ///< empty: the point counts
+};
+
 struct Camera {
   Animated<Vec3> location{Vec3(0, 1.0f, 5)};
   Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
@@ -38,13 +44,30 @@ struct Camera {
   double contrast = 1;           ///< of the picture, see Tone
   /// The f-number of a lens before film 36 mm wide; none: all is sharp.
   std::optional<double> aperture;
-  std::optional<Animated<Vec3>> focus;  ///< what is sharp; else what it looks at
+  std::optional<Focus> focus;  ///< what is sharp; else what it looks at
+  double shutter = 0;          ///< share of a frame's time for which it is open, from the frame's moment on
+  std::optional<int> shutter_samples;  ///< exposures that make a frame; else by quality
 
   /// Stops more light than a meter says, as POV-Ray draws it.
   double stops() const { return exposure - highlights; }
   /// Whether what POV-Ray draws still has to be developed.
   bool toned() const { return highlights != 0 || contrast != 1; }
 };
+
+/// So many exposures make a frame of a film; 1: no motion is blurred, nor is it in a still.
+inline int exposures(const Film& film, const Camera& camera) {
+  constexpr int kExposures[] = {1, 4, 8};
+  if (camera.shutter <= 0 || film.frames == 1) return 1;
+  return camera.shutter_samples.value_or(kExposures[static_cast<std::size_t>(film.quality)]);
+}
+
+/// Seconds at which an exposure of a frame is taken, the first being 1: in the middle of its share of the
+/// time for which the shutter is open. Where there is but one it is the frame's own time.
+inline double exposure_time(const Film& film, const Camera& camera, int frame, int exposure) {
+  int count = exposures(film, camera);
+  if (count == 1) return film.time(frame);
+  return film.time(frame) + camera.shutter / film.fps * (exposure - 0.5) / count;
+}
 
 /// Low dunes or a lawn, and the loose stones on it.
 struct Floor {

@@ -214,9 +214,10 @@ TEST(CopyText, WindMovesCopiesAndComesBack) {
   CopyPlan plan = planned(scene);
   auto [models, still] = texts(scene, plan);
   EXPECT_EQ(still.find("object{"), still.npos);
-  std::string start = swaying_copies_text({}, scene, plan, 1);
-  EXPECT_NE(start, swaying_copies_text({}, scene, plan, 7));
-  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, 25)) << "where the film begins again";
+  std::string start = swaying_copies_text({}, scene, plan, 1, scene.film.time(1));
+  EXPECT_NE(start, swaying_copies_text({}, scene, plan, 7, scene.film.time(7)));
+  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, 25, scene.film.time(25)))
+      << "where the film begins again";
 }
 
 TEST(CopyText, WhatIsTheSameInAFilmIsWrittenOnce) {

@@ -42,10 +42,66 @@ TEST(Frame, BlursAsALensOfTheFNumberDoes) {
   EXPECT_EQ(count(text_of(scene, 1), "aperture"), 0u);
   scene.stage.camera.angle = Animated<double>(degrees(2 * std::atan(0.018 / 0.05)));
   scene.stage.camera.aperture = 2;
-  scene.stage.camera.focus = Animated<Vec3>(Vec3(1, 2, 3));
+  scene.stage.camera.focus = Focus{Animated<Vec3>(Vec3(1, 2, 3)), ""};
   std::string text = text_of(scene, 1);
   EXPECT_EQ(count(text, " aperture 0.25 focal_point<10,20,-30>"), 1u)
       << "50 mm at f/2: 25 mm, and 10 units a metre";
+}
+
+TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  const Film& film = scene.film;
+  Camera& camera = scene.stage.camera;
+  const std::string layout = "{{number}} {{time}}{{tone}}|{{camera}}{{organisms}}";
+  FrameParts parts = prepare_frames(scene);
+  auto exposed = [&](int frame, int exposure) {
+    std::string text;
+    EXPECT_TRUE(write_frame(
+        scene, parts, layout, frame, [&](std::string_view some) { text += some; }, exposure));
+    return text;
+  };
+  std::string sharp = exposed(3, 0);
+  EXPECT_EQ(exposed(3, 1), sharp) << "with no shutter the only exposure is the frame";
+  camera.shutter = 0.5;
+  EXPECT_EQ(exposures(film, camera), 1) << "in a draft";
+  EXPECT_EQ(exposed(3, 1), sharp);
+  camera.shutter_samples = 4;
+  EXPECT_EQ(exposures(film, camera), 4);
+  EXPECT_EQ(exposed(3, 0), sharp) << "the frame at its own time, whatever the shutter";
+  double frame_time = 1 / film.fps, before = film.time(3);
+  for (int i = 1; i <= 4; ++i) {
+    double time = exposure_time(film, camera, 3, i);
+    EXPECT_NEAR(time - before, i == 1 ? frame_time / 16 : frame_time / 8, 1e-9) << "evenly spread";
+    before = time;
+  }
+  EXPECT_LT(before, film.time(3) + 0.5 * frame_time);
+  EXPECT_LT(exposure_time(film, camera, film.frames, 4), film.length()) << "never past the end of the film";
+  EXPECT_NE(exposed(3, 2).find("0003_s2 "), std::string::npos);
+  EXPECT_NE(exposed(3, 1).find(
+                "0003 0.354167 +FN16; exposure 1 of 4; then frond develop --highlights 0 --contrast 1|"),
+            std::string::npos)
+      << exposed(3, 1).substr(0, 120);
+  EXPECT_NE(exposed(3, 4).find(" +FN16; exposure 4 of 4|"), std::string::npos);
+  EXPECT_NE(exposed(3, 1).substr(exposed(3, 1).find('|')), exposed(3, 2).substr(exposed(3, 2).find('|')));
+  scene.film.frames = 1;
+  EXPECT_EQ(exposures(film, camera), 1) << "a still";
+}
+
+TEST(Frame, AFilmThatLoopsDoesSoWithItsExposures) {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  for (Specimen& s : scene.specimens) s.motion.growth = {}, s.motion.food.strength = 0;
+  Camera& camera = scene.stage.camera;
+  camera.location = Animated<Vec3>(Vec3(0, 0.6, 2.2));
+  camera.shutter = 1, camera.shutter_samples = 2;
+  FrameParts parts = prepare_frames(scene);
+  auto exposed = [&](int frame, int exposure) {
+    std::string text;
+    EXPECT_TRUE(write_frame(
+        scene, parts, "{{organisms}}", frame, [&](std::string_view some) { text += some; }, exposure));
+    return text;
+  };
+  EXPECT_EQ(exposed(1, 2), exposed(scene.film.frames + 1, 2));
+  EXPECT_NE(exposed(1, 2), exposed(2, 2));
 }
 
 TEST(Frame, RefusesAHoleItDoesNotKnow) {

@@ -62,7 +62,7 @@ std::string fine_png(const std::vector<double>& lights) {
 TEST(Tone, ADevelopedPictureHasEightBits) {
   Tone tone{2, 1.2};
   std::vector<double> lights{0, 0.01, 0.045, 0.2, 0.6, 1};
-  Result<std::string> picture = develop(fine_png(lights), tone);
+  Result<std::string> picture = develop(std::vector{fine_png(lights)}, tone);
   ASSERT_TRUE(picture);
   EXPECT_EQ((*picture)[24], 8);  // of the file's head, bits a channel
   Result<Raster> raster = read_png(*picture);
@@ -71,7 +71,25 @@ TEST(Tone, ADevelopedPictureHasEightBits) {
     EXPECT_NEAR(raster->at(i, 0, 1), 255 * encoded(toned(lights[static_cast<std::size_t>(i)], tone)), 1.5);
 }
 
-TEST(Tone, WhatIsNoPictureIsAnError) { EXPECT_FALSE(develop("no picture", {})); }
+TEST(Tone, WhatIsNoPictureIsAnError) {
+  EXPECT_FALSE(develop(std::vector<std::string>{"no picture"}, {}));
+  EXPECT_FALSE(develop(std::vector{fine_png({0.5}), fine_png({0.5, 0.5})}, {})) << "they differ in size";
+}
+
+TEST(Tone, OfSeveralExposuresTheLightIsTheMean) {
+  auto bytes = [](const std::vector<std::vector<double>>& exposures, const Tone& tone) {
+    std::vector<std::string> pngs;
+    for (const auto& lights : exposures) pngs.push_back(fine_png(lights));
+    return read_png(*develop(pngs, tone))->data;
+  };
+  const std::vector<double> some{0, 0.001, 0.18, 0.5, 0.73, 1};
+  for (Tone tone : {Tone{}, Tone{2, 1.2}}) {
+    EXPECT_EQ(bytes({some, some, some}, tone), bytes({some}, tone)) << "of like ones it is any of them";
+    EXPECT_EQ(bytes({some, {1, 1, 1, 1, 1, 1}}, tone), bytes({{1, 1, 1, 1, 1, 1}, some}, tone));
+  }
+  EXPECT_EQ(bytes({{0}, {1}}, {})[0], 188) << "half the light is sRGB 188";
+  EXPECT_EQ(bytes({{0}, {0}, {0}, {1}}, {})[0], 137) << "a quarter";
+}
 
 }  // namespace
 }  // namespace frond

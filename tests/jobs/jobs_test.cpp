@@ -152,5 +152,16 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
             "}\n");
 }
 
+TEST(Jobs, AFrameIsRenderedAgainWhereOneOfItsExposuresChanged) {
+  JobList jobs;
+  jobs.frames = {7};
+  jobs.exposures = 3;
+  jobs.includes = {"frond_sea.inc"};
+  EXPECT_NE(ninja_text(jobs).find(
+                "build frames/frame_0007.png: frame frames/frame_0007.pov | frames/frame_0007_s2.pov "
+                "frames/frame_0007_s3.pov includes\n"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace frond

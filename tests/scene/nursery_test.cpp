@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "core/files.h"
 #include "scene/scene.h"
 
@@ -72,6 +74,28 @@ TEST(Nursery, IvyGrowsAnewWhereItsHostDoes) {
   Scene changed = grown_with(other, &nursery);
   EXPECT_EQ(changed.grown.size(), 2u);  // the column, and what creeps on it
   expect_same(grown_with(other, nullptr), changed);
+}
+
+TEST(Nursery, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
+  std::vector<std::string> sets{"/organisms/0/years=5", "/scene/camera/fit=[\"all\"]"};
+  Preset preset = preset_with("presets/trees/oak.json", sets);
+  sets.insert(sets.end(), {"/scene/camera/angle=2", "/organisms/0/years=5"});
+  Preset far = preset_with("presets/trees/oak.json", sets);
+  auto steps_of = [](const Preset& of, Scene& scene) {
+    std::atomic<int> steps = 0;
+    bool growing = false;
+    Watch watch{[&](std::string_view phase, auto) { growing = phase == "grow"; }, [&] { steps += growing; }};
+    scene = *build_scene(of, watch);
+    return steps.load();
+  };
+  Scene near_scene, far_scene;
+  EXPECT_EQ(steps_of(preset, near_scene), steps_of(far, far_scene));
+  ASSERT_GT(far_scene.stage.camera.location.at(0).z, 100) << "farther than the land was laid at first";
+  // And it is what grows there at once.
+  Preset there = far;
+  there.stage.camera = far_scene.stage.camera;
+  there.stage.camera.fit.clear();
+  expect_same(grown_with(there, nullptr), far_scene);
 }
 
 TEST(Nursery, ForgetsWhatWasNotUsedForLong) {

@@ -73,3 +73,15 @@ SH
   [ -z "$(uniq -d "$BATS_TEST_TMPDIR/shown")" ]
   xargs ls <"$BATS_TEST_TMPDIR/shown" >/dev/null
 }
+
+@test "large pictures of the gallery are those of its list" {
+  run "$ROOT/scripts/gallery.sh" --large vases
+  [ "$status" -eq 2 ]
+  [[ $output == *"vases: no picture of --large; expected some of reef garden "* ]]
+  run "$ROOT/scripts/gallery.sh" --huge
+  [ "$status" -eq 2 ]
+  local name
+  for name in $(sed -n 's/^best="\(.*\)"$/\1/p' "$ROOT/scripts/gallery.sh"); do
+    grep -q "^$name [0-9]*x[0-9]* 1 " "$ROOT/scripts/gallery.sh"
+  done
+}

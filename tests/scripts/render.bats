@@ -152,6 +152,74 @@ kill_still() {
   [ "$(find out/still/frames -name '.*' -type f | wc -l)" -eq 0 ]
 }
 
+@test "with a shutter a frame is made of exposures; without it they are gone" {
+  run "$RENDER" film.json --set /scene/camera/shutter=0.5 --set /scene/camera/shutter_samples=3
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ "$(sort -u "$RENDERED" | wc -l)" -eq 18 ]
+  [ "$(count_rendered)" -eq 18 ]
+  [ "$(frames_of out/film/film.mp4)" -eq 6 ]
+  [ "$(find out/film/frames -name '.*' -type f | wc -l)" -eq 0 ]
+  [ "$(wc -l <out/film/.times)" -eq 6 ]
+  "$RENDER" film.json
+  [ "$(count_rendered)" -eq 24 ]
+  [ -z "$(find out/film/frames -name '*_s*')" ]
+}
+
+@test "a frame of several exposures that is killed goes on behind the last whole one" {
+  make_preset blur.json 2
+  FRAME_TIME=0.7 "$RENDER" blur.json --jobs 1 --frames 1-1 --set /scene/camera/shutter=0.5 --set /scene/camera/shutter_samples=5 >log 2>&1 3>&- &
+  local running=$!
+  for _ in $(seq 200); do
+    if [ "$(count_rendered)" -ge 2 ]; then break; fi
+    sleep 0.05
+  done
+  sleep 0.3
+  kill -KILL "$running"
+  wait "$running" || true
+  sleep 1
+  local before
+  before=$(count_rendered)
+  ((before >= 2 && before < 5))
+  "$RENDER" blur.json --frames 1-1 --set /scene/camera/shutter=0.5 --set /scene/camera/shutter_samples=5
+  cat "$RENDERED"
+  (($(count_rendered) <= 6))
+  [ "$(sort -u "$RENDERED" | wc -l)" -eq 5 ]
+  [ -s out/blur/film.mp4 ]
+  [ "$(find out/blur/frames -name '.*' -type f | wc -l)" -eq 0 ]
+}
+
+@test "an exposure that is gone is named" {
+  local shutter=(--set /scene/camera/shutter=0.5 --set /scene/camera/shutter_samples=2)
+  "$FROND_BIN" generate film.json -o out/film -q "${shutter[@]}"
+  rm out/film/frames/frame_0002_s2.pov
+  cd out/film
+  run "$ROOT/scripts/render_frame.sh" frames/frame_0002.pov frames/frame_0002.png 64x48
+  [ "$status" -eq 1 ]
+  [[ $output == *"frame_0002.pov could not be rendered: its exposure frames/frame_0002_s2.pov is gone" ]]
+}
+
+@test "the times of a picture that was stopped and taken up again add up" {
+  make_preset still.json 1
+  "$FROND_BIN" generate still.json -o out/still -q
+  cat >slow-povray <<SH
+#!/usr/bin/env bash
+timeout 1 sh -c 'while :; do :; done' || true
+exec "$FROND_POVRAY" "\$@"
+SH
+  chmod +x slow-povray
+  cd out/still
+  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray FRAME_TIME=5 "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
+  local running=$!
+  sleep 2.5
+  kill -TERM "$running"
+  wait "$running" || true
+  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48
+  cat .times
+  read -r _ took _ <.times
+  ((took > 1000))
+}
+
 @test "a still takes all processors, the frames of a film one each" {
   make_preset still.json 1
   "$RENDER" still.json --jobs 3

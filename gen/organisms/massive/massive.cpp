@@ -27,7 +27,7 @@ Accretion law_of(const MassiveParams& params) {
 }
 
 Reaction reaction_of(const MassiveParams& params) {
-  if (params.relief == Relief::cups)
+  if (params.relief == Wrought::cups)
     return {.feed = 0.030, .kill = 0.0615, .wave = params.wave, .steps = 2400};
   return {.feed = 0.055, .kill = 0.062, .wave = params.wave, .steps = 2400};
 }
@@ -40,13 +40,13 @@ Result<Model> grow_massive(const MassiveParams& params, const Surroundings& arou
   Accreted skin = accrete(law_of(params), world, seed.child("skin"));
   Solid solid;
   std::vector<float> tone(skin.surface.position.size(), 1);
-  if (params.relief != Relief::plain) {
+  if (params.relief != Wrought::plain) {
     refine(skin, kTimes);
     tone = react(skin.surface, reaction_of(params), seed.child("reaction"));
     std::vector<float> height;
     for (float& t : tone) {
       t = smooth_step(0.05f, 0.75f, t);
-      if (params.relief == Relief::cups) t = 1 - t;
+      if (params.relief == Wrought::cups) t = 1 - t;
       height.push_back(static_cast<float>(params.depth) * (t - 0.5f));
     }
     raise(skin, height);
@@ -55,16 +55,16 @@ Result<Model> grow_massive(const MassiveParams& params, const Surroundings& arou
   solid.surface = std::move(skin.surface);
   solid.past = std::move(skin.past);
   solid.material =
-      material_of(params.tissue, params.relief == Relief::plain ? Matter::polyps : Matter::meander, seed);
+      material_of(params.tissue, params.relief == Wrought::plain ? Matter::polyps : Matter::meander, seed);
   Model model;
   model.solids.place(model.solids.add_shape(std::move(solid)));
   return model;
 }
 
-inline constexpr Choice<Relief> kReliefs[] = {
-    {"meander", Relief::meander, "valleys that wind between ridges, as on brain corals"},
-    {"cups", Relief::cups, "a cup for each polyp, its wall shared with those beside it, as on star corals"},
-    {"plain", Relief::plain, "fine pores, as on Porites"}};
+inline constexpr Choice<Wrought> kWrought[] = {
+    {"meander", Wrought::meander, "valleys that wind between ridges, as on brain corals"},
+    {"cups", Wrought::cups, "a cup for each polyp, its wall shared with those beside it, as on star corals"},
+    {"plain", Wrought::plain, "fine pores, as on Porites"}};
 
 template <class Visitor>
 void describe(Visitor& v, MassiveParams& m) {
@@ -72,7 +72,7 @@ void describe(Visitor& v, MassiveParams& m) {
   v.number("height", m.height, {.min = 0.01, .max = 5, .unit = "m"}, "How high it comes to be");
   v.number("lumps", m.lumps, {.min = 0, .max = 1}, "How uneven it is: 0 a dome .. 1 a heap of domes");
   v.number("lump_size", m.lump_size, {.min = 0.005, .max = 5, .unit = "m"}, "Distance from lump to lump");
-  v.choice("relief", m.relief, kReliefs, "What its surface is wrought into");
+  v.choice("relief", m.relief, kWrought, "What its surface is wrought into");
   v.number("wave", m.wave, {.min = 0.002, .max = 1, .unit = "m"},
            "Distance from one ridge, or one cup, to the next");
   v.number("depth", m.depth, {.min = 0, .max = 0.2, .unit = "m"}, "Depth of the valleys, or of the cups");

@@ -10,7 +10,7 @@
 namespace frond {
 
 /// What a massive coral's surface is wrought into.
-enum class Relief {
+enum class Wrought {
   meander,  ///< valleys that wind between ridges, as on brain corals
   cups,     ///< a cup for each polyp, its wall shared with those beside it, as on star corals
   plain     ///< fine pores, as on Porites
@@ -22,7 +22,7 @@ struct MassiveParams {
   double height = 0.22;  ///< metres
   double lumps = 0.25;   ///< how uneven it is
   double lump_size = 0.2;
-  Relief relief = Relief::meander;
+  Wrought relief = Wrought::meander;
   double wave = 0.016;   ///< metres from ridge to ridge
   double depth = 0.006;  ///< metres, of valleys
   double edge = 0.0032;  ///< metres, of triangles

@@ -10,9 +10,9 @@ namespace frond {
 /// How much of what comes from outside is held up in a box: cells of one size and coarser ones over them, by
 /// which wide cones are followed in few steps (Crassin et al. 2011). Sums of whole numbers, so that the order
 /// in which it is filled makes no difference.
-class Shade {
+class Openness {
  public:
-  Shade(Vec3 low, Vec3 high, float cell);
+  Openness(Vec3 low, Vec3 high, float cell);
 
   void clear();
   /// `area` of a skin at a place, square metres.

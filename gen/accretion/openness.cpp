@@ -1,4 +1,4 @@
-#include "accretion/shade.h"
+#include "accretion/openness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ std::vector<Cone> cones() {
 
 }  // namespace
 
-Shade::Shade(Vec3 low, Vec3 high, float cell) : low_(low) {
+Openness::Openness(Vec3 low, Vec3 high, float cell) : low_(low) {
   std::array<int, 3> count;
   for (int axis = 0; axis < 3; ++axis)
     count[static_cast<std::size_t>(axis)] =
@@ -48,9 +48,9 @@ Shade::Shade(Vec3 low, Vec3 high, float cell) : low_(low) {
   area_.resize(levels_[0].held.size());
 }
 
-void Shade::clear() { std::ranges::fill(area_, 0); }
+void Openness::clear() { std::ranges::fill(area_, 0); }
 
-void Shade::add(Vec3 at, float area) {
+void Openness::add(Vec3 at, float area) {
   const Level& fine = levels_[0];
   std::array<int, 3> i;
   for (int axis = 0; axis < 3; ++axis) {
@@ -62,7 +62,7 @@ void Shade::add(Vec3 at, float area) {
   area_[index] += static_cast<std::int32_t>(kWhole * area / (fine.cell * fine.cell));
 }
 
-void Shade::build() {
+void Openness::build() {
   Level& fine = levels_[0];
   for (std::size_t i = 0; i < area_.size(); ++i)
     fine.held[i] = std::min(1.0f, static_cast<float>(area_[i]) / kWhole);
@@ -85,7 +85,7 @@ void Shade::build() {
   }
 }
 
-float Shade::held_at(const Level& level, Vec3 at) {
+float Openness::held_at(const Level& level, Vec3 at) {
   Vec3 g = at / level.cell - 0.5f;
   Vec3 f = glm::floor(g), t = g - f;
   int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
@@ -102,7 +102,7 @@ float Shade::held_at(const Level& level, Vec3 at) {
   return front * (1 - t.z) + back * t.z;
 }
 
-float Shade::openness(Vec3 at, Vec3 normal, float light) const {
+float Openness::openness(Vec3 at, Vec3 normal, float light) const {
   static const std::vector<Cone> kCones = cones();
   Vec3 side = std::abs(normal.y) < 0.9f ? glm::normalize(glm::cross(normal, Vec3(0, 1, 0))) : Vec3(1, 0, 0);
   side = glm::normalize(side - normal * glm::dot(side, normal));

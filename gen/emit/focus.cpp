@@ -1,0 +1,122 @@
+#include "emit/focus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <tuple>
+#include <vector>
+
+#include "emit/crumbling.h"
+#include "scene/camera.h"
+
+namespace frond {
+
+namespace {
+
+constexpr float kFocusSpot = 0.02f;   // of half the picture's width, as the spot of an autofocus
+constexpr float kBeforeLens = 0.02f;  // metres before the lens
+constexpr float kNoDepth = std::numeric_limits<float>::infinity();
+
+/// What is in a spot of the picture: how deep the nearest of it lies.
+struct FocusSpot {
+  const Lens& lens;
+  Vec2 at{0};  // of the picture, -1 to 1
+  float& depth;
+  std::mutex& in_work;
+
+  float step(Vec3 place) const {
+    return kFocusSpot * lens.wide * std::max(glm::distance(place, lens.at), kBeforeLens);
+  }
+  void add(Vec3 place, float area, Vec3, Facing, bool) const {
+    Vec3 seen = lens.seen(place);
+    if (seen.z < kBeforeLens) return;
+    float reach = kFocusSpot + 0.5f * std::sqrt(area) / (lens.wide * seen.z);
+    if (std::abs(seen.x - at.x) > reach || std::abs(seen.y - at.y) * lens.high > reach * lens.wide) return;
+    std::lock_guard lock(in_work);
+    depth = std::min(depth, seen.z);
+  }
+};
+
+/// The middle of what is before the lens, by area; the same whatever the order in which threads come.
+struct FocusMiddle {
+  const Lens& lens;
+  std::vector<std::pair<Vec3, float>>& bits;
+  std::mutex& in_work;
+
+  float step(Vec3 place) const {
+    return 4 * kFocusSpot * lens.wide * std::max(glm::distance(place, lens.at), kBeforeLens);
+  }
+  void add(Vec3 place, float area, Vec3, Facing, bool) const {
+    if (lens.seen(place).z < kBeforeLens) return;
+    std::lock_guard lock(in_work);
+    bits.emplace_back(place, area);
+  }
+};
+
+/// What stands in the named stand: balls in the room of its copies, of which the one nearest to the axis
+/// counts.
+std::optional<float> depth_of_copies(const SownStand& stand, const Lens& lens) {
+  float nearest = kNoDepth, depth = kNoDepth;
+  for (std::size_t i = 0; i < stand.copies.size(); ++i) {
+    float half = 0.5f * stand.copies.scale[i] * static_cast<float>(stand.organism.grower->tallest());
+    Vec3 seen = lens.seen(stand.copies.foot[i] + stand.copies.turn[i] * Vec3(0, half, 0));
+    if (seen.z < kBeforeLens) continue;
+    float off = std::hypot(seen.x * lens.wide, seen.y * lens.high);
+    if (off < nearest) nearest = off, depth = seen.z;
+  }
+  return depth < kNoDepth ? std::optional(depth) : std::nullopt;
+}
+
+std::optional<float> depth_of(const std::vector<const Specimen*>& specimens, const Lens& lens, double time) {
+  std::mutex in_work;
+  float depth = kNoDepth;
+  auto look = [&](Vec2 at) {
+    for (const Specimen* s : specimens) crumble(FocusSpot{lens, at, depth, in_work}, *s, time);
+    return depth < kNoDepth;
+  };
+  if (look(Vec2(0))) return depth;
+  std::vector<std::pair<Vec3, float>> bits;
+  for (const Specimen* s : specimens) crumble(FocusMiddle{lens, bits, in_work}, *s, time);
+  if (bits.empty()) return std::nullopt;
+  std::ranges::sort(bits, [](const auto& a, const auto& b) {
+    return std::tie(a.first.x, a.first.y, a.first.z, a.second) <
+           std::tie(b.first.x, b.first.y, b.first.z, b.second);
+  });
+  DVec3 sum(0);
+  double all = 0;
+  for (const auto& [place, area] : bits) sum += DVec3(place) * double(area), all += area;
+  if (!(all > 0)) return std::nullopt;
+  Vec3 middle = lens.seen(Vec3(sum / all));
+  if (middle.z < kBeforeLens) return std::nullopt;
+  if (look(Vec2(middle.x, middle.y))) return depth;
+  return middle.z;
+}
+
+}  // namespace
+
+std::optional<Vec3> named_focus(const Scene& scene, double time) {
+  const Camera& camera = scene.stage.camera;
+  if (!camera.aperture || !camera.focus || camera.focus->organism.empty()) return std::nullopt;
+  const std::string& name = camera.focus->organism;
+  Lens lens = lens_at(camera, time, scene.film.aspect());
+  std::vector<Specimen> changed;
+  std::vector<const Specimen*> specimens;
+  changed.reserve(scene.specimens.size());
+  for (const Specimen& s : scene.specimens) {
+    if (s.name != name) continue;
+    if (!s.life.changes()) {
+      specimens.push_back(&s);
+    } else if (Result<Specimen> now = developed(s, time)) {
+      changed.push_back(std::move(*now));
+      specimens.push_back(&changed.back());
+    }
+  }
+  std::optional<float> depth = specimens.empty() ? std::nullopt : depth_of(specimens, lens, time);
+  for (const SownStand& stand : scene.stands)
+    if (!depth && stand.organism.name == name) depth = depth_of_copies(stand, lens);
+  if (!depth) return std::nullopt;
+  return lens.at + *depth * lens.toward;
+}
+
+}  // namespace frond
