@@ -12,9 +12,9 @@ std::string room_text(const Scene& scene, double time) {
   double stops = scene.stage.camera.stops();
   std::string exposed =
       stops != 0 ? "#declare Studio_Exposure = " + number_text(std::exp2(stops)) + ";\n" : "";
-  return exposed + "Studio_Globals()\nStudio_Setting(" + eye_text(scene, time) + "," + look_text(scene, time) + "," +
-         color_text(studio.wall) + "," + number_text(studio.distance) + "," + direction_text(studio.key) +
-         "," + number_text(studio.softness) + ")";
+  return exposed + "Studio_Globals()\nStudio_Setting(" + eye_text(scene, time) + "," +
+         look_text(scene, time) + "," + color_text(studio.wall) + "," + number_text(studio.distance) + "," +
+         direction_text(studio.key) + "," + number_text(studio.softness) + ")";
 }
 
 }  // namespace
