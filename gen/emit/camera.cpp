@@ -19,7 +19,7 @@ void append_lens(std::string& text, const PovSpace& space, const Camera& camera,
   append_point(text, space, (camera.focus ? *camera.focus : camera.look_at).at(time));
   // Each of a pixel's 5, 10 or 26 samples of anti-aliasing takes so many through the lens: their product is
   // what smooths the blur and what it costs.
-  constexpr int kSamples[] = {4, 5, 8};
+  constexpr int kSamples[] = {4, 4, 8};
   text += " blur_samples ";
   append_integer(text, kSamples[static_cast<std::size_t>(quality)]);
 }
