@@ -74,6 +74,7 @@ photograph-hillside 400x250 1 photographs/hillside
 photograph-star_moss 400x250 1 photographs/star_moss
 photograph-dandelions 400x250 1 photographs/dandelions
 photograph-maple_leaf 400x250 1 photographs/maple_leaf
+photograph-yellow_flower 400x250 1 photographs/yellow_flower
 aspen 420x525 1 aspen
 black_oak 400x320 1 black_oak
 weeping_willow 340x340 1 weeping_willow

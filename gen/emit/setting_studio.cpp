@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "emit/setting_parts.h"
 #include "settings/studio.h"
 
@@ -7,9 +9,12 @@ namespace {
 
 std::string room_text(const Scene& scene, double time) {
   const auto& studio = scene.stage.block<Studio>();
-  return "Studio_Globals()\nStudio_Setting(" + eye_text(scene, time) + "," + look_text(scene, time) + "," +
-         color_text(studio.wall) + "," + number_text(studio.distance) + "," + direction_text(studio.key) +
-         "," + number_text(studio.softness) + ")";
+  double stops = scene.stage.camera.stops();
+  std::string exposed =
+      stops != 0 ? "#declare Studio_Exposure = " + number_text(std::exp2(stops)) + ";\n" : "";
+  return exposed + "Studio_Globals()\nStudio_Setting(" + eye_text(scene, time) + "," +
+         look_text(scene, time) + "," + color_text(studio.wall) + "," + number_text(studio.distance) + "," +
+         direction_text(studio.key) + "," + number_text(studio.softness) + ")";
 }
 
 }  // namespace

@@ -104,6 +104,15 @@ TEST(Frame, AFilmThatLoopsDoesSoWithItsExposures) {
   EXPECT_NE(exposed(1, 2), exposed(2, 2));
 }
 
+TEST(Frame, ExposesTheStudioToo) {
+  Scene scene = scene_at("tests/presets/tiny_vases.json");
+  ASSERT_TRUE(text_of(scene, 1).find("Studio_Setting(") != std::string::npos);
+  EXPECT_EQ(count(text_of(scene, 1), "Studio_Exposure"), 0u);
+  scene.stage.camera.exposure = 2;
+  scene.stage.camera.highlights = 1;
+  EXPECT_EQ(count(text_of(scene, 1), "#declare Studio_Exposure = 2;"), 1u) << "one stop more";
+}
+
 TEST(Frame, RefusesAHoleItDoesNotKnow) {
   Scene scene = scene_at("tests/presets/tiny_still.json");
   auto text = frame_text(scene, prepare_frames(scene), "{{frame}} {{fraem}}", 1);

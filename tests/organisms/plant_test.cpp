@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "geometry/outline.h"
 
@@ -268,6 +269,20 @@ TEST(Plant, LeavesAsPicturesCurlEachInAWayOfItsOwn) {
   Model curled = grown(params);
   EXPECT_EQ(curled.prototypes.size(), 5u);
   EXPECT_NE(curled.prototypes[0].parts[0].surface.position, curled.prototypes[1].parts[0].surface.position);
+}
+
+TEST(Plant, LeavesAsPicturesTakeAllTheirColoursUnlessTheGrammarPicks) {
+  auto colors = [](const std::string& axiom) {
+    PlantParams params = herb(axiom, {}, 0, 45);
+    params.organs = {organ("K", OrganShape::picture)};
+    params.organs[0].picture.emplace();
+    std::vector<std::int32_t> found = grown(params).organs.color;
+    return std::set<std::int32_t>(found.begin(), found.end());
+  };
+  std::string many;
+  for (int i = 0; i < 24; ++i) many += "F~K";
+  EXPECT_EQ(colors(many), (std::set<std::int32_t>{0, 1, 2}));
+  EXPECT_EQ(colors("'(1)" + many), (std::set<std::int32_t>{1}));
 }
 
 double area(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles) {

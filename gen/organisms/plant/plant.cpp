@@ -138,8 +138,11 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
                   Seed seed) {
   Organs& o = model.organs;
   o.reserve(sites.size());
+  // Leaves as pictures are of all their colours where the grammar has no word about colours.
+  bool drawn = std::any_of(sites.begin(), sites.end(), [](const Site& site) { return site.color != 0; });
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const Site& site = sites[i];
+    std::int32_t color = site.color;
     bool round = site.name == "@O" || site.name == "@o";
     Variants kinds = variants_of(params, site.name);
     if (kinds.first < 0) return {{"", missing_organ(site.name)}};
@@ -155,6 +158,8 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
       turn = turn * glm::angleAxis(static_cast<float>(most * own.child(1).range(-1, 1)), Vec3(1, 0, 0)) *
              glm::angleAxis(static_cast<float>(most * own.child(2).range(-1, 1)), Vec3(0, 1, 0)) *
              glm::angleAxis(static_cast<float>(most * own.child(3).range(-1, 1)), Vec3(0, 0, 1));
+      if (organ.picture && !drawn)
+        color = static_cast<std::int32_t>(own.child(5).bits() % organ.picture->colors.size());
     }
     auto pick = static_cast<int>(own.child(4).bits() % static_cast<std::uint64_t>(kinds.count));
     o.prototype.push_back(static_cast<std::uint16_t>(kinds.first + pick));
@@ -163,7 +168,7 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
     o.scale.push_back(glm::max(glm::abs(scale), Vec3(1e-5f)));
     o.node.push_back(site.node);
     o.birth.push_back(birth_at(model.skeleton, site.node, i, sites.size()));
-    o.color.push_back(site.color);
+    o.color.push_back(color);
     o.id.push_back(static_cast<std::uint32_t>(site.id));
   }
   return {};
