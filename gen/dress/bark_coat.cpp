@@ -18,6 +18,7 @@ std::string name_of(const BarkCoat& coat, std::string_view what) {
               coat.aspect, coat.pixels);
   for (const Color& c : {b.color, b.second, b.lichen})
     key += ';', append_list(key, 6, c.red, c.green, c.blue);
+  if (b.knots > 0 || b.lenticels > 0) key += ';', append_list(key, 6, b.knots, b.lenticels);
   return fmt::format("bark_{}_{}.png", made_id(key), what);
 }
 

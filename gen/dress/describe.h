@@ -208,6 +208,10 @@ void describe(Visitor& v, BarkCoat& c) {
            "How many times longer than wide the features of the bark are");
   v.number("warp", c.image.warp, {.min = 0, .max = 3}, "How far the ridges wander");
   v.number("depth", c.image.depth, {.min = 0, .max = 1}, "Depth of the furrows in the picture; 0 is flat");
+  v.number("knots", c.image.knots, {.min = 0, .max = 60},
+           "Number of scars of fallen branches, with rings and a collar, on a square as wide as the picture");
+  v.number("lenticels", c.image.lenticels, {.min = 0, .max = 1},
+           "Share of the places for pores across the bark, as on cherries, that have one");
   v.number("wrap", c.wrap, {.min = 0.001, .max = 20, .unit = "m"},
            "Length round a branch that one width of the picture covers");
   v.number("aspect", c.aspect, {.min = 0.25, .max = 16}, "How many times longer than wide the picture is");

@@ -141,24 +141,20 @@ void append_patches(std::string& text, const PovSpace& space, const std::vector<
 
 namespace {
 
-void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, const std::string& grass) {
-  if (lawn.turf_patches.empty()) return;
-  std::vector<bool> bare;
+/// One of the meshes of all patches, declared and put there.
+void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, Surface Turf::*part,
+                 std::string_view name, const std::string& texture) {
+  std::vector<bool> missing;
   for (std::size_t i = 0; i < lawn.turf.size(); ++i) {
-    const Turf& turf = lawn.turf[i];
-    append_name(text, "#declare Turf", i);
+    const Surface& mesh = lawn.turf[i].*part;
+    missing.push_back(mesh.triangle.empty());
+    if (missing.back()) continue;
+    append_name(text, "#declare " + std::string(name), i);
     text += " = ";
-    append_mesh(text, space, turf.blades);
-    text += "\n";
-    bare.push_back(turf.flowers.triangle.empty());
-    if (bare.back()) continue;
-    append_name(text, "#declare Bloom", i);
-    text += " = ";
-    append_mesh(text, space, turf.flowers);
+    append_mesh(text, space, mesh);
     text += "\n";
   }
-  append_patches(text, space, lawn.turf_patches, "Turf", "texture{Meadow_Blade(" + grass + ")}");
-  append_patches(text, space, lawn.turf_patches, "Bloom", "texture{Meadow_Bloom()}", bare);
+  append_patches(text, space, lawn.turf_patches, name, texture, missing);
 }
 
 }  // namespace
@@ -167,7 +163,9 @@ std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& gr
   const auto& lawn = static_cast<const Lawn&>(*scene.ground);
   std::string green = color_text(grass);
   std::string text = floor_text(space, scene, "Meadow_Ground(" + green + ")");
-  append_turf(text, space, lawn, green);
+  append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}");
+  append_turf(text, space, lawn, &Turf::leaves, "Leaf", "texture{Meadow_Leaf(" + green + ")}");
+  append_turf(text, space, lawn, &Turf::flowers, "Bloom", "texture{Meadow_Bloom()}");
   if (lawn.gravel_patches.empty()) return text;
   append_shapes(text, space, lawn.gravel, "Gravel");
   append_patches(text, space, lawn.gravel_patches, "Gravel",

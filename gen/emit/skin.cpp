@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
 
 #include "core/text.h"
 #include "emit/plant.h"
@@ -79,6 +82,25 @@ float height_at(const Grid& grid, Vec2 uv) {
                   glm::mix(grid.wrapped(column, row + 1), grid.wrapped(column + 1, row + 1), right), down);
 }
 
+/// The heights of a bark, kept for the trees and frames that ask for the same ones again.
+std::shared_ptr<const Grid> heights_of(const BarkCoat& coat, int width) {
+  static std::mutex mutex;
+  static std::map<std::string, std::shared_ptr<const Grid>> kept;
+  constexpr std::size_t kMostKept = 16;
+  // The picture's name says all that its heights depend on.
+  std::string name = bark_height_name(coat);
+  {
+    std::lock_guard lock(mutex);
+    if (auto at = kept.find(name); at != kept.end()) return at->second;
+  }
+  // Reckoned without the lock: it runs on threads that may ask for another one meanwhile.
+  int height = static_cast<int>(std::lround(width * coat.aspect));
+  auto grid = std::make_shared<const Grid>(bark_maps(coat.image, width, height, bark_seed()).height);
+  std::lock_guard lock(mutex);
+  if (kept.size() >= kMostKept) kept.clear();
+  return kept[name] = grid;
+}
+
 /// The furrows of what the eye sees from so near that they show.
 Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
   double depth = coat.furrow * coat.wrap / coat.image.ridges;
@@ -95,11 +117,10 @@ Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
     near = share(wood.position[i], wood.normal[i]) > 0;
   if (!near) return wood;
   int width = std::min(coat.pixels, 512);
-  Grid height =
-      bark_maps(coat.image, width, static_cast<int>(std::lround(width * coat.aspect)), bark_seed()).height;
+  std::shared_ptr<const Grid> height = heights_of(coat, width);
   return raised(wood, {.depth = depth,
                        .facet = std::max(0.14 * depth, 0.6 * coat.wrap / width),
-                       .height = [&](Vec2 uv) { return height_at(height, uv); },
+                       .height = [&](Vec2 uv) { return height_at(*height, uv); },
                        .share = share});
 }
 

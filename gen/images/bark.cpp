@@ -26,6 +26,74 @@ class BarkPainter {
                                                         bark.stretch)))) {}
 
   Spot at(double u, double v) const {
+    Knot knot = bark_.knots > 0 ? knot_at(u, v) : Knot{};
+    // The bark gives way round a knot.
+    Spot spot = plain(u + knot.push.x, v + knot.push.y);
+    if (bark_.lenticels > 0) add_lenticels(spot, u, v);
+    if (knot.within > 0) add_knot(spot, knot, u, v);
+    return spot;
+  }
+
+ private:
+  /// Where a branch has been shed: `away` 0 in its middle, 1 at the rim of its collar.
+  struct Knot {
+    double within = 0, away = 0, own = 0;
+    glm::dvec2 push{0};
+  };
+
+  /// The picture is so high in its widths.
+  double tall() const { return along_ * bark_.stretch / across_; }
+
+  Knot knot_at(double u, double v) const {
+    auto cells = std::max(1, static_cast<int>(std::lround(std::sqrt(bark_.knots))));
+    int rows = std::max(1, static_cast<int>(std::lround(cells * tall())));
+    double share = bark_.knots / (cells * cells), x = u * cells, y = v * rows;
+    Knot best;
+    double nearest = 2;
+    for (int cell = 0; cell < 9; ++cell) {
+      int column = static_cast<int>(std::floor(x)) + cell % 3 - 1,
+          row = static_cast<int>(std::floor(y)) + cell / 3 - 1;
+      Seed own = seed_.child("knot", static_cast<std::uint64_t>((row % rows + rows) % rows))
+                     .child(static_cast<std::uint64_t>((column % cells + cells) % cells));
+      if (own.child(0).unit() > share) continue;
+      // Their size is that of a branch rather than of the bark's features.
+      double radius = (0.055 + 0.075 * own.child(1).unit()) / std::sqrt(std::max(1.0, bark_.knots / 3));
+      glm::dvec2 way((x - column - 0.25 - 0.5 * own.child(2).unit()) / cells,
+                     (y - row - 0.25 - 0.5 * own.child(3).unit()) * tall() / rows);
+      way.y *= 0.85 + 0.3 * own.child(4).unit();
+      double away = glm::length(way) / radius;
+      if (away >= nearest) continue;
+      nearest = away;
+      double bend = 0.55 * radius * smooth_step(1.9, 0.7, away);
+      glm::dvec2 out = way / std::max(glm::length(way), 1e-9);
+      best = {smooth_step(1.08, 0.92, away), away, own.child(5).unit(),
+              glm::dvec2(-out.x, -out.y / tall()) * bend};
+    }
+    return best;
+  }
+
+  /// A scar with rings, a hollow heart and a thick collar.
+  void add_knot(Spot& spot, const Knot& knot, double u, double v) const {
+    double grain = even(u, v, 24, seed_.child("scar"), 3);
+    double away = knot.away + 0.07 * grain;
+    double rings = 0.5 + 0.5 * std::cos(2 * kPi * (3.0 + 2 * knot.own) * away);
+    double collar = std::exp(-std::pow((away - 0.80) / 0.16, 2));
+    double height = 0.34 + 0.30 * away + 0.10 * rings * (1 - collar) + 0.38 * collar + 0.07 * grain -
+                    0.30 * smooth_step(0.30, 0.05, away) * knot.own;
+    double tone = 0.30 + 0.22 * rings + 0.42 * collar - 0.35 * smooth_step(0.34, 0.10, away) + 0.10 * grain;
+    spot.height = std::clamp(glm::mix(spot.height, height, knot.within), 0.0, 1.0);
+    spot.tone = std::clamp(glm::mix(spot.tone, tone, knot.within), 0.0, 1.0);
+  }
+
+  /// Pores across: corky lips about a dark slit.
+  void add_lenticels(Spot& spot, double u, double v) const {
+    double lips = lenticels(u, v, 1, 0.24, seed_.child("pores"), 0.8 * bark_.lenticels),
+           slit = smooth_step(0.55, 1.0, lips);
+    spot.height = std::clamp(spot.height + 0.30 * lips - 0.45 * slit, 0.0, 1.0);
+    spot.tone = std::clamp(spot.tone - 0.45 * lips - 0.35 * slit, 0.0, 1.0);
+  }
+
+  Spot plain(double u, double v) const {
     switch (bark_.pattern) {
       case BarkPattern::furrowed:
         return furrowed(u, v);
@@ -39,7 +107,6 @@ class BarkPainter {
     return {};
   }
 
- private:
   double rough(double u, double v, int times, int octaves, Seed seed) const {
     return tiling_fractal(u * across_ * times, v * along_ * times, across_ * times, along_ * times, octaves,
                           0.55, seed);
@@ -114,7 +181,7 @@ class BarkPainter {
   }
 
   /// Short thin streaks across, `times` as many as there are ridges; 1 in them.
-  double lenticels(double u, double v, int times, double thick, Seed seed) const {
+  double lenticels(double u, double v, int times, double thick, Seed seed, double share = 0.42) const {
     int columns = std::max(1, across_ * times / 3);
     int rows = std::max(1, static_cast<int>(std::lround(along_ * bark_.stretch)) * times);
     double bent = 0.5 * even(u, v, std::max(2, across_ / 2), seed.child("bent"), 3);
@@ -125,7 +192,7 @@ class BarkPainter {
       int column = static_cast<int>(std::floor(x)) + near;
       auto own = seed.child(static_cast<std::uint64_t>((row % rows + rows) % rows))
                      .child(static_cast<std::uint64_t>((column % columns + columns) % columns));
-      if (own.child(3).unit() > 0.42) continue;
+      if (own.child(3).unit() > share) continue;
       double half = 0.12 + 0.5 * own.child(0).unit(), middle = column + own.child(1).unit();
       double across = std::abs(x - middle) / half,
              up = std::abs(y - row - 0.5) / (thick * (0.5 + own.child(2).unit()));

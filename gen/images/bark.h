@@ -24,6 +24,8 @@ struct BarkImage {
   double stretch = 5;     ///< how much longer than wide its features are, > 0
   double warp = 1;        ///< how far ridges wander, 0 straight .. 2
   double depth = 1;       ///< of furrows, 0 .. 1
+  double knots = 0;       ///< scars of fallen branches on a square of the picture's width, about
+  double lenticels = 0;   ///< share of the places for pores across that have one, 0..1
 };
 
 /// Height, 0 deep .. 1 high, and tone, 0 of the second colour .. 1 of the first. u is to the right, round the

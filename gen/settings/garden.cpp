@@ -47,7 +47,7 @@ SettingRow garden_setting() {
       "Hour, pond and path, for garden; lawn and sky are the meadow's",
       {"/garden", "/meadow/grass", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/zenith",
        "/meadow/horizon", "/meadow/hills", "/meadow/blade", "/meadow/blades", "/meadow/extent",
-       "/meadow/flowers", "/floor/relief", "/floor/scale"},
+       "/meadow/flowers", "/meadow/plants", "/meadow/bare", "/floor/relief", "/floor/scale"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) {
         Errors errors = check_grass(stage.block<Meadow>().lawn);

@@ -8,6 +8,10 @@
 
 namespace frond {
 
+inline constexpr int kTurfShapes = 4;  ///< patches of one size and mixture
+/// Mixtures of what grows in a lawn, each with more of some kinds and less of others, the last thin.
+inline constexpr int kTurfStands = 4;
+
 /// A patch of grass, gravel or litter put somewhere on the ground.
 struct Patch {
   int shape = 0;  ///< index of the patch's surface
@@ -25,6 +29,12 @@ struct LawnShape {
   double blades = 900;     ///< of grass on a square metre
   double extent = 9;       ///< metres round the middle in which single blades stand
   double flowers = 0.004;  ///< share of blades that bear a flower
+  std::vector<Sward> plants{{MeadowPlant::grass, 0.5},
+                            {MeadowPlant::fescue, 0.26},
+                            {MeadowPlant::cocksfoot, 0.14},
+                            {MeadowPlant::panicle, 0.012},
+                            {MeadowPlant::clover, 0.09}};
+  double bare = 0.02;  ///< share of patches with a spot of bare earth
 };
 
 /// Grass that neither the memory nor POV-Ray could hold, at pointers below the scene.

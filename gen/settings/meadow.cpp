@@ -21,6 +21,25 @@ void describe(Visitor& v, MountainShape& m) {
   v.integer("seed", m.seed, {.min = 0, .max = 1000000}, "Which of many mountains it is");
 }
 
+inline constexpr Choice<MeadowPlant> kMeadowPlants[] = {
+    {"grass", MeadowPlant::grass, "blades of middling width"},
+    {"fescue", MeadowPlant::fescue, "tufts of blades as fine as threads"},
+    {"cocksfoot", MeadowPlant::cocksfoot, "clumps of long broad blades"},
+    {"panicle", MeadowPlant::panicle, "stalks above the rest that bear seed"},
+    {"clover", MeadowPlant::clover,
+     "three leaflets with a pale chevron, and white heads where flowers is above 0"},
+    {"daisy", MeadowPlant::daisy, "a white head with a yellow heart above leaves that lie flat"},
+    {"buttercup", MeadowPlant::buttercup, "a yellow cup above leaves of three lobes"},
+    {"plantain", MeadowPlant::plantain, "ribbed lances about a brown spike"}};
+
+template <class Visitor>
+void describe(Visitor& v, Sward& s) {
+  v.choice("kind", s.kind, kMeadowPlants, "What it is");
+  v.number("share", s.share, {.min = 0, .max = 100}, "How much there is of it, against the other shares");
+  v.number("height", s.height, {.min = 0.1, .max = 10},
+           "Factor of its size; 1 goes with the length of the blades");
+}
+
 template <class Visitor>
 void describe(Visitor& v, Meadow& m) {
   v.number("hour", m.hour, kHours,
@@ -45,6 +64,10 @@ void describe(Visitor& v, Meadow& m) {
   v.number("extent", m.lawn.extent, {.min = 0.1, .max = 200, .unit = "m"},
            "Distance from the middle within which single blades stand");
   v.number("flowers", m.lawn.flowers, {.min = 0, .max = 0.2}, "Share of the blades that bear a flower");
+  v.list("plants", m.lawn.plants, {.min = 1, .max = 16},
+         "What grows there; the shares of the kinds make the mixture");
+  v.number("bare", m.lawn.bare, {.min = 0, .max = 1},
+           "Share of the patches, five blades wide, with a spot of bare earth");
 }
 
 SettingRow meadow_setting() {

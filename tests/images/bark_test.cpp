@@ -36,6 +36,25 @@ TEST(Bark, HasNoSeamRoundTheBranchNorAlongIt) {
   }
 }
 
+TEST(Bark, KnotsAndLenticelsFitRoundTheBranchAndShow) {
+  for (BarkPattern pattern : kPatterns) {
+    BarkImage plain, marked;
+    plain.pattern = marked.pattern = pattern;
+    marked.knots = 4, marked.lenticels = 0.6;
+    BarkMaps without = bark_maps(plain, 96, 192, Seed{5}), maps = bark_maps(marked, 96, 192, Seed{5});
+    double across = 0, along = 0, changed = 0;
+    for (int x = 0; x < 95; ++x) across = std::max(across, step_across(maps.height, x));
+    for (int y = 0; y < 191; ++y) along = std::max(along, step_along(maps.height, y));
+    EXPECT_LE(step_across(maps.height, 95), across) << static_cast<int>(pattern);
+    EXPECT_LE(step_along(maps.height, 191), along) << static_cast<int>(pattern);
+    for (std::size_t i = 0; i < maps.tone.data.size(); ++i)
+      changed += std::abs(maps.tone.data[i] - without.tone.data[i]) > 0.05;
+    double share = changed / static_cast<double>(maps.tone.data.size());
+    EXPECT_GT(share, 0.05) << static_cast<int>(pattern);
+    EXPECT_LT(share, 0.95) << static_cast<int>(pattern);
+  }
+}
+
 TEST(Bark, StaysInItsRangeAndUsesIt) {
   for (BarkPattern pattern : kPatterns) {
     BarkImage bark;

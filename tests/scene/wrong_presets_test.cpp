@@ -232,6 +232,12 @@ const WrongPreset kWrongValues[] = {
       "...]",
       "2:64: /organisms/1/thickness/curve/2/0: found 0.5; expected an x greater than 0.5 before it",
       R"(3:44: /organisms/2/thickness/curve: found the text "thin"; expected a curve: two or more points [[x, y], ...])"}},
+    {"Plants of a meadow",
+     R"({"scene": {"meadow": {"bare": 2, "plants": [{"kind": "moss"}]}}})",
+     {},
+     {"1:31: /scene/meadow/bare: found 2; expected a number from 0 to 1",
+      "1:54: /scene/meadow/plants/0/kind: found the text \"moss\"; expected one of grass, fescue, cocksfoot, "
+      "panicle, clover, daisy, buttercup, plantain"}},
     {"What stands far off",
      R"({"scene": {"meadow": {"hills": -1,
   "mountain": {"height": 9000, "distance": 100, "peak": 2}}},
