@@ -34,7 +34,7 @@ struct LawnShape {
                             {MeadowPlant::cocksfoot, 0.14},
                             {MeadowPlant::panicle, 0.012},
                             {MeadowPlant::clover, 0.09}};
-  double bare = 0.02;  ///< share of patches with a spot of bare earth
+  double bare = 0;  ///< share of patches with a spot of bare earth
 };
 
 /// Grass that neither the memory nor POV-Ray could hold, at pointers below the scene.
