@@ -97,8 +97,8 @@ void describe(Visitor& v, SwimParams& s) {
            "Distance that the school goes from its place and back in the film; shorter where the film is");
   v.number("clearance", s.clearance, {.min = 0, .max = 10, .unit = "m"},
            "Distance that fish keep from corals, rocks and ground at least, beside half their length");
-  v.vector("current", s.current, {.min = -10, .max = 10, .unit = "m/s"},
-           "Current that they swim against; one about as fast as they are lets them hover");
+  v.vector("current", s.current, {.min = -10, .max = 10},
+           "Current that they swim against, as a share of their speed; near 1 they hover, at 0 they go round");
 }
 
 template <class Visitor>

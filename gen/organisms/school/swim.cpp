@@ -27,6 +27,7 @@ class Swimmer {
     phase_ = task.seed.child("round").range(0, 2 * kPi);
     // No faster than they swim, so that the shorter the film the nearer to home they stay.
     round_ = static_cast<float>(std::min(p_.roam, 0.6 * p_.speed * period_ / (2 * kPi)));
+    current_ = static_cast<float>(p_.speed) * p_.current;
     body_ = static_cast<float>(kBodyShare * task.length + p_.clearance);
   }
 
@@ -43,7 +44,7 @@ class Swimmer {
 
   Shoal begin(double time) {
     Shoal shoal;
-    Vec3 ahead = guide_way(time) - p_.current;
+    Vec3 ahead = guide_way(time) - current_;
     for (int i = 0; i < task_.count; ++i) {
       Seed own = task_.seed.child("fish", static_cast<std::uint64_t>(i));
       double r = std::cbrt(own.child("far").unit()), up = own.child("up").range(-1, 1),
@@ -51,7 +52,7 @@ class Swimmer {
       Vec3 off(p_.home * r * flat * std::cos(turn), p_.layer * r * up, p_.home * r * flat * std::sin(turn));
       shoal.at.push_back(guide(time) + off);
       Vec3 way = glm::length(ahead) > 1e-4f ? glm::normalize(ahead) : Vec3(1, 0, 0);
-      shoal.way.push_back(way * static_cast<float>(p_.speed) + p_.current);
+      shoal.way.push_back(way * static_cast<float>(p_.speed) + current_);
     }
     for (int k = 0; k < 30; ++k) keep_apart(shoal.at, 0.5f), keep_clear(shoal.at);
     return shoal;
@@ -178,14 +179,14 @@ class Swimmer {
     Vec3 pull = pull_[i] + drawn(shoal, i, time);
     float strength = glm::length(pull), most = 5 * speed;
     if (strength > most) pull *= most / strength;
-    Vec3 through = shoal.way[i] + pull * dt - p_.current;
+    Vec3 through = shoal.way[i] + pull * dt - current_;
     through.y *= 1 - 1.5f * dt;  // fish swim level
     float fast = glm::length(through);
     if (fast > 1e-5f) through *= std::clamp(fast, 0.55f * speed, 1.5f * speed) / fast;
     // No steeper than they like to.
     float flat = std::hypot(through.x, through.z), steep = 0.6f * flat;
     through.y = std::clamp(through.y, -steep - 0.02f, steep + 0.02f);
-    shoal.way[i] = through + p_.current;
+    shoal.way[i] = through + current_;
     shoal.at[i] += shoal.way[i] * dt;
   }
 
@@ -194,6 +195,7 @@ class Swimmer {
   const Clearance& clear_;
   double period_, phase_ = 0;
   float round_ = 0, body_ = 0;
+  Vec3 current_{0};
   std::vector<std::size_t> order_;
   std::vector<Vec3> pull_, push_;
 };
@@ -264,7 +266,7 @@ void finish(Swum& swum, const SwimTask& task, double beat, double size_variation
       // Where it looks is smoother than how it goes.
       Vec3 wide = (place(s + 3, i) - place_back(s - 3, i)) / (6 * step);
       if (!swum.repeats) wide = way;
-      Vec3 through = wide - task.params.current;
+      Vec3 through = wide - static_cast<float>(task.params.speed) * task.params.current;
       float fast = glm::length(through);
       Vec3 ahead = fast > 1e-4f ? through / fast : Vec3(1, 0, 0);
       swum.velocity[swum.at(s, i)] = way;

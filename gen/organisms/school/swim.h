@@ -21,7 +21,7 @@ struct SwimParams {
   double layer = 0.35;      ///< metres, half its height
   double roam = 0.8;        ///< metres that its middle moves from its home
   double clearance = 0.08;  ///< metres that each keeps from what stands there, beside its own body
-  Vec3 current{0.3f, 0, 0.05f};  ///< metres a second; they swim against it
+  Vec3 current{0.85f, 0, 0.15f};  ///< in shares of that speed; they swim against it
 };
 
 /// A school to swim.
