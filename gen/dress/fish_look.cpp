@@ -141,8 +141,9 @@ std::string fish_picture_name(const FishForm& form, const FishLook& look) {
        {look.back, look.flank, look.belly, look.fins, look.tail, look.mark, look.edge, look.iris})
     key += ';', append_list(key, 6, c.red, c.green, c.blue);
   key += ';';
-  append_list(key, 6, look.tail_from, static_cast<int>(look.pattern), look.edging, look.marks, look.mark_width,
-              look.mark_from, look.mark_to, look.marked_fins ? 1 : 0, look.eye, look.scales, look.pixels);
+  append_list(key, 6, look.tail_from, static_cast<int>(look.pattern), look.edging, look.marks,
+              look.mark_width, look.mark_from, look.mark_to, look.marked_fins ? 1 : 0, look.eye, look.scales,
+              look.pixels);
   return fmt::format("fish_{}.png", made_id(key));
 }
 

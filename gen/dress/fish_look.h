@@ -7,7 +7,8 @@ namespace frond {
 enum class TailShape { forked, lunate, round, square };
 enum class FishPattern { plain, bars, lines };
 
-/// The outline of a fish seen from its side. Shares of its whole length, from the nose to the end of the tail.
+/// The outline of a fish seen from its side. Shares of its whole length, from the nose to the end of the
+/// tail.
 struct FishForm {
   double depth = 0.36;     ///< of the body, from belly to back, without fins
   double width = 0.38;     ///< of the body, as a share of its depth
@@ -15,11 +16,11 @@ struct FishForm {
   double snout = 0.3;      ///< 0 blunt .. 1 drawn out to a beak
   double peduncle = 0.26;  ///< depth of the body before the tail, as a share of the greatest depth
   TailShape tail = TailShape::forked;
-  double tail_depth = 0.36;      ///< from tip to tip
-  double dorsal = 0.09;          ///< height of the fin on the back
-  double dorsal_from = 0.28;     ///< where it begins
-  double anal = 0.08;            ///< height of the fin below the tail
-  double pectoral = 0.14;        ///< length of the fins at the sides
+  double tail_depth = 0.36;   ///< from tip to tip
+  double dorsal = 0.09;       ///< height of the fin on the back
+  double dorsal_from = 0.28;  ///< where it begins
+  double anal = 0.08;         ///< height of the fin below the tail
+  double pectoral = 0.14;     ///< length of the fins at the sides
 };
 
 /// Share of its length at which the body of a fish ends and its tail begins.
@@ -56,8 +57,8 @@ struct FishLook {
   int pixels = 384;     ///< of the picture, along the fish
 };
 
-/// Where a place beside a fish lies in its picture: `along` from the nose 0 to the tail 1, `up` from its middle.
-/// The lower part of the picture is that of the fins at the sides.
+/// Where a place beside a fish lies in its picture: `along` from the nose 0 to the tail 1, `up` from its
+/// middle. The lower part of the picture is that of the fins at the sides.
 Vec2 fish_uv(double along, double up);
 
 /// The picture of a fish, drawn from its side, and its name.

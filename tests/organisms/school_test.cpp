@@ -101,7 +101,8 @@ TEST(School, KeepsApart) {
   for (int step = 0; step <= s.steps; ++step)
     for (int i = 0; i < kFish; ++i)
       for (int j = i + 1; j < kFish; ++j)
-        ASSERT_GT(glm::distance(s.position[s.at(step, i)], s.position[s.at(step, j)]), 0.3 * task().params.spacing)
+        ASSERT_GT(glm::distance(s.position[s.at(step, i)], s.position[s.at(step, j)]),
+                  0.3 * task().params.spacing)
             << i << " and " << j << " at step " << step;
 }
 

@@ -39,8 +39,7 @@ void sweep_line(std::vector<float>& f, std::vector<float>& out, std::vector<int>
   for (int p = 0; p < n; ++p) {
     while (k < last && from[static_cast<std::size_t>(k + 1)] < static_cast<float>(p)) ++k;
     int v = hull[static_cast<std::size_t>(k)];
-    out[static_cast<std::size_t>(p)] =
-        static_cast<float>((p - v) * (p - v)) + f[static_cast<std::size_t>(v)];
+    out[static_cast<std::size_t>(p)] = static_cast<float>((p - v) * (p - v)) + f[static_cast<std::size_t>(v)];
   }
   f.swap(out);
 }
@@ -149,8 +148,8 @@ float Clearance::operator()(Vec3 at) const {
   float sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
     int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
-    float weight = (dx ? share[0] : 1 - share[0]) * (dy ? share[1] : 1 - share[1]) *
-                   (dz ? share[2] : 1 - share[2]);
+    float weight =
+        (dx ? share[0] : 1 - share[0]) * (dy ? share[1] : 1 - share[1]) * (dz ? share[2] : 1 - share[2]);
     sum += weight * distance_[index(cell[0] + dx, cell[1] + dy, cell[2] + dz)];
   }
   return sum;

@@ -101,7 +101,8 @@ void add_fins(Surface& mesh, const FishForm& form) {
     auto pair = [&](double along, double up, double out, double length, double down, double spread) {
       auto at = [=](double t, double r) {
         double fan = (t - 0.5) * (0.5 + 0.9 * r), l = length * r * (1 - 0.35 * std::pow(2 * t - 1, 2));
-        return place(along + l * std::cos(fan + down), up - l * std::sin(fan + down), side * (out + spread * l));
+        return place(along + l * std::cos(fan + down), up - l * std::sin(fan + down),
+                     side * (out + spread * l));
       };
       // Its colours are those of fins, from a place above the back.
       add_sheet(mesh, 5, 2, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });

@@ -30,7 +30,8 @@ void describe(Visitor& v, FishForm& f) {
   v.number("peduncle", f.peduncle, {.min = 0.05, .max = 0.8},
            "Depth of the body before the tail, as a share of the greatest depth");
   v.choice("tail", f.tail, kTailShapes, "Shape of the tail");
-  v.number("tail_depth", f.tail_depth, {.min = 0.02, .max = 1}, "Depth of the tail, as a share of the length");
+  v.number("tail_depth", f.tail_depth, {.min = 0.02, .max = 1},
+           "Depth of the tail, as a share of the length");
   v.number("dorsal", f.dorsal, {.min = 0, .max = 0.5},
            "Height of the fin on the back, as a share of the length");
   v.number("dorsal_from", f.dorsal_from, {.min = 0.1, .max = 0.7},
@@ -55,8 +56,9 @@ void describe(Visitor& v, FishLook& l) {
   v.number("edging", l.edging, {.min = 0, .max = 2}, "Width of the edges, as a share of half a mark's width");
   v.integer("marks", l.marks, {.min = 1, .max = 20}, "Number of bars or lines");
   v.number("mark_width", l.mark_width, {.min = 0.002, .max = 0.5}, "Width of each, as a share of the length");
-  v.number("mark_from", l.mark_from, {.min = 0, .max = 1},
-           "Where the first is: of bars as a share of the length, of lines as a share of the depth from below");
+  v.number(
+      "mark_from", l.mark_from, {.min = 0, .max = 1},
+      "Where the first is: of bars as a share of the length, of lines as a share of the depth from below");
   v.number("mark_to", l.mark_to, {.min = 0, .max = 1}, "Where the last is");
   v.boolean("marked_fins", l.marked_fins, "Whether bars go on over the fins");
   v.color("iris", l.iris, "Colour of the eye round its pupil");
@@ -97,8 +99,9 @@ void describe(Visitor& v, SwimParams& s) {
            "Distance that the school goes from its place and back in the film; shorter where the film is");
   v.number("clearance", s.clearance, {.min = 0, .max = 10, .unit = "m"},
            "Distance that fish keep from corals, rocks and ground at least, beside half their length");
-  v.vector("current", s.current, {.min = -10, .max = 10},
-           "Current that they swim against, as a share of their speed; near 1 they hover, at 0 they go round");
+  v.vector(
+      "current", s.current, {.min = -10, .max = 10},
+      "Current that they swim against, as a share of their speed; near 1 they hover, at 0 they go round");
 }
 
 template <class Visitor>
@@ -118,7 +121,8 @@ class School final : public Described<SchoolParams, Grower> {
   bool stands_on_rock() const override { return false; }
   Errors check() const override {
     if (params.swim.sight < params.swim.spacing)
-      return {{"/swim/sight", "is below swim.spacing; expected at least that, so that fish see who is too near"}};
+      return {
+          {"/swim/sight", "is below swim.spacing; expected at least that, so that fish see who is too near"}};
     return {};
   }
   Errors doubts() const override { return {}; }
@@ -180,8 +184,8 @@ class School final : public Described<SchoolParams, Grower> {
     task.home = Vec3(at.x, world.height(at) + place.raise, at.y);
     task.film = world.filmed() ? world.film_length() : 0;
     task.seed = bed.seed.child("swim");
-    auto swum = std::make_shared<const Swum>(frond::swim(task, params.fish.beat, params.fish.size_variation,
-                                                         clearance_round(task.home, world)));
+    auto swum = std::make_shared<const Swum>(
+        frond::swim(task, params.fish.beat, params.fish.size_variation, clearance_round(task.home, world)));
     Specimen specimen{{bed.organism->name, bed.entry}, {}};
     Dress worn = dress();
     specimen.look = worn.look;

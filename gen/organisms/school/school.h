@@ -11,7 +11,8 @@ namespace frond {
 struct FishParams {
   double length = 0.08;  ///< metres, the tail included
   double size_variation = 0.12;
-  double beat = 2.2;  ///< lengths that a beat of its tail carries it, the inverse of the Strouhal law's factor
+  double beat =
+      2.2;  ///< lengths that a beat of its tail carries it, the inverse of the Strouhal law's factor
   FishForm form;
   FishLook look;
 };
@@ -24,8 +25,8 @@ struct SchoolParams {
 /// Positions of the tail and bends of the body that a fish is held in.
 inline constexpr int kTailPhases = 8, kTailBends = 3;
 
-/// The shape of a fish, one unit long, its nose toward +y, its back toward +z, at a phase of its beat (0..1) and
-/// bent aside by `bend` (-1 right .. 1 left).
+/// The shape of a fish, one unit long, its nose toward +y, its back toward +z, at a phase of its beat (0..1)
+/// and bent aside by `bend` (-1 right .. 1 left).
 Surface fish_surface(const FishForm& form, double phase, double bend);
 
 /// All its shapes: kTailPhases for each of kTailBends.

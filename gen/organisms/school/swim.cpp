@@ -38,9 +38,7 @@ class Swimmer {
     double turn = 2 * kPi * time / period_ + phase_;
     return task_.home + round_ * Vec3(std::cos(turn), 0.15 * std::sin(2 * turn), 0.7 * std::sin(turn));
   }
-  Vec3 guide_way(double time) const {
-    return (guide(time + 0.01) - guide(time - 0.01)) / 0.02f;
-  }
+  Vec3 guide_way(double time) const { return (guide(time + 0.01) - guide(time - 0.01)) / 0.02f; }
 
   Shoal begin(double time) {
     Shoal shoal;
@@ -107,9 +105,8 @@ class Swimmer {
       order_.resize(at.size());
       std::iota(order_.begin(), order_.end(), 0);
     }
-    std::ranges::sort(order_, [&](std::size_t i, std::size_t j) {
-      return at[i].x != at[j].x ? at[i].x < at[j].x : i < j;
-    });
+    std::ranges::sort(
+        order_, [&](std::size_t i, std::size_t j) { return at[i].x != at[j].x ? at[i].x < at[j].x : i < j; });
   }
 
   /// Separation, alignment and cohesion of the fish that is k-th from the left.
@@ -168,8 +165,8 @@ class Swimmer {
     for (int k = 0; k < 3; ++k) {
       Seed wave = own.child(static_cast<std::uint64_t>(k));
       double rounds = std::max(1.0, std::round(period_ * wave.child("often").range(0.1, 0.35)));
-      drift[k] = static_cast<float>(
-          std::sin(2 * kPi * (rounds * time / period_ + wave.child("phase").unit())));
+      drift[k] =
+          static_cast<float>(std::sin(2 * kPi * (rounds * time / period_ + wave.child("phase").unit())));
     }
     return static_cast<float>(p_.wander * p_.speed) * drift * Vec3(1, 0.5f, 1);
   }
@@ -243,13 +240,15 @@ double ease(double t) { return t * t * t * (t * (6 * t - 15) + 10); }
 void finish(Swum& swum, const SwimTask& task, double beat, double size_variation) {
   int n = swum.count;
   auto place = [&](int s, int i) {
-    if (swum.repeats && s > swum.steps) return swum.position[swum.at(s - swum.steps, swum.next[static_cast<std::size_t>(i)])];
+    if (swum.repeats && s > swum.steps)
+      return swum.position[swum.at(s - swum.steps, swum.next[static_cast<std::size_t>(i)])];
     return swum.position[swum.at(std::clamp(s, 0, swum.steps), i)];
   };
   std::vector<int> before(static_cast<std::size_t>(n));  // the inverse of `next`
   for (int i = 0; i < n; ++i) before[static_cast<std::size_t>(swum.next[static_cast<std::size_t>(i)])] = i;
   auto place_back = [&](int s, int i) {
-    if (swum.repeats && s < 0) return swum.position[swum.at(s + swum.steps, before[static_cast<std::size_t>(i)])];
+    if (swum.repeats && s < 0)
+      return swum.position[swum.at(s + swum.steps, before[static_cast<std::size_t>(i)])];
     return place(s, i);
   };
   swum.velocity.resize(swum.position.size());
@@ -278,7 +277,8 @@ void finish(Swum& swum, const SwimTask& task, double beat, double size_variation
   if (!swum.repeats) return;
   // Each has beaten its tail by so much as the one whose place it takes.
   for (int i = 0; i < n; ++i) {
-    float gap = swum.stroke[swum.at(0, swum.next[static_cast<std::size_t>(i)])] - swum.stroke[swum.at(swum.steps, i)];
+    float gap =
+        swum.stroke[swum.at(0, swum.next[static_cast<std::size_t>(i)])] - swum.stroke[swum.at(swum.steps, i)];
     gap -= std::round(gap);
     for (int s = 0; s <= swum.steps; ++s)
       swum.stroke[swum.at(s, i)] += gap * static_cast<float>(s) / static_cast<float>(swum.steps);
@@ -295,7 +295,8 @@ Swum swim(const SwimTask& task, double beat, double size_variation, const Cleara
   double length = swum.repeats ? task.film : kStep;
   swum.steps = std::max(2, static_cast<int>(std::ceil(length / kStep - 1e-9)));
   swum.step = length / swum.steps;
-  int blend = swum.repeats ? std::max(1, static_cast<int>(std::min(kMostBlend, 0.6 * length) / swum.step)) : 0;
+  int blend =
+      swum.repeats ? std::max(1, static_cast<int>(std::min(kMostBlend, 0.6 * length) / swum.step)) : 0;
   int settling = static_cast<int>(kSettling / swum.step);
 
   int first = -settling - blend;

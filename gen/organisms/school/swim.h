@@ -9,18 +9,18 @@ namespace frond {
 
 /// How a school swims.
 struct SwimParams {
-  double speed = 0.35;      ///< metres a second through the water
-  double spacing = 0.16;    ///< metres that each keeps from the next
-  double sight = 0.6;       ///< metres within which it heeds others
-  double separation = 1;    ///< strengths of the three rules and of what else turns it
+  double speed = 0.35;    ///< metres a second through the water
+  double spacing = 0.16;  ///< metres that each keeps from the next
+  double sight = 0.6;     ///< metres within which it heeds others
+  double separation = 1;  ///< strengths of the three rules and of what else turns it
   double alignment = 1;
   double cohesion = 1;
   double avoidance = 1;
   double wander = 0.4;
-  double home = 0.8;        ///< metres, radius of the school's home
-  double layer = 0.35;      ///< metres, half its height
-  double roam = 0.8;        ///< metres that its middle moves from its home
-  double clearance = 0.08;  ///< metres that each keeps from what stands there, beside its own body
+  double home = 0.8;              ///< metres, radius of the school's home
+  double layer = 0.35;            ///< metres, half its height
+  double roam = 0.8;              ///< metres that its middle moves from its home
+  double clearance = 0.08;        ///< metres that each keeps from what stands there, beside its own body
   Vec3 current{0.85f, 0, 0.15f};  ///< in shares of that speed; they swim against it
 };
 
@@ -34,8 +34,8 @@ struct SwimTask {
   Seed seed;
 };
 
-/// How a school swam: a structure of arrays, step by step. Of a film, fish i is after the last step where fish
-/// next[i] was at first, so that the film can be repeated.
+/// How a school swam: a structure of arrays, step by step. Of a film, fish i is after the last step where
+/// fish next[i] was at first, so that the film can be repeated.
 struct Swum {
   int count = 0, steps = 0;  ///< steps + 1 are held
   double step = 0;           ///< seconds
