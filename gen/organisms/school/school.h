@@ -11,8 +11,7 @@ namespace frond {
 struct FishParams {
   double length = 0.08;  ///< metres, the tail included
   double size_variation = 0.12;
-  double beat =
-      2.2;  ///< lengths that a beat of its tail carries it, the inverse of the Strouhal law's factor
+  double beat = 2.2;  ///< lengths that a beat of its tail carries it
   FishForm form;
   FishLook look;
 };
