@@ -18,7 +18,7 @@ Pictures are kept in DIR/pictures: the next sheet renders only those that it doe
 
 Examples:
   scripts/sheet.sh presets/trees/oak.json --contact-seeds 9 --size 320x240 --quality draft
-  scripts/sheet.sh presets/reef.json --sweep /organisms/0/pitch=10:60:6 --sweep /organisms/0/steps=2:4:3
+  scripts/sheet.sh presets/thicket.json --sweep /organisms/0/pitch=10:60:6 --sweep /organisms/0/steps=2:4:3
 TEXT
 }
 

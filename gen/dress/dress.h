@@ -5,6 +5,7 @@
 
 #include "dress/bark.h"
 #include "dress/bark_coat.h"
+#include "dress/fish_look.h"
 #include "dress/leaf_look.h"
 #include "dress/season.h"
 #include "dress/skin.h"
@@ -30,6 +31,7 @@ struct Look {
   BladeLook blades;
   std::optional<LeafLook> leaves;  ///< as pictures, where it bears such, with those of all seasons
   std::vector<LeafLook> organs;    ///< a plant's organs that are pictures
+  std::optional<Drawing> fish;     ///< of a school
 };
 
 /// All that the parameters of an organism say of its look and its motion.

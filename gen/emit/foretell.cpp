@@ -128,7 +128,7 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
       if (lines + model > most) most = lines + model, f.largest = o;
       continue;
     }
-    bool at_once = grower.stage() == GrowthStage::creeping;  // all plants of an entry grow on one host
+    bool at_once = finds_its_way(grower.stage());
     f.organisms += count;
     f.modules += count * size.word.modules;
     f.nodes += count * nodes;

@@ -258,7 +258,7 @@ DrawnSolids drawn_solids(const Scene& scene) {
     const Solids& solids = scene.specimens[i].model.solids;
     for (std::size_t k = 0; k < solids.size(); ++k) {
       const Solid& solid = solids.shapes[solids.shape[k]];
-      if (!lives(solid.material) || solid.past.empty()) continue;
+      if (!lives(solid.material)) continue;
       Vec3 low(1e9f), high(-1e9f);
       for (const Vec3& p : solid.surface.position) {
         Vec3 at = solids.placed(k, p);

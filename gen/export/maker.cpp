@@ -108,7 +108,7 @@ Surface simpler(const Surface& surface, double share) {
 
 bool is_stone(Matter m) {
   return m == Matter::granite || m == Matter::karst || m == Matter::basalt || m == Matter::ashlar ||
-         m == Matter::bed;
+         m == Matter::bed || m == Matter::reef;
 }
 
 /// Turned about its axis, with places on what is painted on it.

@@ -185,6 +185,33 @@ Dab basalt(const Painted& m, double u, double v) {
       m.c * 0.35);
 }
 
+/// Cups with their walls: what lives, or, with larger cells, what is overgrown.
+Dab polyps(const Painted& m, double u, double v) {
+  double cup = tiling_cells(u * 24, v * 24, 24, 24, Seed{47}).nearest, g = m.p.granite(u, v, 20, 1);
+  DVec3 color = ramp(
+      cup, {{0.05, m.s}, {0.20, m.c * 0.72 + m.s * 0.2}, {0.32, m.c * 1.22}, {0.45, m.c}, {0.9, m.c * 0.72}});
+  return {color * (0.9 + 0.2 * g), smooth_step(0.1, 0.32, cup) * (1 - 0.5 * smooth_step(0.35, 0.9, cup))};
+}
+
+Dab meander(const Painted& m, double u, double v) {
+  double g = m.p.granite(u, v, 16, 1);
+  return {ramp(g, {{0.15, m.c * 0.85}, {0.5, m.c}, {0.85, m.c * 1.2}}), g};
+}
+
+Dab sponge(const Painted& m, double u, double v) {
+  double pit = tiling_cells(u * 20, v * 20, 20, 20, Seed{48}).nearest, g = m.p.granite(u, v, 8, 1);
+  return {ramp(pit, {{0.15, m.c * 0.35 + m.s * 0.5}, {0.40, m.c}}) * (0.85 + 0.3 * g),
+          smooth_step(0.1, 0.4, pit)};
+}
+
+Dab reef(const Painted& m, double u, double v) {
+  double g = m.p.granite(u, v, 12, 1), patch = m.p.bozo(u, v, 5, 2);
+  DVec3 bare = ramp(g, {{0.15, m.c * 0.3}, {0.4, m.c * 0.65}, {0.6, m.c * 0.9}, {0.85, m.c * 1.15}});
+  return {
+      ramp(patch, {{0.40, bare}, {0.46, m.s * (0.6 + 0.8 * g)}, {0.62, m.s * (0.6 + 0.8 * g)}, {0.66, bare}}),
+      g};
+}
+
 /// Who paints a matter, and how many times its `scale` the picture is wide.
 struct MatterPainter {
   Matter matter;
@@ -193,10 +220,14 @@ struct MatterPainter {
 };
 
 constexpr MatterPainter kPainters[] = {
-    {Matter::brick, brick, 14, 6},      {Matter::mortar, mortar, 8, 8}, {Matter::limestone, limestone, 8, 5},
-    {Matter::plaster, plaster, 20, 6},  {Matter::paint, paint, 20, 4},  {Matter::timber, timber, 24, 6},
-    {Matter::ashlar, ashlar, 3, 8},     {Matter::bed, bed, 3, 8},       {Matter::soil, soil, 40, 12},
-    {Matter::granite, granite, 4.2, 7}, {Matter::karst, karst, 4.2, 8}, {Matter::basalt, basalt, 4.2, 8}};
+    {Matter::brick, brick, 14, 6},        {Matter::mortar, mortar, 8, 8},
+    {Matter::limestone, limestone, 8, 5}, {Matter::plaster, plaster, 20, 6},
+    {Matter::paint, paint, 20, 4},        {Matter::timber, timber, 24, 6},
+    {Matter::ashlar, ashlar, 3, 8},       {Matter::bed, bed, 3, 8},
+    {Matter::soil, soil, 40, 12},         {Matter::granite, granite, 4.2, 7},
+    {Matter::karst, karst, 4.2, 8},       {Matter::basalt, basalt, 4.2, 8},
+    {Matter::polyps, polyps, 24, 8},      {Matter::meander, meander, 24, 3},
+    {Matter::sponge, sponge, 26, 6},      {Matter::reef, reef, 5, 8}};
 
 }  // namespace
 

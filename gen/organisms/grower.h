@@ -37,8 +37,12 @@ enum class GrowthStage {
   free,      ///< bodies, and what needs nothing but a place
   in_space,  ///< what fights for space with its like, beside and on bodies
   in_light,  ///< what fights for light with its like and is shaded by bodies
-  creeping   ///< what finds its own place on bodies
+  creeping,  ///< what finds its own place on bodies
+  swimming   ///< what moves about among all that stands
 };
+
+/// Whether what grows then has no place that is found for it: all of an entry grow as one.
+inline bool finds_its_way(GrowthStage stage) { return stage >= GrowthStage::creeping; }
 
 /// A place for one organism.
 struct Planting {

@@ -43,7 +43,7 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
     if (organism.count == 0 || organism.sown) continue;
     PlacedEntry& plot = plots.emplace_back();
     plot.bed = {&organism, o, Seed{preset.seed}.child("organism", o), {}};
-    if (organism.grower->stage() == GrowthStage::creeping) continue;
+    if (finds_its_way(organism.grower->stage())) continue;
     const Seed& seed = plot.bed.seed;
     auto room = static_cast<float>(room_of(place, extent));
     for (Vec2 at : place.at) plot.spots.push_back({at, room});
@@ -92,8 +92,8 @@ class Gardener {
   }
 
   Errors grow_all(const std::vector<Bed>& beds, World& world) {
-    for (GrowthStage stage :
-         {GrowthStage::free, GrowthStage::in_space, GrowthStage::in_light, GrowthStage::creeping}) {
+    for (GrowthStage stage : {GrowthStage::free, GrowthStage::in_space, GrowthStage::in_light,
+                              GrowthStage::creeping, GrowthStage::swimming}) {
       std::vector<Bed> growing;
       std::ranges::copy_if(beds, std::back_inserter(growing),
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
@@ -198,9 +198,18 @@ class Gardener {
 std::vector<Specimen> in_order(std::vector<Specimen> all, const Preset& preset) {
   std::ranges::stable_sort(all, {}, [&](const Specimen& s) {
     if (s.entry == Specimen::kNoEntry) return std::size_t{0};
-    bool creeps = preset.organisms[s.entry].grower->stage() == GrowthStage::creeping;
+    bool creeps = finds_its_way(preset.organisms[s.entry].grower->stage());
     return 1 + s.entry + (creeps ? preset.organisms.size() : 0);
   });
+  return all;
+}
+
+/// What lies about, as one mesh.
+Surface strewn_surface(const Grounds& ground) {
+  Surface all;
+  for (const Strewn& strewn : ground.strewn())
+    for (const Strewn::At& at : strewn.at) append_placed(all, *strewn.shape, at.place, at.turn, at.size);
+  all.uv.clear();
   return all;
 }
 
@@ -259,12 +268,15 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
 
   std::size_t growing = 0;
   for (const Bed& bed : beds) {
-    bool creeps = bed.organism->grower->stage() == GrowthStage::creeping;
-    growing += creeps ? 1 : bed.plantings.size();  // all creepers of an entry grow as one
+    bool creeps = finds_its_way(bed.organism->grower->stage());
+    growing += creeps ? 1 : bed.plantings.size();  // all creepers or fish of an entry grow as one
   }
   watch.begin("grow", growing);
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
   world.add(ground->furnishings());
+  bool swims = std::ranges::any_of(
+      beds, [](const Bed& bed) { return bed.organism->grower->stage() == GrowthStage::swimming; });
+  if (swims) world.lay(strewn_surface(*ground));
   Gardener gardener(preset, watch, nursery, ground->floor());
   if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
   scene.grown = std::move(gardener.grown);

@@ -39,6 +39,10 @@ class World {
   void add(std::vector<Specimen> grown);
   std::vector<Specimen> take_all() && { return std::move(standing_); }
 
+  /// What lies on the ground and is no specimen: loose stones, rocks under corals.
+  void lay(Surface stones) { stones_ = std::move(stones); }
+  const Surface& stones() const { return stones_; }
+
   /// The outsides of the bodies, each by itself; without what belongs to the setting.
   std::vector<Surface> bodies() const;
 
@@ -68,6 +72,7 @@ class World {
   bool filmed_;
   std::vector<Specimen> standing_;
   Territories territories_;
+  Surface stones_;
   mutable std::mutex hosts_in_work_;
   mutable std::map<std::vector<std::string>, std::shared_ptr<const Host>> hosts_;
 };

@@ -39,7 +39,8 @@ void expect_same(const Scene& a, const Scene& b) {
 }
 
 TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
-  for (const char* path : {"presets/reef.json", "presets/ivy/column.json", "presets/trees/light_race.json"}) {
+  for (const char* path :
+       {"presets/thicket.json", "presets/ivy/column.json", "presets/trees/light_race.json"}) {
     std::vector<std::string> smaller;
     if (std::string_view(path).starts_with("presets/trees")) smaller = {"/defaults/years=4"};
     Preset preset = preset_with(path, smaller);
@@ -55,14 +56,14 @@ TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
 
 TEST(Nursery, GrowsOnlyWhatWasChanged) {
   Nursery nursery;
-  grown_with(preset_with("presets/reef.json"), &nursery);
-  Preset other = preset_with("presets/reef.json", {"/organisms/2/pitch=40"});
+  grown_with(preset_with("presets/thicket.json"), &nursery);
+  Preset other = preset_with("presets/thicket.json", {"/organisms/2/pitch=40"});
   Scene changed = grown_with(other, &nursery);
   EXPECT_EQ(changed.grown, std::vector<std::size_t>{2});
   expect_same(grown_with(other, nullptr), changed);
   // The camera and the light grow nothing.
   EXPECT_TRUE(
-      grown_with(preset_with("presets/reef.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}),
+      grown_with(preset_with("presets/thicket.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}),
                  &nursery)
           .grown.empty());
 }
@@ -100,14 +101,14 @@ TEST(Nursery, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
 
 TEST(Nursery, ForgetsWhatWasNotUsedForLong) {
   Nursery small(1);  // room for one bed
-  Preset preset = preset_with("presets/reef.json");
+  Preset preset = preset_with("presets/thicket.json");
   grown_with(preset, &small);
   EXPECT_GE(grown_with(preset, &small).grown.size(), preset.organisms.size() - 1);
 }
 
 TEST(Nursery, ASceneThatIsGivenUpIsAnError) {
   Watch gone{[](auto, auto) {}, [] {}, [] { return true; }};
-  EXPECT_FALSE(build_scene(preset_with("presets/reef.json"), gone).ok());
+  EXPECT_FALSE(build_scene(preset_with("presets/thicket.json"), gone).ok());
 }
 
 }  // namespace

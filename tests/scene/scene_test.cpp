@@ -110,7 +110,7 @@ TEST(Preset, ShippedOnesRaiseNoDoubts) {
 }
 
 TEST(Scene, TellsAsManyStepsAsItForetold) {
-  for (const char* path : {"presets/ivy/column.json", "presets/reef.json", "presets/garden/vases.json"}) {
+  for (const char* path : {"presets/ivy/column.json", "presets/thicket.json", "presets/garden/vases.json"}) {
     std::size_t foretold = 0;
     std::atomic<std::size_t> told = 0;
     Watch watch{[&](std::string_view, std::size_t steps) { foretold += steps; }, [&] { ++told; }};
@@ -140,7 +140,7 @@ TEST(Scene, GivesEachCoralAPhaseAndBrightnessOfItsOwn) {
 
 TEST(Scene, RootsEveryCoral) {
   // Nothing floats: the foot of each coral lies inside a stone or under the floor.
-  Scene scene = *build_scene(preset_at("presets/reef.json"));
+  Scene scene = *build_scene(preset_at("presets/thicket.json"));
   EXPECT_GE(scene.specimens.size(), 12u);
   for (const Specimen& b : scene.specimens) {
     Vec3 foot = b.model.skeleton.position[0];
@@ -156,7 +156,7 @@ TEST(Scene, RootsEveryCoral) {
 
 TEST(Reef, HasNoJumps) {
   // Over the whole film: between two frames no node moves more than 8 times the film's mean motion.
-  Scene scene = *build_scene(preset_at("presets/reef.json"));
+  Scene scene = *build_scene(preset_at("presets/thicket.json"));
   for (const Specimen& b : scene.specimens) EXPECT_EQ(b.model.skeleton.check(), "") << b.name;
   double total = 0, count = 0;
   float most = 0;

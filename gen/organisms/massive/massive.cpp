@@ -28,8 +28,8 @@ Accretion law_of(const MassiveParams& params) {
 
 Reaction reaction_of(const MassiveParams& params) {
   if (params.relief == Wrought::cups)
-    return {.feed = 0.030, .kill = 0.0615, .wave = params.wave, .steps = 2400};
-  return {.feed = 0.055, .kill = 0.062, .wave = params.wave, .steps = 2400};
+    return {.feed = 0.030, .kill = 0.0615, .wave = params.valley, .steps = 1800};
+  return {.feed = 0.055, .kill = 0.062, .wave = params.valley, .steps = 1800};
 }
 
 }  // namespace
@@ -73,11 +73,11 @@ void describe(Visitor& v, MassiveParams& m) {
   v.number("lumps", m.lumps, {.min = 0, .max = 1}, "How uneven it is: 0 a dome .. 1 a heap of domes");
   v.number("lump_size", m.lump_size, {.min = 0.005, .max = 5, .unit = "m"}, "Distance from lump to lump");
   v.choice("relief", m.relief, kWrought, "What its surface is wrought into");
-  v.number("wave", m.wave, {.min = 0.002, .max = 1, .unit = "m"},
+  v.number("valley", m.valley, {.min = 0.002, .max = 1, .unit = "m"},
            "Distance from one ridge, or one cup, to the next");
   v.number("depth", m.depth, {.min = 0, .max = 0.2, .unit = "m"}, "Depth of the valleys, or of the cups");
   v.number("edge", m.edge, {.min = 0.001, .max = 0.2, .unit = "m"},
-           "Length of the sides of its triangles; a fifth of a wave draws it well");
+           "Length of the sides of its triangles; a fifth of a valley draws it well");
   v.object("tissue", m.tissue, "The living skin");
   v.object("growth", m.growth, "When it grows in the film");
 }

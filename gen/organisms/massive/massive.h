@@ -23,9 +23,9 @@ struct MassiveParams {
   double lumps = 0.25;   ///< how uneven it is
   double lump_size = 0.2;
   Wrought relief = Wrought::meander;
-  double wave = 0.016;   ///< metres from ridge to ridge
-  double depth = 0.006;  ///< metres, of valleys
-  double edge = 0.0032;  ///< metres, of triangles
+  double valley = 0.016;  ///< metres from ridge to ridge
+  double depth = 0.006;   ///< metres, of valleys
+  double edge = 0.0032;   ///< metres, of triangles
   TissueLook tissue;
   Growth growth;
 };

@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/parallel.h"
+#include "dress/describe.h"
+#include "organisms/kinds.h"
+#include "organisms/school/school.h"
+
+namespace frond {
+
+inline constexpr Choice<TailShape> kTailShapes[] = {{"forked", TailShape::forked, "two lobes"},
+                                                    {"lunate", TailShape::lunate, "a crescent"},
+                                                    {"round", TailShape::round, "a fan"},
+                                                    {"square", TailShape::square, "cut straight"}};
+inline constexpr Choice<FishPattern> kFishPatterns[] = {
+    {"plain", FishPattern::plain, "dark above and pale below"},
+    {"bars", FishPattern::bars, "bars from back to belly"},
+    {"lines", FishPattern::lines, "lines from head to tail"}};
+
+template <class Visitor>
+void describe(Visitor& v, FishForm& f) {
+  v.number("depth", f.depth, {.min = 0.05, .max = 0.9}, "Depth of the body, as a share of the length");
+  v.number("width", f.width, {.min = 0.05, .max = 1.2}, "Width of the body, as a share of its depth");
+  v.number("deepest", f.deepest, {.min = 0.15, .max = 0.7},
+           "Where the body is deepest, as a share of it from the nose");
+  v.number("snout", f.snout, {.min = 0, .max = 1.5}, "How far the head is drawn out: 0 blunt, 1 a beak");
+  v.number("peduncle", f.peduncle, {.min = 0.05, .max = 0.8},
+           "Depth of the body before the tail, as a share of the greatest depth");
+  v.choice("tail", f.tail, kTailShapes, "Shape of the tail");
+  v.number("tail_depth", f.tail_depth, {.min = 0.02, .max = 1},
+           "Depth of the tail, as a share of the length");
+  v.number("dorsal", f.dorsal, {.min = 0, .max = 0.5},
+           "Height of the fin on the back, as a share of the length");
+  v.number("dorsal_from", f.dorsal_from, {.min = 0.1, .max = 0.7},
+           "Where that fin begins, as a share of the length");
+  v.number("anal", f.anal, {.min = 0, .max = 0.5}, "Height of the fin below, as a share of the length");
+  v.number("pectoral", f.pectoral, {.min = 0, .max = 0.5},
+           "Length of the fins at the sides, as a share of the length");
+}
+
+template <class Visitor>
+void describe(Visitor& v, FishLook& l) {
+  v.color("back", l.back, "Colour of the back");
+  v.color("flank", l.flank, "Colour of the sides");
+  v.color("belly", l.belly, "Colour of the belly");
+  v.color("fins", l.fins, "Colour of the fins");
+  v.color("tail", l.tail, "Colour of the tail");
+  v.number("tail_from", l.tail_from, {.min = 0, .max = 1},
+           "Where the colour of the tail begins, as a share of the length");
+  v.choice("pattern", l.pattern, kFishPatterns, "What is drawn on the sides");
+  v.color("mark", l.mark, "Colour of bars or lines");
+  v.color("edge", l.edge, "Colour of their edges");
+  v.number("edging", l.edging, {.min = 0, .max = 2}, "Width of the edges, as a share of half a mark's width");
+  v.integer("marks", l.marks, {.min = 1, .max = 20}, "Number of bars or lines");
+  v.number("mark_width", l.mark_width, {.min = 0.002, .max = 0.5}, "Width of each, as a share of the length");
+  v.number(
+      "mark_from", l.mark_from, {.min = 0, .max = 1},
+      "Where the first is: of bars as a share of the length, of lines as a share of the depth from below");
+  v.number("mark_to", l.mark_to, {.min = 0, .max = 1}, "Where the last is");
+  v.boolean("marked_fins", l.marked_fins, "Whether bars go on over the fins");
+  v.color("iris", l.iris, "Colour of the eye round its pupil");
+  v.number("eye", l.eye, {.min = 0, .max = 0.2}, "Width of the eye, as a share of the length");
+  v.number("scales", l.scales, {.min = 0, .max = 1}, "How much scales show");
+  v.number("gloss", l.gloss, {.min = 0, .max = 1}, "How much the fish shine");
+  v.integer("pixels", l.pixels, {.min = 32, .max = 2048}, "Width of the picture that they are painted with");
+}
+
+template <class Visitor>
+void describe(Visitor& v, FishParams& f) {
+  v.number("length", f.length, {.min = 0.005, .max = 20, .unit = "m"}, "Length from nose to tail");
+  v.number("size_variation", f.size_variation, {.min = 0, .max = 0.6},
+           "Random change of the length, as a share of it");
+  v.number("beat", f.beat, {.min = 0.1, .max = 20},
+           "Lengths of its own that a fish comes on with one beat of its tail");
+  v.object("form", f.form, "The shape of a fish; shares of its length");
+  v.object("look", f.look, "The colours of a fish");
+}
+
+template <class Visitor>
+void describe(Visitor& v, SwimParams& s) {
+  v.number("speed", s.speed, {.min = 0.01, .max = 20, .unit = "m/s"}, "Speed through the water");
+  v.number("spacing", s.spacing, {.min = 0.005, .max = 50, .unit = "m"},
+           "Distance that fish like to keep from each other");
+  v.number("sight", s.sight, {.min = 0.01, .max = 100, .unit = "m"},
+           "Distance within which a fish heeds others");
+  v.number("separation", s.separation, {.min = 0, .max = 10}, "How strongly fish keep apart");
+  v.number("alignment", s.alignment, {.min = 0, .max = 10},
+           "How strongly they take the direction of those round them");
+  v.number("cohesion", s.cohesion, {.min = 0, .max = 10}, "How strongly they keep together");
+  v.number("avoidance", s.avoidance, {.min = 0, .max = 10},
+           "How strongly they turn away from what stands in their way");
+  v.number("wander", s.wander, {.min = 0, .max = 10}, "How strongly each drifts by itself");
+  v.number("home", s.home, {.min = 0.02, .max = 100, .unit = "m"}, "Radius of the school, about");
+  v.number("layer", s.layer, {.min = 0.02, .max = 100, .unit = "m"}, "Half the height of the school, about");
+  v.number("roam", s.roam, {.min = 0, .max = 100, .unit = "m"},
+           "Distance that the school goes from its place and back in the film; shorter where the film is");
+  v.number("clearance", s.clearance, {.min = 0, .max = 10, .unit = "m"},
+           "Distance that fish keep from corals, rocks and ground at least, beside half their length");
+  v.vector(
+      "current", s.current, {.min = -10, .max = 10},
+      "Current that they swim against, as a share of their speed; near 1 they hover, at 0 they go round");
+}
+
+template <class Visitor>
+void describe(Visitor& v, SchoolParams& s) {
+  v.object("fish", s.fish, "The fish");
+  v.object("swim", s.swim, "How they swim");
+}
+
+namespace {
+
+constexpr double kMostCells = 4e6;  // of the grid that says where corals are
+constexpr double kMostFish = 5000;
+
+class School final : public Described<SchoolParams, Grower> {
+ public:
+  GrowthStage stage() const override { return GrowthStage::swimming; }
+  std::optional<Spread> spread() const override { return std::nullopt; }
+  bool stands_on_rock() const override { return false; }
+  Errors check() const override {
+    if (params.swim.sight < params.swim.spacing)
+      return {
+          {"/swim/sight", "is below swim.spacing; expected at least that, so that fish see who is too near"}};
+    return {};
+  }
+  Errors doubts() const override { return {}; }
+  Errors check_together(std::span<const Organism* const> all, double) const override {
+    for (const Organism* one : all)
+      if (one->count > kMostFish)
+        return {{"/count", fmt::format("found {} fish; expected {} at most", one->count, kMostFish)}};
+    return {};
+  }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight fish;
+    fish.organs = fish.parts = 1;
+    fish.shapes = kTailPhases * kTailBends * 900.0;
+    return fish;
+  }
+  double tallest() const override { return 0; }
+  Dress dress() const override {
+    Dress dress;
+    dress.look.bark = Bark{};  // none is seen: fish are organs
+    dress.look.fish = fish_drawing(params.fish.form, params.fish.look);
+    return dress;
+  }
+  bool develops(bool filmed) const override { return filmed; }
+  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
+  const std::vector<std::string>* hosts() const override { return nullptr; }
+
+  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
+                                     const Step& step) const override {
+    std::vector<Result<Specimen>> grown(beds.size(), Error{});
+    parallel_for(beds.size(), [&](std::size_t i) {
+      grown[i] = grower_of<School>(*beds[i].organism).swim_bed(beds[i], world);
+      step();
+    });
+    return grown;
+  }
+  Result<Model> grow_copy(const Organism&, Seed) const override {
+    return Error{"", "a school swims; it cannot be sown"};
+  }
+  float copy_depth(const Model&) const override { return 0; }
+
+ private:
+  /// The box that its fish may reach, and the grid in it.
+  Clearance clearance_round(Vec3 home, const World& world) const {
+    const SwimParams& swim = params.swim;
+    double wide = 1.4 * swim.home + swim.roam + 0.8, high = 1.6 * swim.layer + 0.2 * swim.roam + 0.8;
+    Vec3 reach(wide, high, wide);
+    double cell = std::clamp(0.4 * params.fish.length, 0.03, 0.5);
+    cell = std::max(cell, std::cbrt(8 * wide * wide * high / kMostCells));
+    return clearance_of(world, home - reach, home + reach, static_cast<float>(cell));
+  }
+
+  Result<Specimen> swim_bed(const Bed& bed, const World& world) const {
+    const Place& place = bed.organism->place;
+    Vec2 at = place.at.empty() ? place.center : place.at.front();
+    SwimTask task;
+    task.params = params.swim;
+    task.count = std::max(bed.organism->count, 0);
+    task.length = params.fish.length;
+    task.home = Vec3(at.x, world.height(at) + place.raise, at.y);
+    task.film = world.filmed() ? world.film_length() : 0;
+    task.seed = bed.seed.child("swim");
+    auto swum = std::make_shared<const Swum>(
+        frond::swim(task, params.fish.beat, params.fish.size_variation, clearance_round(task.home, world)));
+    Specimen specimen{{bed.organism->name, bed.entry}, {}};
+    Dress worn = dress();
+    specimen.look = worn.look;
+    specimen.motion = worn.motion;
+    specimen.motion.film_length = world.film_length();
+    specimen.model.prototypes = fish_prototypes(params.fish);
+    specimen.model.organs = school_organs(params, *swum, 0);
+    auto shapes = std::make_shared<const std::vector<Prototype>>(specimen.model.prototypes);
+    if (swum->repeats)
+      specimen.life.develop = [own = params, swum, shapes](double time) -> Result<Model> {
+        Model model;
+        model.prototypes = *shapes;
+        model.organs = school_organs(own, *swum, time);
+        return model;
+      };
+    return specimen;
+  }
+};
+
+}  // namespace
+
+Kind<Organism> school_kind() {
+  return make_grower<School>("school", "Fish that keep together and clear of what stands there");
+}
+
+}  // namespace frond

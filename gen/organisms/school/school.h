@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/result.h"
+#include "dress/fish_look.h"
+#include "organisms/grower.h"
+#include "organisms/school/swim.h"
+
+namespace frond {
+
+/// One kind of fish.
+struct FishParams {
+  double length = 0.08;  ///< metres, the tail included
+  double size_variation = 0.12;
+  double beat = 2.2;  ///< lengths that a beat of its tail carries it
+  FishForm form;
+  FishLook look;
+};
+
+struct SchoolParams {
+  FishParams fish;
+  SwimParams swim;
+};
+
+/// Positions of the tail and bends of the body that a fish is held in.
+inline constexpr int kTailPhases = 8, kTailBends = 3;
+
+/// The shape of a fish, one unit long, its nose toward +y, its back toward +z, at a phase of its beat (0..1)
+/// and bent aside by `bend` (-1 right .. 1 left).
+Surface fish_surface(const FishForm& form, double phase, double bend);
+
+/// All its shapes: kTailPhases for each of kTailBends.
+std::vector<Prototype> fish_prototypes(const FishParams& fish);
+
+/// The fish of a school at a time: the organs of a model.
+Organs school_organs(const SchoolParams& params, const Swum& swum, double time);
+
+}  // namespace frond
