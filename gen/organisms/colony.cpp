@@ -78,7 +78,8 @@ std::vector<Result<Specimen>> ColonyGrower::grow(std::span<const Bed> beds, cons
     Result<Model> model = grower.grow_at(around, planting.seed.child("grow"));
     if (model) {
       Specimen specimen{{bed.organism->name, bed.entry}, std::move(*model)};
-      put(specimen.model, stance.foot, stance.turn, stance.size);
+      Vec3 sunk(0, bed.organism->place.raise > 0 ? 0 : grower.copy_depth(specimen.model) * stance.size, 0);
+      put(specimen.model, stance.foot - sunk, stance.turn, stance.size);
       put_on(specimen, *dress, world, planting.seed);
       grown[i] = std::move(specimen);
     } else {
