@@ -35,6 +35,10 @@ float Surroundings::room(Vec3 at, float within) const {
   return room / size_;
 }
 
+float Surroundings::border(Vec3 at) const {
+  return world_ ? world_->territories().room(claim_, outside(at)) / size_ : Territories::kOpen;
+}
+
 Surroundings::Hold Surroundings::hold(Vec3 at, float within) const {
   if (!world_) return {{at.x, 0, at.z}, {0, 1, 0}};
   Vec3 place = outside(at);

@@ -22,6 +22,8 @@ class Surroundings {
   /// Metres to the border of its territory and to the bodies that stand, the nearer of them, at least; less
   /// than 0 beyond. `within`: farther bodies do not count.
   float room(Vec3 at, float within) const;
+  /// The same to the border of its territory alone.
+  float border(Vec3 at) const;
   /// The nearest place on a body or, where there is none within reach, on the ground, and what is outward
   /// there.
   struct Hold {

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "accretion/margin.h"
+#include "accretion/rim_grid.h"
+
+// Inside of margin.h.
+
+namespace frond {
+
+inline constexpr float kRimPace = 0.8f;  // edges that a row is wide
+inline constexpr int kRimRounds = 8;     // of relaxation
+inline constexpr float kRimBow =
+    0.55f;  // a sheet bends to a half circle at most: chord by arc, somewhat less
+inline constexpr float kRimStill = 0.25f;  // of the pace: what is slower has stopped for good
+inline constexpr std::uint32_t kRimNobody = ~0u;
+
+/// One rim while it grows.
+struct GrowingRim {
+  std::vector<std::uint32_t> vertex{};
+  std::vector<Vec3> heading{};
+  std::vector<float> pace{};  // 1 full speed, 0 dead
+  bool closed = false;
+  std::uint32_t sheet = 0;
+  int first = 0, last = 0;  // rows
+
+  std::size_t size() const { return vertex.size(); }
+  std::size_t next(std::size_t i) const { return i + 1 < size() ? i + 1 : closed ? 0 : i; }
+  std::size_t prior(std::size_t i) const { return i > 0 ? i - 1 : closed ? size() - 1 : i; }
+};
+
+/// What keeps one vertex of the rim away.
+struct RimRival {
+  std::uint32_t who;
+  float distance;  // that it is to be away at least
+};
+
+/// Sheets while they grow.
+class GrowingSheets {
+ public:
+  GrowingSheets(const Margin& law, const MarginWorld& world, Seed seed)
+      : law_(law),
+        world_(world),
+        edge_(static_cast<float>(law.edge)),
+        step_(kRimPace * edge_),
+        clearance_(std::max(static_cast<float>(law.clearance), 1.5f * edge_)),
+        grid_(clearance_ + 2 * step_) {
+    for (int axis = 0; axis < 3; ++axis)
+      lot_[axis] = static_cast<float>(seed.child("lobes", static_cast<std::uint64_t>(axis)).range(-99, 99));
+    sheet_.rows = std::max(2, static_cast<int>(law.reach / step_));
+  }
+
+  void start(const MarginStart& start, std::uint32_t sheet);
+  Sheet grow() &&;
+
+ private:
+  std::uint32_t add(Vec3 at, std::array<std::uint32_t, 2> parents, float row, float way, float u,
+                    std::uint32_t sheet);
+  void advance(GrowingRim& rim, int row);
+  void set_paces(GrowingRim& rim);
+  void aim(GrowingRim& rim);
+  void look_round(const GrowingRim& rim);
+  void relax(const GrowingRim& rim);
+  void keep_away(std::size_t i);
+  bool is_kinked(const GrowingRim& rim, std::size_t i) const;
+  void stop_what_collides(GrowingRim& rim);
+  void lay(GrowingRim& rim, int row);
+
+  const Margin& law_;
+  const MarginWorld& world_;
+  float edge_, step_, clearance_;
+  Vec3 lot_{0};
+  Sheet sheet_;
+  std::vector<float> u_;              // of each vertex, along the rim
+  std::vector<std::uint32_t> owner_;  // the sheet of each vertex
+  std::vector<std::uint32_t> seat_;   // of each vertex, its number on the rim that grows now
+  std::vector<GrowingRim> rims_;
+  RimGrid grid_;
+  // Of the rim that grows now:
+  std::vector<Vec3> from_, to_, aim_, tangent_, shift_;
+  std::vector<float> rest_, arc_, thread_;
+  std::vector<std::vector<RimRival>> rivals_;
+};
+
+}  // namespace frond

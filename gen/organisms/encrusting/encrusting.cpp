@@ -1,0 +1,84 @@
+#include "organisms/encrusting/encrusting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/noise.h"
+#include "organisms/describe_colony.h"
+#include "organisms/kinds.h"
+#include "organisms/sheet_growth.h"
+
+namespace frond {
+
+Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings& around, Seed seed) {
+  Margin law{.reach = params.across / 2,
+             .edge = params.edge,
+             .lobes = params.lobes,
+             .lobe_size = params.lobe_size,
+             .clearance = 2 * params.edge};
+  auto within = static_cast<float>(0.2 * params.across);
+  MarginWorld world;
+  world.cling = [&around, within](Vec3& at, Vec3& normal) {
+    Surroundings::Hold hold = around.hold(at, within);
+    at = hold.at, normal = hold.normal;
+  };
+  world.room = [&around](Vec3 at, float) { return around.border(at); };
+  MarginStart start = ring_start(Vec3(0), 2 * params.edge, 0, 2 * kPi, 0, params.edge);
+  start.filled = true;
+  for (Vec3& p : start.rim) {
+    Vec3 normal;
+    world.cling(p, normal);
+  }
+  Sheet sheet = grow_margins(law, {start}, world, seed.child("sheet"));
+  Vec3 lot(static_cast<float>(seed.child("lumps").range(-99, 99)), 0, 0);
+  auto thick = static_cast<float>(params.thickness), raised = static_cast<float>(params.rim);
+  auto lumps = static_cast<float>(params.lumps), often = static_cast<float>(2.2 / params.lobe_size);
+  SheetSkin skin;
+  skin.upper = [&](std::uint32_t v, float age) {
+    float uneven = 1 + lumps * static_cast<float>(fractal_noise(sheet.position[v] * often + lot, 3));
+    float lip = smooth_step(0.0f, 0.04f, age) * (1 - smooth_step(0.06f, 0.22f, age));
+    return 0.002f + thick * uneven * smooth_step(0.0f, 0.3f, age) + raised * lip;
+  };
+  skin.lower = [&](std::uint32_t, float age) { return 0.002f + 0.7f * thick * smooth_step(0.0f, 0.2f, age); };
+  skin.lines = 0.1 * params.thickness;
+  Model model;
+  model.solids.place(model.solids.add_shape(
+      solid_of(body_of(sheet, skin), material_of(params.tissue, Matter::polyps, seed))));
+  return model;
+}
+
+template <class Visitor>
+void describe(Visitor& v, EncrustingParams& p) {
+  v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
+  v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
+  v.number("lobes", p.lobes, {.min = 0, .max = 1}, "How uneven its outline is");
+  v.number("lobe_size", p.lobe_size, {.min = 0.005, .max = 2, .unit = "m"}, "Distance from lobe to lobe");
+  v.number("thickness", p.thickness, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Thickness of the crust");
+  v.number("rim", p.rim, {.min = 0, .max = 0.2, .unit = "m"}, "How much its edge is raised");
+  v.number("lumps", p.lumps, {.min = 0, .max = 1}, "How uneven its upper side is");
+  v.number("edge", p.edge, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Length of the sides of its triangles");
+  v.object("tissue", p.tissue, "The living skin");
+  v.object("growth", p.growth, "When it grows in the film");
+}
+
+namespace {
+
+class EncrustingGrower final : public RimGrower<EncrustingParams> {
+ public:
+  Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  Result<Foresight> foresee(Seed) const override {
+    return foreseen(0.8 * params.across * params.across, params.edge);
+  }
+  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
+    return grow_encrusting(params, around, seed);
+  }
+};
+
+}  // namespace
+
+Kind<Organism> encrusting_kind() {
+  return make_grower<EncrustingGrower>("encrusting",
+                                       "A coral that covers what it stands on: a crust with a lobed edge");
+}
+
+}  // namespace frond

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/result.h"
+#include "model/model.h"
+#include "motion/motion.h"
+#include "organisms/colony.h"
+#include "organisms/tissue_look.h"
+
+namespace frond {
+
+/// A coral that covers what it stands on, with a lobed, raised edge.
+struct EncrustingParams {
+  double across = 0.4;       ///< metres
+  double height = 0.06;      ///< metres, of the space that it claims
+  double lobes = 0.7;        ///< see Margin
+  double lobe_size = 0.09;   ///< metres
+  double thickness = 0.007;  ///< metres
+  double rim = 0.004;        ///< metres by which its edge is raised
+  double lumps = 0.3;        ///< how uneven its upper side is
+  double edge = 0.006;       ///< metres, of triangles
+  TissueLook tissue;
+  Growth growth;
+};
+
+Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings& around, Seed seed);
+
+}  // namespace frond

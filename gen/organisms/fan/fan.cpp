@@ -1,0 +1,187 @@
+#include "organisms/fan/fan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "core/noise.h"
+
+namespace frond {
+
+namespace {
+
+constexpr std::uint32_t kNoPlace = ~0u;
+
+/// Places in a plane, each with up to six neighbours: a net of triangles, shaken.
+struct FanNet {
+  std::vector<Vec2> place;
+  std::vector<std::array<std::uint32_t, 6>> near;
+  std::uint32_t foot = 0;
+};
+
+bool is_in_outline(const FanParams& params, Vec2 p, Vec3 lot) {
+  auto half = static_cast<float>(params.across / 2), high = static_cast<float>(params.height);
+  float x = p.x / half, y = (p.y - 0.54f * high) / (0.46f * high);
+  // Wider above than below, as a fan.
+  x *= 1.12f - 0.22f * y;
+  Vec3 way(4 * x, 4 * y, 0);
+  float rough = static_cast<float>(params.ragged) * (0.30f * static_cast<float>(noise(way * 0.35f + lot)) +
+                                                     0.16f * static_cast<float>(noise(way + lot)));
+  // Clefts run toward the foot.
+  float angle = std::atan2(p.x, p.y + 0.1f * high);
+  float cleft = static_cast<float>(noise(Vec3(7 * angle, 0.6f * y, 3) + lot));
+  rough -=
+      static_cast<float>(params.ragged) * 0.5f * smooth_step(0.45f, 0.8f, cleft) * smooth_step(0.2f, 0.9f, y);
+  return x * x + y * y < (1 + rough) * (1 + rough);
+}
+
+FanNet weave(const FanParams& params, Seed seed) {
+  FanNet net;
+  auto mesh = static_cast<float>(params.mesh), step = mesh * 0.866f;
+  Vec3 lot(static_cast<float>(seed.child("outline").range(-99, 99)), 0, 0);
+  int wide = static_cast<int>(0.75 * params.across / params.mesh) + 2;
+  int rows = static_cast<int>(1.2 * params.height / step) + 2, count = 2 * wide + 1;
+  std::vector<std::uint32_t> number(static_cast<std::size_t>(rows * count), kNoPlace);
+  Seed shake = seed.child("shake");
+  float best = 1e9f;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < count; ++i) {
+      Vec2 p((static_cast<float>(i - wide) + 0.5f * static_cast<float>(j % 2)) * mesh,
+             static_cast<float>(j) * step);
+      if (!is_in_outline(params, p, lot)) continue;
+      Seed own = shake.child(static_cast<std::uint64_t>(j * count + i));
+      p += Vec2(static_cast<float>(own.child(0).range(-0.42, 0.42)),
+                static_cast<float>(own.child(1).range(-0.42, 0.42))) *
+           mesh;
+      if (float d = glm::length(p); d < best)
+        best = d, net.foot = static_cast<std::uint32_t>(net.place.size());
+      number[static_cast<std::size_t>(j * count + i)] = static_cast<std::uint32_t>(net.place.size());
+      net.place.push_back(p);
+    }
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < count; ++i) {
+      if (number[static_cast<std::size_t>(j * count + i)] == kNoPlace) continue;
+      auto at = [&](int y, int x) {
+        return y < 0 || y >= rows || x < 0 || x >= count ? kNoPlace
+                                                         : number[static_cast<std::size_t>(y * count + x)];
+      };
+      int low = j % 2 - 1;  // what lies aside in the rows above and below
+      net.near.push_back({at(j, i - 1), at(j, i + 1), at(j - 1, i + low), at(j - 1, i + low + 1),
+                          at(j + 1, i + low), at(j + 1, i + low + 1)});
+    }
+  return net;
+}
+
+/// The way to the foot that is shortest, as edges differ at random (Dijkstra 1959).
+struct FanWays {
+  std::vector<float> way;
+  std::vector<std::uint32_t> below, order;  // nearer ones first
+};
+
+FanWays find_ways(const FanNet& net, Seed seed) {
+  FanWays ways{
+      std::vector<float>(net.place.size(), 1e9f), std::vector<std::uint32_t>(net.place.size(), kNoPlace), {}};
+  using Entry = std::pair<float, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  ways.way[net.foot] = 0;
+  open.push({0, net.foot});
+  while (!open.empty()) {
+    auto [far, v] = open.top();
+    open.pop();
+    if (far > ways.way[v]) continue;
+    ways.order.push_back(v);
+    for (std::uint32_t w : net.near[v]) {
+      if (w == kNoPlace) continue;
+      std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
+      float length = glm::distance(net.place[v], net.place[w]);
+      float to = far + length * static_cast<float>(seed.child(edge).range(0.8, 1.3));
+      if (to < ways.way[w]) ways.way[w] = to, ways.below[w] = v, open.push({to, w});
+    }
+  }
+  return ways;
+}
+
+/// Threads are smoother than the net that they run in.
+void straighten(FanNet& net, const FanWays& ways, const std::vector<std::uint32_t>& next) {
+  for (int round = 0; round < 3; ++round) {
+    std::vector<Vec2> last = net.place;
+    for (std::uint32_t v : ways.order)
+      if (ways.below[v] != kNoPlace && next[v] != kNoPlace)
+        net.place[v] = 0.5f * last[v] + 0.25f * (last[ways.below[v]] + last[next[v]]);
+  }
+}
+
+}  // namespace
+
+Skeleton grow_fan(const FanParams& params, Seed seed) {
+  FanNet net = weave(params, seed.child("net"));
+  FanWays ways = find_ways(net, seed.child("ways"));
+  std::size_t count = net.place.size();
+  // What flows through each thread, and where it comes from mainly.
+  std::vector<float> load(count, 1);
+  std::vector<std::uint32_t> next(count, kNoPlace);
+  for (std::size_t k = ways.order.size(); k-- > 1;) {
+    std::uint32_t v = ways.order[k], b = ways.below[v];
+    load[b] += load[v];
+    if (next[b] == kNoPlace || load[v] > load[next[b]]) next[b] = v;
+  }
+  straighten(net, ways, next);
+  float most = load[net.foot];
+  auto thin = static_cast<float>(params.thread), foot = static_cast<float>(params.foot);
+  auto radius_of = [&](float flow) {
+    return std::max(thin, foot * std::pow(flow / most, static_cast<float>(1 / params.gather)));
+  };
+  Vec3 lot(static_cast<float>(seed.child("curl").range(-99, 99)), 0, 0);
+  auto high = static_cast<float>(params.height);
+  auto place = [&](std::uint32_t v) {
+    Vec2 p = net.place[v];
+    Vec3 at(p.x, p.y, 0);
+    float out = static_cast<float>(params.curl) * p.y / high;
+    at.z = out * 1.5f * static_cast<float>(noise(at * (1.3f / high) + lot)) +
+           0.12f * out * static_cast<float>(noise(at * (9 / high) + lot));
+    return at;
+  };
+  Skeleton s;
+  s.reserve(3 * count);
+  std::int32_t root = s.add(Vec3(0, -0.02f, 0), 1.5f * foot, Skeleton::kRoot, 0);
+  std::vector<std::int32_t> node(count, Skeleton::kRoot);
+  std::vector<std::vector<std::uint32_t>> sides(count);
+  for (std::uint32_t v : ways.order)
+    if (ways.below[v] != kNoPlace && next[ways.below[v]] != v) sides[ways.below[v]].push_back(v);
+  struct Task {
+    std::uint32_t place;
+    std::int32_t below;
+    std::uint16_t depth;
+  };
+  std::vector<Task> open{{net.foot, root, 0}};
+  std::vector<std::uint32_t> thread;
+  Seed links = seed.child("links");
+  while (!open.empty()) {
+    Task task = open.back();
+    open.pop_back();
+    std::int32_t below = task.below;
+    thread.clear();
+    for (std::uint32_t v = task.place; v != kNoPlace; v = next[v]) {
+      below = node[v] = s.add(place(v), radius_of(load[v]), below, task.depth);
+      thread.push_back(v);
+    }
+    for (std::uint32_t v : thread)
+      for (std::uint32_t w : sides[v])
+        open.push_back({w, node[v], static_cast<std::uint16_t>(task.depth + 1)});
+  }
+  // Threads that meet side by side grow together.
+  for (std::uint32_t v : ways.order)
+    for (std::uint32_t w : net.near[v]) {
+      if (w == kNoPlace || ways.below[w] == v || ways.below[v] == w || ways.way[w] < ways.way[v]) continue;
+      if (w == v || ways.way[w] - ways.way[v] > 0.75f * static_cast<float>(params.mesh)) continue;
+      std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
+      if (links.child(edge).unit() >= params.links) continue;
+      auto depth = static_cast<std::uint16_t>(s.order[static_cast<std::size_t>(node[v])] + 1);
+      s.add(place(w), thin, node[v], depth);
+    }
+  set_tip_distances(s);
+  set_births(s);
+  return s;
+}
+
+}  // namespace frond

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/seed.h"
+#include "dress/skin.h"
+#include "model/skeleton.h"
+#include "motion/motion.h"
+
+namespace frond {
+
+/// A sea fan: a net in one plane, whose threads flow together to the foot.
+struct FanParams {
+  double across = 0.7;     ///< metres
+  double height = 0.65;    ///< metres
+  double mesh = 0.013;     ///< metres, about the width of a mesh
+  double ragged = 0.4;     ///< how uneven its outline is
+  double links = 0.65;     ///< share of the meshes that are closed
+  double thread = 0.0018;  ///< metres, radius of the thinnest
+  double foot = 0.011;     ///< metres, radius at the foot
+  double gather = 2.4;     ///< as da Vinci's rule: the power of radii that is kept where threads meet
+  double curl = 0.03;      ///< metres that it bends out of its plane
+  Skin skin;
+  Wave wave;
+  Food food;
+  Growth growth;
+};
+
+/// Grows one with its foot at the origin, upright, across x. Every node has its distance, birth and radius.
+Skeleton grow_fan(const FanParams& params, Seed seed);
+
+}  // namespace frond

@@ -1,0 +1,66 @@
+#include "dress/describe.h"
+#include "organisms/fan/fan.h"
+#include "organisms/kinds.h"
+
+namespace frond {
+
+template <class Visitor>
+void describe(Visitor& v, FanParams& f) {
+  v.number("across", f.across, {.min = 0.03, .max = 5, .unit = "m"}, "How wide it is");
+  v.number("height", f.height, {.min = 0.03, .max = 5, .unit = "m"}, "How high it is");
+  v.number("mesh", f.mesh, {.min = 0.002, .max = 0.5, .unit = "m"}, "About the width of a mesh of its net");
+  v.number("ragged", f.ragged, {.min = 0, .max = 1}, "How uneven its outline is");
+  v.number("links", f.links, {.min = 0, .max = 1}, "Share of the meshes that are closed: 0 a mere tree");
+  v.number("thread", f.thread, {.min = 0.0002, .max = 0.1, .unit = "m"}, "Radius of its thinnest threads");
+  v.number("foot", f.foot, {.min = 0.001, .max = 0.5, .unit = "m"}, "Radius at its foot");
+  v.number("gather", f.gather, {.min = 1, .max = 8},
+           "Where threads meet, this power of their radii adds up: 2 keeps their section");
+  v.number("curl", f.curl, {.min = 0, .max = 2, .unit = "m"}, "How far it bends out of its plane");
+  v.object("skin", f.skin, "Pores and colours of the skin");
+  v.object("wave", f.wave, "Swaying in the current");
+  v.object("food", f.food, "What the branches bend toward");
+  v.object("growth", f.growth, "When it grows in the film");
+}
+
+namespace {
+
+class FanGrower final : public Described<FanParams, LoneGrower> {
+ public:
+  FanGrower() { params.skin.kind = SkinKind::fan; }
+  Errors check() const override {
+    if (params.mesh * 5 > std::min(params.across, params.height))
+      return {{"/mesh", "found meshes that are too wide for the fan; expected a fifth of its size at most"}};
+    return {};
+  }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight sight;
+    double places = 0.85 * params.across * params.height / (0.866 * params.mesh * params.mesh);
+    sight.nodes = places * (1 + params.links);
+    sight.riding = true;
+    return sight;
+  }
+  double tallest() const override { return 1.1 * params.height; }
+  Dress dress() const override {
+    Dress dress;
+    dress.look.skin = params.skin;
+    dress.motion = {params.growth, params.wave, params.food, 1};
+    dress.variation = params.skin.tint.variation;
+    return dress;
+  }
+  bool develops(bool) const override { return false; }
+  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
+  Result<Model> grow_alone(Seed seed) const override {
+    Model model;
+    model.skeleton = grow_fan(params, seed);
+    return model;
+  }
+  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
+};
+
+}  // namespace
+
+Kind<Organism> fan_kind() {
+  return make_grower<FanGrower>("fan", "A sea fan: a net in one plane that flows together to its foot");
+}
+
+}  // namespace frond

@@ -1,0 +1,133 @@
+#include "organisms/foliose/foliose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "organisms/describe_colony.h"
+#include "organisms/kinds.h"
+#include "organisms/sheet_growth.h"
+
+namespace frond {
+
+namespace {
+
+constexpr float kSunk = 0.012f;  // metres that sheets begin below the ground
+
+Margin margin_of(const FolioseParams& params) {
+  bool plate = params.form == FolioseForm::plate;
+  double reach = plate ? params.across / 2 : std::hypot(0.75 * params.across / 2, params.height);
+  return {.reach = reach,
+          .edge = params.edge,
+          .excess = params.excess,
+          .ruffle = params.ruffle,
+          .stiffness = plate ? 0.5 : 0.25,
+          .pitch = plate ? radians(8.0) : radians(55.0),
+          .light = plate ? 2.0 : 1.2,
+          .lobes = params.lobes,
+          .lobe_size = 1.2 * params.ruffle,
+          .clearance = std::max(2.4 * params.edge, 1.6 * params.thickness)};
+}
+
+/// Leaves of a whorl: inner ones begin later and stand steeper.
+std::vector<MarginStart> whorl(const FolioseParams& params, Seed seed) {
+  std::vector<MarginStart> starts;
+  double turn = seed.child("turn").range(-kPi, kPi);
+  for (int i = 0; i < params.sheets; ++i) {
+    double share = params.sheets > 1 ? static_cast<double>(i) / (params.sheets - 1) : 0;  // 0 outermost
+    Seed own = seed.child("sheet", static_cast<std::uint64_t>(i));
+    double away = params.across * (0.26 - 0.22 * share);
+    turn += radians(137.5) + own.child("turn").range(-0.3, 0.3);
+    double arc = radians(105.0 + 45.0 * share);
+    Vec3 middle(0, -kSunk, 0);
+    starts.push_back(ring_start(middle, away, turn, arc, radians(35.0 + 45.0 * share), params.edge));
+    starts.back().begins = 0.25 * share;
+    starts.back().reach = 0.95 - 0.3 * share * own.child("reach").unit() - starts.back().begins;
+  }
+  return starts;
+}
+
+/// Tiers about a foot: low ones are old and wide.
+std::vector<MarginStart> plates(const FolioseParams& params, Seed seed) {
+  std::vector<MarginStart> starts;
+  double turn = seed.child("turn").range(-kPi, kPi);
+  for (int i = 0; i < params.sheets; ++i) {
+    double share = (i + 0.35) / params.sheets;
+    Seed own = seed.child("sheet", static_cast<std::uint64_t>(i));
+    turn += radians(137.5) + own.child("turn").range(-0.5, 0.5);
+    Vec3 middle(0, static_cast<float>(0.92 * params.height * share), 0);
+    double radius = params.across * (0.10 - 0.06 * share);
+    starts.push_back(ring_start(middle, radius, turn, radians(own.child("arc").range(190, 280)),
+                                radians(10.0), params.edge));
+    starts.back().begins = 0.3 * share;
+    starts.back().reach =
+        std::min(1 - starts.back().begins, own.child("reach").range(0.6, 0.8) * (1 - 0.4 * share));
+  }
+  return starts;
+}
+
+}  // namespace
+
+Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& around, Seed seed) {
+  bool plate = params.form == FolioseForm::plate;
+  Margin law = margin_of(params);
+  MarginWorld world = margin_world(around);
+  Seed own = seed.child("sheets");
+  Sheet sheet = grow_margins(law, plate ? plates(params, own) : whorl(params, own), world, own);
+  SheetSkin skin;
+  skin.upper = skin.lower = half_thickness(params.rim, params.thickness);
+  skin.lines = params.lines;
+  skin.line = 0.011;
+  SheetBody body = body_of(sheet, skin);
+  if (plate)
+    append(body,
+           stalk_body(0.13 * params.across, 0.05 * params.across, 0.9 * params.height, seed.child("stalk")));
+  Material material = material_of(params.tissue, Matter::polyps, seed);
+  Model model;
+  model.solids.place(model.solids.add_shape(solid_of(std::move(body), material)));
+  return model;
+}
+
+inline constexpr Choice<FolioseForm> kFolioseForms[] = {
+    {"whorl", FolioseForm::whorl, "one round another, rising, as the leaves of a lettuce"},
+    {"plate", FolioseForm::plate, "level, one above another"}};
+
+template <class Visitor>
+void describe(Visitor& v, FolioseParams& f) {
+  v.choice("form", f.form, kFolioseForms, "How its sheets stand");
+  v.number("across", f.across, {.min = 0.03, .max = 5, .unit = "m"}, "How wide it comes to be");
+  v.number("height", f.height, {.min = 0.02, .max = 5, .unit = "m"}, "How high it comes to be");
+  v.integer("sheets", f.sheets, {.min = 1, .max = 40}, "Number of sheets");
+  v.number("excess", f.excess, {.min = 1, .max = 20},
+           "How many times longer the rim comes to be than that of a flat sheet: 1 flat, 3 much ruffled");
+  v.number("ruffle", f.ruffle, {.min = 0.005, .max = 5, .unit = "m"}, "About the distance from fold to fold");
+  v.number("lobes", f.lobes, {.min = 0, .max = 1}, "How uneven its outline is");
+  v.number("thickness", f.thickness, {.min = 0.0005, .max = 0.5, .unit = "m"}, "Thickness where it is old");
+  v.number("rim", f.rim, {.min = 0.0005, .max = 0.5, .unit = "m"}, "Thickness at its rim");
+  v.number("lines", f.lines, {.min = 0, .max = 0.05, .unit = "m"}, "Height of its growth lines");
+  v.number("edge", f.edge, {.min = 0.001, .max = 0.2, .unit = "m"}, "Length of the sides of its triangles");
+  v.object("tissue", f.tissue, "The living skin");
+  v.object("growth", f.growth, "When it grows in the film");
+}
+
+namespace {
+
+class FolioseGrower final : public RimGrower<FolioseParams> {
+ public:
+  Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  Result<Foresight> foresee(Seed) const override {
+    double area =
+        0.5 * params.sheets * params.across * (params.across / 2 + params.height) * std::sqrt(params.excess);
+    return foreseen(area, params.edge);
+  }
+  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
+    return grow_foliose(params, around, seed);
+  }
+};
+
+}  // namespace
+
+Kind<Organism> foliose_kind() {
+  return make_grower<FolioseGrower>("foliose", "A leafy coral: ruffled sheets or tiers of plates");
+}
+
+}  // namespace frond

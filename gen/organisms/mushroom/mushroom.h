@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/result.h"
+#include "model/model.h"
+#include "motion/motion.h"
+#include "organisms/colony.h"
+#include "organisms/tissue_look.h"
+
+namespace frond {
+
+/// A mushroom coral: one large polyp, an oval dome of radial septa that lies loose.
+struct MushroomParams {
+  double across = 0.16;   ///< metres, along it
+  double height = 0.036;  ///< metres
+  double oval = 0.75;     ///< its width by its length
+  int septa = 36;         ///< of the first order
+  double depth = 0.006;   ///< metres, of the valleys between septa
+  TissueLook tissue;
+  Growth growth;
+};
+
+Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings& around, Seed seed);
+
+}  // namespace frond

@@ -1,0 +1,100 @@
+#include "organisms/sheet_growth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/noise.h"
+
+namespace frond {
+
+MarginWorld margin_world(const Surroundings& around) {
+  MarginWorld world;
+  world.room = [&around](Vec3 at, float within) { return around.room(at, within); };
+  return world;
+}
+
+std::function<float(std::uint32_t, float)> half_thickness(double young, double old) {
+  auto from = static_cast<float>(young / 2), to = static_cast<float>(old / 2);
+  return [=](std::uint32_t, float age) { return from + (to - from) * std::sqrt(std::min(age, 1.0f)); };
+}
+
+MarginStart ring_start(Vec3 middle, double radius, double turn, double arc, double pitch, double edge) {
+  MarginStart start;
+  start.closed = arc > 2 * kPi - 1e-6;
+  start.from_middle = static_cast<float>(radius);
+  int parts = std::max(start.closed ? 9 : 4, static_cast<int>(std::ceil(arc * radius / edge)));
+  for (int i = 0; i < parts + (start.closed ? 0 : 1); ++i) {
+    // Against the clock from above, so that the upper side is up.
+    double angle = turn - arc * (static_cast<double>(i) / parts - 0.5);
+    Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
+    start.rim.push_back(middle + out * static_cast<float>(radius));
+    start.heading.push_back(out * static_cast<float>(std::cos(pitch)) +
+                            Vec3(0, static_cast<float>(std::sin(pitch)), 0));
+  }
+  return start;
+}
+
+SheetBody stalk_body(double foot, double top, double height, Seed seed) {
+  constexpr int kRound = 28, kRings = 18;
+  SheetBody body;
+  Vec3 lot(static_cast<float>(seed.child("lot").range(-99, 99)), 0, 0);
+  std::vector<float> birth;
+  for (int j = 0; j <= kRings; ++j)
+    for (int i = 0; i < kRound; ++i) {
+      double share = static_cast<double>(j) / kRings, angle = 2 * kPi * i / kRound;
+      double radius = top + (foot - top) * (1 - share) * (1 - share);
+      if (j == kRings) radius *= 0.5;
+      Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
+      Vec3 at =
+          out * static_cast<float>(radius) + Vec3(0, static_cast<float>((height + 0.02) * share - 0.02), 0);
+      at += out *
+            static_cast<float>(0.25 * radius * fractal_noise(at * static_cast<float>(1.5 / foot) + lot, 3));
+      body.surface.position.push_back(at);
+      body.surface.uv.push_back({0.4f, static_cast<float>(0.7 * share)});
+    }
+  auto id = [&](int j, int i) { return static_cast<std::uint32_t>(j * kRound + i % kRound); };
+  for (int j = 0; j < kRings; ++j)
+    for (int i = 0; i < kRound; ++i) {
+      body.surface.triangle.push_back({id(j, i), id(j + 1, i), id(j, i + 1)});
+      body.surface.triangle.push_back({id(j, i + 1), id(j + 1, i), id(j + 1, i + 1)});
+    }
+  for (int i = 1; i + 1 < kRound; ++i) {
+    body.surface.triangle.push_back({id(0, 0), id(0, i), id(0, i + 1)});
+    body.surface.triangle.push_back({id(kRings, 0), id(kRings, i + 1), id(kRings, i)});
+  }
+  set_normals(body.surface);
+  for (int k = 0; k < kSheetSteps; ++k) {
+    float size = 0.04f + 0.96f * smooth_step(0.0f, 0.6f, static_cast<float>(k) / kSheetSteps);
+    std::vector<Vec3>& then = body.past.emplace_back();
+    for (Vec3 p : body.surface.position) then.push_back(p * size);
+  }
+  return body;
+}
+
+void append(SheetBody& to, const SheetBody& more) {
+  append(to.surface, more.surface);
+  for (std::size_t k = 0; k < to.past.size(); ++k)
+    to.past[k].insert(to.past[k].end(), more.past[k].begin(), more.past[k].end());
+}
+
+Errors check_edge(double edge, double across, double parts) {
+  if (edge * parts <= across) return {};
+  return {{"/edge", "found triangles that are too large for what is to grow; expected smaller ones"}};
+}
+
+Foresight foreseen(double area, double edge) {
+  Foresight sight;
+  sight.triangles = 3 * area / (edge * edge);
+  sight.blocks = 1;
+  return sight;
+}
+
+Solid solid_of(SheetBody body, const Material& material) {
+  Solid solid;
+  solid.surface = std::move(body.surface);
+  solid.past = std::move(body.past);
+  solid.material = material;
+  return solid;
+}
+
+}  // namespace frond

@@ -1,0 +1,190 @@
+#include "organisms/table/table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "accretion/rim_grid.h"
+#include "core/noise.h"
+#include "organisms/describe_colony.h"
+#include "organisms/kinds.h"
+#include "organisms/sheet_growth.h"
+
+namespace frond {
+
+namespace {
+
+SheetBody table_top(const Sheet& sheet, const TableParams& params) {
+  auto thick = static_cast<float>(params.thickness / 2), wide = static_cast<float>(params.stalk);
+  auto high = static_cast<float>(params.height - params.branchlet);
+  SheetSkin skin;
+  skin.plumb = true;
+  skin.sprout = 0.4;
+  skin.upper = [=](std::uint32_t, float) { return thick; };
+  skin.lower = [&sheet, thick, wide, high](std::uint32_t v, float age) {
+    float share = 2 * sheet.way[v] / wide;
+    float stalk = (high + 0.02f) * std::min(1.0f, 1.3f / (1 + share * share * share));
+    return thick + stalk * smooth_step(0.0f, 0.12f, age);
+  };
+  return body_of(sheet, skin);
+}
+
+/// Places for branchlets on the upper side: a triangle of the sheet and where in it.
+struct Socket {
+  std::uint32_t triangle;
+  Vec3 weights;
+};
+
+std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) {
+  constexpr int kDarts = 5;  // at each triangle
+  std::vector<Socket> sockets;
+  std::vector<Vec3> places;
+  auto apart = static_cast<float>(spacing);
+  RimGrid grid(apart);
+  for (std::uint64_t dart = 0; dart < kDarts; ++dart)
+    for (std::uint32_t t = 0; t < sheet.triangle.size(); ++t) {
+      Seed lot = seed.child(dart).child(t);
+      double root = std::sqrt(lot.child("u").unit()), side = lot.child("v").unit();
+      Vec3 w(static_cast<float>(1 - root), static_cast<float>(root * (1 - side)),
+             static_cast<float>(root * side));
+      auto [a, b, c] = sheet.triangle[t];
+      Vec3 at = sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z;
+      bool free = true;
+      grid.each(at, [&](std::uint32_t who) { free = free && glm::distance(places[who], at) >= apart; });
+      if (!free) continue;
+      grid.add(at, static_cast<std::uint32_t>(places.size()));
+      places.push_back(at);
+      sockets.push_back({t, w});
+    }
+  return sockets;
+}
+
+/// The lawn of branchlets on the table, each with its past.
+SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& params, Seed seed) {
+  constexpr int kSides = 6, kRings = 4;
+  static constexpr float kProfile[kRings] = {1.0f, 0.95f, 0.8f, 0.5f},
+                         kRise[kRings] = {0, 0.4f, 0.75f, 0.94f};
+  SheetBody lawn;
+  lawn.past.resize(kSheetSteps);
+  std::vector<Socket> sockets = draw_sockets(sheet, params.spacing, seed);
+  auto rows = static_cast<float>(sheet.rows);
+  float reach = static_cast<float>(params.across / 2);
+  for (std::size_t s = 0; s < sockets.size(); ++s) {
+    Seed own = seed.child("branchlet", s);
+    auto [t, w] = sockets[s];
+    auto corner = sheet.triangle[t];
+    auto place = [&](const std::vector<Vec3>& side) {
+      return side[corner[0]] * w.x + side[corner[1]] * w.y + side[corner[2]] * w.z;
+    };
+    float row = sheet.row[corner[0]] * w.x + sheet.row[corner[1]] * w.y + sheet.row[corner[2]] * w.z;
+    Vec3 foot = place(top.surface.position);
+    Vec3 out(foot.x, 0, foot.z);
+    float away = glm::length(out) / reach;
+    Vec3 lean(static_cast<float>(own.child("x").range(-0.25, 0.25)), 0,
+              static_cast<float>(own.child("z").range(-0.25, 0.25)));
+    Vec3 up =
+        glm::normalize(Vec3(0, 1, 0) + lean + out / reach * (0.15f + 0.9f * smooth_step(0.75f, 0.95f, away)));
+    Vec3 x = glm::normalize(glm::cross(up, Vec3(0.3f, 0.1f, 1)));
+    Vec3 z = glm::cross(up, x);
+    auto length = static_cast<float>(params.branchlet * own.child("length").range(0.65, 1.05));
+    auto thick = static_cast<float>(params.spacing * own.child("thick").range(0.27, 0.36));
+    auto first = static_cast<std::uint32_t>(lawn.surface.position.size());
+    float birth = std::min(row / rows, 0.8f);
+    auto put = [&](Vec3 at, float share) {
+      lawn.surface.position.push_back(at);
+      lawn.surface.uv.push_back({0.3f + 0.7f * share, std::max(birth, 0.98f * share * share)});
+    };
+    for (int j = 0; j < kRings; ++j)
+      for (int i = 0; i < kSides; ++i) {
+        auto angle = static_cast<float>(2 * kPi * i / kSides);
+        put(foot + up * (length * kRise[j]) +
+                (x * std::cos(angle) + z * std::sin(angle)) * (thick * kProfile[j]),
+            kRise[j]);
+      }
+    put(foot + up * length, 1);
+    put(foot - up * 0.002f, 0);
+    auto id = [&](int j, int i) { return first + static_cast<std::uint32_t>(j * kSides + i % kSides); };
+    std::uint32_t tip = first + kRings * kSides;
+    for (int i = 0; i < kSides; ++i) {
+      for (int j = 0; j + 1 < kRings; ++j) {
+        lawn.surface.triangle.push_back({id(j, i), id(j + 1, i), id(j, i + 1)});
+        lawn.surface.triangle.push_back({id(j, i + 1), id(j + 1, i), id(j + 1, i + 1)});
+      }
+      lawn.surface.triangle.push_back({id(kRings - 1, i), tip, id(kRings - 1, i + 1)});
+      lawn.surface.triangle.push_back({id(0, i + 1), tip + 1, id(0, i)});
+    }
+    for (int k = 0; k < kSheetSteps; ++k) {
+      Vec3 now = place(top.past[static_cast<std::size_t>(k)]);
+      float share = static_cast<float>(k) / kSheetSteps;
+      float size =
+          std::max(0.02f, smooth_step(row / rows, row / rows + 0.25f * (1.02f - row / rows) + 0.1f, share));
+      for (std::uint32_t v = first; v < tip + 2; ++v)
+        lawn.past[static_cast<std::size_t>(k)].push_back(now + (lawn.surface.position[v] - foot) * size);
+    }
+  }
+  set_normals(lawn.surface);
+  return lawn;
+}
+
+}  // namespace
+
+Result<Model> grow_table(const TableParams& params, const Surroundings& around, Seed seed) {
+  Margin law{.reach = params.across / 2 - 2 * params.edge,
+             .edge = params.edge,
+             .stiffness = 1,
+             .pitch = radians(4.0),
+             .light = 5,
+             .lobes = params.lobes,
+             .lobe_size = 0.16 * params.across,
+             .clearance = 2.5 * params.edge};
+  Vec3 middle(0, static_cast<float>(params.height - params.branchlet), 0);
+  MarginStart start = ring_start(middle, 2 * params.edge, 0, 2 * kPi, 0, params.edge);
+  start.filled = true;
+  MarginWorld world = margin_world(around);
+  Sheet sheet = grow_margins(law, {start}, world, seed.child("sheet"));
+  SheetBody body = table_top(sheet, params);
+  append(body, lawn_of(sheet, body, params, seed.child("lawn")));
+  Model model;
+  model.solids.place(
+      model.solids.add_shape(solid_of(std::move(body), material_of(params.tissue, Matter::polyps, seed))));
+  return model;
+}
+
+template <class Visitor>
+void describe(Visitor& v, TableParams& p) {
+  v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
+  v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
+  v.number("stalk", p.stalk, {.min = 0.005, .max = 2, .unit = "m"}, "How wide its stalk is");
+  v.number("lobes", p.lobes, {.min = 0, .max = 1}, "How uneven its outline is");
+  v.number("thickness", p.thickness, {.min = 0.001, .max = 0.5, .unit = "m"},
+           "Thickness of the table at its rim");
+  v.number("branchlet", p.branchlet, {.min = 0.001, .max = 0.5, .unit = "m"}, "Length of the branchlets");
+  v.number("spacing", p.spacing, {.min = 0.002, .max = 0.5, .unit = "m"},
+           "Distance from one branchlet to the next");
+  v.number("edge", p.edge, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Length of the sides of its triangles");
+  v.object("tissue", p.tissue, "The living skin");
+  v.object("growth", p.growth, "When it grows in the film");
+}
+
+namespace {
+
+class TableGrower final : public RimGrower<TableParams> {
+ public:
+  Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  Result<Foresight> foresee(Seed) const override {
+    Foresight sight = foreseen(0.8 * params.across * params.across, params.edge);
+    sight.triangles += 40 * params.across * params.across / (params.spacing * params.spacing);
+    return sight;
+  }
+  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
+    return grow_table(params, around, seed);
+  }
+};
+
+}  // namespace
+
+Kind<Organism> table_kind() {
+  return make_grower<TableGrower>("table",
+                                  "A table coral: a level disc on a stalk, a lawn of branchlets on it");
+}
+
+}  // namespace frond

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/result.h"
+#include "model/model.h"
+#include "motion/motion.h"
+#include "organisms/colony.h"
+#include "organisms/tissue_look.h"
+
+namespace frond {
+
+/// A table coral: a level disc on a short stalk, on it a lawn of short branches.
+struct TableParams {
+  double across = 0.7;       ///< metres
+  double height = 0.24;      ///< metres
+  double stalk = 0.16;       ///< metres, how wide its stalk is
+  double lobes = 0.55;       ///< see Margin
+  double thickness = 0.010;  ///< metres, of the table at its rim
+  double branchlet = 0.03;   ///< metres, length of branchlets
+  double spacing = 0.012;    ///< metres from one branchlet to the next
+  double edge = 0.012;       ///< metres, of triangles
+  TissueLook tissue;
+  Growth growth;
+};
+
+Result<Model> grow_table(const TableParams& params, const Surroundings& around, Seed seed);
+
+}  // namespace frond
