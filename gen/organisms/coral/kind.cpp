@@ -1,7 +1,7 @@
 #include "dress/describe.h"
 #include "organisms/colony.h"
+#include "organisms/colony_room.h"
 #include "organisms/coral/coral.h"
-#include "organisms/coral/room.h"
 #include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"

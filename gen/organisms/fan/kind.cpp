@@ -1,4 +1,6 @@
 #include "dress/describe.h"
+#include "organisms/colony.h"
+#include "organisms/colony_room.h"
 #include "organisms/fan/fan.h"
 #include "organisms/kinds.h"
 
@@ -24,7 +26,7 @@ void describe(Visitor& v, FanParams& f) {
 
 namespace {
 
-class FanGrower final : public Described<FanParams, LoneGrower> {
+class FanGrower final : public Described<FanParams, ColonyGrower> {
  public:
   FanGrower() { params.skin.kind = SkinKind::fan; }
   Errors check() const override {
@@ -47,14 +49,15 @@ class FanGrower final : public Described<FanParams, LoneGrower> {
     dress.variation = params.skin.tint.variation;
     return dress;
   }
-  bool develops(bool) const override { return false; }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  Result<Model> grow_alone(Seed seed) const override {
+  std::optional<Spread> spread() const override {
+    return Spread{static_cast<float>(params.across / 2), static_cast<float>(params.height)};
+  }
+  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
     Model model;
     model.skeleton = grow_fan(params, seed);
+    keep_to_room(model.skeleton, around);
     return model;
   }
-  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "organisms/coral/room.h"
+#include "organisms/colony_room.h"
 
 #include <algorithm>
 #include <cmath>
