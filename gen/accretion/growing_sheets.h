@@ -23,6 +23,7 @@ struct GrowingRim {
   std::vector<Vec3> heading{};
   std::vector<float> pace{};  // 1 full speed, 0 dead
   bool closed = false;
+  bool tube = false;  // closed, and nothing within
   std::uint32_t sheet = 0;
   int first = 0, last = 0;  // rows
 

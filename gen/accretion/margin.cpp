@@ -24,6 +24,7 @@ std::uint32_t GrowingSheets::add(Vec3 at, std::array<std::uint32_t, 2> parents, 
 
 void GrowingSheets::start(const MarginStart& start, std::uint32_t sheet) {
   GrowingRim rim{.closed = start.closed, .sheet = sheet};
+  rim.tube = start.closed && !start.filled;
   rim.first = static_cast<int>(start.begins * sheet_.rows);
   rim.last = std::min(sheet_.rows, rim.first + static_cast<int>(start.reach * sheet_.rows));
   auto row = static_cast<float>(rim.first);
@@ -214,6 +215,9 @@ void GrowingSheets::relax(const GrowingRim& rim) {
 void GrowingSheets::advance(GrowingRim& rim, int row) {
   // The first row is whole, or sheets would hang by single vertices.
   if (row > rim.first) set_paces(rim);
+  // A tube that is hindered stops as a whole, or it would go on as a flap.
+  if (rim.tube && std::ranges::count(rim.pace, 0.0f) * 8 > std::ssize(rim.pace))
+    std::ranges::fill(rim.pace, 0.0f);
   if (std::ranges::all_of(rim.pace, [](float p) { return p == 0; })) return;
   aim(rim);
   for (std::size_t i = 0; i < rim.size(); ++i) seat_[rim.vertex[i]] = static_cast<std::uint32_t>(i);

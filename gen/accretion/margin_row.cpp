@@ -37,7 +37,8 @@ void GrowingSheets::stop_what_collides(GrowingRim& rim) {
 void GrowingSheets::lay(GrowingRim& rim, int row) {
   auto& triangles = sheet_.triangle;
   std::size_t count = rim.size(), gaps = rim.closed ? count : count - 1;
-  GrowingRim after{.closed = rim.closed, .sheet = rim.sheet, .first = rim.first, .last = rim.last};
+  GrowingRim after{
+      .closed = rim.closed, .tube = rim.tube, .sheet = rim.sheet, .first = rim.first, .last = rim.last};
   auto put = [&](std::uint32_t v, Vec3 heading, float pace) {
     after.vertex.push_back(v), after.heading.push_back(heading), after.pace.push_back(pace);
   };

@@ -23,7 +23,7 @@ std::vector<MarginStart> tube_starts(const TubeParams& params, Seed seed) {
     double share = params.tubes > 1 ? std::sqrt((i + 0.5) / params.tubes) : 0, angle = radians(137.508) * i;
     Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
     Vec3 lean =
-        Vec3(0, 1, 0) + out * static_cast<float>(1.6 * outward * share * own.child("lean").range(0.7, 1.2));
+        Vec3(0, 1, 0) + out * static_cast<float>(1.6 * outward * share * own.child("lean").range(0.9, 1.1));
     double radius = params.radius * own.child("radius").range(0.75, 1.0);
     MarginStart start = ring_start(out * static_cast<float>(around * share) - Vec3(0, 0.012f, 0), radius,
                                    angle, 2 * kPi, kPi / 2 - params.bulge, params.edge);
