@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/noise.h"
 #include "core/parallel.h"
 
 namespace frond {
@@ -57,8 +58,12 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
   auto spread_a = static_cast<float>(2 * second), spread_b = static_cast<float>(second);
   auto feed = static_cast<float>(reaction.feed), kill = static_cast<float>(reaction.kill);
   std::vector<float> a(count), b(count), next_a(count), next_b(count);
+  auto frequency = static_cast<float>(1.6 / reaction.wave);
+  Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
+             static_cast<float>(seed.child("y").range(-99, 99)), 0);
   for (std::size_t v = 0; v < count; ++v) {
-    bool drop = seed.child(v / 7).unit() < 0.16;
+    // Drops as wide as what is to come of them.
+    bool drop = noise(surface.position[v] * frequency + shift) > 0.25;
     a[v] = drop ? 0.5f : 1.0f;
     b[v] = drop ? 0.25f + 0.1f * static_cast<float>(seed.child("b", v).unit()) : 0.0f;
   }

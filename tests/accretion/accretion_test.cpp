@@ -83,10 +83,10 @@ TEST(Reaction, RidgesComeAsOftenAsAsked) {
   Accretion dome = small();
   dome.hunger = 0, dome.lumps = 0;
   Accreted skin = accrete(dome, {}, Seed{8});
-  refine(skin, 2);
+  refine(skin, 1);
   EXPECT_EQ(body_of(skin.surface).loose, 0u);
   auto walls = [&](double wave) {  // edges between valley and ridge
-    std::vector<float> tone = react(skin.surface, {.wave = wave}, Seed{9});
+    std::vector<float> tone = react(skin.surface, {.wave = wave, .steps = 1500}, Seed{9});
     EXPECT_LE(*std::ranges::max_element(tone), 1);
     EXPECT_GE(*std::ranges::min_element(tone), 0);
     std::size_t count = 0;
@@ -95,7 +95,7 @@ TEST(Reaction, RidgesComeAsOftenAsAsked) {
     return static_cast<double>(count);
   };
   // Half the wave, twice as much wall.
-  EXPECT_NEAR(walls(0.014) / walls(0.028), 2, 0.5);
+  EXPECT_NEAR(walls(0.02) / walls(0.04), 2, 0.5);
 }
 
 }  // namespace

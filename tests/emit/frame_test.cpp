@@ -78,7 +78,7 @@ TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
   EXPECT_LT(exposure_time(film, camera, film.frames, 4), film.length()) << "never past the end of the film";
   EXPECT_NE(exposed(3, 2).find("0003_s2 "), std::string::npos);
   EXPECT_NE(exposed(3, 1).find(
-                "0003 0.354167 +FN16; exposure 1 of 4; then frond develop --highlights 0 --contrast 1|"),
+                "0003 0.34375 +FN16; exposure 1 of 4; then frond develop --highlights 0 --contrast 1|"),
             std::string::npos)
       << exposed(3, 1).substr(0, 120);
   EXPECT_NE(exposed(3, 4).find(" +FN16; exposure 4 of 4|"), std::string::npos);
@@ -89,7 +89,8 @@ TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
 
 TEST(Frame, AFilmThatLoopsDoesSoWithItsExposures) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
-  for (Specimen& s : scene.specimens) s.motion.growth = {}, s.motion.food.strength = 0;
+  for (Specimen& s : scene.specimens)
+    s.motion.growth = {}, s.motion.food.strength = 0, s.motion.wave.speed = 1;
   Camera& camera = scene.stage.camera;
   camera.location = Animated<Vec3>(Vec3(0, 0.6, 2.2));
   camera.shutter = 1, camera.shutter_samples = 2;

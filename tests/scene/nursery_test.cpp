@@ -57,7 +57,7 @@ TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
 TEST(Nursery, GrowsOnlyWhatWasChanged) {
   Nursery nursery;
   grown_with(preset_with("presets/thicket.json"), &nursery);
-  Preset other = preset_with("presets/thicket.json", {"/organisms/2/pitch=40"});
+  Preset other = preset_with("presets/thicket.json", {"/organisms/2/thickness/knob=2"});
   Scene changed = grown_with(other, &nursery);
   EXPECT_EQ(changed.grown, std::vector<std::size_t>{2});
   expect_same(grown_with(other, nullptr), changed);
