@@ -185,11 +185,16 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
   for (std::size_t i = 0; organisms && i < organisms->items.size(); ++i) {
     Value& organism = organisms->items[i];
     const Value* species = organism.find("species");
-    if (!species || !species->is(Value::Type::text) || species->text.empty()) continue;
+    if (!species) continue;
     auto fault = [&](std::string what) {
       errors.push_back(
           Fault{species->origin, fmt::format("/organisms/{}/species", i), std::move(what)}.error());
     };
+    if (!species->is(Value::Type::text)) {
+      fault(fmt::format("found {}; expected a text", found_text(*species)));
+      continue;
+    }
+    if (species->text.empty()) continue;
     Result<NamedFile> file = assets.read(species->text, std::filesystem::path(file_name).parent_path());
     if (!file) {
       fault(file.errors().front().what);

@@ -89,5 +89,18 @@ TEST(Colonies, ABodyThatIsMissingIsNamed) {
       << preset.errors()[0].text();
 }
 
+TEST(Colonies, ASpeciesIsLaidUnderAnEntry) {
+  Result<Preset> preset = read_preset(R"({"seed": 5, "scene": {"setting": "underwater"}, "organisms": [
+      {"species": "presets/species/corals/brain.json", "count": 3, "across": 0.2}]})",
+                                      "colonies", {});
+  ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
+  const Organism& brain = preset->organisms[0];
+  EXPECT_EQ(brain.name, "brain");
+  EXPECT_EQ(brain.count, 3);
+  EXPECT_TRUE(brain.place.at.empty()) << "where it stands is no matter of the species";
+  EXPECT_NEAR(brain.grower->spread()->across, 0.1, 1e-6) << "its own";
+  EXPECT_NEAR(brain.grower->spread()->up, 0.21, 1e-6) << "that of the species";
+}
+
 }  // namespace
 }  // namespace frond

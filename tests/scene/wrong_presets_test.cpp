@@ -250,6 +250,30 @@ const WrongPreset kWrongValues[] = {
       "width, "
       "toward, snow, woods, rock, seed",
       "3:52: /organisms/0/coat/furrow: found -1; expected a number from 0 to 2"}},
+    {"What is said of colonies",
+     R"({"organisms": [{"kind": "massive", "valley": 2, "relief": "cup"},
+  {"kind": "massive", "place": {"upright": 2, "on": "ledge"}}]})",
+     {},
+     {"1:46: /organisms/0/valley: found 2; expected a number from 0.002 to 1 m",
+      "1:59: /organisms/0/relief: found the text \"cup\"; expected one of meander, cups, plain; did you mean "
+      "\"cups\"?",
+      "2:44: /organisms/1/place/upright: found 2; expected a number from 0 to 1",
+      "2:53: /organisms/1/place/on: found the text \"ledge\"; expected a list"}},
+    {"Colonies that cannot grow",
+     R"({"organisms": [{"kind": "massive", "edge": 0.1},
+  {"kind": "columnar", "accretion": {"edge": 0.2}},
+  {"kind": "fan", "name": "fan", "place": {"on": ["rock"]}}]})",
+     {},
+     {"1:44: /organisms/0/edge: found triangles that are too large for the coral; expected an eighth of its "
+      "size at most",
+      "2:46: /organisms/1/accretion/edge: found triangles that are too large for the coral; expected a sixth "
+      "of "
+      "its size at most",
+      "3:51: /organisms/2/place/on/0: no organism \"rock\" to grow on; expected fan"}},
+    {"A species that is no text",
+     R"({"organisms": [{"species": 3}]})",
+     {},
+     {"1:28: /organisms/0/species: found 3; expected a text"}},
     {"Directions of length 0",
      R"({"scene": {"water": {"sun": [0, 0, 0]},
   "meadow": {"sun": [0, 0, 0]},
