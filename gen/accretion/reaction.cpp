@@ -62,8 +62,8 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
   Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
              static_cast<float>(seed.child("y").range(-99, 99)), 0);
   for (std::size_t v = 0; v < count; ++v) {
-    // Drops as wide as what is to come of them.
-    bool drop = noise(surface.position[v] * frequency + shift) > 0.25;
+    bool drop = reaction.fine ? seed.child(v / 7).unit() < 0.16
+                              : noise(surface.position[v] * frequency + shift) > 0.25;
     a[v] = drop ? 0.5f : 1.0f;
     b[v] = drop ? 0.25f + 0.1f * static_cast<float>(seed.child("b", v).unit()) : 0.0f;
   }

@@ -14,6 +14,7 @@ struct Reaction {
   double kill = 0.062;
   double wave = 0.02;  ///< metres from ridge to ridge, > 0
   int steps = 2600;
+  bool fine = false;  ///< whether it begins as many small drops, as cups need, or in drops as wide as a wave
 };
 
 /// The second substance at each vertex, 0 in valleys .. 1 on ridges, of a closed mesh whose edges are about

@@ -28,7 +28,7 @@ Accretion law_of(const MassiveParams& params) {
 
 Reaction reaction_of(const MassiveParams& params) {
   if (params.relief == Wrought::cups)
-    return {.feed = 0.030, .kill = 0.0615, .wave = params.valley, .steps = 1800};
+    return {.feed = 0.030, .kill = 0.0615, .wave = params.valley, .steps = 2400, .fine = true};
   return {.feed = 0.055, .kill = 0.062, .wave = params.valley, .steps = 1800};
 }
 
