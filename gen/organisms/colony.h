@@ -17,7 +17,7 @@ namespace frond {
 class Surroundings {
  public:
   Surroundings() = default;  ///< nothing near
-  Surroundings(const World& world, std::size_t claim, Vec3 foot, Quat turn, float size);
+  Surroundings(const World& world, std::size_t claim, const Stance& stance);
 
   /// Metres to the border of its territory and to the bodies that stand, the nearer of them, at least; less
   /// than 0 beyond. `within`: farther bodies do not count.
@@ -30,19 +30,15 @@ class Surroundings {
     Vec3 at{0}, normal{0, 1, 0};
   };
   Hold hold(Vec3 at, float within) const;
-  /// How high a place lies above the ground, metres.
-  float above_ground(Vec3 at) const;
 
  private:
-  Vec3 outside(Vec3 at) const { return foot_ + turn_ * (at * size_); }
-  Vec3 inside(Vec3 at) const { return (glm::conjugate(turn_) * (at - foot_)) / size_; }
+  Vec3 outside(Vec3 at) const { return stance_.foot + stance_.turn * (at * stance_.size); }
+  Vec3 inside(Vec3 at) const { return (glm::conjugate(stance_.turn) * (at - stance_.foot)) / stance_.size; }
 
   const World* world_ = nullptr;
   std::shared_ptr<const Host> host_;
   std::size_t claim_ = SIZE_MAX;
-  Vec3 foot_{0};
-  Quat turn_{1, 0, 0, 0};
-  float size_ = 1;
+  Stance stance_;
 };
 
 /// What fights for space with its like.
@@ -56,8 +52,28 @@ class ColonyGrower : public LoneGrower {
   std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
   bool develops(bool) const override { return false; }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
-                                     const Step& step) const override;
+  Result<Model> grow_standing(const World& world, const Planting& planting, const Stance& stance,
+                              Seed seed) const final {
+    return grow_at(Surroundings(world, planting.claim, stance), seed);
+  }
 };
+
+/// A colony that is a body; its parameters have `across`, `height` and `growth`.
+template <class Params>
+class BodyColony : public Described<Params, ColonyGrower> {
+ public:
+  double tallest() const override { return this->params.height; }
+  Dress dress() const override {
+    Dress dress;
+    dress.motion.growth = this->params.growth;
+    return dress;
+  }
+  std::optional<Spread> spread() const override {
+    return Spread{static_cast<float>(this->params.across / 2), static_cast<float>(this->params.height)};
+  }
+};
+
+/// A body of one living skin, with where its vertices were before, see Solid::past.
+Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material);
 
 }  // namespace frond

@@ -16,15 +16,19 @@ float depth_of(const Model& model) {
   return std::min(model.skeleton.radius[0], 0.1f * model.skeleton.longest());
 }
 
-Stance stance_of(const Bed& bed, const Planting& planting, const Model& model) {
-  const Place& place = bed.organism->place;
-  Stance stance;
-  stance.size = size_of(*bed.organism, planting.seed);
+Quat yaw_of(const Organism& organism, const Planting& planting) {
+  const Place& place = organism.place;
   double turn = place.turn + place.turn_variation * planting.seed.child("turn").range(-1, 1);
-  Quat yaw = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0));
-  stance.turn = model.solids.follow_ground ? yaw : lean_of(*bed.organism, planting.seed) * yaw;
-  stance.foot = planting.foot - Vec3(0, place.raise > 0 ? 0 : depth_of(model) * stance.size, 0);
-  return stance;
+  return glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0));
+}
+
+/// On a slope as upright as `place` says, and leaning.
+Stance stance_of(const Organism& organism, const Planting& planting) {
+  Vec3 up = glm::mix(planting.normal, Vec3(0, 1, 0), static_cast<float>(organism.place.upright));
+  bool slopes = planting.normal != Vec3(0, 1, 0) && glm::dot(up, up) > 1e-6f;
+  Quat slope = slopes ? Quat(Vec3(0, 1, 0), glm::normalize(up)) : Quat(1, 0, 0, 0);
+  return {planting.foot, lean_of(organism, planting.seed) * slope * yaw_of(organism, planting),
+          size_of(organism, planting.seed)};
 }
 
 void follow_ground(Solids& solids, const World& world, float foot_height) {
@@ -78,13 +82,16 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
   auto grow_one = [&](const Task& task) -> Result<Specimen> {
     const auto& [bed, planting, dress] = task;
     const auto& grower = static_cast<const LoneGrower&>(*bed.organism->grower);
+    const Organism& organism = *bed.organism;
     Seed seed = planting.seed.child("grow");
-    Result<Model> model = grower.grow_alone(seed);
+    Stance stance = stance_of(organism, planting);
+    Result<Model> model = grower.grow_standing(world, planting, stance, seed);
     if (!model) return model.errors();
-    Stance stance = stance_of(bed, planting, *model);
-    Specimen specimen{{bed.organism->name, bed.entry}, std::move(*model)};
+    if (model->solids.follow_ground) stance.turn = yaw_of(organism, planting);
+    if (organism.place.raise <= 0) stance.foot.y -= grower.copy_depth(*model) * stance.size;
+    Specimen specimen{{organism.name, bed.entry}, std::move(*model)};
     put(specimen.model, stance.foot, stance.turn, stance.size);
-    if (specimen.model.solids.follow_ground && bed.organism->place.raise == 0)
+    if (specimen.model.solids.follow_ground && organism.place.raise == 0)
       follow_ground(specimen.model.solids, world, planting.foot.y);
     put_on(specimen, *dress, world, planting.seed);
     if (auto develop = grower.develop(specimen.motion, seed))

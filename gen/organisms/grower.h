@@ -52,6 +52,13 @@ struct Planting {
   std::size_t claim = SIZE_MAX;  ///< its own in the territories of the world, where it has one
 };
 
+/// Where one is put, how it is turned and its size as a factor.
+struct Stance {
+  Vec3 foot{0};
+  Quat turn{1, 0, 0, 0};
+  float size = 1;
+};
+
 /// How far one would spread from its foot if it were alone, metres.
 struct Spread {
   float across = 0.2f, up = 0.2f;
@@ -133,6 +140,10 @@ class LoneGrower : public Grower {
  public:
   /// Grows one, upright, its foot at the origin.
   virtual Result<Model> grow_alone(Seed seed) const = 0;
+  /// The same where it stands: another shape only for those that heed what is round them.
+  virtual Result<Model> grow_standing(const World&, const Planting&, const Stance&, Seed seed) const {
+    return grow_alone(seed);
+  }
   /// What gives the same at a time of a film, fully revealed, see Life; empty: it is merely revealed.
   virtual std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const = 0;
 
@@ -172,13 +183,6 @@ double reach_of(const Organism& organism);
 
 /// Gives a specimen that stands in its place what it wears, with what differs from one to the next.
 void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed);
-
-/// Where one is put, how it is turned and its size as a factor.
-struct Stance {
-  Vec3 foot{0};
-  Quat turn{1, 0, 0, 0};
-  float size = 1;
-};
 
 /// The lean that `place` asks of a planting, and its size as a factor.
 Quat lean_of(const Organism& organism, Seed planting);

@@ -89,12 +89,8 @@ Foresight foreseen(double area, double edge) {
   return sight;
 }
 
-Solid solid_of(SheetBody body, const Material& material) {
-  Solid solid;
-  solid.surface = std::move(body.surface);
-  solid.past = std::move(body.past);
-  solid.material = material;
-  return solid;
+Model model_of(SheetBody body, const Material& material) {
+  return model_of(std::move(body.surface), std::move(body.past), material);
 }
 
 }  // namespace frond

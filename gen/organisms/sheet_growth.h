@@ -29,22 +29,7 @@ Errors check_edge(double edge, double across, double parts);
 /// So much skin of a sheet with such triangles, both its sides.
 Foresight foreseen(double area, double edge);
 
-/// A kind with the parameters `across`, `height` and `growth`.
-template <class Params>
-class RimGrower : public Described<Params, ColonyGrower> {
- public:
-  double tallest() const override { return this->params.height; }
-  Dress dress() const override {
-    Dress dress;
-    dress.motion.growth = this->params.growth;
-    return dress;
-  }
-  std::optional<Spread> spread() const override {
-    return Spread{static_cast<float>(this->params.across / 2), static_cast<float>(this->params.height)};
-  }
-};
-
-/// The body of a sheet as a solid of so much skin.
-Solid solid_of(SheetBody body, const Material& material);
+/// The body of a sheet as a model.
+Model model_of(SheetBody body, const Material& material);
 
 }  // namespace frond

@@ -11,17 +11,12 @@ Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& ar
   AccretionWorld world;
   world.room = [&](Vec3 at, float within) { return around.room(at, within); };
   Accreted skin = accrete(params.accretion, world, seed.child("skin"));
-  Solid solid;
   // Young is what has just grown and still grows: the tips, not what came to rest below them.
   for (std::size_t v = 0; v < skin.birth.size(); ++v)
     skin.surface.uv.push_back(
         {1 - skin.shade[v], skin.birth[v] * (0.6f + 0.4f * (1 - smooth_step(0.1f, 0.5f, skin.shade[v])))});
-  solid.surface = std::move(skin.surface);
-  solid.past = std::move(skin.past);
-  solid.material = material_of(params.tissue, Matter::polyps, seed);
-  Model model;
-  model.solids.place(model.solids.add_shape(std::move(solid)));
-  return model;
+  return model_of(std::move(skin.surface), std::move(skin.past),
+                  material_of(params.tissue, Matter::polyps, seed));
 }
 
 template <class Visitor>

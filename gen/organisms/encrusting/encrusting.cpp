@@ -41,10 +41,7 @@ Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings
   };
   skin.lower = [&](std::uint32_t, float age) { return 0.002f + 0.7f * thick * smooth_step(0.0f, 0.2f, age); };
   skin.lines = 0.1 * params.thickness;
-  Model model;
-  model.solids.place(model.solids.add_shape(
-      solid_of(body_of(sheet, skin), material_of(params.tissue, Matter::polyps, seed))));
-  return model;
+  return model_of(body_of(sheet, skin), material_of(params.tissue, Matter::polyps, seed));
 }
 
 template <class Visitor>
@@ -63,7 +60,7 @@ void describe(Visitor& v, EncrustingParams& p) {
 
 namespace {
 
-class EncrustingGrower final : public RimGrower<EncrustingParams> {
+class EncrustingGrower final : public BodyColony<EncrustingParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
   Result<Foresight> foresee(Seed) const override {

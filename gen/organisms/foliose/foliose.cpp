@@ -81,10 +81,7 @@ Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& arou
   if (plate)
     append(body,
            stalk_body(0.13 * params.across, 0.05 * params.across, 0.9 * params.height, seed.child("stalk")));
-  Material material = material_of(params.tissue, Matter::polyps, seed);
-  Model model;
-  model.solids.place(model.solids.add_shape(solid_of(std::move(body), material)));
-  return model;
+  return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));
 }
 
 inline constexpr Choice<FolioseForm> kFolioseForms[] = {
@@ -111,7 +108,7 @@ void describe(Visitor& v, FolioseParams& f) {
 
 namespace {
 
-class FolioseGrower final : public RimGrower<FolioseParams> {
+class FolioseGrower final : public BodyColony<FolioseParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
   Result<Foresight> foresee(Seed) const override {

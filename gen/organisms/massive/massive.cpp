@@ -38,7 +38,6 @@ Result<Model> grow_massive(const MassiveParams& params, const Surroundings& arou
   AccretionWorld world;
   world.room = [&](Vec3 at, float within) { return around.room(at, within); };
   Accreted skin = accrete(law_of(params), world, seed.child("skin"));
-  Solid solid;
   std::vector<float> tone(skin.surface.position.size(), 1);
   if (params.relief != Wrought::plain) {
     refine(skin, kTimes);
@@ -52,13 +51,8 @@ Result<Model> grow_massive(const MassiveParams& params, const Surroundings& arou
     raise(skin, height);
   }
   for (std::size_t v = 0; v < tone.size(); ++v) skin.surface.uv.push_back({tone[v], skin.birth[v]});
-  solid.surface = std::move(skin.surface);
-  solid.past = std::move(skin.past);
-  solid.material =
-      material_of(params.tissue, params.relief == Wrought::plain ? Matter::polyps : Matter::meander, seed);
-  Model model;
-  model.solids.place(model.solids.add_shape(std::move(solid)));
-  return model;
+  Matter matter = params.relief == Wrought::plain ? Matter::polyps : Matter::meander;
+  return model_of(std::move(skin.surface), std::move(skin.past), material_of(params.tissue, matter, seed));
 }
 
 inline constexpr Choice<Wrought> kWrought[] = {
@@ -84,7 +78,7 @@ void describe(Visitor& v, MassiveParams& m) {
 
 namespace {
 
-class MassiveGrower final : public Described<MassiveParams, ColonyGrower> {
+class MassiveGrower final : public BodyColony<MassiveParams> {
  public:
   Errors check() const override {
     if (params.edge * 8 > std::min(params.across, params.height))
@@ -98,15 +92,6 @@ class MassiveGrower final : public Described<MassiveParams, ColonyGrower> {
     sight.triangles = 2.3 * area / (params.edge * params.edge);
     sight.blocks = 1;
     return sight;
-  }
-  double tallest() const override { return params.height; }
-  Dress dress() const override {
-    Dress dress;
-    dress.motion.growth = params.growth;
-    return dress;
-  }
-  std::optional<Spread> spread() const override {
-    return Spread{static_cast<float>(params.across / 2), static_cast<float>(params.height)};
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
     return grow_massive(params, around, seed);

@@ -84,10 +84,7 @@ Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, S
     std::vector<Vec3>& then = body.past.emplace_back();
     for (Vec3 p : surface.position) then.push_back(p * size);
   }
-  Model model;
-  model.solids.place(
-      model.solids.add_shape(solid_of(std::move(body), material_of(params.tissue, Matter::meander, seed))));
-  return model;
+  return model_of(std::move(body), material_of(params.tissue, Matter::meander, seed));
 }
 
 template <class Visitor>
@@ -104,7 +101,7 @@ void describe(Visitor& v, MushroomParams& p) {
 
 namespace {
 
-class MushroomGrower final : public RimGrower<MushroomParams> {
+class MushroomGrower final : public BodyColony<MushroomParams> {
  public:
   Errors check() const override { return {}; }
   Result<Foresight> foresee(Seed) const override {

@@ -143,10 +143,7 @@ Result<Model> grow_table(const TableParams& params, const Surroundings& around, 
   Sheet sheet = grow_margins(law, {start}, world, seed.child("sheet"));
   SheetBody body = table_top(sheet, params);
   append(body, lawn_of(sheet, body, params, seed.child("lawn")));
-  Model model;
-  model.solids.place(
-      model.solids.add_shape(solid_of(std::move(body), material_of(params.tissue, Matter::polyps, seed))));
-  return model;
+  return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));
 }
 
 template <class Visitor>
@@ -167,7 +164,7 @@ void describe(Visitor& v, TableParams& p) {
 
 namespace {
 
-class TableGrower final : public RimGrower<TableParams> {
+class TableGrower final : public BodyColony<TableParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
   Result<Foresight> foresee(Seed) const override {

@@ -68,10 +68,7 @@ Result<Model> grow_tube(const TubeParams& params, const Surroundings& around, Se
   skin.lines = params.form == TubeForm::pipes ? 0 : 0.08 * params.wall;
   skin.line = 1.5 * params.lump_size;
   Matter matter = params.form == TubeForm::sponge ? Matter::sponge : Matter::polyps;
-  Model model;
-  model.solids.place(
-      model.solids.add_shape(solid_of(body_of(sheet, skin), material_of(params.tissue, matter, seed))));
-  return model;
+  return model_of(body_of(sheet, skin), material_of(params.tissue, matter, seed));
 }
 
 inline constexpr Choice<TubeForm> kTubeForms[] = {
@@ -97,7 +94,7 @@ void describe(Visitor& v, TubeParams& p) {
 
 namespace {
 
-class TubeGrower final : public RimGrower<TubeParams> {
+class TubeGrower final : public BodyColony<TubeParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.radius, 1); }
   Result<Foresight> foresee(Seed) const override {
