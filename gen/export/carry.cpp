@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
+
+#include "geometry/far.h"
 
 namespace frond {
 
@@ -40,6 +43,38 @@ CastShift shift_between(const Surface& from, const Surface& to) {
     shift.normal.push_back(to.normal[v] - from.normal[v]);
   }
   return shift;
+}
+
+Surface Drawn::of(const Surface& other) const {
+  Surface moved = surface;
+  for (std::size_t v = 0; v < source.size(); ++v)
+    moved.position[v] = other.position[source[v]], moved.normal[v] = other.normal[source[v]];
+  return moved;
+}
+
+Drawn drawn_with(const Surface& whole, double triangles) {
+  Drawn drawn;
+  if (triangles < static_cast<double>(whole.triangle.size()))
+    drawn.surface = reduced(whole, static_cast<std::size_t>(triangles), &drawn.source);
+  else
+    drawn.surface = whole;
+  if (drawn.source.empty()) {
+    drawn.source.resize(drawn.surface.position.size());
+    std::iota(drawn.source.begin(), drawn.source.end(), 0u);
+  }
+  return drawn;
+}
+
+void append_shift(CastPart& part, std::size_t key, std::size_t first, const Surface& there,
+                  const CastPlacement& placement) {
+  Surface placed;
+  append_placed(placed, there, placement.at, placement.turn, placement.scale);
+  if (part.shifts.size() <= key) part.shifts.resize(key + 1);
+  CastShift& shift = part.shifts[key];
+  for (std::size_t v = 0; v < placed.position.size(); ++v) {
+    shift.position.push_back(placed.position[v] - part.surface.position[first + v]);
+    shift.normal.push_back(placed.normal[v] - part.surface.normal[first + v]);
+  }
 }
 
 void leave_out_still(std::vector<CastPart>& parts) {

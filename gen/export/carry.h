@@ -16,6 +16,23 @@ CastShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, con
 /// What leads from a surface to another one of the same triangles.
 CastShift shift_between(const Surface& from, const Surface& to);
 
+inline constexpr double kAllTriangles = 1e18;
+
+/// A surface with about so many triangles, and which vertex of the whole each of its own is.
+struct Drawn {
+  Surface surface;
+  std::vector<std::uint32_t> source;
+
+  /// The same of another surface whose vertices are those of the whole, elsewhere.
+  Surface of(const Surface& other) const;
+};
+Drawn drawn_with(const Surface& whole, double triangles);
+
+/// Adds what leads from the vertices of a part, from `first` on, to where they are at a key, as a placement
+/// has `there`.
+void append_shift(CastPart& part, std::size_t key, std::size_t first, const Surface& there,
+                  const CastPlacement& placement);
+
 /// Takes the shifts from parts none of which moves by more than a hair.
 void leave_out_still(std::vector<CastPart>& parts);
 

@@ -7,11 +7,13 @@
 #include <limits>
 #include <map>
 
+#include "export/bodies.h"
 #include "export/branches.h"
 #include "export/carry.h"
 #include "export/look.h"
 #include "export/maker.h"
 #include "export/sown.h"
+#include "export/swarm.h"
 #include "geometry/far.h"
 #include "motion/unfold.h"
 #include "scene/copies.h"
@@ -62,7 +64,9 @@ Model posed_organs(const Specimen& b, const Pose& pose, float front) {
 /// Takes the meshes of one organism to a cast.
 class Caster {
  public:
-  Caster(Maker& maker, const Specimen& b, double time) : maker_(maker), options_(maker.options), b_(b) {
+  /// `swarm`: what it is at the keys but the last, where that is organs elsewhere.
+  Caster(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm = {})
+      : maker_(maker), options_(maker.options), b_(b), swarm_(std::move(swarm)) {
     pose_specimen(b, time, pose_);
     keys_.resize(std::max<std::size_t>(options_.keys.size(), 1) - 1);
     for (std::size_t k = 0; k < keys_.size(); ++k) pose_specimen(b, options_.keys[k], keys_[k]);
@@ -75,7 +79,7 @@ class Caster {
         if (Errors errors = add_branches(); !errors.empty()) return errors;
       add_organs();
       add_blades();
-      maker_.add_bodies(b_.model.solids);
+      add_bodies();
     }
     maker_.level = 0;
     return {};
@@ -112,8 +116,9 @@ class Caster {
     auto foliage = [&](const Model& model) {
       return by_name(maker_, b_.look, model, foliage_parts(b_.look, model, most));
     };
-    std::map<std::string, std::vector<CastPart>> meshes = foliage(posed);
-    for (const Pose& key : keys_) {
+    std::map<std::string, std::vector<CastPart>> meshes =
+        swarm_.empty() ? foliage(posed) : swarm_parts(maker_, b_.look, posed, swarm_, most);
+    for (const Pose& key : swarm_.empty() ? keys_ : std::vector<Pose>()) {
       auto others = foliage(posed_organs(b_, key, pose_.front));
       for (auto& [name, parts] : meshes)
         for (std::size_t k = 0; k < parts.size(); ++k)
@@ -147,6 +152,17 @@ class Caster {
       }
       if (at->second) maker_.place(*at->second, o.position[i], o.turn[i], o.scale[i]);
     }
+  }
+
+  void add_bodies() {
+    const Solids& solids = b_.model.solids;
+    if (b_.motion.growth.duration <= 0 ||
+        std::ranges::none_of(solids.shapes, [](const Solid& solid) { return !solid.past.empty(); }))
+      return maker_.add_bodies(solids);
+    if (pose_.front <= 0) return;
+    std::vector<Solids> keys;
+    for (const Pose& key : keys_) keys.push_back(grown_to(solids, key.front));
+    maker_.add_bodies(grown_to(solids, pose_.front), keys);
   }
 
   void add_blades() {
@@ -185,8 +201,27 @@ class Caster {
   const Specimen& b_;
   Pose pose_;
   std::vector<Pose> keys_;
+  std::vector<Model> swarm_;
   double wood_ = 0, leaves_ = 0;  // triangles at the first level
 };
+
+/// What a swarm is at the keys but the last.
+Result<std::vector<Model>> swarm_of(const Specimen& b, const Specimen& now, const std::vector<double>& keys) {
+  std::vector<Model> swarm;
+  for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
+    Result<Specimen> then = developed(b, keys[k]);
+    if (!then) return then.errors();
+    if (!is_same_swarm(now.model, then->model))
+      return Error{
+          "",
+          fmt::format(
+              "{} changes its shape with its seasons, its years or the steps of its grammar, which one mesh "
+              "cannot follow: export single frames, with --frame",
+              b.name)};
+    swarm.push_back(std::move(then->model));
+  }
+  return swarm;
+}
 
 }  // namespace
 
@@ -206,16 +241,12 @@ Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& opti
   Maker maker{cast, options};
   for (const Specimen& b : scene.specimens) {
     Errors errors;
-    if (b.life.changes() && !options.keys.empty())
-      return Error{
-          "",
-          fmt::format(
-              "{} changes its shape with its seasons, its years or the steps of its grammar, which one mesh "
-              "cannot follow: export single frames, with --frame",
-              b.name)};
     if (b.life.changes()) {
       Result<Specimen> now = developed(b, time);
-      errors = now ? Caster(maker, *now, time).add() : now.errors();
+      if (!now) return now.errors();
+      Result<std::vector<Model>> swarm = swarm_of(b, *now, options.keys);
+      if (!swarm) return swarm.errors();
+      errors = Caster(maker, *now, time, std::move(*swarm)).add();
     } else {
       errors = Caster(maker, b, time).add();
     }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "export/foliage.h"
 #include "export/palette.h"
@@ -37,8 +38,8 @@ struct Maker {
   /// Adds a mesh whose corners are where they stand in the world.
   void stand(const std::string& part, std::vector<CastPart> parts);
 
-  /// The bodies of a model.
-  void add_bodies(const Solids& solids);
+  /// The bodies of a model; `keys`: see body_parts().
+  void add_bodies(const Solids& solids, std::span<const Solids> keys = {});
 };
 
 CastTint tint_of(Vec3 light);
@@ -50,8 +51,5 @@ double solid_triangles(const Cast& cast, const std::vector<CastPart>& parts);
 /// Foliage by the names of its prototypes, one part a material.
 std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& look, const Model& model,
                                                      std::vector<LeafPart> parts);
-
-/// What the bodies of a model are made of, one part a material, where they stand.
-std::vector<CastPart> body_parts(Maker& maker, const Solids& solids);
 
 }  // namespace frond

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "export/bodies.h"
 #include "export/look.h"
 #include "scene/copies.h"
 

@@ -37,6 +37,12 @@ Vec3 highest(const std::vector<Vec3>& places) {
   return *std::ranges::max_element(places, {}, [](Vec3 p) { return p.y; });
 }
 
+std::size_t triangles_of_all(const std::vector<CastPart>& parts) {
+  std::size_t all = 0;
+  for (const CastPart& part : parts) all += part.surface.triangle.size();
+  return all;
+}
+
 json json_of(const std::string& glb) {
   return json::parse(glb.substr(20, *reinterpret_cast<const std::uint32_t*>(&glb[12])));
 }
@@ -86,6 +92,33 @@ TEST(Film, of_a_glb_is_an_animation_of_weights) {
   for (const json& mesh : root["meshes"]) {
     EXPECT_EQ(mesh["weights"].size(), 2u);
     for (const json& primitive : mesh["primitives"]) EXPECT_EQ(primitive["targets"].size(), 2u);
+  }
+}
+
+TEST(Film, carries_bodies_that_grow_and_fish_that_swim) {
+  Scene scene = scene_of(R"({"seed": 3, "film": {"frames": 48, "fps": 12}, "organisms": [
+      {"kind": "massive", "name": "brain", "across": 0.3, "height": 0.2, "edge": 0.01, "relief": "plain",
+       "growth": {"duration": 3}, "place": {"at": [[0, 0]]}},
+      {"kind": "school", "name": "fish", "count": 5, "place": {"at": [[2, 0]], "raise": 1}}]})");
+  // At a detail that leaves a part of the triangles.
+  CastOptions options{.detail = 600, .texture = 0, .keys = {0.4, 1.7, 3.5}};
+  Result<Cast> cast = cast_scene(scene, 3.5, options);
+  ASSERT_TRUE(cast) << cast.errors()[0].text();
+  ASSERT_EQ(cast->meshes.size(), 2u);
+  for (std::size_t key = 0; key < 2; ++key) {
+    Result<Cast> then = cast_scene(scene, options.keys[key], {.texture = 0});
+    ASSERT_TRUE(then);
+    for (std::size_t m = 0; m < 2; ++m) {
+      ASSERT_TRUE(cast->meshes[m].moves());
+      EXPECT_LT(triangles_of_all(cast->meshes[m].parts), triangles_of_all(then->meshes[m].parts));
+      const CastPart &part = cast->meshes[m].parts[0], &same = then->meshes[m].parts[0];
+      std::vector<Vec3> moved = part.surface.position;
+      for (std::size_t v = 0; v < moved.size(); ++v) moved[v] += part.shifts[key].position[v];
+      Vec3 top = highest(moved), wanted = highest(same.surface.position);
+      EXPECT_LT(glm::distance(top + cast->groups[m].foot, wanted + then->groups[m].foot), 0.02f) << m;
+      if (m > 0 || key > 0) continue;
+      EXPECT_LT(top.y, 0.9f * highest(part.surface.position).y) << "it grows";
+    }
   }
 }
 

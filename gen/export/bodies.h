@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "export/maker.h"
+
+namespace frond {
+
+/// Bodies as they are when such a share of their growth is reached.
+Solids grown_to(const Solids& solids, float front);
+
+/// What the bodies of a model are made of, one part a material, where they stand; `keys` are the same bodies
+/// in the shapes of the cast's keys but the last.
+std::vector<CastPart> body_parts(Maker& maker, const Solids& solids, std::span<const Solids> keys = {});
+
+}  // namespace frond
