@@ -15,8 +15,10 @@ struct BarkCoat {
   double relief = 1;  ///< of the bumps, 0 none
   double furrow =
       0.3;  ///< depth that is let into the mesh where the eye is near, as a share of a ridge's width
-  double facet = 0.03;  ///< metres, about the width of a side of the mesh
-  double twigs = 0;     ///< metres; branches that begin with a smaller radius are sweeps, without a picture
+  double facet = 0.03;       ///< metres, about the width of a side of the mesh
+  double moss = 0;           ///< 0 none .. 1: how thick it grows at the foot
+  double moss_height = 1.2;  ///< metres to which it comes up
+  double twigs = 0;  ///< metres; branches that begin with a smaller radius are sweeps, without a picture
 };
 
 /// Names of its two pictures: colour and height.

@@ -223,6 +223,9 @@ void describe(Visitor& v, BarkCoat& c) {
            "ridge's width; 0 leaves all to the bumps");
   v.number("facet", c.facet, {.min = 0.0005, .max = 10, .unit = "m"},
            "Width of one side of the branches' mesh, about; less is rounder");
+  v.number("moss", c.moss, {.min = 0, .max = 1}, "How much moss grows on it, most at the foot");
+  v.number("moss_height", c.moss_height, {.min = 0.01, .max = 100, .unit = "m"},
+           "Height above its foot to which that comes up");
   v.number("twigs", c.twigs, {.min = 0, .max = 10, .unit = "m"},
            "Branches that begin with a smaller radius than this wear the plain bark instead");
 }

@@ -45,6 +45,7 @@ std::string look(std::string_view macro, const Color& color, const Color& second
 
 void append_tissue(std::string& text, Tissue tissue, const Color& color, const Color& second,
                    std::size_t shade, const std::optional<Luster>& luster) {
+  if (tissue == Tissue::dew) return void(text += "texture{Plant_Dew()}interior{ior 1.33}");
   std::string_view macro = kTissueMacros[static_cast<std::size_t>(tissue)];
   text += lustrous(look(macro, color, second, shade), luster, relief_macro(tissue), {});
   if (tissue == Tissue::ivy) text += "interior_texture{" + look("Ivy_Under", color, second, shade) + '}';

@@ -135,8 +135,13 @@ std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& p
   append_mesh(text, space, wood);
   text += "\ntexture{Tree_Bark(\"" + bark_color_name(coat) + "\",\"" + bark_height_name(coat) + "\",";
   append_list(text, 4, coat.relief, tree.brightness);
-  text += ")}}\n";
-  return text;
+  text += ")}";
+  if (coat.moss > 0) {
+    text += "\ntexture{Tree_Moss(";
+    append_list(text, 4, coat.moss, coat.moss_height, pose.position[0].y);
+    text += ")}";
+  }
+  return text + "}\n";
 }
 
 std::vector<bool> coatless(const Specimen& tree) { return left_out(tree.model.skeleton, shape_of(tree)); }

@@ -16,16 +16,16 @@ namespace {
 constexpr double kBodyShare = 0.5;  // of an organism's triangles: what the bodies that it is may take
 
 /// With about so large a share of its triangles, all where that is more than all.
-Drawn laid_out(const Surface& body, double share) {
-  Drawn fewer = drawn_with(body, share * static_cast<double>(body.triangle.size()));
+Simplified laid_out(const Surface& body, double share) {
+  Simplified fewer = drawn_with(body, share * static_cast<double>(body.triangle.size()));
   std::vector<std::uint32_t> corner;
-  Drawn laid{box_mapped(fewer.surface, &corner), {}};
+  Simplified laid{box_mapped(fewer.surface, &corner), {}};
   for (std::uint32_t v : corner) laid.source.push_back(fewer.source[v]);
   return laid;
 }
 
-Drawn as_turned(const Surface& vessel) {
-  Drawn whole = drawn_with(vessel, kAllTriangles);
+Simplified as_turned(const Surface& vessel) {
+  Simplified whole = drawn_with(vessel, kAllTriangles);
   for (Vec2& at : whole.surface.uv) at.y = on_vessel(at.y);
   return whole;
 }
@@ -109,7 +109,7 @@ std::vector<CastPart> body_parts(Maker& maker, const Solids& solids, std::span<c
   double all = 0;
   for (std::uint16_t s : solids.shape) all += static_cast<double>(solids.shapes[s].surface.triangle.size());
   double share = maker.share() * std::min(1.0, kBodyShare * maker.options.detail / std::max(all, 1.0));
-  std::vector<Drawn> laid;
+  std::vector<Simplified> laid;
   for (const Solid& solid : solids.shapes)
     laid.push_back(is_vessel(solid) ? as_turned(solid.surface) : laid_out(solid.surface, share));
   std::vector<bool> used(kinds.kin.size(), false);

@@ -45,24 +45,24 @@ CastShift shift_between(const Surface& from, const Surface& to) {
   return shift;
 }
 
-Surface Drawn::of(const Surface& other) const {
+Surface Simplified::of(const Surface& other) const {
   Surface moved = surface;
   for (std::size_t v = 0; v < source.size(); ++v)
     moved.position[v] = other.position[source[v]], moved.normal[v] = other.normal[source[v]];
   return moved;
 }
 
-Drawn drawn_with(const Surface& whole, double triangles) {
-  Drawn drawn;
+Simplified drawn_with(const Surface& whole, double triangles) {
+  Simplified simple;
   if (triangles < static_cast<double>(whole.triangle.size()))
-    drawn.surface = reduced(whole, static_cast<std::size_t>(triangles), &drawn.source);
+    simple.surface = reduced(whole, static_cast<std::size_t>(triangles), &simple.source);
   else
-    drawn.surface = whole;
-  if (drawn.source.empty()) {
-    drawn.source.resize(drawn.surface.position.size());
-    std::iota(drawn.source.begin(), drawn.source.end(), 0u);
+    simple.surface = whole;
+  if (simple.source.empty()) {
+    simple.source.resize(simple.surface.position.size());
+    std::iota(simple.source.begin(), simple.source.end(), 0u);
   }
-  return drawn;
+  return simple;
 }
 
 void append_shift(CastPart& part, std::size_t key, std::size_t first, const Surface& there,

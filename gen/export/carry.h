@@ -19,14 +19,14 @@ CastShift shift_between(const Surface& from, const Surface& to);
 inline constexpr double kAllTriangles = 1e18;
 
 /// A surface with about so many triangles, and which vertex of the whole each of its own is.
-struct Drawn {
+struct Simplified {
   Surface surface;
   std::vector<std::uint32_t> source;
 
   /// The same of another surface whose vertices are those of the whole, elsewhere.
   Surface of(const Surface& other) const;
 };
-Drawn drawn_with(const Surface& whole, double triangles);
+Simplified drawn_with(const Surface& whole, double triangles);
 
 /// Adds what leads from the vertices of a part, from `first` on, to where they are at a key, as a placement
 /// has `there`.

@@ -129,6 +129,20 @@ void Palette::add_pictures(CastMaterial& material, const std::string& key, const
   material.colors = at->second[0], material.normals = at->second[1], material.roughness = at->second[2];
 }
 
+void Palette::add_drawn(CastMaterial& material, const Look& look, const std::string& picture) {
+  auto [at, fresh] = drawn_.try_emplace(picture, std::array{kNoPicture, kNoPicture, kNoPicture});
+  for (const Drawing& drawing : fresh ? drawings(look) : std::vector<Drawing>()) {
+    auto which = std::ranges::find(drawing.names, picture);
+    if (which == drawing.names.end()) continue;
+    auto made = drawing.draw();
+    if (!made) continue;
+    at->second[0] = cast_.pictures.size();
+    std::string& bytes = (*made)[static_cast<std::size_t>(which - drawing.names.begin())].bytes;
+    cast_.pictures.push_back({material.name + "_color", std::move(bytes)});
+  }
+  material.colors = at->second[0];
+}
+
 template <class Draw>
 Palette::Use Palette::keep(const std::string& key, CastMaterial made, const std::string& name,
                            const Draw& draw) {
@@ -225,6 +239,10 @@ std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t
                 })
         .material;
   }
+  if (const auto& shown = organ.parts[part].pictures; laid && color < shown.size())
+    return keep(shown[color], made, name, [&](CastMaterial& m, Use&) { add_drawn(m, look, shown[color]); })
+        .material;
+  if (tissue == Tissue::dew) made.color = {1, 1, 1}, made.gloss = 1.2, made.transmission = 0.95;
   std::string key = fmt::format("organ {} {} {}", static_cast<int>(tissue), laid, key_of(organ.second));
   return keep(key, made, name,
               [&](CastMaterial& m, Use&) {

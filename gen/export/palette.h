@@ -55,6 +55,8 @@ class Palette {
   Use keep(const std::string& key, CastMaterial made, const std::string& name, const Draw& draw);
   void add_pictures(CastMaterial& material, const std::string& key, const std::string& name,
                     const std::function<Pictures()>& draw);
+  /// The picture of that name, of those that the look wears.
+  void add_drawn(CastMaterial& material, const Look& look, const std::string& picture);
 
   Cast& cast_;
   const CastOptions& options_;

@@ -33,7 +33,7 @@ std::map<std::string, std::vector<CastPart>> swarm_parts(Maker& maker, const Loo
                                                          std::span<const Model> keys, double triangles) {
   const Organs& o = last.organs;
   double each = triangles / static_cast<double>(o.size());
-  std::vector<std::vector<Drawn>> drawn;
+  std::vector<std::vector<Simplified>> drawn;
   for (const Prototype& p : last.prototypes) {
     drawn.emplace_back();
     for (const OrganPart& part : p.parts)
@@ -44,7 +44,7 @@ std::map<std::string, std::vector<CastPart>> swarm_parts(Maker& maker, const Loo
     const Prototype& p = last.prototypes[o.prototype[i]];
     std::string name = plain_name(p.name, "organ");
     for (std::size_t k = 0; k < p.parts.size(); ++k) {
-      const Drawn& own = drawn[o.prototype[i]][k];
+      const Simplified& own = drawn[o.prototype[i]][k];
       auto lies = own.surface.uv.empty() ? Palette::Lies::nowhere : Palette::Lies::mesh;
       std::size_t material = maker.palette.organ(look, p, k, color_index(o.color[i], p.colors.size()), lies,
                                                  maker.name() + '_' + name);

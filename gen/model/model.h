@@ -9,7 +9,7 @@
 namespace frond {
 
 /// What a part of an organ is made of.
-enum class Tissue { leaf, petal, heart, fruit, skin, ivy };
+enum class Tissue { leaf, petal, heart, fruit, skin, ivy, dew };
 
 /// A part of an organ that has one texture.
 struct OrganPart {

@@ -85,6 +85,7 @@ void describe(Visitor& v, OrganParams& o) {
            "The leaf's outline, colours and mesh; size and variations are those above. Needs \"shape\": "
            "\"picture\"");
   v.object("luster", o.luster, "How it takes light; without it as is usual for its shape");
+  v.number("dew", o.dew, {.min = 0, .max = 60}, "Drops of dew on a square centimetre of its upper side");
 }
 
 template <class Visitor>

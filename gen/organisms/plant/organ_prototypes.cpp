@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "foliage/dew.h"
 #include "foliage/foliage_shapes.h"
 
 namespace frond {
@@ -133,6 +134,8 @@ Prototype prototype(const OrganParams& p, Seed seed) {
     }
   }
   made.luster = p.luster;
+  if (p.dew > 0)
+    made.parts.push_back({Tissue::dew, dew_surface(made.parts[0].surface, p.size, p.dew, seed.child("dew"))});
   return made;
 }
 

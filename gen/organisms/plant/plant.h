@@ -38,6 +38,7 @@ struct OrganParams {
   double turn_variation = radians(12.0);  ///< random tilt, up to so much
   std::optional<LeafLook> picture;        ///< of the shape `picture`, but for its size and variations
   std::optional<Luster> luster;
+  double dew = 0;  ///< drops on a square centimetre
 };
 
 /// Where a plant has its origin.
