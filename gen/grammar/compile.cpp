@@ -363,6 +363,7 @@ class Compiler {
     for (const Symbol& symbol : g.symbols) {
       g.parametric |= symbol.arity > 0;
       g.cuts |= symbol.act == Act::cut;
+      g.asks |= symbol.act == Act::environment && symbol.arity > 0;
       g.queries |=
           (symbol.act == Act::query_position || symbol.act == Act::query_heading ||
            symbol.act == Act::query_up || symbol.act == Act::query_left || symbol.act == Act::environment) &&

@@ -93,12 +93,11 @@ std::string fault_in(const Production& rule) {
       rule.text);
 }
 
-Derivation begin(const Grammar& grammar, Seed seed, Environment environment) {
+Derivation begin(const Grammar& grammar, Seed seed) {
   Derivation state;
-  state.environment = std::move(environment);
   state.word = grammar.axiom;
   if (grammar.limited) state.uses.resize(grammar.rules.rules.size());
-  if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
+  if (grammar.queries) answer_queries(grammar, state.word, seed, grammar.environment);
   return state;
 }
 
@@ -122,7 +121,7 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
     std::swap(state.word, next);
     if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits);
     if (!errors.empty()) return errors;
-    if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
+    if (grammar.queries) answer_queries(grammar, state.word, seed, grammar.environment);
     ++state.steps;
     if (state.word.bytes() > limits.bytes)
       return {{"", fmt::format("step {} passes the limit of {} bytes; use fewer steps", state.steps,
@@ -155,20 +154,19 @@ Errors advance_tracked(const Grammar& grammar, Derivation& state, Seed seed,
   if (!errors.empty()) return errors;
   std::swap(state.word, next);
   if (!grammar.decomposition.empty()) errors = decompose(grammar, state, seed, limits, &parents);
-  if (grammar.queries) answer_queries(grammar, state.word, seed, state.environment);
+  if (grammar.queries) answer_queries(grammar, state.word, seed, grammar.environment);
   if (grammar.cuts)
     std::transform(parents.begin(), parents.end(), parents.begin(), [&](std::uint32_t i) { return kept[i]; });
   ++state.steps;
   return errors;
 }
 
-Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits,
-                    const Environment& environment) {
+Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits) {
   if (steps < 0) return Error{"steps", "the number of steps must be 0 or more"};
   Errors errors;
   if (has_growth_matrix(grammar)) errors = refuse(forecast(grammar, steps, seed, limits), limits);
   if (!errors.empty()) return errors;
-  Derivation state = begin(grammar, seed, environment);
+  Derivation state = begin(grammar, seed);
   errors = advance(grammar, state, steps, seed, limits);
   if (!errors.empty()) return errors;
   return std::move(state.word);

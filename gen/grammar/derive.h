@@ -1,28 +1,20 @@
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "grammar/grammar.h"
 
 namespace frond {
 
-struct TurtleState;
-
-/// What surrounds a plant: answers a question `?E(what, …)` asked from where the turtle is, by writing into
-/// its parameters. Light, the distance of a surface, food and guides come to a grammar in this way.
-using Environment = std::function<void(const TurtleState&, std::span<double> parameters)>;
-
 /// A derivation between two steps: all that the next step depends on.
 struct Derivation {
   Word word;
-  int steps = 0;            ///< made so far
-  std::vector<int> uses;    ///< of each rule, where the grammar has rules of limited use
-  Environment environment;  ///< may be empty: `?E` then keeps its parameters
+  int steps = 0;          ///< made so far
+  std::vector<int> uses;  ///< of each rule, where the grammar has rules of limited use
 };
 
 /// The derivation before its first step: the axiom, its questions answered.
-Derivation begin(const Grammar& grammar, Seed seed, Environment environment = {});
+Derivation begin(const Grammar& grammar, Seed seed);
 
 /// Makes so many steps more. Random choices depend on the seed, the number of the step and the place in the
 /// word, and so neither on threads nor on how the steps are shared among calls. Empty when all went well;
@@ -40,8 +32,7 @@ Errors advance_tracked(const Grammar& grammar, Derivation& derivation, Seed seed
                        std::vector<std::uint32_t>& parents, const Limits& limits = {});
 
 /// The word after so many steps from the axiom.
-Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {},
-                    const Environment& environment = {});
+Result<Word> derive(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 
 /// The word as the turtle sees it: interpretation rules applied as deep as the grammar says.
 Word interpret(const Grammar& grammar, const Word& word, Seed seed);

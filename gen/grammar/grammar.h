@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,6 +109,12 @@ struct RuleSet {
   bool empty() const { return rules.empty(); }
 };
 
+struct TurtleState;
+
+/// What surrounds a plant: answers a question `?E(what, …)` asked from where the turtle is, by writing into
+/// its parameters. Light, the distance of a surface, food and guides come to a grammar in this way.
+using Environment = std::function<void(const TurtleState&, std::span<double> parameters)>;
+
 /// A grammar ready to derive. Plain data; made by compile().
 struct Grammar {
   GrammarText text;
@@ -116,6 +124,7 @@ struct Grammar {
   Word axiom;
   Guide guide;  ///< empty also where the grammar has no `?`
   Errors warnings;
+  Environment environment;  ///< may be empty: `?E` then keeps its parameters
 
   bool context_free = true;  ///< no rule has a context
   bool single = true;        ///< at most one rule a symbol, and it always applies
@@ -124,6 +133,7 @@ struct Grammar {
   bool limited = false;  ///< some rule may be used a limited number of times
   bool cuts = false;     ///< `%` occurs
   bool queries = false;  ///< the turtle answers questions between steps
+  bool asks = false;     ///< some of them are asked of the environment
 
   SymbolId open = 0, close = 0;  ///< the brackets
 

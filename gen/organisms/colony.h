@@ -30,10 +30,15 @@ class Surroundings {
     Vec3 at{0}, normal{0, 1, 0};
   };
   Hold hold(Vec3 at, float within) const;
+  /// The share of the sky that bodies leave open, 0..1.
+  float light(Vec3 at) const {
+    return world_ ? static_cast<float>(world_->open_sky(DVec3(outside(at)))) : 1.0f;
+  }
+  /// A place of the world, as it is measured here.
+  Vec3 inside(Vec3 at) const { return (glm::conjugate(stance_.turn) * (at - stance_.foot)) / stance_.size; }
 
  private:
   Vec3 outside(Vec3 at) const { return stance_.foot + stance_.turn * (at * stance_.size); }
-  Vec3 inside(Vec3 at) const { return (glm::conjugate(stance_.turn) * (at - stance_.foot)) / stance_.size; }
 
   const World* world_ = nullptr;
   std::shared_ptr<const Host> host_;

@@ -81,9 +81,10 @@ void thicken(Skeleton& s, const Thickness& thickness, float start_radius) {
 
 Result<Grammar> coral_grammar(const CoralParams& params) { return compile(coral_text(params)); }
 
-Result<Skeleton> grow_coral(const CoralParams& params, Seed seed) {
+Result<Skeleton> grow_coral(const CoralParams& params, Seed seed, const Environment& environment) {
   Result<Grammar> grammar = coral_grammar(params);
   if (!grammar) return grammar.errors();
+  grammar->environment = environment;
   const GrammarText& text = grammar->text;
   Result<Word> word = derive(*grammar, text.steps, seed.child("derive"), text.limits);
   if (!word) return placed(word.errors(), text);

@@ -60,6 +60,7 @@ struct CoralParams {
 Result<Grammar> coral_grammar(const CoralParams& params);
 
 /// Grows one coral with its foot at the origin, upright. Every node has its distance, birth and radius.
-Result<Skeleton> grow_coral(const CoralParams& params, Seed seed);
+/// `environment` answers the questions of its grammar.
+Result<Skeleton> grow_coral(const CoralParams& params, Seed seed, const Environment& environment = {});
 
 }  // namespace frond

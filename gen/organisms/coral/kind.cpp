@@ -1,4 +1,5 @@
 #include "dress/describe.h"
+#include "organisms/asking.h"
 #include "organisms/colony.h"
 #include "organisms/colony_room.h"
 #include "organisms/coral/coral.h"
@@ -77,6 +78,8 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
       return {
           {"/grammar", "found rules, but the coral grows by those of its form; expected \"form\": \"own\""}};
     Result<Grammar> grammar = coral_grammar(params);
+    if (grammar)
+      if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return errors;
     Errors errors = grammar ? foreseen_trouble(*grammar) : grammar.errors();
     if (own) return pointed(params.grammar, std::move(errors));
     for (Error& error : errors) error.where.clear();  // its rules are ours
@@ -111,7 +114,7 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     return spread;
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
-    Result<Skeleton> skeleton = grow_coral(params, seed);
+    Result<Skeleton> skeleton = grow_coral(params, seed, environment_of(around, params.food, params.growth));
     if (!skeleton) return skeleton.errors();
     Model model;
     model.skeleton = std::move(*skeleton);

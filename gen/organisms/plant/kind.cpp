@@ -6,6 +6,7 @@
 #include "dress/picture_bounds.h"
 #include "geometry/obj.h"
 #include "grammar/figure.h"
+#include "organisms/asking.h"
 #include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"
@@ -103,6 +104,7 @@ void describe(Visitor& v, PlantParams& p) {
   v.object("blades", p.blades, "What the turtle's filled outlines are made of");
   v.object("season", p.season, "The course of the year for its leaves; without it they stay as they are");
   v.object("wave", p.wave, "Swaying in the wind");
+  v.object("food", p.food, "What its branches bend toward");
   v.object("growth", p.growth, "When it grows in the film");
   v.boolean("by_steps", p.by_steps,
             "Whether growth runs through the derivation steps instead of along the finished branches");
@@ -168,8 +170,13 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
       if (Errors errors = check_pictures({}, organ.picture, (pointer + "/pixels").c_str()); !errors.empty())
         return errors;
     }
+    if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return errors;
+    if (grammar->asks && params.by_steps)
+      return {{"/by_steps", "found true, but the grammar asks ?E, which is answered once; expected false"}};
     return pointed(params.grammar, foreseen_trouble(*grammar));
   }
+  /// What asks grows among what stands.
+  GrowthStage stage() const override { return asks() ? GrowthStage::in_space : GrowthStage::free; }
   Errors doubts() const override {
     Result<Grammar> grammar = plant_grammar(params);
     return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
@@ -187,13 +194,19 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     for (const OrganParams& organ : params.organs)
       if (organ.picture) dress.look.organs.push_back(*organ.picture);
     dress.season = params.season;
-    dress.motion = {params.growth, params.wave, {}, 1};
+    dress.motion = {params.growth, params.wave, params.food, 1};
     dress.variation = params.bark.variation;
     return dress;
   }
   bool develops(bool) const override { return params.by_steps || params.season; }
   std::optional<Result<Grammar>> grammar() const override { return plant_grammar(params); }
   Result<Model> grow_alone(Seed seed) const override { return grow_plant(params, seed); }
+  Result<Model> grow_standing(const World& world, const Planting& planting, const Stance& stance,
+                              Seed seed) const override {
+    if (!asks()) return grow_plant(params, seed);
+    Surroundings around(world, planting.claim, stance);
+    return grow_plant(params, seed, 1, environment_of(around, params.food, params.growth));
+  }
   /// By steps it grows anew for each frame.
   std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const override {
     if (!params.by_steps) return {};
@@ -201,6 +214,14 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
       double share = std::min(growth_front(growth, time) / (1 + growth.ripen), 1.0);
       return grow_plant(params, seed, share);
     };
+  }
+
+ private:
+  bool asks() const {
+    const GrammarText& text = params.grammar;
+    auto asked = [](const std::string& part) { return part.find("?E") != std::string::npos; };
+    return asked(text.axiom) ||
+           std::ranges::any_of(text.rules, [&](const GrammarText::Rule& rule) { return asked(rule.text); });
   }
 };
 

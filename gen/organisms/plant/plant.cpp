@@ -206,9 +206,10 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
   return grammar;
 }
 
-Result<Model> grow_plant(const PlantParams& params, Seed seed, double share) {
+Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, const Environment& environment) {
   Result<Grammar> grammar = plant_grammar(params);
   if (!grammar) return grammar.errors();
+  grammar->environment = environment;
   const GrammarText& text = grammar->text;
   auto after = [&](double steps) {
     return figure_of(*grammar, steps, seed.child("derive"), text.limits, text.organs, params.by_steps);

@@ -59,6 +59,7 @@ struct PlantParams {
   BladeLook blades;
   std::optional<Seasons> season;  ///< of its organs that are leaves
   Wave wave;
+  Food food;
   Growth growth;
   bool by_steps = false;  ///< growth runs through the derivation steps, not along the finished branches
 };
@@ -68,7 +69,9 @@ struct PlantParams {
 Result<Grammar> plant_grammar(const PlantParams& params);
 
 /// Grows one plant upright, its foot at the origin. `share` of its derivation steps, 0..1, gives it on its
-/// way to what it will be: smooth in `share`, and nothing at all where the axiom draws nothing.
-Result<Model> grow_plant(const PlantParams& params, Seed seed, double share = 1);
+/// way to what it will be: smooth in `share`, and nothing at all where the axiom draws nothing. `environment`
+/// answers the questions of its grammar.
+Result<Model> grow_plant(const PlantParams& params, Seed seed, double share = 1,
+                         const Environment& environment = {});
 
 }  // namespace frond

@@ -60,9 +60,9 @@ std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) 
 
 /// The lawn of branchlets on the table, each with its past.
 SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& params, Seed seed) {
-  constexpr int kSides = 6, kRings = 4;
-  static constexpr float kProfile[kRings] = {1.0f, 0.95f, 0.8f, 0.5f},
-                         kRise[kRings] = {0, 0.4f, 0.75f, 0.94f};
+  constexpr int kSides = 6, kLawnRings = 4;
+  static constexpr float kProfile[kLawnRings] = {1.0f, 0.95f, 0.8f, 0.5f},
+                         kRise[kLawnRings] = {0, 0.4f, 0.75f, 0.94f};
   SheetBody lawn;
   lawn.past.resize(kSheetSteps);
   std::vector<Socket> sockets = draw_sockets(sheet, params.spacing, seed);
@@ -93,7 +93,7 @@ SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& p
       lawn.surface.position.push_back(at);
       lawn.surface.uv.push_back({0.3f + 0.7f * share, std::max(birth, 0.98f * share * share)});
     };
-    for (int j = 0; j < kRings; ++j)
+    for (int j = 0; j < kLawnRings; ++j)
       for (int i = 0; i < kSides; ++i) {
         auto angle = static_cast<float>(2 * kPi * i / kSides);
         put(foot + up * (length * kRise[j]) +
@@ -103,13 +103,13 @@ SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& p
     put(foot + up * length, 1);
     put(foot - up * 0.002f, 0);
     auto id = [&](int j, int i) { return first + static_cast<std::uint32_t>(j * kSides + i % kSides); };
-    std::uint32_t tip = first + kRings * kSides;
+    std::uint32_t tip = first + kLawnRings * kSides;
     for (int i = 0; i < kSides; ++i) {
-      for (int j = 0; j + 1 < kRings; ++j) {
+      for (int j = 0; j + 1 < kLawnRings; ++j) {
         lawn.surface.triangle.push_back({id(j, i), id(j + 1, i), id(j, i + 1)});
         lawn.surface.triangle.push_back({id(j, i + 1), id(j + 1, i), id(j + 1, i + 1)});
       }
-      lawn.surface.triangle.push_back({id(kRings - 1, i), tip, id(kRings - 1, i + 1)});
+      lawn.surface.triangle.push_back({id(kLawnRings - 1, i), tip, id(kLawnRings - 1, i + 1)});
       lawn.surface.triangle.push_back({id(0, i + 1), tip + 1, id(0, i)});
     }
     for (int k = 0; k < kSheetSteps; ++k) {
