@@ -40,12 +40,14 @@ class Animated {
   struct Key {
     double time;
     T value;
+    bool operator==(const Key&) const = default;
   };
 
   Animated(T constant = T{}) : Animated(std::vector<Key>{{0.0, constant}}) {}
   explicit Animated(std::vector<Key> keys);
 
   T at(double time) const;
+  bool operator==(const Animated& other) const { return keys_ == other.keys_; }
   bool constant() const { return keys_.size() == 1; }
   const std::vector<Key>& keys() const { return keys_; }
 

@@ -107,6 +107,13 @@ void describe(Visitor& v, Wave& w) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, FoodPlace& f) {
+  v.animated("position", f.position, {.min = -1000, .max = 1000, .unit = "m"},
+             "Where it is; with keyframes it moves");
+  v.required("position");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Food& f) {
   v.angle("strength", f.strength, {.min = 0, .max = 180},
           "Angle by which a whole branch may bend toward the food, about");
@@ -114,6 +121,9 @@ void describe(Visitor& v, Food& f) {
            "Distance within which the pull is weaker, so that branches do not fold up at the food");
   v.animated("position", f.position, {.min = -1000, .max = 1000, .unit = "m"},
              "Where the food is; with keyframes it moves");
+  v.list("others", f.others, Count{0, 32}, "More food; each part of a branch bends most to what is nearest");
+  v.boolean("eaten", f.eaten,
+            "Whether food that a tip has reached is eaten up; who shares a place shares it");
 }
 
 template <class Visitor>

@@ -58,8 +58,10 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
 /// One food object for each place that an organism is drawn to.
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   std::string text;
-  for (const Vec3& at : food_places(scene.specimens, time)) {
-    text += "object{Food_Swarm() translate";
+  for (const auto& [at, left] : food_places(scene.specimens, time)) {
+    text += "object{Food_Swarm() ";
+    if (left < 1) text += "scale ", append(text, std::cbrt(static_cast<double>(left)), 4), text += ' ';
+    text += "translate";
     append_point(text, space, at);
     text += "}\n";
   }

@@ -72,7 +72,54 @@ Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float str
   return glm::angleAxis(std::min(angle, std::asin(std::min(sine, 1.0f))), axis / sine);
 }
 
+/// All food that is left, and how much a part of a skeleton bends to each.
+class Pull {
+ public:
+  Pull(const Food& food, double time, float grown) : food_(food) {
+    strength_ = static_cast<float>(food.strength) * grown;
+    for (std::size_t i = 0; strength_ != 0 && i < food.places(); ++i)
+      if (float left = food.left(i, time); left > 0) meals_.push_back({food.place(i).at(time), left});
+  }
+
+  bool any() const { return !meals_.empty(); }
+
+  /// As toward_food(), to all of it, the nearest first of all.
+  Quat turn(Vec3 heading, Vec3 base, float share, float step) const {
+    if (meals_.size() == 1) return to(heading, base, 0, 1, share, step);
+    auto nearness = [&](std::size_t i) {
+      Vec3 way = meals_[i].at - base;
+      float distance2 = glm::dot(way, way);
+      return meals_[i].left / std::max(distance2 * distance2, 1e-12f);
+    };
+    float all = 0;
+    for (std::size_t i = 0; i < meals_.size(); ++i) all += nearness(i);
+    Quat turned(1, 0, 0, 0);
+    for (std::size_t i = 0; i < meals_.size(); ++i)
+      turned = to(turned * heading, base, i, nearness(i) / all, share, step) * turned;
+    return turned;
+  }
+
+ private:
+  struct Meal {
+    Vec3 at;
+    float left;
+  };
+
+  Quat to(Vec3 heading, Vec3 base, std::size_t i, float weight, float share, float step) const {
+    return toward_food(heading, base, meals_[i].at, food_, strength_ * meals_[i].left * weight, share, step);
+  }
+
+  const Food& food_;
+  float strength_;
+  std::vector<Meal> meals_;
+};
+
 }  // namespace
+
+float Food::left(std::size_t i, double time) const {
+  if (i >= reached.size()) return 1;
+  return static_cast<float>(1 - smooth_step(reached[i], reached[i] + kMeal, time));
+}
 
 double growth_front(const Growth& growth, double time) {
   assert(growth.ripen >= 0 && std::isfinite(time));
@@ -101,13 +148,12 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
   }
 
   Current current(motion.wave, time, motion.film_length);
-  Vec3 food = motion.food.position.at(time);
   float longest = std::max(rest.longest(), 1e-6f);
   float grown = std::min(pose.front, 1.0f);
-  float strength = static_cast<float>(motion.food.strength) * grown;
+  Pull food(motion.food, time, grown);
   float ripen = static_cast<float>(motion.growth.ripen);
   float onset = smooth_step(0.0f, static_cast<float>(kOnset), pose.front);
-  bool pulled = strength != 0;
+  bool pulled = food.any();
   std::vector<Quat> pull(pulled ? n : 0);
 
   for (std::size_t i = 0; i < n; ++i) {
@@ -127,9 +173,7 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
       if (pulled) {
         Vec3 moved = pull[p] * (swing * segment);
         float length = glm::length(moved), step = (rest.distance[i] - rest.distance[p]) / longest;
-        Quat more = length > 0 ? toward_food(moved / length, pose.position[p], food, motion.food, strength,
-                                             share, step)
-                               : Quat(1, 0, 0, 0);
+        Quat more = length > 0 ? food.turn(moved / length, pose.position[p], share, step) : Quat(1, 0, 0, 0);
         pull[i] = glm::normalize(more * pull[p]);
         swing = pull[i] * swing;
       }

@@ -26,12 +26,26 @@ struct Wave {
   bool loop = true;            ///< whole swings over the film, so that its end meets its start
 };
 
+struct FoodPlace {
+  Animated<Vec3> position{Vec3(0, 1, 0)};
+};
+
 /// A pull toward food.
 struct Food {
   double strength = 0;  ///< about the angle in radians by which a whole branch may bend
   double reach = 0.25;  ///< metres; the pull fades nearer than this, so that tips do not whirl round the food
   Animated<Vec3> position{Vec3(0, 1, 0)};
+  std::vector<FoodPlace> others;  ///< more of it; each part of a branch bends most to what is nearest
+  bool eaten = false;             ///< whether what a tip has reached is eaten up, by whoever comes first
+  std::vector<double> reached;  ///< seconds, of position and of the others: when a tip is there; empty: never
+
+  std::size_t places() const { return 1 + others.size(); }
+  const Animated<Vec3>& place(std::size_t i) const { return i == 0 ? position : others[i - 1].position; }
+  /// The share of it that is not eaten yet, 0..1.
+  float left(std::size_t i, double time) const;
 };
+
+inline constexpr double kMeal = 1.5;  ///< seconds in which food is eaten up
 
 /// Leaves that tremble on their stalks in gusts of wind.
 struct Flutter {

@@ -14,6 +14,7 @@
 #include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/feeding.h"
 #include "scene/fit.h"
 #include "scene/nursery.h"
 #include "scene/remarks.h"
@@ -284,6 +285,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   std::ranges::move(gardener.notes, std::back_inserter(scene.notes));
 
   scene.specimens = in_order(std::move(world).take_all(), preset);
+  if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
   if (!preset.stage.camera.fit.empty()) {
     Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),
                           preset.film.aspect(), ground->heights());

@@ -253,7 +253,7 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
   header["light"] = light_json(light);
   header["setting"] = setting.name;
   Json food = Json::array();
-  for (Vec3 at : food_places(scene.specimens, request.time)) food.push_back(json_of(at));
+  for (const FoodLeft& meal : food_places(scene.specimens, request.time)) food.push_back(json_of(meal.at));
   header["food"] = std::move(food);
   add_lists(header, scene, preset);
   return packet_of(std::move(header), std::move(parts), request.kept);

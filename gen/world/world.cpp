@@ -54,14 +54,14 @@ double World::open_sky(const DVec3& at) const {
   return open / (kSkyRings * kSkyRays);
 }
 
-std::vector<Vec3> World::food(double time) const { return food_places(standing_, time); }
-
-std::vector<Vec3> food_places(std::span<const Specimen> specimens, double time) {
-  std::vector<Vec3> places;
+std::vector<FoodLeft> food_places(std::span<const Specimen> specimens, double time) {
+  std::vector<FoodLeft> places;
   for (const Specimen& s : specimens) {
-    if (s.motion.food.strength == 0) continue;
-    Vec3 at = s.motion.food.position.at(time);
-    if (std::ranges::find(places, at) == places.end()) places.push_back(at);
+    const Food& food = s.motion.food;
+    for (std::size_t i = 0; food.strength != 0 && i < food.places(); ++i) {
+      FoodLeft meal{food.place(i).at(time), food.left(i, time)};
+      if (meal.left > 0 && std::ranges::find(places, meal) == places.end()) places.push_back(meal);
+    }
   }
   return places;
 }

@@ -61,9 +61,6 @@ class World {
   const Territories& territories() const { return territories_; }
   void settle(Territories territories) { territories_ = std::move(territories); }
 
-  /// Where food is at a time in seconds, for all that is drawn to some; each place once.
-  std::vector<Vec3> food(double time) const;
-
  private:
   TakenSpots taken_;
   Seed seed_;
@@ -77,7 +74,14 @@ class World {
   mutable std::map<std::vector<std::string>, std::shared_ptr<const Host>> hosts_;
 };
 
-/// See World::food().
-std::vector<Vec3> food_places(std::span<const Specimen> specimens, double time);
+/// Food at a time, and the share of it that is not eaten yet, > 0.
+struct FoodLeft {
+  Vec3 at{0};
+  float left = 1;
+  bool operator==(const FoodLeft&) const = default;
+};
+
+/// Where food is at a time in seconds, for all that is drawn to some; each place once.
+std::vector<FoodLeft> food_places(std::span<const Specimen> specimens, double time);
 
 }  // namespace frond

@@ -61,13 +61,15 @@ TEST(World, KnowsWhatIsTaken) {
 }
 
 TEST(World, KnowsWhereFoodIs) {
-  World world = open_world();
   std::vector<Specimen> grown(3);
   grown[0].motion.food.strength = grown[1].motion.food.strength = 0.5;
   grown[0].motion.food.position = grown[1].motion.food.position =
       Animated<Vec3>({{0, Vec3(0)}, {2, Vec3(2, 0, 0)}});
-  world.add(std::move(grown));
-  EXPECT_EQ(world.food(2), std::vector{Vec3(2, 0, 0)});
+  EXPECT_EQ(food_places(grown, 2), (std::vector<FoodLeft>{{Vec3(2, 0, 0), 1}}));
+  // Of more food each is told, and what is eaten is gone.
+  grown[1].motion.food.others = {{Vec3(0, 1, 0)}, {Vec3(0, 2, 0)}};
+  grown[1].motion.food.reached = {9, 9, 0.25};
+  EXPECT_EQ(food_places(grown, 2).size(), 2u);
 }
 
 TEST(Put, ScalesAllThatAModelHas) {
