@@ -102,6 +102,9 @@ garden-tree 560x280 1 garden/tree
 garden-hours 320x180 3 garden/garden@1,/scene/garden/hour=6.5 garden/garden@1,/scene/garden/hour=12 garden/garden@1,/scene/garden/hour=20
 reef-species 192x160 5 species/corals/staghorn species/corals/blue_staghorn species/corals/bottlebrush species/corals/bird_nest species/corals/club species/corals/whip species/corals/brain species/corals/grooved_brain species/corals/star species/corals/honeycomb species/corals/lobe species/corals/finger species/corals/cauliflower species/corals/hood species/corals/pillar species/corals/horn species/corals/lettuce_coral species/corals/plate_coral species/corals/table_coral species/corals/encrusting_coral species/corals/tube_sponge species/corals/organ_pipe_coral species/corals/barrel_sponge species/corals/mushroom_coral species/corals/sea_fan
 reef-flight 640x360 1 reef_flight@70
+reef-dusk 640x360 1 reef_dusk@192
+feeding 320x180 3 feeding@40 feeding@80 feeding@130
+asking 400x225 3 asking/light asking/surface asking/food
 thicket 480x270 1 thicket@96
 reef-life 288x192 4 reef/chromis reef/fishes reef/anemone reef/starfish reef/urchin reef/sea_grass reef/kelp
 staghorn 480x360 1 staghorn

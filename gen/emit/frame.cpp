@@ -13,8 +13,10 @@
 #include "core/text.h"
 #include "emit/body.h"
 #include "emit/camera.h"
+#include "emit/eyes.h"
 #include "emit/focus.h"
 #include "emit/plant.h"
+#include "emit/polyps.h"
 #include "emit/setting.h"
 #include "emit/skin.h"
 #include "emit/solid.h"
@@ -235,6 +237,8 @@ Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, 
   const Solids& solids = i < parts.solids.size() && parts.solids[i] ? *parts.solids[i] : b.model.solids;
   if (std::string text = growing_solids_text(parts.space, solids, b.motion.growth, time); !text.empty())
     out(text);
+  if (std::ranges::any_of(solids.shapes, [](const Solid& solid) { return solid.material.polyp > 0; }))
+    out(polyps_text(parts.space, solids, b.motion.growth, time, eye_at(scene, time)));
   if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
   Result<Specimen> now = developed(b, time);
   return now ? write_branches(parts.space, *now, parts.first_skin[i], eye, time, out) : now.errors();

@@ -66,6 +66,12 @@ void append_material(std::string& text, const Material& material) {
   const MatterRow& row = row_of(material.matter);
   text += " texture{";
   append_macro(text, row.macro, material);
+  if (material.glow > 0) {
+    text.back() = ' ';  // the texture goes on
+    text += "Reef_Glow(";
+    append(text, material.glow, 4);
+    text += ")}";
+  }
   for (const Band& band : material.bands) {
     text += "texture{Vessel_Band(";
     append_color(text, band.color);

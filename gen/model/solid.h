@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/curve.h"
 #include "core/vec.h"
 #include "model/implicit.h"
 #include "model/surface.h"
@@ -61,6 +62,9 @@ struct Material {
   double moss = 0;                    ///< 0 none .. 1: how much moss, and lichen, grows on what faces upward
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
+  double glow = 0;             ///< of living tissue: how much blue light makes it shine by itself
+  double polyp = 0;            ///< metres that a polyp spreads its tentacles over; 0: none are seen
+  Animated<double> open{1.0};  ///< 0 drawn in .. 1 spread, by seconds
 };
 
 /// A body of one material. Metres.

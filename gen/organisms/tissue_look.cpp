@@ -15,7 +15,10 @@ Material material_of(const TissueLook& look, Matter matter, Seed seed) {
           .second = toned(look.second),
           .scale = look.cup,
           .relief = look.relief,
-          .gloss = look.gloss};
+          .gloss = look.gloss,
+          .glow = look.glow,
+          .polyp = look.polyps,
+          .open = look.open};
 }
 
 }  // namespace frond

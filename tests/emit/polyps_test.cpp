@@ -1,0 +1,60 @@
+#include "emit/polyps.h"
+
+#include <gtest/gtest.h>
+
+namespace frond {
+namespace {
+
+/// A level skin of a metre, grown from half of that.
+Solids skin_with_polyps() {
+  Solid skin;
+  skin.surface.position = {{-0.5f, 0, -0.5f}, {0.5f, 0, -0.5f}, {0.5f, 0, 0.5f}, {-0.5f, 0, 0.5f}};
+  skin.surface.triangle = {{0, 2, 1}, {0, 3, 2}};
+  skin.surface.uv = {{1, 0}, {1, 0}, {1, 0}, {1, 0}};
+  set_normals(skin.surface);
+  skin.past = {{}};
+  for (Vec3 p : skin.surface.position) skin.past[0].push_back(0.5f * p);
+  skin.material.matter = Matter::polyps;
+  skin.material.polyp = 0.05;
+  Solids solids;
+  solids.place(solids.add_shape(skin));
+  return solids;
+}
+
+std::size_t count_of(const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find("object{Polyp"); at != std::string::npos;
+       at = text.find("object{Polyp", at + 1))
+    ++count;
+  return count;
+}
+
+TEST(Polyps, StandApartOnTheSideThatIsSeen) {
+  Solids solids = skin_with_polyps();
+  Growth grown{.start = -1, .duration = 0};
+  Eye above = eye_toward({0, 2, 0.1f}, {0, 0, 0}, 1, 1, 0.001),
+      below = eye_toward({0, -2, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
+  std::size_t seen = count_of(polyps_text({}, solids, grown, 1, above));
+  // At 0.85 of their width apart, no two nearer; about as dense as darts that find no room any more.
+  EXPECT_GT(seen, 250u);
+  EXPECT_LT(seen, 640u);
+  EXPECT_EQ(count_of(polyps_text({}, solids, grown, 1, below)), 0u);
+  Eye far = eye_toward({0, 200, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
+  EXPECT_EQ(count_of(polyps_text({}, solids, grown, 1, far)), 0u) << "too small to be seen";
+  EXPECT_EQ(polyps_text({}, solids, {.start = 5, .duration = 1}, 1, above), "") << "it has not begun to grow";
+}
+
+TEST(Polyps, OpenAndCloseByTheHour) {
+  Solids solids = skin_with_polyps();
+  solids.shapes[0].material.open = Animated<double>({{0, 0}, {4, 1}});
+  Growth grown{.start = -1, .duration = 0};
+  Eye eye = eye_toward({0, 2, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
+  std::string closed = polyps_text({}, solids, grown, 0, eye), open = polyps_text({}, solids, grown, 4, eye);
+  EXPECT_EQ(count_of(closed), count_of(open));
+  // Where they stand is the same, their shape is not.
+  EXPECT_EQ(closed.substr(closed.find("union{")), open.substr(open.find("union{")));
+  EXPECT_NE(closed, open);
+}
+
+}  // namespace
+}  // namespace frond
