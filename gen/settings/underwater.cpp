@@ -13,6 +13,9 @@ void describe(Visitor& v, Water& w) {
   v.color("deep", w.deep, "Colour of the depth below the horizon");
   v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
            "Distance at which two thirds of a colour are lost in the water");
+  v.number(
+      "depth", w.depth, {.min = 0, .max = 60, .unit = "m"},
+      "Depth whose colour the light has: red goes first, then green; 0 is as a photographer's lamp shows it");
   v.direction("sun", w.sun, "Direction toward the sun");
   v.number("caustics", w.caustics, {.min = 0, .max = 1.5},
            "How strongly waves focus the light into moving lines on the ground");

@@ -12,6 +12,7 @@ struct Water {
   Color near{0.06f, 0.46f, 0.62f};  ///< what distance fades to
   Color deep{0.02f, 0.22f, 0.38f};  ///< looking down into the depth
   double visibility = 11;           ///< metres in which two thirds of the light are lost
+  double depth = 0;                 ///< metres of water above that take red from the light
   Vec3 sun{0.35f, 1, 0.35f};        ///< towards the sun
   double caustics = 1;              ///< strength of the light's dance, 0 none
   double shafts = 0.8;              ///< strength of the beams of light, 0 none
