@@ -233,10 +233,11 @@ TEST(Scene, PebblesLieOnTheGroundHoweverItRuns) {
 }
 
 TEST(Scene, IsWhatItPromises) {
-  for (const char* name :
-       {"presets/reef", "presets/bush", "presets/fused", "presets/garden/rocks", "presets/garden/vases",
-        "presets/garden/bridge", "presets/garden/guided_palm", "presets/ivy/column", "presets/trees/poplar",
-        "presets/forest/fern", "presets/aspen", "presets/heart_tree", "presets/lsystems/growing-tree-2.6"}) {
+  for (const char* name : {"presets/thicket", "presets/reef/chromis", "presets/species/corals/mushroom_coral",
+                           "presets/asking/surface", "presets/bush", "presets/fused", "presets/garden/rocks",
+                           "presets/garden/vases", "presets/garden/bridge", "presets/garden/guided_palm",
+                           "presets/ivy/column", "presets/trees/poplar", "presets/forest/fern",
+                           "presets/aspen", "presets/heart_tree", "presets/lsystems/growing-tree-2.6"}) {
     std::string path = std::string(FROND_ROOT "/") + name + ".json";
     Result<Preset> preset = read_preset(*read_file(path), path, {});
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();

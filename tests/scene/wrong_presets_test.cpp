@@ -78,7 +78,7 @@ const WrongPreset kWrongNames[] = {
      R"({"scene": {"camrea": {}, "water": {"colour": "#ffffff"}, "floor": {"stone": 1}}})",
      {},
      {R"(1:12: /scene/camrea: unknown property "camrea"; expected one of setting, camera, water, studio, meadow, garden, forest, floor; did you mean "camera"?)",
-      R"(1:36: /scene/water/colour: unknown property "colour"; expected one of near, deep, visibility, sun, caustics, shafts, particles)",
+      R"(1:36: /scene/water/colour: unknown property "colour"; expected one of near, deep, visibility, depth, sun, caustics, shafts, particles)",
       R"(1:68: /scene/floor/stone: unknown property "stone"; expected one of relief, scale, stones, stone_size, extent; did you mean "stones"?)"}},
     {"An unknown key of the camera",
      R"({"scene": {"camera": {"lookat": [0, 0, 0]}}})",
