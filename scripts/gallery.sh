@@ -16,7 +16,7 @@ the seconds of processor that POV-Ray took, here or where they were rendered las
 $best
 TEXT
 }
-best="reef garden forest heart_tree stone_bridge ivy-brick_wall tree-oak tree-cherry tree-spruce rocks"
+best="reef garden forest stone_bridge ivy-brick_wall rocks reef-flight reef-dusk tree-cherry meadow"
 help_where_asked "$@"
 work=out/gallery large=''
 while (($# > 0)); do
