@@ -102,7 +102,7 @@ void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape
   }
 }
 
-/// All organs of one prototype, each part of them as one mesh.
+/// All organs of one prototype, each part of them as one mesh; dew is left out, which from there is not seen.
 std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const CopyDetail& detail,
                                     const ModelBlocks* blocks) {
   const Prototype& prototype = model.prototypes[which];
@@ -116,11 +116,13 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
   std::vector<FarShape> shapes;
   int stride = 1;
   for (const OrganPart& part : prototype.parts) {
-    shapes.push_back(far_shape(part.surface, size / count, count, detail));
+    bool drops = part.tissue == Tissue::dew;
+    shapes.push_back(drops ? FarShape{} : far_shape(part.surface, size / count, count, detail));
     stride = std::max(stride, shapes.back().stride);
   }
   stride = std::min(stride, count);  // one is left at least
-  for (std::size_t k = 0; k < parts.size(); ++k) merge(parts[k], model, which, shapes[k], stride, blocks);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (prototype.parts[k].tissue != Tissue::dew) merge(parts[k], model, which, shapes[k], stride, blocks);
   return parts;
 }
 

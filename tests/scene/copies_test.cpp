@@ -100,6 +100,16 @@ TEST(CopyParts, LeavesKnowTheirColor) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(wanted[k] / all, drawn[k] / corners, 1e-6);
 }
 
+TEST(CopyParts, HaveNoDew) {
+  Organism o = organism(R"j({"kind": "plant", "grammar": {"axiom": "F(0.1)L"}, "sown": {"models": 1},
+      "organs": [{"symbol": "L", "dew": 5}]})j");
+  Result<Model> model = grow_copy(o, 0);
+  ASSERT_TRUE(model);
+  ASSERT_EQ(model->prototypes[0].parts.size(), 2u);
+  std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, *model, {});
+  EXPECT_EQ(std::ranges::count(parts, CopyPart::Kind::organ, &CopyPart::kind), 1);
+}
+
 TEST(GrowCopy, IsTheSameEachTimeAndAnotherInACrowd) {
   Organism o = organism(tree());
   Result<Model> first = grow_copy(o, 1), again = grow_copy(o, 1), other = grow_copy(o, 2);
