@@ -220,10 +220,15 @@ done
 # What was not rendered now keeps its row.
 list=$root/docs/gallery.md
 {
-  printf '# Gallery\n\nEvery picture is made by scripts/gallery.sh from the preset as it is, at the quality "good".\n\n'
+  printf '# Gallery\n\nEvery picture is made by scripts/gallery.sh from the preset as it is, at the quality "good". Some lead to larger ones.\n\n'
   printf '| picture | preset | size | seed | nodes | seconds of processor |\n| --- | --- | --- | --- | --- | --- |\n'
   while read -r name _; do
-    cat -- "$work/rows/$name" 2>/dev/null || grep -F "gallery/$name.jpg" "$list" 2>/dev/null || true
+    row=$(cat -- "$work/rows/$name" 2>/dev/null || grep -F "gallery/$name.jpg" "$list" 2>/dev/null || true)
+    if [[ -z $row ]]; then continue; fi
+    if [[ -e $root/docs/gallery/large/$name.jpg && $row != *gallery/large/* ]]; then
+      row="| <a href=\"gallery/large/$name.jpg\">${row#| }" row=${row/'width="200">'/'width="200"></a>'}
+    fi
+    printf '%s\n' "$row"
   done < <(pictures)
 } >"$work/gallery.md"
 put_in_place "$work/gallery.md" "$list"
