@@ -68,7 +68,7 @@ class Caster {
   Caster(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm = {})
       : maker_(maker), options_(maker.options), b_(b), swarm_(std::move(swarm)) {
     pose_specimen(b, time, pose_);
-    keys_.resize(std::max<std::size_t>(options_.keys.size(), 1) - 1);
+    if (swarm_.empty()) keys_.resize(std::max<std::size_t>(options_.keys.size(), 1) - 1);
     for (std::size_t k = 0; k < keys_.size(); ++k) pose_specimen(b, options_.keys[k], keys_[k]);
     maker_.begin(plain_name(b.name, "organism"), foot_of(b.model));
   }
@@ -118,7 +118,7 @@ class Caster {
     };
     std::map<std::string, std::vector<CastPart>> meshes =
         swarm_.empty() ? foliage(posed) : swarm_parts(maker_, b_.look, posed, swarm_, most);
-    for (const Pose& key : swarm_.empty() ? keys_ : std::vector<Pose>()) {
+    for (const Pose& key : keys_) {
       auto others = foliage(posed_organs(b_, key, pose_.front));
       for (auto& [name, parts] : meshes)
         for (std::size_t k = 0; k < parts.size(); ++k)
@@ -200,7 +200,7 @@ class Caster {
   const CastOptions& options_;
   const Specimen& b_;
   Pose pose_;
-  std::vector<Pose> keys_;
+  std::vector<Pose> keys_;  // none of a swarm
   std::vector<Model> swarm_;
   double wood_ = 0, leaves_ = 0;  // triangles at the first level
 };

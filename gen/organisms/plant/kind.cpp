@@ -220,8 +220,10 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
   bool asks() const {
     const GrammarText& text = params.grammar;
     auto asked = [](const std::string& part) { return part.find("?E") != std::string::npos; };
-    return asked(text.axiom) ||
-           std::ranges::any_of(text.rules, [&](const GrammarText::Rule& rule) { return asked(rule.text); });
+    auto asks_in = [&](const std::vector<GrammarText::Rule>& rules) {
+      return std::ranges::any_of(rules, asked, &GrammarText::Rule::text);
+    };
+    return asked(text.axiom) || asks_in(text.rules) || asks_in(text.decomposition);
   }
 };
 
