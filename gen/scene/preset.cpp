@@ -195,6 +195,10 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
       continue;
     }
     if (species->text.empty()) continue;
+    if (species->text.ends_with(".xml")) {
+      fault("an XML file is no preset; species of Arbaro are named by \"arbaro\", of the kind weber_penn");
+      continue;
+    }
     Result<NamedFile> file = assets.read(species->text, std::filesystem::path(file_name).parent_path());
     if (!file) {
       fault(file.errors().front().what);

@@ -182,6 +182,22 @@ TEST(Schema, IsTheOneInDocs) {
   EXPECT_EQ(*read_file(FROND_ROOT "/docs/preset.schema.json"), preset_schema());
 }
 
+TEST(Schema, NoKindDescribesWhatAllOfThemHave) {
+  Result<Document> schema = parse_json(preset_schema(), "schema");
+  ASSERT_TRUE(schema.ok());
+  int kinds = 0;
+  auto walk = [&](auto& self, const Value& v) -> void {
+    const Value *common = v.find("properties"), *cases = v.find("allOf");
+    for (std::size_t i = 0; common && cases && i < cases->items.size(); ++i, ++kinds)
+      for (const Member& member : cases->items[i].find("then")->find("properties")->members)
+        EXPECT_TRUE(member.value.is(Value::Type::boolean) || !common->find(member.name)) << member.name;
+    for (const Value& item : v.items) self(self, item);
+    for (const Member& member : v.members) self(self, member.value);
+  };
+  walk(walk, schema->root);
+  EXPECT_GT(kinds, 20);
+}
+
 TEST(Garden, GrowsNoGrassInPondAndPath) {
   const char* text = R"({"scene": {"setting": "garden", "meadow": {"blade": 0.08, "blades": 50, "extent": 7},
     "garden": {"pond": {"size": [3, 2]}, "path": {"points": [[-6, 4], [6, 3]]}, "lilies": 10}}})";

@@ -270,6 +270,12 @@ const WrongPreset kWrongValues[] = {
       "of "
       "its size at most",
       "3:51: /organisms/2/place/on/0: no organism \"rock\" to grow on; expected fan"}},
+    {"A species of Arbaro that is named as if it were a preset",
+     R"({"organisms": [{"kind": "weber_penn", "species": "aspen.xml"}]})",
+     {},
+     {"1:50: /organisms/0/species: an XML file is no preset; species of Arbaro are named by \"arbaro\", of "
+      "the kind "
+      "weber_penn"}},
     {"A species that is no text",
      R"({"organisms": [{"species": 3}]})",
      {},

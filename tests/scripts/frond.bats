@@ -326,6 +326,20 @@ body_preset() {
   cmp whole.png "$leaf"
 }
 
+@test "a species of Arbaro grows in place of what the preset says" {
+  cat >aspen.xml <<XML
+<?xml version='1.0'?><arbaro><species name='aspen'>
+<param name='Levels' value='2'/><param name='Scale' value='4'/><param name='Leaves' value='0'/>
+<param name='1Branches' value='7'/><param name='1Length' value='0.3'/>
+</species></arbaro>
+XML
+  echo '{"organisms": [{"kind": "weber_penn", "arbaro": "aspen.xml", "tree": {"scale": 30}}]}' >aspen.json
+  run --separate-stderr "$frond" export aspen.json -o aspen.obj
+  [ "$status" -eq 0 ]
+  top=$(awk '$1 == "v" && $3 > y { y = $3 } END { print int(y + 0.5) }' aspen.obj)
+  [ "$top" -eq 4 ]
+}
+
 @test "an unknown command is told with those there are and the nearest" {
   run "$frond" genrate x.json
   [ "$status" -eq 2 ]

@@ -146,7 +146,7 @@ template <class Visitor>
 void describe(Visitor& v, WeberPennParams& p) {
   v.object("tree", p.tree, "The shape of the tree");
   v.file(
-      "species", p.species, [&](const NamedFile& file) { return load_species(file, p.tree); },
+      "arbaro", p.arbaro, [&](const NamedFile& file) { return load_species(file, p.tree); },
       "An XML file of Arbaro, named as seen from the preset's folder, in place of tree");
   describe(v, p.dress);
 }

@@ -11,7 +11,7 @@ namespace frond {
 /// A tree by the parameters of Weber and Penn.
 struct WeberPennParams {
   WeberPenn tree;
-  std::string species;  ///< an Arbaro file whose values stand for `tree`, as seen from the preset's folder
+  std::string arbaro;  ///< an Arbaro file whose values stand for `tree`, as seen from the preset's folder
   TreeDress dress;
 };
 
