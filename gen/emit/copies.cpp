@@ -7,12 +7,14 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/eyes.h"
 #include "emit/plant.h"
 #include "emit/solid.h"
+#include "motion/motion.h"
 
 namespace frond {
 
@@ -43,12 +45,20 @@ std::string wood_look(const Look& look) {
     append(text, look.coat->relief, 4);
     return text + ",T)";
   }
+  if (look.skin) {
+    const Pores& pores = look.skin->pores;
+    const Tint& tint = look.skin->tint;
+    text = fmt::format("Copy_Coral({},", static_cast<int>(look.skin->kind));
+    append_color(text, tint.base);
+    text += ',';
+    append_color(text, tint.secondary);
+    text += ',';
+    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
+                tint.young);
+    return text + ",T)";
+  }
   Bark plain;
   plain.kind = BarkKind::stem;
-  if (look.skin) {
-    plain.colors = {look.skin->tint.base};
-    plain.second = look.skin->tint.secondary;
-  }
   const Bark& b = look.bark ? *look.bark : plain;
   text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
   append_color(text, b.colors[0]);
@@ -101,12 +111,17 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
   how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
   how.flat = level >= 1 ? 0.7f : 0.9999f;
   bool pictured =
-      part.kind == CopyPart::Kind::wood ? look.coat.has_value()
+      part.kind == CopyPart::Kind::wood ? look.coat || look.skin
       : part.kind == CopyPart::Kind::organ
           ? !kLevels[level].plain || !model.prototypes[part.which].parts[part.part].pictures.empty()
           : true;
   how.uv_decimals = !pictured ? -1 : level >= 2 ? 2 : 3;
   return how;
+}
+
+/// What is written of a part.
+Surface skin_for(const CopyPart& part, const Model& model, const Surface& surface) {
+  return part.kind == CopyPart::Kind::solid ? told(surface, model.solids.shapes[part.which]) : surface;
 }
 
 /// A part put together from its blocks, as their files declare them.
@@ -140,6 +155,17 @@ bool sways(const SownStand& stand, const Film& film) {
   return stand.dress.motion.wave.amplitude > 0 && film.frames > 1;
 }
 
+/// Whether its copies are others in each frame.
+bool moves(const SownStand& stand, const Film& film) {
+  return sways(stand, film) || copy_growth(stand.organism, film, 0).has_value();
+}
+
+/// Whether each copy carries its pattern with it, as the skin of corals must; else what is drawn on copies
+/// lies in the world, or on their `uv`, which costs less.
+bool carries_pattern(const SownStand& stand, const Film& film) {
+  return moves(stand, film) && stand.organism.grower->stage() == GrowthStage::in_space;
+}
+
 /// How far the wind bends something at a place over, as a shear: metres a metre of height.
 Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
   Vec2 wind(wave.direction.x, wave.direction.z);
@@ -156,6 +182,39 @@ Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
          Vec2(-wind.y, wind.x) * (0.4f * reach * static_cast<float>(side));
 }
 
+/// A part's mesh, which `mesh` appends, and the macro of its look.
+template <class Mesh>
+void append_part(std::string& text, std::string_view name, std::size_t number, const std::string& look,
+                 const Mesh& mesh) {
+  text += "#declare ";
+  append_part_name(text, name, number);
+  text += " = ";
+  mesh(text);
+  text += "\n#macro ";
+  append_part_name(text, name, number);
+  text += "_Look(T) " + look + " #end\n";
+}
+
+/// What there is of a growing model's parts at a level, or of one block of it, under a name of this frame;
+/// `parts` is told which.
+std::string growing_text(const std::string& name, const SownStand& stand, const Model& now, const Drawn& one,
+                         const ModelBlocks& blocks, std::vector<int>& parts) {
+  const Look& look = stand.dress.look;
+  std::string text;
+  std::vector<CopyPart> all = copy_parts(look, now, kLevels[one.level], &blocks);
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    bool whole = one.block == ModelFile::kWhole;
+    Surface some = whole ? Surface{} : in_block(all[p], one.block);
+    if (!whole && some.triangle.empty()) continue;
+    parts.push_back(static_cast<int>(p));
+    append_part(text, name, p, look_of(all[p], look, now, kLevels[one.level].plain), [&](std::string& out) {
+      append_mesh(out, PovSpace{kModelUnit}, skin_for(all[p], now, whole ? all[p].surface : some),
+                  mesh_text(all[p], look, now, one.level));
+    });
+  }
+  return text;
+}
+
 /// All copies of a stand: one union for each part of each model, level, block and tint.
 std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t which,
                        std::size_t stretch, double time) {
@@ -163,6 +222,8 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
   const Organism& organism = stand.organism;
   const Copies& copies = stand.copies;
   const Wave* wave = sways(stand, scene.film) ? &stand.dress.motion.wave : nullptr;
+  bool carries = carries_pattern(stand, scene.film);
+  auto unit = static_cast<float>(space.unit / kModelUnit);
   std::map<std::array<int, 4>, std::string>
       groups;  // model, level, block, tint: lines without what they place
   for (const Drawn& one : plan.drawn[stretch][which]) {
@@ -172,30 +233,63 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
       Vec2 lean = bent(*wave, scene.film.length(), copies.foot[i], time);
       for (int axis = 0; axis < 3; ++axis) frame[axis] += Vec3(lean.x, 0, lean.y) * frame[axis].y;
     }
-    frame *= copies.scale[i] * static_cast<float>(space.unit / kModelUnit);
+    frame *= copies.scale[i] * (carries ? 1 : unit);
     std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i]}];
     append_matrix(lines, space, frame, copies.foot[i]);
     lines += "}\n";
   }
   std::string text;
   append_comment(text, organism.name);
+  std::optional<Model> now;
+  int grown = -1;  // whose `now` is
+  std::string of;
+  std::vector<int> parts;
   for (const auto& [key, lines] : groups) {
     auto [model, level, block, tint] = key;
-    const ModelFile& file =
-        plan.file(which, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
+    Drawn one{0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)};
+    const ModelFile& file = plan.file(which, model, one);
     std::string name = declared_name(file);
-    for (int part : file.parts) {
+    auto growing = plan.growing.find({which, model});
+    Motion motion = stand.dress.motion;
+    if (growing != plan.growing.end()) motion.growth = *copy_growth(organism, scene.film, model);
+    double front = growing == plan.growing.end() ? 2 : growth_front(motion.growth, time);
+    bool whole = front >= 1 + motion.growth.ripen;
+    if (carries) text += fmt::format("#declare Reef_Front = {:.4g};\n", std::min(front, 1.0));
+    if (whole) {
+      parts = file.parts;
+    } else {
+      if (std::exchange(grown, model) != model) now = grown_by(*growing->second, motion, time), of.clear();
+      if (!now) continue;
+      name = fmt::format("Growing{}_{}_{}_{}", which, model, level, block + 1);
+      if (std::exchange(of, name) != name) {
+        parts.clear();
+        ModelBlocks blocks = blocks_of(plan.crumbs[which][static_cast<std::size_t>(model)]);
+        text += growing_text(name, stand, *now, one, blocks, parts);
+      }
+    }
+    for (int part : parts) {
+      std::string look = fmt::format("_Look(Tint{}[{}])", which, tint);
       text += group_opening(lines);
       for (std::size_t from = 0; from < lines.size();) {
         std::size_t to = lines.find('\n', from) + 1;
         text += "object{";
         append_part_name(text, name, static_cast<std::size_t>(part));
         text += ' ';
+        if (carries) {
+          text += "scale ";
+          append(text, unit, 6);
+          text += ' ';
+          append_part_name(text, name, static_cast<std::size_t>(part));
+          text += look + ' ';
+        }
         text.append(lines, from, to - from);
         from = to;
       }
-      append_part_name(text, name, static_cast<std::size_t>(part));
-      text += fmt::format("_Look(Tint{}[{}])}}\n", which, tint);
+      if (!carries) {
+        append_part_name(text, name, static_cast<std::size_t>(part));
+        text += look;
+      }
+      text += "}\n";
     }
   }
   return text;
@@ -206,7 +300,7 @@ std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPla
   if (plan.drawn.empty()) return {};
   std::vector<std::string> texts(scene.stands.size());
   parallel_for(texts.size(), [&](std::size_t s) {
-    if (sways(scene.stands[s], scene.film) == swaying)
+    if (moves(scene.stands[s], scene.film) == swaying)
       texts[s] = stand_text(space, scene, plan, s, stretch, time);
   });
   std::string text;
@@ -231,6 +325,7 @@ std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const 
     bool whole = file.block == ModelFile::kWhole;
     std::string name = declared_name(file), list, body;
     std::set<std::string_view> includes{"copy"};
+    if (look.skin) includes.insert("coral");
     for (std::size_t p = 0; p < all.size(); ++p) {
       const CopyPart& part = all[p];
       Surface some = whole ? Surface{} : in_block(part, file.block);
@@ -238,17 +333,13 @@ std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const 
       if (part.kind == CopyPart::Kind::solid)
         includes.insert(material_include(model.solids.shapes[part.which].material));
       list += fmt::format(" {}", p);
-      body += "#declare ";
-      append_part_name(body, name, p);
-      body += " = ";
-      if (file.blocks > 0)
-        append_joined(body, part, name, p);
-      else
-        append_mesh(body, PovSpace{kModelUnit}, whole ? part.surface : some,
-                    mesh_text(part, look, model, level));
-      body += "\n#macro ";
-      append_part_name(body, name, p);
-      body += "_Look(T) " + look_of(part, look, model, kLevels[level].plain) + " #end\n";
+      append_part(body, name, p, look_of(part, look, model, kLevels[level].plain), [&](std::string& out) {
+        if (file.blocks > 0)
+          append_joined(out, part, name, p);
+        else
+          append_mesh(out, PovSpace{kModelUnit}, skin_for(part, model, whole ? part.surface : some),
+                      mesh_text(part, look, model, level));
+      });
     }
     std::string& text = texts[i];
     append_comment(text,

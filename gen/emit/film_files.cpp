@@ -12,6 +12,7 @@
 #include "core/parallel.h"
 #include "emit/setting.h"
 #include "emit/soft_light.h"
+#include "emit/solid.h"
 #include "images/whole.h"
 
 namespace frond {
@@ -35,6 +36,13 @@ std::set<int> models_of(const SownStand& stand) {
   return {stand.copies.model.begin(), stand.copies.model.end()};
 }
 
+/// What lives, with no more triangles than show at a level.
+Model for_level(Model model, int level) {
+  for (Solid& solid : model.solids.shapes)
+    if (lives(solid.material)) solid = with_edges(solid, 2 * kLevels[level].grain);
+  return model;
+}
+
 }  // namespace
 
 Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const Watch& watch) {
@@ -49,6 +57,7 @@ Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const 
     std::string crumbs_name;
     std::vector<Crumb> crumbs;
     std::vector<std::vector<ModelFile>> missing;  // of each level
+    std::shared_ptr<const Model> grown;           // where the film sees it grow
   };
   Views views(scene);
   std::map<std::string, Grown> all;
@@ -71,6 +80,11 @@ Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const 
           one.missing[static_cast<std::size_t>(file.level)].push_back(file);
     }
   };
+  auto grows = [&](const Grown& one) {
+    return std::ranges::any_of(one.uses, [&](const Grown::Use& use) {
+      return copy_growth(scene.stands[use.stand].organism, scene.film, one.model).has_value();
+    });
+  };
   std::vector<Grown*> each, to_grow;
   for (auto& [id, one] : all) each.push_back(&one);
   parallel_for(each.size(), [&](std::size_t i) {
@@ -80,7 +94,8 @@ Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const 
     plan(*each[i]);
   });
   for (Grown* one : each)
-    if (one->missing.empty() || std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); }))
+    if (grows(*one) || one->missing.empty() ||
+        std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); }))
       to_grow.push_back(one);
   watch.begin("models", to_grow.size());
   std::vector<Errors> errors(to_grow.size());
@@ -106,8 +121,17 @@ Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const 
     ModelBlocks blocks = blocks_of(one.crumbs);
     for (const std::vector<ModelFile>& files : one.missing) {
       if (files.empty()) continue;
-      std::vector<std::string> texts = model_texts(files, stand, *model, blocks);
+      bool living =
+          std::ranges::any_of(model->solids.shapes, [](const Solid& s) { return lives(s.material); });
+      std::vector<std::string> texts =
+          model_texts(files, stand, living ? for_level(*model, files[0].level) : *model, blocks);
       for (std::size_t k = 0; k < files.size(); ++k) put(files[k].name, texts[k]);
+    }
+    if (grows(one)) {
+      int finest = kLevelCount - 1;
+      for (const Grown::Use& use : one.uses)
+        for (const ModelFile& file : use.plan.files) finest = std::min(finest, file.level);
+      one.grown = std::make_shared<const Model>(for_level(std::move(*model), finest));
     }
     watch.step();
   });
@@ -119,6 +143,7 @@ Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const 
       Grown& one = all.at(copy_id(scene.stands[s].organism, model));
       auto use = std::ranges::find(one.uses, s, &Grown::Use::stand);
       Views::add(joined, s, use->plan);
+      if (one.grown) joined.growing[{s, model}] = one.grown;
       std::vector<std::vector<Crumb>>& crumbs = joined.crumbs[s];
       crumbs.resize(std::max(crumbs.size(), static_cast<std::size_t>(model) + 1));
       crumbs[static_cast<std::size_t>(model)] = one.crumbs;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "emit/crumbs.h"
@@ -44,6 +47,8 @@ struct CopyPlan {
   std::vector<ModelFile> files;                        ///< that are needed: by stand, model, level and block
   std::vector<std::string> crumb_files;                ///< names of what they are read from
   Crumbs crumbs;                                       ///< of all models that stand
+  /// Models that the film sees grow, by stand and number: what is there of them is written in each frame.
+  std::map<std::pair<std::size_t, int>, std::shared_ptr<const Model>> growing;
 
   std::size_t stretch_of(int frame) const {
     return std::min(static_cast<std::size_t>((frame - 1) / stretch), drawn.size() - 1);

@@ -162,16 +162,6 @@ void append_placement(std::string& text, const PovSpace& space, const Solids& so
   append_matrix(text, space, frame, solids.position[i]);
 }
 
-bool lives(const Material& material) { return row_of(material.matter).include == "reef"; }
-
-/// The share of growth that what lives has reached, by which its texture knows what is young.
-void append_front(std::string& text, const Material& material, double front) {
-  if (!lives(material)) return;
-  text += "#declare Reef_Front = ";
-  append(text, std::min(front, 1.0), 4);
-  text += ";\n";
-}
-
 /// Whether a film sees it grow.
 bool is_growing(const Solid& solid, const Growth& growth) {
   return !solid.past.empty() && growth.duration > 0;
@@ -191,18 +181,6 @@ double nearest_pixels(const Scene& scene, Vec3 middle, float reach) {
   return most;
 }
 
-/// The same with so many triangles.
-Solid with_fewer(const Solid& solid, std::size_t triangles) {
-  std::vector<std::uint32_t> kept;
-  Solid less{reduced(solid.surface, triangles, &kept), solid.material};
-  if (kept.empty()) return solid;
-  for (const std::vector<Vec3>& step : solid.past) {
-    std::vector<Vec3>& places = less.past.emplace_back();
-    for (std::uint32_t v : kept) places.push_back(step[v]);
-  }
-  return less;
-}
-
 void append_shape(std::string& text, const PovSpace& space, const Solids& solids, std::size_t organism,
                   std::size_t shape) {
   std::string lines;
@@ -217,7 +195,7 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
   if (solid.native)
     append_isosurface(text, space, *solid.native);
   else if (solid.turned.empty())
-    append_mesh(text, space, solid.surface);
+    append_mesh(text, space, told(solid.surface, solid));
   else
     append_lathe(text, space, solid);
   text += '\n';
@@ -240,6 +218,37 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
 }
 
 }  // namespace
+
+bool lives(const Material& material) { return row_of(material.matter).include == "reef"; }
+
+Solid with_edges(const Solid& solid, double edge) {
+  auto triangles = static_cast<std::size_t>(area(solid.surface) / (0.43 * edge * edge));
+  if (triangles >= solid.surface.triangle.size()) return solid;
+  std::vector<std::uint32_t> kept;
+  Solid less{reduced(solid.surface, std::max<std::size_t>(triangles, 400), &kept), solid.material};
+  if (kept.empty()) return solid;
+  for (const std::vector<Vec3>& step : solid.past) {
+    std::vector<Vec3>& places = less.past.emplace_back();
+    for (std::uint32_t v : kept) places.push_back(step[v]);
+  }
+  for (std::uint32_t v : solid.light.empty() ? std::vector<std::uint32_t>() : kept)
+    less.light.push_back(solid.light[v]);
+  return less;
+}
+
+void append_front(std::string& text, const Material& material, double front) {
+  if (!lives(material)) return;
+  text += "#declare Reef_Front = ";
+  append(text, std::min(front, 1.0), 4);
+  text += ";\n";
+}
+
+Surface told(Surface skin, const Solid& solid) {
+  Matter m = solid.material.matter;
+  for (std::size_t v = 0; lives(solid.material) && m != Matter::reef && v < skin.uv.size(); ++v)
+    skin.uv[v][m == Matter::meander ? 1 : 0] = solid.light.empty() ? 1 : solid.light[v];
+  return skin;
+}
 
 std::string material_text(const Material& material) {
   std::string text;
@@ -272,10 +281,10 @@ DrawnSolids drawn_solids(const Scene& scene) {
       }
       double pixels = nearest_pixels(scene, (low + high) * 0.5f, glm::distance(low, high) / 2);
       double edge = kSidePixels[static_cast<std::size_t>(scene.film.quality)] / pixels / solids.scale[k].x;
-      auto triangles = static_cast<std::size_t>(area(solid.surface) / (0.43 * edge * edge));
-      if (triangles >= solid.surface.triangle.size()) continue;
+      Solid coarse = with_edges(solid, edge);
+      if (coarse.surface.triangle.size() == solid.surface.triangle.size()) continue;
       if (!drawn[i]) drawn[i] = solids;
-      drawn[i]->shapes[solids.shape[k]] = with_fewer(solid, std::max<std::size_t>(triangles, 400));
+      drawn[i]->shapes[solids.shape[k]] = std::move(coarse);
     }
   });
   return drawn;
@@ -304,7 +313,7 @@ std::string growing_solids_text(const PovSpace& space, const Solids& solids, con
     if (!is_growing(solid, growth)) continue;
     append_front(text, solid.material, front);
     text += "object{\n";
-    append_mesh(text, space, surface_at(solid, front));
+    append_mesh(text, space, told(surface_at(solid, front), solid));
     append_material(text, solid.material);
     append_placement(text, space, solids, i);
     text += "}\n";

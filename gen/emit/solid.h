@@ -8,6 +8,19 @@
 
 namespace frond {
 
+/// The skin of a solid with the `uv` that its texture asks for: tissue is told how much light it has, valleys
+/// in v, all others in u, which say nothing of their own there.
+Surface told(Surface skin, const Solid& solid);
+
+/// Whether it is a living skin, or the rock that such skins made.
+bool lives(const Material& material);
+
+/// The same solid of triangles that are about so long, metres; as it is where its own are no shorter.
+Solid with_edges(const Solid& solid, double edge);
+
+/// Appends the share of growth that what lives has reached, by which its texture knows what is young.
+void append_front(std::string& text, const Material& material, double front);
+
 /// The names of the povinc files that the solids of a scene need, each once, as `stone` for frond_stone.inc.
 std::vector<std::string_view> solid_includes(const Scene& scene);
 

@@ -23,7 +23,6 @@ namespace frond {
 namespace {
 
 constexpr double kWoodShare = 0.4;  // of an organism's triangles, at most
-constexpr float kFolded = 1e-3f;    // of its size, that an organ has which is not there yet
 constexpr double kTreeHeight = 20;  // metres, of the trees that the levels of forests are made for
 
 /// The lowest place that it grows from, or the middle of what it stands on.
@@ -41,24 +40,6 @@ Vec3 foot_of(const Model& model) {
   for (const Vec3& p : model.organs.position) hold(p);
   for (const Vec3& p : model.blades.surface.position) hold(p);
   return low.x > high.x ? Vec3(0) : Vec3(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z));
-}
-
-/// The organs that are there when `front` is reached, where a pose has them.
-Model posed_organs(const Specimen& b, const Pose& pose, float front) {
-  Model posed;
-  posed.prototypes = b.model.prototypes;
-  const Organs& o = b.model.organs;
-  for (std::size_t i = 0; i < o.size(); ++i) {
-    if (unfolded(o.birth[i], front, unfold_time(b.motion)) < kUnfoldedLeast) continue;
-    float size = std::max(unfolded(o.birth[i], pose.front, unfold_time(b.motion)), kFolded);
-    posed.organs.prototype.push_back(o.prototype[i]);
-    posed.organs.position.push_back(organ_place(b.model.skeleton, pose, o, i));
-    posed.organs.turn.push_back(glm::normalize(organ_turn(pose, o, i)));
-    posed.organs.scale.push_back(o.scale[i] * size);
-    posed.organs.color.push_back(o.color[i]);
-    posed.organs.id.push_back(o.id[i]);
-  }
-  return posed;
 }
 
 /// Takes the meshes of one organism to a cast.
@@ -108,7 +89,7 @@ class Caster {
 
   void add_organs() {
     if (b_.model.organs.size() == 0) return;
-    Model posed = posed_organs(b_, pose_, pose_.front);
+    Model posed = posed_organs(b_.model, pose_, unfold_time(b_.motion), pose_.front);
     if (options_.instances) return add_instances(posed);
     // What the branches have left.
     double most = std::max(options_.detail - wood_, (1 - kWoodShare) * options_.detail);
@@ -119,7 +100,7 @@ class Caster {
     std::map<std::string, std::vector<CastPart>> meshes =
         swarm_.empty() ? foliage(posed) : swarm_parts(maker_, b_.look, posed, swarm_, most);
     for (const Pose& key : keys_) {
-      auto others = foliage(posed_organs(b_, key, pose_.front));
+      auto others = foliage(posed_organs(b_.model, key, unfold_time(b_.motion), pose_.front));
       for (auto& [name, parts] : meshes)
         for (std::size_t k = 0; k < parts.size(); ++k)
           parts[k].shifts.push_back(shift_between(parts[k].surface, others[name][k].surface));

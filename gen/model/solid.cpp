@@ -48,6 +48,8 @@ std::string Solids::check() const {
   for (const Solid& solid : shapes) {
     if (std::string fault = solid.surface.check(); !fault.empty()) return "solid: " + fault;
     if (!(solid.material.scale > 0)) return "a solid's pattern has no size";
+    if (!solid.light.empty() && solid.light.size() != solid.surface.position.size())
+      return "not every vertex of a solid has its light";
     for (const std::vector<Vec3>& step : solid.past)
       if (step.size() != solid.surface.position.size()) return "a solid has had more or fewer vertices";
   }

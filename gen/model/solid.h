@@ -78,6 +78,8 @@ struct Solid {
   /// Where its vertices were at equal steps of its growth, from the first moment to the last but one, that of
   /// `surface` being the last; empty: it was always as it is.
   std::vector<std::vector<Vec3>> past{};
+  /// What neighbours leave each vertex of the light that it lives by when all have grown, 0..1; empty: all.
+  std::vector<float> light{};
 };
 
 /// The surface of a solid at a share of its growth, 0..1, smooth from step to step.

@@ -33,6 +33,24 @@ Quat organ_turn(const Pose& pose, const Organs& o, std::size_t i) {
                                             : glm::normalize(glm::slerp(riding, o.turn[i], o.loose[i]));
 }
 
+Model posed_organs(const Model& model, const Pose& pose, double ripen, float front) {
+  constexpr float kFolded = 1e-3f;  // of its size
+  Model posed;
+  posed.prototypes = model.prototypes;
+  const Organs& o = model.organs;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    if (unfolded(o.birth[i], front, ripen) < kUnfoldedLeast) continue;
+    float size = std::max(unfolded(o.birth[i], pose.front, ripen), kFolded);
+    posed.organs.prototype.push_back(o.prototype[i]);
+    posed.organs.position.push_back(organ_place(model.skeleton, pose, o, i));
+    posed.organs.turn.push_back(glm::normalize(organ_turn(pose, o, i)));
+    posed.organs.scale.push_back(o.scale[i] * size);
+    posed.organs.color.push_back(o.color[i]);
+    posed.organs.id.push_back(o.id[i]);
+  }
+  return posed;
+}
+
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& all, double ripen,
                      const std::function<bool(std::size_t)>& wanted, float least) {
   assert(pose.position.size() == rest.size() && pose.turn.size() == rest.size());

@@ -41,6 +41,10 @@ inline Quat carried_turn(const Pose& pose, std::int32_t node) {
 Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& organs, std::size_t i);
 Quat organ_turn(const Pose& pose, const Organs& organs, std::size_t i);
 
+/// The prototypes, and the organs that are there when `front` is reached, as a pose has them; those that it
+/// has not reached are all but nothing. They ride on no node any more.
+Model posed_organs(const Model& model, const Pose& pose, double ripen, float front);
+
 /// The blades that are wanted and at least so far unfolded, carried to where the pose has them, as one mesh.
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& blades, double ripen,
                      const std::function<bool(std::size_t blade)>& wanted, float least = kUnfoldedLeast);

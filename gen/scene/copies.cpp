@@ -11,6 +11,7 @@
 #include "core/content.h"
 #include "geometry/far.h"
 #include "geometry/tubes.h"
+#include "motion/unfold.h"
 
 namespace frond {
 
@@ -126,6 +127,19 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
   return parts;
 }
 
+/// Branches of a coral as tubes with rounded ends; u of their `uv` is how young they are, 1 at tips.
+Surface skin_tubes(Skeleton bones, float grain, const Skin& skin) {
+  set_tip_distances(bones);
+  float thickest = *std::ranges::max_element(bones.radius);
+  int sides = std::clamp(static_cast<int>(std::sqrt(thickest / grain) * 6), 5, 28);
+  TubeMesh mesh = closed_tubes(bones, bones.position, bones.radius, 2, sides);
+  auto length = static_cast<float>(std::max(skin.tint.young_length, 1e-6));
+  for (std::size_t v = 0; v < mesh.node.size(); ++v)
+    mesh.surface.uv[v] = {1 - smooth_step(0.0f, length, bones.to_tip[static_cast<std::size_t>(mesh.node[v])]),
+                          0};
+  return std::move(mesh.surface);
+}
+
 Surface merged_solid(const Solids& solids, std::size_t shape) {
   Surface out;
   for (std::size_t i = 0; i < solids.size(); ++i)
@@ -161,6 +175,42 @@ Result<Model> grow_copy(const Organism& organism, int which) {
   lower(model->organs.position);
   lower(model->blades.surface.position);
   return model;
+}
+
+std::optional<Growth> copy_growth(const Organism& organism, const Film& film, int which) {
+  Growth growth = organism.grower->dress().motion.growth;
+  if (film.frames <= 1 || growth.duration <= 0 || organism.grower->develops(true)) return std::nullopt;
+  growth.start += growth.stagger * Seed{copy_seed(organism, which).number}.child("start").unit();
+  return growth;
+}
+
+std::optional<Model> grown_by(const Model& model, const Motion& motion, double time) {
+  Motion growing = motion;
+  growing.wave.amplitude = 0, growing.food.strength = 0, growing.limbs = false;
+  auto front = static_cast<float>(growth_front(growing.growth, time));
+  if (front <= 0) return std::nullopt;
+  if (static_cast<double>(front) >= 1 + growing.growth.ripen) return model;
+  Pose pose;
+  pose_skeleton(model.skeleton, growing, time, pose);
+  Model now = posed_organs(model, pose, unfold_time(growing), front);
+  // Nodes that are reached, and the tips that are on their way to the next.
+  const Skeleton& all = model.skeleton;
+  std::vector<std::int32_t> index(all.size(), Skeleton::kRoot);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    bool root = all.parent[i] == Skeleton::kRoot;
+    auto below = root ? i : static_cast<std::size_t>(all.parent[i]);
+    if (all.birth[below] > front) continue;
+    index[i] = now.skeleton.add(pose.position[i], std::max(pose.radius[i], 1e-6f),
+                                root ? Skeleton::kRoot : index[below], all.order[i]);
+    now.skeleton.birth.back() = all.birth[i];
+    if (!model.color.empty()) now.color.push_back(model.color[i]);
+  }
+  set_tip_distances(now.skeleton);
+  now.blades.surface =
+      posed_blades(all, pose, model.blades, unfold_time(growing), [](std::size_t) { return true; });
+  now.solids = model.solids;
+  for (Solid& solid : now.solids.shapes) solid.surface = surface_at(solid, front), solid.past.clear();
+  return now;
 }
 
 ModelBlocks::ModelBlocks(std::span<const Vec3> bits) {
@@ -233,7 +283,9 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
     const std::optional<BarkCoat>& coat = look.coat;
     if (coat) shape.wrap = coat->wrap, shape.aspect = coat->aspect;
     shape.side = std::max(coat ? coat->facet : 0.02, 4 * detail.grain);
-    add(CopyPart::Kind::wood, 0, 0, tube_surface(thinned(model.skeleton, 0.4f * fine, 0.5f * fine), shape));
+    Skeleton bones = thinned(model.skeleton, 0.4f * fine, 0.5f * fine);
+    add(CopyPart::Kind::wood, 0, 0,
+        look.skin ? skin_tubes(std::move(bones), fine, *look.skin) : tube_surface(bones, shape));
   }
   CopyDetail each = detail;
   std::size_t shapes = 0;

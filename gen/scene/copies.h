@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct CopyPart {
   std::size_t which = 0;  ///< an organ's prototype, a solid's shape
   std::size_t part = 0;   ///< of the prototype
   /// `uv` of leaves: (k + u, v), where k is a whole number of each leaf's own, k modulo the number of colours
-  /// the index of its colour, and (u, v) its place on the leaf; of wood as of tube_surface().
+  /// the index of its colour, and (u, v) its place on the leaf; of wood as of tube_surface(), but of a coral
+  /// u is how young its skin is, 0..1.
   Surface surface;
   std::vector<int> block;  ///< of each triangle
 };
@@ -47,6 +49,13 @@ struct CopyPart {
 /// neighbours. Its leaves are in the season that the film begins in. What it is made of depends on the
 /// organism and its `seeds` alone, not on the scene's seed.
 Result<Model> grow_copy(const Organism& organism, int which);
+
+/// How the copies of model `which` of a sown organism grow over a film, all of them together; nothing where
+/// they stand as they are.
+std::optional<Growth> copy_growth(const Organism& organism, const Film& film, int which);
+
+/// A model with what growth has reached of it at a time; nothing before it begins.
+std::optional<Model> grown_by(const Model& model, const Motion& motion, double time);
 
 /// What stands for model `which` of a sown organism in names: it differs where the model does.
 std::string copy_id(const Organism& organism, int which);

@@ -19,6 +19,7 @@
 #include "scene/nursery.h"
 #include "scene/remarks.h"
 #include "scene/settle.h"
+#include "scene/shading.h"
 #include "scene/sowing.h"
 #include "scene/style.h"
 #include "settings/settings.h"
@@ -285,6 +286,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   std::ranges::move(gardener.notes, std::back_inserter(scene.notes));
 
   scene.specimens = in_order(std::move(world).take_all(), preset);
+  shade(scene.specimens);
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
   if (!preset.stage.camera.fit.empty()) {
     Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),

@@ -1,0 +1,221 @@
+#include "scene/shading.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
+
+namespace frond {
+
+namespace {
+
+constexpr float kCell = 0.015f;     // metres, at least
+constexpr double kMostCells = 1e7;  // beyond, cells are larger
+constexpr float kFar = 0.7f;        // metres; what is beyond shades nobody
+constexpr int kWays = 32;
+constexpr std::uint32_t kOpaque = 255;
+
+bool lives_by_light(const Solid& solid) {
+  return solid.material.matter == Matter::polyps || solid.material.matter == Matter::meander;
+}
+
+bool is_colony(const Specimen& s) {
+  auto lives = [](const Solid& solid) {
+    return lives_by_light(solid) || solid.material.matter == Matter::sponge;
+  };
+  return std::ranges::any_of(s.model.solids.shapes, lives) || (s.look.skin && s.model.skeleton.size() > 0);
+}
+
+/// Calls f(place) for places all over a triangle, at most `step` from each other.
+template <class F>
+void over_triangle(Vec3 a, Vec3 b, Vec3 c, float step, const F& f) {
+  float longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+  int n = std::max(1, static_cast<int>(std::ceil(longest / step)));
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j)
+      f(a + (b - a) * (static_cast<float>(i) / static_cast<float>(n)) +
+        (c - a) * (static_cast<float>(j) / static_cast<float>(n)));
+}
+
+/// Boxes of a grid that hold something.
+struct BoxGrid {
+  Vec3 low{0};
+  float cell = kCell;
+  std::array<int, 3> count{};
+
+  void enclose(Vec3 from, Vec3 to) {
+    low = from;
+    Vec3 size = to - from;
+    double cells = static_cast<double>(size.x) * static_cast<double>(size.y) * static_cast<double>(size.z) /
+                   std::pow(static_cast<double>(cell), 3);
+    if (cells > kMostCells) cell *= static_cast<float>(std::cbrt(cells / kMostCells));
+    for (int axis = 0; axis < 3; ++axis)
+      count[static_cast<std::size_t>(axis)] = static_cast<int>(size[axis] / cell) + 1;
+  }
+  std::size_t size() const {
+    return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
+           static_cast<std::size_t>(count[2]);
+  }
+  /// SIZE_MAX outside.
+  std::size_t index(Vec3 at) const {
+    Vec3 g = glm::floor((at - low) / cell);
+    int x = static_cast<int>(g.x), y = static_cast<int>(g.y), z = static_cast<int>(g.z);
+    if (x < 0 || y < 0 || z < 0 || x >= count[0] || y >= count[1] || z >= count[2]) return SIZE_MAX;
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(count[1]) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(count[0]) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+/// Who is where, and how much it holds up.
+class CrowdedSpace {
+ public:
+  explicit CrowdedSpace(std::span<const Specimen> specimens) {
+    Vec3 low(1e9f), high(-1e9f);
+    auto meet = [&](Vec3 at) { low = glm::min(low, at), high = glm::max(high, at); };
+    for (const Specimen& s : specimens) {
+      if (!is_colony(s)) continue;
+      for (const Vec3& at : s.model.skeleton.position) meet(at);
+      for (std::size_t i = 0; i < s.model.solids.size(); ++i)
+        for (const Vec3& at : shape(s, i).surface.position) meet(s.model.solids.placed(i, at));
+    }
+    if (low.x > high.x) return;
+    grid_.enclose(low, high);
+    held_.resize(grid_.size());
+    for (std::size_t i = 0; i < specimens.size(); ++i)
+      if (is_colony(specimens[i])) fill(specimens[i], static_cast<std::uint32_t>(i));
+  }
+
+  float cell() const { return grid_.cell; }
+
+  /// The share of the light from above that others let through to a place, of that which its own body does.
+  float light(Vec3 at, Vec3 normal, std::size_t own) const {
+    float come = 0, all = 0;
+    Vec3 from = at + normal * (1.6f * grid_.cell);
+    for (int k = 0; k < kWays; ++k) {
+      // As light counts on what is level: by the sine of its height.
+      float up = std::sqrt((static_cast<float>(k) + 0.5f) / kWays), flat = std::sqrt(1 - up * up);
+      float turn = 2.3999632f * static_cast<float>(k);
+      Vec3 way(flat * std::cos(turn), up, flat * std::sin(turn));
+      if (glm::dot(way, normal) < 0.05f) continue;
+      float through = 1, step = 0.7f * grid_.cell;
+      bool blocked = false;
+      for (float away = 0; away < kFar && !blocked && through > 0.02f; away += step) {
+        std::size_t i = grid_.index(from + way * away);
+        if (i == SIZE_MAX) break;
+        std::uint32_t held = held_[i] & 0xff;
+        if (held == 0) continue;
+        if (held_[i] >> 8 == own)
+          blocked = held > kOpaque / 2;
+        else
+          through *= 1 - 0.7f * static_cast<float>(held) / kOpaque;
+      }
+      if (blocked) continue;
+      come += through;
+      all += 1;
+    }
+    return all < 3 ? 1 : come / all;
+  }
+
+ private:
+  static const Solid& shape(const Specimen& s, std::size_t i) {
+    return s.model.solids.shapes[s.model.solids.shape[i]];
+  }
+
+  void hold(Vec3 at, std::uint32_t who, std::uint32_t share) {
+    std::size_t i = grid_.index(at);
+    if (i == SIZE_MAX || share == 0) return;
+    std::uint32_t sum = std::min(kOpaque, (held_[i] & 0xff) + share);
+    // The one that holds most is taken for all.
+    bool mine = share >= (held_[i] & 0xff);
+    held_[i] = (mine ? who : held_[i] >> 8) << 8 | sum;
+  }
+
+  void fill(const Specimen& s, std::uint32_t who) {
+    const Solids& solids = s.model.solids;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      const Surface& skin = shape(s, i).surface;
+      for (auto [a, b, c] : skin.triangle)
+        over_triangle(solids.placed(i, skin.position[a]), solids.placed(i, skin.position[b]),
+                      solids.placed(i, skin.position[c]), grid_.cell * 0.6f,
+                      [&](Vec3 at) { hold(at, who, kOpaque); });
+    }
+    const Skeleton& bones = s.model.skeleton;
+    for (std::size_t i = 0; i < bones.size(); ++i) {
+      if (bones.parent[i] == Skeleton::kRoot) continue;
+      Vec3 a = bones.position[static_cast<std::size_t>(bones.parent[i])], b = bones.position[i];
+      int n = 1 + static_cast<int>(glm::distance(a, b) / (0.5f * grid_.cell));
+      float covers = 2 * bones.radius[i] * glm::distance(a, b) / static_cast<float>(n);
+      auto share = static_cast<std::uint32_t>(std::min(1.0f, covers / (grid_.cell * grid_.cell)) *
+                                              static_cast<float>(kOpaque));
+      for (int k = 0; k < n; ++k)
+        hold(a + (b - a) * ((static_cast<float>(k) + 0.5f) / static_cast<float>(n)), who, share);
+    }
+  }
+
+  BoxGrid grid_;
+  std::vector<std::uint32_t> held_;  // who << 8 | how much
+};
+
+/// Places of a skin that lie in one box, taken together.
+struct SkinPatch {
+  Vec3 at{0}, normal{0};
+  float count = 0, light = 1;
+};
+
+}  // namespace
+
+void shade(std::span<Specimen> specimens) {
+  std::vector<std::size_t> corals;
+  std::size_t colonies = 0;
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    colonies += is_colony(specimens[i]);
+    if (std::ranges::any_of(specimens[i].model.solids.shapes, lives_by_light)) corals.push_back(i);
+  }
+  if (colonies < 2 || corals.empty()) return;
+  CrowdedSpace occupied(specimens);
+  parallel_for(corals.size(), [&](std::size_t c) {
+    Solids& solids = specimens[corals[c]].model.solids;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      Solid& solid = solids.shapes[solids.shape[i]];
+      const std::vector<Vec3>& position = solid.surface.position;
+      if (!lives_by_light(solid) || !solid.light.empty() || position.empty()) continue;
+      Vec3 low(1e9f), high(-1e9f);
+      for (const Vec3& at : position) low = glm::min(low, at), high = glm::max(high, at);
+      BoxGrid near{.cell = occupied.cell() / solids.scale[i].x};
+      near.enclose(low - near.cell, high + near.cell);
+      std::vector<SkinPatch> patches(near.size());
+      for (std::size_t v = 0; v < position.size(); ++v) {
+        SkinPatch& patch = patches[near.index(position[v])];
+        patch.at += position[v], patch.normal += solid.surface.normal[v], ++patch.count;
+      }
+      float darkest = 1;
+      for (SkinPatch& patch : patches) {
+        if (patch.count == 0) continue;
+        float length = glm::length(patch.normal);
+        Vec3 normal = length > 0 ? solids.turn[i] * (patch.normal / length) : Vec3(0, 1, 0);
+        patch.light = occupied.light(solids.placed(i, patch.at / patch.count), normal, corals[c]);
+        darkest = std::min(darkest, patch.light);
+      }
+      if (darkest > 0.9f) continue;
+      // Between the middles of boxes it goes over from one to the next.
+      solid.light.resize(position.size());
+      for (std::size_t v = 0; v < position.size(); ++v) {
+        float sum = 0, all = 0;
+        for (int k = 0; k < 27; ++k) {
+          Vec3 to = position[v] + near.cell * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+          std::size_t box = near.index(to);
+          if (box == SIZE_MAX || patches[box].count == 0) continue;
+          float away = glm::distance(patches[box].at / patches[box].count, position[v]) / near.cell;
+          float weight = std::max(1e-3f, 1 - 0.6f * away);
+          sum += weight * patches[box].light, all += weight;
+        }
+        solid.light[v] = sum / all;
+      }
+    }
+  });
+}
+
+}  // namespace frond

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+#include "world/specimen.h"
+
+namespace frond {
+
+/// Finds how much of the light that would come to the skin of stony corals from above is left to it by its
+/// neighbours, see Solid::light. Branches and bodies of all colonies shade; what belongs to the coral itself,
+/// and rocks, do not count, since it has grown among them. All as it is when grown.
+void shade(std::span<Specimen> specimens);
+
+}  // namespace frond
