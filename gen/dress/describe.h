@@ -50,6 +50,15 @@ inline constexpr Choice<BarkPattern> kBarkPatterns[] = {
     {"banded", BarkPattern::banded, "papery with dark bands, as on birches"}};
 
 template <class Visitor>
+void describe(Visitor& v, Polyps& p) {
+  v.number("glow", p.glow, {.min = 0, .max = 3}, "How brightly it fluoresces, as corals do in blue light");
+  v.number("polyps", p.width, {.min = 0, .max = 0.2, .unit = "m"},
+           "Width over which a polyp spreads its tentacles; 0 leaves them in their cups");
+  v.animated("open", p.open, {.min = 0, .max = 1},
+             "How far polyps are open: 0 drawn in, 1 spread; keyframes open and close them");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Pores& p) {
   v.number("cell", p.cell, {.min = 0.0005, .max = 1, .unit = "m"}, "Distance from one pore to the next");
   v.number("warp", p.warp, {.min = 0, .max = 1}, "How far the cells are warped out of their regular pattern");
@@ -77,6 +86,7 @@ void describe(Visitor& v, Skin& s) {
   v.choice("kind", s.kind, kSkinKinds, "What the skin is made of");
   v.object("pores", s.pores, "The pores in the skin");
   v.object("tint", s.tint, "The colours of the skin");
+  describe(v, s.polyps);
 }
 
 template <class Visitor>

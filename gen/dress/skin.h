@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "model/solid.h"
 
 namespace frond {
 
@@ -33,6 +34,7 @@ struct Skin {
   SkinKind kind = SkinKind::stony;
   Pores pores;
   Tint tint;
+  Polyps polyps;
 };
 
 }  // namespace frond

@@ -53,6 +53,10 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
     append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
                 b.brightness, tint.young);
     text += ") ";
+    if (double glow = b.look.skin->polyps.glow; glow > 0) {
+      text += "#declare Skin[" + number_text(static_cast<double>(first[i])) + "] = texture{Skin[" +
+              number_text(static_cast<double>(first[i])) + "] Reef_Glow(" + number_text(glow) + ")} ";
+    }
     append_comment(text, b.name);
   }
 }
@@ -209,8 +213,8 @@ Errors write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, st
 }
 
 /// Gives how many nodes there are by then.
-Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std::size_t index, Vec3 eye,
-                                   double time, const Out& out) {
+Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std::size_t index,
+                                   const Eye& eye, double time, const Out& out) {
   if (!b.look.skin && !b.look.bark) return 0;
   Pose pose;
   pose_specimen(b, time, pose);
@@ -222,8 +226,9 @@ Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std
     out(name);
     out(piece);
   };
-  if (Errors errors = write_wood(space, b, pose, index, eye, under_name); !errors.empty()) return errors;
+  if (Errors errors = write_wood(space, b, pose, index, eye.at, under_name); !errors.empty()) return errors;
   write_foliage(space, b, pose, time, under_name);
+  if (b.look.skin && b.look.skin->polyps.width > 0) under_name(branch_polyps_text(space, b, pose, time, eye));
   const std::vector<float>& birth = b.model.skeleton.birth;
   return static_cast<std::size_t>(
       std::ranges::count_if(birth, [&](float born) { return born <= pose.front; }));
@@ -233,12 +238,12 @@ Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std
 Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
                                    const Out& out) {
   const Specimen& b = scene.specimens[i];
-  Vec3 eye = scene.stage.camera.location.at(time);
+  Eye eye = eye_at(scene, time);
   const Solids& solids = i < parts.solids.size() && parts.solids[i] ? *parts.solids[i] : b.model.solids;
   if (std::string text = growing_solids_text(parts.space, solids, b.motion.growth, time); !text.empty())
     out(text);
-  if (std::ranges::any_of(solids.shapes, [](const Solid& solid) { return solid.material.polyp > 0; }))
-    out(polyps_text(parts.space, solids, b.motion.growth, time, eye_at(scene, time)));
+  if (std::ranges::any_of(solids.shapes, [](const Solid& solid) { return solid.material.polyps.width > 0; }))
+    out(polyps_text(parts.space, solids, b.motion.growth, time, eye));
   if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
   Result<Specimen> now = developed(b, time);
   return now ? write_branches(parts.space, *now, parts.first_skin[i], eye, time, out) : now.errors();

@@ -104,6 +104,49 @@ std::vector<Footing> spots_of(const Surface& skin, float apart) {
   return spots;
 }
 
+/// The polyps of one skin that are seen.
+class Bearer {
+ public:
+  Bearer(const PovSpace& space, const Polyps& polyps, const Eye& eye)
+      : space_(space), polyps_(polyps), eye_(eye) {}
+
+  /// The share `grown` of the n-th one.
+  void bear(std::size_t n, Vec3 at, Vec3 normal, double grown) {
+    Seed own = Seed{77}.child(n);
+    auto size = static_cast<float>(polyps_.width * own.child(0).range(0.8, 1.15) * grown);
+    Vec3 way = eye_.at - at;
+    float away = glm::length(way);
+    size *= smooth_step(kGone, kSeen, size / (static_cast<float>(eye_.pixel) * away));
+    if (!(size > 0) || glm::dot(normal, way) < -0.35f * away) return;
+    Quat turn = Quat(Vec3(0, 1, 0), normal) *
+                glm::angleAxis(static_cast<float>(own.child(1).range(0, 2 * kPi)), Vec3(0, 1, 0));
+    lines_ += "object{Polyp ";
+    append_matrix(lines_, space_, glm::mat3_cast(turn) * size, at);
+    lines_ += "}\n";
+  }
+
+  std::string text(const Color& color, double time) const {
+    std::string text;
+    if (lines_.empty()) return text;
+    text = "#declare Polyp = ";
+    append_mesh(text, space_, polyp_surface(std::clamp(polyps_.open.at(time), 0.0, 1.0)));
+    text += "\nunion{\n" + lines_ + "texture{Reef_Polyp(";
+    append_color(text, color);
+    text += ',';
+    append(text, polyps_.glow, 4);
+    text += ")}}\n";
+    return text;
+  }
+
+ private:
+  const PovSpace& space_;
+  const Polyps& polyps_;
+  const Eye& eye_;
+  std::string lines_;
+};
+
+double grown_since(double born, double front) { return smooth_step(born, born + kYoung, front); }
+
 }  // namespace
 
 std::string polyps_text(const PovSpace& space, const Solids& solids, const Growth& growth, double time,
@@ -113,39 +156,58 @@ std::string polyps_text(const PovSpace& space, const Solids& solids, const Growt
   if (front <= 0) return text;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Solid& solid = solids.shapes[solids.shape[i]];
-    const Material& material = solid.material;
-    if (material.polyp <= 0) continue;
+    const Polyps& polyps = solid.material.polyps;
+    if (polyps.width <= 0) continue;
     Surface skin = surface_at(solid, front);
-    std::string lines;
-    std::vector<Footing> spots = spots_of(solid.surface, static_cast<float>(kApart * material.polyp));
+    Bearer bearer(space, polyps, eye);
+    std::vector<Footing> spots = spots_of(solid.surface, static_cast<float>(kApart * polyps.width));
     for (std::size_t n = 0; n < spots.size(); ++n) {
       const Footing& spot = spots[n];
       double born = solid.surface.uv.empty() ? 0 : static_cast<double>(solid.surface.uv[spot.corner[0]].y);
-      Seed own = Seed{77}.child(n);
-      auto size = static_cast<float>(material.polyp * own.child(0).range(0.8, 1.15));
-      size *= static_cast<float>(smooth_step(born, born + kYoung, static_cast<double>(front)));
-      Vec3 at = solids.placed(i, spot.of(skin.position)), way = eye.at - at;
-      Vec3 normal = solids.turn[i] * glm::normalize(spot.of(skin.normal));
-      float away = glm::length(way);
-      size *= smooth_step(kGone, kSeen, size / (static_cast<float>(eye.pixel) * away));
-      if (!(size > 0) || glm::dot(normal, way) < -0.35f * away) continue;
-      Quat turn = Quat(Vec3(0, 1, 0), normal) *
-                  glm::angleAxis(static_cast<float>(own.child(1).range(0, 2 * kPi)), Vec3(0, 1, 0));
-      glm::mat3 frame = glm::mat3_cast(turn) * size;
-      lines += "object{Polyp ";
-      append_matrix(lines, space, frame, at);
-      lines += "}\n";
+      bearer.bear(n, solids.placed(i, spot.of(skin.position)),
+                  solids.turn[i] * glm::normalize(spot.of(skin.normal)),
+                  grown_since(born, static_cast<double>(front)));
     }
-    if (lines.empty()) continue;
-    text += "#declare Polyp = ";
-    append_mesh(text, space, polyp_surface(std::clamp(material.open.at(time), 0.0, 1.0)));
-    text += "\nunion{\n" + lines + "texture{Reef_Polyp(";
-    append_color(text, material.color);
-    text += ',';
-    append(text, material.glow, 4);
-    text += ")}}\n";
+    text += bearer.text(solid.material.color, time);
   }
   return text;
+}
+
+std::string branch_polyps_text(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
+                               const Eye& eye) {
+  const Skeleton& rest = b.model.skeleton;
+  const Polyps& polyps = b.look.skin->polyps;
+  Bearer bearer(space, polyps, eye);
+  auto apart = static_cast<float>(kApart * polyps.width);
+  std::size_t n = 0;
+  float along = 0;  // metres of the branch since the last one
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest.parent[i] == Skeleton::kRoot) continue;
+    auto below = static_cast<std::size_t>(rest.parent[i]);
+    Vec3 axis = rest.position[i] - rest.position[below];
+    float length = glm::length(axis), radius = rest.radius[i];
+    if (length <= 0) continue;
+    axis /= length;
+    Vec3 side = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+    Vec3 other = glm::cross(axis, side);
+    // As many as have room round the branch: one each so far along it.
+    float pitch = std::min(apart, 0.87f * apart * apart / (2 * static_cast<float>(kPi) * radius));
+    auto put = [&](float share, Vec3 out, float lift) {
+      double born = static_cast<double>(glm::mix(rest.birth[below], rest.birth[i], share));
+      Vec3 at = glm::mix(pose.position[below], pose.position[i], share);
+      Vec3 normal = pose.turn[i] * out;
+      bearer.bear(n++, at + normal * (lift * glm::mix(pose.radius[below], pose.radius[i], share)), normal,
+                  grown_since(born, static_cast<double>(pose.front)));
+    };
+    for (; along < length; along += pitch) {
+      float turn = 2.3999632f * static_cast<float>(n);
+      put(along / length, glm::normalize(std::cos(turn) * side + std::sin(turn) * other + 0.35f * axis),
+          0.97f);
+    }
+    along -= length;
+    if (rest.to_tip[i] <= 0) put(1, axis, 1);
+  }
+  return bearer.text(b.look.skin->tint.base, time);
 }
 
 }  // namespace frond

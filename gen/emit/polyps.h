@@ -4,8 +4,7 @@
 
 #include "emit/pov.h"
 #include "light/light.h"
-#include "model/solid.h"
-#include "motion/motion.h"
+#include "world/specimen.h"
 
 namespace frond {
 
@@ -13,5 +12,9 @@ namespace frond {
 /// grows. Those that face away, or that are too small to be seen from `eye`, are left out.
 std::string polyps_text(const PovSpace& space, const Solids& solids, const Growth& growth, double time,
                         const Eye& eye);
+
+/// The same of branches: all round them by the golden angle, and one on each tip.
+std::string branch_polyps_text(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
+                               const Eye& eye);
 
 }  // namespace frond

@@ -66,10 +66,10 @@ void append_material(std::string& text, const Material& material) {
   const MatterRow& row = row_of(material.matter);
   text += " texture{";
   append_macro(text, row.macro, material);
-  if (material.glow > 0) {
+  if (material.polyps.glow > 0) {
     text.back() = ' ';  // the texture goes on
     text += "Reef_Glow(";
-    append(text, material.glow, 4);
+    append(text, material.polyps.glow, 4);
     text += ")}";
   }
   for (const Band& band : material.bands) {
@@ -262,6 +262,9 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   std::vector<std::string_view> names;
   for (const Specimen& b : scene.specimens)
     for (const Solid& solid : b.model.solids.shapes) names.push_back(material_include(solid.material));
+  for (const Specimen& b : scene.specimens)
+    if (b.look.skin && (b.look.skin->polyps.width > 0 || b.look.skin->polyps.glow > 0))
+      names.push_back("reef");
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;

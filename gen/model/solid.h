@@ -52,6 +52,13 @@ struct Band {
   int repeats = 24;  ///< once round
 };
 
+/// The polyps on living tissue.
+struct Polyps {
+  double width = 0;            ///< metres that one spreads its tentacles over; 0: none are seen
+  Animated<double> open{1.0};  ///< 0 drawn in .. 1 spread, by seconds
+  double glow = 0;             ///< how much blue light makes them, and the skin, shine by themselves
+};
+
 /// The surface of a solid.
 struct Material {
   Matter matter = Matter::plain;
@@ -62,9 +69,7 @@ struct Material {
   double moss = 0;                    ///< 0 none .. 1: how much moss, and lichen, grows on what faces upward
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
-  double glow = 0;             ///< of living tissue: how much blue light makes it shine by itself
-  double polyp = 0;            ///< metres that a polyp spreads its tentacles over; 0: none are seen
-  Animated<double> open{1.0};  ///< 0 drawn in .. 1 spread, by seconds
+  Polyps polyps{};  ///< of living tissue
 };
 
 /// A body of one material. Metres.

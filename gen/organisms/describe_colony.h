@@ -18,11 +18,7 @@ void describe(Visitor& v, TissueLook& t) {
   v.number("gloss", t.gloss, {.min = 0, .max = 1}, "How wet it looks: 0 matt");
   v.number("variation", t.variation, {.min = 0, .max = 0.5},
            "How much single ones differ in brightness, as a share");
-  v.number("glow", t.glow, {.min = 0, .max = 3}, "How brightly it fluoresces, as corals do in blue light");
-  v.number("polyps", t.polyps, {.min = 0, .max = 0.2, .unit = "m"},
-           "Width over which a polyp spreads its tentacles; 0 leaves them in their cups");
-  v.animated("open", t.open, {.min = 0, .max = 1},
-             "How far polyps are open: 0 drawn in, 1 spread; keyframes open and close them");
+  describe(v, t.polyps);
 }
 
 }  // namespace frond

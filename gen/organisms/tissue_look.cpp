@@ -16,9 +16,7 @@ Material material_of(const TissueLook& look, Matter matter, Seed seed) {
           .scale = look.cup,
           .relief = look.relief,
           .gloss = look.gloss,
-          .glow = look.glow,
-          .polyp = look.polyps,
-          .open = look.open};
+          .polyps = look.polyps};
 }
 
 }  // namespace frond

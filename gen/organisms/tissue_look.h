@@ -13,9 +13,7 @@ struct TissueLook {
   double relief = 0.8;                ///< depth of the cups
   double gloss = 0.4;                 ///< 0 matt .. 1 wet
   double variation = 0.12;            ///< how much single ones differ in brightness
-  double glow = 0;                    ///< see Material
-  double polyps = 0;
-  Animated<double> open{1.0};
+  Polyps polyps;
 };
 
 /// The material of one colony.

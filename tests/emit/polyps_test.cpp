@@ -15,7 +15,7 @@ Solids skin_with_polyps() {
   skin.past = {{}};
   for (Vec3 p : skin.surface.position) skin.past[0].push_back(0.5f * p);
   skin.material.matter = Matter::polyps;
-  skin.material.polyp = 0.05;
+  skin.material.polyps.width = 0.05;
   Solids solids;
   solids.place(solids.add_shape(skin));
   return solids;
@@ -46,7 +46,7 @@ TEST(Polyps, StandApartOnTheSideThatIsSeen) {
 
 TEST(Polyps, OpenAndCloseByTheHour) {
   Solids solids = skin_with_polyps();
-  solids.shapes[0].material.open = Animated<double>({{0, 0}, {4, 1}});
+  solids.shapes[0].material.polyps.open = Animated<double>({{0, 0}, {4, 1}});
   Growth grown{.start = -1, .duration = 0};
   Eye eye = eye_toward({0, 2, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
   std::string closed = polyps_text({}, solids, grown, 0, eye), open = polyps_text({}, solids, grown, 4, eye);
@@ -54,6 +54,29 @@ TEST(Polyps, OpenAndCloseByTheHour) {
   // Where they stand is the same, their shape is not.
   EXPECT_EQ(closed.substr(closed.find("union{")), open.substr(open.find("union{")));
   EXPECT_NE(closed, open);
+}
+
+TEST(Polyps, StandRoundBranchesAndComeAsTheyGrow) {
+  Specimen b;
+  b.look.skin = Skin{};
+  b.look.skin->polyps.width = 0.01;
+  Skeleton& rod = b.model.skeleton;
+  for (int i = 0; i <= 20; ++i) rod.add({0, 0.02f * static_cast<float>(i), 0}, 0.02f, i - 1, 0);
+  set_births(rod), set_tip_distances(rod);
+  Eye eye = eye_toward({0, 0.2f, 2}, {0, 0.2f, 0}, 1, 1, 0.0001);
+  auto count_at = [&](double time) {
+    b.motion.growth = {.start = 0, .duration = 1};
+    Pose pose;
+    pose_specimen(b, time, pose);
+    return count_of(branch_polyps_text({}, b, pose, time, eye));
+  };
+  // A little more than half of a tube of 0.4 m x 2 pi 0.02 m is seen, and each has a hexagon of 0.87 x 8.5 mm squared.
+  double all = 0.4 * 2 * kPi * 0.02 / (0.866 * 0.0085 * 0.0085);
+  EXPECT_NEAR(static_cast<double>(count_at(9)), 0.6 * all, 0.12 * all);
+  EXPECT_EQ(count_at(-0.1), 0u);
+  EXPECT_GT(count_at(0.9), 2 * count_at(0.35));
+  eye = eye_toward({0, 0.2f, 900}, {0, 0.2f, 0}, 1, 1, 0.0001);
+  EXPECT_EQ(count_at(9), 0u) << "too small to be seen";
 }
 
 }  // namespace
