@@ -41,7 +41,7 @@ Openness::Openness(Vec3 low, Vec3 high, float cell) : low_(low) {
   for (int l = 0; l < kLevels; ++l) {
     auto cells = static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
                  static_cast<std::size_t>(count[2]);
-    levels_.push_back({count, cell, std::vector<float>(cells)});
+    levels_.push_back({count, cell, std::vector<float>(cells), std::vector<char>(cells)});
     for (int& n : count) n = (n + 1) / 2;
     cell *= 2;
   }
@@ -83,16 +83,32 @@ void Openness::build() {
               std::min(1.0f, sum / 4);
         }
   }
+  for (Level& level : levels_) mark(level);
 }
 
-float Openness::held_at(const Level& level, Vec3 at) {
+void Openness::mark(Level& level) {
+  const auto& [wide, high, deep] = level.count;
+  for (int z = 0; z + 1 < deep; ++z)
+    for (int y = 0; y + 1 < high; ++y) {
+      const float* front = level.held.data() + (z * high + y) * wide;
+      const float* back = front + wide * high;
+      char* anything = level.anything.data() + (z * high + y) * wide;
+      auto column = [&](int x) { return front[x] + front[x + wide] + back[x] + back[x + wide]; };
+      for (int x = 0; x + 1 < wide; ++x) anything[x] = column(x) + column(x + 1) > 0;
+    }
+}
+
+inline float Openness::held_at(const Level& level, Vec3 at) {
   Vec3 g = at / level.cell - 0.5f;
-  Vec3 f = glm::floor(g), t = g - f;
-  int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
   const auto& [wide, high, deep] = level.count;
   // The outermost cells are empty.
-  if (x < 0 || y < 0 || z < 0 || x + 1 >= wide || y + 1 >= high || z + 1 >= deep) return 0;
-  const float* held = level.held.data() + (z * high + y) * wide + x;
+  if (!(g.x >= 0 && g.y >= 0 && g.z >= 0)) return 0;
+  int x = static_cast<int>(g.x), y = static_cast<int>(g.y), z = static_cast<int>(g.z);
+  if (x + 1 >= wide || y + 1 >= high || z + 1 >= deep) return 0;
+  int cell = (z * high + y) * wide + x;
+  if (!level.anything[static_cast<std::size_t>(cell)]) return 0;
+  Vec3 t = g - Vec3(x, y, z);
+  const float* held = level.held.data() + cell;
   auto row = [&](int v, int w) {
     const float* cells = held + (w * high + v) * wide;
     return cells[0] * (1 - t.x) + cells[1] * t.x;
