@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kReactionBatch = 4096;  // vertices that one thread takes
 constexpr std::size_t kReactionBlock = 64;    // and those that stay in the nearest cache
-constexpr double kMostSpread = 0.42;
+constexpr double kMostSpread = 0.42, kMostPace = 1.5;  // of a step, so that it does not swing
 constexpr double kWaveOfSpread =
     21.0;  // about: length of a wave by the root of what the second substance spreads
 
@@ -108,11 +108,10 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
   // Spread in edges squared; a mean over neighbours spreads by a quarter of their distance squared, twice.
   double wave = reaction.wave / edge_of(surface);
   double second = wave * wave / (kWaveOfSpread * kWaveOfSpread) * 4;
-  // What would spread too fast to be reckoned step by step reacts more slowly instead, in more steps.
-  double slower = std::max(1.0, second / kMostSpread);
-  second /= slower;
-  auto steps = static_cast<int>(reaction.steps * slower);
-  Rates rates{static_cast<float>(2 * second), static_cast<float>(second), static_cast<float>(1 / slower),
+  // Steps as long as they may be: what spreads fast takes short ones.
+  double pace = std::min(kMostPace, kMostSpread / second);
+  auto steps = static_cast<int>(reaction.steps / pace);
+  Rates rates{static_cast<float>(2 * second * pace), static_cast<float>(second * pace), static_cast<float>(pace),
               static_cast<float>(reaction.feed), static_cast<float>(reaction.kill)};
   auto frequency = static_cast<float>(1.6 / reaction.wave);
   Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
