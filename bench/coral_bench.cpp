@@ -6,8 +6,8 @@
 #include "organisms/massive/massive.h"
 #include "scene/scene.h"
 
-// Corals that are bodies, as large as those of the studies that their ways of growing were first tried in, and a
-// reef of them. The processor time is that of all threads.
+// Corals that are bodies, as large as those of the studies that their ways of growing were first tried in,
+// and a reef of them. The processor time is that of all threads.
 
 namespace frond {
 namespace {
@@ -18,7 +18,8 @@ void report(benchmark::State& state, const Surface& surface) {
 
 void Brain(benchmark::State& state) {
   MassiveParams params;
-  params.across = 0.63, params.height = 0.33, params.lumps = 0.12, params.valley = 0.012, params.edge = 0.0028;
+  params.across = 0.63, params.height = 0.33, params.lumps = 0.12, params.valley = 0.012,
+  params.edge = 0.0028;
   for (auto _ : state) report(state, grow_massive(params, Surroundings(), Seed{4})->solids.shapes[0].surface);
 }
 BENCHMARK(Brain)->Unit(benchmark::kSecond)->MeasureProcessCPUTime();

@@ -13,10 +13,10 @@ namespace frond {
 
 namespace {
 
-constexpr int kSteps = 16;           // of its growth that are kept
-constexpr std::size_t kBatch = 512;  // vertices that one thread takes at a time
+constexpr int kSteps = 16;              // of its growth that are kept
+constexpr std::size_t kBatch = 512;     // vertices that one thread takes at a time
 constexpr int kLook = 2, kLookAll = 8;  // layers after which what grows looks round, and all do
-constexpr float kMargin = 0.6f;      // edges that are left free before what stands in the way
+constexpr float kMargin = 0.6f;         // edges that are left free before what stands in the way
 
 template <class Body>
 void for_all(std::size_t count, const Body& body) {

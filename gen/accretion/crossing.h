@@ -26,8 +26,8 @@ std::array<Vec3, 2> box_of(const std::array<std::uint32_t, 3>& t, const Place& p
   return {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
 }
 
-/// Whether two triangles go through each other otherwise than at corners that they share. `place(v)` is where a
-/// vertex lies.
+/// Whether two triangles go through each other otherwise than at corners that they share. `place(v)` is where
+/// a vertex lies.
 template <class Place>
 bool triangles_cross(const std::array<std::uint32_t, 3>& one, const std::array<std::uint32_t, 3>& other,
                      const Place& place) {

@@ -129,9 +129,9 @@ bool GrowingSheets::stop_what_crosses(GrowingRim& rim, const RimRow& plan) {
     auto [low, high] = box_of(plan.triangle[t], place);
     bool crosses = false;
     skin_.each(low, high, [&](std::uint32_t who) {
-      crosses = crosses || triangles_cross(
-                               plan.triangle[t],
-                               who < known ? sheet_.triangle[who] : plan.triangle[who - known], place);
+      crosses =
+          crosses || triangles_cross(plan.triangle[t],
+                                     who < known ? sheet_.triangle[who] : plan.triangle[who - known], place);
     });
     skin_.add(low, high, static_cast<std::uint32_t>(known + t));
     if (!crosses) continue;

@@ -11,8 +11,8 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kReactionBatch = 4096;  // vertices that one thread takes
-constexpr std::size_t kReactionBlock = 64;    // and those that stay in the nearest cache
+constexpr std::size_t kReactionBatch = 4096;           // vertices that one thread takes
+constexpr std::size_t kReactionBlock = 64;             // and those that stay in the nearest cache
 constexpr double kMostSpread = 0.42, kMostPace = 1.5;  // of a step, so that it does not swing
 constexpr double kWaveOfSpread =
     21.0;  // about: length of a wave by the root of what the second substance spreads
@@ -94,8 +94,9 @@ void step_block(const Rings& rings, const Rates& rates, const Vec2* now, Vec2* n
   }
   for (std::size_t i = 0; i < end - begin; ++i) {
     float a = own_a[i], b = own_b[i], turned = a * b * b;
-    next[begin + i] = {a + rates.spread_a * (mean_a[i] - a) + rates.pace * (rates.feed * (1 - a) - turned),
-                       b + rates.spread_b * (mean_b[i] - b) + rates.pace * (turned - (rates.kill + rates.feed) * b)};
+    next[begin + i] = {
+        a + rates.spread_a * (mean_a[i] - a) + rates.pace * (rates.feed * (1 - a) - turned),
+        b + rates.spread_b * (mean_b[i] - b) + rates.pace * (turned - (rates.kill + rates.feed) * b)};
   }
 }
 
@@ -111,8 +112,8 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
   // Steps as long as they may be: what spreads fast takes short ones.
   double pace = std::min(kMostPace, kMostSpread / second);
   auto steps = static_cast<int>(reaction.steps / pace);
-  Rates rates{static_cast<float>(2 * second * pace), static_cast<float>(second * pace), static_cast<float>(pace),
-              static_cast<float>(reaction.feed), static_cast<float>(reaction.kill)};
+  Rates rates{static_cast<float>(2 * second * pace), static_cast<float>(second * pace),
+              static_cast<float>(pace), static_cast<float>(reaction.feed), static_cast<float>(reaction.kill)};
   auto frequency = static_cast<float>(1.6 / reaction.wave);
   Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
              static_cast<float>(seed.child("y").range(-99, 99)), 0);

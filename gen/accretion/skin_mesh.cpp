@@ -24,10 +24,11 @@ std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
   return a < b ? (static_cast<std::uint64_t>(a) << 32) | b : (static_cast<std::uint64_t>(b) << 32) | a;
 }
 
-/// The sides whose ends are `wanted`, those of an edge one after the other, in the order of their vertices: sorted
-/// by counting, as most vertices have but a few.
+/// The sides whose ends are `wanted`, those of an edge one after the other, in the order of their vertices:
+/// sorted by counting, as most vertices have but a few.
 template <class Wanted>
-std::vector<Side> sides_of(const std::vector<Triangle>& triangles, std::size_t vertices, const Wanted& wanted) {
+std::vector<Side> sides_of(const std::vector<Triangle>& triangles, std::size_t vertices,
+                           const Wanted& wanted) {
   std::vector<std::uint32_t> first(vertices + 1, 0);
   auto each = [&](const auto& found) {
     for (std::uint32_t t = 0; t < triangles.size(); ++t)

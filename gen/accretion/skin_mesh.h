@@ -25,8 +25,8 @@ class SkinMesh {
   void start(Vec3 middle, float radius, float edge);
 
   void set_normals();
-  /// Makes edges shorter than 4/3 of `edge` and, where the `whole` is wanted, longer than 1/2 of it, and turns
-  /// those that cross a better one.
+  /// Makes edges shorter than 4/3 of `edge` and, where the `whole` is wanted, longer than 1/2 of it, and
+  /// turns those that cross a better one.
   void remesh(float edge, bool whole);
   /// Moves each vertex by a share of the way to the middle of its neighbours, along the skin and across it.
   void relax(float along, float across);
