@@ -26,6 +26,11 @@ std::array<Vec3, 2> box_of(const std::array<std::uint32_t, 3>& t, const Place& p
   return {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
 }
 
+inline bool boxes_meet(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
+  return a[0].x <= b[1].x && b[0].x <= a[1].x && a[0].y <= b[1].y && b[0].y <= a[1].y && a[0].z <= b[1].z &&
+         b[0].z <= a[1].z;
+}
+
 /// Whether two triangles go through each other otherwise than at corners that they share. `place(v)` is where
 /// a vertex lies.
 template <class Place>
@@ -33,9 +38,6 @@ bool triangles_cross(const std::array<std::uint32_t, 3>& one, const std::array<s
                      const Place& place) {
   std::array<Vec3, 3> p{place(one[0]), place(one[1]), place(one[2])},
       q{place(other[0]), place(other[1]), place(other[2])};
-  auto [low, high] = box_of(one, place);
-  auto [bottom, top] = box_of(other, place);
-  if (glm::any(glm::greaterThan(low, top)) || glm::any(glm::greaterThan(bottom, high))) return false;
   auto shared = [](std::uint32_t v, const std::array<std::uint32_t, 3>& t) {
     return v == t[0] || v == t[1] || v == t[2];
   };

@@ -126,14 +126,14 @@ bool GrowingSheets::stop_what_crosses(GrowingRim& rim, const RimRow& plan) {
   };
   bool any = false;
   for (std::size_t t = 0; t < plan.triangle.size(); ++t) {
-    auto [low, high] = box_of(plan.triangle[t], place);
+    std::array<Vec3, 2> box = box_of(plan.triangle[t], place);
     bool crosses = false;
-    skin_.each(low, high, [&](std::uint32_t who) {
-      crosses =
-          crosses || triangles_cross(plan.triangle[t],
-                                     who < known ? sheet_.triangle[who] : plan.triangle[who - known], place);
+    skin_.each(box[0], box[1], [&](std::uint32_t who) {
+      const auto& other = who < known ? sheet_.triangle[who] : plan.triangle[who - known];
+      crosses = crosses ||
+                (boxes_meet(box, box_of(other, place)) && triangles_cross(plan.triangle[t], other, place));
     });
-    skin_.add(low, high, static_cast<std::uint32_t>(known + t));
+    skin_.add(box[0], box[1], static_cast<std::uint32_t>(known + t));
     if (!crosses) continue;
     for (std::size_t i : {plan.gap[t], rim.next(plan.gap[t])}) rim.pace[i] = 0, to_[i] = from_[i];
     any = true;
