@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accretion/neighbours.h"
 #include "accretion/openness.h"
 #include "accretion/skin_mesh.h"
 #include "core/noise.h"
@@ -12,9 +13,10 @@ namespace frond {
 
 namespace {
 
-constexpr int kSteps = 16;           // of its growth that are kept
-constexpr std::size_t kBatch = 512;  // vertices that one thread takes at a time
-constexpr float kMargin = 0.6f;      // edges that are left free before what stands in the way
+constexpr int kSteps = 16;              // of its growth that are kept
+constexpr std::size_t kBatch = 512;     // vertices that one thread takes at a time
+constexpr int kLook = 2, kLookAll = 8;  // layers after which what grows looks round, and all do
+constexpr float kMargin = 0.6f;         // edges that are left free before what stands in the way
 
 template <class Body>
 void for_all(std::size_t count, const Body& body) {
@@ -41,9 +43,10 @@ class Skin {
       lot_[axis] = static_cast<float>(seed.child("lumps", static_cast<std::uint64_t>(axis)).range(-99, 99));
     float first = std::max(2.5f * edge_, 0.06f * reach_);
     mesh_.start(Vec3(0, 0.2f * first, 0), first, edge_);
+    resize();
     keep();
     for (int l = 0; l < law.layers; ++l) {
-      grow(static_cast<float>(l + 1));
+      grow(l + 1);
       if ((l + 1) * kSteps / law.layers > l * kSteps / law.layers) keep();
     }
   }
@@ -51,8 +54,13 @@ class Skin {
   Accreted take() &&;
 
  private:
-  void grow(float layer);
-  void look(std::size_t round);
+  void grow(int layer);
+  /// Finds out how open each place that grows is, or each one.
+  void look(bool all);
+  void resize() {
+    for (auto* list : {&open_, &lump_, &room_, &speed_, &laid_}) list->resize(mesh_.position.size(), 0);
+    alive_.resize(mesh_.position.size(), 1);
+  }
   void keep() { past_.push_back(mesh_.position); }
   Vec3 before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& known,
               std::vector<char>& is_known) const;
@@ -63,49 +71,55 @@ class Skin {
   Vec3 lot_{0};
   Openness shade_;
   SkinMesh mesh_;
-  std::vector<float> open_;  // of each vertex, see Openness::openness()
   float most_open_ = 1;
-  std::vector<float> room_;   // at least so much is free round each vertex
+  // Of each vertex:
+  std::vector<char> alive_;   // whether a triangle has it still
+  std::vector<float> open_;   // see Openness::openness()
+  std::vector<float> lump_;   // how much more than others its polyps lay
+  std::vector<float> room_;   // at least so much is free round it
   std::vector<float> speed_;  // layers a layer
-  std::vector<float> laid_;   // the last layer in which each vertex moved much
+  std::vector<float> laid_;   // the last layer in which it moved much
   std::vector<std::vector<Vec3>> past_;
 };
 
-void Skin::look(std::size_t round) {
+void Skin::look(bool all) {
   shade_.clear();
+  std::size_t count = mesh_.position.size();
+  std::ranges::fill(alive_, 0);
   for (auto [a, b, c] : mesh_.triangle) {
     const Vec3 &p = mesh_.position[a], &q = mesh_.position[b], &r = mesh_.position[c];
     shade_.add((p + q + r) / 3.0f, glm::length(glm::cross(q - p, r - p)) / 2);
+    alive_[a] = alive_[b] = alive_[c] = 1;
   }
   shade_.build();
-  open_.resize(mesh_.position.size(), 1);
-  speed_.resize(mesh_.position.size(), 1);
-  for_all(mesh_.position.size(), [&](std::size_t v) {
+  auto lumps = static_cast<float>(law_.lumps), frequency = static_cast<float>(1 / law_.lump_size);
+  for_all(count, [&](std::size_t v) {
     // Little changes where nothing grows any more.
-    if (speed_[v] < 0.05f && (v + round) % 4 != 0) return;
-    open_[v] = shade_.openness(mesh_.position[v], mesh_.normal[v], static_cast<float>(law_.light));
+    if (!alive_[v] || (speed_[v] < 0.05f && !all)) return;
+    Vec3 at = mesh_.position[v];
+    open_[v] = shade_.openness(at, mesh_.normal[v], static_cast<float>(law_.light));
+    lump_[v] = 1 + lumps * static_cast<float>(fractal_noise(at * frequency + lot_, 2));
   });
   // What is most in the open grows by a layer.
   most_open_ = 1e-3f;
   for (const auto& t : mesh_.triangle) most_open_ = std::max(most_open_, open_[t[0]]);
 }
 
-void Skin::grow(float layer) {
-  look(static_cast<std::size_t>(layer));
+void Skin::grow(int layer) {
+  // What they see changes little from layer to layer.
+  if (layer % kLook == 1) look(layer % kLookAll == 1);
   std::size_t count = mesh_.position.size();
-  room_.resize(count, 0);
-  speed_.assign(count, 0);
   auto hunger = static_cast<float>(law_.hunger), upward = static_cast<float>(law_.upward);
-  auto lumps = static_cast<float>(law_.lumps), frequency = static_cast<float>(1 / law_.lump_size);
   Vec3 shape(static_cast<float>(law_.across), static_cast<float>(law_.up), static_cast<float>(law_.across));
   for_all(count, [&](std::size_t v) {
+    speed_[v] = 0;
+    if (!alive_[v]) return;
     Vec3 at = mesh_.position[v], n = mesh_.normal[v];
     // A body that is to be wider than high grows faster to its sides.
     float pace = glm::length(n * shape) / reach_;
     float fed = std::pow(std::max(smooth_step(0.15f, 0.9f, open_[v] / most_open_), 1e-3f), hunger);
     float rise = 1 + upward * n.y;
-    float uneven = 1 + lumps * static_cast<float>(fractal_noise(at * frequency + lot_, 2));
-    float speed = pace * fed * std::max(0.0f, rise) * std::max(0.0f, uneven);
+    float speed = pace * fed * std::max(0.0f, rise) * std::max(0.0f, lump_[v]);
     if (at.y < 0) speed *= std::max(0.0f, 1 + at.y / edge_);
     // It slows where it has come as far as it may.
     float gone = glm::length(at / shape);
@@ -119,27 +133,24 @@ void Skin::grow(float layer) {
     speed_[v] = speed;
   });
   // Polyps share what they catch with their neighbours.
-  std::vector<float> sum(count, 0), number(count, 0);
-  for (auto [a, b, c] : mesh_.triangle) {
-    sum[a] += speed_[b] + speed_[c], sum[b] += speed_[c] + speed_[a], sum[c] += speed_[a] + speed_[b];
-    number[a] += 2, number[b] += 2, number[c] += 2;
-  }
-  laid_.resize(count, 0);
+  std::vector<float> near = means_of_neighbours(mesh_.triangle, speed_);
   for (std::size_t v = 0; v < count; ++v) {
-    if (number[v] == 0) continue;
-    float speed = std::min(speed_[v] * 1.3f, 0.5f * speed_[v] + 0.5f * sum[v] / number[v]);
+    float speed = std::min(speed_[v] * 1.3f, 0.5f * speed_[v] + 0.5f * near[v]);
     mesh_.position[v] += mesh_.normal[v] * (speed * layer_);
     if (room_[v] > 0) room_[v] -= 1.5f * layer_;
-    if (speed > 0.15f) laid_[v] = layer;
+    if (speed > 0.15f) laid_[v] = static_cast<float>(layer);
   }
   auto smoothing = static_cast<float>(law_.smoothing);
   mesh_.relax(0.4f, 0.3f * smoothing);
   std::size_t old = mesh_.position.size();
-  mesh_.remesh(edge_, layer);
+  mesh_.remesh(edge_, layer % 2 == 0);
+  resize();
   for (std::size_t v = old; v < mesh_.position.size(); ++v) {
     auto [a, b] = mesh_.parents[v];
-    laid_.push_back(std::max(laid_[a], laid_[b]));
-    room_.push_back(0);
+    laid_[v] = std::max(laid_[a], laid_[b]);
+    open_[v] = (open_[a] + open_[b]) / 2;
+    lump_[v] = (lump_[a] + lump_[b]) / 2;
+    speed_[v] = (speed_[a] + speed_[b]) / 2;
   }
 }
 
@@ -155,8 +166,7 @@ Vec3 Skin::before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& kno
 
 Accreted Skin::take() && {
   Accreted made;
-  speed_.assign(mesh_.position.size(), 1);
-  look(0);
+  look(true);
   std::vector<std::uint32_t> order, list = mesh_.living(order);
   for (std::uint32_t v : list) {
     made.surface.position.push_back(mesh_.position[v]);

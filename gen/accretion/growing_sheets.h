@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "accretion/margin.h"
 #include "accretion/rim_grid.h"
@@ -38,6 +39,19 @@ struct RimRival {
   float distance;  // that it is to be away at least
 };
 
+/// A row before it is laid. Its vertices are numbered on from those that there are.
+struct RimRow {
+  struct Vertex {
+    Vec3 at;
+    std::array<std::uint32_t, 2> parents;
+    float way, u;
+  };
+  std::vector<Vertex> vertex{};
+  std::vector<std::array<std::uint32_t, 3>> triangle{};
+  std::vector<std::size_t> gap{};  // of each triangle, the place of the rim that it stands on, up to the next
+  GrowingRim after{};              // the rim that it ends at
+};
+
 /// Sheets while they grow.
 class GrowingSheets {
  public:
@@ -47,7 +61,8 @@ class GrowingSheets {
         edge_(static_cast<float>(law.edge)),
         step_(kRimPace * edge_),
         clearance_(std::max(static_cast<float>(law.clearance), 1.5f * edge_)),
-        grid_(clearance_ + 2 * step_) {
+        grid_(clearance_ + 2 * step_),
+        skin_(1.5f * edge_) {
     for (int axis = 0; axis < 3; ++axis)
       lot_[axis] = static_cast<float>(seed.child("lobes", static_cast<std::uint64_t>(axis)).range(-99, 99));
     sheet_.rows = std::max(2, static_cast<int>(law.reach / step_));
@@ -67,7 +82,10 @@ class GrowingSheets {
   void keep_away(std::size_t i);
   bool is_kinked(const GrowingRim& rim, std::size_t i) const;
   void stop_what_collides(GrowingRim& rim);
-  void lay(GrowingRim& rim, int row);
+  RimRow plan(const GrowingRim& rim) const;
+  void fill(const GrowingRim& rim, RimRow& row, const std::vector<std::uint32_t>& above) const;
+  bool stop_what_crosses(GrowingRim& rim, const RimRow& plan);
+  void lay(GrowingRim& rim, RimRow&& plan, int row);
 
   const Margin& law_;
   const MarginWorld& world_;
@@ -78,7 +96,8 @@ class GrowingSheets {
   std::vector<std::uint32_t> owner_;  // the sheet of each vertex
   std::vector<std::uint32_t> seat_;   // of each vertex, its number on the rim that grows now
   std::vector<GrowingRim> rims_;
-  RimGrid grid_;
+  RimGrid grid_;  // of vertices
+  RimGrid skin_;  // of triangles
   // Of the rim that grows now:
   std::vector<Vec3> from_, to_, aim_, tangent_, shift_;
   std::vector<float> rest_, arc_, thread_;

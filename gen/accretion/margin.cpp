@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accretion/crossing.h"
 #include "accretion/growing_sheets.h"
 #include "core/noise.h"
 
@@ -38,8 +39,11 @@ void GrowingSheets::start(const MarginStart& start, std::uint32_t sheet) {
     Vec3 middle(0);
     for (Vec3 p : start.rim) middle += p / static_cast<float>(start.rim.size());
     std::uint32_t center = add(middle, {kRimNobody, kRimNobody}, row, 0, 0, sheet);
-    for (std::size_t i = 0; i < rim.size(); ++i)
+    for (std::size_t i = 0; i < rim.size(); ++i) {
       sheet_.triangle.push_back({center, rim.vertex[i], rim.vertex[rim.next(i)]});
+      auto [low, high] = box_of(sheet_.triangle.back(), [&](std::uint32_t v) { return sheet_.position[v]; });
+      skin_.add(low, high, static_cast<std::uint32_t>(sheet_.triangle.size() - 1));
+    }
   }
   rims_.push_back(std::move(rim));
 }
@@ -223,8 +227,13 @@ void GrowingSheets::advance(GrowingRim& rim, int row) {
   for (std::size_t i = 0; i < rim.size(); ++i) seat_[rim.vertex[i]] = static_cast<std::uint32_t>(i);
   look_round(rim);
   relax(rim);
-  if (row > rim.first) stop_what_collides(rim);
-  lay(rim, row);
+  for (;;) {
+    if (row > rim.first) stop_what_collides(rim);
+    RimRow planned = plan(rim);
+    if (stop_what_crosses(rim, planned)) continue;
+    lay(rim, std::move(planned), row);
+    return;
+  }
 }
 
 Sheet GrowingSheets::grow() && {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accretion/crossing.h"
 #include "accretion/growing_sheets.h"
 
 namespace frond {
@@ -33,21 +34,23 @@ void GrowingSheets::stop_what_collides(GrowingRim& rim) {
   }
 }
 
-/// Lays the row: triangles between the rim and where it has come to, which is the rim from now on.
-void GrowingSheets::lay(GrowingRim& rim, int row) {
-  auto& triangles = sheet_.triangle;
+/// The row between the rim and where it has come to, which is the rim from then on.
+RimRow GrowingSheets::plan(const GrowingRim& rim) const {
   std::size_t count = rim.size(), gaps = rim.closed ? count : count - 1;
-  GrowingRim after{
+  RimRow row;
+  GrowingRim& after = row.after = {
       .closed = rim.closed, .tube = rim.tube, .sheet = rim.sheet, .first = rim.first, .last = rim.last};
   auto put = [&](std::uint32_t v, Vec3 heading, float pace) {
     after.vertex.push_back(v), after.heading.push_back(heading), after.pace.push_back(pace);
   };
-  auto birth = static_cast<float>(row + 1);
+  auto bear = [&](Vec3 at, std::array<std::uint32_t, 2> parents, float way, float u) {
+    row.vertex.push_back({at, parents, way, u});
+    return static_cast<std::uint32_t>(sheet_.position.size() + row.vertex.size() - 1);
+  };
   auto raised = [&](std::size_t i) {
     if (rim.pace[i] == 0) return rim.vertex[i];
     std::uint32_t v = rim.vertex[i];
-    float way = sheet_.way[v] + glm::distance(from_[i], to_[i]);
-    return add(to_[i], {v, v}, birth, way, u_[v], rim.sheet);
+    return bear(to_[i], {v, v}, sheet_.way[v] + glm::distance(from_[i], to_[i]), u_[v]);
   };
   auto heading = [&](std::size_t i) {
     return rim.pace[i] == 0 ? rim.heading[i] : glm::normalize(to_[i] - from_[i]);
@@ -55,15 +58,15 @@ void GrowingSheets::lay(GrowingRim& rim, int row) {
   std::size_t left = count;  // that may still be lost
   std::vector<std::uint32_t> above(count, kRimNobody);
   for (std::size_t i = 0; i < count; ++i) {
+    std::size_t j = rim.next(i);
+    std::uint32_t p = rim.vertex[i], q = rim.vertex[j];
+    Vec3 between = (to_[i] + to_[j]) * 0.5f;
+    float way = (sheet_.way[p] + sheet_.way[q]) / 2 + step_ * rim.pace[i];
     if (above[i] == kRimNobody) {
-      std::size_t j = rim.next(i);
       bool near = j > i && rim.pace[i] > 0 && rim.pace[j] > 0 && left > 8 && i > 0 && j + 1 < count &&
                   glm::distance(to_[i], to_[j]) < 0.5f * edge_;
       if (near) {
-        std::uint32_t p = rim.vertex[i], q = rim.vertex[j];
-        Vec3 at = (to_[i] + to_[j]) * 0.5f;
-        float way = (sheet_.way[p] + sheet_.way[q]) / 2 + step_ * rim.pace[i];
-        above[i] = above[j] = add(at, {p, q}, birth, way, (u_[p] + u_[q]) / 2, rim.sheet);
+        above[i] = above[j] = bear(between, {p, q}, way, (u_[p] + u_[q]) / 2);
         put(above[i], glm::normalize(heading(i) + heading(j) + aim_[i] * 0.01f), rim.pace[i]);
         --left;
       } else {
@@ -72,27 +75,35 @@ void GrowingSheets::lay(GrowingRim& rim, int row) {
       }
     }
     if (i >= gaps) continue;
-    std::size_t j = rim.next(i);
     bool merges = j > i && above[j] != kRimNobody;
     bool moves = rim.pace[i] > 0 || rim.pace[j] > 0;
     if (merges || !moves || glm::distance(to_[i], to_[j]) < 1.45f * edge_) continue;
-    std::uint32_t p = rim.vertex[i], q = rim.vertex[j];
-    Vec3 at = (to_[i] + to_[j]) * 0.5f;
-    std::uint32_t m = add(at, {p, q}, birth, (sheet_.way[p] + sheet_.way[q]) / 2 + step_ * rim.pace[i],
-                          (u_[p] + (j > i ? u_[q] : 1)) / 2, rim.sheet);
+    std::uint32_t m = bear(between, {p, q}, way, (u_[p] + (j > i ? u_[q] : 1)) / 2);
     put(m, glm::normalize(heading(i) + heading(j) + aim_[i] * 0.01f), std::max(rim.pace[i], rim.pace[j]));
   }
+  fill(rim, row, above);
+  return row;
+}
+
+/// The triangles of a row; `above` is what each place of the rim has become.
+void GrowingSheets::fill(const GrowingRim& rim, RimRow& row, const std::vector<std::uint32_t>& above) const {
+  const GrowingRim& after = row.after;
+  auto put = [&](std::size_t gap, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    row.triangle.push_back({a, b, c});
+    row.gap.push_back(gap);
+  };
   // Between each old vertex and the next lies a run of new ones.
-  std::size_t place = 0;
+  std::size_t place = 0, gaps = rim.closed ? rim.size() : rim.size() - 1;
+  std::vector<std::uint32_t> run;
   for (std::size_t i = 0; i < gaps; ++i) {
     std::size_t j = rim.next(i);
     std::uint32_t p = rim.vertex[i], q = rim.vertex[j];
     std::uint32_t begin = above[i], end = above[j];
     if (begin == end) {
-      if (begin != p && begin != q) triangles.push_back({p, begin, q});
+      if (begin != p && begin != q) put(i, p, begin, q);
       continue;
     }
-    std::vector<std::uint32_t> run{begin};
+    run.assign(1, begin);
     while (after.vertex[place] != begin) ++place;
     for (std::size_t k = place + 1; after.vertex[k % after.size()] != end; ++k)
       run.push_back(after.vertex[k % after.size()]);
@@ -100,12 +111,43 @@ void GrowingSheets::lay(GrowingRim& rim, int row) {
     std::size_t half = run.size() / 2;
     for (std::size_t k = 0; k + 1 < run.size(); ++k) {
       std::uint32_t low = k < half ? p : q;
-      if (run[k] != low && run[k + 1] != low) triangles.push_back({p == low ? p : q, run[k], run[k + 1]});
+      if (run[k] != low && run[k + 1] != low) put(i, low, run[k], run[k + 1]);
     }
-    if (run[half] != p && run[half] != q) triangles.push_back({p, run[half], q});
+    if (run[half] != p && run[half] != q) put(i, p, run[half], q);
   }
+}
+
+/// Stops, for good, what would lay a triangle through another one. Whether there was any.
+bool GrowingSheets::stop_what_crosses(GrowingRim& rim, const RimRow& plan) {
+  std::size_t known = sheet_.triangle.size(), filled = skin_.size();
+  auto place = [&](std::uint32_t v) {
+    std::size_t count = sheet_.position.size();
+    return v < count ? sheet_.position[v] : plan.vertex[v - count].at;
+  };
+  bool any = false;
+  for (std::size_t t = 0; t < plan.triangle.size(); ++t) {
+    std::array<Vec3, 2> box = box_of(plan.triangle[t], place);
+    bool crosses = false;
+    skin_.each(box[0], box[1], [&](std::uint32_t who) {
+      const auto& other = who < known ? sheet_.triangle[who] : plan.triangle[who - known];
+      crosses = crosses ||
+                (boxes_meet(box, box_of(other, place)) && triangles_cross(plan.triangle[t], other, place));
+    });
+    skin_.add(box[0], box[1], static_cast<std::uint32_t>(known + t));
+    if (!crosses) continue;
+    for (std::size_t i : {plan.gap[t], rim.next(plan.gap[t])}) rim.pace[i] = 0, to_[i] = from_[i];
+    any = true;
+  }
+  if (any) skin_.shrink(filled);
+  return any;
+}
+
+void GrowingSheets::lay(GrowingRim& rim, RimRow&& plan, int row) {
+  for (const RimRow::Vertex& v : plan.vertex)
+    add(v.at, v.parents, static_cast<float>(row + 1), v.way, v.u, rim.sheet);
+  sheet_.triangle.insert(sheet_.triangle.end(), plan.triangle.begin(), plan.triangle.end());
   for (std::uint32_t v : rim.vertex) seat_[v] = kRimNobody;
-  rim = std::move(after);
+  rim = std::move(plan.after);
 }
 
 }  // namespace frond

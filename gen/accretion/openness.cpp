@@ -8,6 +8,7 @@ namespace frond {
 namespace {
 
 constexpr int kLevels = 4;
+constexpr std::size_t kConeSteps = 7;  // two on each level, one on the last
 constexpr float kWhole = 256;
 
 /// Directions round the pole z: one along it, and two rings.
@@ -41,7 +42,7 @@ Openness::Openness(Vec3 low, Vec3 high, float cell) : low_(low) {
   for (int l = 0; l < kLevels; ++l) {
     auto cells = static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
                  static_cast<std::size_t>(count[2]);
-    levels_.push_back({count, cell, std::vector<float>(cells)});
+    levels_.push_back({count, cell, std::vector<float>(cells), std::vector<char>(cells)});
     for (int& n : count) n = (n + 1) / 2;
     cell *= 2;
   }
@@ -83,16 +84,32 @@ void Openness::build() {
               std::min(1.0f, sum / 4);
         }
   }
+  for (Level& level : levels_) mark(level);
 }
 
-float Openness::held_at(const Level& level, Vec3 at) {
-  Vec3 g = at / level.cell - 0.5f;
-  Vec3 f = glm::floor(g), t = g - f;
-  int x = static_cast<int>(f.x), y = static_cast<int>(f.y), z = static_cast<int>(f.z);
+void Openness::mark(Level& level) {
+  const auto& [wide, high, deep] = level.count;
+  for (int z = 0; z + 1 < deep; ++z)
+    for (int y = 0; y + 1 < high; ++y) {
+      const float* front = level.held.data() + (z * high + y) * wide;
+      const float* back = front + wide * high;
+      char* anything = level.anything.data() + (z * high + y) * wide;
+      auto column = [&](int x) { return front[x] + front[x + wide] + back[x] + back[x + wide]; };
+      for (int x = 0; x + 1 < wide; ++x) anything[x] = column(x) + column(x + 1) > 0;
+    }
+}
+
+/// At a place measured in its cells, from the middle of the first.
+inline float Openness::held_at(const Level& level, Vec3 at) {
   const auto& [wide, high, deep] = level.count;
   // The outermost cells are empty.
-  if (x < 0 || y < 0 || z < 0 || x + 1 >= wide || y + 1 >= high || z + 1 >= deep) return 0;
-  const float* held = level.held.data() + (z * high + y) * wide + x;
+  if (!(at.x >= 0 && at.y >= 0 && at.z >= 0)) return 0;
+  int x = static_cast<int>(at.x), y = static_cast<int>(at.y), z = static_cast<int>(at.z);
+  if (x + 1 >= wide || y + 1 >= high || z + 1 >= deep) return 0;
+  int cell = (z * high + y) * wide + x;
+  if (!level.anything[static_cast<std::size_t>(cell)]) return 0;
+  Vec3 t = at - Vec3(x, y, z);
+  const float* held = level.held.data() + cell;
   auto row = [&](int v, int w) {
     const float* cells = held + (w * high + v) * wide;
     return cells[0] * (1 - t.x) + cells[1] * t.x;
@@ -108,7 +125,16 @@ float Openness::openness(Vec3 at, Vec3 normal, float light) const {
   side = glm::normalize(side - normal * glm::dot(side, normal));
   Vec3 other = glm::cross(normal, side);
   float cell = levels_[0].cell, come = 0, all = 0;
-  Vec3 from = at + normal * (0.9f * cell);
+  // Where cones begin, and how far away their steps are, in cells of the level of each step.
+  std::array<Vec3, kConeSteps> from;
+  std::array<float, kConeSteps> ways;
+  float away = 1.5f * cell;
+  for (std::size_t step = 0; step < kConeSteps; ++step) {
+    float size = levels_[step / 2].cell;
+    from[step] = (at + normal * (0.9f * cell) - low_) / size - 0.5f;
+    ways[step] = away / size;
+    away += size * 1.2f;
+  }
   for (const Cone& cone : kCones) {
     Vec3 way = side * cone.way.x + other * cone.way.y + normal * cone.way.z;
     float weight = cone.share * (0.5f + 0.5f * std::abs(cone.way.z));
@@ -116,13 +142,9 @@ float Openness::openness(Vec3 at, Vec3 normal, float light) const {
     // Ground holds up what comes from below.
     float source = 1.3f * light * std::max(0.0f, way.y) + (1 - light) * std::min(1.0f, 1.25f * (1 + way.y));
     if (source <= 0) continue;
-    float through = 1, away = 1.5f * cell;
-    for (int step = 0; step < 7 && through > 0.02f; ++step) {
-      std::size_t level = std::min<std::size_t>(static_cast<std::size_t>(step / 2), levels_.size() - 1);
-      const Level& l = levels_[level];
-      through *= 1 - std::min(1.0f, held_at(l, from + way * away - low_));
-      away += l.cell * 1.2f;
-    }
+    float through = 1;
+    for (std::size_t step = 0; step < kConeSteps && through > 0.02f; ++step)
+      through *= 1 - std::min(1.0f, held_at(levels_[step / 2], from[step] + way * ways[step]));
     come += weight * source * through;
   }
   return come / all;

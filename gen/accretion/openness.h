@@ -28,8 +28,10 @@ class Openness {
   struct Level {
     std::array<int, 3> count;
     float cell;
-    std::vector<float> held;  // 0 nothing .. 1 all
+    std::vector<float> held;     // 0 nothing .. 1 all
+    std::vector<char> anything;  // whether one of the eight cells from each on holds something
   };
+  static void mark(Level& level);
   static float held_at(const Level& level, Vec3 at);
 
   Vec3 low_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "accretion/neighbours.h"
+
 namespace frond {
 
 namespace {
@@ -33,14 +35,8 @@ std::vector<std::array<std::uint32_t, 2>> cut_edges(const Surface& s,
 }
 
 void round_off(std::vector<Vec3>& places, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-  std::vector<Vec3> sum(places.size(), Vec3(0));
-  std::vector<float> count(places.size(), 0);
-  for (auto [a, b, c] : triangles) {
-    sum[a] += places[b] + places[c], sum[b] += places[c] + places[a], sum[c] += places[a] + places[b];
-    count[a] += 2, count[b] += 2, count[c] += 2;
-  }
-  for (std::size_t v = 0; v < places.size(); ++v)
-    if (count[v] > 0) places[v] = glm::mix(places[v], sum[v] / count[v], 0.45f);
+  std::vector<Vec3> middle = means_of_neighbours(triangles, places);
+  for (std::size_t v = 0; v < places.size(); ++v) places[v] = glm::mix(places[v], middle[v], 0.45f);
 }
 
 }  // namespace

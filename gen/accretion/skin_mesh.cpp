@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "accretion/neighbours.h"
+
 namespace frond {
 
 namespace {
@@ -22,15 +24,27 @@ std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
   return a < b ? (static_cast<std::uint64_t>(a) << 32) | b : (static_cast<std::uint64_t>(b) << 32) | a;
 }
 
-/// All sides, the two of an edge one after the other.
-std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t k = 0; k < 3; ++k)
-      sides.push_back({key_of(triangles[t][k], triangles[t][(k + 1) % 3]), t, k});
-  std::ranges::sort(sides, [](const Side& a, const Side& b) {
-    return std::pair(a.key, a.triangle) < std::pair(b.key, b.triangle);
+/// The sides whose ends are `wanted`, those of an edge one after the other, in the order of their vertices:
+/// sorted by counting, as most vertices have but a few.
+template <class Wanted>
+std::vector<Side> sides_of(const std::vector<Triangle>& triangles, std::size_t vertices,
+                           const Wanted& wanted) {
+  std::vector<std::uint32_t> first(vertices + 1, 0);
+  auto each = [&](const auto& found) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        std::uint32_t a = triangles[t][k], b = triangles[t][k == 2 ? 0 : k + 1];
+        if (wanted(a, b)) found(Side{key_of(a, b), t, k}, std::min(a, b));
+      }
+  };
+  each([&](const Side&, std::uint32_t low) { ++first[low + 1]; });
+  for (std::size_t v = 0; v < vertices; ++v) first[v + 1] += first[v];
+  std::vector<Side> sides(first.back());
+  std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
+  each([&](const Side& side, std::uint32_t low) {
+    std::uint32_t i = end[low]++;
+    for (; i > first[low] && sides[i - 1].key > side.key; --i) sides[i] = sides[i - 1];
+    sides[i] = side;
   });
   return sides;
 }
@@ -47,10 +61,9 @@ void SkinMesh::start(Vec3 middle, float radius, float edge) {
               {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
               {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   parents.assign(position.size(), {kNone, kNone});
-  born.assign(position.size(), 0);
   for (float side = 1.05f * radius; side > 1.34f * edge; side /= 2) {
     for (Vec3& p : position) p = glm::normalize(p);
-    split(0, 0);
+    split(0);
   }
   for (Vec3& p : position) p = middle + radius * glm::normalize(p);
   set_normals();
@@ -66,25 +79,21 @@ void SkinMesh::set_normals() {
 }
 
 /// Every triangle is cut by what it has of edges that are too long, so that the order makes no difference.
-void SkinMesh::split(float longest, float layer) {
-  std::vector<Side> sides = sides_of(triangle);
+void SkinMesh::split(float longest) {
+  std::vector<Side> sides = sides_of(triangle, position.size(), [&](std::uint32_t a, std::uint32_t b) {
+    return length2(position[a] - position[b]) > longest * longest;
+  });
+  if (sides.empty()) return;
   std::vector<std::array<std::uint32_t, 3>> middle(triangle.size(), {kNone, kNone, kNone});
-  bool any = false;
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end].key == sides[i].key) ++end;
     auto a = static_cast<std::uint32_t>(sides[i].key >> 32), b = static_cast<std::uint32_t>(sides[i].key);
-    if (length2(position[a] - position[b]) > longest * longest) {
-      auto added = static_cast<std::uint32_t>(position.size());
-      position.push_back((position[a] + position[b]) * 0.5f);
-      parents.push_back({a, b});
-      born.push_back(layer);
-      for (; i < end; ++i) middle[sides[i].triangle][sides[i].k] = added;
-      any = true;
-    }
-    i = end;
+    auto added = static_cast<std::uint32_t>(position.size());
+    position.push_back((position[a] + position[b]) * 0.5f);
+    parents.push_back({a, b});
+    for (; i < end; ++i) middle[sides[i].triangle][sides[i].k] = added;
   }
-  if (!any) return;
   std::size_t count = triangle.size();
   for (std::size_t t = 0; t < count; ++t) {
     auto [a, b, c] = triangle[t];
@@ -119,7 +128,8 @@ void SkinMesh::split(float longest, float layer) {
 
 /// Turns edges across from which the two angles together are more than 180 degrees (Delaunay).
 void SkinMesh::flip() {
-  std::vector<Side> sides = sides_of(triangle);
+  std::vector<Side> sides =
+      sides_of(triangle, position.size(), [](std::uint32_t, std::uint32_t) { return true; });
   std::vector<char> touched(position.size());
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     if (sides[i].key != sides[i + 1].key) continue;
@@ -148,7 +158,10 @@ void SkinMesh::flip() {
 
 /// Draws the ends of short edges together, where the mesh stays one without folds (link condition).
 void SkinMesh::collapse(float shortest) {
-  std::vector<Side> sides = sides_of(triangle);
+  std::vector<Side> sides = sides_of(triangle, position.size(), [&](std::uint32_t a, std::uint32_t b) {
+    return length2(position[a] - position[b]) <= shortest * shortest;
+  });
+  if (sides.empty()) return;
   std::vector<std::uint32_t> first(position.size() + 1, 0), around;  // triangles round each vertex
   for (const Triangle& t : triangle)
     for (std::uint32_t v : t) ++first[v + 1];
@@ -173,7 +186,6 @@ void SkinMesh::collapse(float shortest) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (i > 0 && sides[i].key == sides[i - 1].key) continue;
     auto a = static_cast<std::uint32_t>(sides[i].key >> 32), b = static_cast<std::uint32_t>(sides[i].key);
-    if (length2(position[a] - position[b]) > shortest * shortest) continue;
     ring(a, near_a), ring(b, near_b);
     both.clear();
     std::ranges::set_intersection(near_a, near_b, std::back_inserter(both));
@@ -207,9 +219,9 @@ void SkinMesh::collapse(float shortest) {
   });
 }
 
-void SkinMesh::remesh(float edge, float layer) {
-  split(edge * 4 / 3, layer);
-  if (static_cast<int>(layer) % 2 == 0) {
+void SkinMesh::remesh(float edge, bool whole) {
+  split(edge * 4 / 3);
+  if (whole) {
     collapse(edge / 2);
     flip();
   }
@@ -217,16 +229,9 @@ void SkinMesh::remesh(float edge, float layer) {
 }
 
 void SkinMesh::relax(float along, float across) {
-  std::vector<Vec3> sum(position.size(), Vec3(0));
-  std::vector<float> count(position.size(), 0);
-  for (auto [a, b, c] : triangle) {
-    sum[a] += position[b] + position[c], sum[b] += position[c] + position[a],
-        sum[c] += position[a] + position[b];
-    count[a] += 2, count[b] += 2, count[c] += 2;
-  }
+  std::vector<Vec3> middle = means_of_neighbours(triangle, position);
   for (std::size_t v = 0; v < position.size(); ++v) {
-    if (count[v] == 0) continue;
-    Vec3 way = sum[v] / count[v] - position[v], out = normal[v] * glm::dot(way, normal[v]);
+    Vec3 way = middle[v] - position[v], out = normal[v] * glm::dot(way, normal[v]);
     position[v] += along * (way - out) + across * out;
   }
 }

@@ -19,16 +19,15 @@ class SkinMesh {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;                           // of the living; see set_normals()
   std::vector<std::array<std::uint32_t, 2>> parents;  // kNone for the first ones
-  std::vector<float> born;                            // layers that there were
   std::vector<Triangle> triangle;
 
   /// A ball of so many metres about a middle; triangles about `edge` long.
   void start(Vec3 middle, float radius, float edge);
 
   void set_normals();
-  /// Makes edges shorter than 4/3 of `edge` and, each other layer, longer than 1/2 of it, and turns those
-  /// that cross a better one.
-  void remesh(float edge, float layer);
+  /// Makes edges shorter than 4/3 of `edge` and, where the `whole` is wanted, longer than 1/2 of it, and
+  /// turns those that cross a better one.
+  void remesh(float edge, bool whole);
   /// Moves each vertex by a share of the way to the middle of its neighbours, along the skin and across it.
   void relax(float along, float across);
 
@@ -36,7 +35,7 @@ class SkinMesh {
   std::vector<std::uint32_t> living(std::vector<std::uint32_t>& order) const;
 
  private:
-  void split(float longest, float layer);
+  void split(float longest);
   void flip();
   void collapse(float shortest);
 };

@@ -140,7 +140,9 @@ struct Host::Tree {
   bool build(const Host& over) {
     host = &over;
     blur = 4e-7 * std::max(glm::length(over.low_), glm::length(over.high_)) + 1e-30;
-    device = rtcNewDevice("threads=1");
+    // A device that is to use fewer threads would hold all of TBB to as many, as long as it lives. What is
+    // found does not depend on how the tree was built.
+    device = rtcNewDevice(nullptr);
     if (!device) return false;
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);

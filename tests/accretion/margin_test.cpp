@@ -45,14 +45,14 @@ SheetSkin skin_of() {
   return skin;
 }
 
-TEST(Margin, SheetsHardlyEverCrossThemselves) {
+TEST(Margin, SheetsNeverCrossThemselves) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Sheet sheet = grow_margins(kRuffled, whorl_of(seed), {}, Seed{seed});
     Surface surface;
     surface.position = sheet.position;
     surface.triangle = sheet.triangle;
     EXPECT_GT(sheet.triangle.size(), 10000u);
-    EXPECT_LE(crossings_of(surface, 0.008f), sheet.triangle.size() / 4000) << "seed " << seed;
+    EXPECT_EQ(crossings_of(surface, 0.008f), 0u) << "seed " << seed;
   }
 }
 

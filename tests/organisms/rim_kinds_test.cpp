@@ -2,6 +2,7 @@
 
 #include "closed.h"
 #include "core/parallel.h"
+#include "crossings.h"
 #include "organisms/encrusting/encrusting.h"
 #include "organisms/fan/fan.h"
 #include "organisms/foliose/foliose.h"
@@ -51,6 +52,26 @@ TEST(RimKinds, NothingPopsAsTheyGrow) {
       EXPECT_LT(most, 0.22f * size) << "step " << k;
     }
   }
+}
+
+/// Such sheets as lettuce_coral, plate_coral and table_coral have.
+TEST(RimKinds, SheetsNeverCrossThemselves) {
+  FolioseParams lettuce, plate;
+  lettuce.sheets = 12, lettuce.excess = 2.6, lettuce.ruffle = 0.035, lettuce.edge = 0.0036;
+  plate.form = FolioseForm::plate, plate.across = 0.6, plate.height = 0.32, plate.sheets = 6;
+  plate.excess = 1.05, plate.ruffle = 0.2, plate.lobes = 0.2, plate.edge = 0.007;
+  auto crossings = [](const Sheet& sheet, double edge) {
+    Surface surface;
+    surface.position = sheet.position, surface.triangle = sheet.triangle;
+    return crossings_of(surface, static_cast<float>(1.6 * edge));
+  };
+  Surroundings open;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    EXPECT_EQ(crossings(foliose_sheets(plate, open, Seed{seed}), plate.edge), 0u) << seed;
+    EXPECT_EQ(crossings(table_sheet({}, open, Seed{seed}), TableParams().edge), 0u) << seed;
+  }
+  for (std::uint64_t seed : {1, 4, 7, 8})
+    EXPECT_EQ(crossings(foliose_sheets(lettuce, open, Seed{seed}), lettuce.edge), 0u) << seed;
 }
 
 TEST(RimKinds, AreTheSameOnOneThreadAndOnTwo) {

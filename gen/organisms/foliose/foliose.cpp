@@ -67,18 +67,20 @@ std::vector<MarginStart> plates(const FolioseParams& params, Seed seed) {
 
 }  // namespace
 
-Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& around, Seed seed) {
-  bool plate = params.form == FolioseForm::plate;
-  Margin law = margin_of(params);
-  MarginWorld world = margin_world(around);
+Sheet foliose_sheets(const FolioseParams& params, const Surroundings& around, Seed seed) {
   Seed own = seed.child("sheets");
-  Sheet sheet = grow_margins(law, plate ? plates(params, own) : whorl(params, own), world, own);
+  auto starts = params.form == FolioseForm::plate ? plates(params, own) : whorl(params, own);
+  return grow_margins(margin_of(params), starts, margin_world(around), own);
+}
+
+Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& around, Seed seed) {
+  Sheet sheet = foliose_sheets(params, around, seed);
   SheetSkin skin;
   skin.upper = skin.lower = half_thickness(params.rim, params.thickness);
   skin.lines = params.lines;
   skin.line = 0.011;
   SheetBody body = body_of(sheet, skin);
-  if (plate)
+  if (params.form == FolioseForm::plate)
     append(body,
            stalk_body(0.13 * params.across, 0.05 * params.across, 0.9 * params.height, seed.child("stalk")));
   return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));

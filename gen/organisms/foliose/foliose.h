@@ -32,6 +32,9 @@ struct FolioseParams {
   Growth growth;
 };
 
+/// Its sheets, before they have a thickness.
+Sheet foliose_sheets(const FolioseParams& params, const Surroundings& around, Seed seed);
+
 Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& around, Seed seed);
 
 }  // namespace frond

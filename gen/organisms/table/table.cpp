@@ -127,7 +127,7 @@ SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& p
 
 }  // namespace
 
-Result<Model> grow_table(const TableParams& params, const Surroundings& around, Seed seed) {
+Sheet table_sheet(const TableParams& params, const Surroundings& around, Seed seed) {
   Margin law{.reach = params.across / 2 - 2 * params.edge,
              .edge = params.edge,
              .stiffness = 1,
@@ -139,8 +139,11 @@ Result<Model> grow_table(const TableParams& params, const Surroundings& around, 
   Vec3 middle(0, static_cast<float>(params.height - params.branchlet), 0);
   MarginStart start = ring_start(middle, 2 * params.edge, 0, 2 * kPi, 0, params.edge);
   start.filled = true;
-  MarginWorld world = margin_world(around);
-  Sheet sheet = grow_margins(law, {start}, world, seed.child("sheet"));
+  return grow_margins(law, {start}, margin_world(around), seed.child("sheet"));
+}
+
+Result<Model> grow_table(const TableParams& params, const Surroundings& around, Seed seed) {
+  Sheet sheet = table_sheet(params, around, seed);
   SheetBody body = table_top(sheet, params);
   append(body, lawn_of(sheet, body, params, seed.child("lawn")));
   return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accretion/margin.h"
 #include "core/result.h"
 #include "model/model.h"
 #include "motion/motion.h"
@@ -21,6 +22,9 @@ struct TableParams {
   TissueLook tissue;
   Growth growth;
 };
+
+/// Its disc, before it has a thickness.
+Sheet table_sheet(const TableParams& params, const Surroundings& around, Seed seed);
 
 Result<Model> grow_table(const TableParams& params, const Surroundings& around, Seed seed);
 
