@@ -25,6 +25,34 @@ void for_all(std::size_t count, const Body& body) {
   });
 }
 
+/// The light round a skin, which changes little from place to place: asked at corners of a few boxes.
+class LightAround {
+ public:
+  LightAround(const std::function<float(Vec3)>& light, Vec3 low, Vec3 high) : low_(low), size_(high - low) {
+    for (int i = 0; light && i < kSide * kSide * kSide; ++i)
+      at_.push_back(
+          light(low + size_ * Vec3(i % kSide, i / kSide % kSide, i / kSide / kSide) / (kSide - 1.0f)));
+  }
+
+  float operator()(Vec3 at) const {
+    if (at_.empty()) return 1;
+    Vec3 g = glm::clamp((at - low_) / size_, Vec3(0), Vec3(0.9999f)) * (kSide - 1.0f);
+    Vec3 f = glm::floor(g), t = g - f;
+    float sum = 0;
+    for (int k = 0; k < 8; ++k) {
+      glm::ivec3 c = glm::ivec3(f) + glm::ivec3(k & 1, k >> 1 & 1, k >> 2);
+      Vec3 w((k & 1) ? t.x : 1 - t.x, (k >> 1 & 1) ? t.y : 1 - t.y, (k >> 2) ? t.z : 1 - t.z);
+      sum += w.x * w.y * w.z * at_[static_cast<std::size_t>((c.z * kSide + c.y) * kSide + c.x)];
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr int kSide = 5;
+  Vec3 low_, size_;
+  std::vector<float> at_;
+};
+
 /// One skin while it grows.
 class Skin {
  public:
@@ -38,7 +66,9 @@ class Skin {
             Vec3(-1.3f * static_cast<float>(law.across), -2 * edge_, -1.3f * static_cast<float>(law.across)),
             Vec3(1.3f * static_cast<float>(law.across), 1.3f * static_cast<float>(law.up),
                  1.3f * static_cast<float>(law.across)),
-            1.6f * edge_) {
+            1.6f * edge_),
+        light_(world.light, Vec3(-static_cast<float>(law.across), 0, -static_cast<float>(law.across)),
+               Vec3(law.across, law.up, law.across)) {
     for (int axis = 0; axis < 3; ++axis)
       lot_[axis] = static_cast<float>(seed.child("lumps", static_cast<std::uint64_t>(axis)).range(-99, 99));
     float first = std::max(2.5f * edge_, 0.06f * reach_);
@@ -70,6 +100,7 @@ class Skin {
   float edge_, reach_, layer_;
   Vec3 lot_{0};
   Openness shade_;
+  LightAround light_;
   SkinMesh mesh_;
   float most_open_ = 1;
   // Of each vertex:
@@ -97,7 +128,8 @@ void Skin::look(bool all) {
     // Little changes where nothing grows any more.
     if (!alive_[v] || (speed_[v] < 0.05f && !all)) return;
     Vec3 at = mesh_.position[v];
-    open_[v] = shade_.openness(at, mesh_.normal[v], static_cast<float>(law_.light));
+    open_[v] = shade_.openness(at, mesh_.normal[v], static_cast<float>(law_.light)) *
+               glm::mix(1.0f, light_(at), static_cast<float>(law_.light));
     lump_[v] = 1 + lumps * static_cast<float>(fractal_noise(at * frequency + lot_, 2));
   });
   // What is most in the open grows by a layer.

@@ -33,6 +33,8 @@ struct Accretion {
 struct AccretionWorld {
   /// Metres that are free from a place on, at least; less than 0 in what stands there. Asked by many threads.
   std::function<float(Vec3 at, float within)> room;
+  /// The share of the light from above that is left at a place, 0..1; empty: all.
+  std::function<float(Vec3 at)> light = {};
 };
 
 /// A skin that has grown.

@@ -23,6 +23,12 @@ float Surroundings::border(Vec3 at) const {
   return world_ ? world_->territories().room(claim_, outside(at)) / stance_.size : Territories::kOpen;
 }
 
+float Surroundings::light(Vec3 at) const {
+  if (!world_) return 1;
+  Vec3 place = outside(at);
+  return static_cast<float>(world_->open_sky(DVec3(place))) * world_->territories().sky(claim_, place);
+}
+
 Surroundings::Hold Surroundings::hold(Vec3 at, float within) const {
   if (!world_) return {{at.x, 0, at.z}, {0, 1, 0}};
   Vec3 place = outside(at);
@@ -37,6 +43,11 @@ Surroundings::Hold Surroundings::hold(Vec3 at, float within) const {
   Vec3 slope(height(place.x - kStep, place.z) - height(place.x + kStep, place.z), 2 * kStep,
              height(place.x, place.z - kStep) - height(place.x, place.z + kStep));
   return {inside({place.x, height(place.x, place.z), place.z}), back * glm::normalize(slope)};
+}
+
+AccretionWorld accretion_world(const Surroundings& around) {
+  return {[&](Vec3 at, float within) { return around.room(at, within); },
+          [&](Vec3 at) { return around.light(at); }};
 }
 
 Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material) {

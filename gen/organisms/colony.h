@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "accretion/accretion.h"
 #include "organisms/grower.h"
 #include "world/territory.h"
 
@@ -30,10 +31,8 @@ class Surroundings {
     Vec3 at{0}, normal{0, 1, 0};
   };
   Hold hold(Vec3 at, float within) const;
-  /// The share of the sky that bodies leave open, 0..1.
-  float light(Vec3 at) const {
-    return world_ ? static_cast<float>(world_->open_sky(DVec3(outside(at)))) : 1.0f;
-  }
+  /// The share of the sky that bodies, and neighbours when they are grown, leave open, 0..1.
+  float light(Vec3 at) const;
   /// A place of the world, as it is measured here.
   Vec3 inside(Vec3 at) const { return (glm::conjugate(stance_.turn) * (at - stance_.foot)) / stance_.size; }
 
@@ -77,6 +76,9 @@ class BodyColony : public Described<Params, ColonyGrower> {
     return Spread{static_cast<float>(this->params.across / 2), static_cast<float>(this->params.height)};
   }
 };
+
+/// What a skin that grows by layers has round it.
+AccretionWorld accretion_world(const Surroundings& around);
 
 /// A body of one living skin, with where its vertices were before, see Solid::past.
 Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material);

@@ -18,6 +18,16 @@ Arrival arrival(const Claim& claim, Vec3 at) {
   return {glm::length(way), 1 / std::min(claim.across, claim.up)};
 }
 
+/// Whether a ray that begins outside of what a claim covers, all of it above its foot, meets it.
+bool meets(const Claim& claim, Vec3 at, Vec3 way) {
+  Vec3 size(claim.across, claim.up, claim.across);
+  Vec3 from = (at - claim.foot) / size, along = way / size;
+  float toward = glm::dot(from, along);
+  if (toward >= 0) return false;
+  float length2 = glm::dot(along, along), away2 = glm::dot(from, from) - toward * toward / length2;
+  return away2 < 1 && from.y - along.y * toward / length2 > 0;
+}
+
 }  // namespace
 
 Territories::Territories(std::vector<Claim> claims) : claims_(std::move(claims)), rivals_(claims_.size()) {
@@ -39,6 +49,19 @@ float Territories::room(std::size_t own, Vec3 at) const {
     least = std::min(least, (theirs.time - mine.time) / (theirs.slope + mine.slope));
   }
   return least;
+}
+
+float Territories::sky(std::size_t own, Vec3 at) const {
+  if (own >= claims_.size() || rivals_[own].empty()) return 1;
+  constexpr int kWays = 32;
+  int open = 0;
+  for (int k = 0; k < kWays; ++k) {
+    float up = std::sqrt((static_cast<float>(k) + 0.5f) / kWays), flat = std::sqrt(1 - up * up);
+    float turn = 2.3999632f * static_cast<float>(k);
+    Vec3 way(flat * std::cos(turn), up, flat * std::sin(turn));
+    open += std::ranges::none_of(rivals_[own], [&](std::size_t j) { return meets(claims_[j], at, way); });
+  }
+  return static_cast<float>(open) / kWays;
 }
 
 }  // namespace frond

@@ -32,6 +32,9 @@ class Territories {
   /// outside of it; kOpen where nobody else claims anything near.
   float room(std::size_t own, Vec3 at) const;
   static constexpr float kOpen = 1e3f;
+  /// The share of the sky above a place of its territory that its rivals, grown, leave open, 0..1, each
+  /// direction weighted by its height. What they claim counts as closed.
+  float sky(std::size_t own, Vec3 at) const;
 
  private:
   std::vector<Claim> claims_;

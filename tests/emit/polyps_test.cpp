@@ -70,7 +70,8 @@ TEST(Polyps, StandRoundBranchesAndComeAsTheyGrow) {
     pose_specimen(b, time, pose);
     return count_of(branch_polyps_text({}, b, pose, time, eye));
   };
-  // A little more than half of a tube of 0.4 m x 2 pi 0.02 m is seen, and each has a hexagon of 0.87 x 8.5 mm squared.
+  // A little more than half of a tube of 0.4 m x 2 pi 0.02 m is seen, and each has a hexagon of 0.87 x 8.5 mm
+  // squared.
   double all = 0.4 * 2 * kPi * 0.02 / (0.866 * 0.0085 * 0.0085);
   EXPECT_NEAR(static_cast<double>(count_at(9)), 0.6 * all, 0.12 * all);
   EXPECT_EQ(count_at(-0.1), 0u);

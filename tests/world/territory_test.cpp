@@ -40,5 +40,15 @@ TEST(Territories, WhereANeighbourIsGoneItsSpaceIsFree) {
   EXPECT_EQ(Territories({one}).room(0, {0.3f, 0, 0}), Territories::kOpen);
 }
 
+TEST(Territories, RivalsTakeTheShareOfTheSkyThatTheyCover) {
+  // A wall of a colony to one side takes nearly half, a flat one far off next to nothing.
+  Territories wall({{{0, 0, 0}, 0.2f, 0.2f}, {{1.2f, 0, 0}, 1.1f, 30}});
+  EXPECT_NEAR(wall.sky(0, {0, 0.1f, 0}), 0.5f, 0.12f);
+  EXPECT_GT(wall.sky(0, {-0.2f, 0.1f, 0}), wall.sky(0, {0.05f, 0.1f, 0}));
+  Territories flat({{{0, 0, 0}, 0.2f, 0.2f}, {{0.9f, 0, 0}, 0.4f, 0.02f}});
+  EXPECT_GT(flat.sky(0, {0, 0.1f, 0}), 0.95f);
+  EXPECT_EQ(Territories({{{0, 0, 0}, 0.2f, 0.2f}}).sky(0, {0, 0.1f, 0}), 1) << "alone";
+}
+
 }  // namespace
 }  // namespace frond

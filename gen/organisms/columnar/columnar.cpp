@@ -8,9 +8,7 @@
 namespace frond {
 
 Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& around, Seed seed) {
-  AccretionWorld world;
-  world.room = [&](Vec3 at, float within) { return around.room(at, within); };
-  Accreted skin = accrete(params.accretion, world, seed.child("skin"));
+  Accreted skin = accrete(params.accretion, accretion_world(around), seed.child("skin"));
   // Young is what has just grown and still grows: the tips, not what came to rest below them.
   for (std::size_t v = 0; v < skin.birth.size(); ++v)
     skin.surface.uv.push_back(

@@ -35,9 +35,7 @@ Reaction reaction_of(const MassiveParams& params) {
 }  // namespace
 
 Result<Model> grow_massive(const MassiveParams& params, const Surroundings& around, Seed seed) {
-  AccretionWorld world;
-  world.room = [&](Vec3 at, float within) { return around.room(at, within); };
-  Accreted skin = accrete(law_of(params), world, seed.child("skin"));
+  Accreted skin = accrete(law_of(params), accretion_world(around), seed.child("skin"));
   std::vector<float> tone(skin.surface.position.size(), 1);
   if (params.relief != Wrought::plain) {
     refine(skin, kTimes);
