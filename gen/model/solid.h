@@ -38,6 +38,9 @@ enum class Matter {
   meander,  ///< brain coral: valleys between ridges, by u
   sponge,   ///< soft, pitted
   reef,     ///< old coral rock, overgrown with crusts and turf of algae
+  // What wears a picture, by its `uv`; `second` is a factor of it.
+  shell,
+  mantle,  ///< soft tissue of a clam
 };
 
 /// What is painted in a band.
@@ -65,6 +68,7 @@ struct Material {
   double glow = 0;             ///< of living tissue: how much blue light makes it shine by itself
   double polyp = 0;            ///< metres that a polyp spreads its tentacles over; 0: none are seen
   Animated<double> open{1.0};  ///< 0 drawn in .. 1 spread, by seconds
+  std::string picture{};       ///< a PNG file that it wears, of its look's
 };
 
 /// A body of one material. Metres.
