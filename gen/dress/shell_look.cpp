@@ -66,21 +66,22 @@ Raster shell_picture(const ShellLook& look, double lines_a_cell, double whorls) 
   double often = 9, long_often = often * lines_a_cell;
   for (int y = 0; y < high; ++y) {
     double along = 1 - (y + 0.5) / high;
-    double season =
-        fractal_noise(Vec3(3.7f, static_cast<float>(26 * along * std::max(1.0, whorls)), 1.1f), 3);
     double there =
         smooth_step(look.from - 0.06, look.from, along) * (1 - smooth_step(look.to, look.to + 0.06, along));
     if (look.to >= 1) there = smooth_step(look.from - 0.06, look.from, along);
+    double turns = along * std::max(1.0, whorls);
+    double season = fractal_noise(Vec3(3.7f, static_cast<float>(26 * turns), 1.1f), 3);
+    double line = noise(Vec3(static_cast<float>(150 * turns), 0.4f, 8.2f)) +
+                  0.6 * noise(Vec3(static_cast<float>(60 * turns), 5.4f, 1.2f));
     for (int x = 0; x < wide; ++x) {
       double around = (x + 0.5) / wide;
       Vec3 at = on_tube(around, long_often * along, often);
       double cloud = fractal_noise(at, 3), bent = 0.25 * cloud;
       double share = 0;
       if (look.pattern == ShellPattern::bands) share = mark(around * look.count + 0.12 * bent, look.width);
-      if (look.pattern == ShellPattern::lines)
-        share = mark(along * look.count * std::max(1.0, whorls) + 0.8 * bent, look.width);
+      if (look.pattern == ShellPattern::lines) share = mark(turns * look.count + 0.8 * bent, look.width);
       if (reacts(look.pattern)) share = made.at(x, y);
-      double tone = 1 + look.mottle * (0.22 * season + 0.14 * cloud);
+      double tone = 1 + look.mottle * (0.22 * season + 0.14 * cloud) + 0.3 * look.growth_lines * line;
       Vec3 color = glm::mix(ground, second, static_cast<float>(std::clamp(share * there, 0.0, 1.0)));
       set(picture, x, y, glm::pow(color, Vec3(static_cast<float>(2 - std::clamp(tone, 0.3, 1.6)))));
     }
@@ -142,7 +143,7 @@ void append_colors(std::string& key, std::initializer_list<Color> colors) {
 Drawing shell_drawing(const ShellLook& look, double lines_a_cell, double whorls) {
   std::string key = "shell ";
   append_list(key, 6, static_cast<int>(look.pattern), look.count, look.width, look.from, look.to, look.mottle,
-              look.cells, look.seed, lines_a_cell, whorls);
+              look.growth_lines, look.cells, look.seed, lines_a_cell, whorls);
   append_colors(key, {look.color, look.second, look.inside, look.lip});
   return drawing_of("shell", key, [=] { return shell_picture(look, lines_a_cell, whorls); });
 }

@@ -13,15 +13,15 @@ struct ShellLook {
   Color inside{0.97f, 0.90f, 0.85f};
   Color lip{0.96f, 0.90f, 0.82f};
   ShellPattern pattern = ShellPattern::plain;
-  int count = 6;             ///< of bands, or of lines on a whorl or valve
-  double width = 0.4;        ///< of bands and lines, as a share of their distance
-  double from = 0, to = 1;   ///< of the growth, where the pattern is
-  double mottle = 0.3;       ///< how uneven the colours are, in growth bands and clouds
-  double gloss = 0.6;        ///< 0 matt .. 1 porcelain
-  double lines_depth = 0.3;  ///< of growth lines
-  double variation = 0.08;   ///< how much single ones differ in brightness
-  int cells = 384;           ///< along the growing edge; more make a finer reaction
-  int seed = 1;              ///< of the pattern
+  int count = 6;              ///< of bands, or of lines on a whorl or valve
+  double width = 0.4;         ///< of bands and lines, as a share of their distance
+  double from = 0, to = 1;    ///< of the growth, where the pattern is
+  double mottle = 0.3;        ///< how uneven the colours are, in growth bands and clouds
+  double gloss = 0.6;         ///< 0 matt .. 1 porcelain
+  double growth_lines = 0.3;  ///< how much fine growth lines show
+  double variation = 0.08;    ///< how much single ones differ in brightness
+  int cells = 384;            ///< along the growing edge; more make a finer reaction
+  int seed = 1;               ///< of the pattern
 };
 
 /// The mantle of a giant clam.

@@ -35,9 +35,9 @@ Kinetics kinetics(PigmentRegime regime) {
     case PigmentRegime::lines:
       return {.spread = 0.1f, .supply = 0.06f, .loss = 0, .basic = 0.0025f, .uneven = 0.1f, .steps = 8};
     case PigmentRegime::zigzag:
-      return {.supply = 0.05f, .loss = 0.0082f, .fires = 0.004};
+      return {.supply = 0.10f, .loss = 0.0164f, .fires = 0.006};
     case PigmentRegime::tents:
-      return {.spread = 0.03f, .supply = 0.04f, .loss = 0.0066f, .fires = 0.003, .fades = 0.93f, .steps = 5};
+      return {.spread = 0.03f, .supply = 0.07f, .loss = 0.0115f, .fires = 0.006, .fades = 0.94f, .steps = 5};
     case PigmentRegime::spots:
       return {.spread = 0.05f, .substrate_spread = 0.3f, .uneven = 0.3f, .fires = 0.05, .steps = 4};
   }

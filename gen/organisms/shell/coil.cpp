@@ -89,7 +89,7 @@ class Walls {
 
   Surface body() const {
     Surface s;
-    int rows = 0;
+    int laid = 0;
     auto lay = [&](const Row& row, float u_inside) {
       auto count = static_cast<float>(edge_.at.size() - 1);
       float v = 1 - static_cast<float>((row.turn - (row.outside ? 0 : grown_)) / last());
@@ -98,11 +98,15 @@ class Walls {
         s.uv.push_back(
             {row.outside ? kShellOutside * (0.003f + 0.994f * static_cast<float>(i) / count) : u_inside, v});
       }
-      ++rows;
+      ++laid;
     };
-    int along = rows_along();
-    for (int j = 0; j <= along; ++j)
-      lay({std::max(grown_, last() * (1 - static_cast<double>(j) / along))}, 0);
+    // Lines lie the denser the larger they are.
+    int behind = rows_behind(), along = std::max(24, rows() - behind);
+    double rate = params_.rate() / 2, least = std::exp(-rate * last());
+    for (int j = 0; j <= along; ++j) {
+      double share = static_cast<double>(j) / along;
+      lay({std::max(grown_, -std::log(least + (1 - least) * share) / rate)}, 0);
+    }
     double wall = params_.wall, back = 0.35 * wall;
     for (int j = 1; j <= kLipRows; ++j) {
       double round = kPi * j / kLipRows;
@@ -111,20 +115,20 @@ class Walls {
     }
     double from = params_.coiled() ? 0 : back,
            depth = std::min(2 * kPi * params_.hollow, 0.96 * last() - grown_);
-    for (int j = 1; j <= along / 2; ++j) {
-      double share = static_cast<double>(j) / (along / 2);
+    for (int j = 1; j <= behind; ++j) {
+      double share = static_cast<double>(j) / behind;
       lay({grown_ + from + std::max(0.0, depth - from) * std::pow(share, 1.5), -wall, 0, false},
           kShellInside);
     }
-    close(s, rows);
+    close(s, laid);
     return s;
   }
 
  private:
   double last() const { return 2 * kPi * params_.whorls; }
-  int rows_along() const {
-    return std::max(24, static_cast<int>(params_.detail / (3.0 * static_cast<double>(edge_.at.size()))));
-  }
+  int rows() const { return static_cast<int>(params_.detail / (2.0 * static_cast<double>(edge_.at.size()))); }
+  /// Of the inside.
+  int rows_behind() const { return std::clamp(rows() / 3, 12, params_.coiled() ? 48 : 72); }
 
   /// What stands across growth and on the ribs.
   double relief(const ShellEdge::At& at, const Row& row) const {
@@ -184,7 +188,7 @@ ShellEdge shell_edge(const ShellParams& params) {
   std::vector<double> run{0};
   for (std::size_t i = 0; i < fine.size(); ++i)
     run.push_back(run.back() + glm::distance(fine[i], fine[(i + 1) % fine.size()]));
-  int parts = std::max(72, 10 * params.ribs.count);
+  int parts = std::max(72, (params.coiled() ? 6 : 8) * params.ribs.count);
   double farthest = 0;
   for (glm::dvec2 p : fine) farthest = std::max(farthest, glm::length(p));
   ShellEdge edge;

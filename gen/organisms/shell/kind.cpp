@@ -78,7 +78,7 @@ void describe(Visitor& v, ShellLook& l) {
   v.number("to", l.to, {.min = 0, .max = 1}, "Share of the growth at which the pattern ends");
   v.number("mottle", l.mottle, {.min = 0, .max = 1}, "How uneven the colours are");
   v.number("gloss", l.gloss, {.min = 0, .max = 1}, "How glossy it is: 0 chalky, 1 porcelain");
-  v.number("growth_lines", l.lines_depth, {.min = 0, .max = 2}, "How deep fine growth lines look");
+  v.number("growth_lines", l.growth_lines, {.min = 0, .max = 1}, "How much fine growth lines show");
   v.number("variation", l.variation, {.min = 0, .max = 0.5},
            "How much single ones differ in brightness, as a share");
   v.integer("cells", l.cells, {.min = 32, .max = 2048},

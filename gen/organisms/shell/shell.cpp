@@ -39,7 +39,7 @@ Material painted(const ShellLook& look, const Drawing& picture, double scale, Se
   auto bright = static_cast<float>(1 + look.variation * seed.child("brightness").range(-1, 1));
   Material material{
       .matter = Matter::shell, .color = look.color, .second = {bright, bright, bright}, .scale = scale};
-  material.relief = look.lines_depth, material.gloss = look.gloss;
+  material.gloss = look.gloss;
   material.picture = picture.names[0];
   return material;
 }
