@@ -142,7 +142,9 @@ class Walls {
       raise += params_.scutes.height * scute_at(grown * params_.scutes.count) *
                std::pow(std::max(0.0, crest), 1.5);
     }
-    return raise * at.away;
+    // Margins close: nothing stands on them.
+    double behind = params_.coiled() ? 1 : smooth_step(0.0, 0.03, row.turn - grown_);
+    return raise * at.away * behind;
   }
 
   /// Triangles from row to row, with a point before the first and behind the last.
