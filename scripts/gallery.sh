@@ -110,6 +110,9 @@ feeding 320x180 3 feeding@40 feeding@80 feeding@130
 asking 400x225 3 asking/light asking/surface asking/food
 thicket 480x270 1 thicket@96
 reef-life 288x192 4 reef/chromis reef/fishes reef/anemone reef/starfish reef/urchin reef/sea_grass reef/kelp
+reef-clam 640x426 1 reef/clam
+shells 720x450 1 shells
+shell-species 192x144 4 species/shells/turritella species/shells/nautilus species/shells/top_shell species/shells/olive species/shells/cone species/shells/cockle species/shells/scallop species/shells/giant_clam
 staghorn 480x360 1 staghorn
 bush 480x360 1 bush
 fan 480x360 1 fan

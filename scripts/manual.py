@@ -39,6 +39,7 @@ BASES = {
     "colonized": ("templates/new/colonized.json", BARE),
     "tree": ("templates/new/tree.json", BARE),
     "ivy": ("templates/new/ivy.json", BARE),
+    "shell": ("templates/new/shell.json", []),
     "school": ("templates/new/school.json", ["/scene/water/particles=0"]),
 }
 

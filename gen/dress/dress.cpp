@@ -24,7 +24,7 @@ std::vector<Drawing> drawings(const Look& look) {
   std::vector<Drawing> all;
   if (look.leaves) all = leaf_drawings(*look.leaves);
   for (const LeafLook& organ : look.organs) std::ranges::move(leaf_drawings(organ), std::back_inserter(all));
-  if (look.fish) all.push_back(*look.fish);
+  std::ranges::copy(look.pictures, std::back_inserter(all));
   if (look.coat) all.push_back(bark_drawing(*look.coat));
   return all;
 }

@@ -31,7 +31,7 @@ struct Look {
   BladeLook blades;
   std::optional<LeafLook> leaves;  ///< as pictures, where it bears such, with those of all seasons
   std::vector<LeafLook> organs;    ///< a plant's organs that are pictures
-  std::optional<Drawing> fish;     ///< of a school
+  std::vector<Drawing> pictures;   ///< of a fish, of a shell
 };
 
 /// All that the parameters of an organism say of its look and its motion.

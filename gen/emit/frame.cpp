@@ -246,6 +246,7 @@ Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, 
     out(polyps_text(parts.space, solids, b.motion.growth, time, eye));
   if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
   Result<Specimen> now = developed(b, time);
+  if (now && b.life.develop) out(developed_solids_text(parts.space, now->model.solids, i));
   return now ? write_branches(parts.space, *now, parts.first_skin[i], eye, time, out) : now.errors();
 }
 

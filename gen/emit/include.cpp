@@ -188,6 +188,7 @@ class Writer {
       file.name = model_file_name(stand.organism, 0, file.level);
       Model grown = b.model;
       grown.solids = {};  // these are drawn as they are at any detail
+      if (b.life.develop) text += developed_solids_text(parts.space, b.model.solids, i);
       std::string model = model_texts({file}, stand, grown, {})[0], name = declared_name(file);
       text += without_includes(model, parts);
       for (int part : model_parts(model).value_or(std::vector<int>{})) {

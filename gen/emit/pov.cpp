@@ -40,6 +40,13 @@ bool is_flat(const Surface& s, float cosine) {
   });
 }
 
+/// A triangle that POV-Ray would refuse.
+bool is_sliver(const Surface& surface, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const Vec3& p = surface.position[a];
+  Vec3 area = glm::cross(surface.position[b] - p, surface.position[c] - p);
+  return glm::dot(area, area) < 1e-20f;
+}
+
 }  // namespace
 
 PovSpace space_for(double thinnest_radius) {
@@ -88,6 +95,11 @@ std::string_view group_opening(std::string_view lines) {
   return std::count(lines.begin(), lines.end(), '\n') > 1 ? "union{\n" : "object{\n";
 }
 
+bool has_faces(const Surface& surface) {
+  return std::ranges::any_of(surface.triangle,
+                             [&](const auto& t) { return !is_sliver(surface, t[0], t[1], t[2]); });
+}
+
 void append_mesh(std::string& text, const PovSpace& space, const Surface& surface, const MeshText& how) {
   auto list = [&](std::string_view name, std::size_t count) {
     text += name;
@@ -119,9 +131,7 @@ void append_mesh(std::string& text, const PovSpace& space, const Surface& surfac
   CountedList faces(text, 9);
   std::size_t count = 0;
   for (auto [a, b, c] : surface.triangle) {
-    const Vec3& p = surface.position[a];
-    Vec3 area = glm::cross(surface.position[b] - p, surface.position[c] - p);
-    if (glm::dot(area, area) < 1e-20f) continue;
+    if (is_sliver(surface, a, b, c)) continue;
     // The mirror turns the triangle over, and this turns it back.
     text += ",<";
     append_list(text, 0, a, c, b);

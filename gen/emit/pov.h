@@ -48,6 +48,9 @@ struct MeshText {
   float flat = 2;
 };
 
+/// Whether a mesh has triangles that are large enough to be drawn; POV-Ray refuses one without.
+bool has_faces(const Surface& surface);
+
 /// Appends `mesh2 { ... }` without a texture, with the surface's `uv` where it has them. Triangles that are
 /// points are left out.
 void append_mesh(std::string& text, const PovSpace& space, const Surface& surface, const MeshText& how = {});

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kOwnTextures = 32;
 
 /// Where the texture of a matter stands: a macro, called inside texture { } as
-/// Macro(Color, Second, Scale, Relief, Moss, Gloss).
+/// Macro(Color, Second, Scale, Relief, Moss, Gloss); what wears a picture has its file's name before these.
 struct MatterRow {
   Matter matter;
   std::string_view include, macro;
@@ -43,7 +43,9 @@ constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"},
                                   {Matter::polyps, "reef", "Reef_Polyps"},
                                   {Matter::meander, "reef", "Reef_Meander"},
                                   {Matter::sponge, "reef", "Reef_Sponge"},
-                                  {Matter::reef, "reef", "Reef_Rock"}};
+                                  {Matter::reef, "reef", "Reef_Rock"},
+                                  {Matter::shell, "shell", "Shell_Porcelain"},
+                                  {Matter::mantle, "shell", "Shell_Mantle"}};
 
 const MatterRow& row_of(Matter matter) {
   return *std::find_if(std::begin(kMatters), std::end(kMatters),
@@ -53,6 +55,7 @@ const MatterRow& row_of(Matter matter) {
 void append_macro(std::string& text, std::string_view macro, const Material& material) {
   text += macro;
   text += '(';
+  if (!material.picture.empty()) text += '"' + material.picture + "\",";
   append_color(text, material.color);
   text += ',';
   append_color(text, material.second);
@@ -298,11 +301,18 @@ std::string solids_text(const PovSpace& space, const Scene& scene, const DrawnSo
   for (std::size_t o = 0; o < scene.specimens.size(); ++o) {
     const Specimen& b = scene.specimens[o];
     const Solids& solids = o < drawn.size() && drawn[o] ? *drawn[o] : b.model.solids;
-    if (solids.size() == 0) continue;
+    if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text, b.name);
     for (std::size_t s = 0; s < solids.shapes.size(); ++s)
       if (!is_growing(solids.shapes[s], b.motion.growth)) append_shape(text, space, solids, o, s);
   }
+  return text;
+}
+
+std::string developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism) {
+  std::string text;
+  for (std::size_t s = 0; s < solids.shapes.size(); ++s)
+    if (has_faces(solids.shapes[s].surface)) append_shape(text, space, solids, organism, s);
   return text;
 }
 

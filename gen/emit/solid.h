@@ -33,9 +33,12 @@ std::string_view material_include(const Material& material);
 using DrawnSolids = std::vector<std::optional<Solids>>;
 DrawnSolids drawn_solids(const Scene& scene);
 
-/// Declares the shapes of all solids and places them, but for those that a film sees grow; the same in each
-/// frame. Without `drawn` they are written as they are.
+/// Declares the shapes of all solids and places them, but for those that a film sees grow or become others;
+/// the same in each frame. Without `drawn` they are written as they are.
 std::string solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
+
+/// The solids of an organism that becomes another shape, as it is now.
+std::string developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism);
 
 /// The solids of one organism that a film sees grow, as they are at a time.
 std::string growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,

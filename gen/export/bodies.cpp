@@ -41,6 +41,9 @@ bool is_vessel(const Solid& solid) {
   return !solid.surface.uv.empty() && (m == Matter::ceramic || m == Matter::terracotta || m == Matter::glass);
 }
 
+/// Laid out on its picture by itself.
+bool is_laid(const Solid& solid) { return is_vessel(solid) || !solid.material.picture.empty(); }
+
 /// Bodies that differ in little but their colour share a material of the brightest of these.
 struct Kin {
   Material material;
@@ -63,7 +66,7 @@ Kinds kinds_of(const Solids& solids) {
     auto alike = [&](const Material& o) {
       return m.matter == o.matter && near(m.scale, o.scale) && near(m.relief, o.relief) &&
              near(m.moss, o.moss) && near(m.gloss, o.gloss) && m.bands.empty() && o.bands.empty() &&
-             !is_vessel(solid);
+             !is_laid(solid);
     };
     while (at < kinds.kin.size() && !alike(kinds.kin[at].material)) ++at;
     if (at == kinds.kin.size()) kinds.kin.push_back({m, Vec3(0)});
@@ -113,7 +116,8 @@ Solids grown_to(const Solids& solids, float front) {
   return now;
 }
 
-std::vector<CastPart> body_parts(Maker& maker, const Solids& solids, std::span<const Solids> keys) {
+std::vector<CastPart> body_parts(Maker& maker, const Look& look, const Solids& solids,
+                                 std::span<const Solids> keys) {
   Kinds kinds = kinds_of(solids);
   std::vector<CastPart> parts(kinds.kin.size());
   double all = 0;
@@ -121,13 +125,16 @@ std::vector<CastPart> body_parts(Maker& maker, const Solids& solids, std::span<c
   double share = maker.share() * std::min(1.0, kBodyShare * maker.options.detail / std::max(all, 1.0));
   std::vector<Simplified> laid;
   for (const Solid& solid : solids.shapes)
-    laid.push_back(is_vessel(solid) ? as_turned(solid.surface) : laid_out(solid.surface, share));
+    laid.push_back(is_vessel(solid) ? as_turned(solid.surface)
+                   : is_laid(solid)
+                       ? drawn_with(solid.surface, share * static_cast<double>(solid.surface.triangle.size()))
+                       : laid_out(solid.surface, share));
   std::vector<bool> used(kinds.kin.size(), false);
   for (std::uint16_t s : solids.shape) used[kinds.of[s]] = true;
   std::vector<Palette::Use> uses;
   for (std::size_t k = 0; k < kinds.kin.size(); ++k) {
     auto first = static_cast<std::size_t>(std::find(kinds.of.begin(), kinds.of.end(), k) - kinds.of.begin());
-    uses.push_back(used[k] ? maker.palette.body(kinds.kin[k].material, is_vessel(solids.shapes[first]),
+    uses.push_back(used[k] ? maker.palette.body(look, kinds.kin[k].material, is_vessel(solids.shapes[first]),
                                                 maker.name() + "_body")
                            : Palette::Use{});
     parts[k].material = uses[k].material;
@@ -139,7 +146,7 @@ std::vector<CastPart> body_parts(Maker& maker, const Solids& solids, std::span<c
     Vec3 light = kinds.kin[k].light;
     Surface surface = laid[s].surface;
     Seed seed = Seed{33}.child(i);
-    if (!is_vessel(solids.shapes[s]))
+    if (!is_laid(solids.shapes[s]))
       lay_picture(surface, uses[k].wide, uses[k].high,
                   solids.size() > 1 ? Vec2(seed.child(0).unit(), seed.child(1).unit()) : Vec2(0));
     std::size_t before = parts[k].surface.position.size();

@@ -45,7 +45,7 @@ Vec3 foot_of(const Model& model) {
 /// Takes the meshes of one organism to a cast.
 class Caster {
  public:
-  /// `swarm`: what it is at the keys but the last, where that is organs elsewhere.
+  /// `swarm`: what it is at the keys but the last, where that is organs elsewhere or bodies in other shapes.
   Caster(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm = {})
       : maker_(maker), options_(maker.options), b_(b), swarm_(std::move(swarm)) {
     pose_specimen(b, time, pose_);
@@ -137,13 +137,14 @@ class Caster {
 
   void add_bodies() {
     const Solids& solids = b_.model.solids;
+    std::vector<Solids> keys;
+    for (const Model& then : swarm_) keys.push_back(then.solids);
     if (b_.motion.growth.duration <= 0 ||
         std::ranges::none_of(solids.shapes, [](const Solid& solid) { return !solid.past.empty(); }))
-      return maker_.add_bodies(solids);
+      return maker_.add_bodies(b_.look, solids, keys);
     if (pose_.front <= 0) return;
-    std::vector<Solids> keys;
     for (const Pose& key : keys_) keys.push_back(grown_to(solids, key.front));
-    maker_.add_bodies(grown_to(solids, pose_.front), keys);
+    maker_.add_bodies(b_.look, grown_to(solids, pose_.front), keys);
   }
 
   void add_blades() {

@@ -95,15 +95,15 @@ std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& l
   return meshes;
 }
 
-void Maker::add_bodies(const Solids& solids, std::span<const Solids> keys) {
+void Maker::add_bodies(const Look& look, const Solids& solids, std::span<const Solids> keys) {
   if (solids.size() == 0) return;
-  if (!options.instances) return stand("body", body_parts(*this, solids, keys));
+  if (!options.instances) return stand("body", body_parts(*this, look, solids, keys));
   for (std::size_t s = 0; s < solids.shapes.size(); ++s) {
     Solids one;
     one.add_shape(solids.shapes[s]);
     one.place(0);
     if (std::find(solids.shape.begin(), solids.shape.end(), s) == solids.shape.end()) continue;
-    auto made = mesh(fmt::format("body_{}", s), body_parts(*this, one));
+    auto made = mesh(fmt::format("body_{}", s), body_parts(*this, look, one));
     for (std::size_t i = 0; made && i < solids.size(); ++i)
       if (solids.shape[i] == s) place(*made, solids.position[i], solids.turn[i], solids.scale[i]);
   }

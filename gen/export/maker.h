@@ -39,7 +39,7 @@ struct Maker {
   void stand(const std::string& part, std::vector<CastPart> parts);
 
   /// The bodies of a model; `keys`: see body_parts().
-  void add_bodies(const Solids& solids, std::span<const Solids> keys = {});
+  void add_bodies(const Look& look, const Solids& solids, std::span<const Solids> keys = {});
 };
 
 CastTint tint_of(Vec3 light);

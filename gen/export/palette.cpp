@@ -260,7 +260,7 @@ std::size_t Palette::blade(const BladeLook& look, std::size_t color, const std::
   return organ({}, blade, 0, color, Lies::mesh, name);
 }
 
-Palette::Use Palette::body(const Material& material, bool vessel, const std::string& name) {
+Palette::Use Palette::body(const Look& look, const Material& material, bool vessel, const std::string& name) {
   CastMaterial made;
   made.color = material.color, made.gloss = material.gloss;
   if (material.matter == Matter::glass) {
@@ -272,6 +272,9 @@ Palette::Use Palette::body(const Material& material, bool vessel, const std::str
   }
   if (material.matter == Matter::pane) made.gloss = 1.1;
   if (material.matter == Matter::ceramic) made.gloss = 0.4 + 0.8 * material.gloss;
+  if (!material.picture.empty())
+    return keep(material.picture, made, name,
+                [&](CastMaterial& m, Use&) { add_drawn(m, look, material.picture); });
   std::string key = key_of(material);
   return keep((vessel ? "vessel " : "") + key, made, name, [&](CastMaterial& m, Use& use) {
     bool painted = vessel && (patterned(material.matter) || !material.bands.empty());

@@ -46,8 +46,8 @@ class Palette {
   std::size_t organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color, Lies lies,
                     const std::string& name);
   std::size_t blade(const BladeLook& look, std::size_t color, const std::string& name);
-  /// Of a body, on its own `uv` where that is a vessel's.
-  Use body(const Material& material, bool vessel, const std::string& name);
+  /// Of a body, on its own `uv` where that is a vessel's or it wears a picture of the look's.
+  Use body(const Look& look, const Material& material, bool vessel, const std::string& name);
 
  private:
   /// The material of that key; a new one is `made` with pictures that `draw` makes.

@@ -127,7 +127,7 @@ std::vector<CastPart> parts_of(Maker& maker, const Look& look, SownShape& shape)
   }
   for (auto& [own, made] : by_name(maker, look, shape.model, std::move(shape.foliage)))
     std::move(made.begin(), made.end(), std::back_inserter(parts));
-  for (CastPart& body : body_parts(maker, shape.model.solids)) parts.push_back(std::move(body));
+  for (CastPart& body : body_parts(maker, look, shape.model.solids)) parts.push_back(std::move(body));
   return parts;
 }
 

@@ -9,9 +9,7 @@ namespace frond {
 
 namespace {
 
-bool only_organs(const Model& m) {
-  return m.organs.size() > 0 && m.skeleton.size() == 0 && m.blades.size() == 0 && m.solids.size() == 0;
-}
+bool no_branches(const Model& m) { return m.skeleton.size() == 0 && m.blades.size() == 0; }
 
 bool same_vertices(const Prototype& a, const Prototype& b) {
   return std::ranges::equal(
@@ -22,7 +20,10 @@ bool same_vertices(const Prototype& a, const Prototype& b) {
 }  // namespace
 
 bool is_same_swarm(const Model& a, const Model& b) {
-  if (!only_organs(a) || !only_organs(b) || a.organs.id != b.organs.id) return false;
+  if (!no_branches(a) || !no_branches(b) || a.organs.id != b.organs.id) return false;
+  if (a.organs.size() + a.solids.size() == 0) return false;
+  auto corners = [](const Solid& solid) { return solid.surface.position.size(); };
+  if (!std::ranges::equal(a.solids.shapes, b.solids.shapes, {}, corners, corners)) return false;
   for (std::size_t i = 0; i < a.organs.size(); ++i)
     if (!same_vertices(a.prototypes[a.organs.prototype[i]], b.prototypes[b.organs.prototype[i]]))
       return false;

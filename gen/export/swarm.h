@@ -6,8 +6,8 @@
 
 namespace frond {
 
-/// Whether a model is nothing but organs that are those of another, elsewhere and in other shapes of the same
-/// triangles, as the fish of a school are.
+/// Whether a model is nothing but organs and bodies that are those of another, elsewhere and in other shapes
+/// of the same triangles, as the fish of a school and the valves of a clam are.
 bool is_same_swarm(const Model& a, const Model& b);
 
 /// The organs of a swarm in about so many triangles, carried to where they are at the cast's keys but the

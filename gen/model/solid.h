@@ -38,6 +38,9 @@ enum class Matter {
   meander,  ///< brain coral: valleys between ridges, by u
   sponge,   ///< soft, pitted
   reef,     ///< old coral rock, overgrown with crusts and turf of algae
+  // What wears a picture, by its `uv`; `second` is a factor of it.
+  shell,
+  mantle,  ///< soft tissue of a clam
 };
 
 /// What is painted in a band.
@@ -70,6 +73,7 @@ struct Material {
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
   Polyps polyps{};  ///< of living tissue
+  std::string picture{};       ///< a PNG file that it wears, of its look's
 };
 
 /// A body of one material. Metres.

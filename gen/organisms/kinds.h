@@ -14,8 +14,8 @@ namespace frond {
 /// which defines `Kind<Organism> x_kind()`.
 #define FROND_KINDS(row)                                                                                \
   row(coral) row(massive) row(columnar) row(foliose) row(table) row(encrusting) row(tube) row(mushroom) \
-      row(fan) row(plant) row(rock) row(pebbles) row(wall) row(column) row(mesh) row(bridge) row(vase)  \
-          row(weber_penn) row(colonized) row(tree) row(ivy) row(school)
+      row(fan) row(shell) row(plant) row(rock) row(pebbles) row(wall) row(column) row(mesh) row(bridge) \
+          row(vase) row(weber_penn) row(colonized) row(tree) row(ivy) row(school)
 
 #define FROND_DECLARE(name) Kind<Organism> name##_kind();
 FROND_KINDS(FROND_DECLARE)

@@ -143,7 +143,7 @@ class School final : public Described<SchoolParams, Grower> {
   Dress dress() const override {
     Dress dress;
     dress.look.bark = Bark{};  // none is seen: fish are organs
-    dress.look.fish = fish_drawing(params.fish.form, params.fish.look);
+    dress.look.pictures.push_back(fish_drawing(params.fish.form, params.fish.look));
     return dress;
   }
   bool develops(bool filmed) const override { return filmed; }

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/noise.h"
+#include "organisms/shell/coil.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kMantleAlong = 220, kMantleAcross = 56;
+constexpr double kMantleEnds = 0.10;  // share of the edge at each side of the hinge that it leaves free
+
+double bump(double x, double width) { return std::exp(-(x / width) * (x / width)); }
+
+/// The height of the tissue over the margins, `across` from the slit 0 to the edge 1, and its undulation.
+double swelling(const MantleParams& mantle, double along, double across, bool far) {
+  double pillow = std::sin(kPi * std::min(0.97, 0.16 + 0.66 * across)) - 0.35;
+  double waves = noise(Vec3(static_cast<float>(along * 30), far ? 7.3f : 2.1f, 0)) +
+                 0.5 * noise(Vec3(static_cast<float>(along * 75), far ? 3.3f : 9.1f, 4));
+  double slit = (0.8 + 0.6 * bump(along - 0.66, 0.07)) * bump(across, 0.07 + 0.16 * bump(along - 0.66, 0.07));
+  // Water leaves by a short tube, and comes in by the wide part of the slit.
+  double ring = std::hypot((along - 0.36) * 9, across * 0.9);
+  double tube = 0.55 * bump(ring - 0.22, 0.11) - 0.9 * bump(ring, 0.13);
+  return mantle.swell * (1.2 * pillow - slit + tube) +
+         mantle.ruffle * 2 * waves * smooth_step(0.25, 0.9, across);
+}
+
+}  // namespace
+
+Surface shell_mantle(const ShellParams& params, const ShellEdge& edge, double grown, double gape,
+                     float hinge) {
+  const MantleParams& mantle = *params.mantle;
+  double size = std::exp(-params.rate() * grown);
+  auto opened = [&](Vec3 at, double by) {
+    float c = static_cast<float>(std::cos(by)), s = static_cast<float>(std::sin(by)), x = at.x - hinge;
+    return Vec3(hinge + c * x - s * at.y, s * x + c * at.y, at.z);
+  };
+  Surface top;
+  std::vector<Vec3> under;
+  for (int a = 0; a <= kMantleAlong; ++a) {
+    double along = static_cast<double>(a) / kMantleAlong;
+    double at = (kMantleEnds + (1 - 2 * kMantleEnds) * along) * static_cast<double>(edge.at.size() - 1);
+    auto i = static_cast<std::size_t>(at);
+    auto part = static_cast<float>(at - static_cast<double>(i));
+    auto margin = [&](bool below) {
+      return opened(glm::mix(shell_margin(params, edge, edge.at[i], grown, below),
+                             shell_margin(params, edge, edge.at[i + 1], grown, below), part),
+                    (below ? -0.5 : 0.5) * gape);
+    };
+    Vec3 high = margin(false), low = margin(true), middle = 0.5f * (high + low), half = 0.5f * (high - low);
+    Vec3 out = glm::normalize(
+        Vec3(static_cast<float>(edge.at[i].normal[0]), 0, static_cast<float>(edge.at[i].normal[1])));
+    out = glm::normalize(out + Vec3(0.5f, 0, 0));
+    Vec3 aside = glm::normalize(half + Vec3(0, 1e-4f * static_cast<float>(size), 0));
+    auto wide = static_cast<double>(glm::length(half));
+    double full = std::pow(std::max(0.0, std::sin(kPi * along)), 0.35) * std::min(1.0, 3 * wide / size);
+    for (int b = 0; b <= kMantleAcross; ++b) {
+      double side = 2.0 * b / kMantleAcross - 1, across = std::abs(side);
+      double lip = smooth_step(0.80, 1.0, across), raised = swelling(mantle, along, across, side > 0);
+      // It lies on the margins and hangs a little over them.
+      double over = across * wide + size * (0.9 * params.wall + 0.04) * smooth_step(0.55, 1.0, across) * full;
+      double up = size * full * (raised * (1 - 0.5 * lip) + 0.4 * params.wall - 0.07 * lip * lip);
+      Vec3 p = middle + aside * static_cast<float>(side < 0 ? -over : over) + out * static_cast<float>(up);
+      top.position.push_back(p);
+      top.uv.push_back({static_cast<float>(along), static_cast<float>(0.002 + 0.996 * (side + 1) / 2)});
+      double thick = size * (0.05 - 0.035 * lip) * std::max(0.2, full);
+      under.push_back(p - out * static_cast<float>(thick) -
+                      aside * static_cast<float>((side < 0 ? -1 : 1) * 0.3 * thick * lip));
+    }
+  }
+  constexpr std::uint32_t kRow = kMantleAcross + 1;
+  auto count = static_cast<std::uint32_t>(under.size());
+  top.position.insert(top.position.end(), under.begin(), under.end());
+  std::vector<Vec2> uv = top.uv;
+  top.uv.insert(top.uv.end(), uv.begin(), uv.end());
+  std::vector<std::uint32_t> border;  // round the upper side
+  for (std::uint32_t b = 0; b + 1 < kRow; ++b) border.push_back(b);
+  for (std::uint32_t a = 0; a < kMantleAlong; ++a) border.push_back(a * kRow + kRow - 1);
+  for (std::uint32_t b = kRow; b-- > 1;) border.push_back(kMantleAlong * kRow + b);
+  for (std::uint32_t a = kMantleAlong; a > 0; --a) border.push_back(a * kRow);
+  auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    top.triangle.push_back({a, b, c}), top.triangle.push_back({a, c, d});
+  };
+  for (std::uint32_t a = 0; a < kMantleAlong; ++a)
+    for (std::uint32_t b = 0; b + 1 < kRow; ++b) {
+      std::uint32_t i = a * kRow + b;
+      quad(i, i + 1, i + 1 + kRow, i + kRow);
+      quad(count + i, count + i + kRow, count + i + kRow + 1, count + i + 1);
+    }
+  for (std::size_t k = 0; k < border.size(); ++k) {
+    std::uint32_t a = border[k], b = border[(k + 1) % border.size()];
+    quad(b, a, a + count, b + count);
+  }
+  set_normals(top);
+  return top;
+}
+
+}  // namespace frond
