@@ -72,8 +72,8 @@ struct Material {
   double moss = 0;                    ///< 0 none .. 1: how much moss, and lichen, grows on what faces upward
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
-  Polyps polyps{};  ///< of living tissue
-  std::string picture{};       ///< a PNG file that it wears, of its look's
+  Polyps polyps{};        ///< of living tissue
+  std::string picture{};  ///< a PNG file that it wears, of its look's
 };
 
 /// A body of one material. Metres.
