@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/bounds.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 
@@ -19,15 +20,13 @@ constexpr double kWaveOfSpread =
 
 /// Vertices in an order in which those that are near in space are near in memory (Morton 1966).
 std::vector<std::uint32_t> near_order(const std::vector<Vec3>& places) {
-  Vec3 low(1e30f), high(-1e30f);
-  for (const Vec3& p : places) low = glm::min(low, p), high = glm::max(high, p);
-  Vec3 size = high - low;
-  float cells = 1023 / std::max({size.x, size.y, size.z, 1e-20f});
+  Bounds box = bounds_of(places);
+  float cells = 1023 / std::max(box.longest(), 1e-20f);
   std::vector<std::uint64_t> keys;
   for (std::uint32_t v = 0; v < places.size(); ++v) {
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      auto cell = static_cast<std::uint64_t>((places[v][axis] - low[axis]) * cells);
+      auto cell = static_cast<std::uint64_t>((places[v][axis] - box.low[axis]) * cells);
       for (int bit = 0; bit < 10; ++bit) key |= (cell >> bit & 1) << (3 * bit + axis);
     }
     keys.push_back(key << 32 | v);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
@@ -22,6 +23,9 @@ struct Color {
 
 inline constexpr double kPi = std::numbers::pi;
 
+/// Radians from one to the next of what is spread evenly by a spiral: 2 pi (2 - golden ratio).
+inline constexpr double kGoldenAngle = 2.39996322972865332;
+
 template <class T>
 constexpr T radians(T degrees) {
   return degrees * static_cast<T>(kPi / 180.0);
@@ -30,6 +34,15 @@ constexpr T radians(T degrees) {
 template <class T>
 constexpr T degrees(T radians) {
   return radians * static_cast<T>(180.0 / kPi);
+}
+
+/// The k-th of so many directions to the half of all that lies above level ground, each of which gives what
+/// is level as much light where the sky is of one brightness.
+inline Vec3 sky_way(int k, int count) {
+  float up = std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count)),
+        flat = std::sqrt(1 - up * up);
+  float turn = static_cast<float>(kGoldenAngle) * static_cast<float>(k);
+  return {flat * std::cos(turn), up, flat * std::sin(turn)};
 }
 
 /// 0 below `low`, 1 above `high`, smooth in value and slope between.

@@ -9,7 +9,6 @@ namespace frond {
 
 namespace {
 
-constexpr double kGoldenAngle = 2.39996322972865332;
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr int kPatience = 40;  // steps without coming nearer, until a point is given up
 

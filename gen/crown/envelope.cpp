@@ -4,13 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/bounds.h"
+
 namespace frond {
 
 namespace {
-
-struct Bounds {
-  Vec3 low, high;
-};
 
 struct BoundsOf {
   Bounds operator()(const EllipsoidCrown& e) const { return {e.middle - e.half, e.middle + e.half}; }
@@ -20,9 +18,7 @@ struct BoundsOf {
   }
   Bounds operator()(const MeshCrown& m) const {
     if (m.surface.position.empty()) return {Vec3(0), Vec3(0)};
-    Bounds b{m.surface.position[0], m.surface.position[0]};
-    for (Vec3 p : m.surface.position) b = {glm::min(b.low, p), glm::max(b.high, p)};
-    return b;
+    return bounds_of(m.surface.position);
   }
   Bounds operator()(const SilhouetteCrown& s) const {
     auto height = static_cast<float>(s.height);

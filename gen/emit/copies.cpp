@@ -3,138 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "core/parallel.h"
 #include "core/text.h"
+#include "emit/copy_models.h"
 #include "emit/eyes.h"
-#include "emit/plant.h"
 #include "emit/solid.h"
 #include "motion/motion.h"
 
 namespace frond {
 
 namespace {
-
-constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
-                                       "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
-
-void append_part_name(std::string& text, std::string_view model, std::size_t part) {
-  text += model;
-  text += '_';
-  append_integer(text, static_cast<long long>(part));
-}
-
-void append_colors(std::string& text, const std::vector<Color>& colors) {
-  text += fmt::format("array[{}]{{", colors.size());
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    if (i > 0) text += ',';
-    append_color(text, colors[i]);
-  }
-  text += '}';
-}
-
-std::string wood_look(const Look& look) {
-  std::string text;
-  if (look.coat) {
-    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*look.coat), bark_height_name(*look.coat));
-    append(text, look.coat->relief, 4);
-    return text + ",T)";
-  }
-  if (look.skin) {
-    const Pores& pores = look.skin->pores;
-    const Tint& tint = look.skin->tint;
-    text = fmt::format("Copy_Coral({},", static_cast<int>(look.skin->kind));
-    append_color(text, tint.base);
-    text += ',';
-    append_color(text, tint.secondary);
-    text += ',';
-    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
-                tint.young);
-    return text + ",T)";
-  }
-  Bark plain;
-  plain.kind = BarkKind::stem;
-  const Bark& b = look.bark ? *look.bark : plain;
-  text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
-  append_color(text, b.colors[0]);
-  text += ',';
-  append_color(text, b.second);
-  text += ',';
-  append_list(text, 5, b.scale, b.depth);
-  return text + ",T)";
-}
-
-std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
-                      const std::optional<Luster>& luster) {
-  std::string text = "#local C = ";
-  append_colors(text, colors);
-  std::string look = fmt::format("{}(C,", plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)]);
-  append_color(look, second);
-  return text + "; " + lustrous(look + ",T)", luster, plain ? "" : relief_macro(tissue), {});
-}
-
-/// What the macro of a part holds: a texture for the tint T.
-std::string look_of(const CopyPart& part, const Look& look, const Model& model, bool plain) {
-  switch (part.kind) {
-    case CopyPart::Kind::wood:
-      return "texture{" + wood_look(look) + "}";
-    case CopyPart::Kind::blade:
-      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue, false, {});
-    case CopyPart::Kind::organ: {
-      const Prototype& prototype = model.prototypes[part.which];
-      const OrganPart& organ = prototype.parts[part.part];
-      if (organ.pictures.empty())
-        return leaf_look(prototype.colors, prototype.second, organ.tissue, plain, prototype.luster);
-      std::string text = fmt::format("#local F = array[{}]{{", organ.pictures.size());
-      for (std::size_t i = 0; i < organ.pictures.size(); ++i)
-        text += fmt::format("{}\"{}\"", i > 0 ? "," : "", organ.pictures[i]);
-      Luster luster = prototype.luster.value_or(Luster{.gloss = 0.13});
-      return text +
-             fmt::format("}}; texture{{Copy_Picture(F,T,{:.4g},{:.4g})}}", luster.through, luster.gloss);
-    }
-    case CopyPart::Kind::solid:
-      return material_text(model.solids.shapes[part.which].material);
-  }
-  return {};
-}
-
-/// No more of a part's mesh than shows at a level: a fortieth of a pixel, from afar an eighth; of leaves of
-/// some pixels facets, and places to a hundredth. Wood and plain leaves without pictures need no places.
-MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, int level) {
-  double finest = kLevels[level].grain / (kLevels[level].plain ? 8 : 40) * kModelUnit;
-  MeshText how;
-  how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
-  how.flat = level >= 1 ? 0.7f : 0.9999f;
-  bool pictured =
-      part.kind == CopyPart::Kind::wood ? look.coat || look.skin
-      : part.kind == CopyPart::Kind::organ
-          ? !kLevels[level].plain || !model.prototypes[part.which].parts[part.part].pictures.empty()
-          : true;
-  how.uv_decimals = !pictured ? -1 : level >= 2 ? 2 : 3;
-  return how;
-}
-
-/// What is written of a part.
-Surface skin_for(const CopyPart& part, const Model& model, const Surface& surface) {
-  return part.kind == CopyPart::Kind::solid ? told(surface, model.solids.shapes[part.which]) : surface;
-}
-
-/// A part put together from its blocks, as their files declare them.
-void append_joined(std::string& text, const CopyPart& part, std::string_view name, std::size_t which) {
-  std::set<int> blocks(part.block.begin(), part.block.end());
-  text += blocks.size() > 1 ? "union{" : "object{";
-  for (int block : blocks) {
-    if (blocks.size() > 1) text += "object{";
-    append_part_name(text, fmt::format("{}_{}", name, block), which);
-    if (blocks.size() > 1) text += '}';
-  }
-  text += '}';
-}
 
 /// The tints of a stand, spread evenly over their range so that all of it occurs.
 std::string tints_text(std::size_t stand, const Organism& organism) {
@@ -182,44 +64,66 @@ Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
          Vec2(-wind.y, wind.x) * (0.4f * reach * static_cast<float>(side));
 }
 
-/// A part's mesh, which `mesh` appends, and the macro of its look.
-template <class Mesh>
-void append_part(std::string& text, std::string_view name, std::size_t number, const std::string& look,
-                 const Mesh& mesh) {
-  text += "#declare ";
-  append_part_name(text, name, number);
-  text += " = ";
-  mesh(text);
-  text += "\n#macro ";
-  append_part_name(text, name, number);
-  text += "_Look(T) " + look + " #end\n";
-}
+/// What the copies of a stand are made of at a time: the parts of its models' files, or, of a model that the
+/// film sees grow, what there is of them, declared in the frame itself.
+class StandParts {
+ public:
+  StandParts(const Scene& scene, const CopyPlan& plan, std::size_t which, double time)
+      : film_(scene.film), stand_(scene.stands[which]), plan_(plan), which_(which), time_(time) {}
 
-/// What there is of a growing model's parts at a level, or of one block of it, under a name of this frame;
-/// `parts` is told which.
-std::string growing_text(const std::string& name, const SownStand& stand, const Model& now, const Drawn& one,
-                         const ModelBlocks& blocks, std::vector<int>& parts) {
-  const Look& look = stand.dress.look;
-  std::string text;
-  std::vector<CopyPart> all = copy_parts(look, now, kLevels[one.level], &blocks);
-  for (std::size_t p = 0; p < all.size(); ++p) {
-    bool whole = one.block == ModelFile::kWhole;
-    Surface some = whole ? Surface{} : in_block(all[p], one.block);
-    if (!whole && some.triangle.empty()) continue;
-    parts.push_back(static_cast<int>(p));
-    append_part(text, name, p, look_of(all[p], look, now, kLevels[one.level].plain), [&](std::string& out) {
-      append_mesh(out, PovSpace{kModelUnit}, skin_for(all[p], now, whole ? all[p].surface : some),
-                  mesh_text(all[p], look, now, one.level));
-    });
+  std::string name;
+  std::vector<int> parts;
+
+  /// Takes those of a model, of one level and block; `text` gets what has to be declared for them.
+  void take(std::string& text, int model, const Drawn& one) {
+    const ModelFile& file = plan_.file(which_, model, one);
+    if (model_ != model) grow(model);
+    if (whole_) {
+      name = declared_name(file), parts = file.parts;
+      return;
+    }
+    std::string own = fmt::format("Growing{}_{}_{}_{}", which_, model, one.level, one.block + 1);
+    if (own == name) return;  // in another tint
+    name = own, parts.clear();
+    if (!now_) return;
+    ModelBlocks blocks = blocks_of(plan_.crumbs[which_][static_cast<std::size_t>(model)]);
+    ModelFile here;
+    here.level = one.level, here.block = one.block;
+    const Look& look = stand_.dress.look;
+    parts = append_parts(text, name, look, *now_, copy_parts(look, *now_, kLevels[one.level], &blocks), here);
   }
-  return text;
-}
+
+  /// How far the model has grown, 0..1.
+  double front() const { return front_; }
+
+ private:
+  void grow(int model) {
+    model_ = model, whole_ = true, front_ = 1;
+    auto growing = plan_.growing.find({which_, model});
+    if (growing == plan_.growing.end()) return;
+    Motion motion = stand_.dress.motion;
+    motion.growth = *copy_growth(stand_.organism, film_, model);
+    double front = growth_front(motion.growth, time_);
+    front_ = std::min(front, 1.0);
+    whole_ = front >= 1 + motion.growth.ripen;
+    if (!whole_) now_ = grown_by(*growing->second, motion, time_);
+  }
+
+  const Film& film_;
+  const SownStand& stand_;
+  const CopyPlan& plan_;
+  std::size_t which_;
+  double time_;
+  int model_ = -1;  // the last one that was taken
+  bool whole_ = true;
+  double front_ = 1;
+  std::optional<Model> now_;  // what there is of it, if not all
+};
 
 /// All copies of a stand: one union for each part of each model, level, block and tint.
 std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t which,
                        std::size_t stretch, double time) {
   const SownStand& stand = scene.stands[which];
-  const Organism& organism = stand.organism;
   const Copies& copies = stand.copies;
   const Wave* wave = sways(stand, scene.film) ? &stand.dress.motion.wave : nullptr;
   bool carries = carries_pattern(stand, scene.film);
@@ -239,57 +143,29 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
     lines += "}\n";
   }
   std::string text;
-  append_comment(text, organism.name);
-  std::optional<Model> now;
-  int grown = -1;  // whose `now` is
-  std::string of;
-  std::vector<int> parts;
+  append_comment(text, stand.organism.name);
+  StandParts made(scene, plan, which, time);
   for (const auto& [key, lines] : groups) {
     auto [model, level, block, tint] = key;
-    Drawn one{0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)};
-    const ModelFile& file = plan.file(which, model, one);
-    std::string name = declared_name(file);
-    auto growing = plan.growing.find({which, model});
-    Motion motion = stand.dress.motion;
-    if (growing != plan.growing.end()) motion.growth = *copy_growth(organism, scene.film, model);
-    double front = growing == plan.growing.end() ? 2 : growth_front(motion.growth, time);
-    bool whole = front >= 1 + motion.growth.ripen;
-    if (carries) text += fmt::format("#declare Reef_Front = {:.4g};\n", std::min(front, 1.0));
-    if (whole) {
-      parts = file.parts;
-    } else {
-      if (std::exchange(grown, model) != model) now = grown_by(*growing->second, motion, time), of.clear();
-      if (!now) continue;
-      name = fmt::format("Growing{}_{}_{}_{}", which, model, level, block + 1);
-      if (std::exchange(of, name) != name) {
-        parts.clear();
-        ModelBlocks blocks = blocks_of(plan.crumbs[which][static_cast<std::size_t>(model)]);
-        text += growing_text(name, stand, *now, one, blocks, parts);
+    made.take(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
+    if (carries && !made.parts.empty()) append_front(text, made.front());
+    for (int part : made.parts) {
+      std::string object, look;
+      append_part_name(object, made.name, static_cast<std::size_t>(part));
+      look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
+      if (carries) {
+        object += " scale ";
+        append(object, unit, 6);
+        object += ' ' + look;
       }
-    }
-    for (int part : parts) {
-      std::string look = fmt::format("_Look(Tint{}[{}])", which, tint);
       text += group_opening(lines);
       for (std::size_t from = 0; from < lines.size();) {
         std::size_t to = lines.find('\n', from) + 1;
-        text += "object{";
-        append_part_name(text, name, static_cast<std::size_t>(part));
-        text += ' ';
-        if (carries) {
-          text += "scale ";
-          append(text, unit, 6);
-          text += ' ';
-          append_part_name(text, name, static_cast<std::size_t>(part));
-          text += look + ' ';
-        }
+        text += "object{" + object + ' ';
         text.append(lines, from, to - from);
         from = to;
       }
-      if (!carries) {
-        append_part_name(text, name, static_cast<std::size_t>(part));
-        text += look;
-      }
-      text += "}\n";
+      text += carries ? "}\n" : look + "}\n";
     }
   }
   return text;
@@ -309,61 +185,6 @@ std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPla
 }
 
 }  // namespace
-
-std::string declared_name(const ModelFile& file) {
-  return "M" + file.name.substr(1, file.name.find('.') - 1);
-}
-
-std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
-                                     const Model& model, const ModelBlocks& blocks) {
-  const Look& look = stand.dress.look;
-  int level = files[0].level;
-  std::vector<CopyPart> all = copy_parts(look, model, kLevels[level], &blocks);
-  std::vector<std::string> texts(files.size());
-  parallel_for(files.size(), [&](std::size_t i) {
-    const ModelFile& file = files[i];
-    bool whole = file.block == ModelFile::kWhole;
-    std::string name = declared_name(file), list, body;
-    std::set<std::string_view> includes{"copy"};
-    if (look.skin) includes.insert("coral");
-    for (std::size_t p = 0; p < all.size(); ++p) {
-      const CopyPart& part = all[p];
-      Surface some = whole ? Surface{} : in_block(part, file.block);
-      if (!whole && some.triangle.empty()) continue;
-      if (part.kind == CopyPart::Kind::solid)
-        includes.insert(material_include(model.solids.shapes[part.which].material));
-      list += fmt::format(" {}", p);
-      append_part(body, name, p, look_of(part, look, model, kLevels[level].plain), [&](std::string& out) {
-        if (file.blocks > 0)
-          append_joined(out, part, name, p);
-        else
-          append_mesh(out, PovSpace{kModelUnit}, skin_for(part, model, whole ? part.surface : some),
-                      mesh_text(part, look, model, level));
-      });
-    }
-    std::string& text = texts[i];
-    append_comment(text,
-                   fmt::format("parts{}; {} segments, {} organs", list,
-                               std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
-    for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);
-    text += body;
-  });
-  return texts;
-}
-
-std::optional<std::vector<int>> model_parts(std::string_view text) {
-  constexpr std::string_view kStart = "// parts";
-  if (!text.starts_with(kStart)) return std::nullopt;
-  std::vector<int> parts;
-  const char* at = text.data() + kStart.size();
-  const char* end = text.data() + text.size();
-  for (int part = 0; at < end && *at == ' '; parts.push_back(part)) {
-    auto [next, error] = std::from_chars(at + 1, end, part);
-    if (error != std::errc{}) return std::nullopt;
-    at = next;
-  }
-  return at < end && *at == ';' ? std::optional(parts) : std::nullopt;
-}
 
 std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                               std::size_t stretch) {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "emit/copies.h"
+#include "emit/copy_models.h"
 #include "emit/frame.h"
 #include "scene/scene.h"
 

@@ -54,8 +54,8 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
                 b.brightness, tint.young);
     text += ") ";
     if (double glow = b.look.skin->polyps.glow; glow > 0) {
-      text += "#declare Skin[" + number_text(static_cast<double>(first[i])) + "] = texture{Skin[" +
-              number_text(static_cast<double>(first[i])) + "] Reef_Glow(" + number_text(glow) + ")} ";
+      std::string skin = "Skin[" + number_text(static_cast<double>(first[i])) + "]";
+      text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
     }
     append_comment(text, b.name);
   }
@@ -239,11 +239,12 @@ Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, 
                                    const Out& out) {
   const Specimen& b = scene.specimens[i];
   Eye eye = eye_at(scene, time);
-  const Solids& solids = i < parts.solids.size() && parts.solids[i] ? *parts.solids[i] : b.model.solids;
+  const Solids& solids = solids_of(parts.solids, scene, i);
   if (std::string text = growing_solids_text(parts.space, solids, b.motion.growth, time); !text.empty())
     out(text);
-  if (std::ranges::any_of(solids.shapes, [](const Solid& solid) { return solid.material.polyps.width > 0; }))
-    out(polyps_text(parts.space, solids, b.motion.growth, time, eye));
+  if (std::string text = polyps_text(parts.space, solids, parts.polyps[i], b.motion.growth, time, eye);
+      !text.empty())
+    out(text);
   if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
   Result<Specimen> now = developed(b, time);
   if (now && b.life.develop) out(developed_solids_text(parts.space, now->model.solids, i));
@@ -315,6 +316,9 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene);
   parts.solids = drawn_solids(scene);
+  parts.polyps.resize(scene.specimens.size());
+  parallel_for(parts.polyps.size(),
+               [&](std::size_t i) { parts.polyps[i] = polyp_places(solids_of(parts.solids, scene, i)); });
   parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene, parts.solids);
   parts.copies.resize(plan.drawn.size());
   parallel_for(parts.copies.size(),

@@ -7,6 +7,7 @@
 #include "core/result.h"
 #include "core/text.h"
 #include "emit/copies.h"
+#include "emit/polyps.h"
 #include "emit/pov.h"
 #include "emit/solid.h"
 #include "scene/scene.h"
@@ -23,6 +24,7 @@ struct FrameParts {
   std::string materials;                ///< the skins of all organisms and the shapes of their organs
   std::string ground;                   ///< floor, stones, grass and solids
   DrawnSolids solids;                   ///< of all organisms
+  std::vector<PolypPlaces> polyps;      ///< on the solids of each organism
   std::vector<std::string> copies;      ///< those that stand still, in each stretch of the film
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
   std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none

@@ -8,6 +8,8 @@
 #include <limits>
 #include <set>
 
+#include "core/bounds.h"
+#include "emit/copy_models.h"
 #include "emit/macros.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
@@ -21,17 +23,10 @@ namespace {
 /// The grain of something so tall at a detail: a five hundredth of it, then a hundred and fiftieth.
 int level_at(double height, int detail) { return level_for(height / 500 * std::pow(3.3, detail)); }
 
-struct Box {
-  Vec3 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
-
-  void add(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
-  double height() const { return std::max(0.0f, high.y - low.y); }
-};
-
-Box box_of(const Specimen& specimen) {
-  Box box;
+Bounds box_of(const Specimen& specimen) {
+  Bounds box;
   for (const CopyPart& part : copy_parts(specimen.look, specimen.model, {0.01, 2e5}))
-    for (const Vec3& p : part.surface.position) box.add(p);
+    for (const Vec3& p : part.surface.position) box.take(p);
   return box;
 }
 
@@ -99,15 +94,15 @@ class Writer {
     FrameParts parts = prepare_frames(variant.scene);
     std::vector<double> heights;
     for (const Specimen& b : variant.scene.specimens) {
-      Box own = box_of(b);
-      heights.push_back(own.height());
-      box_.add(own.low), box_.add(own.high);
+      Bounds own = box_of(b);
+      heights.push_back(std::max(0.0f, own.size().y));
+      box_.take(own.low), box_.take(own.high);
     }
     for (const SownStand& stand : variant.scene.stands)
       for (std::size_t i = 0; i < stand.copies.size(); ++i) {
         auto wide = static_cast<float>(stand.organism.sown->where.radius);
-        box_.add(stand.copies.foot[i] + Vec3(-wide, 0, -wide));
-        box_.add(stand.copies.foot[i] + Vec3(wide, static_cast<float>(tall_of(stand)), wide));
+        box_.take(stand.copies.foot[i] + Vec3(-wide, 0, -wide));
+        box_.take(stand.copies.foot[i] + Vec3(wide, static_cast<float>(tall_of(stand)), wide));
       }
     shapes_ += fmt::format("#macro {}_Parts_{}()\n#local Frond_Unit = {};\n", what_.name, v,
                            number_text(parts.space.unit));
@@ -287,7 +282,7 @@ class Writer {
   std::string shapes_;
   std::set<std::string> models_;  // files that are written
   int solids_ = 0;                // objects among the solids of the variant that is written
-  Box box_;
+  Bounds box_;
 };
 
 }  // namespace

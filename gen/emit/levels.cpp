@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/bounds.h"
 #include "core/parallel.h"
 #include "emit/eyes.h"
 #include "emit/setting.h"
@@ -84,11 +85,10 @@ std::vector<Drawn> Views::drawn(std::size_t stretch, const SownStand& stand, int
                                 const ModelBlocks& blocks) const {
   const std::vector<Eye>& eyes = eyes_[stretch];
   const Copies& copies = stand.copies;
-  Vec3 low(1e30f), high(-1e30f);
-  for (int b = 0; b < blocks.count(); ++b)
-    low = glm::min(low, blocks.middle(b)), high = glm::max(high, blocks.middle(b));
-  Vec3 middle = (low + high) * 0.5f;
-  float around = glm::distance(low, middle) + blocks.radius();
+  Bounds box;
+  for (int b = 0; b < blocks.count(); ++b) box.take(blocks.middle(b));
+  Vec3 middle = box.middle();
+  float around = glm::distance(box.low, middle) + blocks.radius();
   auto levels_of = [&](std::size_t i) {
     std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
     float scale = copies.scale[i], radius = scale * blocks.radius();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "core/text.h"
@@ -53,19 +52,9 @@ Surface polyp_surface(double open) {
   return polyp;
 }
 
-/// A place of a triangle, by the shares that its corners have in it.
-struct Footing {
-  std::array<std::uint32_t, 3> corner;
-  Vec3 share;
-
-  Vec3 of(const std::vector<Vec3>& v) const {
-    return share.x * v[corner[0]] + share.y * v[corner[1]] + share.z * v[corner[2]];
-  }
-};
-
 /// Places of the grown skin that are at least so far apart.
-std::vector<Footing> spots_of(const Surface& skin, float apart) {
-  std::vector<Footing> spots, all;
+std::vector<Foothold> spots_of(const Surface& skin, float apart) {
+  std::vector<Foothold> spots, all;
   for (const auto& t : skin.triangle) {
     Vec3 a = skin.position[t[0]], b = skin.position[t[1]], c = skin.position[t[2]];
     float side = std::max(glm::distance(a, b), std::max(glm::distance(b, c), glm::distance(c, a)));
@@ -88,7 +77,7 @@ std::vector<Footing> spots_of(const Surface& skin, float apart) {
         at(0, shift % 3) * 73856093 ^ at(1, shift / 3 % 3) * 19349663 ^ at(2, shift / 9) * 83492791;
     return static_cast<std::size_t>(cell % kChains);
   };
-  for (const Footing& spot : all) {
+  for (const Foothold& spot : all) {
     Vec3 p = spot.of(skin.position);
     bool free = true;
     for (int shift = 0; shift < 27 && free; ++shift)
@@ -149,20 +138,28 @@ double grown_since(double born, double front) { return smooth_step(born, born + 
 
 }  // namespace
 
-std::string polyps_text(const PovSpace& space, const Solids& solids, const Growth& growth, double time,
-                        const Eye& eye) {
+PolypPlaces polyp_places(const Solids& solids) {
+  PolypPlaces places(solids.size());
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const Solid& solid = solids.shapes[solids.shape[i]];
+    if (double width = solid.material.polyps.width; width > 0)
+      places[i] = spots_of(solid.surface, static_cast<float>(kApart * width));
+  }
+  return places;
+}
+
+std::string polyps_text(const PovSpace& space, const Solids& solids, const PolypPlaces& places,
+                        const Growth& growth, double time, const Eye& eye) {
   std::string text;
   auto front = static_cast<float>(growth_front(growth, time));
   if (front <= 0) return text;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Solid& solid = solids.shapes[solids.shape[i]];
-    const Polyps& polyps = solid.material.polyps;
-    if (polyps.width <= 0) continue;
+    if (places[i].empty()) continue;
     Surface skin = surface_at(solid, front);
-    Bearer bearer(space, polyps, eye);
-    std::vector<Footing> spots = spots_of(solid.surface, static_cast<float>(kApart * polyps.width));
-    for (std::size_t n = 0; n < spots.size(); ++n) {
-      const Footing& spot = spots[n];
+    Bearer bearer(space, solid.material.polyps, eye);
+    for (std::size_t n = 0; n < places[i].size(); ++n) {
+      const Foothold& spot = places[i][n];
       double born = solid.surface.uv.empty() ? 0 : static_cast<double>(solid.surface.uv[spot.corner[0]].y);
       bearer.bear(n, solids.placed(i, spot.of(skin.position)),
                   solids.turn[i] * glm::normalize(spot.of(skin.normal)),
@@ -200,7 +197,7 @@ std::string branch_polyps_text(const PovSpace& space, const Specimen& b, const P
                   grown_since(born, static_cast<double>(pose.front)));
     };
     for (; along < length; along += pitch) {
-      float turn = 2.3999632f * static_cast<float>(n);
+      float turn = static_cast<float>(kGoldenAngle) * static_cast<float>(n);
       put(along / length, glm::normalize(std::cos(turn) * side + std::sin(turn) * other + 0.35f * axis),
           0.97f);
     }

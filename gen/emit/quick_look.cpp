@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/bounds.h"
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "emit/crumbling.h"
@@ -249,21 +250,20 @@ class FloorDepth {
 
 /// The sun's picture takes in what stands.
 ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
-  Vec3 low(std::numeric_limits<float>::max()), high = -low;
-  auto take = [&](Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); };
+  Bounds box;
   for (const Specimen& s : scene.specimens) {
-    for (const Vec3& p : s.model.skeleton.position) take(p);
-    for (const Vec3& p : s.model.organs.position) take(p);
+    for (const Vec3& p : s.model.skeleton.position) box.take(p);
+    for (const Vec3& p : s.model.organs.position) box.take(p);
     const Solids& solids = s.model.solids;
     for (std::size_t i = 0; i < solids.size(); ++i)
-      for (const Vec3& p : solids.shapes[solids.shape[i]].surface.position) take(solids.placed(i, p));
+      for (const Vec3& p : solids.shapes[solids.shape[i]].surface.position) box.take(solids.placed(i, p));
   }
   Vec3 eye = scene.stage.camera.location.at(0);
   for (const SownStand& stand : scene.stands)
     for (const Vec3& p : stand.copies.foot)
-      if (glm::distance(p, eye) < 80) take(p), take(p + Vec3(0, stand.organism.grower->tallest(), 0));
-  if (low.x > high.x) low = Vec3(-1), high = Vec3(1);
-  ToSun sun{{}, {}, toward, 0.5f * (low + high), 0.5f * glm::distance(low, high) + 0.01f, pixels};
+      if (glm::distance(p, eye) < 80) box.take(p), box.take(p + Vec3(0, stand.organism.grower->tallest(), 0));
+  if (box.empty()) box = {Vec3(-1), Vec3(1)};
+  ToSun sun{{}, {}, toward, box.middle(), 0.5f * glm::length(box.size()) + 0.01f, pixels};
   sun.right = glm::normalize(glm::cross(std::abs(toward.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0), toward));
   sun.up = glm::cross(toward, sun.right);
   return sun;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bounds.h"
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "core/text.h"
@@ -23,17 +24,8 @@ constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throw
 constexpr double kErrorBound = 4;  // of povinc's radiosity
 
 /// The room that a scene takes, metres.
-struct Room {
-  SoftLight::Box box{Vec3(1e30f), Vec3(-1e30f)};
-
-  void take(Vec3 at, float round = 0) {
-    box.low = glm::min(box.low, at - round);
-    box.high = glm::max(box.high, at + round);
-  }
-};
-
-SoftLight::Box room_of(const Scene& scene, const std::vector<const Specimen*>& now, const Crumbs& crumbs) {
-  Room room;
+Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, const Crumbs& crumbs) {
+  Bounds room;
   for (const Specimen* b : now) {
     const Model& m = b->model;
     for (const Vec3& at : m.skeleton.position) room.take(at, 0.1f);
@@ -58,7 +50,7 @@ SoftLight::Box room_of(const Scene& scene, const std::vector<const Specimen*>& n
   }
   for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
   Vec3 far(kFarthest, 1e6f, kFarthest);
-  return {glm::max(room.box.low, -far), glm::min(room.box.high, far)};
+  return {glm::max(room.low, -far), glm::min(room.high, far)};
 }
 
 /// Lays bits into the grid; three of them across a cell.
@@ -147,7 +139,7 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   std::vector<Eye> all = eyes(scene), some, here{eye_at(scene, time)};
   for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
     some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, std::min(all.size(), kEyes) - 1)]);
-  SoftLight::Box room = room_of(scene, now, crumbs);
+  Bounds room = room_of(scene, now, crumbs);
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
   for (const Specimen* specimen : now) crumble(IntoGrid{grid}, *specimen, time);

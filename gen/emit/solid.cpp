@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/bounds.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "geometry/far.h"
@@ -191,7 +192,7 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
   if (count == 0) return;
   const Solid& solid = solids.shapes[shape];
   bool own = count <= kOwnTextures;
-  append_front(text, solid.material, 1);
+  if (lives(solid.material)) append_front(text, 1);
   text += "#declare ";
   append_solid_name(text, organism, shape);
   text += " = ";
@@ -239,8 +240,7 @@ Solid with_edges(const Solid& solid, double edge) {
   return less;
 }
 
-void append_front(std::string& text, const Material& material, double front) {
-  if (!lives(material)) return;
+void append_front(std::string& text, double front) {
   text += "#declare Reef_Front = ";
   append(text, std::min(front, 1.0), 4);
   text += ";\n";
@@ -280,12 +280,9 @@ DrawnSolids drawn_solids(const Scene& scene) {
     for (std::size_t k = 0; k < solids.size(); ++k) {
       const Solid& solid = solids.shapes[solids.shape[k]];
       if (!lives(solid.material)) continue;
-      Vec3 low(1e9f), high(-1e9f);
-      for (const Vec3& p : solid.surface.position) {
-        Vec3 at = solids.placed(k, p);
-        low = glm::min(low, at), high = glm::max(high, at);
-      }
-      double pixels = nearest_pixels(scene, (low + high) * 0.5f, glm::distance(low, high) / 2);
+      Bounds box;
+      for (const Vec3& p : solid.surface.position) box.take(solids.placed(k, p));
+      double pixels = nearest_pixels(scene, box.middle(), glm::length(box.size()) / 2);
       double edge = kSidePixels[static_cast<std::size_t>(scene.film.quality)] / pixels / solids.scale[k].x;
       Solid coarse = with_edges(solid, edge);
       if (coarse.surface.triangle.size() == solid.surface.triangle.size()) continue;
@@ -296,11 +293,16 @@ DrawnSolids drawn_solids(const Scene& scene) {
   return drawn;
 }
 
+const Solids& solids_of(const DrawnSolids& drawn, const Scene& scene, std::size_t organism) {
+  return organism < drawn.size() && drawn[organism] ? *drawn[organism]
+                                                    : scene.specimens[organism].model.solids;
+}
+
 std::string solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn) {
   std::string text;
   for (std::size_t o = 0; o < scene.specimens.size(); ++o) {
     const Specimen& b = scene.specimens[o];
-    const Solids& solids = o < drawn.size() && drawn[o] ? *drawn[o] : b.model.solids;
+    const Solids& solids = solids_of(drawn, scene, o);
     if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text, b.name);
     for (std::size_t s = 0; s < solids.shapes.size(); ++s)
@@ -324,7 +326,7 @@ std::string growing_solids_text(const PovSpace& space, const Solids& solids, con
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Solid& solid = solids.shapes[solids.shape[i]];
     if (!is_growing(solid, growth)) continue;
-    append_front(text, solid.material, front);
+    if (lives(solid.material)) append_front(text, front);
     text += "object{\n";
     append_mesh(text, space, told(surface_at(solid, front), solid));
     append_material(text, solid.material);

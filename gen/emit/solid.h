@@ -19,7 +19,7 @@ bool lives(const Material& material);
 Solid with_edges(const Solid& solid, double edge);
 
 /// Appends the share of growth that what lives has reached, by which its texture knows what is young.
-void append_front(std::string& text, const Material& material, double front);
+void append_front(std::string& text, double front);
 
 /// The names of the povinc files that the solids of a scene need, each once, as `stone` for frond_stone.inc.
 std::vector<std::string_view> solid_includes(const Scene& scene);
@@ -32,6 +32,8 @@ std::string_view material_include(const Material& material);
 /// more triangles than show from where the camera comes nearest.
 using DrawnSolids = std::vector<std::optional<Solids>>;
 DrawnSolids drawn_solids(const Scene& scene);
+/// Those of one organism.
+const Solids& solids_of(const DrawnSolids& drawn, const Scene& scene, std::size_t organism);
 
 /// Declares the shapes of all solids and places them, but for those that a film sees grow or become others;
 /// the same in each frame. Without `drawn` they are written as they are.

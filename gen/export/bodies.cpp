@@ -107,15 +107,6 @@ Vec3 starved(float light, Vec3 color) {
 
 }  // namespace
 
-Solids grown_to(const Solids& solids, float front) {
-  Solids now = solids;
-  for (Solid& solid : now.shapes) {
-    solid.surface = surface_at(solid, front);
-    solid.past.clear();
-  }
-  return now;
-}
-
 std::vector<CastPart> body_parts(Maker& maker, const Look& look, const Solids& solids,
                                  std::span<const Solids> keys) {
   Kinds kinds = kinds_of(solids);

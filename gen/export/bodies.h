@@ -6,9 +6,6 @@
 
 namespace frond {
 
-/// Bodies as they are when such a share of their growth is reached.
-Solids grown_to(const Solids& solids, float front);
-
 /// What the bodies of a model that wears such a look are made of, one part a material, where they stand;
 /// `keys` are the same bodies in the shapes of the cast's keys but the last.
 std::vector<CastPart> body_parts(Maker& maker, const Look& look, const Solids& solids,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bounds.h"
 #include "export/box_map.h"
 #include "field/cubes.h"
 #include "geometry/far.h"
@@ -94,9 +95,7 @@ class Brancher {
     posed.radius = pose_.radius;
     TubeMesh made = mesh_of(posed, 0.0f, 0.0);
     if (pose_.front <= 1 || posed.size() < 2) return made;
-    Vec3 low = posed.position[0], high = low;
-    for (const Vec3& p : posed.position) low = glm::min(low, p), high = glm::max(high, p);
-    double size = glm::distance(low, high);
+    double size = glm::length(bounds_of(posed.position).size());
     double first = size * (options_.pixels > 0 ? 1 / options_.pixels : kFirstGrain);
     auto grain_of = [&](double step) { return first * std::pow(kCoarserGrain, step - 1); };
     auto thinner = [&](double step) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "core/bounds.h"
 #include "export/bodies.h"
 #include "export/branches.h"
 #include "export/carry.h"
@@ -32,14 +33,13 @@ Vec3 foot_of(const Model& model) {
     if (model.skeleton.parent[i] == Skeleton::kRoot && model.skeleton.position[i].y < foot.y)
       foot = model.skeleton.position[i];
   if (model.skeleton.size() > 0) return foot;
-  Vec3 low(std::numeric_limits<float>::max()), high = -low;
-  auto hold = [&](Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); };
+  Bounds box;
   for (std::size_t i = 0; i < model.solids.size(); ++i)
     for (const Vec3& p : model.solids.shapes[model.solids.shape[i]].surface.position)
-      hold(model.solids.placed(i, p));
-  for (const Vec3& p : model.organs.position) hold(p);
-  for (const Vec3& p : model.blades.surface.position) hold(p);
-  return low.x > high.x ? Vec3(0) : Vec3(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z));
+      box.take(model.solids.placed(i, p));
+  for (const Vec3& p : model.organs.position) box.take(p);
+  for (const Vec3& p : model.blades.surface.position) box.take(p);
+  return box.empty() ? Vec3(0) : box.foot();
 }
 
 /// Takes the meshes of one organism to a cast.

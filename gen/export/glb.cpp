@@ -6,6 +6,7 @@
 #include <cstring>
 #include <span>
 
+#include "core/bounds.h"
 #include "core/linear.h"
 #include "core/text.h"
 #include "export/formats.h"
@@ -70,12 +71,11 @@ struct BinaryPart {
 };
 
 std::string bounds_text(const std::vector<Vec3>& position) {
-  Vec3 low = position[0], high = low;
-  for (const Vec3& p : position) low = glm::min(low, p), high = glm::max(high, p);
+  Bounds box = bounds_of(position);
   std::string text = ",\"min\":";
-  append_exactly(text, low);
+  append_exactly(text, box.low);
   text += ",\"max\":";
-  append_exactly(text, high);
+  append_exactly(text, box.high);
   return text;
 }
 

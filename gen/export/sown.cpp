@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/bounds.h"
 #include "core/parallel.h"
 #include "export/bodies.h"
 #include "export/look.h"
@@ -64,17 +65,17 @@ Result<std::vector<Value>> each_grown(const std::vector<SownModel>& models, cons
 
 /// Edge of the box round a model, metres.
 double size_of(const Model& model) {
-  Vec3 low(std::numeric_limits<float>::max()), high = -low;
+  Bounds box;
   auto reach = [&](const std::vector<Vec3>& places) {
-    for (const Vec3& p : places) low = glm::min(low, p), high = glm::max(high, p);
+    for (const Vec3& p : places) box.take(p);
   };
   reach(model.skeleton.position);
   reach(model.organs.position);
   reach(model.blades.surface.position);
   for (std::size_t i = 0; i < model.solids.size(); ++i)
     for (const Vec3& p : model.solids.shapes[model.solids.shape[i]].surface.position)
-      reach({model.solids.placed(i, p)});
-  return std::max<double>({high.x - low.x, high.y - low.y, high.z - low.z, 0.01});
+      box.take(model.solids.placed(i, p));
+  return box.empty() ? 0.01 : std::max<double>(box.longest(), 0.01);
 }
 
 /// A model as it is drawn, its foliage aside.

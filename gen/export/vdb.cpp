@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/bounds.h"
 #include "export/formats.h"
 #include "export/sown.h"
 #include "geometry/far.h"
@@ -15,18 +16,11 @@ constexpr double kVoxels = 400;       // along a volume that nothing says the vo
 constexpr double kSegmentBytes = 60;  // of memory, for one of a branch
 constexpr double kLeastLimit = 4e9;   // bytes of memory, where no organism says more
 
-struct VoxelBox {
-  Vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
-
-  void hold(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
-  double edge() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
-};
-
 /// The branches of a scene as they are put together.
 struct Gathered {
   Boughs boughs;
   std::int32_t nodes = 0;
-  VoxelBox box;
+  Bounds box;
   VolumeOptions options;
 };
 
@@ -36,7 +30,7 @@ void add_posed(Gathered& all, const Specimen& b, double time, bool own_voxel) {
   add_boughs(all.boughs, b.model.skeleton, pose.position, pose.radius, pose.front,
              static_cast<float>(b.style.blend), all.nodes);
   all.nodes += static_cast<std::int32_t>(b.model.skeleton.size());
-  for (const Vec3& p : pose.position) all.box.hold(p);
+  for (const Vec3& p : pose.position) all.box.take(p);
   if (own_voxel && b.style.build != Build::sweeps)
     all.options.voxel = all.options.voxel > 0 ? std::min(all.options.voxel, b.style.voxel) : b.style.voxel;
   all.options.limit = std::max(all.options.limit, b.style.limit);
@@ -91,11 +85,11 @@ Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& o
   if (!sown) return sown.errors();
   for (const SownBranches& model : *sown)
     for (const CastPlacement& copy : model.copies)
-      for (const Vec3& p : model.rest.position) all.box.hold(at_copy(copy, p));
+      for (const Vec3& p : model.rest.position) all.box.take(at_copy(copy, p));
   if (all.boughs.cones.empty() && sown->empty())
     return Error{"", "there are no branches at that frame to make a volume of"};
   if (all.options.limit <= 0) all.options.limit = kLeastLimit;
-  if (all.options.voxel <= 0) all.options.voxel = all.box.edge() / kVoxels;
+  if (all.options.voxel <= 0) all.options.voxel = all.box.longest() / kVoxels;
   if (Errors errors = add_copies(all, *sown); !errors.empty()) return errors;
   return volume_of(all.boughs, all.options);
 }

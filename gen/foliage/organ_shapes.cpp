@@ -7,8 +7,6 @@ namespace frond {
 
 namespace {
 
-constexpr double kGoldenAngle = 2.39996322972865332;
-
 void append_turned(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
   auto offset = static_cast<std::uint32_t>(to.position.size());
   for (Vec3 p : from.position) to.position.push_back(turn * p + shift);

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "core/bounds.h"
 #include "geometry/crease.h"
 
 namespace frond {
@@ -244,11 +245,9 @@ Result<LineSet> read_obj_lines(std::string_view text, const std::string& name) {
 }
 
 Surface to_unit(Surface surface) {
-  Vec3 low(INFINITY), high(-INFINITY);
-  for (const Vec3& p : surface.position) low = glm::min(low, p), high = glm::max(high, p);
-  Vec3 size = high - low;
-  float longest = std::max({size.x, size.y, size.z, 1e-20f});
-  Vec3 foot((low.x + high.x) / 2, low.y, (low.z + high.z) / 2);
+  Bounds box = bounds_of(surface.position);
+  float longest = std::max(box.longest(), 1e-20f);
+  Vec3 foot = box.foot();
   for (Vec3& p : surface.position) p = (p - foot) / longest;
   return surface;
 }

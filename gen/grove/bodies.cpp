@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/bounds.h"
+
 namespace frond {
 
 namespace {
@@ -31,18 +33,17 @@ struct Cells {
 
 Cells cells_round(const Surface& body, double voxel) {
   assert(!body.position.empty() && voxel > 0);
-  Vec3 low = body.position[0], high = low;
-  for (Vec3 p : body.position) low = glm::min(low, p), high = glm::max(high, p);
+  Bounds box = bounds_of(body.position);
   double side = voxel / kFineness;
   auto count = [&] {
-    glm::dvec3 n = glm::dvec3(high - low) / side + 3.0;
+    glm::dvec3 n = glm::dvec3(box.size()) / side + 3.0;
     return n.x * n.y * n.z;
   };
   while (count() > kMostCells) side *= 2;
   Cells cells;
   cells.side = static_cast<float>(side);
-  cells.low = low - cells.side;
-  cells.size = glm::ivec3(glm::floor((high - cells.low) / cells.side)) + 2;
+  cells.low = box.low - cells.side;
+  cells.size = glm::ivec3(glm::floor((box.high - cells.low) / cells.side)) + 2;
   cells.state.assign(cells.at(0, cells.size.y, 0), 0);
   return cells;
 }

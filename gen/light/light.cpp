@@ -32,7 +32,7 @@ const std::vector<Vec3>& ways_all_round() {
     constexpr int kCount = 64;
     std::vector<Vec3> list;
     for (int i = 0; i < kCount; ++i) {
-      double y = 1 - (2 * i + 1.0) / kCount, r = std::sqrt(1 - y * y), turn = 2.39996322972865332 * i;
+      double y = 1 - (2 * i + 1.0) / kCount, r = std::sqrt(1 - y * y), turn = kGoldenAngle * i;
       list.emplace_back(r * std::cos(turn), y, r * std::sin(turn));
     }
     return list;
@@ -103,7 +103,7 @@ Vec3 SoftLight::Level::radiance(std::size_t i) const {
           std::bit_cast<float>(color[2][i])};
 }
 
-SoftLight::SoftLight(std::vector<Eye> eyes, const Box& bounds, double pixels, double unit)
+SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit)
     : eyes_(std::move(eyes)), pixels_(pixels) {
   double pixel = 1e30;
   for (const Eye& eye : eyes_) pixel = std::min(pixel, eye.pixel);
@@ -114,11 +114,8 @@ SoftLight::SoftLight(std::vector<Eye> eyes, const Box& bounds, double pixels, do
   for (;; cell *= 2) {
     // As far as cells of that size are wanted, round all eyes.
     auto reach = static_cast<float>(2 * cell / (pixel * pixels) + 3 * cell);
-    Box box{Vec3(1e30f), Vec3(-1e30f)};
-    for (const Eye& eye : eyes_) {
-      box.low = glm::min(box.low, eye.at - reach);
-      box.high = glm::max(box.high, eye.at + reach);
-    }
+    Bounds box;
+    for (const Eye& eye : eyes_) box.take(eye.at, reach);
     bool whole = glm::all(glm::lessThanEqual(box.low, bounds.low)) &&
                  glm::all(glm::greaterThanEqual(box.high, bounds.high));
     box.low = glm::max(box.low, bounds.low);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/bounds.h"
 #include "core/vec.h"
 
 namespace frond {
@@ -51,13 +52,9 @@ struct Probe {
 /// Add all, then ask once. The sum of what is added does not depend on its order.
 class SoftLight {
  public:
-  struct Box {
-    Vec3 low{0}, high{0};
-  };
-
   /// For eyes of a film, within bounds. A cell covers about `pixels`; its side is a power of two of `unit`
   /// metres.
-  SoftLight(std::vector<Eye> eyes, const Box& bounds, double pixels, double unit);
+  SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit);
 
   /// The side of the cells there, metres.
   float cell_at(Vec3 at) const;

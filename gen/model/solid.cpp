@@ -42,6 +42,15 @@ Surface surface_at(const Solid& solid, float share) {
   return now;
 }
 
+Solids grown_to(const Solids& solids, float share) {
+  Solids now = solids;
+  for (Solid& solid : now.shapes) {
+    solid.surface = surface_at(solid, share);
+    solid.past.clear();
+  }
+  return now;
+}
+
 std::string Solids::check() const {
   if (shape.size() != size() || turn.size() != size() || scale.size() != size())
     return "the arrays of the solids differ in length";

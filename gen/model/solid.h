@@ -118,6 +118,9 @@ struct Solids {
   std::string check() const;
 };
 
+/// The same as they are at a share of their growth, with no past of their own.
+Solids grown_to(const Solids& solids, float share);
+
 /// All placements as one mesh, without `uv`: what ivy creeps on, what is measured.
 Surface merged(const Solids& solids);
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/bounds.h"
 #include "core/content.h"
 #include "geometry/far.h"
 #include "geometry/tubes.h"
@@ -208,22 +209,18 @@ std::optional<Model> grown_by(const Model& model, const Motion& motion, double t
   set_tip_distances(now.skeleton);
   now.blades.surface =
       posed_blades(all, pose, model.blades, unfold_time(growing), [](std::size_t) { return true; });
-  now.solids = model.solids;
-  for (Solid& solid : now.solids.shapes) solid.surface = surface_at(solid, front), solid.past.clear();
+  now.solids = grown_to(model.solids, front);
   return now;
 }
 
 ModelBlocks::ModelBlocks(std::span<const Vec3> bits) {
   constexpr float kSide = 3, kUncut = 5;  // metres
-  Vec3 low(1e30f), high(-1e30f);
-  for (const Vec3& at : bits) low = glm::min(low, at), high = glm::max(high, at);
-  if (bits.empty()) low = high = Vec3(0);
-  Vec3 size = high - low;
-  side_ = std::max({size.x, size.y, size.z});
+  Bounds box = bits.empty() ? Bounds{Vec3(0), Vec3(0)} : bounds_of(bits);
+  side_ = box.longest();
   bool cut = side_ > kUncut;
   if (cut) side_ = kSide;
   // The trunk stands in the middle of its blocks.
-  low_ = cut ? Vec3(-0.5f, 0, -0.5f) * side_ : (low + high - side_) * 0.5f;
+  low_ = cut ? Vec3(-0.5f, 0, -0.5f) * side_ : (box.low + box.high - side_) * 0.5f;
   std::set<std::array<int, 3>> cells;
   if (!cut) cells.insert({0, 0, 0});
   for (const Vec3& at : cut ? bits : std::span<const Vec3>{}) {

@@ -6,40 +6,31 @@
 #include <cmath>
 #include <limits>
 
+#include "core/bounds.h"
 #include "scene/camera.h"
 
 namespace frond {
 
 namespace {
 
-struct Span {
-  Vec3 low{std::numeric_limits<float>::infinity()}, high = -low;
-
-  void add(Vec3 at, float around = 0) {
-    low = glm::min(low, at - around);
-    high = glm::max(high, at + around);
-  }
-};
-
-Span span_of(const Specimen& specimen) {
+Bounds box_of(const Specimen& specimen) {
   const Model& b = specimen.model;
-  Span span;
-  for (std::size_t i = 0; i < b.skeleton.size(); ++i) span.add(b.skeleton.position[i], b.skeleton.radius[i]);
-  for (const Vec3& p : b.organs.position) span.add(p);
-  for (const Vec3& p : b.blades.surface.position) span.add(p);
-  std::vector<Span> shapes(b.solids.shapes.size());
-  for (std::size_t s = 0; s < shapes.size(); ++s)
-    for (const Vec3& p : b.solids.shapes[s].surface.position) shapes[s].add(p);
+  Bounds box;
+  for (std::size_t i = 0; i < b.skeleton.size(); ++i) box.take(b.skeleton.position[i], b.skeleton.radius[i]);
+  for (const Vec3& p : b.organs.position) box.take(p);
+  for (const Vec3& p : b.blades.surface.position) box.take(p);
+  std::vector<Bounds> shapes;
+  for (const Solid& solid : b.solids.shapes) shapes.push_back(bounds_of(solid.surface.position));
   for (std::size_t i = 0; i < b.solids.size(); ++i) {
-    const Span& shape = shapes[b.solids.shape[i]];
-    if (shape.low.x > shape.high.x) continue;  // it has no mesh
+    const Bounds& shape = shapes[b.solids.shape[i]];
+    if (shape.empty()) continue;  // it has no mesh
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 at(corner & 1 ? shape.low.x : shape.high.x, corner & 2 ? shape.low.y : shape.high.y,
               corner & 4 ? shape.low.z : shape.high.z);
-      span.add(b.solids.placed(i, at));
+      box.take(b.solids.placed(i, at));
     }
   }
-  return span;
+  return box;
 }
 
 std::string name_of(const std::string& name, std::size_t entry) {
@@ -49,8 +40,8 @@ std::string name_of(const std::string& name, std::size_t entry) {
 std::vector<Occupied> boxes_of(const Scene& scene) {
   std::vector<Occupied> boxes;
   for (const Specimen& s : scene.specimens) {
-    Span span = span_of(s);
-    boxes.push_back({name_of(s.name, s.entry), span.low, span.high});
+    Bounds box = box_of(s);
+    boxes.push_back({name_of(s.name, s.entry), box.low, box.high});
   }
   for (const SownStand& stand : scene.stands)
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/bounds.h"
 #include "core/parallel.h"
 
 namespace frond {
@@ -73,16 +74,15 @@ struct BoxGrid {
 class CrowdedSpace {
  public:
   explicit CrowdedSpace(std::span<const Specimen> specimens) {
-    Vec3 low(1e9f), high(-1e9f);
-    auto meet = [&](Vec3 at) { low = glm::min(low, at), high = glm::max(high, at); };
+    Bounds box;
     for (const Specimen& s : specimens) {
       if (!is_colony(s)) continue;
-      for (const Vec3& at : s.model.skeleton.position) meet(at);
+      for (const Vec3& at : s.model.skeleton.position) box.take(at);
       for (std::size_t i = 0; i < s.model.solids.size(); ++i)
-        for (const Vec3& at : shape(s, i).surface.position) meet(s.model.solids.placed(i, at));
+        for (const Vec3& at : shape(s, i).surface.position) box.take(s.model.solids.placed(i, at));
     }
-    if (low.x > high.x) return;
-    grid_.enclose(low, high);
+    if (box.empty()) return;
+    grid_.enclose(box.low, box.high);
     held_.resize(grid_.size());
     for (std::size_t i = 0; i < specimens.size(); ++i)
       if (is_colony(specimens[i])) fill(specimens[i], static_cast<std::uint32_t>(i));
@@ -95,10 +95,7 @@ class CrowdedSpace {
     float come = 0, all = 0;
     Vec3 from = at + normal * (1.6f * grid_.cell);
     for (int k = 0; k < kWays; ++k) {
-      // As light counts on what is level: by the sine of its height.
-      float up = std::sqrt((static_cast<float>(k) + 0.5f) / kWays), flat = std::sqrt(1 - up * up);
-      float turn = 2.3999632f * static_cast<float>(k);
-      Vec3 way(flat * std::cos(turn), up, flat * std::sin(turn));
+      Vec3 way = sky_way(k, kWays);
       if (glm::dot(way, normal) < 0.05f) continue;
       float through = 1, step = 0.7f * grid_.cell;
       bool blocked = false;
@@ -182,10 +179,9 @@ void shade(std::span<Specimen> specimens) {
       Solid& solid = solids.shapes[solids.shape[i]];
       const std::vector<Vec3>& position = solid.surface.position;
       if (!lives_by_light(solid) || !solid.light.empty() || position.empty()) continue;
-      Vec3 low(1e9f), high(-1e9f);
-      for (const Vec3& at : position) low = glm::min(low, at), high = glm::max(high, at);
+      Bounds box = bounds_of(position);
       BoxGrid near{.cell = occupied.cell() / solids.scale[i].x};
-      near.enclose(low - near.cell, high + near.cell);
+      near.enclose(box.low - near.cell, box.high + near.cell);
       std::vector<SkinPatch> patches(near.size());
       for (std::size_t v = 0; v < position.size(); ++v) {
         SkinPatch& patch = patches[near.index(position[v])];
@@ -206,11 +202,12 @@ void shade(std::span<Specimen> specimens) {
         float sum = 0, all = 0;
         for (int k = 0; k < 27; ++k) {
           Vec3 to = position[v] + near.cell * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-          std::size_t box = near.index(to);
-          if (box == SIZE_MAX || patches[box].count == 0) continue;
-          float away = glm::distance(patches[box].at / patches[box].count, position[v]) / near.cell;
+          std::size_t index = near.index(to);
+          if (index == SIZE_MAX || patches[index].count == 0) continue;
+          const SkinPatch& patch = patches[index];
+          float away = glm::distance(patch.at / patch.count, position[v]) / near.cell;
           float weight = std::max(1e-3f, 1 - 0.6f * away);
-          sum += weight * patches[box].light, all += weight;
+          sum += weight * patch.light, all += weight;
         }
         solid.light[v] = sum / all;
       }

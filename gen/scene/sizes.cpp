@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/bounds.h"
 #include "core/printable.h"
 #include "scene/fit.h"
 
@@ -38,14 +39,13 @@ std::vector<GrownSize> sizes_of(const Scene& scene, const Preset& preset) {
   }
   for (const Specimen& s : scene.specimens) {
     if (s.entry == Traits::kNoEntry) continue;
-    Vec3 low(std::numeric_limits<float>::max()), high = -low;
-    for (const Vec3& p : outside_of(s.model)) low = glm::min(low, p), high = glm::max(high, p);
-    if (low.x > high.x) continue;
+    Bounds box = bounds_of(outside_of(s.model));
+    if (box.empty()) continue;
     GrownSize& size = sizes[s.entry];
     ++size.count;
-    double height = high.y - low.y;
+    double height = box.size().y;
     size.height = std::max(size.height, height);
-    size.width = std::max<double>({size.width, high.x - low.x, high.z - low.z});
+    size.width = std::max<double>({size.width, box.size().x, box.size().z});
     size.stem = std::max(size.stem, stem_of(s.model.skeleton, height));
   }
   for (const SownStand& stand : scene.stands) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/bounds.h"
 #include "field/volume.h"
 
 namespace frond {
@@ -12,9 +13,7 @@ namespace {
 
 Style settled(Style style, const Skeleton& rest) {
   if (style.voxel > 0 || rest.size() == 0) return style;
-  Vec3 low = rest.position[0], high = low;
-  for (const Vec3& p : rest.position) low = glm::min(low, p), high = glm::max(high, p);
-  double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 0.01f});
+  double size = std::max(bounds_of(rest.position).longest(), 0.01f);
   style.voxel = size / (style.build == Build::voxels ? 44 : 160);
   return style;
 }

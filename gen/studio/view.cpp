@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/bounds.h"
 #include "core/parallel.h"
 #include "preset/value.h"
 #include "settings/settings.h"
@@ -39,14 +40,6 @@ Json camera_json(const Camera& camera, double time) {
           {"angle", camera.angle.at(time)}};
 }
 
-/// The box of what stands.
-struct Bounds {
-  Vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
-
-  void take(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
-  bool empty() const { return low.x > high.x; }
-};
-
 void take(Bounds& box, const Specimen& specimen) {
   const Model& m = specimen.model;
   for (const Vec3& p : m.skeleton.position) box.take(p);
@@ -54,8 +47,7 @@ void take(Bounds& box, const Specimen& specimen) {
   for (const Vec3& p : m.blades.surface.position) box.take(p);
   for (std::size_t i = 0; i < m.solids.size(); ++i) {
     // The corners of the shape's box are enough.
-    Bounds shape;
-    for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position) shape.take(p);
+    Bounds shape = bounds_of(m.solids.shapes[m.solids.shape[i]].surface.position);
     for (int corner = 0; corner < 8 && !shape.empty(); ++corner) {
       Vec3 p((corner & 1) ? shape.high.x : shape.low.x, (corner & 2) ? shape.high.y : shape.low.y,
              (corner & 4) ? shape.high.z : shape.low.z);
@@ -67,7 +59,7 @@ void take(Bounds& box, const Specimen& specimen) {
 Vec3 foot_of(const Specimen& specimen, const Bounds& box) {
   const Model& m = specimen.model;
   if (m.skeleton.size() > 0) return m.skeleton.position[0];
-  return box.empty() ? Vec3(0) : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
+  return box.empty() ? Vec3(0) : box.foot();
 }
 
 /// The organisms of the preset and the specimens of a scene.

@@ -56,9 +56,7 @@ float Territories::sky(std::size_t own, Vec3 at) const {
   constexpr int kWays = 32;
   int open = 0;
   for (int k = 0; k < kWays; ++k) {
-    float up = std::sqrt((static_cast<float>(k) + 0.5f) / kWays), flat = std::sqrt(1 - up * up);
-    float turn = 2.3999632f * static_cast<float>(k);
-    Vec3 way(flat * std::cos(turn), up, flat * std::sin(turn));
+    Vec3 way = sky_way(k, kWays);
     open += std::ranges::none_of(rivals_[own], [&](std::size_t j) { return meets(claims_[j], at, way); });
   }
   return static_cast<float>(open) / kWays;

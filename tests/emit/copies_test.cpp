@@ -5,6 +5,7 @@
 #include <regex>
 #include <set>
 
+#include "emit/copy_models.h"
 #include "emit/frame.h"
 #include "scene/scene.h"
 

@@ -34,14 +34,16 @@ TEST(Polyps, StandApartOnTheSideThatIsSeen) {
   Growth grown{.start = -1, .duration = 0};
   Eye above = eye_toward({0, 2, 0.1f}, {0, 0, 0}, 1, 1, 0.001),
       below = eye_toward({0, -2, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
-  std::size_t seen = count_of(polyps_text({}, solids, grown, 1, above));
+  std::size_t seen = count_of(polyps_text({}, solids, polyp_places(solids), grown, 1, above));
   // At 0.85 of their width apart, no two nearer; about as dense as darts that find no room any more.
   EXPECT_GT(seen, 250u);
   EXPECT_LT(seen, 640u);
-  EXPECT_EQ(count_of(polyps_text({}, solids, grown, 1, below)), 0u);
+  EXPECT_EQ(count_of(polyps_text({}, solids, polyp_places(solids), grown, 1, below)), 0u);
   Eye far = eye_toward({0, 200, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
-  EXPECT_EQ(count_of(polyps_text({}, solids, grown, 1, far)), 0u) << "too small to be seen";
-  EXPECT_EQ(polyps_text({}, solids, {.start = 5, .duration = 1}, 1, above), "") << "it has not begun to grow";
+  EXPECT_EQ(count_of(polyps_text({}, solids, polyp_places(solids), grown, 1, far)), 0u)
+      << "too small to be seen";
+  EXPECT_EQ(polyps_text({}, solids, polyp_places(solids), {.start = 5, .duration = 1}, 1, above), "")
+      << "it has not begun to grow";
 }
 
 TEST(Polyps, OpenAndCloseByTheHour) {
@@ -49,7 +51,8 @@ TEST(Polyps, OpenAndCloseByTheHour) {
   solids.shapes[0].material.polyps.open = Animated<double>({{0, 0}, {4, 1}});
   Growth grown{.start = -1, .duration = 0};
   Eye eye = eye_toward({0, 2, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
-  std::string closed = polyps_text({}, solids, grown, 0, eye), open = polyps_text({}, solids, grown, 4, eye);
+  std::string closed = polyps_text({}, solids, polyp_places(solids), grown, 0, eye),
+              open = polyps_text({}, solids, polyp_places(solids), grown, 4, eye);
   EXPECT_EQ(count_of(closed), count_of(open));
   // Where they stand is the same, their shape is not.
   EXPECT_EQ(closed.substr(closed.find("union{")), open.substr(open.find("union{")));

@@ -19,7 +19,6 @@ constexpr std::uint32_t kTallest = 4;        // the one that holds its blade far
 constexpr std::uint32_t kHeadings = 8;       // directions of the stem that sprigs are made for
 constexpr std::uint32_t kSprigVariants = 3;  // of each
 constexpr int kSprigLeaves = 6;
-constexpr double kGoldenAngle = 2.39996322972865332;
 
 IvyLeafShape leaf_shape(std::uint32_t form, int detail) {
   IvyLeafShape shape;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/bounds.h"
 #include "geometry/outline.h"
 #include "geometry/smooth.h"
 #include "grammar/figure.h"
@@ -13,24 +14,12 @@ namespace frond {
 namespace {
 
 /// The box of all that is drawn.
-struct DrawnBox {
-  Vec3 low{0}, high{0};
-  bool empty = true;
-
-  void take(Vec3 p) {
-    low = empty ? p : glm::min(low, p);
-    high = empty ? p : glm::max(high, p);
-    empty = false;
-  }
-};
-
-DrawnBox box_of(const Figure& f) {
-  DrawnBox box;
-  for (const Vec3& p : f.skeleton.position) box.take(p);
+Bounds box_of(const Figure& f) {
+  Bounds box = bounds_of(f.skeleton.position);
   for (const Outline& o : f.outlines)
     for (const Vec3& p : o.points) box.take(p);
   for (const Site& s : f.sites) box.take(s.position);
-  return box;
+  return box.empty() ? Bounds{Vec3(0), Vec3(0)} : box;
 }
 
 /// How a plant is scaled and moved to its height and stand, and how long its branches are before that.
@@ -42,12 +31,10 @@ struct Stature {
 };
 
 Stature stature_of(const Figure& f, const PlantParams& params) {
-  DrawnBox box = box_of(f);
-  float high = params.stand == Stand::turtle ? box.high.y : box.high.y - box.low.y;
+  Bounds box = box_of(f);
+  float high = params.stand == Stand::turtle ? box.high.y : box.size().y;
   float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
-  Vec3 foot = params.stand == Stand::turtle
-                  ? Vec3(0)
-                  : Vec3((box.low.x + box.high.x) / 2, box.low.y, (box.low.z + box.high.z) / 2);
+  Vec3 foot = params.stand == Stand::turtle ? Vec3(0) : box.foot();
   const Skeleton& s = f.skeleton;
   float start = s.size() > 0 ? s.radius[0] : static_cast<float>(params.grammar.width / 2);
   return {factor, foot, s.longest(), std::max(start * factor, 1e-6f)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bounds.h"
 #include "core/linear.h"
 #include "organisms/shell/coil.h"
 
@@ -12,11 +13,16 @@ namespace {
 
 constexpr double kYoungest = 1e-3;  // share of its size at which it begins
 
-struct Extent {
-  Vec3 low{1e9f}, high{-1e9f};
-  void take(const Surface& s, const glm::mat3& turn) {
-    for (const Vec3& p : s.position) low = glm::min(low, turn * p), high = glm::max(high, turn * p);
-  }
+Bounds turned_bounds(const Surface& s, const glm::mat3& turn) {
+  Bounds box;
+  for (const Vec3& p : s.position) box.take(turn * p);
+  return box;
+}
+
+/// The valves, or the one, and where they hinge.
+struct Valves {
+  Surface surface;
+  float hinge = 0;
 };
 
 /// From the frame of the spiral to how it lies: the tip, or the margins, up and then tilted.
@@ -33,6 +39,19 @@ void open_valve(Surface& valve, float hinge, double by) {
   Vec3 axis(hinge, 0, 0);
   for (Vec3& p : valve.position) p = axis + turn * (p - axis);
   for (Vec3& n : valve.normal) n = turn * n;
+}
+
+/// When so many radians of growth are still to come.
+Valves valves_at(const ShellParams& params, const ShellEdge& edge, double still, double gape) {
+  Valves all{shell_wall(params, edge, still, false)};
+  if (params.coiled()) return all;
+  for (const Vec3& p : all.surface.position) all.hinge = std::min(all.hinge, p.x);
+  open_valve(all.surface, all.hinge, 0.5 * gape);
+  if (params.form == ShellForm::valve) return all;
+  Surface other = shell_wall(params, edge, still, true);
+  open_valve(other, all.hinge, -0.5 * gape);
+  append(all.surface, other);
+  return all;
 }
 
 Material painted(const ShellLook& look, const Drawing& picture, double scale, Seed seed) {
@@ -58,42 +77,24 @@ Model grow_shell(const ShellParams& params, double share, double gape, Seed seed
   double size = std::max(share, kYoungest), grown = std::min(-std::log(size) / params.rate(), first);
   double shrunk = size / std::exp(-params.rate() * grown);
   glm::mat3 turn = lying(params);
-  auto valves = [&](double still, double open, float* hinge) {
-    Surface all = shell_wall(params, edge, still, false);
-    if (params.coiled()) return all;
-    float back = 0;
-    for (const Vec3& p : all.position) back = std::min(back, p.x);
-    if (hinge) *hinge = back;
-    open_valve(all, back, 0.5 * open);
-    if (params.form == ShellForm::valve) return all;
-    Surface other = shell_wall(params, edge, still, true);
-    open_valve(other, back, -0.5 * open);
-    append(all, other);
-    return all;
-  };
-  Extent full;
-  float hinge = 0;
-  Surface body = valves(0, 0, &hinge);
-  full.take(body, turn);
-  Vec3 wide = full.high - full.low;
-  double unit = params.size / std::max({wide.x, wide.y, wide.z});
-  if (grown > 0 || gape != 0) body = valves(grown, gape, &hinge);
-  Model model;
-  Extent now = full;
-  if (grown > 0 && params.coiled()) now = {}, now.take(body, turn);
-  float own = static_cast<float>(size),
-        low = params.coiled() ? now.low.y * static_cast<float>(shrunk) : full.low.y * own;
-  Vec3 foot(0.5f * (full.low.x + full.high.x) * own, low, 0.5f * (full.low.z + full.high.z) * own);
+  Valves valves = valves_at(params, edge, 0, 0);
+  Bounds full = turned_bounds(valves.surface, turn);
+  double unit = params.size / full.longest();
+  if (grown > 0 || gape != 0) valves = valves_at(params, edge, grown, gape);
+  Vec3 foot = full.foot() * static_cast<float>(size);
+  if (grown > 0 && params.coiled())
+    foot.y = turned_bounds(valves.surface, turn).low.y * static_cast<float>(shrunk);
   auto set_down = [&](Surface& s) {
     for (Vec3& p : s.position) p = (turn * p * static_cast<float>(shrunk) - foot) * static_cast<float>(unit);
     for (Vec3& n : s.normal) n = turn * n;
   };
-  set_down(body);
+  Model model;
+  set_down(valves.surface);
   model.solids.place(model.solids.add_shape(
-      {std::move(body), painted(params.look, shell_drawing_of(params), params.size, seed)}));
+      {std::move(valves.surface), painted(params.look, shell_drawing_of(params), params.size, seed)}));
   if (!params.mantle) return model;
   const MantleLook& look = params.mantle->look;
-  Surface tissue = shell_mantle(params, edge, grown, gape, hinge);
+  Surface tissue = shell_mantle(params, edge, grown, gape, valves.hinge);
   set_down(tissue);
   Material soft{.matter = Matter::mantle, .color = look.color, .second = look.second, .scale = params.size};
   soft.gloss = 0.5, soft.relief = look.glow;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "core/vec.h"
+
+namespace frond {
+
+/// The box round places, its sides along the axes; empty at first.
+struct Bounds {
+  Vec3 low{1e30f}, high{-1e30f};
+
+  void take(Vec3 at, float round = 0) {
+    low = glm::min(low, at - round);
+    high = glm::max(high, at + round);
+  }
+  bool empty() const { return low.x > high.x; }
+  Vec3 size() const { return high - low; }
+  Vec3 middle() const { return (low + high) * 0.5f; }
+  /// The middle of its lower side.
+  Vec3 foot() const { return Vec3((low.x + high.x) * 0.5f, low.y, (low.z + high.z) * 0.5f); }
+  float longest() const { return std::max({size().x, size().y, size().z}); }
+};
+
+inline Bounds bounds_of(std::span<const Vec3> places) {
+  Bounds box;
+  for (const Vec3& at : places) box.take(at);
+  return box;
+}
+
+}  // namespace frond

@@ -1,0 +1,204 @@
+#include "emit/copy_models.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "core/parallel.h"
+#include "core/text.h"
+#include "emit/plant.h"
+#include "emit/solid.h"
+
+namespace frond {
+
+namespace {
+
+constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
+                                       "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
+
+void append_colors(std::string& text, const std::vector<Color>& colors) {
+  text += fmt::format("array[{}]{{", colors.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    if (i > 0) text += ',';
+    append_color(text, colors[i]);
+  }
+  text += '}';
+}
+
+std::string wood_look(const Look& look) {
+  std::string text;
+  if (look.coat) {
+    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*look.coat), bark_height_name(*look.coat));
+    append(text, look.coat->relief, 4);
+    return text + ",T)";
+  }
+  if (look.skin) {
+    const Pores& pores = look.skin->pores;
+    const Tint& tint = look.skin->tint;
+    text = fmt::format("Copy_Coral({},", static_cast<int>(look.skin->kind));
+    append_color(text, tint.base);
+    text += ',';
+    append_color(text, tint.secondary);
+    text += ',';
+    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
+                tint.young);
+    return text + ",T)";
+  }
+  Bark plain;
+  plain.kind = BarkKind::stem;
+  const Bark& b = look.bark ? *look.bark : plain;
+  text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
+  append_color(text, b.colors[0]);
+  text += ',';
+  append_color(text, b.second);
+  text += ',';
+  append_list(text, 5, b.scale, b.depth);
+  return text + ",T)";
+}
+
+std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
+                      const std::optional<Luster>& luster) {
+  std::string text = "#local C = ";
+  append_colors(text, colors);
+  std::string look = fmt::format("{}(C,", plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)]);
+  append_color(look, second);
+  return text + "; " + lustrous(look + ",T)", luster, plain ? "" : relief_macro(tissue), {});
+}
+
+/// What the macro of a part holds: a texture for the tint T.
+std::string look_of(const CopyPart& part, const Look& look, const Model& model, bool plain) {
+  switch (part.kind) {
+    case CopyPart::Kind::wood:
+      return "texture{" + wood_look(look) + "}";
+    case CopyPart::Kind::blade:
+      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue, false, {});
+    case CopyPart::Kind::organ: {
+      const Prototype& prototype = model.prototypes[part.which];
+      const OrganPart& organ = prototype.parts[part.part];
+      if (organ.pictures.empty())
+        return leaf_look(prototype.colors, prototype.second, organ.tissue, plain, prototype.luster);
+      std::string text = fmt::format("#local F = array[{}]{{", organ.pictures.size());
+      for (std::size_t i = 0; i < organ.pictures.size(); ++i)
+        text += fmt::format("{}\"{}\"", i > 0 ? "," : "", organ.pictures[i]);
+      Luster luster = prototype.luster.value_or(Luster{.gloss = 0.13});
+      return text +
+             fmt::format("}}; texture{{Copy_Picture(F,T,{:.4g},{:.4g})}}", luster.through, luster.gloss);
+    }
+    case CopyPart::Kind::solid:
+      return material_text(model.solids.shapes[part.which].material);
+  }
+  return {};
+}
+
+/// No more of a part's mesh than shows at a level: a fortieth of a pixel, from afar an eighth; of leaves of
+/// some pixels facets, and places to a hundredth. Wood and plain leaves without pictures need no places.
+MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, int level) {
+  double finest = kLevels[level].grain / (kLevels[level].plain ? 8 : 40) * kModelUnit;
+  MeshText how;
+  how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
+  how.flat = level >= 1 ? 0.7f : 0.9999f;
+  bool pictured =
+      part.kind == CopyPart::Kind::wood ? look.coat || look.skin
+      : part.kind == CopyPart::Kind::organ
+          ? !kLevels[level].plain || !model.prototypes[part.which].parts[part.part].pictures.empty()
+          : true;
+  how.uv_decimals = !pictured ? -1 : level >= 2 ? 2 : 3;
+  return how;
+}
+
+/// What is written of a part.
+Surface skin_for(const CopyPart& part, const Model& model, const Surface& surface) {
+  return part.kind == CopyPart::Kind::solid ? told(surface, model.solids.shapes[part.which]) : surface;
+}
+
+/// A part put together from its blocks, as their files declare them.
+void append_joined(std::string& text, const CopyPart& part, std::string_view name, std::size_t which) {
+  std::set<int> blocks(part.block.begin(), part.block.end());
+  text += blocks.size() > 1 ? "union{" : "object{";
+  for (int block : blocks) {
+    if (blocks.size() > 1) text += "object{";
+    append_part_name(text, fmt::format("{}_{}", name, block), which);
+    if (blocks.size() > 1) text += '}';
+  }
+  text += '}';
+}
+
+}  // namespace
+
+std::string declared_name(const ModelFile& file) {
+  return "M" + file.name.substr(1, file.name.find('.') - 1);
+}
+
+void append_part_name(std::string& text, std::string_view model, std::size_t part) {
+  text += model;
+  text += '_';
+  append_integer(text, static_cast<long long>(part));
+}
+
+std::vector<int> append_parts(std::string& text, std::string_view name, const Look& look, const Model& model,
+                              const std::vector<CopyPart>& all, const ModelFile& file) {
+  std::vector<int> parts;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    const CopyPart& part = all[p];
+    bool whole = file.block == ModelFile::kWhole;
+    Surface some = whole ? Surface{} : in_block(part, file.block);
+    if (!whole && some.triangle.empty()) continue;
+    parts.push_back(static_cast<int>(p));
+    text += "#declare ";
+    append_part_name(text, name, p);
+    text += " = ";
+    if (file.blocks > 0)
+      append_joined(text, part, name, p);
+    else
+      append_mesh(text, PovSpace{kModelUnit}, skin_for(part, model, whole ? part.surface : some),
+                  mesh_text(part, look, model, file.level));
+    text += "\n#macro ";
+    append_part_name(text, name, p);
+    text += "_Look(T) " + look_of(part, look, model, kLevels[file.level].plain) + " #end\n";
+  }
+  return parts;
+}
+
+std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
+                                     const Model& model, const ModelBlocks& blocks) {
+  const Look& look = stand.dress.look;
+  std::vector<CopyPart> all = copy_parts(look, model, kLevels[files[0].level], &blocks);
+  std::vector<std::string> texts(files.size());
+  parallel_for(files.size(), [&](std::size_t i) {
+    std::string body, list;
+    std::set<std::string_view> includes{"copy"};
+    if (look.skin) includes.insert("coral");
+    for (int p : append_parts(body, declared_name(files[i]), look, model, all, files[i])) {
+      list += fmt::format(" {}", p);
+      const CopyPart& part = all[static_cast<std::size_t>(p)];
+      if (part.kind == CopyPart::Kind::solid)
+        includes.insert(material_include(model.solids.shapes[part.which].material));
+    }
+    std::string& text = texts[i];
+    append_comment(text,
+                   fmt::format("parts{}; {} segments, {} organs", list,
+                               std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
+    for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);
+    text += body;
+  });
+  return texts;
+}
+
+std::optional<std::vector<int>> model_parts(std::string_view text) {
+  constexpr std::string_view kStart = "// parts";
+  if (!text.starts_with(kStart)) return std::nullopt;
+  std::vector<int> parts;
+  const char* at = text.data() + kStart.size();
+  const char* end = text.data() + text.size();
+  for (int part = 0; at < end && *at == ' '; parts.push_back(part)) {
+    auto [next, error] = std::from_chars(at + 1, end, part);
+    if (error != std::errc{}) return std::nullopt;
+    at = next;
+  }
+  return at < end && *at == ';' ? std::optional(parts) : std::nullopt;
+}
+
+}  // namespace frond
