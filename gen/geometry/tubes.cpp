@@ -185,10 +185,11 @@ void set_directions(Line& line) {
 /// Branches as closed tubes.
 class Closer {
  public:
-  Closer(TubeMesh& mesh, int sides) : mesh_(mesh), sides_(sides) {}
+  explicit Closer(TubeMesh& mesh) : mesh_(mesh) {}
 
-  void add(Line& line) {
+  void add(Line& line, int sides) {
     if (line.at.size() < 2) return;
+    sides_ = sides;
     set_directions(line);
     Vec3 along = line.along[0];
     Vec3 side = -any_normal(along);
@@ -270,10 +271,15 @@ class Closer {
   }
 
   TubeMesh& mesh_;
-  int sides_;
+  int sides_ = 3;
   std::uint32_t before_ = 0;
   bool first_ring_ = true;
 };
+
+/// How many chords a circle takes that are a quarter of a grain away from it at most.
+int round_sides(float radius, float grain) {
+  return static_cast<int>(std::ceil(4.5f * std::sqrt(radius / grain)));
+}
 
 }  // namespace
 
@@ -308,9 +314,9 @@ Surface tube_surface(const Skeleton& rest, const TubeShape& shape) {
 }
 
 TubeMesh closed_tubes(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
-                      float front, int sides) {
+                      float front, int sides, float grain) {
   TubeMesh mesh;
-  Closer closer(mesh, sides);
+  Closer closer(mesh);
   auto n = static_cast<std::int32_t>(rest.size());
   for (std::int32_t start = 0; start < n;) {
     std::int32_t below = rest.parent[start];
@@ -335,7 +341,8 @@ TubeMesh closed_tubes(const Skeleton& rest, std::span<const Vec3> position, std:
     if (rest.birth[below] < front) add(below, foot);
     for (std::int32_t i = start; i < stop && rest.birth[rest.parent[i]] < front; ++i)
       add(i, radius[static_cast<std::size_t>(i)]);
-    closer.add(line);
+    float thickest = line.radius.empty() ? 0 : std::ranges::max(line.radius);
+    closer.add(line, grain > 0 ? std::clamp(round_sides(thickest, grain), 5, std::max(5, sides)) : sides);
     start = stop;
   }
   return mesh;

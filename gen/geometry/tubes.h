@@ -48,8 +48,9 @@ TubeMesh tube_mesh(const Skeleton& rest, std::span<const Vec3> position, std::sp
 
 /// Each branch of a skeleton as one closed tube with a rounded end, smooth along it and twisted as little as
 /// can be. `position` and `radius` have an entry a node; what is born after `front` is not there yet. `sides`
-/// is 3 or more. Triangles are closed where vertices at one place are one.
+/// is 3 or more; with a `grain`, metres, branches have fewer where these keep within a quarter of it.
+/// Triangles are closed where vertices at one place are one.
 TubeMesh closed_tubes(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
-                      float front, int sides);
+                      float front, int sides, float grain = 0);
 
 }  // namespace frond

@@ -131,9 +131,7 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
 /// Branches of a coral as tubes with rounded ends; u of their `uv` is how young they are, 1 at tips.
 Surface skin_tubes(Skeleton bones, float grain, const Skin& skin) {
   set_tip_distances(bones);
-  float thickest = *std::ranges::max_element(bones.radius);
-  int sides = std::clamp(static_cast<int>(std::sqrt(thickest / grain) * 6), 5, 28);
-  TubeMesh mesh = closed_tubes(bones, bones.position, bones.radius, 2, sides);
+  TubeMesh mesh = closed_tubes(bones, bones.position, bones.radius, 2, 28, grain);
   auto length = static_cast<float>(std::max(skin.tint.young_length, 1e-6));
   for (std::size_t v = 0; v < mesh.node.size(); ++v)
     mesh.surface.uv[v] = {1 - smooth_step(0.0f, length, bones.to_tip[static_cast<std::size_t>(mesh.node[v])]),
