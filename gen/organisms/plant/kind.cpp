@@ -58,6 +58,11 @@ void describe(Visitor& v, OrganParams& o) {
   v.color("second", o.second,
           "Colour of a flower's heart, a leaf's veins, a bud's calyx, a frond's stem or an obj at its axis");
   v.number("width", o.width, {.min = 0.02, .max = 3}, "Width as a share of the length");
+  v.number("widest", o.widest, {.min = 0.05, .max = 0.95},
+           "Where along it a leaf or petal is widest, 0 foot to 1 tip; without it as is usual for its shape");
+  v.number(
+      "round", o.round, {.min = 0, .max = 1},
+      "How round a leaf or petal ends: 0 drawn out to a tip, 1 round; without it as is usual for its shape");
   v.integer("detail", o.detail, {.min = 1, .max = 3},
             "How fine leaves and petals are: 10, 52 or 126 triangles each");
   v.angle(

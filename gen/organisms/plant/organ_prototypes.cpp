@@ -12,18 +12,24 @@ namespace frond {
 namespace {
 
 BladeShape leaf_shape(const OrganParams& p) {
-  return {.width = p.width, .fold = p.fold, .bend = p.bend, .wave = p.wave, .detail = p.detail};
+  return {.width = p.width,
+          .widest = p.widest.value_or(0.4),
+          .fold = p.fold,
+          .bend = p.bend,
+          .wave = p.wave,
+          .detail = p.detail,
+          .round = p.round.value_or(0)};
 }
 
 BladeShape petal_shape(const OrganParams& p) {
   return {.width = p.width,
-          .widest = 0.62,
+          .widest = p.widest.value_or(0.62),
           .fold = p.fold * 0.5,
           .bend = p.bend,
           .stalk = 0,
           .wave = p.wave,
           .detail = p.detail,
-          .round = p.shape == OrganShape::flower ? 0.85 : 0};
+          .round = p.round.value_or(p.shape == OrganShape::flower ? 0.85 : 0)};
 }
 
 void resize(Surface& surface, float factor, Vec3 shift) {

@@ -22,11 +22,13 @@ struct OrganParams {
   double size = 0.1;  ///< metres long; the organ's parameter in the grammar multiplies it
   std::vector<Color> colors{{0.30f, 0.50f, 0.14f}};  ///< the turtle's colour index picks one, round and round
   Color second{0.95f, 0.75f, 0.15f};                 ///< heart of a flower, veins of a leaf, calyx of a bud
-  double width = 0.45;          ///< of a leaf or petal, a bud or berry, as a share of its length
-  int detail = 3;               ///< of leaves and petals: 1, few triangles .. 3
-  double fold = radians(22.0);  ///< of a leaf along its midrib
-  double bend = radians(40.0);  ///< of a leaf or petal along its length
-  double wave = 0.3;            ///< of a leaf's rim
+  double width = 0.45;           ///< of a leaf or petal, a bud or berry, as a share of its length
+  std::optional<double> widest;  ///< of a leaf or petal, where along it, 0..1; none: as usual for the shape
+  std::optional<double> round;   ///< 0 drawn out to a tip .. 1 round at its end; the same
+  int detail = 3;                ///< of leaves and petals: 1, few triangles .. 3
+  double fold = radians(22.0);   ///< of a leaf along its midrib
+  double bend = radians(40.0);   ///< of a leaf or petal along its length
+  double wave = 0.3;             ///< of a leaf's rim
   int petals = 5;
   int leaflets = 0;  ///< leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape
   int lobes = 0;     ///< on either side of a frond's leaflets, as a fern has them
