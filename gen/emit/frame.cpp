@@ -41,6 +41,7 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
     if (!b.look.skin) continue;
     const Pores& pores = b.look.skin->pores;
     const Tint& tint = b.look.skin->tint;
+    std::size_t start = text.size();
     text += "Coral_Skin(";
     append_integer(text, static_cast<long long>(first[i]));
     text += ',';
@@ -53,6 +54,7 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
     append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
                 b.brightness, tint.young);
     text += ") ";
+    if (!b.model.light.empty()) text += "Coral_Starving" + text.substr(text.find('(', start));
     if (double glow = b.look.skin->polyps.glow; glow > 0) {
       std::string skin = "Skin[" + number_text(static_cast<double>(first[i])) + "]";
       text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
@@ -313,6 +315,9 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
   std::string count = number_text(static_cast<double>(std::max<std::size_t>(1, skins)));
   parts.materials =
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
+  if (std::ranges::any_of(scene.specimens, [](const Specimen& b) { return !b.model.light.empty(); }))
+    parts.materials +=
+        "#declare Skin_Bleached = array[" + count + "];\n#declare Skin_Dead = array[" + count + "];\n";
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene);
   parts.solids = drawn_solids(scene);

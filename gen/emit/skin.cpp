@@ -1,6 +1,7 @@
 #include "emit/skin.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -14,6 +15,17 @@
 namespace frond {
 
 namespace {
+
+constexpr float kStarving = 0.52f;  // of its light: with less a coral's skin pales, as Coral_Starved draws it
+
+/// What is left of its light at both ends of a chunk; it is taken by neighbours that grow as it does.
+std::array<float, 2> light_along(const Specimen& b, const Pose& pose, const Chunk& chunk) {
+  const std::vector<float>& light = b.model.light;
+  float shaded = std::clamp((pose.front - 0.5f) / 0.4f, 0.0f, 1.0f);
+  if (light.empty() || shaded <= 0) return {1, 1};
+  auto from = static_cast<std::size_t>(b.model.skeleton.parent[static_cast<std::size_t>(chunk.first)]);
+  return {light[from] / shaded, light[static_cast<std::size_t>(chunk.last)] / shaded};
+}
 
 /// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
 /// chunk.
@@ -30,19 +42,31 @@ void append_skin(std::string& text, const PovSpace& space, const Specimen& b, co
   }
   Vec3 way = to - from;
   float length2 = glm::dot(way, way);
-  if (std::max(chunk.young_from, chunk.young_to) < 0.01f || length2 < 1e-10f) {
-    text += "Skin[";
+  // What goes from one value to another along the chunk.
+  auto append_slope = [&](float start, float end) {
+    Vec3 slope = way * ((end - start) / length2);
+    double at_zero = start - glm::dot(slope, from), unit = space.unit;
+    text += ',';
+    append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
+  };
+  auto append_macro = [&](std::string_view name) {
+    text += name;
     append_integer(text, static_cast<long long>(index));
+  };
+  if (std::array<float, 2> light = light_along(b, pose, chunk);
+      std::min(light[0], light[1]) < kStarving && length2 >= 1e-10f) {
+    append_macro("Coral_Starved(");
+    append_slope(chunk.young_from, chunk.young_to);
+    append_slope(light[0], light[1]);
+    text += ')';
+  } else if (std::max(chunk.young_from, chunk.young_to) < 0.01f || length2 < 1e-10f) {
+    append_macro("Skin[");
     text += ']';
-    return;
+  } else {
+    append_macro(b.look.bark ? "Plant_Tip(" : "Coral_Tip(");
+    append_slope(chunk.young_from, chunk.young_to);
+    text += ')';
   }
-  Vec3 slope = way * ((chunk.young_to - chunk.young_from) / length2);
-  double at_zero = chunk.young_from - glm::dot(slope, from), unit = space.unit;
-  text += b.look.bark ? "Plant_Tip(" : "Coral_Tip(";
-  append_integer(text, static_cast<long long>(index));
-  text += ',';
-  append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
-  text += ')';
 }
 
 }  // namespace

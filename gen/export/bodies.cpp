@@ -95,16 +95,6 @@ Vec3 wrought(const Material& m, float height, Vec3 light) {
   return glm::mix(glm::min(valley, Vec3(1)), Vec3(1), smooth_step(0.2f, 0.7f, height));
 }
 
-/// The factor on a coral's skin for what is left of its light, as Reef_Starved draws it.
-Vec3 starved(float light, Vec3 color) {
-  float gray = std::min(0.55f, (color.x + color.y + color.z) / 3);
-  Vec3 bleached = color * 0.30f + Vec3(0.92f, 0.88f, 0.80f) * (0.30f + 0.75f * gray);
-  Vec3 dead = Vec3(0.62f, 0.55f, 0.30f) * (0.18f + 0.80f * gray);
-  Vec3 seen = light < 0.36f ? glm::mix(dead, bleached, smooth_step(0.28f, 0.36f, light))
-                            : glm::mix(bleached, color, smooth_step(0.36f, 0.52f, light));
-  return glm::min(seen / glm::max(color, Vec3(1e-4f)), Vec3(1));
-}
-
 }  // namespace
 
 std::vector<CastPart> body_parts(Maker& maker, const Look& look, const Solids& solids,

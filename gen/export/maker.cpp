@@ -45,6 +45,15 @@ double solid_triangles(const Cast& cast, const std::vector<CastPart>& parts) {
   return sum(parts, [&](const CastPart& p) { return !cast.materials[p.material].leaf; });
 }
 
+Vec3 starved(float light, Vec3 color) {
+  float gray = std::min(0.55f, (color.x + color.y + color.z) / 3);
+  Vec3 bleached = color * 0.30f + Vec3(0.92f, 0.88f, 0.80f) * (0.30f + 0.75f * gray);
+  Vec3 dead = Vec3(0.62f, 0.55f, 0.30f) * (0.18f + 0.80f * gray);
+  Vec3 seen = light < 0.36f ? glm::mix(dead, bleached, smooth_step(0.28f, 0.36f, light))
+                            : glm::mix(bleached, color, smooth_step(0.36f, 0.52f, light));
+  return glm::min(seen / glm::max(color, Vec3(1e-4f)), Vec3(1));
+}
+
 CastTint tint_of(Vec3 light) {
   auto part = [](float x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
   return {part(light.x), part(light.y), part(light.z), 255};

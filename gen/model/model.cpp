@@ -66,6 +66,7 @@ void Organs::reserve(std::size_t count) {
 std::string Model::check() const {
   if (std::string fault = skeleton.check(); !fault.empty()) return fault;
   if (!color.empty() && color.size() != skeleton.size()) return "not every node has a colour";
+  if (!light.empty() && light.size() != skeleton.size()) return "not every node has its light";
   if (!girth.empty() && girth.size() != skeleton.size()) return "not every node has a girth";
   for (const Prototype& prototype : prototypes) {
     if (prototype.colors.empty()) return "prototype " + prototype.name + " has no colour";

@@ -82,6 +82,7 @@ struct Model {
   Skeleton skeleton;
   std::vector<std::int32_t> color;  ///< of each node, the turtle's index; empty: 0 for all
   std::vector<float> girth;         ///< of each node, the radius that it will come to; empty: it has it
+  std::vector<float> light;         ///< of each node, see Solid::light; empty: all
   std::vector<Prototype> prototypes;
   Organs organs;
   Blades blades;

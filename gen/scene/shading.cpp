@@ -16,6 +16,7 @@ constexpr float kCell = 0.015f;     // metres, at least
 constexpr double kMostCells = 1e7;  // beyond, cells are larger
 constexpr float kFar = 0.7f;        // metres; what is beyond shades nobody
 constexpr int kWays = 32;
+constexpr float kHardlyShaded = 0.9f;  // what has more everywhere is told nothing
 constexpr std::uint32_t kOpaque = 255;
 
 bool lives_by_light(const Solid& solid) {
@@ -90,13 +91,15 @@ class CrowdedSpace {
 
   float cell() const { return grid_.cell; }
 
-  /// The share of the light from above that others let through to a place, of that which its own body does.
+  /// The share of the light from above that others let through to a place on a body, of that which its own
+  /// body does; without a normal, to a place on a branch, whose own coral counts as others do.
   float light(Vec3 at, Vec3 normal, std::size_t own) const {
     float come = 0, all = 0;
-    Vec3 from = at + normal * (1.6f * grid_.cell);
+    bool branch = normal == Vec3(0);
+    Vec3 from = at + (branch ? Vec3(0, 1.5f, 0) : 1.6f * normal) * grid_.cell;
     for (int k = 0; k < kWays; ++k) {
       Vec3 way = sky_way(k, kWays);
-      if (glm::dot(way, normal) < 0.05f) continue;
+      if (!branch && glm::dot(way, normal) < 0.05f) continue;
       float through = 1, step = 0.7f * grid_.cell;
       bool blocked = false;
       for (float away = 0; away < kFar && !blocked && through > 0.02f; away += step) {
@@ -104,9 +107,10 @@ class CrowdedSpace {
         if (i == SIZE_MAX) break;
         std::uint32_t held = held_[i] & 0xff;
         if (held == 0) continue;
-        if (held_[i] >> 8 == own)
+        bool mine = held_[i] >> 8 == own;
+        if (mine && !branch)
           blocked = held > kOpaque / 2;
-        else
+        else if (!mine || away > 3 * grid_.cell)  // a branch's own next part does not stand over it
           through *= 1 - 0.7f * static_cast<float>(held) / kOpaque;
       }
       if (blocked) continue;
@@ -162,56 +166,81 @@ struct SkinPatch {
   float count = 0, light = 1;
 };
 
+bool has_living_branches(const Specimen& s) {
+  return s.look.skin && s.look.skin->kind != SkinKind::fan && s.model.skeleton.size() > 0 &&
+         !s.life.changes();
+}
+
+/// The light of each vertex of a solid, placed as the i-th of coral `own`; empty where nearly all is left.
+std::vector<float> light_of_skin(const CrowdedSpace& occupied, const Solids& solids, std::size_t i,
+                                 std::size_t own) {
+  const Surface& skin = solids.shapes[solids.shape[i]].surface;
+  const std::vector<Vec3>& position = skin.position;
+  Bounds box = bounds_of(position);
+  BoxGrid near{.cell = occupied.cell() / solids.scale[i].x};
+  near.enclose(box.low - near.cell, box.high + near.cell);
+  std::vector<SkinPatch> patches(near.size());
+  for (std::size_t v = 0; v < position.size(); ++v) {
+    SkinPatch& patch = patches[near.index(position[v])];
+    patch.at += position[v], patch.normal += skin.normal[v], ++patch.count;
+  }
+  float darkest = 1;
+  for (SkinPatch& patch : patches) {
+    if (patch.count == 0) continue;
+    float length = glm::length(patch.normal);
+    Vec3 normal = length > 0 ? solids.turn[i] * (patch.normal / length) : Vec3(0, 1, 0);
+    patch.light = occupied.light(solids.placed(i, patch.at / patch.count), normal, own);
+    darkest = std::min(darkest, patch.light);
+  }
+  if (darkest > kHardlyShaded) return {};
+  // Between the middles of boxes it goes over from one to the next.
+  std::vector<float> light;
+  for (const Vec3& at : position) {
+    float sum = 0, all = 0;
+    for (int k = 0; k < 27; ++k) {
+      std::size_t index = near.index(at + near.cell * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+      if (index == SIZE_MAX || patches[index].count == 0) continue;
+      const SkinPatch& patch = patches[index];
+      float away = glm::distance(patch.at / patch.count, at) / near.cell;
+      float weight = std::max(1e-3f, 1 - 0.6f * away);
+      sum += weight * patch.light, all += weight;
+    }
+    light.push_back(sum / all);
+  }
+  return light;
+}
+
+/// The same of each node of its branches.
+std::vector<float> light_of_branches(const CrowdedSpace& occupied, const Skeleton& bones, std::size_t own) {
+  std::vector<float> light;
+  for (const Vec3& at : bones.position) light.push_back(occupied.light(at, Vec3(0), own));
+  if (std::ranges::min(light) > kHardlyShaded) light.clear();
+  return light;
+}
+
 }  // namespace
 
 void shade(std::span<Specimen> specimens) {
   std::vector<std::size_t> corals;
   std::size_t colonies = 0;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
-    colonies += is_colony(specimens[i]);
-    if (std::ranges::any_of(specimens[i].model.solids.shapes, lives_by_light)) corals.push_back(i);
+    const Specimen& s = specimens[i];
+    colonies += is_colony(s);
+    if (has_living_branches(s) || std::ranges::any_of(s.model.solids.shapes, lives_by_light))
+      corals.push_back(i);
   }
   if (colonies < 2 || corals.empty()) return;
   CrowdedSpace occupied(specimens);
   parallel_for(corals.size(), [&](std::size_t c) {
-    Solids& solids = specimens[corals[c]].model.solids;
+    Specimen& coral = specimens[corals[c]];
+    Solids& solids = coral.model.solids;
     for (std::size_t i = 0; i < solids.size(); ++i) {
       Solid& solid = solids.shapes[solids.shape[i]];
-      const std::vector<Vec3>& position = solid.surface.position;
-      if (!lives_by_light(solid) || !solid.light.empty() || position.empty()) continue;
-      Bounds box = bounds_of(position);
-      BoxGrid near{.cell = occupied.cell() / solids.scale[i].x};
-      near.enclose(box.low - near.cell, box.high + near.cell);
-      std::vector<SkinPatch> patches(near.size());
-      for (std::size_t v = 0; v < position.size(); ++v) {
-        SkinPatch& patch = patches[near.index(position[v])];
-        patch.at += position[v], patch.normal += solid.surface.normal[v], ++patch.count;
-      }
-      float darkest = 1;
-      for (SkinPatch& patch : patches) {
-        if (patch.count == 0) continue;
-        float length = glm::length(patch.normal);
-        Vec3 normal = length > 0 ? solids.turn[i] * (patch.normal / length) : Vec3(0, 1, 0);
-        patch.light = occupied.light(solids.placed(i, patch.at / patch.count), normal, corals[c]);
-        darkest = std::min(darkest, patch.light);
-      }
-      if (darkest > 0.9f) continue;
-      // Between the middles of boxes it goes over from one to the next.
-      solid.light.resize(position.size());
-      for (std::size_t v = 0; v < position.size(); ++v) {
-        float sum = 0, all = 0;
-        for (int k = 0; k < 27; ++k) {
-          Vec3 to = position[v] + near.cell * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-          std::size_t index = near.index(to);
-          if (index == SIZE_MAX || patches[index].count == 0) continue;
-          const SkinPatch& patch = patches[index];
-          float away = glm::distance(patch.at / patch.count, position[v]) / near.cell;
-          float weight = std::max(1e-3f, 1 - 0.6f * away);
-          sum += weight * patch.light, all += weight;
-        }
-        solid.light[v] = sum / all;
-      }
+      if (lives_by_light(solid) && solid.light.empty() && !solid.surface.position.empty())
+        solid.light = light_of_skin(occupied, solids, i, corals[c]);
     }
+    if (has_living_branches(coral))
+      coral.model.light = light_of_branches(occupied, coral.model.skeleton, corals[c]);
   });
 }
 

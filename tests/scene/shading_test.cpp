@@ -81,5 +81,23 @@ TEST(Shading, ACoralUnderATableDiesWhereNoneStandsThereItLives) {
   EXPECT_GT(starved(true), 20);
 }
 
+TEST(Shading, FallsOnBranchesToo) {
+  auto staghorn = [](float x) {
+    Specimen s;
+    s.look.skin.emplace();
+    Skeleton& bones = s.model.skeleton;
+    std::int32_t below = Skeleton::kRoot;
+    for (int i = 0; i < 12; ++i) below = bones.add({x, 0.01f * static_cast<float>(i), 0}, 0.005f, below, 0);
+    return s;
+  };
+  std::vector<Specimen> reef{staghorn(0), table(0), staghorn(1.3f), staghorn(0.1f)};
+  reef[3].look.skin->kind = SkinKind::fan;
+  shade(reef);
+  ASSERT_EQ(reef[0].model.light.size(), 12u);
+  EXPECT_LT(std::ranges::max(reef[0].model.light), 0.3f);
+  EXPECT_TRUE(reef[2].model.light.empty()) << "too far away";
+  EXPECT_TRUE(reef[3].model.light.empty()) << "a fan lives by what it catches";
+}
+
 }  // namespace
 }  // namespace frond

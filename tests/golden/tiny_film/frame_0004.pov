@@ -16,8 +16,10 @@ camera{location<1,6,-22> right x*image_width/image_height angle 45 look_at<0,3,0
 // The skins, old and young.
 #declare Skin = array[2];
 #declare Skin_Pigment = array[2][2];
-Coral_Skin(0,0,srgb<0.85,0.45,0.35>,srgb<0.45,0.14,0.14>,0.018,0.25,0.8,0,1,1,0.88551,0.6) // staghorn
-Coral_Skin(1,0,srgb<0.85,0.45,0.35>,srgb<0.45,0.14,0.14>,0.018,0.25,0.8,0,1,1,1.14027,0.6) // staghorn
+#declare Skin_Bleached = array[2];
+#declare Skin_Dead = array[2];
+Coral_Skin(0,0,srgb<0.85,0.45,0.35>,srgb<0.45,0.14,0.14>,0.018,0.25,0.8,0,1,1,0.88551,0.6) Coral_Starving(0,0,srgb<0.85,0.45,0.35>,srgb<0.45,0.14,0.14>,0.018,0.25,0.8,0,1,1,0.88551,0.6) // staghorn
+Coral_Skin(1,0,srgb<0.85,0.45,0.35>,srgb<0.45,0.14,0.14>,0.018,0.25,0.8,0,1,1,1.14027,0.6) Coral_Starving(1,0,srgb<0.85,0.45,0.35>,srgb<0.45,0.14,0.14>,0.018,0.25,0.8,0,1,1,1.14027,0.6) // staghorn
 
 object{
 mesh2{
