@@ -73,14 +73,15 @@ class Brancher {
   void add_tints(BranchPart& branch, const Palette::Use& use) {
     bool cubes = b_.style.build == Build::voxels;
     const std::vector<float>& light = b_.model.light;
-    if (use.young == Vec3(1) && !cubes && light.empty()) return;
+    bool shaded = options_.tints && !light.empty();
+    if (use.young == Vec3(1) && !cubes && !shaded) return;
     double young = b_.look.bark ? b_.look.bark->young_length : b_.look.skin->tint.young_length;
     const Surface& s = branch.part.surface;
     float longest = b_.model.skeleton.longest();
     for (std::size_t v = 0; v < s.position.size(); ++v) {
       float age = youth(b_.model.skeleton, pose_, longest, static_cast<float>(young), branch.node[v]);
       Vec3 tint = use.tint_at(age);
-      if (!light.empty())
+      if (shaded)
         tint *= starved(light[static_cast<std::size_t>(branch.node[v])], linear(b_.look.skin->tint.base));
       // The middle of the cube tells its brightness: half a side below the face, less than that from a
       // corner.
