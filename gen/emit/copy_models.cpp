@@ -99,13 +99,13 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
   double finest = kLevels[level].grain / (kLevels[level].plain ? 8 : 40) * kModelUnit;
   MeshText how;
   how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
-  how.flat = level >= 1 ? 0.7f : 0.9999f;
+  how.flat = kLevels[level].grain > 0.005 ? 0.7f : 0.9999f;
   bool pictured =
       part.kind == CopyPart::Kind::wood ? look.coat || look.skin
       : part.kind == CopyPart::Kind::organ
           ? !kLevels[level].plain || !model.prototypes[part.which].parts[part.part].pictures.empty()
           : true;
-  how.uv_decimals = !pictured ? -1 : level >= 2 ? 2 : 3;
+  how.uv_decimals = !pictured ? -1 : kLevels[level].grain > 0.02 ? 2 : 3;
   return how;
 }
 

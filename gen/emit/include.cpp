@@ -20,8 +20,12 @@ namespace frond {
 
 namespace {
 
-/// The grain of something so tall at a detail: a five hundredth of it, then a hundred and fiftieth.
-int level_at(double height, int detail) { return level_for(height / 500 * std::pow(3.3, detail)); }
+/// The level of something so tall at a detail, by its grain: a five hundredth of it, then a hundred and
+/// fiftieth.
+int level_at(double height, int detail) {
+  constexpr double kFinest = 0.002;  // metres
+  return level_for(std::max(kFinest, height / 500 * std::pow(3.3, detail)));
+}
 
 Bounds box_of(const Specimen& specimen) {
   Bounds box;

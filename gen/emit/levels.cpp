@@ -16,7 +16,7 @@ namespace frond {
 
 namespace {
 
-constexpr int kWholeFrom = 3;         // the first level at which copies are not cut
+constexpr int kWholeFrom = 4;         // the first level at which copies are not cut
 constexpr int kStretch = 24;          // frames
 constexpr int kBeyond = 12;           // frames before and after it that are heeded
 constexpr double kLeastPixels = 1.2;  // of a copy; what is smaller is left out

@@ -67,10 +67,10 @@ struct CopyDetail {
   bool plain = false;    ///< leaves are single triangles, too small to have any `uv` but of pictures
 };
 
-inline constexpr int kLevelCount = 5;
+inline constexpr int kLevelCount = 6;
 /// How a model is drawn at each level, from the nearest on; each is used from where a pixel covers its grain.
-inline constexpr CopyDetail kLevels[kLevelCount] = {
-    {0.002, 6e5}, {0.008, 3e5}, {0.025, 1.4e5}, {0.08, 5e4, true}, {0.25, 1.5e4, true}};
+inline constexpr CopyDetail kLevels[kLevelCount] = {{0.0005, 6e5},  {0.002, 6e5},      {0.008, 3e5},
+                                                    {0.025, 1.4e5}, {0.08, 5e4, true}, {0.25, 1.5e4, true}};
 /// The coarsest level with a grain no larger than asked for.
 int level_for(double grain);
 

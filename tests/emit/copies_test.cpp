@@ -55,7 +55,7 @@ TEST(CopyPlan, NearCopiesAreFinerAndWhatIsBehindUsIsLeftOut) {
   Scene scene = scene_of(preset_text(kStill));
   const Copies& copies = scene.stands[0].copies;
   std::vector<int> level = finest(scene, planned(scene));
-  double nearest[kLevelCount + 1] = {1e9, 1e9, 1e9, 1e9, 1e9, 1e9};
+  double nearest[kLevelCount + 1] = {1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9};
   int behind = 0;
   for (std::size_t i = 0; i < copies.size(); ++i) {
     if (level[i] == kLevelCount) {
@@ -117,7 +117,9 @@ TEST(CopyPlan, AMovingCameraHasStretchesThatDifferLittle) {
       drawn += before[i] < kLevelCount;
       changed += before[i] != after[i];
       if (before[i] < kLevelCount && after[i] < kLevelCount) {
-        EXPECT_LE(std::abs(before[i] - after[i]), 1);
+        // What the camera brushes past comes to the finest level from two away: as far as it may be seen.
+        bool brushed = std::min(before[i], after[i]) == 0;
+        EXPECT_LE(std::abs(before[i] - after[i]), brushed ? 2 : 1);
       }
     }
     EXPECT_LT(changed, drawn / 4);
@@ -149,7 +151,7 @@ TEST(ModelBlocks, HoldAllOfAModelOnce) {
   }
   for (const Vec3& at : corners) EXPECT_LT(glm::distance(at, blocks.middle(blocks.of(at))), blocks.radius());
   EXPECT_EQ(ModelBlocks(std::vector<Vec3>{Vec3(0), Vec3(0, 4, 1)}).count(), 1);
-  for (const CopyPart& part : copy_parts(stand.dress.look, model, kLevels[1], &blocks)) {
+  for (const CopyPart& part : copy_parts(stand.dress.look, model, kLevels[2], &blocks)) {
     ASSERT_EQ(part.block.size(), part.surface.triangle.size());
     double whole = area(part.surface), sum = 0;
     std::size_t triangles = 0;
