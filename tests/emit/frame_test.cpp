@@ -28,6 +28,18 @@ TEST(Frame, HoldsNoNumberThatPovRayMisreads) {
     EXPECT_EQ(text.find(bad), text.npos) << bad;
 }
 
+TEST(Frame, BranchesInShadeDieWhenTheirNeighboursHaveGrown) {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  for (Specimen& s : scene.specimens) s.model.light.clear();
+  EXPECT_EQ(count(text_of(scene, 6), "Coral_Starv"), 0u);
+  scene.specimens[0].model.light.assign(scene.specimens[0].model.skeleton.size(), 0.2f);
+  EXPECT_EQ(count(text_of(scene, 2), "Coral_Starved("), 0u) << "they are small yet";
+  std::string grown = text_of(scene, 6);
+  EXPECT_EQ(count(grown, "Coral_Starving("), 1u);
+  EXPECT_GT(count(grown, "Coral_Starved(0,"), 3u);
+  EXPECT_EQ(count(grown, "Coral_Starved(1,"), 0u) << "the other has all of its light";
+}
+
 TEST(Frame, WritesANameThatCannotBreakOut) {
   Scene scene = scene_at("tests/presets/tiny_still.json");
   scene.specimens[0].name = "x\n#include \"/etc/passwd\"y\r#error \"no\"";
