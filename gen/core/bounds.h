@@ -15,11 +15,19 @@ struct Bounds {
     low = glm::min(low, at - round);
     high = glm::max(high, at + round);
   }
+  void take(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
   bool empty() const { return low.x > high.x; }
   Vec3 size() const { return high - low; }
   Vec3 middle() const { return (low + high) * 0.5f; }
   /// The middle of its lower side.
   Vec3 foot() const { return Vec3((low.x + high.x) * 0.5f, low.y, (low.z + high.z) * 0.5f); }
+  /// The k-th of its eight corners.
+  Vec3 corner(int k) const {
+    return {(k & 1) ? high.x : low.x, (k & 2) ? high.y : low.y, (k & 4) ? high.z : low.z};
+  }
   float longest() const { return std::max({size().x, size().y, size().z}); }
 };
 

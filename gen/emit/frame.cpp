@@ -41,20 +41,20 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
     if (!b.look.skin) continue;
     const Pores& pores = b.look.skin->pores;
     const Tint& tint = b.look.skin->tint;
-    std::size_t start = text.size();
-    text += "Coral_Skin(";
-    append_integer(text, static_cast<long long>(first[i]));
-    text += ',';
-    append_integer(text, static_cast<int>(b.look.skin->kind));
-    text += ',';
-    append_color(text, tint.base);
-    text += ',';
-    append_color(text, tint.secondary);
-    text += ',';
-    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
+    std::string of = "(";
+    append_integer(of, static_cast<long long>(first[i]));
+    of += ',';
+    append_integer(of, static_cast<int>(b.look.skin->kind));
+    of += ',';
+    append_color(of, tint.base);
+    of += ',';
+    append_color(of, tint.secondary);
+    of += ',';
+    append_list(of, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
                 b.brightness, tint.young);
-    text += ") ";
-    if (!b.model.light.empty()) text += "Coral_Starving" + text.substr(text.find('(', start));
+    of += ") ";
+    text += "Coral_Skin" + of;
+    if (!b.model.light.empty()) text += "Coral_Starving" + of;
     if (double glow = b.look.skin->polyps.glow; glow > 0) {
       std::string skin = "Skin[" + number_text(static_cast<double>(first[i])) + "]";
       text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "core/bounds.h"
@@ -100,7 +99,7 @@ class Writer {
     for (const Specimen& b : variant.scene.specimens) {
       Bounds own = box_of(b);
       heights.push_back(std::max(0.0f, own.size().y));
-      box_.take(own.low), box_.take(own.high);
+      box_.take(own);
     }
     for (const SownStand& stand : variant.scene.stands)
       for (std::size_t i = 0; i < stand.copies.size(); ++i) {

@@ -254,9 +254,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
   for (const Specimen& s : scene.specimens) {
     for (const Vec3& p : s.model.skeleton.position) box.take(p);
     for (const Vec3& p : s.model.organs.position) box.take(p);
-    const Solids& solids = s.model.solids;
-    for (std::size_t i = 0; i < solids.size(); ++i)
-      for (const Vec3& p : solids.shapes[solids.shape[i]].surface.position) box.take(solids.placed(i, p));
+    box.take(bounds_of(s.model.solids));
   }
   Vec3 eye = scene.stage.camera.location.at(0);
   for (const SownStand& stand : scene.stands)

@@ -32,9 +32,7 @@ Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, cons
     for (std::size_t i = 0; i < m.organs.size(); ++i)
       room.take(m.organs.position[i],
                 std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
-    for (std::size_t i = 0; i < m.solids.size(); ++i)
-      for (const Vec3& at : m.solids.shapes[m.solids.shape[i]].surface.position)
-        room.take(m.solids.placed(i, at));
+    room.take(bounds_of(m.solids));
     for (const Vec3& at : m.blades.surface.position) room.take(at);
   }
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -65,16 +64,10 @@ Result<std::vector<Value>> each_grown(const std::vector<SownModel>& models, cons
 
 /// Edge of the box round a model, metres.
 double size_of(const Model& model) {
-  Bounds box;
-  auto reach = [&](const std::vector<Vec3>& places) {
-    for (const Vec3& p : places) box.take(p);
-  };
-  reach(model.skeleton.position);
-  reach(model.organs.position);
-  reach(model.blades.surface.position);
-  for (std::size_t i = 0; i < model.solids.size(); ++i)
-    for (const Vec3& p : model.solids.shapes[model.solids.shape[i]].surface.position)
-      box.take(model.solids.placed(i, p));
+  Bounds box = bounds_of(model.solids);
+  for (const auto* places :
+       {&model.skeleton.position, &model.organs.position, &model.blades.surface.position})
+    box.take(bounds_of(*places));
   return box.empty() ? 0.01 : std::max<double>(box.longest(), 0.01);
 }
 

@@ -42,6 +42,25 @@ Surface surface_at(const Solid& solid, float share) {
   return now;
 }
 
+Bounds bounds_of(const Solids& solids) {
+  Bounds box;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    for (const Vec3& at : solids.shapes[solids.shape[i]].surface.position) box.take(solids.placed(i, at));
+  return box;
+}
+
+Bounds rough_bounds_of(const Solids& solids) {
+  std::vector<Bounds> shapes;
+  for (const Solid& solid : solids.shapes) shapes.push_back(bounds_of(solid.surface.position));
+  Bounds box;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const Bounds& shape = shapes[solids.shape[i]];
+    if (shape.empty()) continue;  // it has no mesh
+    for (int k = 0; k < 8; ++k) box.take(solids.placed(i, shape.corner(k)));
+  }
+  return box;
+}
+
 Solids grown_to(const Solids& solids, float share) {
   Solids now = solids;
   for (Solid& solid : now.shapes) {

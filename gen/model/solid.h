@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bounds.h"
 #include "core/curve.h"
 #include "core/vec.h"
 #include "model/implicit.h"
@@ -117,6 +118,11 @@ struct Solids {
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;
 };
+
+/// The box round all placements.
+Bounds bounds_of(const Solids& solids);
+/// One that holds it and is found faster: round the boxes of the shapes as they are placed.
+Bounds rough_bounds_of(const Solids& solids);
 
 /// The same as they are at a share of their growth, with no past of their own.
 Solids grown_to(const Solids& solids, float share);

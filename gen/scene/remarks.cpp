@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/bounds.h"
 #include "scene/camera.h"
@@ -19,17 +18,7 @@ Bounds box_of(const Specimen& specimen) {
   for (std::size_t i = 0; i < b.skeleton.size(); ++i) box.take(b.skeleton.position[i], b.skeleton.radius[i]);
   for (const Vec3& p : b.organs.position) box.take(p);
   for (const Vec3& p : b.blades.surface.position) box.take(p);
-  std::vector<Bounds> shapes;
-  for (const Solid& solid : b.solids.shapes) shapes.push_back(bounds_of(solid.surface.position));
-  for (std::size_t i = 0; i < b.solids.size(); ++i) {
-    const Bounds& shape = shapes[b.solids.shape[i]];
-    if (shape.empty()) continue;  // it has no mesh
-    for (int corner = 0; corner < 8; ++corner) {
-      Vec3 at(corner & 1 ? shape.low.x : shape.high.x, corner & 2 ? shape.low.y : shape.high.y,
-              corner & 4 ? shape.low.z : shape.high.z);
-      box.take(b.solids.placed(i, at));
-    }
-  }
+  box.take(rough_bounds_of(b.solids));
   return box;
 }
 

@@ -79,8 +79,7 @@ class CrowdedSpace {
     for (const Specimen& s : specimens) {
       if (!is_colony(s)) continue;
       for (const Vec3& at : s.model.skeleton.position) box.take(at);
-      for (std::size_t i = 0; i < s.model.solids.size(); ++i)
-        for (const Vec3& at : shape(s, i).surface.position) box.take(s.model.solids.placed(i, at));
+      box.take(bounds_of(s.model.solids));
     }
     if (box.empty()) return;
     grid_.enclose(box.low, box.high);
@@ -121,10 +120,6 @@ class CrowdedSpace {
   }
 
  private:
-  static const Solid& shape(const Specimen& s, std::size_t i) {
-    return s.model.solids.shapes[s.model.solids.shape[i]];
-  }
-
   void hold(Vec3 at, std::uint32_t who, std::uint32_t share) {
     std::size_t i = grid_.index(at);
     if (i == SIZE_MAX || share == 0) return;
@@ -137,7 +132,7 @@ class CrowdedSpace {
   void fill(const Specimen& s, std::uint32_t who) {
     const Solids& solids = s.model.solids;
     for (std::size_t i = 0; i < solids.size(); ++i) {
-      const Surface& skin = shape(s, i).surface;
+      const Surface& skin = solids.shapes[solids.shape[i]].surface;
       for (auto [a, b, c] : skin.triangle)
         over_triangle(solids.placed(i, skin.position[a]), solids.placed(i, skin.position[b]),
                       solids.placed(i, skin.position[c]), grid_.cell * 0.6f,

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/bounds.h"
 #include "core/parallel.h"
@@ -40,20 +39,13 @@ Json camera_json(const Camera& camera, double time) {
           {"angle", camera.angle.at(time)}};
 }
 
-void take(Bounds& box, const Specimen& specimen) {
+Bounds box_of(const Specimen& specimen) {
   const Model& m = specimen.model;
+  Bounds box = rough_bounds_of(m.solids);
   for (const Vec3& p : m.skeleton.position) box.take(p);
   for (const Vec3& p : m.organs.position) box.take(p);
   for (const Vec3& p : m.blades.surface.position) box.take(p);
-  for (std::size_t i = 0; i < m.solids.size(); ++i) {
-    // The corners of the shape's box are enough.
-    Bounds shape = bounds_of(m.solids.shapes[m.solids.shape[i]].surface.position);
-    for (int corner = 0; corner < 8 && !shape.empty(); ++corner) {
-      Vec3 p((corner & 1) ? shape.high.x : shape.low.x, (corner & 2) ? shape.high.y : shape.low.y,
-             (corner & 4) ? shape.high.z : shape.low.z);
-      box.take(m.solids.placed(i, p));
-    }
-  }
+  return box;
 }
 
 Vec3 foot_of(const Specimen& specimen, const Bounds& box) {
@@ -65,7 +57,7 @@ Vec3 foot_of(const Specimen& specimen, const Bounds& box) {
 /// The organisms of the preset and the specimens of a scene.
 void add_lists(Json& header, const Scene& scene, const Preset& preset) {
   std::vector<Bounds> boxes(scene.specimens.size());
-  parallel_for(boxes.size(), [&](std::size_t i) { take(boxes[i], scene.specimens[i]); });
+  parallel_for(boxes.size(), [&](std::size_t i) { boxes[i] = box_of(scene.specimens[i]); });
   std::vector<Bounds> of_entry(preset.organisms.size());
   std::vector<std::size_t> count(preset.organisms.size()), copies(preset.organisms.size());
   Json specimens = Json::array();

@@ -4,7 +4,6 @@
 #include <regex>
 
 #include "emit/copies.h"
-#include "emit/copy_models.h"
 #include "emit/film_files.h"
 #include "scene/scene.h"
 
