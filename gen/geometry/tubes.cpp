@@ -80,8 +80,7 @@ class Tube {
     normals_.clear();
     axes_.clear();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      Vec3 from = rest_.position[nodes_[k > 0 ? k - 1 : 0]],
-           to = rest_.position[nodes_[std::min(k + 1, nodes_.size() - 1)]], way = to - from;
+      Vec3 way = rest_.position[nodes_[far_as_thick(k, 1)]] - rest_.position[nodes_[far_as_thick(k, -1)]];
       // A branch leaves its fork in its own direction.
       if (fork_ && k == 0) way = rest_.position[nodes_[1]] - rest_.position[nodes_[0]];
       axes_.push_back(glm::length(way) > 1e-9f ? glm::normalize(way) : k > 0 ? axes_.back() : Vec3(0, 1, 0));
@@ -91,6 +90,18 @@ class Tube {
       Vec3 step = rest_.position[nodes_[k]] - rest_.position[nodes_[k - 1]];
       normals_.push_back(carried_normal(normals_.back(), step, axes_[k - 1], axes_[k]));
     }
+  }
+
+  /// The next place along the branch that is a radius away, or its end: rings of a thick branch of short
+  /// internodes that stood across each of them would cut into each other where it bends.
+  std::size_t far_as_thick(std::size_t k, std::ptrdiff_t step) const {
+    float reach = rest_.radius[nodes_[k]];
+    std::size_t end = step > 0 ? nodes_.size() - 1 : 0, at = k;
+    while (at != end) {
+      at += static_cast<std::size_t>(step);
+      if (glm::distance(rest_.position[nodes_[at]], rest_.position[nodes_[k]]) >= reach) break;
+    }
+    return at;
   }
 
   float radius_of(std::size_t k) const {

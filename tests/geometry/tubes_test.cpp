@@ -98,6 +98,20 @@ TEST(Tubes, ThinBranchesMayBeLeftOut) {
   EXPECT_EQ(std::count(out.begin(), out.end(), true), 0);
 }
 
+/// Internodes are much shorter than an old stem is thick.
+TEST(Tubes, RingsOfAThickCrookedStemDoNotCross) {
+  Skeleton s;
+  Vec3 at(0);
+  for (int i = 0; i < 40; ++i) {
+    s.add(at, 0.5f, i - 1, 0);
+    at += 0.1f * glm::normalize(Vec3(0.25f * std::sin(2.1f * static_cast<float>(i)), 1,
+                                     0.25f * std::cos(3.7f * static_cast<float>(i))));
+  }
+  Surface tube = tube_surface(s, {.most_sides = 24});
+  for (std::size_t i = 0; i + 25 < 40 * 25; ++i)
+    ASSERT_GT(tube.position[i + 25].y, tube.position[i].y + 0.02f) << "each lies above the one below it";
+}
+
 TEST(Tubes, MoveWithAPose) {
   Skeleton s = candelabrum(5, Seed{2});
   // Turned as a whole, the tubes are turned.
