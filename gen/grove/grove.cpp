@@ -14,6 +14,7 @@ namespace frond {
 
 namespace {
 
+constexpr float kBough = 5;    // times as thick as a twig: what leaves a scar where it comes off
 constexpr int kGustsFrom = 8;  // directions that storms come from
 // Of the state, and of what the pass over loads needs besides.
 constexpr std::size_t kBytesAMetamer = 2 * sizeof(Vec3) + 2 * sizeof(std::int32_t) + 7 * sizeof(float) + 2 +
@@ -38,6 +39,7 @@ struct Tree {
   Metamers living;
   std::uint32_t serial = 1;
   std::vector<Fallen> fallen;
+  std::vector<Scar> scars;  // `on` is a serial as yet
   std::vector<YearRings> rings;
   std::size_t broken = 0, bytes = 0;
   int stem_broke = -1;
@@ -93,6 +95,16 @@ void cast_light(LightField& field, const std::vector<Tree>& trees, const GroveOp
                   static_cast<float>(jitter.child(2).unit())));
 }
 
+/// What a side branch that falls leaves on what bore it.
+void scar(Tree& tree, std::size_t i, float time) {
+  const Metamers& m = tree.living;
+  auto p = static_cast<std::size_t>(m.parent[i]);
+  const Wood& wood = tree.seedling->species.wood;
+  float radius = pipe_radius(wood, m.pipe[i]);
+  if (!m.has(i, Metamers::side_shoot) || radius < kBough * static_cast<float>(wood.twig_radius)) return;
+  tree.scars.push_back({m.serial[p], m.heading(i), radius, pipe_radius(wood, m.pipe[p]), time, m.serial[i]});
+}
+
 void drop(Tree& tree, const Falls& falls, bool history) {
   assert(falls.time.size() == tree.living.size());
   assert(falls.time[0] == Metamers::kNever && "the foot never falls");
@@ -104,8 +116,9 @@ void drop(Tree& tree, const Falls& falls, bool history) {
     stay[i] = falls.time[i] == Metamers::kNever;
     if (stay[i]) continue;
     ++gone;
-    if (!history) continue;
     auto p = static_cast<std::size_t>(m.parent[i]);
+    if (falls.time[p] == Metamers::kNever) scar(tree, i, falls.time[i]);
+    if (!history) continue;
     tree.fallen.push_back({m.tip[i], m.side[i], m.serial[i], m.serial[p], m.born[i],
                            std::min(m.died[i], falls.time[i]), falls.time[i], m.pipe[i], m.light[i],
                            m.order[i]});
@@ -197,6 +210,11 @@ GrownTree grown_tree(Tree& tree) {
     g.leads.push_back(m.has(i, Metamers::leading));
   }
   while (fallen != tree.fallen.end()) add_fallen();
+  for (Scar s : tree.scars) {
+    if (index[s.on] == GrownTree::kRoot) continue;
+    s.on = static_cast<std::uint32_t>(index[s.on]);
+    g.scars.push_back(s);
+  }
 
   if (tree.rings.empty()) return g;
   assert(g.born.size() == g.size() && g.died.size() == g.size() && g.fell.size() == g.size());

@@ -28,6 +28,16 @@ struct GroveOptions {
   std::vector<Shade> bodies;  ///< of walls, houses and rocks among the trees, see shades_of_body
 };
 
+/// Where a bough came off.
+struct Scar {
+  std::uint32_t on = 0;  ///< the internode at whose tip it stood
+  Vec3 way{0};           ///< that it grew in, of length 1
+  float radius = 0;      ///< metres, when it fell
+  float girth = 0;       ///< the radius of what bore it, then
+  float fell = 0;        ///< year
+  std::uint32_t id = 0;  ///< counts the tree's internodes as they are born: that of the bough's first
+};
+
 /// A tree as it has grown, an entry an internode; parents precede children; entry 0 is the foot and has no
 /// length. Metres and years of the grove.
 struct GrownTree {
@@ -45,6 +55,8 @@ struct GrownTree {
   /// ring[first_ring[i]] .. ring[first_ring[i + 1] - 1], the first at year ceil(born[i]).
   std::vector<std::uint32_t> first_ring;
   std::vector<float> ring;
+
+  std::vector<Scar> scars;  ///< of boughs at least five twigs thick, on what there still is
 
   std::size_t grown = 0;   ///< internodes that ever grew
   std::size_t broken = 0;  ///< living branches that storms broke

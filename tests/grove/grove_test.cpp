@@ -125,6 +125,32 @@ TEST(Grove, HistoryIsInOrder) {
   EXPECT_GT(fallen, 100u);
 }
 
+TEST(Grove, BoughsThatFallLeaveScars) {
+  GroveOptions options;
+  options.years = 40;
+  std::vector<Seedling> one = row(1, 0);
+  one[0].species.clear_trunk = 8;
+  GrownTree still = grow_grove(one, options)[0];
+  options.history = true;
+  GrownTree film = grow_grove(one, options)[0];
+  std::size_t standing = 0, boughs = 0;
+  for (const Scar& scar : film.scars) standing += film.fell[scar.on] == GrownTree::kNever;
+  EXPECT_EQ(still.scars.size(), standing) << "a still shows those that are left";
+  auto twig = static_cast<float>(Species{}.wood.twig_radius);
+  for (std::size_t i = 1; i < film.size(); ++i) {
+    std::int32_t p = film.parent[i];
+    bool breaks = film.fell[i] < film.fell[p] && film.order[i] > film.order[p];
+    boughs += breaks && film.radius[i] >= 5 * twig;
+  }
+  EXPECT_EQ(film.scars.size(), boughs);
+  ASSERT_GT(still.scars.size(), 5u);
+  for (const Scar& scar : film.scars) {
+    ASSERT_NEAR(glm::length(scar.way), 1, 1e-4f);
+    ASSERT_GE(scar.fell, film.born[scar.on]);
+    ASSERT_LE(scar.girth, film.radius[scar.on] * 1.001f) << "what bore it has grown on";
+  }
+}
+
 /// Beside a dark wall a tree leans away and has fewer living branches on that side.
 TEST(Grove, ATreeLeansAwayFromAWall) {
   int away = 0;

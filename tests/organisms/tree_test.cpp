@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometry/tubes.h"
+#include "organisms/tree/knots.h"
 
 namespace frond {
 namespace {
@@ -97,6 +98,82 @@ TEST(Tree, EveryMomentIsAWholeModel) {
     EXPECT_EQ(model.check(), "") << "year " << year;
     EXPECT_GE(model.skeleton.size() + 50, last);
     last = model.skeleton.size();
+  }
+}
+
+/// A stem five metres high that bore a bough at three of them until year 10, and is so thick by then.
+struct Pruned {
+  GrownTree tree;
+  Skeleton skeleton;
+  Standing now;
+  std::vector<std::int32_t> node;
+
+  explicit Pruned(float radius) {
+    for (int i = 0; i < 6; ++i) {
+      tree.tip.emplace_back(0, i, 0);
+      tree.parent.push_back(i - 1);
+      now.source.push_back(static_cast<std::uint32_t>(i));
+      now.tip.push_back(tree.tip.back());
+      now.foot.push_back(tree.tip[static_cast<std::size_t>(std::max(0, i - 1))]);
+      now.parent.push_back(i - 1);
+      node.push_back(skeleton.add(tree.tip.back(), radius, i - 1, 0));
+    }
+    tree.scars.push_back({3, glm::normalize(Vec3(1, 1, 0)), 0.03f, 0.1f, 10, 77});
+  }
+
+  std::vector<Knot> knots(double year, double length = 1) {
+    return add_knots(skeleton, now, tree, node, length, year, Seed{4});
+  }
+  /// How far it stands out of the bark.
+  float out() const { return (skeleton.position.back().x + skeleton.radius.back()) - skeleton.radius[3]; }
+};
+
+TEST(Tree, StubsOfFallenBoughsAreGrownOver) {
+  EXPECT_TRUE(Pruned(0.1f).knots(9.9).empty()) << "it has not fallen yet";
+  EXPECT_TRUE(Pruned(0.1f).knots(12, 0).empty()) << "none are asked for";
+  Pruned fresh(0.1f), old(0.1f), thick(0.13f), closed(0.2f), gone(0.5f);
+  float wound = fresh.knots(10.1).at(0).wound;
+  EXPECT_GT(wound, 0.02f);
+  EXPECT_EQ(fresh.skeleton.size(), 8u);
+  EXPECT_EQ(old.knots(40).at(0).wound, wound);
+  EXPECT_LT(old.out(), fresh.out()) << "it rots back";
+  EXPECT_GT(old.out(), 0);
+  EXPECT_LT(thick.knots(40).at(0).wound, wound) << "bark grows over it";
+  EXPECT_EQ(closed.knots(40).at(0).wound, 0);
+  EXPECT_LT(closed.out(), old.out());
+  EXPECT_TRUE(gone.knots(40).empty());
+}
+
+TEST(Tree, StubsGoWithoutAJump) {
+  float last = 0, wound = 0;
+  for (int k = 0; k <= 400; ++k) {
+    Pruned stem(0.1f + 0.001f * static_cast<float>(k));
+    std::vector<Knot> knots = stem.knots(10 + 0.1 * k);
+    if (knots.empty()) {
+      EXPECT_LT(last, 0.01f) << "it had sunk by then";
+      return;
+    }
+    if (k > 0) {
+      ASSERT_NEAR(stem.out(), last, 0.004f) << k;
+      ASSERT_NEAR(knots[0].wound, wound, 0.002f) << k;
+    }
+    last = stem.out(), wound = knots[0].wound;
+  }
+  FAIL() << "it was never grown over";
+}
+
+TEST(Tree, BareWoodStandsAtTheEndsOfStubs) {
+  TreeParams params = sapling();
+  params.years = 40, params.species.clear_trunk = 8;
+  TreeParams plain = params;
+  plain.knots = 0;
+  Model with = grow_tree(params, Seed{3}), without = grow_tree(plain, Seed{3});
+  EXPECT_EQ(with.check(), "");
+  ASSERT_GT(with.organs.size(), without.organs.size());
+  EXPECT_EQ(with.prototypes.back().name, "knot");
+  for (std::size_t i = without.organs.size(); i < with.organs.size(); ++i) {
+    std::int32_t node = with.organs.node[i];
+    EXPECT_EQ(with.organs.position[i], with.skeleton.position[static_cast<std::size_t>(node)]);
   }
 }
 

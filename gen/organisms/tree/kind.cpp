@@ -148,6 +148,9 @@ void describe(Visitor& v, TreeParams& t) {
   t.wind = weather.wind, t.snow = weather.snow;
   v.number("flare", t.flare, {.min = 0, .max = 4}, "How much wider the foot of the stem is, as a share");
   v.integer("roots", t.roots, {.min = 0, .max = 24}, "Number of roots that run out above the ground");
+  v.number(
+      "knots", t.knots, {.min = 0, .max = 4},
+      "How far the stubs of boughs that fell stand out, until the stem has grown over them; 0 hides them");
   v.object("leaves", t.leaves, "The sprigs of leaves");
   v.object("bark", t.bark, "The plain surface of branches, of twigs in any case");
   v.object("coat", t.coat, "A picture of bark on the trunk and the larger branches, which are meshes then");

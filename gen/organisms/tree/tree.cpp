@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "grove/bodies.h"
+#include "organisms/tree/knots.h"
 
 namespace frond {
 
@@ -183,10 +184,14 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
   Model model;
   std::vector<std::int32_t> node = add_branches(model, now, tree, params);
   add_roots(model.skeleton, params, seed.child("root"));
+  std::vector<Knot> knots =
+      add_knots(model.skeleton, now, tree, node, params.knots, year, seed.child("knot"));
   std::vector<std::int32_t> order = order_model(model);
   for (std::int32_t& n : node) n = order[static_cast<std::size_t>(n)];
   set_tip_distances(model.skeleton);
   if (params.leaves.size > 0) add_sprigs(model, now, tree, node, params, seed.child("sprig"));
+  for (Knot& knot : knots) knot.node = order[static_cast<std::size_t>(knot.node)];
+  add_wounds(model, knots);
   return model;
 }
 

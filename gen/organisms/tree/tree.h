@@ -34,6 +34,7 @@ struct TreeParams {
   double snow = 0;     ///< kg a square metre
   double flare = 0.7;  ///< how much wider the foot of the stem is
   int roots = 5;       ///< that run out from it above the ground
+  double knots = 1;    ///< how far stubs of shed boughs stand out; 0: none are seen
   Foliage leaves;
   Bark bark;                     ///< of branches drawn as sweeps
   std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
