@@ -83,6 +83,7 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
   JobList jobs;
   jobs.size = film.size;
   jobs.quality = kRenderings[static_cast<std::size_t>(film.quality)].quality;
+  jobs.lens = preset.stage.camera.aperture.has_value();
   jobs.exposures = exposures(film, preset.stage.camera);
   jobs.fps = film.fps;
   jobs.still = film.frames == 1;

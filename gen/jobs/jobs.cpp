@@ -20,13 +20,6 @@ std::string size_text(const std::array<int, 2>& size) {
   return std::to_string(size[0]) + "x" + std::to_string(size[1]);
 }
 
-std::string_view povray_flags(std::string_view quality) {
-  for (const Rendering& rendering : kRenderings)
-    if (rendering.quality == quality) return rendering.flags;
-  assert(false && "a quality that is not in kRenderings");
-  return kRenderings[0].flags;
-}
-
 /// At most kSheetPictures of the frames, evenly spaced, the first and the last among them.
 std::vector<int> sheet_frames(const std::vector<int>& frames) {
   if (frames.size() <= kSheetPictures) return frames;
@@ -106,6 +99,12 @@ std::string exposure_name(int number, int exposure) {
   return frame_name(number) + (exposure > 1 ? "_s" + std::to_string(exposure) : "");
 }
 
+std::string_view povray_flags(std::string_view quality, bool lens) {
+  for (const Rendering& rendering : kRenderings)
+    if (rendering.quality == quality) return lens ? rendering.through_lens : rendering.flags;
+  return {};
+}
+
 std::string ninja_text(const JobList& jobs) {
   assert(!jobs.frames.empty());
   std::string text =
@@ -115,7 +114,7 @@ std::string ninja_text(const JobList& jobs) {
   append_variable(text, "povinc", jobs.povinc);
   append_variable(text, "render_frame", shell_quoted(jobs.scripts + "/render_frame.sh"));
   append_variable(text, "size", size_text(jobs.size));
-  append_variable(text, "flags", povray_flags(jobs.quality));
+  append_variable(text, "flags", povray_flags(jobs.quality, jobs.lens));
 
   if (!jobs.rendered) {
     append_rule(text, "frame", "exec $render_frame $in $out $size $flags", "frame $number");

@@ -23,13 +23,18 @@ namespace frond {
 struct Rendering {
   std::string_view quality;
   std::string_view flags;
+  std::string_view
+      through_lens;  ///< the flags where the camera has a lens, each of whose samples is many rays
 };
 
 inline constexpr Rendering kRenderings[] = {
-    {"draft", "+A0.15 +AM1 +R2 -J"},
-    {"good", "+A0.0 +AM1 +R3 -J"},
-    {"best", "+A0.0 +AM1 +R5 -J"},
+    {"draft", "+A0.15 +AM1 +R2 -J", "+A0.15 +AM1 +R2 -J"},
+    {"good", "+A0.0 +AM1 +R3 -J", "+A0.0 +AM1 +R2 -J"},
+    {"best", "+A0.0 +AM1 +R5 -J", "+A0.0 +AM1 +R3 -J"},
 };
+
+/// POV-Ray's flags for a quality; empty where there is none of that name.
+std::string_view povray_flags(std::string_view quality, bool lens);
 
 /// What the name of a frame's files begins with: "frame_0001"; more digits from 10000 on.
 std::string frame_name(int number);
@@ -44,6 +49,7 @@ struct JobList {
   std::vector<int> frames;             ///< the numbers, ascending, at least one
   std::array<int, 2> size{480, 270};   ///< width and height, pixels
   std::string_view quality = "draft";  ///< a name of kRenderings
+  bool lens = false;                   ///< whether the camera has one, see Rendering
   int exposures = 1;                   ///< scenes that make a frame
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film

@@ -34,13 +34,6 @@ constexpr int kPreview = 4;            // times smaller
 constexpr int kLeastForPreview = 320;  // pixels wide
 constexpr auto kLook = std::chrono::milliseconds(100);
 
-/// The flags of a quality; the second are those of another one.
-std::string_view flags_of(std::string_view quality) {
-  for (const Rendering& rendering : kRenderings)
-    if (rendering.quality == quality) return rendering.flags;
-  return {};
-}
-
 /// Starts a program with both outputs in a file; 0 where it cannot.
 pid_t start(const std::vector<std::string>& words, const fs::path& log, const fs::path& folder) {
   std::vector<char*> list;
@@ -96,6 +89,7 @@ struct Renders::Job {
   std::optional<Preset> preset;  // until it has grown
   std::string title;
   std::uint64_t seed = 0;
+  bool lens = false;
   fs::path folder;
 
   // Guarded by Renders::in_work_.
@@ -135,12 +129,13 @@ Renders::~Renders() {
 Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size,
                                    const std::string& quality) {
   if (folder_.empty()) return Error{"", "there is no room for temporary files"};
-  if (flags_of(quality).empty()) return Error{"", fmt::format("\"{}\" is no quality", quality)};
+  if (povray_flags(quality, false).empty()) return Error{"", fmt::format("\"{}\" is no quality", quality)};
   auto job = std::make_shared<Job>();
   Result<Preset> preset = documents_.preset(
       doc, {fmt::format("/film/size=[{},{}]", size[0], size[1]), "/film/quality=\"" + quality + "\""});
   if (!preset) return preset.errors();
   job->title = preset->title, job->seed = preset->seed;
+  job->lens = preset->stage.camera.aperture.has_value();
   job->preset = std::move(*preset);
   job->doc = std::move(doc);
   job->time = time, job->size = size, job->quality = quality;
@@ -180,12 +175,13 @@ void Renders::work(Job& job) {
     if (errors.empty() && !job.cancelled) {
       set([&] { job.state = "rendering", job.tracing = Clock::now(); });
       if (job.size[0] >= kLeastForPreview) {
-        errors = render(job, {job.size[0] / kPreview, job.size[1] / kPreview}, flags_of("draft"), "preview");
+        errors = render(job, {job.size[0] / kPreview, job.size[1] / kPreview},
+                        povray_flags("draft", job.lens), "preview");
         set([&] { job.preview = errors.empty(), job.picture = job.folder / "frames/preview.png"; });
       }
       set([&] { job.progress = 0, job.tracing = Clock::now(); });
       if (errors.empty() && !job.cancelled)
-        errors = render(job, job.size, flags_of(job.quality), "frame_0001");
+        errors = render(job, job.size, povray_flags(job.quality, job.lens), "frame_0001");
       if (errors.empty())
         set([&] { job.preview = false, job.picture = job.folder / "frames/frame_0001.png"; });
     }

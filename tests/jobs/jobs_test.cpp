@@ -163,5 +163,16 @@ TEST(Jobs, AFrameIsRenderedAgainWhereOneOfItsExposuresChanged) {
             std::string::npos);
 }
 
+/// A lens takes many rays for each sample, so there are fewer of these.
+TEST(Jobs, ALensHasFlagsOfItsOwn) {
+  JobList jobs;
+  jobs.frames = {1};
+  jobs.quality = "good";
+  EXPECT_NE(ninja_text(jobs).find("flags = +A0.0 +AM1 +R3 -J\n"), std::string::npos);
+  jobs.lens = true;
+  EXPECT_NE(ninja_text(jobs).find("flags = +A0.0 +AM1 +R2 -J\n"), std::string::npos);
+  EXPECT_EQ(povray_flags("no such", true), "");
+}
+
 }  // namespace
 }  // namespace frond
