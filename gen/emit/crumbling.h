@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/bounds.h"
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "light/light.h"
@@ -45,7 +46,12 @@ void each_bit(const std::array<Vec3, 3>& corner, float step, const Bit& bit) {
   }
 }
 
-/// What bits go to: `add(at, area, albedo, facing, solid)`, and `step(at)`, how fine they are to be there.
+/// Twice what triangles hide of what is behind them, in the mean of all directions: the area of leaves that
+/// lie apart; less where they overlap, and half of its skin for a body.
+float apart_area(const std::vector<std::array<Vec3, 3>>& triangles);
+
+/// What bits go to: `add(at, area, albedo, facing, bulk)` as to SoftLight, and `step(at)`, how fine they are
+/// to be there.
 template <class Sink>
 struct Crumbling {
   const Sink& sink;
@@ -70,13 +76,13 @@ struct Crumbling {
         for (int k = 0; k < along; ++k) {
           Vec3 at = from + way * ((static_cast<float>(k) + 0.5f) / static_cast<float>(along));
           if (round == 1) {
-            sink.add(at, area, albedo, kAllWays, true);
+            sink.add(at, area, albedo, kAllWays, 2 * r);
             continue;
           }
           for (int q = 0; q < round; ++q) {
             float turn = 6.2832f * static_cast<float>(q) / static_cast<float>(round);
             Vec3 out = std::cos(turn) * side + std::sin(turn) * other;
-            sink.add(at + r * out, area, albedo, facing(out), true);
+            sink.add(at + r * out, area, albedo, facing(out), 2 * r);
           }
         }
       }
@@ -85,13 +91,19 @@ struct Crumbling {
 
   void surface(const Surface& surface, Vec3 albedo, bool solid, Vec3 at = Vec3(0),
                Quat turn = Quat(1, 0, 0, 0), Vec3 scale = Vec3(1)) const {
+    float bulk = 0;
+    if (solid) {
+      Bounds box;
+      for (const Vec3& p : surface.position) box.take(p);
+      bulk = glm::length(scale * (box.high - box.low));
+    }
     parallel_for((surface.triangle.size() + 1023) / 1024, [&](std::size_t part) {
       for (std::size_t i = part * 1024; i < std::min(surface.triangle.size(), (part + 1) * 1024); ++i) {
         std::array<Vec3, 3> corner;
         for (std::size_t c = 0; c < 3; ++c)
           corner[c] = at + turn * (scale * surface.position[surface.triangle[i][c]]);
         each_bit(corner, sink.step(corner[0]), [&](Vec3 where, float area, Facing ways) {
-          sink.add(where, area, albedo, solid ? ways : kAllWays, solid);
+          sink.add(where, area, albedo, solid ? ways : kAllWays, bulk);
         });
       }
     });
@@ -116,6 +128,7 @@ struct Crumbling {
     std::vector<Part> parts;
     for (const Prototype& prototype : model.prototypes) {
       Part part;
+      std::vector<std::array<Vec3, 3>> triangles;
       for (const OrganPart& p : prototype.parts) {
         for (const auto& t : p.surface.triangle) {
           Vec3 a = p.surface.position[t[0]], b = p.surface.position[t[1]], c = p.surface.position[t[2]];
@@ -123,9 +136,13 @@ struct Crumbling {
           part.bits.emplace_back((a + b + c) / 3.0f, area);
           part.middle += area * part.bits.back().first;
           part.area += area;
+          triangles.push_back({a, b, c});
         }
       }
       if (part.area > 0) part.middle /= part.area;
+      float apart = std::min(1.0f, apart_area(triangles) / part.area);
+      for (auto& bit : part.bits) bit.second *= apart;
+      part.area *= apart;
       parts.push_back(std::move(part));
     }
     const Organs& o = model.organs;
@@ -140,11 +157,11 @@ struct Crumbling {
         Vec3 albedo = linear(prototype.colors[color_index(o.color[i], prototype.colors.size())]);
         float wide = std::cbrt(scale.x * scale.y * scale.z), area = std::pow(wide, 2.0f);
         if (wide < 1.5f * sink.step(at) || part.bits.size() < 2) {
-          sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllWays, false);
+          sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllWays, 0);
           continue;
         }
         for (const auto& [where, share] : part.bits)
-          sink.add(at + turned * (scale * where), area * share, albedo, kAllWays, false);
+          sink.add(at + turned * (scale * where), area * share, albedo, kAllWays, 0);
       }
     });
   }

@@ -11,9 +11,10 @@ namespace frond {
 /// A bit of what a model is made of, its foot at the origin. Metres.
 struct Crumb {
   Vec3 at{0};
-  float area = 0;  ///< m2
+  float area = 0;  ///< m2, of leaves as if they lay apart
+  float wide = 0;  ///< metres of the cube that it fills
   Vec3 albedo{0};  ///< linear
-  bool solid = false;
+  float bulk = 0;  ///< metres across of the bodies it is of, about; 0 of leaves
 };
 
 /// What models of stands are made of, for each stand those of each model; some may be empty.

@@ -28,7 +28,7 @@ struct FocusSpot {
   float step(Vec3 place) const {
     return kFocusSpot * lens.wide * std::max(glm::distance(place, lens.at), kBeforeLens);
   }
-  void add(Vec3 place, float area, Vec3, Facing, bool) const {
+  void add(Vec3 place, float area, Vec3, Facing, float) const {
     Vec3 seen = lens.seen(place);
     if (seen.z < kBeforeLens) return;
     float reach = kFocusSpot + 0.5f * std::sqrt(area) / (lens.wide * seen.z);
@@ -47,7 +47,7 @@ struct FocusMiddle {
   float step(Vec3 place) const {
     return 4 * kFocusSpot * lens.wide * std::max(glm::distance(place, lens.at), kBeforeLens);
   }
-  void add(Vec3 place, float area, Vec3, Facing, bool) const {
+  void add(Vec3 place, float area, Vec3, Facing, float) const {
     if (lens.seen(place).z < kBeforeLens) return;
     std::lock_guard lock(in_work);
     bits.emplace_back(place, area);

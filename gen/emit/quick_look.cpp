@@ -89,7 +89,7 @@ struct ToPicture {
     float away = glm::distance(at, lens.at);
     return 0.8f * pixel(std::max(0.3f * away, away - 2));
   }
-  void add(Vec3 at, float area, Vec3 albedo, Facing, bool) const {
+  void add(Vec3 at, float area, Vec3 albedo, Facing, float) const {
     Vec3 seen = lens.seen(at);
     if (seen.z < kNear || std::abs(seen.x) > 1.2f || std::abs(seen.y) > 1.2f) return;
     pixels.put(0.5f * (1 + seen.x) * static_cast<float>(pixels.width),
@@ -112,7 +112,7 @@ struct ToSun {
     return {(glm::dot(to, right) / half + 1) * kShadowSide / 2,
             (glm::dot(to, up) / half + 1) * kShadowSide / 2, kFar - glm::dot(to, way)};
   }
-  void add(Vec3 at, float area, Vec3, Facing, bool) const {
+  void add(Vec3 at, float area, Vec3, Facing, float) const {
     Vec3 to = seen(at);
     pixels.put(to.x, to.y, 0.5f * std::sqrt(area) / texel(), to.z, 0);
   }

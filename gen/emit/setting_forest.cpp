@@ -1,3 +1,4 @@
+#include "core/linear.h"
 #include "emit/setting_parts.h"
 #include "settings/forest.h"
 
@@ -28,7 +29,10 @@ std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
 }
 
 Ambience wood_light(const Scene& scene, double) {
-  return ambience(forest_sky(scene.stage), scene.stage.block<Forest>().litter);
+  const auto& forest = scene.stage.block<Forest>();
+  // Litter lies on moss, too.
+  auto green = static_cast<float>(0.6 * forest.moss);
+  return ambience(forest_sky(scene.stage), glm::mix(linear(forest.litter), linear(forest.green), green));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include "core/linear.h"
 
 #include "emit/setting_parts.h"
 #include "settings/garden.h"
@@ -19,7 +20,7 @@ std::string sky_and_pond_text(const Scene& scene, double) {
 }
 
 Ambience garden_light(const Scene& scene, double) {
-  return ambience(garden_sky(scene.stage), scene.stage.block<Meadow>().grass);
+  return ambience(garden_sky(scene.stage), linear(scene.stage.block<Meadow>().grass));
 }
 
 }  // namespace

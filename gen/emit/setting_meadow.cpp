@@ -1,3 +1,4 @@
+#include "core/linear.h"
 #include "emit/setting_parts.h"
 #include "settings/meadow.h"
 
@@ -24,7 +25,7 @@ std::string mountain_text(const PovSpace& space, const Scene& scene) {
 }
 
 Ambience summer_light(const Scene& scene, double) {
-  return ambience(meadow_sky(scene.stage), scene.stage.block<Meadow>().grass);
+  return ambience(meadow_sky(scene.stage), linear(scene.stage.block<Meadow>().grass));
 }
 
 }  // namespace

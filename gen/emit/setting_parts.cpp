@@ -90,14 +90,15 @@ std::string country_text(const Sky& sky, const Meadow& meadow) {
          "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," + number_text(meadow.hills) + ")";
 }
 
-Ambience ambience(const Sky& sky, const Color& ground) {
+Ambience ambience(const Sky& sky, Vec3 ground) {
   Ambience light;
   light.sun = sky.lamp;
   light.sunlight = sky.lamplight;
-  light.zenith = sky.zenith;
-  light.horizon = sky.horizon;
-  light.ground = 0.48f * linear(ground);  // its textures are darker than the colour, and matt
-  light.below = light.ground * (0.5f * sky.lamplight * sky.lamp.y + 0.4f * (sky.zenith + sky.horizon));
+  light.zenith = sky.cloudy_zenith;
+  light.horizon = sky.cloudy_horizon;
+  light.ground = 0.48f * ground;  // its textures are darker than the colour, and matt
+  light.below =
+      light.ground * (0.5f * sky.lamplight * sky.lamp.y + 0.4f * (sky.cloudy_zenith + sky.cloudy_horizon));
   return light;
 }
 

@@ -44,7 +44,7 @@ std::string lamp_text(const Sky& sky);
 std::string country_text(const Sky& sky, const Meadow& meadow);
 
 /// What shines under that sky over a ground of that colour.
-Ambience ambience(const Sky& sky, const Color& ground);
+Ambience ambience(const Sky& sky, Vec3 ground);
 
 /// A lawn of a colour, with its grass and gravel.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel);

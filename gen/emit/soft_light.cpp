@@ -55,8 +55,8 @@ Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, cons
 struct IntoGrid {
   SoftLight& grid;
 
-  void add(Vec3 at, float area, Vec3 albedo, Facing facing, bool solid) const {
-    grid.add(at, area, kDiffuse * albedo, facing, solid);
+  void add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk) const {
+    grid.add(at, area, kDiffuse * albedo, facing, bulk);
   }
   float step(Vec3 at) const { return 0.4f * grid.cell_at(at); }
 };
@@ -79,7 +79,7 @@ void add_copies(SoftLight& grid, const Scene& scene, const Crumbs& crumbs) {
       float scale = copies.scale[i];
       for (const Crumb& crumb : crumbs[s][copies.model[i]])
         grid.add(copies.foot[i] + copies.turn[i] * (scale * crumb.at), scale * scale * crumb.area,
-                 kDiffuse * crumb.albedo, kAllWays, crumb.solid);
+                 kDiffuse * crumb.albedo, kAllWays, scale * crumb.bulk, scale * crumb.wide);
     });
   }
 }

@@ -94,8 +94,9 @@ class Tube {
 
   /// The next place along the branch that is a radius away, or its end: rings of a thick branch of short
   /// internodes that stood across each of them would cut into each other where it bends.
+  /// By what it grows to, so that they do not turn while it thickens.
   std::size_t far_as_thick(std::size_t k, std::ptrdiff_t step) const {
-    float reach = rest_.radius[nodes_[k]];
+    float reach = girth_of(rest_, shape_, nodes_[k]);
     std::size_t end = step > 0 ? nodes_.size() - 1 : 0, at = k;
     while (at != end) {
       at += static_cast<std::size_t>(step);

@@ -106,7 +106,7 @@ std::string_view povray_flags(std::string_view quality, bool lens) {
 }
 
 std::string ninja_text(const JobList& jobs) {
-  assert(!jobs.frames.empty());
+  assert(!jobs.frames.empty() && !povray_flags(jobs.quality, jobs.lens).empty());
   std::string text =
       "# What is to be rendered, written by `frond generate`. Run `ninja` in this folder; what is up to date "
       "is not\n"

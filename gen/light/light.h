@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -59,9 +60,10 @@ class SoftLight {
   /// The side of the cells there, metres.
   float cell_at(Vec3 at) const;
 
-  /// A bit of a surface. `facing` tells which way its sides look; what is solid lets no light through. From
-  /// many threads at once.
-  void add(Vec3 at, float area, Vec3 albedo, Facing facing, bool solid);
+  /// A bit of a surface. `facing` tells which way its sides look; `bulk` is how many metres across the body
+  /// is whose skin it belongs to, 0 of a leaf, both sides of which are one bit; the bit is spread over a cube
+  /// `wide` across. From many threads at once.
+  void add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide = 0);
 
   /// Land, solid below. Grass or litter stands `tall` metres on it, `area` m2 a square metre.
   void add_land(const std::function<float(Vec2)>& height, Vec3 albedo, float tall, float area);
@@ -73,25 +75,42 @@ class SoftLight {
   struct Level {
     float cell = 1;
     glm::ivec3 low{0}, size{0};
-    // Sums in fixed point until light(), then optical depth across a cell, and radiance.
-    std::vector<std::uint32_t> area;
+    Vec3 center{0}, half{0};  // of its box, metres
+    // Sums in fixed point until light(): areas of all, of bodies thinner than a cell and of others; of all by
+    // their colour. Then optical depths across a cell, of leaves and twigs level (`area`) and upright
+    // (`thin`) and of bodies; and radiance.
+    std::vector<std::uint32_t> area, thin, body;
     std::array<std::vector<std::uint32_t>, 3> color;
     std::vector<Facing> ways;
 
+    void add(Vec3 at, float share, Vec3 albedo, Facing facing, float bulk);
     std::size_t index(glm::ivec3 of) const;
     bool index(Vec3 at, std::size_t& found) const;
     Vec3 middle(glm::ivec3 of) const;
-    float depth(std::size_t i) const;
+    /// In a direction, the square of whose y is `upright`; of leaves and twigs, of all.
+    float loose(std::size_t i, float upright) const;
+    float depth(std::size_t i, float upright = 1.0f / 3) const;
     Vec3 radiance(std::size_t i) const;
   };
 
+  static constexpr double kNearest = 0.3;  // metres from the eye from where on cells do not become smaller
+  static constexpr Facing kLand = 64;      // bit: the land is in the cell
+  static constexpr int kUnseen = 2;        // levels that what no eye sees is coarser
+
+  /// Metres from the next eye, and the side of a cell that is wanted at a distance.
+  double away(Vec3 at) const;
+  double fit(double far) const { return std::max(far, kNearest) * eyes_[0].pixel * pixels_; }
   std::size_t level_for(double cell) const;
-  /// What comes from a direction, of what lies `from` metres off and farther.
-  Vec3 arriving(std::size_t level, Vec3 at, Vec3 way, float from, float spread, const Ambience& ambience,
+  /// What comes to the middle of a cell from a direction.
+  Vec3 arriving(std::size_t level, Vec3 at, Vec3 way, float spread, const Ambience& ambience,
                 float& open) const;
   /// Adds to `sum` of each of the directions what comes from the half of all that is round it.
   void gather(std::size_t level, Vec3 at, Facing facing, const Ambience& ambience,
               std::array<Vec3, 6>& sum) const;
+  /// The optical depth of leaves and twigs across a cell, level and upright, by what its parts let through:
+  /// gaps between them let in more than an even haze of them. Much, where its parts are not known.
+  Vec2 merged(std::size_t level, glm::ivec3 of) const;
+  void set_depths();
   void light(const Ambience& ambience);
   std::vector<Probe> probes_of(std::size_t level, const Ambience& ambience,
                                std::span<const Eye> seen_by) const;

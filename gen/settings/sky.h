@@ -62,11 +62,12 @@ struct Sky {
   Vec3 zenith, horizon;     ///< means of the sky above and all round
   Vec3 glow{0};             ///< what the sun adds to the sky close round it
   Vec3 cloud{0}, shade{0};  ///< of clouds: where the lamp lights them, and underneath
+  Vec3 cloudy_zenith, cloudy_horizon;  ///< as zenith and horizon, with the clouds before them
 
  private:
   Vec3 day(Vec3 way) const;   // kcd/m2
   Vec3 dusk(Vec3 way) const;  // as exposed
-  void light_clouds();
+  void light_clouds(double clouds);
 
   double turbidity_, height_;  // of the sun, radians
   float stops_, metered_ = 1, twilight_ = 0, dim_ = 1;

@@ -113,6 +113,17 @@ TEST(SkyOfTheDay, ChangesWithoutJumps) {
   }
 }
 
+TEST(SkyOfTheDay, IsWhiterWithCloudsAndCoveredByThem) {
+  auto with = [](double clouds) { return Sky({.sun = Vec3(0, 1, 1), .clouds = clouds}); };
+  Sky clear = with(0), fair = with(0.4), covered = with(1);
+  EXPECT_EQ(clear.cloudy_zenith, clear.zenith);
+  EXPECT_EQ(clear.cloudy_horizon, clear.horizon);
+  auto blue = [](Vec3 light) { return light.b / light.r; };
+  EXPECT_LT(blue(fair.cloudy_zenith), blue(clear.zenith));
+  EXPECT_LT(blue(covered.cloudy_zenith), 0.7f * blue(clear.zenith));
+  EXPECT_GT(bright(fair.cloudy_horizon), bright(clear.horizon)) << "sunlit clouds";
+}
+
 TEST(SkyOfTheDay, TakesItsColoursAndExposureFromThePreset) {
   Sky given({.sun = Vec3(0, 1, 1), .zenith = Vec3(0.1f, 0.2f, 0.3f), .horizon = Vec3(0.4f)});
   EXPECT_LT(glm::distance(given.zenith, Vec3(0.1f, 0.2f, 0.3f)), 0.06f);

@@ -47,8 +47,8 @@ std::vector<Knot> add_knots(Skeleton& skeleton, const Standing& now, const Grown
   for (std::size_t i = 0; i < now.size(); ++i) at[now.source[i]] = static_cast<std::int32_t>(i);
   for (const Scar& scar : tree.scars) {
     std::int32_t i = at[scar.on];
-    if (i == GrownTree::kRoot || scar.fell > year || scar.radius < kTold * scar.girth) continue;
-    if (now.parent[i] == GrownTree::kRoot) continue;
+    if (i == GrownTree::kRoot || now.parent[i] == GrownTree::kRoot) continue;
+    if (scar.fell > year || scar.radius < kTold * scar.girth) continue;
     // What bears it may be falling itself by now.
     Vec3 then = tree.tip[scar.on] - tree.tip[tree.parent[scar.on]], along = now.tip[i] - now.foot[i];
     if (glm::length(along) < 1e-6f || glm::length(then) < 1e-6f) continue;
