@@ -27,6 +27,11 @@ double SoftLight::away(Vec3 at) const {
   return least;
 }
 
+std::size_t SoftLight::Level::count() const {
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+         static_cast<std::size_t>(size.z);
+}
+
 std::size_t SoftLight::Level::index(glm::ivec3 i) const {
   return (static_cast<std::size_t>(i.y) * static_cast<std::size_t>(size.z) + static_cast<std::size_t>(i.z)) *
              static_cast<std::size_t>(size.x) +
@@ -59,15 +64,28 @@ Vec3 SoftLight::Level::radiance(std::size_t i) const {
 
 SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit)
     : eyes_(std::move(eyes)), pixels_(pixels) {
-  double pixel = 1e30;
-  for (const Eye& eye : eyes_) pixel = std::min(pixel, eye.pixel);
-  double least = 1e30;
-  for (const Eye& eye : eyes_)
+  // Of a large picture, or a long flight, cells cover more pixels.
+  while (!lay_levels(bounds, unit)) pixels_ *= 1.1;
+  for (Level& level : levels_) {
+    level.center = (Vec3(level.low) + 0.5f * Vec3(level.size)) * level.cell;
+    level.half = 0.5f * Vec3(level.size) * level.cell;
+    for (auto* sums : {&level.area, &level.thin, &level.body}) sums->assign(level.count(), 0);
+    for (auto& sums : level.color) sums.assign(level.count(), 0);
+    level.ways.assign(level.count(), 0);
+  }
+}
+
+bool SoftLight::lay_levels(const Bounds& bounds, double unit) {
+  levels_.clear();
+  double pixel = 1e30, least = 1e30;
+  for (const Eye& eye : eyes_) {
+    pixel = std::min(pixel, eye.pixel);
     least = std::min<double>(least, glm::distance(eye.at, glm::clamp(eye.at, bounds.low, bounds.high)));
-  double cell = std::exp2(std::floor(std::log2(std::max(least, kNearest) * pixel * pixels / unit))) * unit;
+  }
+  double cell = std::exp2(std::floor(std::log2(std::max(least, kNearest) * pixel * pixels_ / unit))) * unit;
   for (;; cell *= 2) {
     // As far as cells of that size are wanted, round all eyes.
-    auto reach = static_cast<float>(2 * cell / (pixel * pixels) + 3 * cell);
+    auto reach = static_cast<float>(2 * cell / (pixel * pixels_) + 3 * cell);
     Bounds box;
     for (const Eye& eye : eyes_) box.take(eye.at, reach);
     bool whole = glm::all(glm::lessThanEqual(box.low, bounds.low)) &&
@@ -79,18 +97,9 @@ SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels,
     level.cell = static_cast<float>(cell);
     level.low = glm::ivec3(glm::floor(box.low / level.cell)) - 2;
     level.size = glm::ivec3(glm::floor(box.high / level.cell)) + 3 - level.low;
-    std::size_t cells = static_cast<std::size_t>(level.size.x) * static_cast<std::size_t>(level.size.y) *
-                        static_cast<std::size_t>(level.size.z);
-    if (cells > kMostCells) continue;
-    level.center = (Vec3(level.low) + 0.5f * Vec3(level.size)) * level.cell;
-    level.half = 0.5f * Vec3(level.size) * level.cell;
-    level.area.assign(cells, 0);
-    level.thin.assign(cells, 0);
-    level.body.assign(cells, 0);
-    for (auto& sums : level.color) sums.assign(cells, 0);
-    level.ways.assign(cells, 0);
+    if (level.count() > kMostCells) return false;
     levels_.push_back(std::move(level));
-    if (whole && levels_.size() > kUnseen) break;
+    if (whole && levels_.size() > kUnseen) return true;
   }
 }
 

@@ -53,8 +53,8 @@ struct Probe {
 /// Add all, then ask once. The sum of what is added does not depend on its order.
 class SoftLight {
  public:
-  /// For eyes of a film, within bounds. A cell covers about `pixels`; its side is a power of two of `unit`
-  /// metres.
+  /// For eyes of a film, within bounds. A cell covers about `pixels`, or more where grids would be too large;
+  /// its side is a power of two of `unit` metres.
   SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit);
 
   /// The side of the cells there, metres.
@@ -84,6 +84,7 @@ class SoftLight {
     std::vector<Facing> ways;
 
     void add(Vec3 at, float share, Vec3 albedo, Facing facing, float bulk);
+    std::size_t count() const;
     std::size_t index(glm::ivec3 of) const;
     bool index(Vec3 at, std::size_t& found) const;
     Vec3 middle(glm::ivec3 of) const;
@@ -97,6 +98,8 @@ class SoftLight {
   static constexpr Facing kLand = 64;      // bit: the land is in the cell
   static constexpr int kUnseen = 2;        // levels that what no eye sees is coarser
 
+  /// Sets the grids' places and sizes; whether they are small enough.
+  bool lay_levels(const Bounds& bounds, double unit);
   /// Metres from the next eye, and the side of a cell that is wanted at a distance.
   double away(Vec3 at) const;
   double fit(double far) const { return std::max(far, kNearest) * eyes_[0].pixel * pixels_; }
