@@ -93,8 +93,7 @@ struct Crumbling {
                Quat turn = Quat(1, 0, 0, 0), Vec3 scale = Vec3(1)) const {
     float bulk = 0;
     if (solid) {
-      Bounds box;
-      for (const Vec3& p : surface.position) box.take(p);
+      Bounds box = bounds_of(surface.position);
       bulk = glm::length(scale * (box.high - box.low));
     }
     parallel_for((surface.triangle.size() + 1023) / 1024, [&](std::size_t part) {
@@ -139,10 +138,12 @@ struct Crumbling {
           triangles.push_back({a, b, c});
         }
       }
-      if (part.area > 0) part.middle /= part.area;
-      float apart = std::min(1.0f, apart_area(triangles) / part.area);
-      for (auto& bit : part.bits) bit.second *= apart;
-      part.area *= apart;
+      if (part.area > 0) {
+        part.middle /= part.area;
+        float apart = std::min(1.0f, apart_area(triangles) / part.area);
+        for (auto& bit : part.bits) bit.second *= apart;
+        part.area *= apart;
+      }
       parts.push_back(std::move(part));
     }
     const Organs& o = model.organs;

@@ -31,8 +31,9 @@ struct IntoMap {
     double quanta = area / (part * part) * 1e6;
     std::lock_guard lock(in_work);
     Sum& sum = sums[{k.x, k.y, k.z, bulk > 0 ? 1 : 0}];
-    sum.of[0] += std::llround(quanta);
-    sum.in[static_cast<std::size_t>((in.x * kFine + in.y) * kFine + in.z)] += std::llround(quanta);
+    std::int64_t whole = std::llround(quanta);
+    sum.of[0] += whole;
+    sum.in[static_cast<std::size_t>((in.x * kFine + in.y) * kFine + in.z)] += whole;
     for (std::size_t c = 0; c < 3; ++c) {
       sum.of[1 + c] += std::llround(quanta * at[static_cast<int>(c)] * 1e3);
       sum.of[4 + c] += std::llround(quanta * albedo[static_cast<int>(c)] * 1e3);
