@@ -21,7 +21,7 @@ constexpr int kStretch = 24;          // frames
 constexpr int kBeyond = 12;           // frames before and after it that are heeded
 constexpr double kLeastPixels = 1.2;  // of a copy; what is smaller is left out
 constexpr double kUnseen = 2;         // as coarse is what only throws a shadow
-constexpr double kPenumbra = 0.012;   // metres of blur of a shadow that falls a metre deep
+constexpr double kPenumbra = 0.004;   // metres of grain for each that a shadow falls: half its blur
 constexpr float kMargin = 3;          // metres round what is in view
 
 bool moves(const Camera& camera, double length) {

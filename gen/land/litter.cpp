@@ -10,11 +10,13 @@ namespace frond {
 
 namespace {
 
+constexpr int kOwnNumbers = 64;
+
 /// Where something lies: `along` from foot to tip, `up` its upper side.
 struct Lie {
   Vec3 at;
   Vec3 along, across, up;
-  float own;
+  float own;  // a whole number
 };
 
 Lie lie(const Seed& seed, double side, double tilt) {
@@ -28,32 +30,46 @@ Lie lie(const Seed& seed, double side, double tilt) {
   // The upper side of what has fallen may be below.
   float face = number(3, 0, 1) < 0.4 ? -1.0f : 1.0f;
   return {Vec3(number(4, -half, half), 0, number(5, -half, half)), way * Vec3(0, 0, 1),
-          way * Vec3(face, 0, 0), way * Vec3(0, face, 0), number(6, 0, 1)};
+          way * Vec3(face, 0, 0), way * Vec3(0, face, 0), std::floor(number(6, 0, kOwnNumbers))};
 }
 
-/// A leaf of ten triangles: midrib and two rims, bent along and folded across.
+/// A dry leaf: pointed, bent along its midrib, its two halves rolled up or down, its rim wavy.
 void add_leaf(Surface& s, const Lie& leaf, float length, const Seed& seed) {
-  constexpr std::array<float, 4> kPlaces{0.0f, 0.30f, 0.68f, 1.0f}, kWidths{0.03f, 0.86f, 0.74f, 0.02f};
+  constexpr std::uint32_t kRows = 7, kPoints = 5;  // rows from foot to tip; points across each between them
+  auto number = [&](std::uint64_t k, double low, double high) {
+    return static_cast<float>(seed.child(k).range(low, high));
+  };
+  float width = length * number(20, 0.24, 0.36), widest = number(24, 0.38, 0.52);
+  float bend = number(21, -0.5, 0.7), fold = number(22, -0.15, 0.55), twist = number(23, -0.6, 0.6);
+  std::array<float, 2> roll{number(25, -0.4, 1.1), number(26, -0.4, 1.1)};
+  float wave = number(27, 0.03, 0.12), phase = number(28, 0, 2 * kPi);
   auto start = static_cast<std::uint32_t>(s.position.size());
-  float width = length * static_cast<float>(seed.child(20).range(0.24, 0.34));
-  float bend = static_cast<float>(seed.child(21).range(-0.35, 0.55)),
-        fold = static_cast<float>(seed.child(22).range(-0.1, 0.7)),
-        twist = static_cast<float>(seed.child(23).range(-0.5, 0.5));
-  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-    float t = kPlaces[i], w = kWidths[i] * width, c = t - 0.5f;
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    float t = static_cast<float>(row) / (kRows - 1), c = t - 0.5f;
+    // The foot is rounder than the tip.
+    float place = t < widest ? t / widest : (1 - t) / (1 - widest);
+    float half = width * (t < widest ? std::sqrt(place * (2 - place)) : place * (1.6f - 0.6f * place));
     Vec3 midrib = leaf.at + leaf.along * (c * length) + leaf.up * (-bend * c * c * length);
-    for (float side : {-1.0f, 0.0f, 1.0f}) {
-      float rise = std::abs(side) * fold * w + side * twist * c * w;
-      s.position.push_back(midrib + leaf.across * (side * w) + leaf.up * rise);
-      s.uv.emplace_back(t, leaf.own);
+    bool end = row == 0 || row + 1 == kRows;
+    for (std::uint32_t k = 0; k < (end ? 1 : kPoints); ++k) {
+      float side = end ? 0 : 2 * static_cast<float>(k) / (kPoints - 1) - 1, out = std::abs(side);
+      float rolled = roll[side > 0 ? 1 : 0] * out * out;
+      float rise = (fold * out + rolled + twist * c * side) * half +
+                   out * out * wave * width * std::sin(9 * t + phase + 2 * side);
+      s.position.push_back(midrib + leaf.across * (side * half * (1 - 0.3f * std::abs(rolled))) +
+                           leaf.up * rise);
+      s.uv.emplace_back(leaf.own + std::clamp(t, 0.002f, 0.998f), (side + 1) / 2);
     }
   }
-  for (std::uint32_t i = 0; i + 1 < kPlaces.size(); ++i) {
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      std::uint32_t a = start + 3 * i + k;
-      if (i > 0) s.triangle.push_back({a, a + 3, a + 1});
-      s.triangle.push_back({a + 1, a + 3, a + 4});
-      if (i == 0) s.triangle.push_back({a, a + 3, a + 1});
+  auto at = [&](std::uint32_t row, std::uint32_t k) {
+    return row == 0           ? start
+           : row + 1 == kRows ? start + 1 + (kRows - 2) * kPoints
+                              : start + 1 + (row - 1) * kPoints + k;
+  };
+  for (std::uint32_t row = 0; row + 1 < kRows; ++row) {
+    for (std::uint32_t k = 0; k + 1 < kPoints; ++k) {
+      if (row > 0) s.triangle.push_back({at(row, k), at(row + 1, k), at(row, k + 1)});
+      if (row + 2 < kRows) s.triangle.push_back({at(row, k + 1), at(row + 1, k), at(row + 1, k + 1)});
     }
   }
 }
@@ -71,7 +87,8 @@ void add_twig(Surface& s, const Lie& twig, float length, const Seed& seed) {
       s.position.push_back(at + (twig.across * static_cast<float>(std::cos(angle)) +
                                  twig.up * static_cast<float>(std::sin(angle))) *
                                     r);
-      s.uv.emplace_back(t, 1 + twig.own);
+      s.uv.emplace_back(kOwnNumbers + twig.own + std::clamp(t, 0.002f, 0.998f),
+                        static_cast<float>(k) / kSides);
     }
     float aside = static_cast<float>(seed.child(21 + i).range(-0.35, 0.35));
     at += (twig.along + twig.across * aside) * (length / (kRings - 1));

@@ -14,8 +14,9 @@ struct LitterShape {
   double twig = 0.16;   ///< length of one
 };
 
-/// Fallen leaves, curled and strewn on top of each other, and twigs among them. `uv`: u from foot to tip, v a
-/// number of each one's own, 0..1 for leaves and 1..2 for twigs.
+/// Fallen leaves, curled and strewn on top of each other, and twigs among them. `uv` is (n + u, v): n is a
+/// whole number of each one's own, 0..63 for leaves and 64..127 for twigs, u leads from foot to tip and v
+/// across.
 Surface litter_surface(const LitterShape& shape, Seed seed);
 
 /// A cushion of moss: a low dome of short shoots, `side` metres wide and round, thin at its rim. `uv`: u from

@@ -7,7 +7,7 @@ PATH=$PATH:/usr/sbin  # where daemons are
 start_cluster() {
   cluster=$1
   local host user port
-  host=$(hostname -s) user=$(id -un) port=$((20000 + $$ % 20000))
+  host=$(hostname -s) user=$(id -un) port=$((10000 + $$ % 5000 * 3))  # three of its own, not handed out
   mkdir -p "$cluster"/{state,log,spool/n1,spool/n2}
   export SLURM_CONF=$cluster/slurm.conf
   cat >"$SLURM_CONF" <<CONF
@@ -44,7 +44,7 @@ CONF
   slurmctld -i 3>&-
   start_node n1
   start_node n2
-  until_true 30 nodes_are "idle 2"
+  until_true 300 nodes_are "idle 2"
 }
 
 start_node() { slurmd -N "$1" 3>&-; }
@@ -63,14 +63,15 @@ until_true() {
   done
 }
 
-# Process ids of a process and all that it has started.
+# Process ids of a process and all that it has started, itself first.
 tree_of() {
   local child
-  for child in $(ps -o pid= --ppid "$1"); do tree_of "$child"; done
   echo "$1"
+  for child in $(ps -o pid= --ppid "$1"); do tree_of "$child"; done
 }
 
-# crash_node NAME: all its processes at once, as when its plug is pulled.
+# crash_node NAME: all its processes at once, as when its plug is pulled. Parents die first: one that saw its child
+# die would still report the task as failed, and Slurm would not put it back into the queue.
 crash_node() {
   local node pid pids
   node=$(cat "$cluster/slurmd-$1.pid")

@@ -49,7 +49,7 @@ is_pending() { [ "$(squeue -h -j "$1" -o %T)" = PENDING ]; }
   make_gate
   echo '{"partition": "render", "minutes": 10, "memory": 500}' >site.json
   "$FARM" film.json --site site.json --chunk 2
-  until_true 60 both_nodes_wait
+  until_true 300 both_nodes_wait
   run "$FARM" film.json --chunk 1
   echo "$output"
   [ "$status" -eq 2 ]
@@ -57,14 +57,14 @@ is_pending() { [ "$(squeue -h -j "$1" -o %T)" = PENDING ]; }
   task=$(squeue -h -t R -w n2 -o %i)
   crash_node n2
   touch go
-  until_true 30 is_pending "$task"
+  until_true 300 is_pending "$task"
   run "$FARM" film.json --status
   echo "$output"
   [[ $output == *"of 6 pictures are rendered"*"tasks are pending"* ]]
   scontrol update JobId="$task" StartTime=now  # else Slurm waits for two minutes
   start_node n2
   scontrol update NodeName=n2 State=RESUME 2>/dev/null || true
-  until_true 60 queue_is_empty
+  until_true 300 queue_is_empty
   "$FARM" film.json --logs
   unset FROND_POVRAY FROND_UNCONFINED
   "$RENDER" film.json -o local
@@ -80,7 +80,7 @@ is_pending() { [ "$(squeue -h -j "$1" -o %T)" = PENDING ]; }
   run "$FARM" film.json --site site.json --chunk 2
   echo "$output"
   [[ $output == *"frame_0005.png is damaged; it is made again"*"Submitted 2 of 3 chunks"* ]]
-  until_true 60 queue_is_empty
+  until_true 300 queue_is_empty
   [ "$(wc -l <waits)" -eq 2 ]
   same_film out/film local
   stat -c '%n %y' out/film/farm/latest/frames/*.png >after
@@ -92,7 +92,7 @@ is_pending() { [ "$(squeue -h -j "$1" -o %T)" = PENDING ]; }
   make_preset still.json 1
   "$FARM" still.json --size 80x150 --bands 4
   "$RENDER" still.json --size 80x150 -o local
-  until_true 60 queue_is_empty
+  until_true 300 queue_is_empty
   "$FARM" still.json --logs
   [ "$(find out/still/farm/latest/frames -name 'band_*_of_4.png' | wc -l)" -eq 4 ]
   for still in out/still/still.png local/still.png; do
@@ -117,7 +117,7 @@ is_pending() { [ "$(squeue -h -j "$1" -o %T)" = PENDING ]; }
 
   "$FARM" still.json --size 40x30  # too small for two
   "$RENDER" still.json --size 40x30 -o local
-  until_true 60 queue_is_empty
+  until_true 300 queue_is_empty
   cmp out/still/still.png local/still.png
 }
 
@@ -126,13 +126,13 @@ is_pending() { [ "$(squeue -h -j "$1" -o %T)" = PENDING ]; }
   printf '#!/bin/bash\n[[ $* == *frame_0003* ]] && kill -9 $$\nexec /usr/bin/povray "$@"\n' >povray
   chmod +x povray
   FROND_POVRAY=$PWD/povray FROND_UNCONFINED=1 "$FARM" film.json --partition render --frames 1-4
-  until_true 60 queue_is_empty
+  until_true 300 queue_is_empty
   run "$FARM" film.json --status
   echo "$output"
   [[ $output == *"3 of 4 pictures are rendered"*"frame_0003 failed: "*"ended by signal 9"* ]]
   [ ! -e out/film/film.mp4 ]
   "$FARM" film.json --partition render --frames 1-4
-  until_true 60 queue_is_empty
+  until_true 300 queue_is_empty
   [ "$(frames_of out/film/film.mp4)" -eq 4 ]
 }
 
@@ -143,9 +143,9 @@ a_task_waits() { [ -s waits ]; }
   make_gate
   run "$FARM" film.json --chunk 1
   [[ $output == *"takes 4 tasks at most: each renders 2 frames"*"Submitted 3 of 3 chunks of 2 frames"* ]]
-  until_true 60 a_task_waits
+  until_true 300 a_task_waits
   "$FARM" film.json --cancel
-  until_true 60 queue_is_empty
+  until_true 300 queue_is_empty
 }
 
 @test "what Slurm does not know is told" {
@@ -215,7 +215,7 @@ a_task_waits() { [ -s waits ]; }
 start_sshd() {
   ssh-keygen -q -t ed25519 -N '' -f host
   ssh-keygen -q -t ed25519 -N '' -f mine
-  port=$((40000 + $$ % 20000))
+  port=$((25000 + $$ % 5000))
   if [ "$(id -u)" = 0 ]; then mkdir -p /run/sshd; fi
   printf '%s\n' "Port $port" "ListenAddress 127.0.0.1" "HostKey $PWD/host" "AuthorizedKeysFile $PWD/mine.pub" \
     "PidFile $PWD/sshd.pid" "StrictModes no" "UsePAM no" >sshd_config
@@ -223,7 +223,7 @@ start_sshd() {
   printf '%s\n' "Host anna berta" " Port $port" "Host gone" " Port 1" "Host *" " HostName 127.0.0.1" " IdentityFile $PWD/mine" \
     " StrictHostKeyChecking no" " UserKnownHostsFile /dev/null" " LogLevel ERROR" >ssh_config
   export PARALLEL_SSH="ssh -F $PWD/ssh_config"
-  until_true 10 test -s sshd.pid
+  until_true 60 test -s sshd.pid
 }
 
 @test "a film over ssh has the bytes of the local one, though a machine does not answer" {
