@@ -98,6 +98,29 @@ TEST(CopyPlan, OfATallTreeWhatIsNearIsFine) {
   EXPECT_LT(drawn.front().level, drawn.back().level);
 }
 
+TEST(CopyPlan, PiecesThatThrowShadowsAreNoWiderThanTheirBlur) {
+  Scene scene = scene_of(preset_text(kStill));
+  std::vector<Crumb> crumbs;  // of a pole of thirty metres
+  for (int i = 0; i < 150; ++i)
+    crumbs.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
+  Copies& copies = scene.stands[0].copies = {};
+  for (double turn = 0; turn < 2 * kPi; turn += kPi / 8) {  // round the camera, as near as its top sees it
+    copies.model.push_back(0), copies.scale.push_back(1), copies.tint.push_back(0);
+    copies.turn.push_back(Quat(1, 0, 0, 0));
+    copies.foot.push_back(Vec3(14 * std::cos(turn), 0, 40 + 14 * std::sin(turn)));
+  }
+  ModelBlocks blocks = blocks_of(crumbs);
+  constexpr double kSun = 0.0093;  // radians across
+  int above = 0;
+  ModelPlan plan = Views(scene).plan(0, 0, crumbs);
+  for (const Drawn& one : plan.drawn[0]) {
+    if (one.block == ModelFile::kWhole || blocks.middle(one.block).y < 20) continue;
+    ++above;
+    EXPECT_LE(2 * kLevels[one.level].grain, kSun * blocks.middle(one.block).y) << "a leaf is two grains wide";
+  }
+  EXPECT_GT(above, 4);
+}
+
 TEST(CopyPlan, AMovingCameraHasStretchesThatDifferLittle) {
   std::string film = R"({"frames": 96, "fps": 24, "size": [480, 270]})";
   std::string text = preset_text(film);
