@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Exports a preset as an include and shows it to POV-Ray in a scene that includes it twice over, at each detail.
+"""Exports a preset as an include and shows it to POV-Ray in a scene that includes it twice over, its details in a row.
 
   pov_include_test.py FROND ROOT PRESET [--set POINTER=VALUE]...
 
 No error and no warning but the one that any scene with light through leaves has; and the shape fills the box that the
-include declares: it is seen in a picture of that box, and not beside it.
+include declares: at each detail it is seen in that box, and not beside it.
 """
 import pathlib
 import re
@@ -15,7 +15,7 @@ import tempfile
 import zlib
 
 BACKSIDE = "backside illumination"
-SIDE = 120  # of a picture, pixels
+SIDE = 120  # of each detail's part of the picture, pixels
 
 SCENE = """#version 3.7;
 global_settings {{ assumed_gamma 1 }}
@@ -27,9 +27,9 @@ global_settings {{ assumed_gamma 1 }}
 #local High = {macro}_High;
 #local Middle = (Low + High)/2;
 #local Far = vlength(High - Low) + 1;
-object {{ {macro}(0, Show) }}
-#if (Show = 0) object {{ {macro}(7, 0) translate y*1000*Far }} #end
-camera {{ orthographic location Middle - z*2*Far direction z up y*2*Far right x*2*Far }}
+#for (Show, 0, 2) object {{ {macro}(0, Show) translate x*2*Far*(Show - 1) }} #end
+object {{ {macro}(7, 0) translate y*1000*Far }}
+camera {{ orthographic location Middle - z*2*Far direction z up y*2*Far right x*6*Far }}
 light_source {{ Middle - z*9*Far rgb 1 }}
 #debug concat("HEIGHT ", str({macro}_Height, 0, 4), "\\n")
 """
@@ -78,20 +78,20 @@ def main(frond, root, preset, *sets):
         if list(folder.glob("*.models")):
             return f"{preset}: files of models are left over"
         (folder / "scene.pov").write_text(SCENE.format(name=name, macro=macro))
+        picture = folder / "show.png"
+        run = subprocess.run(
+            ["povray", "+Iscene.pov", f"+O{picture}", f"+W{3*SIDE}", f"+H{SIDE}", "-D", "-A", "+FN"],
+            cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if run.returncode != 0:
+            return f"{preset}: POV-Ray ended with {run.returncode}\n{run.stdout[-2000:]}"
+        warned = [w for w in re.findall(r"[^\n]*Warning:.*?(?:\n[^\n]+)?\n", run.stdout) if BACKSIDE not in w]
+        if warned:
+            return f"{preset}: POV-Ray warns: {warned[0]}"
+        rows = pixels(picture)
+        # The box takes no more than the middle half of its part.
+        inside = range(SIDE // 4 - 2, SIDE - SIDE // 4 + 2)
         for show in 0, 1, 2:
-            picture = folder / f"show{show}.png"
-            run = subprocess.run(
-                ["povray", "+Iscene.pov", f"+O{picture}", f"+W{SIDE}", f"+H{SIDE}", "-D", "-A", "+FN", f"Declare=Show={show}"],
-                cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            if run.returncode != 0:
-                return f"{preset}: detail {show}: POV-Ray ended with {run.returncode}\n{run.stdout[-2000:]}"
-            warned = [w for w in re.findall(r"[^\n]*Warning:.*?(?:\n[^\n]+)?\n", run.stdout) if BACKSIDE not in w]
-            if warned:
-                return f"{preset}: detail {show}: POV-Ray warns: {warned[0]}"
-            rows = pixels(picture)
-            # The box takes no more than the middle half of the picture.
-            inside = range(SIDE // 4 - 2, SIDE - SIDE // 4 + 2)
-            seen = [(x, y) for y in range(SIDE) for x in range(SIDE) if rows[y][x]]
+            seen = [(x, y) for y in range(SIDE) for x in range(SIDE) if rows[y][show*SIDE + x]]
             if not seen:
                 return f"{preset}: detail {show}: nothing is seen of it"
             if beside := [p for p in seen if p[0] not in inside or p[1] not in inside]:
