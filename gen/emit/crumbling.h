@@ -51,7 +51,7 @@ void each_bit(const std::array<Vec3, 3>& corner, float step, const Bit& bit) {
 float apart_area(const std::vector<std::array<Vec3, 3>>& triangles);
 
 /// What bits go to: `add(at, area, albedo, facing, bulk)` as to SoftLight, and `step(at)`, how fine they are
-/// to be there.
+/// to be there. One that declares `kSparse` gets no finer ones of organs either.
 template <class Sink>
 struct Crumbling {
   const Sink& sink;
@@ -161,8 +161,15 @@ struct Crumbling {
           sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllWays, 0);
           continue;
         }
-        for (const auto& [where, share] : part.bits)
-          sink.add(at + turned * (scale * where), area * share, albedo, kAllWays, 0);
+        std::size_t each = 1;  // of so many bits stands for all
+        if constexpr (requires { Sink::kSparse; }) {
+          float step = sink.step(at);
+          auto wanted = static_cast<std::size_t>(area * part.area / (step * step)) + 1;
+          each = std::max<std::size_t>(part.bits.size() / wanted, 1);
+        }
+        for (std::size_t k = 0; k < part.bits.size(); k += each)
+          sink.add(at + turned * (scale * part.bits[k].first),
+                   area * part.bits[k].second * static_cast<float>(each), albedo, kAllWays, 0);
       }
     });
   }

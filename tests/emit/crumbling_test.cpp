@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace frond {
 namespace {
 
@@ -34,6 +36,47 @@ TEST(ApartArea, OfABodyIsHalfItsSkin) {
       for (const auto& t : square(at, b, c)) cube.push_back(t);
   }
   EXPECT_NEAR(apart_area(cube), 3, 0.15);
+}
+
+struct Fine {
+  float fine;
+  std::vector<float>& areas;
+  float step(Vec3) const { return fine; }
+  void add(Vec3, float area, Vec3, Facing, float) const { areas.push_back(area); }
+};
+struct Sparse : Fine {
+  static constexpr bool kSparse = true;
+};
+
+TEST(Crumbling, ASparseSinkGetsNoMoreBitsOfALeafThanItsStepAsksFor) {
+  OrganPart part;  // a leaf of one unit, in 800 triangles
+  for (int i = 0; i < 400; ++i)
+    for (const auto& t :
+         square(Vec3(0.05f * static_cast<float>(i % 20), 0, 0.05f * static_cast<float>(i / 20)),
+                Vec3(0.05f, 0, 0), Vec3(0, 0, 0.05f))) {
+      auto first = static_cast<std::uint32_t>(part.surface.position.size());
+      for (const Vec3& p : t) part.surface.position.push_back(p);
+      part.surface.triangle.push_back({first, first + 1, first + 2});
+    }
+  Model model;
+  model.prototypes = {{"leaf", {part}, {Color{0, 1, 0}}, Color{0, 1, 0}}};
+  model.organs.prototype = {0};
+  model.organs.position = {Vec3(0)};
+  model.organs.scale = {Vec3(1)};
+  model.organs.color = {0};
+  auto bits_of = [&]<class Sink>(const Sink& sink) {
+    Crumbling<Sink>{sink}.organs(
+        model, [](std::size_t) { return Vec3(0); }, [](std::size_t) { return Quat(1, 0, 0, 0); },
+        [](std::size_t) { return 1.0f; });
+  };
+  std::vector<float> all, few;
+  bits_of(Fine{0.1f, all});
+  bits_of(Sparse{{0.1f, few}});
+  EXPECT_EQ(all.size(), 800u);
+  EXPECT_LE(few.size(), 120u) << "a hundred steps cover it";
+  EXPECT_GE(few.size(), 90u);
+  EXPECT_NEAR(std::accumulate(few.begin(), few.end(), 0.0f), std::accumulate(all.begin(), all.end(), 0.0f),
+              0.1);
 }
 
 }  // namespace
