@@ -12,6 +12,17 @@ namespace {
 
 constexpr int kOwnNumbers = 64;
 
+/// Numbers by which one thing differs from the next, each of a purpose k.
+struct Numbers {
+  const Seed& seed;
+  float operator()(std::uint64_t k, double low, double high) const {
+    return static_cast<float>(seed.child(k).range(low, high));
+  }
+};
+
+/// u of a place on a thing of such a number; at its ends it is not yet on the next thing.
+float own_u(float own, float along) { return own + std::clamp(along, 0.002f, 0.998f); }
+
 /// Where something lies: `along` from foot to tip, `up` its upper side.
 struct Lie {
   Vec3 at;
@@ -20,9 +31,7 @@ struct Lie {
 };
 
 Lie lie(const Seed& seed, double side, double tilt) {
-  auto number = [&](std::uint64_t k, double low, double high) {
-    return static_cast<float>(seed.child(k).range(low, high));
-  };
+  Numbers number{seed};
   float turn = number(0, 0, 2 * kPi), half = static_cast<float>(side / 2);
   float pitch = number(1, -tilt, tilt), roll = number(2, -tilt, tilt);
   Quat way = glm::angleAxis(turn, Vec3(0, 1, 0)) * glm::angleAxis(pitch, Vec3(1, 0, 0)) *
@@ -36,9 +45,7 @@ Lie lie(const Seed& seed, double side, double tilt) {
 /// A dry leaf: pointed, bent along its midrib, its two halves rolled up or down, its rim wavy.
 void add_leaf(Surface& s, const Lie& leaf, float length, const Seed& seed) {
   constexpr std::uint32_t kRows = 7, kPoints = 5;  // rows from foot to tip; points across each between them
-  auto number = [&](std::uint64_t k, double low, double high) {
-    return static_cast<float>(seed.child(k).range(low, high));
-  };
+  Numbers number{seed};
   float width = length * number(20, 0.24, 0.36), widest = number(24, 0.38, 0.52);
   float bend = number(21, -0.5, 0.7), fold = number(22, -0.15, 0.55), twist = number(23, -0.6, 0.6);
   std::array<float, 2> roll{number(25, -0.4, 1.1), number(26, -0.4, 1.1)};
@@ -58,7 +65,7 @@ void add_leaf(Surface& s, const Lie& leaf, float length, const Seed& seed) {
                    out * out * wave * width * std::sin(9 * t + phase + 2 * side);
       s.position.push_back(midrib + leaf.across * (side * half * (1 - 0.3f * std::abs(rolled))) +
                            leaf.up * rise);
-      s.uv.emplace_back(leaf.own + std::clamp(t, 0.002f, 0.998f), (side + 1) / 2);
+      s.uv.emplace_back(own_u(leaf.own, t), (side + 1) / 2);
     }
   }
   auto at = [&](std::uint32_t row, std::uint32_t k) {
@@ -87,8 +94,7 @@ void add_twig(Surface& s, const Lie& twig, float length, const Seed& seed) {
       s.position.push_back(at + (twig.across * static_cast<float>(std::cos(angle)) +
                                  twig.up * static_cast<float>(std::sin(angle))) *
                                     r);
-      s.uv.emplace_back(kOwnNumbers + twig.own + std::clamp(t, 0.002f, 0.998f),
-                        static_cast<float>(k) / kSides);
+      s.uv.emplace_back(own_u(kOwnNumbers + twig.own, t), static_cast<float>(k) / kSides);
     }
     float aside = static_cast<float>(seed.child(21 + i).range(-0.35, 0.35));
     at += (twig.along + twig.across * aside) * (length / (kRings - 1));
@@ -135,9 +141,7 @@ Surface moss_surface(double side, Seed seed) {
              static_cast<float>(seed.child("z").range(0, 50)));
   for (std::uint64_t i = 0; i < count; ++i) {
     Seed own = seed.child(i);
-    auto number = [&](std::uint64_t k, double low, double high) {
-      return static_cast<float>(own.child(k).range(low, high));
-    };
+    Numbers number{own};
     // Thinner toward the rim.
     double angle = own.child(0).range(0, 2 * kPi), share = std::pow(own.child(1).unit(), 0.6);
     Vec3 at(static_cast<float>(std::cos(angle) * share * side / 2), 0,

@@ -181,6 +181,9 @@ TEST(SoftLight, LargePicturesHaveCellsAsFineAsSmallOnes) {
     SoftLight grid({eye}, {Vec3(-80, -80, -80), Vec3(80, 80, 80)}, 16, 0.1);
     return grid.cell_at(eye.at + 10.0f * eye.ahead);
   };
+  EXPECT_LT(cell(0.002), cell(0.008));
+  EXPECT_LE(cell(0.0008), cell(0.002));
+  EXPECT_LE(cell(0.0001), cell(0.002));
   EXPECT_LE(cell(0.0001), cell(0.003));
 }
 
