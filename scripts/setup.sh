@@ -77,7 +77,7 @@ build_page() {
 from_npm() {
   if [[ -n $studio ]]; then build_page; fi
   if [[ -z $all ]]; then return 0; fi
-  npm_packages "$root/tests/gltf" "${FROND_GLTF:-$root/build/gltf}"
+  npm_packages "$root/tests/gltf" "$root/build/gltf"
   npm_packages "$root/tests/studio" "$root/build/studio"
 }
 

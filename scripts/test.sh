@@ -6,7 +6,7 @@ set -euo pipefail
 
 usage() {
   cat <<TEXT
-Usage: scripts/test.sh [--all] [CTEST_OPTION...]
+Usage: scripts/test.sh [--all | --rest] [CTEST_OPTION...]
 
 Runs the tests; the summary is ctest's. Those labelled "large", which need large programs, are left out and named
 unless --all is given. Options go to ctest: -L scripts runs the tests of one label, -LE slow leaves the slow ones
@@ -14,24 +14,33 @@ out, -R NAME runs those of a name.
 
   --all     also the tests labelled "large", and installs what they need; and then the quick ones of the
             library once more, in build-asan, with asserts and the address and undefined behaviour sanitizers
+  --rest    only what --all adds, for where the others have just been run
   --help    this text
 
 What is labelled "long" only ctest runs: \`ctest --preset release -L long\`.
+Tests write nothing into the sources. What has changed there while they ran is named, and counts as a test that failed.
 
 Exit codes: 0 all passed, 1 not.
 TEXT
 }
 # ctest leaves out only what all of several -LE name, so they are made one.
-setup=--tests excluded='^long$|^large$' options=()
+setup=--tests excluded='^long$|^large$' only=() options=()
 while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
-    --all) setup=--all excluded=${excluded/'|^large$'/} ;;
+    --all) setup=--all excluded='^long$' ;;
+    --rest) setup=--all excluded='^long$' only=(-L '^large$') ;;
     -LE | --label-exclude) excluded+=${excluded:+|}${2:-} && shift ;;
     *) options+=("$1") ;;
   esac
   shift
 done
+
+# sources: all files and folders that are no products (.gitignore), with their sizes and times.
+sources() {
+  find . \( -path './build*' -o -path ./.git -o -path ./out -o -path ./.cache -o -name node_modules \) -prune -o -printf '%p %y %s %T@\n' |
+    LC_ALL=C sort
+}
 
 "$root/scripts/setup.sh" "$setup" --quiet
 "$root/scripts/build.sh" --tests
@@ -45,7 +54,9 @@ else
   (tied bash -c "cmake --preset asan && nice -n 19 cmake --build --preset asan -j $(nproc)") >build-asan/build.log 2>&1 &
   asan=$!
 fi
-ctest --preset release -j "$(nproc)" --no-tests=error ${excluded:+-LE "$excluded"} "${options[@]}" || fail 1 "not all tests passed"
+before=$(sources)
+ctest --preset release -j "$(nproc)" --no-tests=error ${excluded:+-LE "$excluded"} ${only[@]+"${only[@]}"} "${options[@]}" ||
+  fail 1 "not all tests passed"
 if [[ $setup == --all ]]; then
   say "Building with sanitizers"
   wait "$asan" ||
@@ -53,3 +64,5 @@ if [[ $setup == --all ]]; then
   ctest --preset asan -j "$(nproc)" --no-tests=ignore "${options[@]}" ||
     fail 1 "not all tests passed with sanitizers"
 fi
+changed=$(comm -3 <(printf '%s\n' "$before") <(sources) | sed -E 's/^\t?(\.\/)?(.*) [a-z] [0-9]+ [0-9.]+$/\2/' | LC_ALL=C sort -u | paste -sd ,)
+[[ -z $changed ]] || fail 1 "the sources have changed while the tests ran, which write nothing there: ${changed//,/, }"

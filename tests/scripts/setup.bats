@@ -66,33 +66,49 @@ fake() {
   [ "$status" -eq 2 ]
 }
 
+# What setup.sh reads, in $clone, as it is when it has just been cloned, and an npm that only pretends: what setup.sh
+# installs and builds with it goes there, and nothing into the sources.
+fresh_clone() {
+  clone=$BATS_TEST_TMPDIR/clone
+  local folder
+  for folder in tests/gltf tests/studio gen/studio/page; do
+    mkdir -p "$clone/$folder"
+    cp "$ROOT/$folder"/package*.json "$clone/$folder"
+  done
+  cp -r "$ROOT/scripts" "$clone"
+}
+pretend_npm='case $3 in ci) mkdir -p "$2/node_modules" ;; run) mkdir -p "$2/dist" && : >"$2/dist/index.html" ;; esac'
+
 @test "what large tests need is only installed for them, and node not where it is there from elsewhere" {
-  export FROND_GLTF=$BATS_TEST_TMPDIR/gltf
+  fresh_clone
   fake node :
-  fake npm 'echo "npm $*" >>"$APT_LOG"; mkdir -p "$FROND_GLTF/node_modules"'
-  MISSING="nodejs npm" run "$ROOT/scripts/setup.sh" --tests --quiet
+  fake npm "echo \"npm \$*\" >>\"\$APT_LOG\"; $pretend_npm"
+  MISSING="nodejs npm" run "$clone/scripts/setup.sh" --tests --quiet
   [ "$status" -eq 0 ]
   [ ! -s "$APT_LOG" ]
-  MISSING="nodejs npm" run "$ROOT/scripts/setup.sh" --all --quiet
+  MISSING="nodejs npm" run "$clone/scripts/setup.sh" --all --quiet
   echo "$output"
   [ "$status" -eq 0 ]
-  grep -qx "npm --prefix $FROND_GLTF ci .*" "$APT_LOG"
+  grep -qx "npm --prefix $clone/build/gltf ci .*" "$APT_LOG"
   ! grep -q nodejs "$APT_LOG"
-  # The same pinned packages are not asked for again.
+  # The same pinned packages are not asked for again, nor is the page built again.
   : >"$APT_LOG"
-  run "$ROOT/scripts/setup.sh" --all --quiet
+  run "$clone/scripts/setup.sh" --all --quiet
   [ "$status" -eq 0 ]
   [ ! -s "$APT_LOG" ]
 }
 
 @test "node and npm come from apt where they are missing" {
-  export FROND_GLTF=$BATS_TEST_TMPDIR/gltf
+  fresh_clone
   tools=$BATS_TEST_TMPDIR/tools
   mkdir "$tools"
-  for tool in bash dirname grep sed mktemp rm cat env cmp mkdir cp tail; do ln -s "$(command -v "$tool")" "$tools/"; done
-  fake apt-get 'echo "$*" >>"$APT_LOG"; printf "#!/bin/bash\n/bin/mkdir -p $FROND_GLTF/node_modules\n" >"${0%/*}/npm"; /bin/chmod +x "${0%/*}/npm"'
-  MISSING="nodejs npm" PATH=$fakes:$tools run "$ROOT/scripts/setup.sh" --all --quiet
+  for tool in bash dirname grep sed mktemp rm cat env cmp mkdir cp tail find; do ln -s "$(command -v "$tool")" "$tools/"; done
+  printf '#!/bin/bash\n%s\n' "$pretend_npm" >"$BATS_TEST_TMPDIR/npm"
+  chmod +x "$BATS_TEST_TMPDIR/npm"
+  fake apt-get "echo \"\$*\" >>\"\$APT_LOG\"; cp '$BATS_TEST_TMPDIR/npm' '$fakes/npm'"
+  MISSING="nodejs npm" PATH=$fakes:$tools run "$clone/scripts/setup.sh" --all --quiet
   echo "$output"
   [ "$status" -eq 0 ]
   grep -q "install --no-install-recommends nodejs npm" "$APT_LOG"
+  [ -s "$clone/build/gltf/node_modules/installed-lock.json" ]
 }
