@@ -49,7 +49,7 @@ is_a=$(described "$a") is_b=$(described "$b")
 
 mkdir -p -- "$(dirname -- "$out")" 2>/dev/null || fail 1 "$out: its folder cannot be made"
 out=$(realpath -- "$out")
-part=$(dirname -- "$out")/.$(basename -- "$out").part
+part=$(part_of "$out")
 work=$(mktemp -d)
 trap 'rm -rf -- "$work" "$part"' EXIT
 a_path=$(realpath -- "$a") b_path=$(realpath -- "$b")

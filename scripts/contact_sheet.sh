@@ -17,7 +17,7 @@ help_where_asked "$@"
 [[ ${3:-} =~ ^[1-9][0-9]*$ && ${4:-1} =~ ^[1-9][0-9]*$ ]] || bad_usage "expected LIST SHEET.png COLUMNS [WIDTH]"
 
 list=$1 sheet=$2 columns=$3 width=${4:-240}
-part=$(dirname -- "$sheet")/.$(basename -- "$sheet").part
+part=$(part_of "$sheet")
 trap 'rm -f -- "$part"' EXIT
 
 pictures=$(grep -c '' "$list")

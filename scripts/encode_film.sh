@@ -21,8 +21,9 @@ help_where_asked "$@"
 (($# >= 3 && $# <= 5)) || bad_usage "expected LIST FILM FPS [TITLE [COMMENT]]"
 
 list=$1 film=$2 fps=$3 title=${4:-} comment=${5:-} format=${2##*.}
-part=$(dirname -- "$film")/.$(basename -- "$film").part
+part=$(part_of "$film")
 trap 'rm -f -- "$part" "$part.png"' EXIT
+rm -f -- "$part.png"
 
 even='format=gbrp,pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:black'
 even+=',scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p'

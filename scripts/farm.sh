@@ -158,6 +158,7 @@ elif [[ -z $openjd$opencue ]]; then
 fi
 
 # All that pictures depend on, in a folder that is named by it.
+no_link "$farm"
 mkdir -p -- "$farm" 2>/dev/null || fail 1 "$farm: the folder cannot be made"
 new=$farm/.new.$HOSTNAME.$$
 mkdir -- "$new" 2>/dev/null || fail 1 "$farm: cannot be written to"
@@ -178,6 +179,7 @@ key=$({
   cd -- "$new" && find tool files -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum
 } | sha256sum | cut -c-16)
 folder=$farm/$key
+no_link "$folder" "$folder"/* "$folder"/{failed,log}/*
 if [[ ! -d $folder ]]; then mv -T -- "$new" "$folder"; fi
 ln -sfnT -- "$key" "$farm/latest"
 rm -f -- "$folder"/failed/* "$folder/bands"
@@ -230,9 +232,11 @@ what="${#list[@]} of $count $([[ ${work[0]} == bands ]] && echo bands || echo "c
 
 if [[ -n $openjd$opencue ]]; then
   write() {  # FORMAT FILE
+    local part
+    part=$(part_of "$2")
     "$frond" farm "$1" "$folder" "${work[@]}" --name="$(basename -- "$preset" .json)" --tasks="${tasks:-1}" \
-      "${options[@]}" >"$2.part" || fail 1 "$2 could not be written"
-    put_in_place "$2.part" "$2"
+      "${options[@]}" >"$part" || fail 1 "$2 could not be written"
+    put_in_place "$part" "$2"
     printf '%s\n' "$2"
   }
   if [[ -n $openjd ]]; then write openjd "$openjd"; fi

@@ -75,7 +75,7 @@ prepare() {
   generate "$local" "--threads=$cpus" "$@" 2>"$said" || status=$?
   cat -- "$said" >&2
   if ((status != 0)); then
-    cp -T -- "$said" "$folder/failed/$name" || true
+    cp --remove-destination -T -- "$said" "$folder/failed/$name" || true
     exit "$status"
   fi
   rm -f -- "$folder/failed/$name"
@@ -92,7 +92,7 @@ deliver() {
   local part said wait
   part=${2%/*}/.${2##*/}.$HOSTNAME.$BASHPID.part
   for wait in 1 2 4 8 16 0; do
-    if said=$(cp -T -- "$1" "$part" 2>&1 && sync -- "$part" 2>&1 && mv -fT -- "$part" "$2" 2>&1); then return; fi
+    if said=$(cp --remove-destination -T -- "$1" "$part" 2>&1 && sync -- "$part" 2>&1 && mv -fT -- "$part" "$2" 2>&1); then return; fi
     rm -f -- "$part" 2>/dev/null || true
     if full_disk "$said"; then fail 1 "$2 could not be written: $no_room"; fi
     if ((wait > 0)); then sleep "$wait"; fi
@@ -109,7 +109,7 @@ render() {
     "${flags[@]}" "$@" 2>"$said" || status=$?
   cat -- "$said" >&2
   if ((status != 0)); then
-    cp -T -- "$said" "$folder/failed/$name" || true
+    cp --remove-destination -T -- "$said" "$folder/failed/$name" || true
     return 1
   fi
   deliver "frames/$name.png" "$folder/frames/$name.png"

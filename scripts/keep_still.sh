@@ -14,7 +14,7 @@ TEXT
 help_where_asked "$@"
 (($# == 2)) || bad_usage "expected PICTURE.png STILL.png"
 
-part=$(dirname -- "$2")/.$(basename -- "$2").part
+part=$(part_of "$2")
 trap 'rm -f -- "$part"' EXIT
 if ! said=$(cp -T -- "$1" "$part" 2>&1); then
   full_disk "$said" && said=$no_room

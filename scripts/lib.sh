@@ -45,6 +45,22 @@ help_where_asked() { case ${1:-} in -h | --help) usage; exit 0 ;; esac; }
 full_disk() { [[ $1 == *'No space left on device'* || $1 == *'Disk quota exceeded'* ]]; }
 no_room='no room on the disk'
 
+# part_of FILE: the name of what is to become it, beside it. Nothing is there: a link would be written through.
+part_of() {
+  local part
+  part=$(dirname -- "$1")/.$(basename -- "$1").part
+  rm -f -- "$part"
+  printf '%s\n' "$part"
+}
+
+# no_link PATH...: fails where one of them is a link, and so something else would be written to.
+no_link() {
+  local path
+  for path in "$@"; do
+    if [[ -L $path ]]; then fail 1 "$path: is a link, and what it points to would be written to; expected none"; fi
+  done
+}
+
 # put_in_place PART FILE: renames a finished file once it lies on the disk, so that not even a crash leaves half of it.
 put_in_place() {
   local said

@@ -18,7 +18,7 @@ folder=$1 file=${2:-$1/plot.svg}
 [[ -f $folder/manifest.json ]] || fail 2 "$folder: holds no manifest.json; expected the folder of a run"
 [[ $file == *.svg ]] || fail 2 "$file: expected a name that ends in .svg"
 if [[ -d $file ]]; then fail 1 "$file is a folder; expected a file, or none"; fi
-part=$(dirname -- "$file")/.$(basename -- "$file").part
+part=$(part_of "$file")
 trap 'rm -f -- "$part"' EXIT
 
 # rows: NUMBER NODES BYTES SECONDS of each frame, `-` where it is not known

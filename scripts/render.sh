@@ -161,6 +161,7 @@ if [[ -z ${FROND_BIN:-} ]]; then (tied "$root/scripts/build.sh"); fi
 renderer=${FROND_POVRAY:-povray}
 command -v "$renderer" >/dev/null || fail 1 "$renderer: no such program; it is what renders"
 mkdir -p -- "$out" 2>/dev/null || fail 1 "$out: the folder cannot be made"
+no_link "$out/.lock"
 { exec {lock}>"$out/.lock"; } 2>/dev/null || fail 1 "$out: cannot be written to"
 if ! flock --nonblock "$lock"; then
   say "Another run is at work in $out; waiting for it"

@@ -82,6 +82,7 @@ names 1
 for left in "$folder/$name".*; do
   if [[ $left != "$folder/$name.$key".* ]]; then rm -rf -- "$left"; fi
 done
+find "$folder" -maxdepth 1 -type l -name "$name.*" -delete  # nothing is written through a link
 rm -rf -- "$plain" "$large"  # not finished, or they would be in their place
 
 before=0
@@ -226,6 +227,7 @@ put_in_place "$plain" "$picture"
 # What it took; where a run was killed that could not say it, nothing is noted.
 {
   count_time
-  if [[ -n $took ]]; then printf '%s %d %s\n' "${name#.}" "$took" "$size" >>"$(dirname -- "$folder")/.times"; fi
+  noted=$(dirname -- "$folder")/.times
+  if [[ -n $took && ! -L $noted ]]; then printf '%s %d %s\n' "${name#.}" "$took" "$size" >>"$noted"; fi
 } 2>/dev/null || true
 rm -rf -- "$folder/$name.$key".*

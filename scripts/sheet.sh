@@ -92,6 +92,7 @@ for pointer in "${pointers[@]}"; do
 done
 if [[ ${names[0]} == "${names[1]:-}" ]]; then names=("${pointers[@]}"); fi
 
+no_link "$out/pictures"
 mkdir -p -- "$out/pictures" 2>/dev/null || fail 1 "$out: the folder cannot be made"
 out=$(realpath -- "$out")
 work=$(mktemp -d)

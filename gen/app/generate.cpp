@@ -165,6 +165,7 @@ int generate(const GenerateArguments& arguments) {
 
   std::string name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
+  if (Errors errors = refuse_links(out); !errors.empty()) return fail(errors, kCouldNot);
   if (arguments.film_only) {
     Errors errors = write_jobs(*preset, range, {}, 0, *root, out, name, true);
     if (errors.empty()) errors = remove_unusable(out, range, preset->film.size);

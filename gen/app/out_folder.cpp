@@ -52,6 +52,22 @@ FolderInUse::~FolderInUse() {
 
 bool FolderInUse::by_us_alone() { return file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0; }
 
+Errors refuse_links(const fs::path& out) {
+  Errors errors;
+  for (const fs::path& folder : {out, out / "frames"})
+    for (const fs::path& path : files_in(folder)) {
+      std::string name = path.filename();
+      bool by_name =
+          name.starts_with('.') || (folder == out && (name == "frames" || name.ends_with(".list")));
+      std::error_code error;
+      if (by_name && fs::is_symlink(fs::symlink_status(path, error)))
+        errors.push_back({path.string(), "is a link, and what it points to would be written to; expected a " +
+                                             std::string(name == "frames" ? "folder" : "file") +
+                                             ", or none"});
+    }
+  return errors;
+}
+
 Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange range, std::array<int, 2> size) {
   enum class State { good, damaged, other_size, folder };
   std::vector<fs::path> pictures = {out / "still.png", out / "contact.png"};

@@ -28,6 +28,11 @@ class FolderInUse {
   int file_ = -1;
 };
 
+/// What is wrong with a folder of frames that links elsewhere. Most files there are put in their place whole,
+/// which leaves alone what a link points to; but ninja and the scripts write to some by their names
+/// (.ninja_log, .times, lists), and all frames go through the folder `frames`: no link may stand there.
+Errors refuse_links(const std::filesystem::path& out);
+
 /// Removes the pictures of earlier runs that do not count as done, so that they are made again: frames of the
 /// range that are not whole or not of that size, and a damaged still or contact sheet. Gives those that
 /// are damaged. An error where a folder stands in the place of a picture.

@@ -33,10 +33,12 @@ bool holds(const fs::path& path, std::string_view text) {
   return now.ok() && *now == text;
 }
 
-/// Writes a file that lies on the disk when this returns.
+/// Writes a file that lies on the disk when this returns. It is a new one: what stands in its place goes,
+/// and a link there is not followed.
 std::error_code write_through(const fs::path& path, std::string_view text) {
   auto error_now = [] { return std::error_code(errno, std::generic_category()); };
-  int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  ::unlink(path.c_str());
+  int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) return error_now();
   std::error_code error;
   while (!text.empty() && !error) {

@@ -51,6 +51,7 @@ void GrowingFile::add(std::string_view text) {
   if (!out_.is_open()) {
     std::error_code error;
     if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
+    fs::remove(temporary_, error);  // a link there would be written through
     out_.open(temporary_, std::ios::binary);
   }
   out_.write(held_.data(), static_cast<std::streamsize>(held_.size()));

@@ -113,6 +113,118 @@ damage() {
   done
 }
 
+# What links may point to: a file and a folder of frames, neither of which may change.
+precious() {
+  rm -rf mine
+  mkdir -p mine/folder
+  echo precious >mine/file
+  echo precious >mine/folder/model_0123456789abcdef.inc
+  echo precious >mine/folder/.frame_0001.kept
+}
+unharmed() { [ "$(cd mine && find . -type f -exec sha256sum {} + | sort)" = "$harmless" ]; }
+
+@test "a link in the place of what is written by its name is refused before anything is written" {
+  precious
+  harmless=$(cd mine && find . -type f -exec sha256sum {} + | sort)
+  local name target
+  for name in .lock .ninja_log .ninja_deps .times .film.mp4.part film.mp4.list preview.mp4.list frames frames/.frame_0001.0.kept; do
+    rm -rf out
+    mkdir -p "$(dirname "out/film/$name")"
+    target=$PWD/mine/file
+    if [ "$name" = frames ]; then target=$PWD/mine/folder; fi
+    ln -s "$target" "out/film/$name"
+    for call in "$FROND_BIN generate film.json -o out/film" "$RENDER film.json" "$RENDER film.json --assets $PWD" "$RENDER film.json --every 4"; do
+      # shellcheck disable=SC2086
+      run $call
+      echo "$name, $call: $output"
+      [ "$status" -eq 1 ]
+      [ "$(grep -c "out/film/$name: is a link, and what it points to would be written to; expected " <<<"$output")" -eq 1 ]
+      unharmed
+    done
+    rm "out/film/$name"
+    find out -type f ! -name .lock -print0 >left
+    [ ! -s left ]
+  done
+}
+
+@test "a link in the place of what is put there whole is replaced, and what it points to is left alone" {
+  precious
+  harmless=$(cd mine && find . -type f -exec sha256sum {} + | sort)
+  mkdir -p out/film/frames
+  local name
+  for name in film.mp4 contact.png manifest.json build.ninja frames/frame_0001.pov frames/frame_0001.png preview.mp4; do
+    ln -s "$PWD/mine/file" "out/film/$name"
+  done
+  run "$RENDER" film.json
+  echo "$output"
+  [ "$status" -eq 0 ]
+  unharmed
+  [ -z "$(find out -type l)" ]
+}
+
+@test "no script writes through a link in the place of its unfinished file" {
+  precious
+  harmless=$(cd mine && find . -type f -exec sha256sum {} + | sort)
+  "$RENDER" film.json --frames 1-1
+  ls "$frames"/*.png >list
+  local name
+  for name in .a.mp4.part .a.gif.part .a.gif.part.png .a.png.part .b.png.part .c.png.part .plot.svg.part; do ln -s mine/file "$name"; done
+  "$ROOT/scripts/encode_film.sh" list a.mp4 24
+  "$ROOT/scripts/encode_film.sh" list a.gif 24 title
+  "$ROOT/scripts/contact_sheet.sh" list a.png 1
+  "$ROOT/scripts/keep_still.sh" "$frames/frame_0001.png" b.png
+  "$ROOT/scripts/plot.sh" out/film plot.svg
+  "$ROOT/scripts/compare.sh" b.png b.png c.png
+  unharmed
+  # The same of a frame, by its own script.
+  rm "$frames/frame_0001.png" out/film/.times
+  ln -s "$PWD/mine/file" out/film/.times
+  cd out/film
+  local key
+  FRAME_TIME=1 "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
+  local running=$!
+  until compgen -G 'frames/.frame_0001.*.spent' >/dev/null; do sleep 0.05; done
+  key=$(compgen -G 'frames/.frame_0001.*.spent')
+  wait "$running"
+  for name in spent log kept png pov-state plain; do ln -s "$PWD/../../mine/file" "${key%.spent}.$name"; done
+  rm frames/frame_0001.png
+  "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48
+  [ -s frames/frame_0001.png ]
+  cd ../..
+  unharmed
+}
+
+@test "sheets and farms write into no folder that a link leads to" {
+  mkdir -p elsewhere sheet out/film
+  ln -s ../elsewhere sheet/pictures
+  ln -s ../../elsewhere out/film/farm
+  run "$RENDER" film.json --contact-seeds 2 -o sheet
+  echo "$output"
+  [ "$status" -eq 1 ]
+  [[ $output == *"sheet/pictures: is a link, and what it points to would be written to; expected none"* ]]
+  run "$ROOT/scripts/farm.sh" film.json --openjd job.json
+  echo "$output"
+  [ "$status" -eq 1 ]
+  [[ $output == *"out/film/farm: is a link, "* ]]
+  [ -z "$(ls -A elsewhere)" ]
+  rm out/film/farm
+  echo precious >mine
+  ln -s mine .job.json.part
+  "$ROOT/scripts/farm.sh" film.json --openjd job.json
+  [ "$(cat mine)" = precious ]
+  local folder
+  folder=$(realpath out/film/farm/latest)
+  for name in call modules environment bands log/hosts failed/frames_1-4; do
+    ln -sf "$PWD/mine" "$folder/$name"
+    run "$ROOT/scripts/farm.sh" film.json --openjd job.json
+    echo "$name: $output"
+    [ "$status" -eq 1 ]
+    [[ $output == *"$name: is a link, "* ]]
+    [ "$(cat mine)" = precious ]
+    rm "$folder/$name"
+  done
+}
+
 @test "a failing encoder is told as that" {
   printf '#!/bin/sh\necho no such encoder >&2\nexit 1\n' >ffmpeg
   chmod +x ffmpeg
