@@ -80,6 +80,15 @@ std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
   return beds;
 }
 
+/// How many steps are told while a bed grows: one for each planting, also for those that have yet to find
+/// room on bodies; all creepers or fish of an entry grow as one.
+std::size_t steps_of(const Bed& bed) {
+  const Organism& organism = *bed.organism;
+  if (finds_its_way(organism.grower->stage())) return 1;
+  std::size_t to_come = organism.place.on.empty() ? 0 : static_cast<std::size_t>(organism.count);
+  return std::max(bed.plantings.size(), to_come);
+}
+
 /// Grows the beds of a scene stage by stage and adds them to the world.
 class Gardener {
  public:
@@ -101,6 +110,8 @@ class Gardener {
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
       if (stage == GrowthStage::in_space) {
         if (Errors errors = settle_colonies(growing, world, notes); !errors.empty()) return errors;
+        for (const Bed& bed : growing)  // those that found no room are done
+          for (std::size_t i = bed.plantings.size(); i < steps_of(bed); ++i) watch_.step();
       }
       if (Errors errors = grow_stage(stage, growing, world); !errors.empty()) return errors;
     }
@@ -269,10 +280,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   watch.step();
 
   std::size_t growing = 0;
-  for (const Bed& bed : beds) {
-    bool creeps = finds_its_way(bed.organism->grower->stage());
-    growing += creeps ? 1 : bed.plantings.size();  // all creepers or fish of an entry grow as one
-  }
+  for (const Bed& bed : beds) growing += steps_of(bed);
   watch.begin("grow", growing);
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
   world.add(ground->furnishings());

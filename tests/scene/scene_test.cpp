@@ -119,6 +119,25 @@ TEST(Scene, TellsAsManyStepsAsItForetold) {
   }
 }
 
+TEST(Scene, FindsRoomOnBodiesWithoutMoreOrFewerStepsThanForetold) {
+  const std::string_view text = R"({"seed": 4, "scene": {"setting": "underwater"}, "organisms": [
+      {"kind": "rock", "name": "rock", "count": 1, "place": {"at": [[0, 0]]}, "depth": 4},
+      {"kind": "encrusting", "count": 12, "place": {"on": ["rock"], "spacing": SPACING}}]})";
+  for (const char* spacing : {"0.01", "0.7"}) {  // room for all, and for few
+    std::string own(text);
+    own.replace(own.find("SPACING"), 7, spacing);
+    Result<Preset> preset = read_preset(own, "test.json", {});
+    ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
+    std::size_t foretold = 0;
+    std::atomic<std::size_t> told = 0;
+    Watch watch{[&](std::string_view, std::size_t steps) { foretold += steps; }, [&] { ++told; }};
+    Result<Scene> scene = build_scene(*preset, watch);
+    ASSERT_TRUE(scene.ok()) << scene.errors()[0].text();
+    EXPECT_EQ(told, foretold) << spacing;
+    EXPECT_EQ(std::string_view(spacing) == "0.7", !scene->notes.empty());
+  }
+}
+
 TEST(Scene, IsTheSameAtAnyThreadCount) {
   Preset preset = preset_at("tests/presets/tiny_film.json");
   limit_threads(1);
