@@ -46,7 +46,7 @@ struct DevelopArguments {
 struct ExportArguments {
   PresetArguments preset;
   std::string out;                    ///< file to write; its extension says the format
-  int frame = 0;                      ///< 0: the first, of an include the last
+  int frame = 0;                      ///< 0: the last
   std::optional<std::string> frames;  ///< A-B: those that an include or a .glb holds
   int keys = 12;                      ///< how many shapes those of a .glb go through, at most
   int levels = 1;                     ///< of detail, of a .glb

@@ -45,6 +45,7 @@ Errors unfit(const Format& format, const ExportArguments& to) {
     return wrong("--frames", "of these formats only .glb and .inc hold several frames");
   if (!format.films && to.levels > 1)
     return wrong("--lods", "of these formats only .glb holds levels of detail");
+  if (to.seeds > 1) return wrong("--seeds", "of these formats only .inc holds several shapes");
   if (to.frames && to.frame > 0)
     return wrong("--frames", "does not go with --frame: the last of them is written");
   if (to.frames && to.levels > 1) return wrong("--frames", "does not go with --lods: only one mesh can move");
@@ -71,7 +72,7 @@ int export_scene(const ExportArguments& arguments) {
                       .levels = arguments.levels};
   if (Errors errors = set_detail(arguments.detail, options); !errors.empty())
     return fail(errors, kWrongInput);
-  int frame = arguments.frame == 0 ? 1 : arguments.frame;
+  int frame = arguments.frame == 0 ? film.frames : arguments.frame;
   if (arguments.frames) {
     Result<int> last = set_keys(*arguments.frames, arguments.keys, film, options);
     if (!last) return fail(last.errors(), kWrongInput);
@@ -90,8 +91,13 @@ int export_scene(const ExportArguments& arguments) {
     if (!arguments.quiet) tell(fmt::format("{}: about {:.2g} MB", arguments.out, bytes / 1e6));
   };
   now_doing("writing the mesh or the volume");
-  Result<bool> written = write_scene(**format, *scene, film.time(frame), options, arguments.out, foretell);
-  if (written) return kDone;
+  auto written = write_scene(**format, *scene, film.time(frame), options, arguments.out, foretell);
+  if (written) {
+    if (!arguments.quiet && !written->empty())
+      tell(fmt::format("note: at frame {} of {} nothing has grown yet of {}", frame, film.frames,
+                       fmt::join(*written, ", ")));
+    return kDone;
+  }
   // What the disk says stands at a path; all else is what was asked for.
   Errors errors = written.errors();
   bool wrong = errors.front().where.empty();

@@ -111,8 +111,7 @@ void add_export(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "export", "Writes what grows, at one frame, for other programs or your own POV-Ray scene");
   add_preset(command, to->preset);
-  command->add_option("--frame", to->frame, "Which frame (1; of an .inc the last)")
-      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
   command->add_option("--frames", to->frames,
                       "A-B: of an .inc, frames whose shapes it holds; of a .glb, an animation of them");
   command->add_option("--keys", to->keys, "Of --frames of a .glb: through how many shapes it goes (12)")

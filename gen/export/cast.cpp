@@ -220,6 +220,7 @@ Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& opti
   Maker maker{cast, options};
   for (const Specimen& b : scene.specimens) {
     Errors errors;
+    std::size_t before = cast.placements.size();
     if (b.life.changes()) {
       Result<Specimen> now = developed(b, time);
       if (!now) return now.errors();
@@ -230,6 +231,10 @@ Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& opti
       errors = Caster(maker, b, time).add();
     }
     if (!errors.empty()) return errors;
+    std::string name = b.name.empty() ? fmt::format("organism {}", b.entry) : b.name;
+    if (cast.placements.size() == before && b.entry != Specimen::kNoEntry &&
+        std::ranges::find(cast.absent, name) == cast.absent.end())
+      cast.absent.push_back(name);
   }
   if (Errors errors = add_sown(maker, scene); !errors.empty()) return errors;
   if (cast.placements.empty())

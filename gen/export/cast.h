@@ -82,7 +82,8 @@ struct Cast {
   std::vector<CastMesh> meshes;
   std::vector<CastGroup> groups;
   std::vector<CastPlacement> placements;
-  std::vector<double> keys;  ///< seconds from the first on: when its shapes are reached, if it moves
+  std::vector<double> keys;         ///< seconds from the first on: when its shapes are reached, if it moves
+  std::vector<std::string> absent;  ///< names of organisms of which nothing has grown yet, each once
 };
 
 inline constexpr double kCoarser = 0.25;  ///< share of the triangles of a level that the next has

@@ -92,15 +92,18 @@ Result<const Format*> format_of(const fs::path& path) {
     known += format.extension;
   }
   return Error{path.string(),
-               fmt::format("\"{}\" is no format that is known; expected one of {}", extension, known)};
+               fmt::format("\"{}\" is no format that is known; expected one of {}, .inc", extension, known)};
 }
 
-Result<bool> write_scene(const Format& format, const Scene& scene, double time, const CastOptions& options,
-                         const fs::path& path, const std::function<void(double)>& tell) {
+Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,
+                                             const CastOptions& options, const fs::path& path,
+                                             const std::function<void(double)>& tell) {
   if (!format.write) {
     Result<Volume> volume = cast_volume(scene, time, options);
     if (!volume) return volume.errors();
-    return write_vdb(path, *volume);
+    Result<bool> written = write_vdb(path, *volume);
+    if (!written) return written.errors();
+    return std::vector<std::string>{};
   }
   // Foreseen before anything large is made, and again once what is sown has grown.
   if (Errors errors = refuse_bytes(format, format.bytes(foresee_cast(scene, options))); !errors.empty())
@@ -113,7 +116,9 @@ Result<bool> write_scene(const Format& format, const Scene& scene, double time, 
   double bytes = format.bytes(size_of(*cast));
   tell(bytes);
   if (Errors errors = refuse_bytes(format, bytes); !errors.empty()) return errors;
-  return format.write(*cast, own, path);
+  Result<bool> written = format.write(*cast, own, path);
+  if (!written) return written.errors();
+  return std::move(cast->absent);
 }
 
 }  // namespace frond

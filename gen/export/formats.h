@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 #include "export/cast.h"
@@ -26,14 +28,17 @@ struct Format {
 
 std::span<const Format> formats();
 
-/// The format of a file's name, or an error that names those there are.
+/// The format of a file's name, or an error that names those there are, and .inc, which is no mesh: see
+/// emit/include.h.
 Result<const Format*> format_of(const std::filesystem::path& path);
 
 /// Writes a scene as it is at a time, seconds. `tell` is told about how many bytes it will take as soon as
 /// that is known; more than the format or this machine's memory holds is refused, and so is a scene of which
-/// nothing would be written. Errors of the disk stand at a path, those of what was asked for at none.
-Result<bool> write_scene(const Format& format, const Scene& scene, double time, const CastOptions& options,
-                         const std::filesystem::path& path, const std::function<void(double)>& tell);
+/// nothing would be written. Errors of the disk stand at a path, those of what was asked for at none. Gives
+/// the names of organisms of which nothing has grown by then.
+Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,
+                                             const CastOptions& options, const std::filesystem::path& path,
+                                             const std::function<void(double)>& tell);
 
 // The texts of the formats, pure functions of the cast.
 

@@ -145,7 +145,7 @@ TEST(Formats, are_told_by_the_extension) {
   Result<const Format*> none = format_of("a/b.stl");
   ASSERT_FALSE(none);
   EXPECT_EQ(none.errors()[0].what,
-            "\".stl\" is no format that is known; expected one of .obj, .ply, .glb, .vdb");
+            "\".stl\" is no format that is known; expected one of .obj, .ply, .glb, .vdb, .inc");
 }
 
 TEST(Obj, is_read_back_by_tinyobjloader) {
@@ -353,7 +353,7 @@ TEST(Formats, refuse_a_scene_of_which_nothing_would_be_written) {
   for (const Format& format : formats()) {
     fs::path path = fs::temp_directory_path() /
                     ("frond_nothing_" + std::to_string(getpid()) + std::string(format.extension));
-    Result<bool> written = write_scene(format, scene, 0, kSmallPictures, path, [](double) {});
+    auto written = write_scene(format, scene, 0, kSmallPictures, path, [](double) {});
     ASSERT_FALSE(written) << format.extension;
     EXPECT_EQ(written.errors()[0].where, "");  // of what was asked for, not of the disk
     EXPECT_FALSE(fs::exists(path));
@@ -367,7 +367,7 @@ TEST(Formats, refuse_more_than_they_hold_before_they_make_it) {
     Format small = format;
     small.most_bytes = 1e4;
     double told = 0;
-    Result<bool> written =
+    auto written =
         write_scene(small, scene, 0, kSmallPictures, "/nowhere/at/all", [&](double b) { told = b; });
     ASSERT_FALSE(written);
     EXPECT_GT(told, 1e4);
@@ -399,7 +399,7 @@ TEST(Formats, leave_nothing_where_the_disk_is_full) {
     fs::path path = folder / ("garden" + std::string(format.extension));
     {
       SmallDisk disk(8192);  // the .mtl would find room
-      Result<bool> written = write_scene(format, scene, 2, kSmallPictures, path, [](double) {});
+      auto written = write_scene(format, scene, 2, kSmallPictures, path, [](double) {});
       ASSERT_FALSE(written) << format.extension;
       EXPECT_NE(written.errors()[0].where, "") << format.extension;
     }
@@ -412,8 +412,8 @@ TEST(Formats, an_obj_does_not_stay_without_its_materials) {
   namespace fs = std::filesystem;
   fs::path folder = fs::temp_directory_path() / ("frond_no_mtl_" + std::to_string(getpid()));
   fs::create_directories(folder / "garden.mtl" / "in_the_way");
-  Result<bool> written = write_scene(**format_of("garden.obj"), garden(), 2, kSmallPictures,
-                                     folder / "garden.obj", [](double) {});
+  auto written = write_scene(**format_of("garden.obj"), garden(), 2, kSmallPictures, folder / "garden.obj",
+                             [](double) {});
   EXPECT_FALSE(written);
   EXPECT_FALSE(fs::exists(folder / "garden.obj"));
   fs::remove_all(folder);
@@ -426,8 +426,7 @@ TEST(Formats, write_whole_files) {
   for (const Format& format : formats()) {
     fs::path path = folder / ("garden" + std::string(format.extension));
     double told = 0;
-    Result<bool> written =
-        write_scene(format, scene, 2, kSmallPictures, path, [&](double bytes) { told = bytes; });
+    auto written = write_scene(format, scene, 2, kSmallPictures, path, [&](double bytes) { told = bytes; });
     ASSERT_TRUE(written) << written.errors()[0].text();
     double foreseen = format.bytes(foresee_cast(scene, kSmallPictures)),
            size = static_cast<double>(fs::file_size(path));

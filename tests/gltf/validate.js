@@ -13,10 +13,8 @@ async function main([frond, folder, preset, ...given]) {
   const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'frond_gltf_'));
   try {
     const file = path.join(scratch, 'scene.glb');
-    const {frames} = JSON.parse(execFileSync(frond, ['info', preset, '--json', ...sets]));
-    const which = options.includes('--frames') ? [] : ['--frame', String(frames)];
     // Small pictures: drawing large ones takes longer than all else, and their size is nothing to the validator.
-    const words = ['export', preset, ...which, '--texture', '64', '-q', '-o', file, ...sets, ...options];
+    const words = ['export', preset, '--texture', '64', '-q', '-o', file, ...sets, ...options];
     execFileSync(frond, words, {stdio: 'inherit'});
     // It stops at a limit of issues, so there is none; places on textures may be there without a texture, and tangents
     // are made by who reads the file, in the way that glTF prescribes.

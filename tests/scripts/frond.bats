@@ -374,18 +374,37 @@ for row in json.load(sys.stdin):
   [ "$(head -c 4 out/coral.glb)" = "glTF" ]
   run "$frond" export "$root/tests/presets/tiny_film.json" -o out/coral.stl
   [ "$status" -eq 2 ]
-  [[ "$output" == *"expected one of .obj, .ply, .glb, .vdb"* ]]
+  [[ "$output" == *"expected one of .obj, .ply, .glb, .vdb, .inc" ]]
   run "$frond" export "$root/tests/presets/tiny_film.json" --frame 4000 -o out/late.ply
   [ "$status" -eq 2 ]
   [[ "$output" == "--frame: 4000 is no frame of this film; expected 1-"* ]]
   for wrong in "x.obj --frames 1-3" "x.ply --lods 2" "x.glb --frames 1-3 --lods 2" "x.glb --frames 2-2" \
-    "x.glb --frames 1-3 --frame 2" "x.glb --lods 2 --instances" "x.glb --detail 10px" "x.glb --detail fine"; do
+    "x.glb --frames 1-3 --frame 2" "x.glb --seeds 2" "x.glb --lods 2 --instances" "x.glb --detail 10px" "x.glb --detail fine"; do
     run "$frond" export "$root/tests/presets/tiny_film.json" -o $wrong
     [ "$status" -eq 2 ]
-    [[ "$output" =~ ^--(frames|lods|detail|instances): ]]
+    [[ "$output" =~ ^--(frames|lods|seeds|detail|instances): ]]
     [ ! -e "${wrong%% *}" ]
   done
   [ ! -e out/late.ply ]
+}
+
+@test "an export shows what has grown, and names what has not yet" {
+  echo '{"film": {"frames": 12}, "organisms": [
+    {"kind": "coral", "name": "late", "count": 2, "steps": 3, "growth": {"start": 0.1, "duration": 0.3}},
+    {"kind": "rock", "depth": 4}]}' >film.json
+  for kind in obj ply glb; do
+    run "$frond" export film.json -o "grown.$kind"
+    echo "$output"
+    [ "$status" -eq 0 ]
+    [[ "$output" != *"nothing has grown"* ]]
+    "$frond" export film.json --frame 12 -o "last.$kind" -q
+    [ "$kind" = obj ] || cmp "grown.$kind" "last.$kind"
+    run "$frond" export film.json --frame 1 -o "early.$kind"
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"note: at frame 1 of 12 nothing has grown yet of late" ]]
+    [ "$(stat -c %s "early.$kind")" -lt "$(stat -c %s "grown.$kind")" ]
+  done
+  grep -q 'late_branches' grown.obj
 }
 
 @test "a volume past its limit is refused before it is made" {
