@@ -23,7 +23,7 @@ for argument in "$@"; do
   case $argument in
     -h | --help) usage; exit 0 ;;
     --tests) tests=yes ;;
-    -*) bad_usage "unknown option '$argument'" ;;
+    -*) unknown_option "$argument" ;;
     *) targets+=("$argument") ;;
   esac
 done

@@ -73,7 +73,7 @@ while (($# > 0)); do
     --out=* | --site=* | --partition=* | --hosts=* | --openjd=* | --opencue=* | --frames=* | --assets=* | --chunk=* | --bands=* | --size=* | --scale=* | --quality=* | --set=*)
       take "${1%%=*}" "${1#*=}"
       ;;
-    -?*) bad_usage "unknown option '$1'" ;;
+    -?*) unknown_option "$1" ;;
     *)
       [[ -z $preset ]] || bad_usage "one preset at a time: '$preset', and then '$1'"
       preset=$1

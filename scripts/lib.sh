@@ -15,6 +15,40 @@ say() { end_bar; printf '%s\n' "$*" >&2; }
 fail() { local code=$1; shift; end_bar; printf '%s %s\n' "$_error_mark" "$*" >&2; exit "$code"; }
 bad_usage() { end_bar; printf '%s %s\nSee %s --help\n' "$_error_mark" "$*" "$(basename -- "$0")" >&2; exit 2; }
 
+# nearest NAME: of the lines `KEY<tab>TEXT` on stdin the texts whose key is the name or, where there is none, nearest to
+# it, by Levenshtein's distance; ` and ` between them.
+nearest() {
+  awk -F '\t' -v name="$1" '
+    function least(a, b) { return a < b ? a : b }
+    function distance(a, b,   i, j, row, last, up) {
+      for (j = 0; j <= length(b); ++j) row[j] = j
+      for (i = 1; i <= length(a); ++i) {
+        last = row[0]
+        row[0] = i
+        for (j = 1; j <= length(b); ++j) {
+          up = row[j]
+          row[j] = least(least(up, row[j - 1]) + 1, last + (substr(a, i, 1) != substr(b, j, 1)))
+          last = up
+        }
+      }
+      return row[length(b)]
+    }
+    BEGIN { best = 1 + int(length(name) / 3) }
+    {
+      d = distance(tolower(name), $1)
+      if (d < best) { best = d; found = "" }
+      if (d == best) found = found (found ? " and " : "") $2
+    }
+    END { print found }'
+}
+
+# unknown_option OPTION: says so, with the nearest that `usage` names.
+unknown_option() {
+  local near
+  near=$(usage | grep -oE -e '--[a-z-]+' | LC_ALL=C sort -u | sed 's/.*/&\t&/' | nearest "${1%%=*}")
+  bad_usage "unknown option '$1'${near:+; did you mean ${near// and / or }?}"
+}
+
 on_terminal() { [[ -t 2 && ${TERM:-dumb} != dumb ]]; }
 
 end_bar() {
@@ -80,16 +114,28 @@ whole_png() {
   [[ $begin =~ ^89504e470d0a1a0a0000000d49484452$size$ && $end == 0000000049454e44ae426082 ]]
 }
 
-# label NAME TEXT WIDTH: notes in the file NAME what is to stand below a picture; of a long text its end.
+# label NAME TEXT WIDTH: notes in the files NAME1, NAME2 ... the lines of what is to stand below a picture, and in
+# $label_lines the most that one of them has. A character is at most 0.64 of its size wide; three blanks part a text.
+label_lines=1
 label() {
-  local text=${2//[[:cntrl:]]/ } most=$(($3 > 224 ? $3 / 9 : 23))
-  if ((${#text} > most)); then text=...${text: -most}; fi
-  printf '%s' "$text" >"$1"
+  local text=${2//[[:cntrl:]]/ } most line count=0
+  most=$(($3 > 224 ? $3 * 100 / 1024 : $3 > 112 ? 21 : $3 > 16 ? $3 * 100 / 512 : 3))
+  if ((${#text} > most)); then text=${text//   /$'\n'}; fi
+  while IFS= read -r line; do
+    count=$((count + 1))
+    printf '%s' "$line" >"$1$count"
+  done < <(fold -s -w "$most" <<<"$text")
+  if ((count > label_lines)); then label_lines=$count; fi
 }
-# labelled NAME: the filter of ffmpeg that puts it there. So no text is ever part of a filter.
+# labelled NAME: the filter of ffmpeg that puts them there. So no text is ever part of a filter.
 labelled() {
-  printf "pad=iw:ih+28:0:0:0x202020,drawtext=textfile=%s:expansion=none:fontcolor=white:fontsize='clip(w/14,8,16)'" "$1"
-  printf ":x='max(0,(w-tw)/2)':y=h-20"
+  local line
+  printf 'pad=iw:ih+%d:0:0:0x202020' $((10 + 18 * label_lines))
+  for ((line = 1; line <= label_lines; ++line)); do
+    if [[ ! -e $1$line ]]; then return; fi
+    printf ",drawtext=textfile=%s%d:expansion=none:fontcolor=white:fontsize='clip(w/14,8,16)'" "$1" "$line"
+    printf ":x='max(0,(w-tw)/2)':y=h-%d" $((2 + 18 * (label_lines - line + 1)))
+  done
 }
 
 # frames_in FILM: how many pictures a film holds, by what is there of them and not by its header.

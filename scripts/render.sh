@@ -44,34 +44,12 @@ povray and ffmpeg.
 TEXT
 }
 
-# near_presets NAME: the presets of that name or, where there is none, of the nearest, by Levenshtein's distance.
+# near_presets NAME: the presets of that name or, where there is none, of the nearest.
 near_presets() {
   local here=$root/presets
   if [[ $PWD -ef $root ]]; then here=presets; fi
-  { find "$here" -name '*.json' ! -path "$here/grammars/*" 2>/dev/null || true; } | LC_ALL=C sort | awk -v name="$1" '
-    function least(a, b) { return a < b ? a : b }
-    function distance(a, b,   i, j, row, last, up) {
-      for (j = 0; j <= length(b); ++j) row[j] = j
-      for (i = 1; i <= length(a); ++i) {
-        last = row[0]
-        row[0] = i
-        for (j = 1; j <= length(b); ++j) {
-          up = row[j]
-          row[j] = least(least(up, row[j - 1]) + 1, last + (substr(a, i, 1) != substr(b, j, 1)))
-          last = up
-        }
-      }
-      return row[length(b)]
-    }
-    BEGIN { best = 1 + int(length(name) / 3) }
-    {
-      stem = $0
-      gsub(/.*\/|\.json$/, "", stem)
-      d = distance(tolower(name), stem)
-      if (d < best) { best = d; found = "" }
-      if (d == best) found = found (found ? " and " : "") $0
-    }
-    END { print found }'
+  { find "$here" -name '*.json' ! -path "$here/grammars/*" 2>/dev/null || true; } | LC_ALL=C sort |
+    sed -E 's,(.*/)?(.*)\.json$,\2\t&,' | nearest "$1"
 }
 
 # all_presets: the presets that there are, a line each, with their titles.
@@ -117,7 +95,7 @@ while (($# > 0)); do
       option=${1%%=*} value=${1#*=}
       shift
       ;;
-    -?*) bad_usage "unknown option '$1'" ;;
+    -?*) unknown_option "$1" ;;
     *) set_preset "$1"; shift; continue ;;
   esac
   case $option in

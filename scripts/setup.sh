@@ -43,7 +43,7 @@ for argument in "$@"; do
     --all) tests=yes studio=yes all=yes ;;
     --quiet) quiet=yes ;;
     -h | --help) usage; exit 0 ;;
-    *) bad_usage "unknown argument '$argument'" ;;
+    *) unknown_option "$argument" ;;
   esac
 done
 

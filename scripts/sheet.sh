@@ -99,24 +99,28 @@ work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 read -r -a across <<<"${lists[0]}"
 read -r -a down <<<"${lists[1]:-none}"
-all=$((${#across[@]} * ${#down[@]})) count=0
+all=$((${#across[@]} * ${#down[@]})) texts=() folders=()
 for second in "${down[@]}"; do
   for first in "${across[@]}"; do
     sets=("--set=${pointers[0]}=$first") text="${names[0]} $first"
     if [[ $second != none ]]; then sets+=("--set=${pointers[1]}=$second") text+="   ${names[1]} $second"; fi
-    count=$((count + 1))
-    say "Picture $count of $all: $text"
+    texts+=("$text")
+    say "Picture ${#texts[@]} of $all: $text"
     # Its folder is named by what is set, so that another sheet finds it.
     folder=$out/pictures/$(printf '%s\n' "${sets[@]}" | sha256sum | cut -c-12)
     (tied "$root/scripts/render.sh" "$preset" -o "$folder" ${pass[@]+"${pass[@]}"} "${sets[@]}" "--frames=$frame-$frame") >/dev/null ||
-      fail $? "picture $count of $all ($text) could not be made; those before it are kept"
-    cd -- "$work"
-    label label "$text" 1000
-    "${FROND_FFMPEG:-ffmpeg}" -hide_banner -nostdin -loglevel error -y -i "file:$folder/$picture" \
-      -vf "format=rgb24,$(labelled label)" -frames:v 1 -update 1 "$count.png" || fail 1 "$folder/$picture could not be labelled"
-    printf '%s\n' "$work/$count.png" >>list
-    cd -- "$OLDPWD"
+      fail $? "picture ${#texts[@]} of $all ($text) could not be made; those before it are kept"
+    folders+=("$folder")
   done
+done
+
+cd -- "$work"
+width=$(sed -n 's/^size = \([0-9]*\)x.*/\1/p' "$folder/build.ninja")
+for i in "${!texts[@]}"; do label "label$i." "${texts[i]}" "$width"; done
+for i in "${!folders[@]}"; do
+  "${FROND_FFMPEG:-ffmpeg}" -hide_banner -nostdin -loglevel error -y -i "file:${folders[i]}/$picture" \
+    -vf "format=rgb24,$(labelled "label$i.")" -frames:v 1 -update 1 "$i.png" || fail 1 "${folders[i]}/$picture could not be labelled"
+  printf '%s\n' "$work/$i.png" >>list
 done
 
 columns=${#across[@]}

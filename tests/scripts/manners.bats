@@ -38,6 +38,30 @@ setup() {
   [ "$output" = "error: nothing_of_the_kind: no such preset" ]
 }
 
+@test "an unknown option is told with the nearest" {
+  local row
+  for row in "render --sise|--size" "render --qualty=good|--quality" "render --frame|--frames" "farm --partion|--partition" \
+    "build --test|--tests" "setup --studo|--studio"; do
+    # shellcheck disable=SC2086
+    run "$ROOT/scripts/${row%% *}.sh" $(cut -d' ' -f2 <<<"${row%|*}")
+    echo "$row: $output"
+    [ "$status" -eq 2 ]
+    [[ $output == "error: unknown option '--"*"'; did you mean ${row#*|}?"* ]]
+  done
+  run "$RENDER" --nothing-like-it
+  [[ $output == "error: unknown option '--nothing-like-it'"$'\n'* ]]
+}
+
+@test "what the environment may say is in a help or in the docs" {
+  cd "$ROOT"
+  local name
+  for name in $({ grep -rhoE 'getenv\("FROND_[A-Z]+' gen; grep -hoE '\$\{FROND_[A-Z]+' scripts/*.sh; } | grep -oE 'FROND_[A-Z]+' | sort -u); do
+    if [ "$name" = FROND_TIED ]; then continue; fi  # from a script to itself
+    echo "$name"
+    grep -rqE "\b$name\b" docs/*.md README.md CONTRIBUTING.md
+  done
+}
+
 @test "a copied checkout configures itself, not the one it was copied from" {
   mkdir -p bin one/build
   cp -r "$ROOT/scripts" one

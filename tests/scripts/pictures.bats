@@ -46,7 +46,7 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   echo "$output"
   [ "$status" -eq 0 ]
   [[ $output == *"They differ by 9.2 of 255 (RMSE)."* ]]  # 16 in one of three
-  [ "$(size_of both.png)" = 192,76 ]
+  [ "$(size_of both.png)" = 192,94 ]
   # The last third is four times the difference.
   ffmpeg -nostdin -loglevel error -i both.png -vf crop=1:1:160:20,format=rgb24 -f rawvideo pixel
   [ "$(od -An -tu1 pixel | tr -s " ")" = " 64 0 0" ]
@@ -107,9 +107,30 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   echo "$output"
   [ "$status" -eq 0 ]
   [[ $output == *"Picture 3 of 6: seed 1   pitch 20"* ]]
-  [ "$(size_of grid/sheet.png)" = 140,244 ]  # 2 by 3
+  [ "$(size_of grid/sheet.png)" = 140,298 ]  # 2 by 3, with labels of two lines
   [ "$(sort -u "$RENDERED")" = frames/frame_0002.pov ]
   [ "$(cat grid/pictures/*/manifest.json | grep -c ".seed.: 2,")" -eq 3 ]
+}
+
+@test "no label of small pictures is cut" {
+  local row size tile column
+  for row in "160x90 46" "96x64 64"; do  # two lines, three
+    size=${row% *}
+    "$RENDER" film.json --sweep /organisms/0/angle_jitter=10.125:30.875:2 --sweep /organisms/0/pitch=11.125:12.375:2 --size "$size" -o "out/$size"
+    local width=${size%x*} height=${size#*x} whole
+    whole=$(size_of "out/$size/sheet.png")
+    local below=$(((${whole#*,} - 12) / 2 - height))
+    echo "$size: $below pixels below each"
+    [ "$below" -eq "${row#* }" ]
+    for tile in 0 1; do
+      ffmpeg -nostdin -loglevel error -y -i "out/$size/sheet.png" -vf "crop=$width:$below:$((4 + tile * (width + 4))):$((4 + height)),format=gray" -f rawvideo label
+      # Nothing stands at either edge, much between them.
+      for column in 0 1 $((width - 2)) $((width - 1)); do
+        [ "$(od -An -v -tu1 -w"$width" label | awk -v at=$((column + 1)) '$at != 32' | wc -l)" -eq 0 ]
+      done
+      [ "$(od -An -v -tu1 -w1 label | awk '$1 > 200' | wc -l)" -gt 60 ]
+    done
+  done
 }
 
 @test "what no sheet can be made of is told" {
