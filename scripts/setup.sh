@@ -13,7 +13,7 @@ test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev bats clang-format s
 node_packages=()
 command -v node >/dev/null || node_packages+=(nodejs)
 command -v npm >/dev/null || node_packages+=(npm)
-large_packages=(blender chromium slurmctld slurmd slurm-client parallel openssh-client openssh-server)
+large_packages=(blender python3-numpy chromium slurmctld slurmd slurm-client parallel openssh-client openssh-server)
 
 usage() {
   cat <<TEXT

@@ -66,6 +66,19 @@ fake() {
   [ "$status" -eq 2 ]
 }
 
+@test "every module that Python imports in tests and scripts is installed" {
+  cd "$ROOT"
+  python3 - <<'PY'
+import pathlib, re, sys
+packages = pathlib.Path("scripts/setup.sh").read_text()
+there = sys.stdlib_module_names | {"bpy", "mathutils"}  # of Blender itself
+for file in [*pathlib.Path("tests").rglob("*.py"), *pathlib.Path("scripts").glob("*.py")]:
+    for name in re.findall(r"^\s*(?:import (?=\w+$)|from (?=[\w.]+ import ))(\w+)", file.read_text(), re.M):
+        if name not in there and f"python3-{name} " not in packages:
+            sys.exit(f"{file} imports {name}, which scripts/setup.sh does not install")
+PY
+}
+
 # What setup.sh reads, in $clone, as it is when it has just been cloned, and an npm that only pretends: what setup.sh
 # installs and builds with it goes there, and nothing into the sources.
 fresh_clone() {
