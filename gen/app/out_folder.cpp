@@ -1,6 +1,7 @@
 #include "app/out_folder.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -26,6 +27,13 @@ bool is_ours(std::string_view name) {
     return key.size() == 16 && key.find_first_not_of("0123456789abcdef") == key.npos;
   }
   return false;
+}
+
+/// Whether a file of that name in a folder of frames is opened by it, by ninja or a script, and written to.
+bool is_written_to(std::string_view name) {
+  if (name.ends_with(".list"))  // of pictures
+    return name.starts_with("film.") || name.starts_with("contact.") || name.starts_with("preview.");
+  return name == "frames" || name == ".lock" || name == ".times" || name.starts_with(".ninja_");
 }
 
 /// Of "frame_0001_s3.pov" 3; else 0.
@@ -57,13 +65,12 @@ Errors refuse_links(const fs::path& out) {
   for (const fs::path& folder : {out, out / "frames"})
     for (const fs::path& path : files_in(folder)) {
       std::string name = path.filename();
-      bool by_name =
-          name.starts_with('.') || (folder == out && (name == "frames" || name.ends_with(".list")));
       std::error_code error;
+      bool by_name = folder == out ? is_written_to(name) : name.starts_with(".frame_");
       if (by_name && fs::is_symlink(fs::symlink_status(path, error)))
-        errors.push_back({path.string(), "is a link, and what it points to would be written to; expected a " +
-                                             std::string(name == "frames" ? "folder" : "file") +
-                                             ", or none"});
+        errors.push_back({path.string(), fmt::format("is a link, and what it points to would be written to; "
+                                                     "expected a {}, or none",
+                                                     name == "frames" ? "folder" : "file")});
     }
   return errors;
 }
