@@ -75,8 +75,9 @@ int describe_properties(const std::vector<std::string>& words, bool json) {
     return kDone;
   }
   if (found.empty()) {
-    tell(fmt::format("{}: no property has this name, and none has these words; see `frond describe`",
-                     printable(asked)));
+    std::string near = nearest_topic(topics, asked);
+    tell(fmt::format("{}: no property has this name, and none has these words; {}", printable(asked),
+                     near.empty() ? "see `frond describe`" : fmt::format("did you mean \"{}\"?", near)));
     return kWrongInput;
   }
   for (const Topic& topic : found) put(topic_text(topic));

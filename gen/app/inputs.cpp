@@ -10,6 +10,7 @@
 
 #include "app/streams.h"
 #include "core/files.h"
+#include "core/text.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
 #include "scene/describe.h"
@@ -84,6 +85,29 @@ Result<fs::path> home() {
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
 }
 
+std::string render_command() {
+  Result<fs::path> root = home();
+  std::error_code error;
+  if (!root || !fs::exists(*root / "scripts" / "render.sh", error)) return {};
+  bool here = fs::equivalent(*root, fs::current_path(error), error);
+  return here ? "scripts/render.sh" : (fs::absolute(*root, error) / "scripts" / "render.sh").string();
+}
+
+std::string nearest_presets(const std::string& path) {
+  Result<fs::path> root = home();
+  if (!root) return {};
+  std::vector<fs::path> files;
+  for (const fs::path& file : files_below(*root / "presets"))
+    if (file.extension() == ".json") files.push_back(file);
+  std::vector<std::string> stems;
+  for (const fs::path& file : files) stems.push_back(file.stem().string());
+  std::string near(nearest_name(fs::path(path).stem().string(), stems)), found;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (stems[i] == near && !is_grammar(files[i].string()))
+      found += fmt::format("{}\"{}\"", found.empty() ? "" : " or ", fs::proximate(files[i]).string());
+  return found.empty() ? "" : fmt::format("; did you mean {}?", found);
+}
+
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named) {
   Result<std::optional<fs::path>> only = assets_folder(named);
   if (!only) return only.errors();
@@ -93,7 +117,12 @@ Result<Assets> assets_of(const std::string& path, const std::optional<std::strin
 Result<Preset> load_preset(const PresetArguments& arguments) {
   now_doing("reading the preset");
   Result<std::string> text = read_file(arguments.path);
-  if (!text) return text.errors();
+  if (!text) {
+    Error error = text.errors().front();
+    std::error_code unknown;
+    if (!fs::exists(arguments.path, unknown)) error.what += nearest_presets(arguments.path);
+    return error;
+  }
   Result<std::optional<fs::path>> only = assets_folder(arguments.assets);
   if (!only) return only.errors();
   std::vector<std::string> sets = arguments.sets;

@@ -13,6 +13,14 @@ namespace frond {
 /// The folder that holds templates/, povinc/ and presets/: $FROND_HOME, or the one above the program's own.
 Result<std::filesystem::path> home();
 
+/// What turns a preset into a picture or a film, as it is typed here: scripts/render.sh in the folder of
+/// Frond, its whole path elsewhere; empty where it is not there.
+std::string render_command();
+
+/// The shipped presets of that file's name or, where there is none, of the nearest, for a message: `; did you
+/// mean "presets/trees/oak.json"?`. Empty where none is near.
+std::string nearest_presets(const std::string& path);
+
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -13,8 +11,8 @@
 #include "app/inputs.h"
 #include "app/messages.h"
 #include "app/streams.h"
+#include "app/words.h"
 #include "core/machine.h"
-#include "core/text.h"
 #include "jobs/farm.h"
 
 using namespace frond;
@@ -260,48 +258,33 @@ void add_studio(CLI::App& app, int& result) {
   command->callback([&result, to] { result = studio(*to); });
 }
 
-/// What is wrong with the name of a command, or nothing.
-std::string unknown_command(const CLI::App& app, std::string_view word) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (word.empty() || word.starts_with('-') || std::ranges::find(names, word) != names.end()) return {};
-  std::string text = fmt::format("{}: no such command; expected one of {}", word, fmt::join(names, ", "));
-  std::string_view near = nearest_name(word, names);
-  return near.empty() ? text : fmt::format("{}; did you mean \"{}\"?", text, near);
-}
-
-/// The words of the command line. One that begins with a dash as no option does, and names a file, is that
-/// file.
-std::vector<std::string> words_of(int count, char** words) {
-  constexpr std::string_view kOptions = "-ohq";  // first letters, and that of long ones
-  std::vector<std::string> list(words, words + count);
-  for (std::string& word : list) {
-    if (word == "--") break;
-    std::error_code error;
-    bool option = word.size() < 2 || word[0] != '-' || kOptions.find(word[1]) != kOptions.npos;
-    if (!option && std::filesystem::is_regular_file(word, error)) word.insert(0, "./");
-  }
-  return list;
-}
-
 /// What stands on the screen of who does not know where to begin.
-constexpr std::string_view kFirstWords =
-    "Frond grows plants and corals from JSON presets and writes scenes that POV-Ray films.\n"
-    "\n"
-    "  frond new my_tree --from tree      writes a commented preset to begin with\n"
-    "  scripts/render.sh my_tree.json     makes a picture or a film of it\n"
-    "  frond studio my_tree.json --open   sliders and a live view in the browser\n"
-    "  frond describe tree                says what each property does\n"
-    "  frond check my_tree.json           says what is wrong in it\n"
-    "  frond list                         presets, kinds, settings and turtle symbols\n"
-    "\n"
-    "frond --help lists all commands, frond COMMAND --help the options of one; docs/start.md takes ten "
-    "minutes.\n";
+std::string first_words() {
+  std::string render = render_command();
+  std::string text =
+      "Frond grows plants and corals from JSON presets and writes scenes that POV-Ray films.\n"
+      "\n"
+      "  frond new my_tree --from tree      writes a commented preset to begin with\n";
+  if (!render.empty())
+    text += fmt::format("  {:35}makes a picture or a film of it\n", render + " my_tree.json  ");
+  return text +
+         "  frond studio my_tree.json --open   sliders and a live view in the browser\n"
+         "  frond describe tree                says what each property does\n"
+         "  frond check my_tree.json           says what is wrong in it\n"
+         "  frond list                         presets, kinds, settings and turtle symbols\n"
+         "\n"
+         "frond --help lists all commands, frond COMMAND --help the options of one; docs/start.md takes ten "
+         "minutes.\n";
+}
 
 int run(int count, char** words) {
   CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", FROND_VERSION);
+  app.footer(
+      "FROND_HOME is the folder that holds templates/, povinc/, presets/ and scripts/, where that is not the "
+      "one "
+      "above the program's own.");
   int result = kDone;
   for (auto add :
        {add_new, add_describe, add_look, add_generate, add_export, add_textures, add_develop, add_check,
@@ -311,18 +294,19 @@ int run(int count, char** words) {
     tell(wrong);
     return kWrongInput;
   }
+  std::vector<std::string> list = words_of(count, words);
   if (count < 2) {
-    put(kFirstWords);
+    put(first_words());
     return kDone;
   }
   try {
-    std::vector<std::string> list = words_of(count, words);
     std::vector<const char*> named;
     for (const std::string& word : list) named.push_back(word.c_str());
     app.parse(count, named.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    tell(error.what());
+    std::string wrong = unknown_option(app, list);
+    tell(wrong.empty() ? error.what() : wrong);
     tell("Run with --help for more information.");
     return kWrongInput;
   }

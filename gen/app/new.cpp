@@ -215,7 +215,8 @@ int new_preset(const NewArguments& arguments) {
       organisms && !organisms->items.empty() ? organisms->items.front().find("kind") : nullptr;
   if (arguments.quiet) return kDone;
   tell("Next:");
-  tell(fmt::format("  scripts/render.sh {}        a picture or a film of it, below out/", path.string()));
+  if (std::string render = render_command(); !render.empty())
+    tell(fmt::format("  {} {}        a picture or a film of it, below out/", render, path.string()));
   tell(fmt::format("  frond studio {} --open      sliders and a live view", path.string()));
   if (kind) tell(fmt::format("  frond describe {}        what each property does", kind->text));
   return kDone;

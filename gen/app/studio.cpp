@@ -33,7 +33,7 @@ int studio(const StudioArguments& arguments) {
     // A file that is not there is told here; faults in it are the page's to show.
     std::error_code error;
     if (!std::filesystem::is_regular_file(arguments.preset, error))
-      return fail({Error{arguments.preset, "is no file"}}, kWrongInput);
+      return fail({Error{arguments.preset, "is no file" + nearest_presets(arguments.preset)}}, kWrongInput);
     options.preset = arguments.preset;
   }
   if (arguments.assets) options.assets = *arguments.assets;

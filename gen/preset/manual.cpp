@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/text.h"
 #include "preset/json.h"
 
 namespace frond {
@@ -246,6 +247,37 @@ std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_vi
   std::ranges::replace(low, '/', ' ');
   take([&](const Topic& t) { return holds_words(t, low); });
   return joined(found);
+}
+
+std::string nearest_topic(const std::vector<Topic>& topics, std::string_view asked) {
+  std::string low = lower(asked), meant;
+  while (low.ends_with('/')) low.pop_back();
+  std::vector<std::string> paths, names;
+  for (const Topic& topic : topics) {
+    paths.push_back(topic.path);
+    for (std::size_t from = 0; from < topic.path.size();) {
+      std::size_t to = std::min(topic.path.find('/', from), topic.path.size());
+      names.push_back(topic.path.substr(from, to - from));
+      from = to + 1;
+    }
+  }
+  if (std::size_t slash = low.find('/'); slash != low.npos) {
+    // What all kinds have may be asked of one of them.
+    std::string kind = low.substr(0, slash);
+    bool known = std::ranges::find(names, kind) != names.end();
+    for (const Topic& topic : topics)
+      if (known && topic.path.starts_with("organism/")) paths.push_back(kind + topic.path.substr(8));
+    return std::string(nearest_name(low, paths));
+  }
+  for (std::size_t from = 0; from < low.size();) {
+    std::size_t to = std::min(low.find(' ', from), low.size());
+    std::string word = low.substr(from, to - from);
+    if (topics_about(topics, word).empty()) word = nearest_name(word, names);
+    if (word.empty()) return {};
+    meant += (meant.empty() ? "" : " ") + word;
+    from = to + 1;
+  }
+  return topics_about(topics, meant).empty() ? "" : meant;
 }
 
 std::string topic_text(const Topic& topic) {

@@ -28,6 +28,10 @@ std::vector<Topic> topics_of(const Value& schema);
 /// several kinds are one, and the path names all of them: `coral, plant: wave/speed`.
 std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_view asked);
 
+/// What a user may have meant by words that topics_about finds nothing for: the nearest path, or the same
+/// words with the nearest name for each that is none. Empty where nothing is near.
+std::string nearest_topic(const std::vector<Topic>& topics, std::string_view asked);
+
 /// A topic in two lines for a terminal.
 std::string topic_text(const Topic& topic);
 

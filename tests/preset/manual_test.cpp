@@ -53,6 +53,20 @@ TEST(Manual, APathBringsAllThatIsWithin) {
   EXPECT_EQ(about("tree/wave/").size(), 3u);
 }
 
+TEST(Manual, WordsAndPathsThatAreNoneHaveANearestOne) {
+  std::vector<Topic> topics = topics_of(parse_json(kSchema, "schema")->root);
+  for (auto [asked, meant] : std::vector<std::pair<const char*, const char*>>{
+           {"tree/wave/sped", "tree/wave/speed"},
+           {"tre/wave", "tree/wave"},
+           {"coral/palce/lean", "coral/place/lean"},  // what all kinds have
+           {"wvae", "wave"},
+           {"Wvae speed", "wave speed"},
+           {"frames flim", "frames film"},
+           {"wave elephant", ""},
+           {"tree/elephants", ""}})
+    EXPECT_EQ(nearest_topic(topics, asked), meant) << asked;
+}
+
 TEST(Manual, WhatAllKindsHaveMayBeAskedOfOne) {
   ASSERT_EQ(about("coral/place/lean").size(), 1u);
   EXPECT_EQ(about("coral/place/lean")[0].path, "organism/place/lean");

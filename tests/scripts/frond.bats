@@ -349,6 +349,62 @@ XML
   [[ "$output" == 'preview: no such command; expected one of new, describe, look, generate, '* ]]
 }
 
+@test "an unknown option is told with the nearest that its command has" {
+  for row in "generate x.json --sise 3x4|--sise: no such option of frond generate; did you mean \"--size\"?" \
+    "info --jsn x.json|--jsn: no such option of frond info; did you mean \"--json\"?" \
+    "export x.json --format=glb -o x|--format: no such option of frond export" "--verson|--verson: no such option of frond; did you mean \"--version\"?"; do
+    # shellcheck disable=SC2086
+    run "$frond" ${row%%|*}
+    echo "$row: $output"
+    [ "$status" -eq 2 ]
+    [[ "${lines[0]}" == "${row#*|}"* ]]
+    [ "${lines[1]}" = "Run with --help for more information." ]
+  done
+}
+
+@test "a preset that is not there is told with the nearest that is shipped" {
+  cd "$root"
+  for command in check info files "export -o $BATS_TEST_TMPDIR/x.obj" generate look; do
+    # shellcheck disable=SC2086
+    run "$frond" $command trees/oka.json
+    [ "$status" -eq 2 ]
+    [ "$output" = 'trees/oka.json: cannot be read: No such file or directory; did you mean "presets/trees/oak.json"?' ]
+  done
+  run "$frond" check bush
+  [[ "$output" == *'; did you mean "presets/bush.json" or "presets/garden/bush.json"?' ]]
+  run "$frond" check nothing_of_the_kind.json
+  [[ "$output" == *"No such file or directory" ]]
+  run "$frond" studio reff.json
+  [[ "$output" == 'reff.json: is no file; did you mean "presets/reef.json"?' ]]
+  cd "$BATS_TEST_TMPDIR"
+  run "$frond" check oak
+  [[ "$output" == *"/presets/trees/oak.json\"?" ]]
+}
+
+@test "what comes next is what can be run from here" {
+  run --separate-stderr "$frond" new one --from vase
+  [[ "$stderr" == *"  $root/scripts/render.sh one.json  "* ]]
+  run "$frond"
+  [[ "$output" == *"  $root/scripts/render.sh my_tree.json  "* ]]
+  # A folder of Frond that holds the program's files alone.
+  mkdir -p own
+  cp -r "$root/templates" "$root/povinc" "$root/presets" "$root/docs" own
+  FROND_HOME=$PWD/own run --separate-stderr "$frond" new two --from vase
+  [[ "$stderr" != *render.sh* ]]
+  cp -r "$root/scripts" own
+  cd own
+  FROND_HOME=$PWD run --separate-stderr "$frond" new three --from vase
+  [[ "$stderr" == *"  scripts/render.sh three.json  "* ]]
+}
+
+@test "the folder of Frond is named in the help, and where it is none" {
+  run "$frond" --help
+  [[ "$output" == *"FROND_HOME"* ]]
+  FROND_HOME=/nowhere run "$frond" list
+  [ "$status" -eq 1 ]
+  [[ "$output" == *"set FROND_HOME"* ]]
+}
+
 @test "list and schema are for machines too" {
   "$frond" list --json | python3 -c 'import json, sys; assert any(r["name"] == "coral" for r in json.load(sys.stdin))'
   "$frond" schema | cmp - "$root/docs/preset.schema.json"
@@ -532,6 +588,10 @@ JSON
   run "$frond" describe no-such-word
   [ "$status" -eq 2 ]
   [ "${#lines[@]}" -eq 1 ]
+  [[ "$output" == *'; see `frond describe`' ]]
+  run "$frond" describe tree/habbit
+  [ "$status" -eq 2 ]
+  [ "$output" = 'tree/habbit: no property has this name, and none has these words; did you mean "tree/habit"?' ]
 }
 
 @test "alone it says what to do next" {
