@@ -86,8 +86,9 @@ struct FarmArguments {
 };
 
 struct NewArguments {
-  std::string name;  ///< of the file to write, with or without its .json
-  std::string from;  ///< a kind, the file of a preset, or the name of one that is shipped
+  std::string name;               ///< of the file to write, with or without its .json
+  std::string from;               ///< a kind, the file of a preset, or the name of one that is shipped
+  std::string program = "frond";  ///< as it was called, for what is said to come next
   bool quiet = false;
 };
 

@@ -244,7 +244,10 @@ void add_new(CLI::App& app, int& result) {
       ->required();
   command->add_flag("-q,--quiet", to->quiet, "Does not say what comes next");
   command->footer("Examples:\n  frond new my_tree --from tree\n  frond new my_reef --from presets/reef.json");
-  command->callback([&result, to] { result = new_preset(*to); });
+  command->callback([&app, &result, to] {
+    to->program = app.get_name();
+    result = new_preset(*to);
+  });
 }
 
 void add_studio(CLI::App& app, int& result) {
@@ -258,23 +261,23 @@ void add_studio(CLI::App& app, int& result) {
   command->callback([&result, to] { result = studio(*to); });
 }
 
-/// What stands on the screen of who does not know where to begin.
-std::string first_words() {
-  std::string render = render_command();
+/// What stands on the screen of who does not know where to begin; `program` is as it was called.
+std::string first_words(const std::string& program) {
   std::string text =
-      "Frond grows plants and corals from JSON presets and writes scenes that POV-Ray films.\n"
-      "\n"
-      "  frond new my_tree --from tree      writes a commented preset to begin with\n";
-  if (!render.empty())
-    text += fmt::format("  {:35}makes a picture or a film of it\n", render + " my_tree.json  ");
+      "Frond grows plants and corals from JSON presets and writes scenes that POV-Ray films.\n\n";
+  auto row = [&](const std::string& call, const char* does) {
+    text += fmt::format("  {:38} {}\n", call, does);
+  };
+  row(program + " new my_tree --from tree", "writes a commented preset to begin with");
+  if (std::string render = render_command(); !render.empty())
+    row(render + " my_tree.json", "makes a picture or a film of it");
+  row(program + " studio my_tree.json --open", "sliders and a live view in the browser");
+  row(program + " describe tree", "says what each property does");
+  row(program + " check my_tree.json", "says what is wrong in it");
+  row(program + " list", "presets, kinds, settings and turtle symbols");
   return text +
-         "  frond studio my_tree.json --open   sliders and a live view in the browser\n"
-         "  frond describe tree                says what each property does\n"
-         "  frond check my_tree.json           says what is wrong in it\n"
-         "  frond list                         presets, kinds, settings and turtle symbols\n"
-         "\n"
-         "frond --help lists all commands, frond COMMAND --help the options of one; docs/start.md takes ten "
-         "minutes.\n";
+         fmt::format("\n{0} --help lists all commands, {0} COMMAND --help the options of one; ", program) +
+         "docs/start.md takes ten minutes.\n";
 }
 
 int run(int count, char** words) {
@@ -296,7 +299,7 @@ int run(int count, char** words) {
   }
   std::vector<std::string> list = words_of(count, words);
   if (count < 2) {
-    put(first_words());
+    put(first_words(count > 0 ? words[0] : "frond"));
     return kDone;
   }
   try {

@@ -217,8 +217,9 @@ int new_preset(const NewArguments& arguments) {
   tell("Next:");
   if (std::string render = render_command(); !render.empty())
     tell(fmt::format("  {} {}        a picture or a film of it, below out/", render, path.string()));
-  tell(fmt::format("  frond studio {} --open      sliders and a live view", path.string()));
-  if (kind) tell(fmt::format("  frond describe {}        what each property does", kind->text));
+  tell(fmt::format("  {} studio {} --open      sliders and a live view", arguments.program, path.string()));
+  if (kind)
+    tell(fmt::format("  {} describe {}        what each property does", arguments.program, kind->text));
   return kDone;
 }
 

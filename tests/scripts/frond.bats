@@ -383,9 +383,9 @@ XML
 
 @test "what comes next is what can be run from here" {
   run --separate-stderr "$frond" new one --from vase
-  [[ "$stderr" == *"  $root/scripts/render.sh one.json  "* ]]
+  [[ "$stderr" == *"  $root/scripts/render.sh one.json  "*"  $frond studio one.json "* ]]
   run "$frond"
-  [[ "$output" == *"  $root/scripts/render.sh my_tree.json  "* ]]
+  [[ "$output" == *"  $root/scripts/render.sh my_tree.json "*"  $frond studio my_tree.json "* ]]
   # A folder of Frond that holds the program's files alone.
   mkdir -p own
   cp -r "$root/templates" "$root/povinc" "$root/presets" "$root/docs" own
