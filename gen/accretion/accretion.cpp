@@ -1,6 +1,7 @@
 #include "accretion/accretion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "accretion/neighbours.h"
@@ -36,6 +37,7 @@ class LightAround {
 
   float operator()(Vec3 at) const {
     if (at_.empty()) return 1;
+    assert(std::isfinite(glm::dot(at, at)) && "a skin of finite places");
     Vec3 g = glm::clamp((at - low_) / size_, Vec3(0), Vec3(0.9999f)) * (kSide - 1.0f);
     Vec3 f = glm::floor(g), t = g - f;
     float sum = 0;

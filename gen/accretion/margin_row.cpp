@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "accretion/crossing.h"
@@ -53,7 +54,12 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
     return bear(to_[i], {v, v}, sheet_.way[v] + glm::distance(from_[i], to_[i]), u_[v]);
   };
   auto heading = [&](std::size_t i) {
-    return rim.pace[i] == 0 ? rim.heading[i] : glm::normalize(to_[i] - from_[i]);
+    if (rim.pace[i] == 0) return rim.heading[i];
+    // What clings to a point of its host is drawn back to it.
+    return direction_or(to_[i] - from_[i], aim_[i], 1e-6f * step_);
+  };
+  auto heading_between = [&](std::size_t i, std::size_t j) {
+    return direction_or(heading(i) + heading(j) + aim_[i] * 0.01f, aim_[i]);
   };
   std::size_t left = count;  // that may still be lost
   std::vector<std::uint32_t> above(count, kRimNobody);
@@ -67,7 +73,7 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
                   glm::distance(to_[i], to_[j]) < 0.5f * edge_;
       if (near) {
         above[i] = above[j] = bear(between, {p, q}, way, (u_[p] + u_[q]) / 2);
-        put(above[i], glm::normalize(heading(i) + heading(j) + aim_[i] * 0.01f), rim.pace[i]);
+        put(above[i], heading_between(i, j), rim.pace[i]);
         --left;
       } else {
         above[i] = raised(i);
@@ -79,7 +85,7 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
     bool moves = rim.pace[i] > 0 || rim.pace[j] > 0;
     if (merges || !moves || glm::distance(to_[i], to_[j]) < 1.45f * edge_) continue;
     std::uint32_t m = bear(between, {p, q}, way, (u_[p] + (j > i ? u_[q] : 1)) / 2);
-    put(m, glm::normalize(heading(i) + heading(j) + aim_[i] * 0.01f), std::max(rim.pace[i], rim.pace[j]));
+    put(m, heading_between(i, j), std::max(rim.pace[i], rim.pace[j]));
   }
   fill(rim, row, above);
   return row;
@@ -104,9 +110,12 @@ void GrowingSheets::fill(const GrowingRim& rim, RimRow& row, const std::vector<s
       continue;
     }
     run.assign(1, begin);
-    while (after.vertex[place] != begin) ++place;
-    for (std::size_t k = place + 1; after.vertex[k % after.size()] != end; ++k)
+    while (place < after.size() && after.vertex[place] != begin) ++place;
+    assert(place < after.size() && "what a rim has become lies on the next one");
+    for (std::size_t k = place + 1; after.vertex[k % after.size()] != end; ++k) {
+      assert(k < place + after.size());
       run.push_back(after.vertex[k % after.size()]);
+    }
     run.push_back(end);
     std::size_t half = run.size() / 2;
     for (std::size_t k = 0; k + 1 < run.size(); ++k) {

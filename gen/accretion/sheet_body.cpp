@@ -39,7 +39,8 @@ std::vector<Vec3> even_normals(const Sheet& sheet) {
       sum[b] += 0.5f * (normal[c] + normal[a]);
       sum[c] += 0.5f * (normal[a] + normal[b]);
     }
-    for (std::size_t v = 0; v < normal.size(); ++v) normal[v] = glm::normalize(sum[v] + normal[v] * 1e-3f);
+    for (std::size_t v = 0; v < normal.size(); ++v)
+      normal[v] = direction_or(sum[v] + normal[v] * 1e-3f, normal[v]);
   }
   return normal;
 }

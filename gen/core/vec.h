@@ -36,6 +36,12 @@ constexpr T degrees(T radians) {
   return radians * static_cast<T>(180.0 / kPi);
 }
 
+/// The direction of a vector, of length 1; `otherwise` where it has none: where it is no longer than `least`,
+/// or no number.
+inline Vec3 direction_or(Vec3 v, Vec3 otherwise, float least = 1e-9f) {
+  return glm::length(v) > least ? glm::normalize(v) : otherwise;
+}
+
 /// The k-th of so many directions to the half of all that lies above level ground, each of which gives what
 /// is level as much light where the sky is of one brightness.
 inline Vec3 sky_way(int k, int count) {

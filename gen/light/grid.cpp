@@ -40,10 +40,9 @@ std::size_t SoftLight::Level::index(glm::ivec3 i) const {
 
 bool SoftLight::Level::index(Vec3 at, std::size_t& found) const {
   Vec3 p = at / cell - Vec3(low);
-  if (!(p.x >= 0 && p.y >= 0 && p.z >= 0)) return false;
-  auto i = glm::ivec3(p);
-  if (i.x >= size.x || i.y >= size.y || i.z >= size.z) return false;
-  found = index(i);
+  Vec3 end(size);
+  if (!(p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < end.x && p.y < end.y && p.z < end.z)) return false;
+  found = index(glm::ivec3(p));
   return true;
 }
 

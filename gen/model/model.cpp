@@ -25,7 +25,7 @@ std::string check_organs(const Model& model) {
   for (std::size_t i = 0; i < n; ++i) {
     if (o.prototype[i] >= model.prototypes.size()) return fmt::format("organ {} has no prototype", i);
     if (!finite(o.position[i])) return fmt::format("organ {} is not at a finite place", i);
-    if (std::abs(glm::length(o.turn[i]) - 1) > 1e-4f)
+    if (!(std::abs(glm::length(o.turn[i]) - 1) <= 1e-4f))
       return fmt::format("the turn of organ {} is not of length 1", i);
     if (!(o.scale[i].x > 0 && o.scale[i].y > 0 && o.scale[i].z > 0) || !finite(o.scale[i]))
       return fmt::format("organ {} has no size", i);

@@ -85,7 +85,7 @@ std::string Solids::check() const {
     if (shape[i] >= shapes.size()) return fmt::format("solid {} has no shape", i);
     if (!std::isfinite(glm::dot(position[i], position[i])))
       return fmt::format("solid {} is not at a finite place", i);
-    if (std::abs(glm::length(turn[i]) - 1) > 1e-4f)
+    if (!(std::abs(glm::length(turn[i]) - 1) <= 1e-4f))
       return fmt::format("the turn of solid {} is not of length 1", i);
     if (!(scale[i].x > 0 && scale[i].y > 0 && scale[i].z > 0)) return fmt::format("solid {} has no size", i);
   }

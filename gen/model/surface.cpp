@@ -13,7 +13,8 @@ std::string Surface::check() const {
   for (std::size_t i = 0; i < position.size(); ++i) {
     if (!std::isfinite(glm::dot(position[i], position[i])))
       return fmt::format("vertex {} is not at a finite place", i);
-    if (std::abs(glm::length(normal[i]) - 1) > 1e-3f) return fmt::format("normal {} is not of length 1", i);
+    if (!(std::abs(glm::length(normal[i]) - 1) <= 1e-3f))
+      return fmt::format("normal {} is not of length 1", i);
   }
   for (std::size_t i = 0; i < triangle.size(); ++i) {
     auto [a, b, c] = triangle[i];

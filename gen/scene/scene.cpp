@@ -172,6 +172,7 @@ class Gardener {
     if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
     for (Result<Specimen>& one : beds.front().organism->grower->grow(beds, world, watch_.step)) {
       if (!one) return one.errors();
+      assert(one->check().empty() && "before others build on it");
       specimens.push_back(std::move(*one));
     }
     if (nursery_) nursery_->keep(key, specimens);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/bounds.h"
@@ -60,14 +62,28 @@ struct BoxGrid {
     return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
            static_cast<std::size_t>(count[2]);
   }
-  /// SIZE_MAX outside.
-  std::size_t index(Vec3 at) const {
+  /// None outside.
+  std::optional<std::size_t> find(Vec3 at) const {
     Vec3 g = glm::floor((at - low) / cell);
-    int x = static_cast<int>(g.x), y = static_cast<int>(g.y), z = static_cast<int>(g.z);
-    if (x < 0 || y < 0 || z < 0 || x >= count[0] || y >= count[1] || z >= count[2]) return SIZE_MAX;
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(count[1]) + static_cast<std::size_t>(y)) *
+    if (!(g.x >= 0 && g.y >= 0 && g.z >= 0)) return std::nullopt;
+    if (g.x >= side(0) || g.y >= side(1) || g.z >= side(2)) return std::nullopt;
+    return index(g);
+  }
+  /// That of a place which the grid was laid round.
+  std::size_t of(Vec3 at) const {
+    assert(std::isfinite(glm::dot(at, at)) && "a body of finite places");
+    Vec3 g = glm::floor((at - low) / cell);
+    for (int axis = 0; axis < 3; ++axis) g[axis] = std::min(std::max(0.0f, g[axis]), side(axis) - 1);
+    return index(g);
+  }
+
+ private:
+  float side(int axis) const { return static_cast<float>(count[static_cast<std::size_t>(axis)]); }
+  std::size_t index(Vec3 g) const {
+    return (static_cast<std::size_t>(g.z) * static_cast<std::size_t>(count[1]) +
+            static_cast<std::size_t>(g.y)) *
                static_cast<std::size_t>(count[0]) +
-           static_cast<std::size_t>(x);
+           static_cast<std::size_t>(g.x);
   }
 };
 
@@ -102,11 +118,11 @@ class CrowdedSpace {
       float through = 1, step = 0.7f * grid_.cell;
       bool blocked = false;
       for (float away = 0; away < kFar && !blocked && through > 0.02f; away += step) {
-        std::size_t i = grid_.index(from + way * away);
-        if (i == SIZE_MAX) break;
-        std::uint32_t held = held_[i] & 0xff;
+        std::optional<std::size_t> i = grid_.find(from + way * away);
+        if (!i) break;
+        std::uint32_t held = held_[*i] & 0xff;
         if (held == 0) continue;
-        bool mine = held_[i] >> 8 == own;
+        bool mine = held_[*i] >> 8 == own;
         if (mine && !branch)
           blocked = held > kOpaque / 2;
         else if (!mine || away > 3 * grid_.cell)  // a branch's own next part does not stand over it
@@ -121,12 +137,13 @@ class CrowdedSpace {
 
  private:
   void hold(Vec3 at, std::uint32_t who, std::uint32_t share) {
-    std::size_t i = grid_.index(at);
-    if (i == SIZE_MAX || share == 0) return;
-    std::uint32_t sum = std::min(kOpaque, (held_[i] & 0xff) + share);
+    std::optional<std::size_t> i = grid_.find(at);
+    if (!i || share == 0) return;
+    std::uint32_t& held = held_[*i];
+    std::uint32_t sum = std::min(kOpaque, (held & 0xff) + share);
     // The one that holds most is taken for all.
-    bool mine = share >= (held_[i] & 0xff);
-    held_[i] = (mine ? who : held_[i] >> 8) << 8 | sum;
+    bool mine = share >= (held & 0xff);
+    held = (mine ? who : held >> 8) << 8 | sum;
   }
 
   void fill(const Specimen& s, std::uint32_t who) {
@@ -176,7 +193,7 @@ std::vector<float> light_of_skin(const CrowdedSpace& occupied, const Solids& sol
   near.enclose(box.low - near.cell, box.high + near.cell);
   std::vector<SkinPatch> patches(near.size());
   for (std::size_t v = 0; v < position.size(); ++v) {
-    SkinPatch& patch = patches[near.index(position[v])];
+    SkinPatch& patch = patches[near.of(position[v])];
     patch.at += position[v], patch.normal += skin.normal[v], ++patch.count;
   }
   float darkest = 1;
@@ -193,14 +210,15 @@ std::vector<float> light_of_skin(const CrowdedSpace& occupied, const Solids& sol
   for (const Vec3& at : position) {
     float sum = 0, all = 0;
     for (int k = 0; k < 27; ++k) {
-      std::size_t index = near.index(at + near.cell * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
-      if (index == SIZE_MAX || patches[index].count == 0) continue;
-      const SkinPatch& patch = patches[index];
+      std::optional<std::size_t> found =
+          near.find(at + near.cell * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+      if (!found || patches[*found].count == 0) continue;
+      const SkinPatch& patch = patches[*found];
       float away = glm::distance(patch.at / patch.count, at) / near.cell;
       float weight = std::max(1e-3f, 1 - 0.6f * away);
       sum += weight * patch.light, all += weight;
     }
-    light.push_back(sum / all);
+    light.push_back(all > 0 ? sum / all : 1);
   }
   return light;
 }

@@ -125,6 +125,22 @@ TEST(Margin, ARimThatOutgrowsASheetRuffles) {
   EXPECT_GT(rise(2.5), 0.03f);
 }
 
+/// A crust on a host with points, each of which is the nearest place of the host for all that comes near.
+TEST(Margin, WhatIsDrawnBackToAPointOfItsHostStaysAtFinitePlaces) {
+  MarginWorld world;
+  world.cling = [](Vec3& at, Vec3& normal) {
+    Vec3 point(std::round(at.x * 25) / 25, 0, std::round(at.z * 25) / 25);
+    at.y = 0, normal = {0, 1, 0};
+    if (glm::distance(at, point) < 0.009f) at = point;
+  };
+  Margin law{.reach = 0.15, .edge = 0.006, .lobes = 0.3, .clearance = 0.012};
+  MarginStart start = arc_of(Vec3(0), 0.012, 0, 2 * kPi, 0);
+  start.filled = true;
+  Sheet sheet = grow_margins(law, {start}, world, Seed{4});
+  EXPECT_GT(sheet.position.size(), 300u);
+  EXPECT_EQ(body_of(sheet, skin_of()).surface.check(), "");
+}
+
 TEST(Margin, IsTheSameEachTime) {
   Sheet a = grow_margins(kRuffled, whorl_of(1), {}, Seed{1}),
         b = grow_margins(kRuffled, whorl_of(1), {}, Seed{1});

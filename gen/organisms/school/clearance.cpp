@@ -1,6 +1,7 @@
 #include "organisms/school/clearance.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -138,6 +139,7 @@ void Clearance::measure() {
 }
 
 float Clearance::operator()(Vec3 at) const {
+  assert(std::isfinite(glm::dot(at, at)) && "a fish at a finite place");
   int cell[3];
   float share[3];
   for (int axis = 0; axis < 3; ++axis) {
