@@ -139,13 +139,13 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
     }
     frame *= copies.scale[i] * (carries ? 1 : unit);
     std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i]}];
-    append_matrix(lines, space, frame, copies.foot[i]);
-    lines += "}\n";
+    if (append_matrix(lines, space, frame, copies.foot[i])) lines += "}\n";
   }
   std::string text;
   append_comment(text, stand.organism.name);
   StandParts made(scene, plan, which, time);
   for (const auto& [key, lines] : groups) {
+    if (lines.empty()) continue;
     auto [model, level, block, tint] = key;
     made.take(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
     if (carries && !made.parts.empty()) append_front(text, made.front());

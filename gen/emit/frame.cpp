@@ -67,8 +67,10 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   std::string text;
   for (const auto& [at, left] : food_places(scene.specimens, time)) {
+    std::string scale = number_text(std::cbrt(static_cast<double>(left)), 4);
+    if (scale == "0") continue;  // which POV-Ray takes for 1
     text += "object{Food_Swarm() ";
-    if (left < 1) text += "scale ", append(text, std::cbrt(static_cast<double>(left)), 4), text += ' ';
+    if (left < 1) text += "scale " + scale + ' ';
     text += "translate";
     append_point(text, space, at);
     text += "}\n";

@@ -85,8 +85,7 @@ void append_placement(std::string& text, const PovSpace& space, const Specimen& 
         turn * fluttering(b.motion.flutter, b.motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
   glm::mat3 frame = glm::mat3_cast(turn);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
-  append_matrix(text, space, frame, organ_place(b.model.skeleton, pose, o, i));
-  text += "}\n";
+  if (append_matrix(text, space, frame, organ_place(b.model.skeleton, pose, o, i))) text += "}\n";
 }
 
 /// The organs in the order of their buckets: by prototype, colour, step of unfolding and shade.

@@ -109,9 +109,12 @@ class Bearer {
     if (!(size > 0) || glm::dot(normal, way) < -0.35f * away) return;
     Quat turn = Quat(Vec3(0, 1, 0), normal) *
                 glm::angleAxis(static_cast<float>(own.child(1).range(0, 2 * kPi)), Vec3(0, 1, 0));
+    std::size_t line = lines_.size();
     lines_ += "object{Polyp ";
-    append_matrix(lines_, space_, glm::mat3_cast(turn) * size, at);
-    lines_ += "}\n";
+    if (append_matrix(lines_, space_, glm::mat3_cast(turn) * size, at))
+      lines_ += "}\n";
+    else
+      lines_.resize(line);
   }
 
   std::string text(const Color& color, double time) const {
@@ -162,7 +165,7 @@ std::string polyps_text(const PovSpace& space, const Solids& solids, const Polyp
       const Foothold& spot = places[i][n];
       double born = solid.surface.uv.empty() ? 0 : static_cast<double>(solid.surface.uv[spot.corner[0]].y);
       bearer.bear(n, solids.placed(i, spot.of(skin.position)),
-                  solids.turn[i] * glm::normalize(spot.of(skin.normal)),
+                  solids.turn[i] * direction_or(spot.of(skin.normal), Vec3(0, 1, 0)),
                   grown_since(born, static_cast<double>(front)));
     }
     text += bearer.text(solid.material.color, time);

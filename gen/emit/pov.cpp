@@ -1,6 +1,8 @@
 #include "emit/pov.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
 
 #include "core/text.h"
 
@@ -9,6 +11,15 @@ namespace frond {
 namespace {
 
 constexpr int kDecimals = 4;
+
+/// Whether a matrix has an inverse when it is rounded to so many decimals: as one of whole numbers, whose
+/// determinant is a whole number, too.
+bool has_inverse(const glm::mat3& m, int decimals) {
+  glm::dmat3 whole = glm::dmat3(m) * std::pow(10.0, decimals);
+  for (int axis = 0; axis < 3; ++axis) whole[axis] = glm::round(whole[axis]);
+  double box = glm::length(whole[0]) * glm::length(whole[1]) * glm::length(whole[2]);
+  return std::abs(glm::determinant(whole)) > std::max(0.5, 1e-12 * box);
+}
 
 /// The end of a piece of SDL with as many points as it turned out to have. The count comes before the points,
 /// so room is left for it.
@@ -67,16 +78,19 @@ void append_direction(std::string& text, Vec3 direction) {
   text += '>';
 }
 
-void append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m, Vec3 shift) {
+bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m, Vec3 shift) {
+  int decimals = has_inverse(m, 5) ? 5 : 9;
+  if (!has_inverse(m, decimals)) return false;
   // POV-Ray multiplies row vectors: its rows are the images of its axes. The mirror turns both sides.
   text += "matrix<";
   for (int axis = 0; axis < 3; ++axis) {
     float sign = axis == 2 ? -1.0f : 1.0f;
-    append_list(text, 5, sign * m[axis].x, sign * m[axis].y, -sign * m[axis].z);
+    append_list(text, decimals, sign * m[axis].x, sign * m[axis].y, -sign * m[axis].z);
     text += ',';
   }
   append_list(text, kDecimals, shift.x * space.unit, shift.y * space.unit, -shift.z * space.unit);
   text += '>';
+  return true;
 }
 
 void append_color(std::string& text, const Color& color) {

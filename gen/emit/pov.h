@@ -27,8 +27,11 @@ void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimal
 /// Appends `<x,y,z>` of a direction in the world.
 void append_direction(std::string& text, Vec3 direction);
 
-/// Appends a `matrix <...>` that does to POV-Ray's space what `matrix * x + shift` does to the world.
-void append_matrix(std::string& text, const PovSpace& space, const glm::mat3& matrix, Vec3 shift);
+/// Appends a `matrix <...>` that does to POV-Ray's space what `matrix * x + shift` does to the world, and
+/// returns true; appends nothing and returns false where it has no inverse as it would be written: POV-Ray
+/// refuses such a one, and what it places has no size.
+[[nodiscard]] bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& matrix,
+                                 Vec3 shift);
 
 /// Appends `srgb <r,g,b>`.
 void append_color(std::string& text, const Color& color);

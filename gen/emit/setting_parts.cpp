@@ -125,6 +125,7 @@ void append_patches(std::string& text, const PovSpace& space, const std::vector<
   for (const Patch& patch : patches) {
     auto shape = static_cast<std::size_t>(patch.shape);
     if (!missing.empty() && missing[shape]) continue;
+    std::size_t line = text.size();
     text += "object{";
     append_name(text, name, shape);
     text += ' ';
@@ -132,8 +133,10 @@ void append_patches(std::string& text, const PovSpace& space, const std::vector<
     float c = static_cast<float>(std::cos(patch.turn)), s = static_cast<float>(std::sin(patch.turn));
     glm::mat3 turn(c, patch.slope.x * c + patch.slope.y * s, s, 0, 1, 0, -s,
                    -patch.slope.x * s + patch.slope.y * c, c);
-    append_matrix(text, space, turn, patch.at);
-    text += "}\n";
+    if (append_matrix(text, space, turn, patch.at))
+      text += "}\n";
+    else
+      text.resize(line);
   }
   if (text.size() == empty) return text.resize(start);
   text += texture;

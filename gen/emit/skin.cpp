@@ -77,7 +77,8 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const Specim
   text += "texture{";
   append_skin(text, space, b, pose, chunk, index);
   if (b.look.bark && (ringed(*b.look.bark) || slanted(b, chunk))) lay_along(b.model.skeleton, chunk);
-  if (chunk.moved() && !plain) append_matrix(text, space, chunk.matrix, chunk.shift);
+  // Where a branch is too thin for one there is no pattern to be seen.
+  if (chunk.moved() && !plain) static_cast<void>(append_matrix(text, space, chunk.matrix, chunk.shift));
   text += '}';
 }
 

@@ -160,10 +160,10 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
   text += '}';
 }
 
-void append_placement(std::string& text, const PovSpace& space, const Solids& solids, std::size_t i) {
+bool append_placement(std::string& text, const PovSpace& space, const Solids& solids, std::size_t i) {
   glm::mat3 frame = glm::mat3_cast(solids.turn[i]);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= solids.scale[i][axis];
-  append_matrix(text, space, frame, solids.position[i]);
+  return append_matrix(text, space, frame, solids.position[i]);
 }
 
 /// Whether a film sees it grow.
@@ -205,14 +205,17 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
   text += '\n';
   for (std::size_t i = 0; i < solids.size(); ++i) {
     if (solids.shape[i] != shape) continue;
+    std::size_t line = lines.size();
     lines += "object{";
     append_solid_name(lines, organism, shape);
     lines += ' ';
     if (own) append_material(lines, solid.material);
-    append_placement(lines, space, solids, i);
-    lines += "}\n";
+    if (append_placement(lines, space, solids, i))
+      lines += "}\n";
+    else
+      lines.resize(line);
   }
-  if (own) {
+  if (own || lines.empty()) {
     text += lines;
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "shapes.h"
@@ -28,8 +29,25 @@ TEST(Matrix, DoesInPovSpaceWhatItDoesInTheWorld) {
   // A quarter turn about x: y goes to z. Mirrored: y goes to -z.
   glm::mat3 turn = glm::mat3_cast(glm::angleAxis(radians(90.0f), Vec3(1, 0, 0)));
   std::string text;
-  append_matrix(text, {10}, turn, Vec3(0, 1, 2));
+  EXPECT_TRUE(append_matrix(text, {10}, turn, Vec3(0, 1, 2)));
   EXPECT_EQ(text, "matrix<1,0,0,0,0,-1,0,1,0,0,10,-20>");
+}
+
+TEST(Matrix, IsNotWrittenWherePovRayWouldFindItSingular) {
+  glm::mat3 leaning = glm::mat3_cast(glm::angleAxis(0.7f, glm::normalize(Vec3(1, 2, 3))));
+  glm::mat3 flat(Vec3(1, 0, 1), Vec3(0, 1, 0), Vec3(2, 0, 2));
+  for (const glm::mat3& m : {glm::mat3(0), leaning * 1e-10f, flat, 1e4f * flat, leaning * std::nanf("")}) {
+    std::string text = "object{";
+    EXPECT_FALSE(append_matrix(text, {10}, m, Vec3(1)));
+    EXPECT_EQ(text, "object{");
+  }
+  std::string text;
+  EXPECT_TRUE(append_matrix(text, {10}, glm::mat3(2e4f), Vec3(0)));
+  EXPECT_TRUE(append_matrix(text, {10}, glm::mat3(2e-5f), Vec3(0)));
+  EXPECT_TRUE(append_matrix(text, {10}, glm::mat3(2e-6f), Vec3(0))) << "with more decimals";
+  EXPECT_EQ(text,
+            "matrix<20000,0,0,0,20000,0,0,0,20000,0,0,0>matrix<0.00002,0,0,0,0.00002,0,0,0,0.00002,0,0,0>"
+            "matrix<0.000002,0,0,0,0.000002,0,0,0,0.000002,0,0,0>");
 }
 
 TEST(Comment, StaysOneLine) {
