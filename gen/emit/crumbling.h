@@ -51,7 +51,7 @@ void each_bit(const std::array<Vec3, 3>& corner, float step, const Bit& bit) {
 float apart_area(const std::vector<std::array<Vec3, 3>>& triangles);
 
 /// What bits go to: `add(at, area, albedo, facing, bulk)` as to SoftLight, and `step(at)`, how fine they are
-/// to be there. One that declares `kSparse` gets no finer ones of organs either.
+/// to be there: a bit of a body or an organ is not much smaller than a step is wide.
 template <class Sink>
 struct Crumbling {
   const Sink& sink;
@@ -120,7 +120,7 @@ struct Crumbling {
   template <class Place, class Turn, class Size>
   void organs(const Model& model, const Place& place, const Turn& turn, const Size& size) const {
     struct Part {
-      std::vector<std::pair<Vec3, float>> bits;  // of one unit
+      std::vector<std::pair<Vec3, float>> bits;  // of one unit, with the area of all up to and with each
       Vec3 middle{0};
       float area = 0;
     };
@@ -132,9 +132,9 @@ struct Crumbling {
         for (const auto& t : p.surface.triangle) {
           Vec3 a = p.surface.position[t[0]], b = p.surface.position[t[1]], c = p.surface.position[t[2]];
           float area = 0.5f * glm::length(glm::cross(b - a, c - a));
-          part.bits.emplace_back((a + b + c) / 3.0f, area);
-          part.middle += area * part.bits.back().first;
           part.area += area;
+          part.bits.emplace_back((a + b + c) / 3.0f, part.area);
+          part.middle += area * part.bits.back().first;
           triangles.push_back({a, b, c});
         }
       }
@@ -161,15 +161,17 @@ struct Crumbling {
           sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllWays, 0);
           continue;
         }
-        std::size_t each = 1;  // of so many bits stands for all
-        if constexpr (requires { Sink::kSparse; }) {
-          float step = sink.step(at);
-          auto wanted = static_cast<std::size_t>(area * part.area / (step * step)) + 1;
-          each = std::max<std::size_t>(part.bits.size() / wanted, 1);
+        // One bit of a run stands for all of it.
+        float step = sink.step(at), before = 0;
+        auto wanted = static_cast<std::size_t>(std::min(area * part.area / (step * step), 1e6f)) + 1;
+        std::size_t each = std::max<std::size_t>(part.bits.size() / wanted, 1);
+        for (std::size_t k = 0; k < part.bits.size(); k += each) {
+          std::size_t last = std::min(k + each, part.bits.size()) - 1;
+          float upto = part.bits[last].second;
+          sink.add(at + turned * (scale * part.bits[(k + last) / 2].first), area * (upto - before), albedo,
+                   kAllWays, 0);
+          before = upto;
         }
-        for (std::size_t k = 0; k < part.bits.size(); k += each)
-          sink.add(at + turned * (scale * part.bits[k].first),
-                   area * part.bits[k].second * static_cast<float>(each), albedo, kAllWays, 0);
       }
     });
   }

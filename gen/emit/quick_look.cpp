@@ -78,7 +78,6 @@ Vec3 unpacked(std::uint32_t c) {
 
 /// What the camera sees.
 struct ToPicture {
-  static constexpr bool kSparse = true;
   const Lens& lens;
   Pixels& pixels;
 
@@ -101,7 +100,6 @@ struct ToPicture {
 
 /// What the sun sees: how far down its way something stands.
 struct ToSun {
-  static constexpr bool kSparse = true;
   Vec3 right, up, way;  // of length 1, toward the sun
   Vec3 middle;
   float half = 1;  // metres of half the picture

@@ -108,11 +108,20 @@ void add_twig(Surface& s, const Lie& twig, float length, const Seed& seed) {
   }
 }
 
+/// Lifts what was added since `first` until no more than `pressed` of it is below the ground.
+void lay_on_ground(Surface& s, std::size_t first, float pressed) {
+  float lowest = 0;
+  for (std::size_t i = first; i < s.position.size(); ++i) lowest = std::min(lowest, s.position[i].y);
+  float lift = std::max(-lowest - pressed, 0.0f);
+  for (std::size_t i = first; i < s.position.size(); ++i) s.position[i].y += lift;
+}
+
 }  // namespace
 
 Surface litter_surface(const LitterShape& shape, Seed seed) {
   Surface s;
   double area = shape.side * shape.side;
+  auto pressed = static_cast<float>(0.03 * shape.leaf);
   auto count = static_cast<std::uint64_t>(std::lround(shape.leaves * area));
   for (std::uint64_t i = 0; i < count; ++i) {
     Seed own = seed.child("leaf", i);
@@ -120,14 +129,18 @@ Surface litter_surface(const LitterShape& shape, Seed seed) {
     double length = shape.leaf * own.child(10).range(0.6, 1.15);
     // Later ones lie on earlier ones.
     leaf.at.y = static_cast<float>(0.05 * shape.leaf + 0.22 * shape.leaf * own.child(11).unit());
+    std::size_t first = s.position.size();
     add_leaf(s, leaf, static_cast<float>(length), own);
+    lay_on_ground(s, first, pressed);
   }
   auto twigs = static_cast<std::uint64_t>(std::lround(shape.twigs * area));
   for (std::uint64_t i = 0; i < twigs; ++i) {
     Seed own = seed.child("twig", i);
     Lie twig = lie(own, shape.side, 0.06);
     twig.at.y = static_cast<float>(0.2 * shape.leaf);
+    std::size_t first = s.position.size();
     add_twig(s, twig, static_cast<float>(shape.twig * own.child(10).range(0.4, 1.6)), own);
+    lay_on_ground(s, first, pressed);
   }
   set_normals(s);
   return s;
