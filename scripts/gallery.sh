@@ -70,14 +70,14 @@ trees-young 220x220 4 trees/beech,/organisms/0/years=10,/scene/camera/fit=["all"
 trees-old 220x220 4 trees/beech,/organisms/0/years=44,/scene/camera/fit=["all"] trees/birch,/organisms/0/years=40,/scene/camera/fit=["all"] trees/pine,/organisms/0/years=62,/scene/camera/fit=["all"] trees/spruce,/organisms/0/years=48,/scene/camera/fit=["all"] trees/willow,/organisms/0/years=36,/scene/camera/fit=["all"] trees/poplar,/organisms/0/years=38,/scene/camera/fit=["all"] trees/acacia,/organisms/0/years=60,/scene/camera/fit=["all"] trees/maple,/organisms/0/years=40,/scene/camera/fit=["all"] trees/cherry,/organisms/0/years=38,/scene/camera/fit=["all"] trees/olive,/organisms/0/years=70,/scene/camera/fit=["all"] trees/cypress,/organisms/0/years=40,/scene/camera/fit=["all"]
 trees-winter 320x300 4 trees/oak,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/beech,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/birch,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/maple,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/cherry,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/willow,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/poplar,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"] trees/acacia,/organisms/0/season={"at":0.03},/scene/meadow/hour=11,/scene/meadow/day=20,/scene/camera/fit=["all"]
 trees-seasons 404x304 2 trees/seasons@40 trees/seasons@110 trees/seasons@200 trees/seasons@235
-photograph-grass 400x250 1 photographs/grass
-photograph-bark 400x250 1 photographs/bark
-photograph-path 400x250 1 photographs/path
-photograph-hillside 400x250 1 photographs/hillside
-photograph-star_moss 400x250 1 photographs/star_moss
-photograph-dandelions 400x250 1 photographs/dandelions
-photograph-maple_leaf 400x250 1 photographs/maple_leaf
-photograph-yellow_flower 400x250 1 photographs/yellow_flower
+photograph-grass 800x500 1 photographs/grass
+photograph-bark 800x500 1 photographs/bark
+photograph-path 800x500 1 photographs/path
+photograph-hillside 800x500 1 photographs/hillside
+photograph-star_moss 800x500 1 photographs/star_moss
+photograph-dandelions 800x500 1 photographs/dandelions
+photograph-maple_leaf 800x500 1 photographs/maple_leaf
+photograph-yellow_flower 800x500 1 photographs/yellow_flower
 aspen 420x525 1 aspen
 black_oak 400x320 1 black_oak
 weeping_willow 340x340 1 weeping_willow
