@@ -1,4 +1,4 @@
-// Frame {{frame}} of {{frames}}. Render with: povray +Lpovinc {{light}}+W{{width}} +H{{height}} frame_{{number}}.pov{{tone}}
+// Frame {{frame}} of {{frames}}. Render with: povray +Lpovinc {{light}}+W{{width}} +H{{height}} {{file}}{{tone}}
 #version 3.7;
 #declare Frond_Unit = {{unit}};        // POV-Ray units a metre
 #declare Frond_Quality = {{quality}};      // 0 draft, 1 good, 2 best

@@ -56,8 +56,7 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   parallel_for(static_cast<std::size_t>(std::min(at_once, count)), [&](std::size_t) {
     for (int i; (i = next++) < count;) {
       int frame = range.first + i / each, exposure = each > 1 ? 1 + i % each : 0;
-      Result<FrameFile> written = write_frame_file(
-          scene, parts, layout, out / "frames" / (exposure_name(frame, exposure) + ".pov"), frame, exposure);
+      Result<FrameFile> written = write_frame_file(scene, parts, layout, out / "frames", frame, exposure);
       if (written) {
         changed[static_cast<std::size_t>(i)] = written->changed;
         if (i % each == 0) nodes[static_cast<std::size_t>(i / each)] = written->nodes;

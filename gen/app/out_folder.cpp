@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/files.h"
+#include "core/frame_name.h"
 #include "core/parallel.h"
 #include "images/whole.h"
 #include "jobs/jobs.h"

@@ -8,6 +8,7 @@
 
 #include "core/content.h"
 #include "core/files.h"
+#include "core/frame_name.h"
 #include "core/growing_file.h"
 #include "core/parallel.h"
 #include "emit/setting.h"
@@ -198,23 +199,22 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
 }
 
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
-                                   const fs::path& path, int frame, int exposure) {
+                                   const fs::path& folder, int frame, int exposure) {
   double time =
       exposure > 0 ? exposure_time(scene.film, scene.stage.camera, frame, exposure) : scene.film.time(frame);
   if (parts.light == kOwnLight && exposure <= 1) {
     Result<std::string> light =
         soft_light_text(parts.space, scene, parts.plan.crumbs, scene.film.time(frame));
     if (!light) return light.errors();
-    fs::path beside = path;
-    if (Result<bool> written = write_file(beside.replace_extension(".rca"), *light); !written)
+    if (Result<bool> written = write_file(folder / light_name(frame), *light); !written)
       return written.errors();
   }
   Result<std::vector<Picture>> pictures = setting_pictures(scene, time);
   if (!pictures) return pictures.errors();
   for (const Picture& picture : *pictures)
-    if (Result<bool> written = write_file(path.parent_path() / picture.name, picture.bytes); !written)
+    if (Result<bool> written = write_file(folder / picture.name, picture.bytes); !written)
       return written.errors();
-  GrowingFile file(path);
+  GrowingFile file(folder / (exposure_name(frame, exposure) + ".pov"));
   Result<std::size_t> nodes = write_frame(
       scene, parts, layout, frame, [&](std::string_view text) { file.add(text); }, exposure);
   if (!nodes) return nodes.errors();

@@ -27,9 +27,9 @@ struct FrameFile {
   std::size_t nodes = 0;  ///< that growth has reached in it
 };
 
-/// Writes one frame, or one exposure of it as write_frame() has it, with its soft light where that is its
-/// own; that of a frame serves all its exposures.
+/// Writes one frame, or one exposure of it as write_frame() has it, into a folder under its exposure_name(),
+/// with its soft light where that is its own; that of a frame serves all its exposures.
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
-                                   const std::filesystem::path& path, int frame, int exposure = 0);
+                                   const std::filesystem::path& folder, int frame, int exposure = 0);
 
 }  // namespace frond

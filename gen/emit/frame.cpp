@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/content.h"
+#include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/body.h"
@@ -339,27 +340,27 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
   return parts;
 }
 
+std::string light_name(int frame) { return frame_name(frame) + ".rca"; }
+
 Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                 int frame, const Out& out, int exposure) {
   const Film& film = scene.film;
   const Camera& camera = scene.stage.camera;
   int all = exposure > 0 ? exposures(film, camera) : 1;
   double time = exposure > 0 ? exposure_time(film, camera, frame, exposure) : film.time(frame);
-  std::string padded = number_text(frame);
-  padded.insert(0, padded.size() < 4 ? 4 - padded.size() : 0, '0');
   Errors errors;
   std::size_t nodes = 0;
   fill(layout, out, [&](std::string_view hole) {
     if (hole == "frame") return out(number_text(frame));
     if (hole == "frames") return out(number_text(film.frames));
-    if (hole == "number") return out(exposure > 1 ? padded + "_s" + number_text(exposure) : padded);
+    if (hole == "file") return out(exposure_name(frame, exposure) + ".pov");
     if (hole == "width") return out(number_text(film.size[0]));
     if (hole == "height") return out(number_text(film.size[1]));
     if (hole == "unit") return out(number_text(parts.space.unit));
     if (hole == "quality") return out(number_text(static_cast<int>(film.quality)));
     if (hole == "light") {
       if (parts.light.empty()) return;
-      return out("+RFI +RF" + (parts.light == kOwnLight ? "frame_" + padded + ".rca" : parts.light) + " ");
+      return out("+RFI +RF" + (parts.light == kOwnLight ? light_name(frame) : parts.light) + " ");
     }
     if (hole == "tone") return out(tone_text(camera, std::max(exposure, 1), all));
     if (hole == "time") return out(number_text(time));

@@ -38,6 +38,9 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {});
 Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame);
 
+/// The file of the soft light that is a frame's own.
+std::string light_name(int frame);
+
 /// The same, piece by piece: the text of a large frame is held nowhere as a whole. Gives how many nodes
 /// growth has reached in it; those of copies do not count. `exposure`: of a frame that is made of several,
 /// which one, the first being 1; 0: the frame at its own time, whatever the shutter.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/frame_name.h"
 #include "core/linear.h"
 #include "core/text.h"
 #include "emit/setting_parts.h"
@@ -16,8 +17,9 @@ namespace {
 /// `frame_0012.caustics`, or between frames `frame_0012_250.caustics`
 std::string caustics_name(const Scene& scene, double time) {
   long thousandths = std::lround(1000 * time * scene.film.fps), frame = thousandths / 1000 + 1;
-  if (thousandths % 1000 == 0) return fmt::format("frame_{:04}.caustics", frame);
-  return fmt::format("frame_{:04}_{:03}.caustics", frame, thousandths % 1000);
+  std::string name = frame_name(static_cast<int>(frame));
+  if (thousandths % 1000 != 0) name += fmt::format("_{:03}", thousandths % 1000);
+  return name + ".caustics";
 }
 
 Result<std::vector<Picture>> caustics(const Scene& scene, double time) {

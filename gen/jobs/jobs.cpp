@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/frame_name.h"
 #include "core/text.h"
 #include "jobs/escape.h"
 
@@ -88,16 +89,6 @@ void append_frames(std::string& text, const JobList& jobs) {
 }
 
 }  // namespace
-
-std::string frame_name(int number) {
-  std::string digits = std::to_string(number);
-  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
-  return "frame_" + digits;
-}
-
-std::string exposure_name(int number, int exposure) {
-  return frame_name(number) + (exposure > 1 ? "_s" + std::to_string(exposure) : "");
-}
 
 std::string_view povray_flags(std::string_view quality, bool lens) {
   for (const Rendering& rendering : kRenderings)

@@ -36,12 +36,6 @@ inline constexpr Rendering kRenderings[] = {
 /// POV-Ray's flags for a quality; empty where there is none of that name.
 std::string_view povray_flags(std::string_view quality, bool lens);
 
-/// What the name of a frame's files begins with: "frame_0001"; more digits from 10000 on.
-std::string frame_name(int number);
-
-/// That of an exposure of it: "frame_0001_s2"; the first bears the frame's own name.
-std::string exposure_name(int number, int exposure);
-
 /// What is to be rendered. Two lists that differ in size or quality render all frames again, as both stand in
 /// the commands; a frame is rendered again, too, when its scene or one of the includes is newer than its
 /// picture.

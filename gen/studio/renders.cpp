@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "core/files.h"
+#include "core/frame_name.h"
 #include "core/parallel.h"
 #include "emit/film_files.h"
 #include "jobs/jobs.h"
@@ -84,6 +85,7 @@ struct Renders::Job {
   std::string id;
   Doc doc;
   double time = 0;
+  int frame = 1;  // of the film, at that time
   std::array<int, 2> size{};
   std::string quality;
   std::optional<Preset> preset;  // until it has grown
@@ -136,6 +138,8 @@ Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size
   if (!preset) return preset.errors();
   job->title = preset->title, job->seed = preset->seed;
   job->lens = preset->stage.camera.aperture.has_value();
+  const Film& film = preset->film;
+  job->frame = std::clamp(static_cast<int>(std::lround(time * film.fps)) + 1, 1, film.frames);
   job->preset = std::move(*preset);
   job->doc = std::move(doc);
   job->time = time, job->size = size, job->quality = quality;
@@ -181,9 +185,11 @@ void Renders::work(Job& job) {
       }
       set([&] { job.progress = 0, job.tracing = Clock::now(); });
       if (errors.empty() && !job.cancelled)
-        errors = render(job, job.size, povray_flags(job.quality, job.lens), "frame_0001");
+        errors = render(job, job.size, povray_flags(job.quality, job.lens), frame_name(job.frame));
       if (errors.empty())
-        set([&] { job.preview = false, job.picture = job.folder / "frames/frame_0001.png"; });
+        set([&] {
+          job.preview = false, job.picture = job.folder / "frames" / (frame_name(job.frame) + ".png");
+        });
     }
     std::lock_guard lock(in_work_);
     busy_ = false;
@@ -205,8 +211,6 @@ Errors Renders::write(Job& job) {
   if (!scene) return scene.errors();
   fs::path frames = job.folder / "frames";
   if (Errors errors = write_drawings(*scene, frames, watch); !errors.empty()) return errors;
-  int frame =
-      std::clamp(static_cast<int>(std::lround(job.time * scene->film.fps)) + 1, 1, scene->film.frames);
   // How finely copies are drawn holds for the one frame.
   Result<CopyPlan> plan = write_models(*scene, frames, watch);
   if (!plan) return plan.errors();
@@ -214,13 +218,14 @@ Errors Renders::write(Job& job) {
   for (const Picture& file : parts.files)
     if (Result<bool> written = write_file(frames / file.name, file.bytes); !written) return written.errors();
   if (Errors errors = write_light(*scene, parts, frames); !errors.empty()) return errors;
-  Result<FrameFile> written = write_frame_file(*scene, parts, *layout, frames / "frame_0001.pov", frame);
+  Result<FrameFile> written = write_frame_file(*scene, parts, *layout, frames, job.frame);
   return written ? Errors{} : written.errors();
 }
 
 Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name) {
-  std::vector<std::string> words{(home_ / "scripts/render_frame.sh").string(), "frames/frame_0001.pov",
-                                 "frames/" + name + ".png", fmt::format("{}x{}", size[0], size[1])};
+  std::vector<std::string> words{(home_ / "scripts/render_frame.sh").string(),
+                                 "frames/" + frame_name(job.frame) + ".pov", "frames/" + name + ".png",
+                                 fmt::format("{}x{}", size[0], size[1])};
   for (std::size_t from = 0; from < flags.size();) {
     std::size_t to = std::min(flags.find(' ', from), flags.size());
     words.emplace_back(flags.substr(from, to - from));

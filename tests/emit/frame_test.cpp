@@ -64,7 +64,7 @@ TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
   const Film& film = scene.film;
   Camera& camera = scene.stage.camera;
-  const std::string layout = "{{number}} {{time}}{{tone}}|{{camera}}{{organisms}}";
+  const std::string layout = "{{file}} {{time}}{{tone}}|{{camera}}{{organisms}}";
   FrameParts parts = prepare_frames(scene);
   auto exposed = [&](int frame, int exposure) {
     std::string text;
@@ -88,10 +88,11 @@ TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
   }
   EXPECT_LT(before, film.time(3) + 0.5 * frame_time);
   EXPECT_LT(exposure_time(film, camera, film.frames, 4), film.length()) << "never past the end of the film";
-  EXPECT_NE(exposed(3, 2).find("0003_s2 "), std::string::npos);
-  EXPECT_NE(exposed(3, 1).find(
-                "0003 0.34375 +FN16; exposure 1 of 4; then frond develop --highlights 0 --contrast 1|"),
-            std::string::npos)
+  EXPECT_NE(exposed(3, 2).find("frame_0003_s2.pov "), std::string::npos);
+  EXPECT_NE(
+      exposed(3, 1).find(
+          "frame_0003.pov 0.34375 +FN16; exposure 1 of 4; then frond develop --highlights 0 --contrast 1|"),
+      std::string::npos)
       << exposed(3, 1).substr(0, 120);
   EXPECT_NE(exposed(3, 4).find(" +FN16; exposure 4 of 4|"), std::string::npos);
   EXPECT_NE(exposed(3, 1).substr(exposed(3, 1).find('|')), exposed(3, 2).substr(exposed(3, 2).find('|')));

@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "core/frame_name.h"
+
 namespace frond {
 namespace {
 
@@ -26,12 +28,6 @@ int count(std::string_view text, std::string_view part) {
 std::string paragraph(const std::string& text, std::string_view begin) {
   std::size_t at = text.find(begin);
   return at == text.npos ? "" : text.substr(at, text.find("\n\n", at) - at);
-}
-
-TEST(FrameName, HasFourDigitsOrMore) {
-  EXPECT_EQ(frame_name(1), "frame_0001");
-  EXPECT_EQ(frame_name(9999), "frame_9999");
-  EXPECT_EQ(frame_name(12345), "frame_12345");
 }
 
 TEST(NinjaText, RendersEachFrameOfTheList) {
