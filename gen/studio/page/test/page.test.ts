@@ -10,6 +10,7 @@ import { valueAtTime, withKey } from "../src/keyframes";
 import { getAt, isObject, type Path } from "../src/pointer";
 import { beside, Preset } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
+import { enlarged, everyOf, firstOf, LARGEST } from "../src/view/thinning";
 
 const TEXT = `{
   // What it is
@@ -131,4 +132,17 @@ test("the schema of presets is read whole", () => {
   assert.equal(schema.at(["scene", "camera", "angle"], [])?.type, "keyed");
   assert.equal(schema.at(["scene", "camera", "angle"], [])?.unit, "°");
   assert.equal(schema.at(["defaults", "season"], ["tree"])?.type, "object");
+});
+
+test("few things are neither thinned nor enlarged, and many do not balloon", () => {
+  for (const count of [1, 2, 50, 399, 799]) {
+    assert.equal(everyOf(count, 0.02), 1);
+    assert.equal(enlarged(everyOf(count, 0.02)), 1);
+  }
+  assert.equal(firstOf(30, 0.02), 30);
+  assert.equal(everyOf(1e6, 1), 1);
+  assert.equal(everyOf(1e6, 0.02), 50);
+  assert.ok(1e5 / everyOf(1e5, 1e-9) >= 400);
+  assert.equal(firstOf(1e5, 0.1), 1e4);
+  assert.ok(enlarged(50) <= LARGEST && LARGEST <= 2);
 });

@@ -1,6 +1,7 @@
 import { Box3, BufferGeometry, Color, DoubleSide, FrontSide, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial, Vector3, Vector4, type IUniform } from "three";
 import type { LeafPictures } from "./leaf_pictures";
 import type { Shared } from "./shared";
+import { enlarged, everyOf, firstOf } from "./thinning";
 
 export interface Shaders {
   vertex: string;
@@ -92,6 +93,7 @@ export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
       organism: { value: 0 },
       count: { value: count },
       every: { value: 1 },
+      enlarged: { value: 1 },
       ...own,
     };
     const dresses = levels.map((level) => new Dress(level, shaders, { ...uniforms, ...level.uniforms }));
@@ -130,9 +132,10 @@ export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
     this.geometry = dress.level.geometry;
     this.material = dress.material(flat, quickly);
     if (this.thinning === "none") return;
-    const every = this.thinning === "every" ? Math.ceil(1 / this.share) : 1;
-    const drawn = this.thinning === "first" ? Math.ceil(this.count * this.share) : Math.ceil(this.count / every);
+    const every = this.thinning === "every" ? everyOf(this.count, this.share) : 1;
+    const drawn = this.thinning === "first" ? firstOf(this.count, this.share) : Math.ceil(this.count / every);
     this.uniforms.every!.value = every;
+    this.uniforms.enlarged!.value = enlarged(every);
     this.uniforms.count!.value = this.thinning === "first" ? drawn : this.count;
     const geometry = this.geometry as InstancedBufferGeometry;
     const { bundle } = dress.level;

@@ -20,7 +20,8 @@ flat out uint own;
 #ifdef INSTANCED
 uniform sampler2D places;
 uniform int count, corners;
-uniform int every;  // one of so many stands for all
+uniform int every;       // one of so many stands for all
+uniform float enlarged;  // how many times its size that has
 uniform float reach;  // from the middle of the mesh to its farthest corner
 #ifdef INSTANCE_COLORS
 uniform sampler2D paints;
@@ -49,7 +50,7 @@ void main() {
        e = texelFetch(places, texel + ivec2(4, 0), 0).rg;
   vec3 place = vec3(a, b.x), size = vec3(d.y, e);
   vec4 turn = vec4(b.y, c, d.x);
-  size *= sqrt(float(every));
+  size *= enlarged;
   // Where they are smaller than pixels some stand for all.
   float pixels = reach * max(size.x, max(size.y, size.z)) / pixel_at(place), least = 3.0 * thin;
   if (pixels < least) {

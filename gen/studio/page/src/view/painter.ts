@@ -13,7 +13,7 @@ const BUDGET = { quick: 8e6, fine: 16e6 };
 const SLOW_BUDGET = { quick: 2e4, fine: 1.5e6 };
 /** Pixels that may be lost where there is time enough, and where there is not; and what share is drawn at least. */
 const LOST = 4;
-const MOST_LOST = 200;
+const MOST_LOST = 60;
 const LEAST_SHARE = 0.02;
 
 /** Draws the scene in its several ways. */
@@ -184,15 +184,19 @@ export class Painter {
     return a! + (b! << 8) + (c! << 16);
   }
 
-  /** Organisms white on black, without the ground, as RGBA bytes from the lowest row up. */
-  mask(camera: PerspectiveCamera, width: number, height: number): Uint8Array {
+  /** Organisms white on black, without the ground, as RGBA bytes from the lowest row up; `quickly`: as they are drawn while
+   *  something moves. */
+  mask(camera: PerspectiveCamera, width: number, height: number, quickly: boolean): Uint8Array {
     const target = new WebGLRenderTarget(width, height, { generateMipmaps: false });
-    for (const stand of this.stands) stand.sort(camera, this.pixelOf(camera, height));
-    for (const one of this.things) one.choose(0), one.thin(1);
-    this.flat(false, false);
+    if (quickly) this.plan(camera, "quick");
+    else {
+      for (const stand of this.stands) stand.sort(camera, this.pixelOf(camera, height));
+      for (const one of this.things) one.choose(0), one.thin(1);
+    }
+    this.flat(false, quickly);
     for (const one of this.things) one.visible &&= !one.isGround;
     this.shared.mask.value = 1;
-    this.setEye(camera, height, 0);
+    this.setEye(camera, height, quickly ? 0.5 : 0);
     this.renderer.setRenderTarget(target);
     this.renderer.setClearColor(0, 1);
     this.renderer.clear();

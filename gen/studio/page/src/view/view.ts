@@ -193,9 +193,9 @@ export class View implements PointerTarget {
     this.frameBox.remove();
   }
 
-  /** Organisms white on black from the preset's camera, as a PNG's address. */
-  mask = async (width: number, height: number): Promise<string> => {
-    const pixels = this.painter.mask(this.eyes.filmCamera(), width, height);
+  /** Organisms white on black from the preset's camera, as a PNG's address; `quickly`: as coarse as while something moves. */
+  mask = async (width: number, height: number, quickly = false): Promise<string> => {
+    const pixels = this.painter.mask(this.eyes.filmCamera(), width, height, quickly);
     const canvas = document.createElement("canvas");
     canvas.width = width;
     canvas.height = height;
