@@ -147,6 +147,14 @@ export function removeAt(text: string, path: Path): string {
   return removeChild(text, parent, child);
 }
 
+/** The text with another member in the place of one; a `key` of null takes that away. */
+export function renameAt(text: string, path: Path, key: string | null, value: unknown): string {
+  const root = parseTree(text, [], PARSING);
+  const node = root && findNodeAtLocation(root, path)?.parent;
+  if (key === null || node?.type !== "property") return removeAt(text, path);
+  return cut(text, node.offset, endOf(node), member(key, value, indentAt(text, node.offset)));
+}
+
 /** What stands at a path, as it is written there. */
 export function sliceAt(text: string, path: Path): string | null {
   const root = parseTree(text, [], PARSING);

@@ -1,7 +1,8 @@
 /**
  * A preset as its text says: its own values, those of its base, and what counts for each organism. The laws are those
  * of docs/presets.md: an organism's own value wins over the scene's in `defaults`, but a property that `force` names
- * has the scene's value for all, or, where the scene has none, the built-in one.
+ * has the scene's value for all, or, where the scene has none, the built-in one. What its species says counts as its own
+ * where it says nothing itself.
  */
 
 import { parse, printParseErrorCode, type ParseError } from "jsonc-parser";
@@ -39,7 +40,19 @@ function names(value: unknown, path: Path): boolean {
 }
 
 /** Whose value counts for a property of an organism. */
-export type Scope = "own" | "all" | "unset";
+export type Scope = "own" | "species" | "all" | "unset";
+
+/** What an organism has of its own, however it may be told by a species: how many stand where. */
+const NEVER_OF_SPECIES = { own: ["count", "sown", "species"], place: ["at", "on", "center", "inner", "radius"] };
+
+/** What the preset of a species says of those that name it: all of its first organism but where that stands. */
+export function speciesIn(preset: Preset): Json | null {
+  if (!preset.organisms.length) return null;
+  const kind = structuredClone(preset.organism(0));
+  for (const name of NEVER_OF_SPECIES.own) delete kind[name];
+  if (isObject(kind.place)) for (const name of NEVER_OF_SPECIES.place) delete kind.place[name];
+  return kind;
+}
 
 export class Preset {
   readonly own: Json;
@@ -51,6 +64,8 @@ export class Preset {
   constructor(
     readonly text: string,
     readonly base: Json = {},
+    /** What a species says, by the name that an organism has for it. */
+    private speciesOf: (name: string) => Json | undefined = () => undefined,
   ) {
     const value: unknown = parse(text, this.syntax, { allowTrailingComma: false });
     this.own = isObject(value) ? value : {};
@@ -88,19 +103,37 @@ export class Preset {
   }
 
   nameOf(entry: number): string {
-    const { name, kind } = this.organisms[entry] ?? {};
+    const { name, kind } = this.described(entry);
     return String(name || kind || `organism ${entry + 1}`);
   }
 
   kindOf(entry: number): string {
-    return String(this.organisms[entry]?.kind ?? "");
+    return String(this.described(entry).kind ?? "");
+  }
+
+  /** The preset that it names as its species; empty: none. */
+  speciesName(entry: number): string {
+    const name = this.organisms[entry]?.species;
+    return typeof name === "string" ? name : "";
+  }
+
+  /** What its species says; empty where it has none, or that is not known yet. */
+  ofSpecies(entry: number): Json {
+    const name = this.speciesName(entry);
+    return (name && this.speciesOf(name)) || {};
+  }
+
+  /** What it says itself over what its species says. */
+  private described(entry: number): Json {
+    const own = this.organisms[entry] ?? {};
+    return this.speciesName(entry) ? (overlay(this.ofSpecies(entry), own) as Json) : own;
   }
 
   /** All that counts for an organism. */
   organism(entry: number): Json {
     let found = this.merged.get(entry);
     if (!found) {
-      found = structuredClone(overlay(this.defaults, this.organisms[entry] ?? {})) as Json;
+      found = structuredClone(overlay(this.defaults, this.described(entry))) as Json;
       for (const path of this.force) forcePath(this.defaults, found, path.split("/"));
       this.merged.set(entry, found);
     }
@@ -116,6 +149,7 @@ export class Preset {
   scope(entry: number, property: Path): Scope {
     if (this.isForced(property)) return "all";
     if (names(this.organisms[entry], property)) return "own";
+    if (names(this.ofSpecies(entry), property)) return "species";
     return names(this.defaults, property) ? "all" : "unset";
   }
 

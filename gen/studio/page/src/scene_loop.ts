@@ -14,6 +14,8 @@ export class SceneLoop {
   private wanted = false;
   private patience = PATIENCE;
   private waiting: (() => void)[] = [];
+  /** The question() of the last request. */
+  private asked = "";
 
   constructor(
     private store: Store,
@@ -23,7 +25,13 @@ export class SceneLoop {
       this.patience = PATIENCE;
       this.session = crypto.randomUUID();
     });
-    store.on(["text", "time", "shown"], () => this.want());
+    store.on(["text", "time", "shown"], () => this.question() !== this.asked && this.want());
+  }
+
+  /** What a picture depends on. More may be known of the same text, which does not change its picture. */
+  private question(): string {
+    const { text, file, time, solo, hidden } = this.store;
+    return JSON.stringify([text, file, time, [...solo], [...hidden]]);
   }
 
   want(): void {
@@ -59,6 +67,7 @@ export class SceneLoop {
     store.setScene({ busy: true });
     const begin = performance.now();
     const session = this.session;
+    this.asked = this.question();
     this.view.hold(true);
     const answer = await api.scene(session, ++this.seq, {
       doc: store.doc,

@@ -1,12 +1,12 @@
 /** The state of the page. Panels read it, change it by its methods, and listen to what has changed. */
 
 import type { Doc, Fault, Foretold, Listed, Loaded, Start } from "./api";
-import * as api from "./api";
 import { quiet } from "./dom";
 import { loadDraft, saveDraft, type Selection } from "./drafts";
 import { insertAt, removeAt, setAt, sliceAt } from "./edits";
-import { getAt, isObject, type Path } from "./pointer";
-import { beside, overlay, Preset } from "./preset";
+import { getAt, type Path } from "./pointer";
+import { beside, Preset } from "./preset";
+import { readSpecies, readWithBases, relativeTo, withSpecies } from "./species";
 import { PresetSchema } from "./schema";
 import type { Header } from "./view/header";
 
@@ -61,6 +61,8 @@ export class Store {
   private gesture = "";
   private base: Record<string, unknown> = {};
   private baseName = "";
+  /** By their files; null: not there yet, or none. */
+  private species = new Map<string, Record<string, unknown> | null>();
   private listeners = new Map<Change, Set<() => void>>();
   private keep = quiet(250, () => this.keepDraft());
 
@@ -97,7 +99,7 @@ export class Store {
     return this.isOpen && this.text !== this.saved;
   }
   get kinds(): string[] {
-    return this.preset.organisms.map((o) => String(o.kind ?? ""));
+    return this.preset.organisms.map((_, i) => this.preset.kindOf(i));
   }
 
   /** Opens what was loaded; a shipped one as a copy, which has no file yet. */
@@ -160,8 +162,13 @@ export class Store {
     this.emit("saved");
   }
 
+  private made(text: string): Preset {
+    return new Preset(text, this.base, (name) => this.species.get(beside(this.file, name)) ?? undefined);
+  }
+
   private show(text: string): void {
-    this.preset = new Preset(text, this.base);
+    this.preset = this.made(text);
+    this.learnSpecies();
     const base = typeof this.preset.own.base === "string" ? this.preset.own.base : "";
     const name = base && beside(this.file, base);
     if (name === this.baseName) return;
@@ -169,21 +176,30 @@ export class Store {
     void this.readBase(name);
   }
 
-  /** Bases, too, may have a base. */
   private async readBase(name: string): Promise<void> {
-    let below: unknown = undefined;
-    try {
-      for (let file = name, depth = 0; file && depth < 8; depth++) {
-        const preset = new Preset((await api.preset(file)).text);
-        below = below === undefined ? preset.own : overlay(preset.own, below);
-        file = typeof preset.own.base === "string" ? beside(file, preset.own.base) : "";
-      }
-    } catch {
-      // The server tells what is wrong with the base when it grows the preset.
-    }
+    const below = await readWithBases(name);
     if (name !== this.baseName) return;
-    this.base = isObject(below) ? below : {};
-    this.preset = new Preset(this.text, this.base);
+    this.base = below;
+    this.remake();
+  }
+
+  /** Reads the species that are named and not known yet. */
+  private learnSpecies(): void {
+    for (const entry of this.preset.organisms.keys()) {
+      const file = beside(this.file, this.preset.speciesName(entry));
+      if (!this.preset.speciesName(entry) || this.species.has(file)) continue;
+      this.species.set(file, null);
+      void readSpecies(file).then((found) => {
+        this.species.set(file, found);
+        if (found) this.remake();
+      });
+    }
+  }
+
+  /** The same text, now that more is known of what it builds on. */
+  private remake(): void {
+    this.preset = this.made(this.text);
+    this.learnSpecies();
     this.keepRight();
     this.emit("text");
   }
@@ -255,17 +271,33 @@ export class Store {
 
   /** The text with all that a path leads through, so that a part of it can be set. */
   writtenOut(text: string, path: Path): string {
+    let out = text;
     for (let length = 1; length < path.length; length++) {
       const above = path.slice(0, length);
       const mine = getAt(this.preset.own, above);
-      const all = getAt(this.preset.whole, above);
-      if (mine === undefined && Array.isArray(all)) return setAt(text, above, all);
-      if (mine !== undefined && typeof mine !== "object") {
+      const all = mine ?? getAt(this.preset.whole, above) ?? this.inherited(above);
+      if (mine === undefined && Array.isArray(all)) {
+        out = setAt(out, above, all);
+        if (above.length > 1) return out;
+      } else if (all !== undefined && typeof all !== "object") {
         const field = this.schema.at(above, this.kinds);
-        if (field?.type === "object" && field.shorthand) return setAt(text, above, { [field.shorthand]: mine });
+        if (field?.type === "object" && field.shorthand) return setAt(out, above, { [field.shorthand]: all });
       }
     }
-    return text;
+    return out;
+  }
+
+  /** What the species of an organism says at a path of the preset. */
+  private inherited([first, entry, ...rest]: Path): unknown {
+    return first === "organisms" && typeof entry === "number" && rest.length ? getAt(this.preset.ofSpecies(entry), rest) : undefined;
+  }
+
+  /** Writes all that its species says into the organism, which names none then. */
+  makeOwn(entry: number): void {
+    const file = beside(this.file, this.preset.speciesName(entry));
+    const path: Path = ["organisms", entry];
+    const text = this.writtenOut(this.text, [...path, "species"]);
+    this.change(withSpecies(text, path, this.preset.organisms[entry], this.preset.ofSpecies(entry), (name) => relativeTo(this.file, beside(file, name))));
   }
 
   addOrganism(organism: unknown): void {

@@ -8,8 +8,9 @@ import { scaleOf, valueAt } from "../src/controls/scale";
 import { insertAt, removeAt, setAt } from "../src/edits";
 import { valueAtTime, withKey } from "../src/keyframes";
 import { getAt, isObject, type Path } from "../src/pointer";
-import { beside, Preset } from "../src/preset";
+import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
+import { relativeTo, withSpecies } from "../src/species";
 import { enlarged, everyOf, firstOf, LARGEST } from "../src/view/thinning";
 
 const TEXT = `{
@@ -145,4 +146,46 @@ test("few things are neither thinned nor enlarged, and many do not balloon", () 
   assert.ok(1e5 / everyOf(1e5, 1e-9) >= 400);
   assert.equal(firstOf(1e5, 0.1), 1e4);
   assert.ok(enlarged(50) <= LARGEST && LARGEST <= 2);
+});
+
+const SPECIES = `{"defaults": {"wave": {"amplitude": 3}}, "organisms": [
+  {"kind": "massive", "name": "brain", "count": 9, "place": {"at": [[0, 0]], "rock": 0.5}, "height": 0.2, "colors": ["#112233"], "tissue": {"color": "#a98a4c", "cup": 0.003}, "file": "a.obj"}]}`;
+const OF_SPECIES = `{
+  // A reef
+  "defaults": {"height": 7, "lumps": 2},
+  "organisms": [
+    {"species": "s/brain.json", "place": {"at": [[1, 1]]}, "tissue": {"cup": 0.1}} // mine
+  ]
+}
+`;
+
+test("what a species says counts where the organism says nothing", () => {
+  const species = speciesIn(new Preset(SPECIES))!;
+  const preset = new Preset(OF_SPECIES, {}, (name) => (name === "s/brain.json" ? species : undefined));
+  assert.deepEqual([preset.kindOf(0), preset.nameOf(0)], ["massive", "brain"]);
+  const whole = preset.organism(0);
+  assert.deepEqual(whole.place, { at: [[1, 1]], rock: 0.5 });
+  assert.deepEqual(whole.tissue, { color: "#a98a4c", cup: 0.1 });
+  assert.deepEqual([whole.height, whole.lumps, whole.count], [0.2, 2, undefined]);
+  assert.deepEqual(whole.wave, { amplitude: 3 });
+  const scopes = [["height"], ["lumps"], ["tissue", "cup"], ["tissue", "color"], ["count"]].map((path) => preset.scope(0, path));
+  assert.deepEqual(scopes, ["species", "all", "own", "species", "unset"]);
+});
+
+test("a species that becomes one's own leaves comments where they are", () => {
+  const species = speciesIn(new Preset(SPECIES))!;
+  const preset = new Preset(OF_SPECIES);
+  const own = withSpecies(OF_SPECIES, ["organisms", 0], preset.organisms[0], species, (name) => relativeTo("/home/reef.json", beside("/home/s/brain.json", name)));
+  assert.ok(own.includes("// A reef\n") && own.includes("// mine\n") && own.includes('{"kind": "massive", '));
+  const organism = new Preset(own).organisms[0]!;
+  assert.equal(organism.species, undefined);
+  assert.deepEqual(organism.tissue, { cup: 0.1, color: "#a98a4c" });
+  assert.deepEqual(organism.place, { at: [[1, 1]], rock: 0.5 });
+  assert.equal(organism.file, "s/a.obj");
+});
+
+test("a file is named as seen from another", () => {
+  assert.equal(relativeTo("/a/b/x.json", "/a/b/s/y.json"), "s/y.json");
+  assert.equal(relativeTo("/a/b/x.json", "/a/c/y.json"), "../c/y.json");
+  assert.equal(beside("/a/b/x.json", relativeTo("/a/b/x.json", "/q/y.json")), "/q/y.json");
 });

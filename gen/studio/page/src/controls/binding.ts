@@ -45,6 +45,11 @@ export class Binding {
     return this.get() === undefined ? "unset" : "own";
   }
 
+  /** Does its species say something of it? */
+  get inSpecies(): boolean {
+    return this.entry !== null && getAt(this.store.preset.ofSpecies(this.entry), this.property) !== undefined;
+  }
+
   get forced(): boolean {
     return this.entry !== null && this.store.preset.isForced(this.property);
   }
@@ -69,7 +74,7 @@ export class Binding {
     if (done) this.store.endGesture();
   }
 
-  /** Can it be taken out of the text? What a base says cannot. */
+  /** Can it be taken out of the text? What a base or a species says cannot. */
   get canReset(): boolean {
     return getAt(this.store.preset.own, this.path) !== undefined || this.isShort;
   }

@@ -31,11 +31,13 @@ export function row(name: string, field: Field, binding: Binding, section: Secti
   if (control.wide) element.classList.add("wide");
 
   const actions = (): MenuItem[] => {
-    const items: MenuItem[] = [{ label: "Back to the default", act: () => binding.reset(), disabled: !binding.canReset }];
+    const told = binding.inSpecies;
+    const items: MenuItem[] = [{ label: told ? "Back to its species" : "Back to the default", act: () => binding.reset(), disabled: !binding.canReset }];
     if (isProperty) {
-      const all = binding.scope === "all";
-      items.push({ label: "A value of its own", checked: !all, act: () => binding.useOwn(field.default) });
-      items.push({ label: "One value for all", checked: all && !binding.forced, act: () => useForAll() });
+      const { scope } = binding;
+      items.push({ label: "A value of its own", checked: scope === "own" || scope === "unset", act: () => binding.useOwn(field.default) });
+      if (told) items.push({ label: "The value of its species", checked: scope === "species", act: () => binding.reset(), disabled: !binding.canReset });
+      else items.push({ label: "One value for all", checked: scope === "all" && !binding.forced, act: () => useForAll() });
       if (section.store.schema.forcible.has(binding.rel.join("/"))) items.push({ label: "Force it for all", checked: binding.forced, act: () => binding.toggleForce() });
     }
     if (field.type === "number" || (field.type === "keyed" && field.base.type === "number"))
@@ -47,13 +49,17 @@ export function row(name: string, field: Field, binding: Binding, section: Secti
     if (binding.forced) binding.toggleForce();
     if (binding.scope !== "all") binding.useForAll(field.default);
   };
-  scope?.addEventListener("click", () => (binding.scope === "all" ? binding.useOwn(field.default) : useForAll()));
+  scope?.addEventListener("click", () => {
+    if (binding.scope === "all" || binding.scope === "species") binding.useOwn(field.default);
+    else if (binding.inSpecies) binding.reset();
+    else useForAll();
+  });
 
   const refresh = (): void => {
     control.refresh();
     const now = binding.scope;
     dot.classList.toggle("set", now !== "unset");
-    dot.classList.toggle("all", now === "all");
+    dot.classList.toggle("all", now === "all" || now === "species");
     dot.toggleAttribute("disabled", !binding.canReset);
     if (scope) showScope(scope, binding, spelled(name));
     const pointer = binding.pointer;
@@ -76,11 +82,19 @@ function tipOf(name: string, field: Field): string {
 
 function showScope(button: HTMLButtonElement, binding: Binding, name: string): void {
   const now = binding.scope;
-  const text = binding.forced ? "forced" : now === "all" ? "all" : "own";
+  const text = binding.forced ? "forced" : now === "unset" ? "own" : now;
   if (button.dataset.now === `${now} ${text}`) return;
   button.dataset.now = `${now} ${text}`;
   button.className = `scope ${now} ${text}`;
-  button.replaceChildren(...(binding.forced ? [icon("lock"), "all"] : [text]));
-  button.setAttribute("aria-label", `${name}: ${text === "own" ? "own value" : text === "all" ? "one value for all" : "forced for all"}`);
-  button.dataset.tip = text === "own" ? "Its own value. Press for one value for all." : "One value for all organisms. Press for its own.";
+  button.replaceChildren(...(binding.forced ? [icon("lock"), "all"] : [text === "species" ? "sp." : text]));
+  const [spoken, tip] = SCOPES[text];
+  button.setAttribute("aria-label", `${name}: ${spoken}`);
+  button.dataset.tip = tip;
 }
+
+const SCOPES = {
+  own: ["own value", "Its own value. Press for the one that it would have otherwise."],
+  species: ["value of its species", "The value of its species. Change it, or press, and it has its own."],
+  all: ["one value for all", "One value for all organisms. Press for its own."],
+  forced: ["forced for all", "One value for all organisms, whatever they say themselves. Press for its own."],
+} as const;

@@ -8,6 +8,7 @@ import { el, icon, quiet } from "../dom";
 import type { Path } from "../pointer";
 import type { Store } from "../store";
 import { spelled } from "../schema";
+import { speciesControl } from "./species_panel";
 
 export interface InspectorActs {
   vary: Vary;
@@ -30,8 +31,9 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
     const kind = typeof selected === "number" ? store.preset.kindOf(selected) : selected;
     const section = new Section(store, kind, acts.vary, acts.showInText, search.value.trim().toLowerCase());
     const members = membersOf(store);
-    controls = section.members(members);
-    title.textContent = typeof selected === "number" ? store.preset.nameOf(selected) : HEADS[selected];
+    const species = typeof selected === "number" && !search.value ? [speciesControl(store, selected)] : [];
+    controls = [...species, ...section.members(members)];
+    title.textContent = typeof selected === "number" ? headOf(store, selected) : HEADS[selected];
     hint.textContent = hintOf(store, controls.length, search.value);
     const grammar = hasGrammar(store) && !search.value;
     const open = el("button.small.wide", { type: "button", "data-testid": "open-grammar", click: acts.openGrammar }, "Edit its grammar …");
@@ -43,7 +45,7 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
     const { selected, preset } = store;
     const shape = typeof selected === "number" ? `${selected} ${preset.kindOf(selected)}` : `${selected} ${selected === "all" ? [...new Set(store.kinds)].join() : ""}`;
     if (shape === built) {
-      if (typeof selected === "number") title.textContent = preset.nameOf(selected);
+      if (typeof selected === "number") title.textContent = headOf(store, selected);
       return refresh();
     }
     built = shape;
@@ -73,6 +75,14 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
   return element;
 }
 
+/** Its name, and what it is where that does not say it. */
+const headOf = (store: Store, entry: number): string => {
+  const { preset } = store;
+  const kind = spelled(preset.kindOf(entry));
+  const name = preset.nameOf(entry);
+  return name === kind || !kind ? name : `${name}, ${kind}`;
+};
+
 const HEADS = { preset: "Preset and film", scene: "Scene", all: "For all organisms" };
 
 function hintOf(store: Store, found: number, search: string): string {
@@ -98,8 +108,8 @@ function membersOf(store: Store): Member[] {
   if (selected === "all") return sharedMembers(store);
   const kind = store.preset.kindOf(selected);
   const list = fieldsOf(schema.kind(kind), new Binding(store, selected, []));
-  // Its kind is shown at its name; another kind would be another organism.
-  return list.filter((m) => m.name !== "kind");
+  // Its kind is shown at its name; another kind would be another organism. The species stands above all.
+  return list.filter((m) => m.name !== "kind" && m.name !== "species");
 }
 
 /** Properties of all kinds that stand in the scene. */

@@ -6,6 +6,8 @@ import { isWithin } from "../pointer";
 import type { Store } from "../store";
 import { grouped } from "../dom";
 import { openMenu } from "../controls/menu";
+import { spelled } from "../schema";
+import { calledBy } from "./species_panel";
 
 const PARTS: [Selection, string, string[], string][] = [
   ["preset", "Preset and film", ["/title", "/seed", "/film", "/base"], "Title, seed, size and length"],
@@ -29,7 +31,6 @@ export function outliner(store: Store, addOrganism: () => void): HTMLElement {
 
   const organism = (entry: number): HTMLElement => {
     const name = store.preset.nameOf(entry);
-    const kind = store.preset.kindOf(entry);
     const drawn = store.scene.header?.entries[entry];
     const count = drawn ? drawn.specimens + drawn.copies : 0;
     const off = store.hidden.has(entry) || (store.solo.size > 0 && !store.solo.has(entry));
@@ -38,7 +39,8 @@ export function outliner(store: Store, addOrganism: () => void): HTMLElement {
         { label: "Copy", act: () => store.copyOrganism(entry) },
         { label: "Remove", act: () => store.removeOrganism(entry) },
       ]), { "data-testid": `more:${entry}`, "aria-haspopup": "menu" });
-    const item = line(entry, name, `${kind === name ? "" : kind}${count > 1 ? ` ×${grouped(count)}` : ""}`, hasFault([`/organisms/${entry}`]), `organism:${entry}`,
+    const about = [spelled(store.preset.kindOf(entry)), calledBy(store.preset.speciesName(entry))].filter((word) => word && word !== name).join(", ");
+    const item = line(entry, name, `${about}${count > 1 ? ` ×${grouped(count)}` : ""}`, hasFault([`/organisms/${entry}`]), `organism:${entry}`,
       iconButton("solo", `${name}: show it alone`, () => store.toggle("solo", entry), { "aria-pressed": String(store.solo.has(entry)), "data-testid": `solo:${entry}` }),
       iconButton(store.hidden.has(entry) ? "hidden" : "eye", `${name}: hide it`, () => store.toggle("hidden", entry), { "aria-pressed": String(store.hidden.has(entry)), "data-testid": `hide:${entry}` }),
       more);
@@ -48,7 +50,7 @@ export function outliner(store: Store, addOrganism: () => void): HTMLElement {
 
   let shown = "";
   const refresh = (): void => {
-    const state = JSON.stringify([store.selected, store.preset.organisms.map((o) => [o.name, o.kind]), [...store.solo], [...store.hidden],
+    const state = JSON.stringify([store.selected, store.preset.organisms.map((_, i) => [store.preset.nameOf(i), store.preset.kindOf(i), store.preset.speciesName(i)]), [...store.solo], [...store.hidden],
       store.scene.header?.entries.map((e) => e.specimens + e.copies), store.faults.map((f) => f.pointer)]);
     if (state === shown) return;
     shown = state;

@@ -1,20 +1,17 @@
 /** A wall of nine variations to pick from: nine seeds, or nine values of one property. */
 
-import * as api from "../api";
 import type { Binding } from "../controls/binding";
 import { anySeed, numberBox, shown } from "../controls/number";
 import { isBoundless, rounded, scaleOf, valueAt } from "../controls/scale";
-import { el, iconButton, sleep } from "../dom";
+import { el, iconButton } from "../dom";
 import { setAt } from "../edits";
 import { keysOf, valueAtTime, withKey } from "../keyframes";
 import type { Path } from "../pointer";
 import { spelled, type Field, type NumberField } from "../schema";
 import type { Store } from "../store";
-import { View } from "../view/view";
+import { copyTo, drawPictures } from "./small_pictures";
 
 const COUNT = 9;
-/** How much of the view the preset's frame takes. */
-const FRAME = 0.94;
 const NOTHING = (): void => {};
 
 interface Subject {
@@ -31,6 +28,12 @@ export interface Wall {
   vary(binding: Binding, field: Field): void;
   close(): void;
 }
+
+/** Of the film's pictures. */
+const aspectOf = (store: Store): number => {
+  const [w, h] = store.scene.header?.film.size ?? [16, 9];
+  return w / h;
+};
 
 export function wall(store: Store): Wall {
   const title = el("h2");
@@ -55,8 +58,7 @@ export function wall(store: Store): Wall {
     if (element.hidden) before = document.activeElement as HTMLElement;
     element.hidden = false;
     title.textContent = subject.title;
-    const [w, h] = store.scene.header?.film.size ?? [16, 9];
-    grid.style.setProperty("--aspect", `${w} / ${h}`);
+    grid.style.setProperty("--aspect", String(aspectOf(store)));
     const texts = subject.values.map((v) => setAt(store.writtenOut(store.text, subject.path), subject.path, subject.write(v)));
     const tiles = subject.values.map((value, i) => tile(shown(value), () => {
       store.change(texts[i]!);
@@ -67,38 +69,15 @@ export function wall(store: Store): Wall {
     void draw(texts, tiles.map((t) => t.picture), ++round);
   };
 
-  /** One view out of sight draws all nine, one after the other. */
   async function draw(texts: string[], pictures: HTMLCanvasElement[], mine: number): Promise<void> {
-    const [w, h] = store.scene.header?.film.size ?? [16, 9];
-    const host = el("div.offscreen", { "aria-hidden": "true", inert: true });
-    host.style.width = `${Math.round(360 * Math.min(1, w / h))}px`;
-    host.style.height = `${Math.round((360 * Math.min(1, w / h) * h) / w)}px`;
-    document.body.append(host);
-    const view = new View(host, { picked: NOTHING, placed: NOTHING, key: NOTHING, camera: NOTHING });
-    view.lookThrough(true);
-    // It flies there.
-    const there = sleep(600);
-    const session = crypto.randomUUID();
-    try {
-      for (let i = 0; i < texts.length && mine === round; i++) {
-        const request = { doc: { text: texts[i]!, file: store.file }, time: store.time, have: view.have(), solo: store.solo.size ? [...store.solo] : null, hide: [...store.hidden], ask: 20 };
-        const answer = await api.scene(session, i + 1, request);
-        const figure = pictures[i]!;
-        if (mine !== round) break;
-        if (answer.is === "picture") {
-          view.show(answer.bytes);
-          await there;
-          await view.drawn();
-          await copyPicture(view, host.querySelector("canvas"), figure, w / h);
-        } else figure.parentElement!.dataset.note = answer.is === "long" ? "too large for the wall" : "cannot be grown";
-        figure.parentElement!.classList.add("drawn");
-      }
-    } catch (error) {
-      for (const figure of pictures) figure.parentElement!.dataset.note = (error as Error).message;
-    } finally {
-      view.dispose();
-      host.remove();
-    }
+    const docs = texts.map((text) => ({ text, file: store.file }));
+    const shown = { time: store.time, solo: store.solo.size ? [...store.solo] : null, hide: [...store.hidden] };
+    await drawPictures(docs, aspectOf(store), shown, () => mine !== round, (i, drawn) => {
+      const figure = pictures[i]!;
+      if (typeof drawn === "string") figure.parentElement!.dataset.note = drawn;
+      else copyTo(figure, drawn);
+      figure.parentElement!.classList.add("drawn");
+    });
   }
 
   const seeds = (): void => {
@@ -134,18 +113,6 @@ function tile(label: string, pick: () => void): { element: HTMLElement; picture:
   const picture = el<HTMLCanvasElement>("canvas", { width: 480, height: 270, "aria-hidden": "true" });
   const element = el("button.tile", { type: "button", click: pick, "data-testid": `variation:${label}` }, picture, el("span", {}, label));
   return { element, picture };
-}
-
-/** Copies what the view draws within the preset's frame: in the very frame that draws it, as it is not kept for longer. */
-async function copyPicture(view: View, from: HTMLCanvasElement | null, to: HTMLCanvasElement, aspect: number): Promise<void> {
-  if (!from) return;
-  void view.drawn();
-  await new Promise(requestAnimationFrame);
-  const width = FRAME * Math.min(from.width, from.height * aspect);
-  const height = width / aspect;
-  to.width = width;
-  to.height = height;
-  to.getContext("2d")?.drawImage(from, (from.width - width) / 2, (from.height - height) / 2, width, height, 0, 0, width, height);
 }
 
 /** About a third of the slider's way to either side. */
