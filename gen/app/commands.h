@@ -94,8 +94,9 @@ struct NewArguments {
 
 struct StudioArguments {
   std::string preset;                 ///< may be empty: the gallery
-  int port = 0;                       ///< 0: any that is free
+  int port = 0;                       ///< 0: the usual, or any that is free
   bool open = false;                  ///< in the desktop's browser
+  std::size_t memory = 1024;          ///< MB that the studio keeps
   std::optional<std::string> assets;  ///< as of a preset
 };
 

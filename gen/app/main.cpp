@@ -254,8 +254,13 @@ void add_studio(CLI::App& app, int& result) {
   auto to = std::make_shared<StudioArguments>();
   auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
   command->add_option("preset", to->preset, "The preset to open, a JSON file; none: the gallery");
-  command->add_option("--port", to->port, "Of the address (any that is free)")->check(CLI::Range(1, 65535));
+  command->add_option("--port", to->port, "Of the address (8417, or any that is free)")
+      ->check(CLI::Range(1, 65535));
   command->add_flag("--open", to->open, "Opens the page in the desktop's browser");
+  command
+      ->add_option("--memory", to->memory,
+                   "MB that scenes and what else is kept may take together (1024); growing takes more")
+      ->check(CLI::Range(16, 1 << 20));
   add_assets(command, to->assets);
   command->footer("Example:\n  frond studio presets/reef.json --open");
   command->callback([&result, to] { result = studio(*to); });

@@ -28,7 +28,8 @@ void open_in_browser(const std::string& address) {
 int studio(const StudioArguments& arguments) {
   Result<std::filesystem::path> root = home();
   if (!root) return fail(root.errors(), kCouldNot);
-  StudioOptions options{.home = *root, .preset = {}, .port = arguments.port, .assets = {}, .ready = {}};
+  StudioOptions options{
+      .home = *root, .preset = {}, .port = arguments.port, .memory = {}, .assets = {}, .ready = {}};
   if (!arguments.preset.empty()) {
     // A file that is not there is told here; faults in it are the page's to show.
     std::error_code error;
@@ -36,6 +37,7 @@ int studio(const StudioArguments& arguments) {
       return fail({Error{arguments.preset, "is no file" + nearest_presets(arguments.preset)}}, kWrongInput);
     options.preset = arguments.preset;
   }
+  options.memory = arguments.memory << 20;
   if (arguments.assets) options.assets = *arguments.assets;
   options.ready = [&](const std::string& address) {
     put(address + "\n");

@@ -1,57 +1,75 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace frond {
 
-/// Things that were made once and may be wanted again, by name. Where they come to more bytes than there is
-/// room for, those that were not asked for longest go; what was put there last stays. May be asked from many
-/// threads.
+/// Room for what several shelves keep. Where that comes to more bytes than there is room for, those that
+/// were not asked for longest go, whichever shelf they are on; what was put there last stays. May be asked
+/// from many threads.
+class Storeroom {
+ public:
+  using Thing = std::shared_ptr<const void>;
+  using Name = std::pair<int, std::string>;  ///< a shelf, and what it is called there
+
+  explicit Storeroom(std::size_t bytes) : room_(bytes) {}
+
+  int add_shelf();
+  Thing find(const Name& name);
+  void put(Name name, Thing thing, std::size_t bytes);
+  /// Those that were not asked for longest, until so many bytes are left or nothing is.
+  void give_up(std::size_t until);
+
+  std::size_t room() const { return room_; }
+  std::size_t taken() const;
+  /// Bytes that were given up since this was last called.
+  std::size_t given_up();
+
+ private:
+  struct Kept {
+    Name name;
+    Thing thing;
+    std::size_t bytes;
+  };
+  using Place = std::list<Kept>::iterator;
+
+  /// Takes out what must go but for the first `least`; to be destroyed when nobody waits for the lock.
+  std::list<Kept> surplus(std::size_t room, std::size_t least);
+
+  std::size_t room_, taken_ = 0, given_up_ = 0;
+  int shelves_ = 0;
+  mutable std::mutex in_work_;
+  std::list<Kept> kept_;  // what was asked for last, first
+  std::map<Name, Place> places_;
+};
+
+/// Things of one type that were made once and may be wanted again, by name.
 template <class T>
 class Shelf {
  public:
-  explicit Shelf(std::size_t bytes) : room_(bytes) {}
+  /// With a room of its own.
+  explicit Shelf(std::size_t bytes) : Shelf(std::make_shared<Storeroom>(bytes)) {}
+  explicit Shelf(std::shared_ptr<Storeroom> room) : room_(std::move(room)), own_(room_->add_shelf()) {}
 
   /// Empty where there is none of that name.
   std::shared_ptr<const T> find(const std::string& name) {
-    std::lock_guard lock(in_work_);
-    auto found = things_.find(name);
-    if (found == things_.end()) return nullptr;
-    found->second.used = ++now_;
-    return found->second.thing;
+    return std::static_pointer_cast<const T>(room_->find({own_, name}));
   }
 
   /// Where there is one of that name already, it stays.
   void put(const std::string& name, std::shared_ptr<const T> thing, std::size_t bytes) {
-    std::lock_guard lock(in_work_);
-    if (!things_.try_emplace(name, std::move(thing), bytes, ++now_).second) return;
-    taken_ += bytes;
-    while (taken_ > room_ && things_.size() > 1) {
-      auto oldest =
-          std::ranges::min_element(things_, {}, [](const auto& entry) { return entry.second.used; });
-      taken_ -= oldest->second.bytes;
-      things_.erase(oldest);
-    }
+    room_->put({own_, name}, std::move(thing), bytes);
   }
 
  private:
-  struct Thing {
-    Thing(std::shared_ptr<const T> of, std::size_t size, std::uint64_t at)
-        : thing(std::move(of)), bytes(size), used(at) {}
-    std::shared_ptr<const T> thing;
-    std::size_t bytes;
-    std::uint64_t used;  // when, as a count of questions
-  };
-
-  std::size_t room_, taken_ = 0;
-  std::mutex in_work_;
-  std::map<std::string, Thing> things_;
-  std::uint64_t now_ = 0;
+  std::shared_ptr<Storeroom> room_;
+  int own_;
 };
 
 }  // namespace frond

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/bytes.h"
 #include "core/parallel.h"
 #include "grove/metamers.h"
 #include "grove/resource.h"
@@ -232,6 +233,12 @@ GrownTree grown_tree(Tree& tree) {
 }
 
 }  // namespace
+
+std::size_t GrownTree::held() const {
+  return bytes_of(tip) + bytes_of(side) + bytes_of(parent) + bytes_of(radius) + bytes_of(born) +
+         bytes_of(died) + bytes_of(fell) + bytes_of(light) + bytes_of(order) + bytes_of(leads) +
+         bytes_of(first_ring) + bytes_of(ring) + bytes_of(scars);
+}
 
 bool GrownTree::bears_leaves(const Species& s, std::size_t i, float year) const {
   assert(i < size());

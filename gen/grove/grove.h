@@ -64,6 +64,7 @@ struct GrownTree {
   std::size_t bytes = 0;   ///< of the working state at its largest
 
   std::size_t size() const { return tip.size(); }
+  std::size_t held() const;  ///< bytes of memory
   bool bears_leaves(const Species& species, std::size_t i, float year) const;
 };
 

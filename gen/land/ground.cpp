@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/bytes.h"
 #include "core/noise.h"
 
 namespace frond {
@@ -114,6 +115,15 @@ double Heights::operator()(double x, double z) const {
   for (const auto& triangle : triangles_)
     if (std::optional<double> height = height_at(triangle, x, z)) return *height;
   return 0;
+}
+
+std::size_t Heights::bytes() const {
+  std::size_t bytes = bytes_of(triangles_);
+  for (const auto& grid : cells_) {
+    bytes += bytes_of(grid);
+    for (const auto& cell : grid) bytes += bytes_of(cell);
+  }
+  return bytes;
 }
 
 }  // namespace frond

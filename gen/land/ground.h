@@ -38,6 +38,8 @@ class Heights {
   /// At (x, z); 0 beside the mesh.
   double operator()(double x, double z) const;
 
+  std::size_t bytes() const;  ///< of memory, about
+
  private:
   std::function<double(double, double)> known_;
   std::vector<std::array<Vec3, 3>> triangles_;

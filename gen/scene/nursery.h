@@ -14,6 +14,7 @@ class Nursery : public Shelf<std::vector<Specimen>> {
  public:
   /// Keeps up to so many bytes, about.
   explicit Nursery(std::size_t bytes = std::size_t{2} << 30) : Shelf(bytes) {}
+  explicit Nursery(std::shared_ptr<Storeroom> room) : Shelf(std::move(room)) {}
 
   void keep(const std::string& key, std::vector<Specimen> grown);
 };

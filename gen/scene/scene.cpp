@@ -120,6 +120,7 @@ class Gardener {
 
   std::vector<std::size_t> grown;              ///< entries
   std::map<std::size_t, std::string> origins;  ///< what stands for all that an entry grew from
+  std::vector<std::string> names;              ///< in the nursery
   std::vector<std::string> notes;
 
  private:
@@ -149,6 +150,7 @@ class Gardener {
         if (nursery_) origins[bed.entry] = keys[g] + land_;
       }
     }
+    if (nursery_) names.insert(names.end(), keys.begin(), keys.end());
     // What comes later grows among all of these.
     for (const std::string& key : keys) surroundings_ += key;
     std::ranges::stable_sort(all, {}, &Specimen::entry);
@@ -244,6 +246,18 @@ std::size_t Scene::nodes() const {
   return sum;
 }
 
+std::size_t Scene::bytes() const {
+  std::size_t bytes = specimens.capacity() * sizeof(Specimen) + stands.capacity() * sizeof(SownStand) +
+                      bytes_of(drawings) + (ground ? ground->bytes() : 0);
+  for (const Specimen& s : specimens) bytes += bytes_of(s);
+  for (const SownStand& stand : stands) {
+    const Copies& c = stand.copies;
+    bytes += bytes_of(stand.organism.text) + bytes_of(c.model) + bytes_of(c.foot) + bytes_of(c.turn) +
+             bytes_of(c.scale) + bytes_of(c.tint);
+  }
+  return bytes;
+}
+
 std::string Scene::check() const {
   for (const Specimen& s : specimens)
     if (std::string fault = s.check(); !fault.empty()) return s.name + ": " + fault;
@@ -292,6 +306,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
   scene.grown = std::move(gardener.grown);
   scene.origins = std::move(gardener.origins);
+  scene.nursery = std::move(gardener.names);
   std::ranges::move(gardener.notes, std::back_inserter(scene.notes));
 
   scene.specimens = in_order(std::move(world).take_all(), preset);

@@ -44,12 +44,15 @@ struct Scene {
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
   // With a nursery:
-  std::vector<std::size_t> grown;  ///< entries that were not taken from there
+  std::vector<std::size_t> grown;    ///< entries that were not taken from there
+  std::vector<std::string> nursery;  ///< what it is called there that stands in the scene
   std::map<std::size_t, std::string>
       origins;  ///< of entries that stand by themselves or creep, what stands for all that they grew from
 
   /// Nodes of all skeletons.
   std::size_t nodes() const;
+  /// What it holds in memory, about.
+  std::size_t bytes() const;
 
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;

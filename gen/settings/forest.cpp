@@ -57,6 +57,15 @@ void ForestGround::lay_litter(const Camera& camera) {
   cover = strew_floor(film_, camera, floor_land(), moss_, seed_);
 }
 
+std::size_t ForestGround::bytes() const {
+  std::size_t bytes = Grounds::bytes() + bytes_of(cover.litter_patches) + bytes_of(cover.moss_patches);
+  for (const std::vector<Surface>* shapes : {&cover.litter, &cover.moss}) {
+    bytes += bytes_of(*shapes);
+    for (const Surface& shape : *shapes) bytes += bytes_of(shape);
+  }
+  return bytes;
+}
+
 Land ForestGround::land(std::vector<Spot> taken) const {
   Land land = sloping_land(size_, std::move(taken));
   if (plot_.has_path()) land.path = clear_of(plot_);

@@ -29,6 +29,7 @@ class ForestGround final : public Grounds {
   Land land(std::vector<Spot> taken) const override;
   std::vector<Specimen> furnishings() const override { return {}; }
   LowCover low_cover() const override { return {.height = 0.05, .area = 0.5}; }
+  std::size_t bytes() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {
     return {};

@@ -246,6 +246,14 @@ LowCover Lawn::low_cover() const {
   return {shape_.blade, shape_.blades * shape_.blade * kWidth};
 }
 
+std::size_t Lawn::bytes() const {
+  std::size_t bytes = Grounds::bytes() + bytes_of(turf) + bytes_of(turf_patches) + bytes_of(gravel) +
+                      bytes_of(gravel_patches) + bytes_of(water_);
+  for (const Turf& one : turf) bytes += bytes_of(one.blades) + bytes_of(one.leaves) + bytes_of(one.flowers);
+  for (const Surface& stones : gravel) bytes += bytes_of(stones);
+  return bytes;
+}
+
 std::vector<Specimen> Lawn::furnishings() const {
   Solids lilies = water_lilies(plot_, lilies_, seed_.child("lilies"));
   if (lilies.size() == 0) return {};

@@ -56,6 +56,7 @@ class Lawn final : public Grounds {
   std::vector<Strewn> strewn() const override;
   std::vector<Specimen> furnishings() const override;
   LowCover low_cover() const override;
+  std::size_t bytes() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {
     return {};

@@ -14,6 +14,7 @@
 #include "land/plot.h"
 #include "land/scatter.h"
 #include "land/sow.h"
+#include "model/bytes.h"
 #include "preset/reader.h"
 #include "preset/schema.h"
 #include "settings/sky.h"
@@ -98,6 +99,8 @@ class Grounds {
   /// What lies about and is large enough to matter to a quick look.
   virtual std::vector<Strewn> strewn() const { return {}; }
   virtual LowCover low_cover() const { return {}; }
+  /// Of memory, about.
+  virtual std::size_t bytes() const { return bytes_of(floor_) + heights_.bytes(); }
   /// What the user should know of how all that stands there fits in. `things` makes the list of them.
   virtual std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& things,
                                            const Camera& camera, double film_end) const = 0;

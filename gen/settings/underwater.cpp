@@ -93,6 +93,12 @@ std::vector<Strewn> SeaFloor::strewn() const {
   return list;
 }
 
+std::size_t SeaFloor::bytes() const {
+  std::size_t bytes = Grounds::bytes() + bytes_of(stones) + bytes_of(stone_instances);
+  for (const Surface& stone : stones) bytes += bytes_of(stone);
+  return bytes;
+}
+
 Land SeaFloor::land(std::vector<Spot> taken) const { return sloping_land(kSownSize, std::move(taken)); }
 
 SettingRow underwater_setting() {

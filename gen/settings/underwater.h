@@ -38,6 +38,7 @@ class SeaFloor final : public Grounds {
   Land land(std::vector<Spot> taken) const override;
   std::vector<Strewn> strewn() const override;
   std::vector<Specimen> furnishings() const override { return {}; }
+  std::size_t bytes() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {
     return {};

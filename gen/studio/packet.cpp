@@ -54,8 +54,9 @@ void DrawnPart::add_surface(const std::string& below, const Surface& surface) {
 }
 
 std::size_t DrawnPart::bytes() const {
-  std::size_t sum = 0;
-  for (const WireArray& array : arrays) sum += array.bytes->size();
+  constexpr std::size_t kHead = 2000;  // of JSON, besides what stands for each array
+  std::size_t sum = kHead;
+  for (const WireArray& array : arrays) sum += array.bytes->size() + 2 * sizeof(WireArray);
   return sum;
 }
 

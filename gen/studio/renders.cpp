@@ -17,8 +17,6 @@
 #include "core/parallel.h"
 #include "emit/film_files.h"
 #include "jobs/jobs.h"
-#include "scene/scene.h"
-
 extern char** environ;
 
 namespace frond {
@@ -29,9 +27,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kKept = 60;      // renders, the newest
-constexpr double kBytesAPixel = 20;    // of POV-Ray's notes of what it has traced
-constexpr int kPreview = 4;            // times smaller
+constexpr std::size_t kKept = 60;    // renders, the newest
+constexpr double kBytesAPixel = 20;  // of POV-Ray's notes of what it has traced
+constexpr int kPreview = 4;          // times smaller
+constexpr const char* kText = "preset.json";
 constexpr int kLeastForPreview = 320;  // pixels wide
 constexpr auto kLook = std::chrono::milliseconds(100);
 
@@ -40,11 +39,17 @@ pid_t start(const std::vector<std::string>& words, const fs::path& log, const fs
   std::vector<char*> list;
   for (const std::string& word : words) list.push_back(const_cast<char*>(word.c_str()));
   list.push_back(nullptr);
-  std::string threads = "FROND_THREADS=" + std::to_string(thread_count());
+  // Scripts that ask for frond, as where pictures are developed, get this one.
+  std::error_code error;
+  std::string own[] = {"FROND_THREADS=" + std::to_string(thread_count()),
+                       "FROND_BIN=" + fs::read_symlink("/proc/self/exe", error).string()};
   std::vector<char*> environment;
-  for (char** variable = environ; *variable; ++variable)
-    if (!std::string_view(*variable).starts_with("FROND_THREADS=")) environment.push_back(*variable);
-  environment.push_back(threads.data());
+  for (std::string& variable : own) environment.push_back(variable.data());
+  for (char** variable = environ; *variable; ++variable) {
+    std::string_view text = *variable;
+    if (!text.starts_with("FROND_THREADS=") && !text.starts_with("FROND_BIN="))
+      environment.push_back(*variable);
+  }
   environment.push_back(nullptr);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
@@ -83,7 +88,7 @@ double traced(const fs::path& folder, const std::string& name, std::array<int, 2
 
 struct Renders::Job {
   std::string id;
-  Doc doc;
+  Doc doc;  // its text lies in the folder once it is not needed
   double time = 0;
   int frame = 1;  // of the film, at that time
   std::array<int, 2> size{};
@@ -108,7 +113,8 @@ struct Renders::Job {
   bool over() const { return state == "done" || state == "failed" || state == "cancelled"; }
 };
 
-Renders::Renders(const Documents& documents, fs::path home) : documents_(documents), home_(std::move(home)) {
+Renders::Renders(const Documents& documents, Scenes& scenes, fs::path home)
+    : documents_(documents), scenes_(scenes), home_(std::move(home)) {
   std::string name = (fs::temp_directory_path() / "frond-studio-XXXXXX").string();
   if (mkdtemp(name.data())) folder_ = name;
 }
@@ -171,26 +177,7 @@ void Renders::work(Job& job) {
   }
   Errors errors;
   if (!job.cancelled) {
-    errors = write(job);
-    auto set = [&](auto change) {
-      std::lock_guard lock(in_work_);
-      change();
-    };
-    if (errors.empty() && !job.cancelled) {
-      set([&] { job.state = "rendering", job.tracing = Clock::now(); });
-      if (job.size[0] >= kLeastForPreview) {
-        errors = render(job, {job.size[0] / kPreview, job.size[1] / kPreview},
-                        povray_flags("draft", job.lens), "preview");
-        set([&] { job.preview = errors.empty(), job.picture = job.folder / "frames/preview.png"; });
-      }
-      set([&] { job.progress = 0, job.tracing = Clock::now(); });
-      if (errors.empty() && !job.cancelled)
-        errors = render(job, job.size, povray_flags(job.quality, job.lens), frame_name(job.frame));
-      if (errors.empty())
-        set([&] {
-          job.preview = false, job.picture = job.folder / "frames" / (frame_name(job.frame) + ".png");
-        });
-    }
+    errors = make(job);
     std::lock_guard lock(in_work_);
     busy_ = false;
     job.seconds = std::chrono::duration<double>(Clock::now() - job.began).count();
@@ -201,25 +188,62 @@ void Renders::work(Job& job) {
   turn_.notify_all();
 }
 
+/// The picture, first a small one. Of all that it was made from only the preset's text stays.
+Errors Renders::make(Job& job) {
+  auto set = [&](auto change) {
+    std::lock_guard lock(in_work_);
+    change();
+  };
+  Result<bool> kept = write_file(job.folder / kText, job.doc.text);
+  Errors errors = kept ? write(job) : kept.errors();
+  if (kept) set([&] { job.doc.text = {}; });
+  scenes_.tidy();
+  fs::path picture = job.folder / "picture.png";
+  if (errors.empty() && !job.cancelled) {
+    set([&] { job.state = "rendering", job.tracing = Clock::now(); });
+    if (job.size[0] >= kLeastForPreview) {
+      errors = render(job, {job.size[0] / kPreview, job.size[1] / kPreview}, povray_flags("draft", job.lens),
+                      "preview");
+      set([&] { job.preview = errors.empty(), job.picture = job.folder / "frames/preview.png"; });
+    }
+    set([&] { job.progress = 0, job.tracing = Clock::now(); });
+    std::string name = frame_name(job.frame);
+    if (errors.empty() && !job.cancelled)
+      errors = render(job, job.size, povray_flags(job.quality, job.lens), name);
+    std::error_code error;
+    if (errors.empty()) fs::rename(job.folder / "frames" / (name + ".png"), picture, error);
+  }
+  std::error_code error;
+  set([&] { job.preview = false, job.picture = fs::exists(picture, error) ? picture : fs::path(); });
+  fs::remove_all(job.folder / "frames", error);
+  return errors;
+}
+
 Errors Renders::write(Job& job) {
   Preset preset = std::move(*job.preset);
   job.preset.reset();
   Result<std::string> layout = read_file(home_ / "templates/frame.pov");
   if (!layout) return layout.errors();
   Watch watch{[](auto, auto) {}, [] {}, [&] { return job.cancelled.load(); }};
-  Result<Scene> scene = build_scene(preset, watch);
-  if (!scene) return scene.errors();
+  auto grown = scenes_.scene(job.doc, std::move(preset), watch.given_up);
+  if (!grown) return grown.errors();
+  const Scene& scene = **grown;
   fs::path frames = job.folder / "frames";
-  if (Errors errors = write_drawings(*scene, frames, watch); !errors.empty()) return errors;
+  if (Errors errors = write_drawings(scene, frames, watch); !errors.empty()) return errors;
   // How finely copies are drawn holds for the one frame.
-  Result<CopyPlan> plan = write_models(*scene, frames, watch);
+  Result<CopyPlan> plan = write_models(scene, frames, watch);
   if (!plan) return plan.errors();
-  FrameParts parts = prepare_frames(*scene, std::move(*plan));
+  FrameParts parts = prepare_frames(scene, std::move(*plan));
   for (const Picture& file : parts.files)
     if (Result<bool> written = write_file(frames / file.name, file.bytes); !written) return written.errors();
-  if (Errors errors = write_light(*scene, parts, frames); !errors.empty()) return errors;
-  Result<FrameFile> written = write_frame_file(*scene, parts, *layout, frames, job.frame);
-  return written ? Errors{} : written.errors();
+  if (Errors errors = write_light(scene, parts, frames); !errors.empty()) return errors;
+  int count = exposures(scene.film, scene.stage.camera);
+  for (int exposure = 1; exposure <= count && !job.cancelled; ++exposure) {
+    Result<FrameFile> written =
+        write_frame_file(scene, parts, *layout, frames, job.frame, count > 1 ? exposure : 0);
+    if (!written) return written.errors();
+  }
+  return {};
 }
 
 Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name) {
@@ -287,7 +311,9 @@ Json Renders::list() {
 std::optional<Doc> Renders::doc(const std::string& id) {
   std::lock_guard lock(in_work_);
   std::shared_ptr<Job> job = find(id);
-  return job ? std::optional(job->doc) : std::nullopt;
+  if (!job) return std::nullopt;
+  Result<std::string> text = read_file(job->folder / kText);
+  return text ? Doc{*text, job->doc.file} : job->doc;
 }
 
 Result<std::string> Renders::picture(const std::string& id) {

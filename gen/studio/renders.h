@@ -8,13 +8,15 @@
 #include <thread>
 
 #include "studio/documents.h"
+#include "studio/scenes.h"
 
 namespace frond {
 
 /// Stills that POV-Ray renders, one after the other, each in a thread of its own. They live as long as this.
 class Renders {
  public:
-  Renders(const Documents& documents, std::filesystem::path home);
+  /// Scenes that are at hand are not grown anew.
+  Renders(const Documents& documents, Scenes& scenes, std::filesystem::path home);
   /// Ends what is at work, and removes its files.
   ~Renders();
   Renders(const Renders&) = delete;
@@ -34,10 +36,12 @@ class Renders {
   struct Job;
   std::shared_ptr<Job> find(const std::string& id);
   void work(Job& job);
+  Errors make(Job& job);
   Errors write(Job& job);
   Errors render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name);
 
   const Documents& documents_;
+  Scenes& scenes_;
   std::filesystem::path home_, folder_;
   std::mutex in_work_;            // guards the jobs
   std::condition_variable turn_;  // one renders at a time

@@ -1,16 +1,20 @@
 #include "studio/scenes.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/content.h"
 #include "core/machine.h"
 #include "emit/foretell.h"
+#include "emit/quick_look.h"
 #include "grammar/forecast.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
+#include "images/raster.h"
 #include "preset/json.h"
 
 namespace frond {
@@ -19,13 +23,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kBuilt = 4;           // scenes that are kept
-constexpr std::size_t kSessions = 64;       // tabs
-constexpr std::size_t kKnown = 4096;        // organisms
-constexpr std::size_t kShownWord = 4000;    // characters
-constexpr double kLongestWord = 3e6;        // modules
-constexpr double kMostLines = 3e4;          // of a drawing of the turtle
-constexpr std::size_t kLargestTree = 2000;  // modules, see derivation_tree_svg()
+constexpr std::size_t kSessions = 64;                         // tabs
+constexpr std::size_t kKnown = 4096;                          // organisms
+constexpr std::size_t kDrawings = 4096;                       // that are remembered by how they are drawn
+constexpr std::size_t kDrawing = 4096;                        // bytes of that, about
+constexpr int kLookWide = 360;                                // pixels, of a card's picture
+constexpr double kLongestLook = 8;                            // seconds of growing for that
+constexpr std::size_t kWorthTidying = std::size_t{64} << 20;  // bytes that were given up
+constexpr std::size_t kShownWord = 4000;                      // characters
+constexpr double kLongestWord = 3e6;                          // modules
+constexpr double kMostLines = 3e4;                            // of a drawing of the turtle
+constexpr std::size_t kLargestTree = 2000;                    // modules, see derivation_tree_svg()
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -41,6 +49,24 @@ Answer stale() { return {409, {{"stale", true}}, {}}; }
 std::string name_of(const Preset& preset, std::size_t entry) {
   const Organism& o = preset.organisms[entry];
   return content_id(fmt::format("{} {} {} {}", preset.seed, o.count, o.text, o.sown ? o.sown->models : 0));
+}
+
+/// All that a scene follows from: files that a preset names may have changed under it, and `--set`s of it say
+/// another size.
+std::string key_of(const Doc& doc, const Preset& preset) {
+  std::string all = doc.file.string() + preset.text;
+  for (const Organism& organism : preset.organisms) all += organism.text;
+  const Film& film = preset.film;
+  return content_id(
+      fmt::format("{} {}x{} {}", all, film.size[0], film.size[1], static_cast<int>(film.quality)));
+}
+
+/// A preset is held as a tree of values, and once more by its growers.
+std::size_t bytes_of(const Preset& preset) {
+  constexpr std::size_t kOfText = 40;
+  std::size_t bytes = kOfText * preset.text.size();
+  for (const Organism& organism : preset.organisms) bytes += 2 * organism.text.size();
+  return bytes;
 }
 
 std::set<std::size_t> numbers(const Json& question, const char* name) {
@@ -64,6 +90,9 @@ ViewRequest request_of(const Json& question) {
 
 }  // namespace
 
+Scenes::Scenes(const Documents& documents, std::size_t memory)
+    : documents_(documents), room_(std::make_shared<Storeroom>(memory)), drawings_(kDrawings * kDrawing) {}
+
 std::shared_ptr<Scenes::Session> Scenes::session(const std::string& name) {
   std::lock_guard lock(in_work_);
   if (sessions_.size() >= kSessions && !sessions_.contains(name)) sessions_.clear();
@@ -73,11 +102,11 @@ std::shared_ptr<Scenes::Session> Scenes::session(const std::string& name) {
 }
 
 std::shared_ptr<const Scenes::Built> Scenes::find(const std::string& key) {
-  std::lock_guard lock(in_work_);
-  auto found = std::ranges::find(built_, key, [](const auto& one) { return one->key; });
-  if (found == built_.end()) return nullptr;
-  built_.splice(built_.begin(), built_, found);
-  return built_.front();
+  std::shared_ptr<const Built> built = built_.find(key);
+  // While it is looked at, what it grew from is wanted as well: for when something in it is changed.
+  if (built)
+    for (const std::string& name : built->scene.nursery) nursery_.find(name);
+  return built;
 }
 
 Result<Json> Scenes::foretold(const Preset& preset, double seconds) {
@@ -95,21 +124,58 @@ Result<Json> Scenes::foretold(const Preset& preset, double seconds) {
       {"nodes", foretold->nodes}, {"seconds", foretold->growth_seconds}, {"memory", foretold->memory(1)}};
 }
 
-Result<std::shared_ptr<const Scenes::Built>> Scenes::build(std::string key, Preset preset,
+Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& key, Preset preset,
                                                            const std::function<bool()>& given_up) {
   Watch watch{[](auto, auto) {}, [] {}, given_up};
   Result<Scene> scene = build_scene(preset, watch, &nursery_);
   if (!scene) return scene.errors();
-  auto built = std::make_shared<const Built>(Built{std::move(key), std::move(preset), std::move(*scene)});
+  auto built = std::make_shared<const Built>(Built{std::move(preset), std::move(*scene)});
+  built_.put(key, built, built->scene.bytes() + bytes_of(built->preset));
+  for (const Drawing& drawing : built->scene.drawings)
+    for (const std::string& name : drawing.names)
+      drawings_.put(name, std::make_shared<const Drawing>(drawing), kDrawing);
   std::lock_guard lock(in_work_);
-  built_.push_front(built);
-  if (built_.size() > kBuilt) built_.pop_back();
   if (known_.size() > kKnown) known_.clear();
   for (std::size_t i = 0; i < built->preset.organisms.size(); ++i) known_.insert(name_of(built->preset, i));
-  for (const Drawing& drawing : built->scene.drawings)
-    for (const std::string& name : drawing.names) drawings_.try_emplace(name, drawing);
   return built;
 }
+
+Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,
+                                                   const std::function<bool()>& given_up) {
+  std::string key = key_of(doc, preset);
+  std::shared_ptr<const Built> built = find(key);
+  if (!built) {
+    auto made = build(key, std::move(preset), given_up);
+    if (!made) return made.errors();
+    built = std::move(*made);
+  }
+  return std::shared_ptr<const Scene>(built, &built->scene);
+}
+
+Result<std::string> Scenes::look(const std::string& file) {
+  Result<Json> read = documents_.read(file);
+  if (!read) return read.errors();
+  std::string name = "look " + file + " " + (*read)["disk"].get<std::string>();
+  if (auto found = pictures_.find(name)) return *found;
+  std::lock_guard lock(looking_);
+  if (auto found = pictures_.find(name)) return *found;
+  Doc doc{(*read)["text"].get<std::string>(), (*read)["file"].get<std::string>()};
+  Result<Preset> preset = documents_.preset(doc);
+  if (!preset) return preset.errors();
+  Film& film = preset->film;
+  film.size = {kLookWide,
+               std::clamp(static_cast<int>(std::lround(kLookWide * film.aspect())), 16, 2 * kLookWide)};
+  film.quality = Quality::draft;
+  Result<Foretold> foretold = foretell(*preset, 1);
+  if (!foretold) return foretold.errors();
+  if (foretold->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
+  Result<Scene> scene = build_scene(*preset);
+  Result<std::string> png = scene ? png_text(quick_look(*scene, film.time(film.frames))) : scene.errors();
+  if (png) pictures_.put(name, std::make_shared<const std::string>(*png), png->size());
+  return png;
+}
+
+void Scenes::tidy() { malloc_trim(0); }
 
 Answer Scenes::view(const Doc& doc, const Json& question, const std::string& name, std::uint64_t number) {
   std::shared_ptr<Session> tab = session(name);
@@ -124,10 +190,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   Result<Preset> preset = documents_.preset(doc);
   if (!preset) return wrong(preset.errors());
   Errors notes = preset->notes;
-  // Files that it names may have changed under it.
-  std::string all = doc.file.string() + preset->text;
-  for (const Organism& organism : preset->organisms) all += organism.text;
-  std::string key = content_id(all);
+  std::string key = key_of(doc, *preset);
   std::shared_ptr<const Built> built = find(key);
   Json grown = Json::array();
   if (!built) {
@@ -136,7 +199,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
       if (!told) return wrong(told.errors(), notes);
       if (!told->is_null()) return {202, {{"foretold", *told}}, {}};
     }
-    auto made = build(std::move(key), std::move(*preset), given_up);
+    auto made = build(key, std::move(*preset), given_up);
     if (given_up()) return stale();
     if (!made) return wrong(made.errors(), notes);
     built = *made;
@@ -148,6 +211,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
   Result<std::string> packet =
       view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
+  if (!grown.empty() || room_->given_up() > kWorthTidying) tidy();
   if (given_up()) return stale();
   if (!packet) return wrong(packet.errors(), notes);
   return {200, {}, std::move(*packet)};
@@ -190,19 +254,18 @@ Answer Scenes::derive(const Doc& doc, const Json& question) const {
 }
 
 Result<std::string> Scenes::picture(const std::string& name) {
-  Drawing drawing;
-  {
-    std::lock_guard lock(in_work_);
-    if (auto found = pictures_.find(name); found != pictures_.end()) return found->second;
-    auto known = drawings_.find(name);
-    if (known == drawings_.end()) return Error{name, "no scene has named such a picture"};
-    drawing = known->second;
-  }
-  Result<std::vector<Picture>> drawn = drawing.draw();
+  if (auto found = pictures_.find(name)) return *found;
+  std::shared_ptr<const Drawing> drawing = drawings_.find(name);
+  if (!drawing) return Error{name, "no scene has named such a picture"};
+  Result<std::vector<Picture>> drawn = drawing->draw();
   if (!drawn) return drawn.errors();
-  std::lock_guard lock(in_work_);
-  for (Picture& picture : *drawn) pictures_[picture.name] = std::move(picture.bytes);
-  return pictures_[name];
+  std::string asked;
+  for (Picture& picture : *drawn) {
+    if (picture.name == name) asked = picture.bytes;
+    std::size_t bytes = picture.bytes.size();
+    pictures_.put(picture.name, std::make_shared<const std::string>(std::move(picture.bytes)), bytes);
+  }
+  return asked;
 }
 
 }  // namespace frond

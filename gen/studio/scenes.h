@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -22,14 +21,28 @@ struct Answer {
 };
 
 /// Reads, grows and packs what the page asks to see. What was grown before is kept, so that a change grows
-/// what it touches. May be asked from many threads.
+/// what it touches; all of it together, scenes, organisms, models and what was made ready to be sent, comes
+/// to `memory` bytes at most. May be asked from many threads.
 class Scenes {
  public:
-  explicit Scenes(const Documents& documents) : documents_(documents) {}
+  Scenes(const Documents& documents, std::size_t memory);
 
   /// A scene at a time, for question number `number` of a session. Where a newer one has come meanwhile the
   /// answer is 409 and nothing more is done for it.
   Answer view(const Doc& doc, const Json& question, const std::string& session, std::uint64_t number);
+
+  /// The scene of a preset that was read from that, grown with what is kept.
+  Result<std::shared_ptr<const Scene>> scene(const Doc& doc, Preset preset,
+                                             const std::function<bool()>& given_up);
+
+  /// A small quick look at a preset that Frond brings or that may be read, as a PNG; an error where it takes
+  /// long to grow.
+  Result<std::string> look(const std::string& file);
+
+  /// Gives memory that was freed back to the system, where much was: after what has taken much, as a render.
+  void tidy();
+  /// Bytes that are kept.
+  std::size_t kept() const { return room_->taken(); }
 
   /// The word of an organism's grammar and what becomes of it.
   Answer derive(const Doc& doc, const Json& question) const;
@@ -39,7 +52,6 @@ class Scenes {
 
  private:
   struct Built {
-    std::string key;
     Preset preset;
     Scene scene;
   };
@@ -50,20 +62,22 @@ class Scenes {
 
   std::shared_ptr<Session> session(const std::string& name);
   std::shared_ptr<const Built> find(const std::string& key);
-  Result<std::shared_ptr<const Built>> build(std::string key, Preset preset,
+  Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset,
                                              const std::function<bool()>& given_up);
   /// Where growing what is new takes longer than that many seconds, or more than the machine has.
   Result<Json> foretold(const Preset& preset, double seconds);
 
   const Documents& documents_;
-  Nursery nursery_;
-  Greenhouse models_;
+  std::shared_ptr<Storeroom> room_;
+  Nursery nursery_{room_};
+  Greenhouse models_{room_};
+  Shelf<Built> built_{room_};
+  Shelf<std::string> pictures_{room_};
+  Shelf<Drawing> drawings_;  // by the names of their pictures
+  std::mutex looking_;       // one at a time
   std::mutex in_work_;
   std::map<std::string, std::shared_ptr<Session>> sessions_;
-  std::list<std::shared_ptr<const Built>> built_;  // the newest first
-  std::set<std::string> known_;                    // organisms that were grown once
-  std::map<std::string, Drawing> drawings_;        // by the names of their pictures
-  std::map<std::string, std::string> pictures_;
+  std::set<std::string> known_;  // organisms that were grown once
 };
 
 }  // namespace frond

@@ -66,7 +66,10 @@ void send_picture(Response& response, const Result<std::string>& picture, const 
 class Server {
  public:
   explicit Server(const StudioOptions& options)
-      : options_(options), documents_(options), scenes_(documents_), renders_(documents_, options.home) {}
+      : options_(options),
+        documents_(options),
+        scenes_(documents_, options.memory),
+        renders_(documents_, scenes_, options.home) {}
 
   Errors serve() {
     if (page_files().empty())
@@ -197,7 +200,8 @@ class Server {
 
   void add_documents() {
     server_.Get("/api/ping", [this](const Request&, Response& response) {
-      send(response, 200, {{"ok", true}, {"started", started_}});
+      send(response, 200,
+           {{"ok", true}, {"started", started_}, {"kept", scenes_.kept()}, {"room", options_.memory}});
     });
     server_.Get("/api/start", [this](const Request&, Response& response) {
       Json symbols = Json::array();

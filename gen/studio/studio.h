@@ -19,10 +19,14 @@
 
 namespace frond {
 
+/// Where nothing else is asked for, so that a browser finds again what it kept of a page from there.
+inline constexpr int kUsualPort = 8417;
+
 struct StudioOptions {
   std::filesystem::path home;                   ///< the folder of templates/, povinc/, presets/ and scripts/
   std::optional<std::filesystem::path> preset;  ///< to open; none: the page begins with the gallery
-  int port = 0;                                 ///< 0: any that is free
+  int port = 0;                                 ///< 0: kUsualPort, or where that is taken any that is free
+  std::size_t memory = std::size_t{1} << 30;    ///< bytes that what is kept may come to, all of it together
   std::optional<std::filesystem::path> assets;  ///< one more folder to read from
   std::function<void(const std::string& address)> ready;  ///< called when the page can be opened
 };

@@ -16,14 +16,16 @@ namespace frond {
 /// What was made ready to be sent and may be wanted again. May be asked from many threads.
 class Greenhouse {
  public:
+  explicit Greenhouse(const std::shared_ptr<Storeroom>& room) : parts(room), models_(room) {}
+
   /// Model `which` of what is sown, at some levels of detail. Its head has "levels".
   Result<std::shared_ptr<const DrawnPart>> model(const SownStand& stand, int which);
 
   /// The parts of specimens, by what those grew from and the time.
-  Shelf<std::vector<DrawnPart>> parts{std::size_t{1} << 30};
+  Shelf<std::vector<DrawnPart>> parts;
 
  private:
-  Shelf<DrawnPart> models_{std::size_t{600} << 20};
+  Shelf<DrawnPart> models_;
 };
 
 /// What of a scene is wanted.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/bytes.h"
+
 namespace frond {
 
 namespace {
@@ -34,6 +36,18 @@ void put_placed(Placed& placed, Vec3 foot, Quat turn, float size) {
 }
 
 }  // namespace
+
+std::size_t bytes_of(const Specimen& specimen) {
+  const Life& life = specimen.life;
+  std::size_t bytes = bytes_of(specimen.model) + bytes_of(specimen.name) + life.held;
+  if (life.ground) bytes += life.ground->bytes();
+  if (const auto& h = life.hanging) {
+    const Strands& s = h->strands;
+    bytes += bytes_of(s.skeleton) + bytes_of(s.normal) + bytes_of(s.contact) + bytes_of(s.age) +
+             bytes_of(s.hanging) + bytes_of(s.room) + bytes_of(s.of) + bytes_of(s.strands);
+  }
+  return bytes;
+}
 
 void put(Model& model, Vec3 foot, Quat turn, float size) {
   put_skeleton(model.skeleton, foot, turn, size);

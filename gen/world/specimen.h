@@ -30,6 +30,7 @@ struct Life {
   Seed season_seed;
   std::shared_ptr<const Heights> ground;  ///< on which its leaves fall
   std::optional<Hanging> hanging;
+  std::size_t held = 0;  ///< bytes of memory that `develop` holds, where that is much
 
   /// Whether it is another shape in each frame; see developed().
   bool changes() const { return develop || season; }
@@ -55,6 +56,9 @@ struct Specimen : Traits {
   /// Where it is not what it promises: one line for the first fault, empty when all is well.
   std::string check() const;
 };
+
+/// What it holds in memory, bytes, about; what it shares with others counts as its own.
+std::size_t bytes_of(const Specimen& specimen);
 
 /// Turns, sizes and moves a model from the origin to its place.
 void put(Model& model, Vec3 foot, Quat turn, float size);

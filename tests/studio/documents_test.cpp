@@ -22,8 +22,7 @@ class DocumentsTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   Documents documents() const {
-    return Documents(
-        {.home = FROND_ROOT, .preset = folder_ / "own/a.json", .port = 0, .assets = {}, .ready = {}});
+    return Documents({.home = FROND_ROOT, .preset = folder_ / "own/a.json", .assets = {}, .ready = {}});
   }
   std::string disk() const { return (*documents().read((folder_ / "own/a.json").string()))["disk"]; }
 

@@ -195,6 +195,7 @@ class School final : public Described<SchoolParams, Grower> {
     specimen.model.prototypes = fish_prototypes(params.fish);
     specimen.model.organs = school_organs(params, *swum, 0);
     auto shapes = std::make_shared<const std::vector<Prototype>>(specimen.model.prototypes);
+    specimen.life.held = swum->bytes();
     if (swum->repeats)
       specimen.life.develop = [own = params, swum, shapes](double time) -> Result<Model> {
         Model model;

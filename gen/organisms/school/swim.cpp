@@ -5,7 +5,14 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/bytes.h"
+
 namespace frond {
+
+std::size_t Swum::bytes() const {
+  return bytes_of(position) + bytes_of(velocity) + bytes_of(heading) + bytes_of(stroke) + bytes_of(size) +
+         bytes_of(next);
+}
 
 namespace {
 

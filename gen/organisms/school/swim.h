@@ -46,6 +46,8 @@ struct Swum {
   std::vector<float> size;               ///< factor
   std::vector<int> next;
 
+  std::size_t bytes() const;  ///< of memory
+
   std::size_t at(int s, int fish) const {
     return static_cast<std::size_t>(s) * static_cast<std::size_t>(count) + static_cast<std::size_t>(fish);
   }

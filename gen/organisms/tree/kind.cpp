@@ -316,6 +316,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     double year = world.filmed() ? years + 0.5 : year_at(params.growth, years, world.film_length());
     tree.model = tree_model(params, grown, year, filming_of(params.growth, years, 0), look);
     if (!grows) return;
+    tree.life.held = grown.held();
     tree.life.develop = [params, grown = std::make_shared<const GrownTree>(std::move(grown)), years, look,
                          growth = tree.motion.growth](double time) -> Result<Model> {
       return tree_model(params, *grown, year_at(growth, years, time), filming_of(growth, years, time), look);

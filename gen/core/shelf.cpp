@@ -1,0 +1,61 @@
+#include "core/shelf.h"
+
+namespace frond {
+
+namespace {
+
+/// What one takes besides itself: its name twice, the nodes of list and map.
+constexpr std::size_t kBookkeeping = 400;
+
+}  // namespace
+
+int Storeroom::add_shelf() {
+  std::lock_guard lock(in_work_);
+  return shelves_++;
+}
+
+Storeroom::Thing Storeroom::find(const Name& name) {
+  std::lock_guard lock(in_work_);
+  auto found = places_.find(name);
+  if (found == places_.end()) return nullptr;
+  kept_.splice(kept_.begin(), kept_, found->second);
+  return found->second->thing;
+}
+
+void Storeroom::put(Name name, Thing thing, std::size_t bytes) {
+  std::list<Kept> gone;
+  std::lock_guard lock(in_work_);
+  if (places_.contains(name)) return;
+  kept_.push_front({name, std::move(thing), bytes + kBookkeeping});
+  places_.emplace(std::move(name), kept_.begin());
+  taken_ += kept_.front().bytes;
+  gone = surplus(room_, 1);
+}
+
+void Storeroom::give_up(std::size_t until) {
+  std::list<Kept> gone;
+  std::lock_guard lock(in_work_);
+  gone = surplus(until, 0);
+}
+
+std::size_t Storeroom::taken() const {
+  std::lock_guard lock(in_work_);
+  return taken_;
+}
+
+std::size_t Storeroom::given_up() {
+  std::lock_guard lock(in_work_);
+  return std::exchange(given_up_, 0);
+}
+
+std::list<Storeroom::Kept> Storeroom::surplus(std::size_t room, std::size_t least) {
+  std::list<Kept> gone;
+  while (taken_ > room && kept_.size() > least) {
+    gone.splice(gone.begin(), kept_, std::prev(kept_.end()));
+    places_.erase(gone.front().name);
+    taken_ -= gone.front().bytes, given_up_ += gone.front().bytes;
+  }
+  return gone;
+}
+
+}  // namespace frond
