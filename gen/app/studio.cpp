@@ -1,22 +1,58 @@
 #include "studio/studio.h"
 
+#include <fmt/format.h>
 #include <spawn.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/streams.h"
+#include "core/files.h"
 
 extern char** environ;
 
 namespace frond {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-/// Asks the desktop to open an address; where there is none the printed address does.
-void open_in_browser(const std::string& address) {
-  std::string program = "xdg-open", word = address;
+/// A page that leads to an address, in a file that its owner alone can read: a program's arguments everybody
+/// can. It goes with this.
+class Doorway {
+ public:
+  explicit Doorway(const std::string& address) {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "frond-open-XXXXXX").string();
+    if (!mkdtemp(name.data())) return;
+    folder_ = name;
+    constexpr const char* kPage =
+        "<!doctype html>\n<meta charset=\"utf-8\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
+        "<title>Frond</title>\n<script>location.replace(\"{0}\")</script>\n<a href=\"{0}\">Frond</a>\n";
+    if (!write_file(page(), fmt::format(kPage, address))) folder_.clear();
+    fs::permissions(page(), fs::perms::owner_read | fs::perms::owner_write, error);
+  }
+  ~Doorway() {
+    std::error_code error;
+    if (!folder_.empty()) fs::remove_all(folder_, error);
+  }
+  Doorway(const Doorway&) = delete;
+  Doorway& operator=(const Doorway&) = delete;
+
+  bool there() const { return !folder_.empty(); }
+  fs::path page() const { return folder_ / "studio.html"; }
+
+ private:
+  fs::path folder_;
+};
+
+/// Asks the desktop to open a page; where there is none the printed address does.
+void open_in_browser(const Doorway& doorway) {
+  if (!doorway.there()) return tell("note: no file could be made to open; open the address by hand");
+  std::string program = "xdg-open", word = doorway.page().string();
   char* words[] = {program.data(), word.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ) != 0)
@@ -39,11 +75,14 @@ int studio(const StudioArguments& arguments) {
   }
   options.memory = arguments.memory << 20;
   if (arguments.assets) options.assets = *arguments.assets;
+  std::optional<Doorway> doorway;
   options.ready = [&](const std::string& address) {
     put(address + "\n");
     flush();
     tell("Open this address in a browser; Ctrl+C ends the studio.");
-    if (arguments.open) open_in_browser(address);
+    if (!arguments.open) return;
+    doorway.emplace(address);
+    open_in_browser(*doorway);
   };
   now_doing("serving the studio");
   Errors errors = serve_studio(options);

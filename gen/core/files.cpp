@@ -1,9 +1,11 @@
 #include "core/files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -70,13 +72,21 @@ std::string reason_of(std::error_code error) {
   return error.message();
 }
 
+fs::path temporary_beside(const fs::path& path) {
+  constexpr unsigned kNumbers = 1'000'000;
+  static std::atomic<unsigned> next = 0;
+  std::string number = std::to_string(kNumbers + next++ % kNumbers).substr(1);
+  fs::path temporary = path;
+  temporary += ".tmp" + std::to_string(::getpid()) + number;
+  return temporary;
+}
+
 Result<bool> write_file(const fs::path& path, std::string_view text) {
   if (holds(path, text)) return false;
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   if (error) return Error{path.parent_path().string(), "cannot be made: " + reason_of(error)};
-  fs::path temporary = path;
-  temporary += ".tmp" + std::to_string(::getpid());
+  fs::path temporary = temporary_beside(path);
   std::string_view what = "cannot be written: ";
   error = write_through(temporary, text);
   if (!error) {
@@ -87,6 +97,18 @@ Result<bool> write_file(const fs::path& path, std::string_view text) {
   std::error_code ignored;
   fs::remove(temporary, ignored);
   return Error{path.string(), std::string(what) + reason_of(error)};
+}
+
+FolderLock::FolderLock(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);  // where it cannot be made, whoever writes there says so
+  file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  while (file_ >= 0 && ::flock(file_, LOCK_EX) != 0 && errno == EINTR) {
+  }
+}
+
+FolderLock::~FolderLock() {
+  if (file_ >= 0) ::close(file_);
 }
 
 std::vector<fs::path> files_in(const fs::path& folder) { return found_by<fs::directory_iterator>(folder); }

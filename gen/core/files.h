@@ -17,6 +17,23 @@ Result<std::string> read_file(const std::filesystem::path& path);
 /// holds just this text is left alone with its time stamp. True where the file was written.
 Result<bool> write_file(const std::filesystem::path& path, std::string_view text);
 
+/// A file beside another that nobody else writes, no thread of ours either, to be renamed to it when it is
+/// whole: its name goes on with ".tmp" and digits.
+std::filesystem::path temporary_beside(const std::filesystem::path& path);
+
+/// Holds a folder, made where it is not there, against all others who ask for it like this, in this process
+/// or another, as long as it lives. Where the disk knows no locks it holds nothing.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_ = -1;
+};
+
 /// What lies in a folder, sorted; nothing of a folder that is not there, and what there was of one that goes
 /// away meanwhile. (The increment of std::filesystem's iterators throws.)
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);

@@ -1,7 +1,5 @@
 #include "core/growing_file.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <vector>
@@ -34,9 +32,7 @@ bool same(const fs::path& one, const fs::path& other) {
 
 }  // namespace
 
-GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), temporary_(path_) {
-  temporary_ += ".tmp" + std::to_string(::getpid());
-}
+GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), temporary_(temporary_beside(path_)) {}
 
 GrowingFile::~GrowingFile() {
   if (!out_.is_open()) return;

@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::uintmax_t kLargestFile = 8 << 20;  // bytes of a preset's file
+
 std::optional<fs::path> without_links(const fs::path& path) {
   std::error_code error;
   fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
@@ -43,13 +45,30 @@ int take_number(std::string& text) {
 std::optional<std::string> picture_of(const fs::path& gallery, const fs::path& preset) {
   std::string stem = preset.stem().string(), folder = preset.parent_path().filename().string();
   std::string one = folder.ends_with('s') ? folder.substr(0, folder.size() - 1) : folder;
+  std::string part = stem;  // "reef_dusk" is one of the reef
+  if (std::size_t at = part.find('_'); at != part.npos) part[at] = '-';
   std::error_code error;
-  for (const std::string& name : {folder + '-' + stem, one + '-' + stem, stem})
+  for (const std::string& name : {folder + '-' + stem, one + '-' + stem, stem, part})
     if (fs::exists(gallery / (name + ".jpg"), error)) return name + ".jpg";
   return std::nullopt;
 }
 
-/// Presets that Frond brings: a title each.
+/// Files of presets in a folder and those in it, `deep` of them down; not in hidden ones, nor those that are
+/// links, and no more than `most` are looked at.
+void find_presets(const fs::path& folder, int deep, int& most, std::vector<fs::path>& found) {
+  std::error_code error;
+  for (const fs::path& path : files_in(folder)) {
+    if (--most < 0) return;
+    if (path.filename().string().starts_with('.') || fs::is_symlink(path, error)) continue;
+    if (path.extension() == ".json" && fs::is_regular_file(path, error) &&
+        fs::file_size(path, error) <= kLargestFile)
+      found.push_back(path);
+    else if (deep > 0 && path.filename() != "node_modules" && fs::is_directory(path, error))
+      find_presets(path, deep - 1, most, found);
+  }
+}
+
+/// A title each; none where a file is no preset.
 std::optional<std::string> title_of(const fs::path& file) {
   Result<std::string> text = read_file(file);
   Result<Document> document = text ? parse_json(*text, file.string()) : text.errors();
@@ -88,6 +107,41 @@ Json Documents::shipped() const {
                     {"picture", picture ? Json(*picture) : Json(nullptr)}});
   }
   return list;
+}
+
+Json Documents::own() const {
+  constexpr int kMost = 20'000, kDeep = 2;  // files and folders; folders in folders
+  constexpr std::size_t kShown = 200;
+  std::vector<fs::path> files;
+  int most = kMost;
+  find_presets(folder_, kDeep, most, files);
+  if (assets_ && !lies_below(*assets_, folder_)) find_presets(*assets_, kDeep, most, files);
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    if (!lies_below(file, presets_)) found.emplace_back(fs::last_write_time(file, error), file);
+  }
+  std::ranges::sort(found, [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  });
+  Json list = Json::array();
+  for (const auto& [when, file] : found) {
+    if (list.size() >= kShown) break;
+    std::optional<std::string> title = title_of(file);
+    if (!title) continue;
+    bool near = lies_below(file, folder_);
+    list.push_back({{"file", file.string()},
+                    {"name", near ? file.lexically_relative(folder_).string() : file.string()},
+                    {"title", *title},
+                    {"picture", nullptr}});
+  }
+  return list;
+}
+
+std::string Documents::disk(const std::string& file) const {
+  std::optional<fs::path> path = readable(file);
+  Result<std::string> text = path ? read_file(*path) : Error{file, ""};
+  return text ? content_id(*text) : "";
 }
 
 std::optional<fs::path> Documents::readable(const std::string& file) const {
@@ -140,6 +194,8 @@ std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, 
         403,
         {{"error", fmt::format("\"{}\" cannot be written: expected a name that ends with .json, below {}",
                                file, folder_.string())}}};
+  // Between the look at what is there and the writing nobody else saves, another studio neither.
+  FolderLock lock(path->parent_path());
   std::error_code error;
   if (fs::exists(*path, error) && !overwrite) {
     Result<std::string> there = read_file(*path);
@@ -163,6 +219,7 @@ std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, 
 
 std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& text,
                                            Json& saved) const {
+  FolderLock lock(folder_);
   Result<std::string> own = put_beside(folder_, fs::path(name).stem().string() + ".obj", text);
   if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
   saved = {{"file", *own}, {"path", (folder_ / *own).string()}};

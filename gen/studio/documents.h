@@ -37,6 +37,10 @@ class Documents {
   std::optional<std::filesystem::path> readable(const std::string& file) const;
   /// `{"file", "text", "disk", "copy"}` of a preset.
   Result<Json> read(const std::string& file) const;
+  /// What stands for a file as it is on the disk; empty where it is not there, or may not be read.
+  std::string disk(const std::string& file) const;
+  /// The presets in the folders that may be written, those first that were written last.
+  Json own() const;
   /// The picture of a shipped preset.
   Result<std::string> gallery_picture(const std::string& name) const;
 

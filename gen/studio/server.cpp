@@ -3,13 +3,12 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/random.h>
-
-#include <chrono>
-#include <thread>
+#include <sys/signalfd.h>
 
 #include "core/machine.h"
 #include "core/parallel.h"
 #include "grammar/symbols.h"
+#include "studio/connections.h"
 #include "studio/page.h"
 #include "studio/renders.h"
 #include "studio/scenes.h"
@@ -25,7 +24,6 @@ using httplib::Response;
 constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kMostMesh = std::size_t{32} << 20, kMostText = std::size_t{8} << 20;  // bytes
 constexpr int kSmallest = 16, kLargest = 8192;  // pixels of a side
-constexpr std::size_t kThreads = 48;            // browsers keep six connections a tab
 constexpr const char* kPolicy =
     "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
     "'none'; "
@@ -77,10 +75,11 @@ class Server {
                     "the page of the studio is not built; `scripts/setup.sh --studio` does it, then "
                     "`scripts/build.sh` puts it into the program"}};
     if (token_.empty() || started_.empty()) return {Error{"", "the system gives no random numbers"}};
-    server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server_.set_payload_max_length(kMostMesh);
-    server_.set_tcp_nodelay(true);
     server_.set_keep_alive_max_count(10'000);
+    server_.set_keep_alive_timeout(server_.limits.idle.count());
+    server_.caller = [this](std::string_view head) { return caller(head); };
+    server_.refuses = [this](const Request& request) { return refusal(request).has_value(); };
     // Another program's port is not to be shared.
     server_.set_socket_options([](socket_t socket) {
       int yes = 1;
@@ -91,11 +90,8 @@ class Server {
                                  {"Referrer-Policy", "no-referrer"},
                                  {"Cache-Control", "no-store"}});
     add_routes();
-    port_ = options_.port;
-    if (port_ == 0)
-      port_ = server_.bind_to_any_port(kHost);
-    else if (!server_.bind_to_port(kHost, port_))
-      port_ = -1;
+    port_ = options_.port ? options_.port : kUsualPort;
+    if (!server_.bind_to_port(kHost, port_)) port_ = options_.port ? -1 : server_.bind_to_any_port(kHost);
     if (port_ <= 0)
       return {Error{"--port", options_.port ? fmt::format("{} is taken, or may not be used", options_.port)
                                             : "no port is free"}};
@@ -110,40 +106,54 @@ class Server {
     for (int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ends, signal);
     pthread_sigmask(SIG_BLOCK, &ends, nullptr);
     signal(SIGPIPE, SIG_IGN);
-    std::thread([this, ends] {
-      int signal = 0;
-      sigwait(&ends, &signal);
-      // Before it runs it would not hear of it.
-      while (!server_.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      server_.stop();
-    }).detach();  // the process ends with the server
+    int asked = signalfd(-1, &ends, SFD_CLOEXEC);
     if (options_.ready) options_.ready(fmt::format("http://{}:{}/#token={}", kHost, port_, token_));
-    return server_.listen_after_bind() ? Errors{} : Errors{Error{"", "the server could not listen"}};
+    bool served = asked >= 0 && server_.serve(asked);
+    return served ? Errors{} : Errors{Error{"", "the server could not listen"}};
   }
 
-  /// Whether a request comes from our own page: no other site can name us its host, nor send our token.
-  bool allowed(const Request& request, Response& response) const {
+  /// Who has the token, by the head of a request alone: all else is for refusal() to tell.
+  Caller caller(std::string_view head) const {
+    auto [method, target] = asked_for(head);
+    std::string_view given = header_of(head, "X-Frond-Token");
+    constexpr std::string_view kToken = "token=";
+    std::size_t at = target.find(kToken, std::min(target.find('?'), target.size()));
+    if (given.empty() && method == "GET" && at != target.npos)
+      given = target.substr(at + kToken.size(), token_.size());
+    if (same(given, token_)) return Caller::known;
+    return target.starts_with("/api/") ? Caller::refused : Caller::unknown;
+  }
+
+  /// Why a request is not answered, of which only the head was read. It has to come from our own page: no
+  /// other site can name us its host, nor send our token. What follows has to say how long it is.
+  std::optional<Refusal> refusal(const Request& request) const {
+    auto no = [](int status, const char* why) { return Refusal{status, {{"error", why}}}; };
     std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
     std::string own = fmt::format("{}:{}", kHost, port_), local = fmt::format("localhost:{}", port_);
-    if ((host != own && host != local) || (!origin.empty() && origin != "http://" + host)) {
-      send(response, 421, {{"error", "a request from another site"}});
-      return false;
-    }
-    if (!request.path.starts_with("/api/")) return true;
+    if ((host != own && host != local) || (!origin.empty() && origin != "http://" + host))
+      return no(421, "a request from another site");
+    bool api = request.path.starts_with("/api/"), gets = request.method == "GET" || request.method == "HEAD";
+    if (!gets && !(api && (request.method == "POST" || request.method == "DELETE")))
+      return no(405, "that is not done here");
+    bool told = request.get_header_value_count("Content-Length") == 1;
+    if (request.has_header("Transfer-Encoding") || (request.method == "POST" && !told))
+      return no(411, "the length of what is sent has to be told beforehand");
+    if (request.has_header("Content-Encoding")) return no(415, "what is sent must not be compressed");
+    std::size_t most = gets ? 0 : request.path == "/api/mesh" ? kMostMesh : kMostText;
+    if (told && request.get_header_value<std::uint64_t>("Content-Length") > most)
+      return no(413, "what is sent is too long");
+    if (!api) return std::nullopt;
     std::string given = request.get_header_value("X-Frond-Token");
     // An img element sends no headers of ours.
     if (given.empty() && request.method == "GET") given = request.get_param_value("token");
-    if (same(given, token_)) return true;
-    send(response, 403,
-         {{"error", "the token is missing or wrong: open the address that `frond studio` printed"}});
-    return false;
+    if (same(given, token_)) return std::nullopt;
+    return no(403, kNoToken);
   }
 
   /// A handler for JSON that holds `doc`, a preset.
   using Ask = std::function<void(const Request&, Response&, const Json&, Doc)>;
   void post(const std::string& path, Ask ask) {
     server_.Post(path, [this, ask](const Request& request, Response& response) {
-      if (request.body.size() > kMostText) return send(response, 413, {{"error", "the text is too long"}});
       Json question = Json::parse(request.body, nullptr, false);
       if (!question.is_object()) return send(response, 400, {{"error", "no JSON object"}});
       Doc doc;
@@ -163,8 +173,10 @@ class Server {
 
   void add_routes() {
     server_.set_pre_routing_handler([this](const Request& request, Response& response) {
-      return allowed(request, response) ? httplib::Server::HandlerResponse::Unhandled
-                                        : httplib::Server::HandlerResponse::Handled;
+      std::optional<Refusal> no = refusal(request);
+      if (!no) return httplib::Server::HandlerResponse::Unhandled;
+      send(response, no->status, no->body);
+      return httplib::Server::HandlerResponse::Handled;
     });
     server_.set_exception_handler([](const Request&, Response& response, std::exception_ptr error) {
       std::string what = "something that is no exception";
@@ -294,7 +306,7 @@ class Server {
   Documents documents_;
   Scenes scenes_;
   Renders renders_;
-  httplib::Server server_;
+  Connections server_;
 };
 
 }  // namespace

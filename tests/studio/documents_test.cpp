@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <chrono>
 #include <filesystem>
+#include <set>
+#include <thread>
 
 #include "core/files.h"
 
@@ -81,6 +85,84 @@ TEST_F(DocumentsTest, SavesWhereItMayAndNotOverWhatOthersWrote) {
   fs::create_symlink(folder_ / "secret.json", folder_ / "own/link.json");
   EXPECT_TRUE(d.save("link.json", doc("{}"), "", true, saved));
   EXPECT_EQ(*read_file(folder_ / "secret.json"), kText);
+}
+
+TEST_F(DocumentsTest, OfTwoWhoSaveOverTheSameOneIsTold) {
+  // Each a studio of its own, as far as anybody can tell.
+  std::string path = (folder_ / "own/a.json").string(), known = disk();
+  for (int round = 0; round < 20; ++round) {
+    std::array<std::optional<Refusal>, 4> refused;
+    std::array<Json, 4> saved;
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < refused.size(); ++i)
+      threads.emplace_back([&, i] {
+        std::string text = "{\"seed\": " + std::to_string(10 * round + static_cast<int>(i)) + "}";
+        refused[i] = documents().save(path, doc(text), known, false, saved[i]);
+      });
+    for (std::thread& thread : threads) thread.join();
+    int fine = 0;
+    for (std::size_t i = 0; i < refused.size(); ++i) {
+      if (!refused[i]) ++fine, known = saved[i]["disk"];
+      EXPECT_EQ(refused[i] ? refused[i]->status : 409, 409);
+    }
+    EXPECT_EQ(fine, 1) << "the others would have written over what they had not seen";
+    EXPECT_EQ(known, disk());
+  }
+  for (const fs::path& file : files_in(folder_ / "own")) EXPECT_EQ(file.extension(), ".json") << file;
+}
+
+TEST_F(DocumentsTest, ManyMayBeSavedAtOnce) {
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i)
+    threads.emplace_back([&, i] {
+      Json saved;
+      EXPECT_FALSE(documents().save("b.json", doc("[" + std::to_string(i) + "]"), "", true, saved));
+      EXPECT_FALSE(documents().add_mesh("stone.obj", "v 0 0 " + std::to_string(i), saved));
+    });
+  for (std::thread& thread : threads) thread.join();
+  std::set<std::string> stones;
+  for (const fs::path& file : files_in(folder_ / "own"))
+    if (file.extension() == ".obj") stones.insert(*read_file(file));
+  EXPECT_EQ(stones.size(), 8u);
+}
+
+TEST_F(DocumentsTest, ListsTheOwnPresetsThoseOfTodayFirst) {
+  fs::path old = folder_ / "own/old.json", deep = folder_ / "own/below/deep.json";
+  (void)write_file(old, R"({"title": "An old one", "organisms": []})");
+  (void)write_file(deep, R"({"organisms": []})");
+  (void)write_file(folder_ / "own/grammar.json", R"({"axiom": "F"})");
+  (void)write_file(folder_ / "own/.hidden/a.json", kText);
+  (void)write_file(folder_ / "own/broken.json", "{");
+  fs::create_symlink(folder_ / "secret.json", folder_ / "own/link.json");
+  auto when = fs::last_write_time(deep);
+  fs::last_write_time(folder_ / "own/a.json", when - std::chrono::hours(1));
+  fs::last_write_time(old, when - std::chrono::hours(48));
+  Json list = documents().own();
+  ASSERT_EQ(list.size(), 3u) << list;
+  EXPECT_EQ(list[0]["name"], "below/deep.json");
+  EXPECT_EQ(list[1]["name"], "a.json");
+  EXPECT_EQ(list[2]["title"], "An old one");
+  for (const Json& one : list) EXPECT_FALSE((*documents().read(one["file"]))["copy"].get<bool>());
+}
+
+TEST_F(DocumentsTest, KnowsWhenAFileHasChanged) {
+  std::string before = disk(), path = (folder_ / "own/a.json").string();
+  EXPECT_EQ(documents().disk(path), before);
+  (void)write_file(path, "{}");
+  EXPECT_NE(documents().disk(path), before);
+  EXPECT_EQ(documents().disk(path), disk());
+  EXPECT_EQ(documents().disk((folder_ / "own/none.json").string()), "");
+  EXPECT_EQ(documents().disk((folder_ / "secret.json").string()), "");
+}
+
+TEST_F(DocumentsTest, MostShippedPresetsHaveAPictureInTheGallery) {
+  std::size_t with = 0;
+  Json shipped = documents().shipped();
+  for (const Json& one : shipped) {
+    with += !one["picture"].is_null();
+    EXPECT_TRUE(one["name"] != "reef_dusk" || one["picture"] == "reef-dusk.jpg");
+  }
+  EXPECT_GT(with, shipped.size() / 2);
 }
 
 TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {

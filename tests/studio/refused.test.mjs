@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import http from 'node:http';
+import net from 'node:net';
 import path from 'node:path';
 import {before, test} from 'node:test';
 import {preset, scratch, start} from './studio.mjs';
@@ -20,6 +21,16 @@ function status(method, where, headers = {}, body) {
     });
     request.on('error', reject);
     request.end(body && JSON.stringify(body));
+  });
+}
+/** What comes for that, to the end of the connection. */
+function raw(text) {
+  return new Promise((resolve, reject) => {
+    const socket = net.connect(studio.port, '127.0.0.1', () => socket.write(text));
+    let heard = '';
+    socket.on('data', data => (heard += data));
+    socket.on('end', () => resolve(heard));
+    socket.on('error', reject);
   });
 }
 const save = file => status('POST', 'api/save', {}, {doc: {text: TEXT, file: path.join(scratch, 'own.json')}, file, disk: null, overwrite: true});
@@ -50,6 +61,45 @@ test('nothing is written or read outside of the preset\'s folder', async () => {
   assert.equal(await save(path.join(scratch, 'own.json')), 200);
 });
 
+test('what does not say how long it is, or is packed, is not read', async () => {
+  assert.equal(await status('POST', 'api/mesh?name=a.obj', {'Transfer-Encoding': 'chunked'}, {}), 411);
+  assert.equal(await status('POST', 'api/mesh?name=a.obj', {'Content-Encoding': 'gzip', 'Content-Length': '2'}, {}), 415);
+  const answer = await raw(`POST /api/mesh?name=a.obj HTTP/1.1\r\nHost: 127.0.0.1:${studio.port}\r\nX-Frond-Token: ${studio.token}\r\n\r\nv 0 0 0`);
+  assert.match(answer, /^HTTP\/1.1 411 /);
+  assert.equal(fs.existsSync(path.join(scratch, 'a.obj')), false);
+  assert.equal(await status('PUT', 'api/save', {}, {}), 405);
+  assert.equal(await status('POST', '', {'X-Frond-Token': ''}, {}), 405);
+});
+
+test('those who ask slowly, without the token, do not keep others out', async () => {
+  const slow = Array.from({length: 120}, () => net.connect(studio.port, '127.0.0.1'));
+  try {
+    for (const socket of slow) socket.on('error', () => undefined).write('GET /api/start HTTP/1.1\r\nHost: ');
+    assert.equal(await status('GET', 'api/ping'), 200);
+    assert.equal(await status('GET', '', {'X-Frond-Token': ''}), 200);
+  } finally {
+    slow.forEach(socket => socket.destroy());
+  }
+});
+
+test('the token stands in no program\'s arguments', async () => {
+  const folder = path.join(scratch, 'desktop');
+  const noted = path.join(folder, 'noted');
+  fs.mkdirSync(folder);
+  fs.writeFileSync(path.join(folder, 'xdg-open'), `#!/bin/sh\n{ echo "$*"; stat -c %a "$1" "$(dirname "$1")"; cat "$1"; } > '${noted}.part'; mv '${noted}.part' '${noted}'\n`, {mode: 0o755});
+  const before = process.env.PATH;
+  process.env.PATH = `${folder}:${before}`;
+  const opened = await start(path.join(scratch, 'own.json'), '--open').finally(() => (process.env.PATH = before));
+  while (!fs.existsSync(noted)) await new Promise(done => setTimeout(done, 20));
+  const [file, ofFile, ofFolder, ...text] = fs.readFileSync(noted, 'utf8').split('\n');
+  assert.ok(!file.includes(opened.token));
+  assert.deepEqual([ofFile, ofFolder], ['600', '700']);
+  assert.ok(text.join('\n').includes(opened.address));
+  await opened.stop();
+  assert.equal(fs.existsSync(file), false);
+});
+
 test('what is too long is refused', async () => {
+  assert.equal(await status('POST', 'api/mesh?name=a.obj', {'Content-Length': String(40 << 20)}), 413);
   assert.equal(await status('POST', 'api/derive', {}, {doc: {text: 'x'.repeat(9_000_000), file: ''}}), 413);
 });

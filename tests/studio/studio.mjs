@@ -3,6 +3,7 @@
 // FROND is the program, PACKAGES a folder with node_modules/. The folder that it runs in is that of the sources.
 import {spawn} from 'node:child_process';
 import fs from 'node:fs';
+import http from 'node:http';
 import {createRequire} from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
@@ -46,7 +47,7 @@ export function start(...words) {
     server.stderr.on('data', data => (said += data));
     server.stdout.on('data', data => {
       const found = /(http:\/\/127\.0\.0\.1:(\d+)\/)#token=(\w+)/.exec(data);
-      if (found) resolve({address: found[0], base: found[1], port: Number(found[2]), token: found[3], stop: () => stop(server)});
+      if (found) resolve({address: found[0], base: found[1], port: Number(found[2]), token: found[3], process: server, stop: () => stop(server)});
     });
   });
 }
@@ -67,10 +68,33 @@ export async function browse() {
   return browser;
 }
 
+/** Asks a studio without a browser: the status, the bytes, and what they are as JSON. */
+export function ask(studio, method, where, body) {
+  const headers = {'X-Frond-Token': studio.token, 'Content-Type': 'application/json'};
+  return new Promise((resolve, reject) => {
+    const request = http.request(studio.base + where, {method, headers}, answer => {
+      const parts = [];
+      answer.on('data', part => parts.push(part));
+      answer.on('end', () => {
+        const bytes = Buffer.concat(parts);
+        const isJson = answer.headers['content-type'] === 'application/json';
+        resolve({status: answer.statusCode, body: bytes, json: isJson ? JSON.parse(bytes) : null});
+      });
+    });
+    request.on('error', reject);
+    request.end(body && JSON.stringify(body));
+  });
+}
+
 /** A page of a browser; `faults` collects what it throws. */
 export async function visit(browser, address, options = {}) {
   const context = await browser.newContext({viewport: {width: 900, height: 600}, reducedMotion: 'reduce', ...options});
   context.setDefaultTimeout(PATIENCE);
+  return visitIn(context, address);
+}
+
+/** One more tab of the same browser. */
+export async function visitIn(context, address) {
   const page = await context.newPage();
   page.faults = [];
   page.on('pageerror', error => page.faults.push(error.stack));
