@@ -180,7 +180,7 @@ void write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, co
           return color_index(b.model.blades.color[i], look.colors.size()) == k / kLeafShades &&
                  shade_of(b.model.blades.id[i]) == k % kLeafShades;
         });
-    if (surface.triangle.empty()) continue;
+    if (!has_faces(surface)) continue;
     std::string text = "object{";
     append_mesh(text, space, surface);
     append_tissue(text, look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades, {});

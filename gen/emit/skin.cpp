@@ -154,7 +154,7 @@ Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
 std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye) {
   const BarkCoat& coat = *tree.look.coat;
   Surface wood = tube_surface(tree.model.skeleton, pose.position, pose.radius, pose.turn, shape_of(tree));
-  if (wood.triangle.empty()) return {};
+  if (!has_faces(wood)) return {};
   if (coat.furrow > 0) wood = furrowed(wood, coat, eye);
   std::string text = "object{\n";
   append_mesh(text, space, wood);

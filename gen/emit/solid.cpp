@@ -160,7 +160,8 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
   text += '}';
 }
 
-bool append_placement(std::string& text, const PovSpace& space, const Solids& solids, std::size_t i) {
+[[nodiscard]] bool append_placement(std::string& text, const PovSpace& space, const Solids& solids,
+                                    std::size_t i) {
   glm::mat3 frame = glm::mat3_cast(solids.turn[i]);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= solids.scale[i][axis];
   return append_matrix(text, space, frame, solids.position[i]);
@@ -329,12 +330,14 @@ std::string growing_solids_text(const PovSpace& space, const Solids& solids, con
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Solid& solid = solids.shapes[solids.shape[i]];
     if (!is_growing(solid, growth)) continue;
+    Surface now = surface_at(solid, front);
+    std::string object = "object{\n";
+    if (!has_faces(now)) continue;
+    append_mesh(object, space, told(std::move(now), solid));
+    append_material(object, solid.material);
+    if (!append_placement(object, space, solids, i)) continue;
     if (lives(solid.material)) append_front(text, front);
-    text += "object{\n";
-    append_mesh(text, space, told(surface_at(solid, front), solid));
-    append_material(text, solid.material);
-    append_placement(text, space, solids, i);
-    text += "}\n";
+    text += object + "}\n";
   }
   return text;
 }

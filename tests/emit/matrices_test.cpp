@@ -43,8 +43,10 @@ void expect_matrices_of_some_size(const Scene& scene, std::size_t least) {
   std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
   std::size_t most = 0;
   for (int frame = 1; frame <= scene.film.frames; ++frame) {
-    auto [all, singular] = matrices_of(*frame_text(scene, parts, layout, frame));
+    std::string text = *frame_text(scene, parts, layout, frame);
+    auto [all, singular] = matrices_of(text);
     EXPECT_EQ(singular, 0u) << "frame " << frame;
+    EXPECT_EQ(text.find("face_indices{0 "), text.npos) << "frame " << frame;
     most = std::max(most, all);
   }
   EXPECT_GT(most, least);

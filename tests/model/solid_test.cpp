@@ -51,5 +51,16 @@ TEST(Solids, NamesWhatIsWrong) {
   EXPECT_EQ(wrong.check(), "the arrays of the solids differ in length");
 }
 
+TEST(Solids, ANormalOrATurnThatIsNoNumberIsAFault) {
+  Solids solids, wrong;
+  solids.place(solids.add_shape(triangle()));
+  wrong = solids;
+  wrong.shapes[0].surface.normal[1].y = std::nanf("");
+  EXPECT_EQ(wrong.check(), "solid: normal 1 is not of length 1");
+  wrong = solids;
+  wrong.turn[0].w = std::nanf("");
+  EXPECT_EQ(wrong.check(), "the turn of solid 0 is not of length 1");
+}
+
 }  // namespace
 }  // namespace frond
