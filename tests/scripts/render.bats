@@ -204,14 +204,15 @@ kill_still() {
   "$FROND_BIN" generate still.json -o out/still -q
   cat >slow-povray <<SH
 #!/usr/bin/env bash
-timeout 1 sh -c 'while :; do :; done' || true
+python3 -c 'while __import__("time").process_time() < 0.6: pass'
+: >"$BATS_TEST_TMPDIR/worked"
 exec "$FROND_POVRAY" "\$@"
 SH
   chmod +x slow-povray
   cd out/still
-  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray FRAME_TIME=5 "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
+  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray FRAME_TIME=30 "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
   local running=$!
-  sleep 2.5
+  until [ -e "$BATS_TEST_TMPDIR/worked" ]; do sleep 0.05; done
   kill -TERM "$running"
   wait "$running" || true
   FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48
