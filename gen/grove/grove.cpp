@@ -15,8 +15,9 @@ namespace frond {
 
 namespace {
 
-constexpr float kBough = 5;    // times as thick as a twig: what leaves a scar where it comes off
-constexpr int kGustsFrom = 8;  // directions that storms come from
+constexpr float kBough = 5;            // times as thick as a twig: what leaves a scar where it comes off
+constexpr float kBreastHeight = 1.3f;  // metres, at which foresters measure stems
+constexpr int kGustsFrom = 8;          // directions that storms come from
 // Of the state, and of what the pass over loads needs besides.
 constexpr std::size_t kBytesAMetamer = 2 * sizeof(Vec3) + 2 * sizeof(std::int32_t) + 7 * sizeof(float) + 2 +
                                        sizeof(Shade) + 9 * sizeof(float) + 1;
@@ -42,6 +43,7 @@ struct Tree {
   std::vector<Fallen> fallen;
   std::vector<Scar> scars;  // `on` is a serial as yet
   std::vector<YearRings> rings;
+  std::vector<Size> sizes;
   std::size_t broken = 0, bytes = 0;
   int stem_broke = -1;
 };
@@ -128,6 +130,18 @@ void drop(Tree& tree, const Falls& falls, bool history) {
   if (gone > 0) m.keep(stay);
 }
 
+Size size_of(const Metamers& m, const Wood& wood) {
+  Size size;
+  size.internodes = m.size() - 1;
+  for (std::size_t i = 1; i < m.size(); ++i) {
+    float from = m.tip[m.parent[i]].y - m.tip[0].y, to = m.tip[i].y - m.tip[0].y;
+    if (!m.has(i, Metamers::dead)) size.height = std::max(size.height, to);
+    if (m.order[i] > 0 || from > kBreastHeight || to < kBreastHeight) continue;
+    size.breast_diameter = std::max(size.breast_diameter, 2 * pipe_radius(wood, m.pipe[i]));
+  }
+  return size;
+}
+
 void live_a_year(Tree& tree, const LightField& field, const GroveOptions& options, const Weather& storm,
                  int year) {
   const Seedling& seedling = *tree.seedling;
@@ -160,6 +174,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   if (options.history) tree.rings.push_back({m.serial, m.pipe});
   tree.bytes = std::max(tree.bytes, m.size() * kBytesAMetamer);
   drop(tree, falls, options.history);
+  tree.sizes.push_back(size_of(m, s.wood));
 }
 
 /// The living and the fallen in the order in which they were born, so that parents precede children.
@@ -171,6 +186,7 @@ GrownTree grown_tree(Tree& tree) {
   g.broken = tree.broken;
   g.stem_broke = tree.stem_broke;
   g.bytes = tree.bytes;
+  g.sizes = std::move(tree.sizes);
 
   std::sort(tree.fallen.begin(), tree.fallen.end(),
             [](const Fallen& a, const Fallen& b) { return a.serial < b.serial; });

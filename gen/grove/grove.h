@@ -38,6 +38,13 @@ struct Scar {
   std::uint32_t id = 0;  ///< counts the tree's internodes as they are born: that of the bough's first
 };
 
+/// How large a tree was at the end of a year, as foresters measure it.
+struct Size {
+  float height = 0;           ///< metres, of what lives
+  float breast_diameter = 0;  ///< metres, of the stem 1.3 m above the ground; 0 where it is not that high
+  std::size_t internodes = 0;
+};
+
 /// A tree as it has grown, an entry an internode; parents precede children; entry 0 is the foot and has no
 /// length. Metres and years of the grove.
 struct GrownTree {
@@ -57,6 +64,7 @@ struct GrownTree {
   std::vector<float> ring;
 
   std::vector<Scar> scars;  ///< of boughs at least five twigs thick, on what there still is
+  std::vector<Size> sizes;  ///< at the end of each year since it was planted
 
   std::size_t grown = 0;   ///< internodes that ever grew
   std::size_t broken = 0;  ///< living branches that storms broke

@@ -18,13 +18,16 @@ struct Wood {
   double strength = 50e6;       ///< Pa; sound wood breaks at 40 to 60 MPa (Kane 2007)
   double stiffness = 8e9;       ///< Pa, of green wood
   double leaf_mass = 0.5;       ///< kg a square metre of leaves
-  double deadwood = 2;          ///< years that a dead twig stays on the tree; thicker wood stays longer
+  double deadwood = 2;          ///< cycles that a dead twig stays on the tree; thicker wood stays longer
 };
 
-/// How a kind of tree grows. Lengths in metres, angles in radians, times in years.
+/// How a kind of tree grows. Lengths in metres, angles in radians. Times are in growth cycles, see age.h, but
+/// for those that say years; in_cycles() turns these into cycles, which a grove counts by.
 struct Species {
+  double pace = 1;                             ///< cycles a year while it is young
+  double youth = 12;                           ///< years up to which it keeps that pace
   double internode = 0.10;                     ///< length of an ordinary one
-  int longest_shoot = 7;                       ///< internodes that one bud makes in a year at most
+  int longest_shoot = 7;                       ///< internodes that one bud makes in a cycle at most
   int longest_branch_shoot = 0;                ///< the same on branches; 0: as on the stem
   double branching_angle = radians(48.0);      ///< between a shoot and the axis it leaves
   double angle_jitter = radians(8.0);          ///< random change of it, either way
@@ -34,11 +37,11 @@ struct Species {
   double wander = radians(5.0);  ///< random bend from internode to internode
 
   Sharing sharing = Sharing::borchert_honda;
-  double vigour = 2.6;              ///< internodes a year for each fully lit bud, before sharing
+  double vigour = 2.6;              ///< internodes a cycle for each fully lit bud, before sharing
   double apical_control = 0.6;      ///< 0.45 bushy .. 0.6 .. 0.85 a leading stem
   double apical_control_old = 0.5;  ///< what it becomes at maturity
   double branch_control = 0;        ///< added to it on branches
-  double maturity = 18;             ///< years
+  double maturity = 20;             ///< years, up to that
 
   double light_pull = 0.35;      ///< weight of the direction of most light
   double tropism = 0.35;         ///< of the stem: upward > 0, downward < 0

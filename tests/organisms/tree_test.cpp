@@ -68,10 +68,10 @@ TEST(Tree, HangingSprigsHang) {
 
 TEST(Tree, YearsFollowTheFilm) {
   Growth growth{2, 10, 0, 0.3};
-  EXPECT_EQ(year_at(growth, 20, 0), 0);
-  EXPECT_NEAR(year_at(growth, 20, 7), 10.25, 1e-9);
-  EXPECT_NEAR(year_at(growth, 20, 99), 20.5, 1e-9);
-  EXPECT_NEAR(year_at({}, 20, 0), 20.5, 1e-9);
+  EXPECT_EQ(cycle_at(growth, 20, 0), 0);
+  EXPECT_NEAR(cycle_at(growth, 20, 7), 10.25, 1e-9);
+  EXPECT_NEAR(cycle_at(growth, 20, 99), 20.5, 1e-9);
+  EXPECT_NEAR(cycle_at({}, 20, 0), 20.5, 1e-9);
 }
 
 TEST(Tree, YoungerOnesBeginLater) {
@@ -81,7 +81,7 @@ TEST(Tree, YoungerOnesBeginLater) {
   sites[1].foot = Vec3(30, 0, 0);
   sites[1].age = 0.5;
   Grove grove = grow_trees(sites, true, Seed{1});
-  EXPECT_EQ(grove.years, 12);
+  EXPECT_EQ(grove.cycles, 12);
   EXPECT_EQ(grove.trees[1].born[0], 6);
   EXPECT_LT(grove.trees[1].size(), grove.trees[0].size() / 2);
   Model early = tree_model(params, grove.trees[1], 5, {}, Seed{1});
@@ -164,7 +164,7 @@ TEST(Tree, StubsGoWithoutAJump) {
 
 TEST(Tree, BareWoodStandsAtTheEndsOfStubs) {
   TreeParams params = sapling();
-  params.years = 40, params.species.clear_trunk = 8;
+  params.years = 124, params.species.clear_trunk = 8;
   TreeParams plain = params;
   plain.knots = 0;
   Model with = grow_tree(params, Seed{3}), without = grow_tree(plain, Seed{3});

@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "dress/describe.h"
 #include "dress/picture_bounds.h"
+#include "grove/age.h"
 #include "organisms/kinds.h"
 #include "organisms/tree/tree.h"
 
@@ -40,16 +41,21 @@ void describe(Visitor& v, Wood& w) {
            "Stiffness of the wood; the smaller, the more new shoots sag");
   v.number("leaf_mass", w.leaf_mass, {.min = 0, .max = 20, .unit = "kg/m2"},
            "Mass of a square metre of leaves");
-  v.number("deadwood", w.deadwood, {.min = 0.1, .max = 200, .unit = "years"},
-           "How long a dead twig stays on the tree; thicker wood stays longer");
+  v.number("deadwood", w.deadwood, {.min = 0.1, .max = 200},
+           "For how many growth cycles a dead twig stays on the tree; thicker wood stays longer");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Species& s) {
   v.number("internode", s.internode, {.min = 0.005, .max = 2, .unit = "m"},
            "Length of an ordinary internode, from bud to bud");
+  v.number(
+      "pace", s.pace, {.min = 0.05, .max = 4},
+      "Growth cycles that it goes through in a year while it is young; one makes the shoots of a good year");
+  v.number("youth", s.youth, {.min = 1, .max = 1000, .unit = "years"},
+           "Age up to which it keeps that pace; after it a cycle takes the more years the older the tree is");
   v.integer("longest_shoot", s.longest_shoot, {.min = 1, .max = 60},
-            "Number of internodes that a shoot grows in a year, at most");
+            "Number of internodes that a shoot grows in a cycle, at most");
   v.integer("longest_branch_shoot", s.longest_branch_shoot, {.min = 0, .max = 60},
             "The same for shoots on branches; 0 is as on the stem");
   v.angle("branching_angle", s.branching_angle, {.min = 0, .max = 150},
@@ -64,7 +70,7 @@ void describe(Visitor& v, Species& s) {
   v.angle("wander", s.wander, {.min = 0, .max = 60}, "Random bend from internode to internode");
   v.choice("sharing", s.sharing, kSharings, "How buds share what the light brings");
   v.number("vigour", s.vigour, {.min = 0.1, .max = 20},
-           "Number of internodes that a bud in full light grows a year");
+           "Number of internodes that a bud in full light grows in a cycle");
   v.number("apical_control", s.apical_control, {.min = 0.02, .max = 0.98},
            "How far the leading shoot goes before its side shoots: 0.45 bushy, 0.6 even, 0.85 a single stem");
   v.number("apical_control_old", s.apical_control_old, {.min = 0.02, .max = 0.98},
@@ -84,8 +90,10 @@ void describe(Visitor& v, Species& s) {
            "How much shade branches bear: 0 sheds what is shaded, 1 keeps it");
   v.number("leaf_area", s.leaf_area, {.min = 0, .max = 1, .unit = "m2"},
            "Area of one internode's leaves, which casts the shade");
-  v.integer("leaf_years", s.leaf_years, {.min = 1, .max = 20}, "How long an internode bears leaves");
-  v.integer("bud_years", s.bud_years, {.min = 0, .max = 200}, "How long a bud may sleep before it dies");
+  v.integer("leaf_years", s.leaf_years, {.min = 1, .max = 20},
+            "For how many growth cycles an internode bears leaves");
+  v.integer("bud_years", s.bud_years, {.min = 0, .max = 200},
+            "For how many growth cycles a bud may sleep before it dies");
   v.number("clear_trunk", s.clear_trunk, {.min = 0, .max = 60, .unit = "m"},
            "Length of the stem that loses its branches as the tree grows up");
   v.number("height", s.height, {.min = 0.1, .max = 150, .unit = "m"}, "Height near which growth ceases");
@@ -156,7 +164,7 @@ void describe(Visitor& v, TreeParams& t) {
   v.object("coat", t.coat, "A picture of bark on the trunk and the larger branches, which are meshes then");
   v.object("season", t.season, "The course of the year for its leaves; without it they stay as they are");
   v.object("wave", t.wave, "Swaying in the wind");
-  v.object("growth", t.growth, "When its years pass in the film");
+  v.object("growth", t.growth, "When it grows in the film, all cycles in the same time");
 }
 
 namespace {
@@ -168,35 +176,37 @@ constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a f
 constexpr double kToldBy = 20'000;
 
 /// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once its crown is
-/// closed it grows about as much each year, and less when it is as tall as it will be. So it is grown
-/// until then, in two or three goes, and the years that are left are reckoned.
+/// closed it grows about as much each cycle, and less when it is as tall as it will be. So it is grown
+/// until then, in two or three goes, and the cycles that are left are reckoned.
 double foresee_tree(const TreeParams& params, Seed seed) {
   TreeParams young = params;
+  young.species = in_cycles(params.species);
+  const int cycles = cycles_of(params);
   double before = 0, nodes = 0, tall = 0;
   int since = 0;
-  young.years = std::min(params.years, 10);
+  young.years = std::min(cycles, 10);
   for (;;) {
     Skeleton s = grow_tree(young, seed).skeleton;
     before = nodes;
     nodes = static_cast<double>(s.size());
     for (const Vec3& p : s.position) tall = std::max<double>(tall, p.y);
-    if (young.years == params.years || nodes > kToldBy) break;
+    if (young.years == cycles || nodes > kToldBy) break;
     since = young.years;
-    // A crown that is not closed yet grows by a third to a half in a year.
+    // A crown that is not closed yet grows by a third to a half in a cycle.
     int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
-    young.years = std::min(params.years, young.years + more);
+    young.years = std::min(cycles, young.years + more);
   }
-  if (young.years == params.years) return nodes;
-  double added = (nodes - before) / std::max(1, young.years - since), left = params.years - young.years;
+  if (young.years == cycles) return nodes;
+  double added = (nodes - before) / std::max(1, young.years - since), left = cycles - young.years;
   double rising = std::clamp(young.years * (params.species.height / std::max(tall, 0.1) - 1), 0.0, left);
   // It added less while its crown was still closing.
   return nodes + added * (1.25 * rising + 0.75 * (left - rising));
 }
 
-Filming filming_of(const Growth& growth, int years, double time) {
+Filming filming_of(const Growth& growth, int cycles, double time) {
   Filming filming;
   if (growth.duration <= 0) return filming;
-  filming.seconds_a_year = growth.duration / (years + 0.5);
+  filming.seconds_a_year = growth.duration / (cycles + 0.5);
   filming.overtime = std::max(0.0, time - growth.start - growth.duration);
   return filming;
 }
@@ -232,7 +242,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     tree.nodes = foresee_tree(params, seed);
     tree.word.modules = tree.word.segments = tree.nodes;
     if (params.leaves.size > 0) tree.organs = tree.parts = 1.1 * tree.nodes;
-    tree.nodes_a_second = kTreeNodesASecond * 20 / std::max(20, params.years);
+    tree.nodes_a_second = kTreeNodesASecond * 20 / std::max(20, cycles_of(params));
     return tree;
   }
   double tallest() const override { return params.species.height; }
@@ -278,7 +288,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       tree.name = bed->organism->name;
       tree.entry = bed->entry;
       put_on(tree, grower.dress(), world, planting->seed);
-      stand(tree, *sites[i].params, std::move(grove.trees[i]), grove.years, world,
+      stand(tree, *sites[i].params, std::move(grove.trees[i]), grove.cycles, world,
             planting->seed.child("look"));
       step();
     });
@@ -298,7 +308,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
                        age * own.child(2).range(0.75, 0.95), own.child("tree")});
     }
     Grove grove = grow_trees(sites, false, seed.child("weather"));
-    return tree_model(params, grove.trees[0], year_at({}, grove.years, 0), {}, seed.child("look"));
+    return tree_model(params, grove.trees[0], cycle_at({}, grove.cycles, 0), {}, seed.child("look"));
   }
   float copy_depth(const Model& model) const override {
     return model.skeleton.size() == 0 ? 0 : 0.3f * model.skeleton.radius[0];
@@ -310,16 +320,17 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   }
 
   /// Gives a tree its model, and its life where that is filmed.
-  static void stand(Specimen& tree, const TreeParams& params, GrownTree&& grown, int years,
+  static void stand(Specimen& tree, const TreeParams& params, GrownTree&& grown, int cycles,
                     const World& world, Seed look) {
     bool grows = world.filmed() && params.growth.duration > 0;
-    double year = world.filmed() ? years + 0.5 : year_at(params.growth, years, world.film_length());
-    tree.model = tree_model(params, grown, year, filming_of(params.growth, years, 0), look);
+    double cycle = world.filmed() ? cycles + 0.5 : cycle_at(params.growth, cycles, world.film_length());
+    tree.model = tree_model(params, grown, cycle, filming_of(params.growth, cycles, 0), look);
     if (!grows) return;
     tree.life.held = grown.held();
-    tree.life.develop = [params, grown = std::make_shared<const GrownTree>(std::move(grown)), years, look,
+    tree.life.develop = [params, grown = std::make_shared<const GrownTree>(std::move(grown)), cycles, look,
                          growth = tree.motion.growth](double time) -> Result<Model> {
-      return tree_model(params, *grown, year_at(growth, years, time), filming_of(growth, years, time), look);
+      return tree_model(params, *grown, cycle_at(growth, cycles, time), filming_of(growth, cycles, time),
+                        look);
     };
   }
 };

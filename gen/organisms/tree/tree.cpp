@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grove/age.h"
 #include "grove/bodies.h"
 #include "organisms/tree/knots.h"
 
@@ -10,7 +11,7 @@ namespace frond {
 
 namespace {
 
-constexpr double kSummer = 0.5;          // of a year: when it is looked at in the end
+constexpr double kSummer = 0.5;          // of a cycle: when it is looked at in the end
 constexpr float kSmallestSprig = 0.04f;  // share of its size
 constexpr int kRootNodes = 5;
 
@@ -145,24 +146,27 @@ LeafLook pictured_leaves(const TreeParams& params) {
   return params.season ? with_seasons(look, *params.season) : look;
 }
 
-double year_at(const Growth& growth, int years, double time) {
-  double end = years + kSummer;
+double cycle_at(const Growth& growth, int cycles, double time) {
+  double end = cycles + kSummer;
   if (growth.duration <= 0) return time >= growth.start ? end : 0;
   return end * std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
 }
+
+int cycles_of(const TreeParams& params) { return growth_cycles(params.species, params.years); }
 
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
                  std::span<const Surface> bodies) {
   Grove grove;
   std::vector<Seedling> seedlings;
   for (const TreeSite& site : sites) {
-    int age = std::max(1, static_cast<int>(std::lround(site.params->years * site.age)));
-    grove.years = std::max(grove.years, age);
-    seedlings.push_back({site.params->species, site.foot, site.lean * Vec3(0, 1, 0), site.seed, age});
+    const Species& species = site.params->species;
+    int age = std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age)));
+    grove.cycles = std::max(grove.cycles, age);
+    seedlings.push_back({in_cycles(species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, age});
   }
-  for (Seedling& seedling : seedlings) seedling.planted = grove.years - seedling.planted;
+  for (Seedling& seedling : seedlings) seedling.planted = grove.cycles - seedling.planted;
   GroveOptions options;
-  options.years = grove.years;
+  options.years = grove.cycles;
   options.seed = weather;
   options.history = history;
   if (!sites.empty()) {
@@ -198,7 +202,7 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
 Model grow_tree(const TreeParams& params, Seed seed) {
   TreeSite site{&params, Vec3(0), Quat(1, 0, 0, 0), 1, seed.child("tree")};
   Grove grove = grow_trees({&site, 1}, false, seed.child("weather"));
-  return tree_model(params, grove.trees[0], year_at({}, grove.years, 0), {}, seed.child("look"));
+  return tree_model(params, grove.trees[0], cycle_at({}, grove.cycles, 0), {}, seed.child("look"));
 }
 
 }  // namespace frond

@@ -54,7 +54,7 @@ struct TreeSite {
 
 /// A grove as it grew: one tree a site.
 struct Grove {
-  int years = 0;
+  int cycles = 0;  ///< of growth, see grove/age.h: those of the tree that has gone through most
   std::vector<GrownTree> trees;
 };
 
@@ -63,13 +63,16 @@ struct Grove {
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
                  std::span<const Surface> bodies = {});
 
-/// A tree at a time in years of the grove, where it stands: branches, sprigs of leaves. Past the last year it
-/// is the summer after.
-Model tree_model(const TreeParams& params, const GrownTree& tree, double year, const Filming& filming,
+/// A tree at a time in cycles of the grove, where it stands: branches, sprigs of leaves. Past the last cycle
+/// it is the summer after.
+Model tree_model(const TreeParams& params, const GrownTree& tree, double cycle, const Filming& filming,
                  Seed seed);
 
-/// The year of a grove that a film has reached; the last summer where the tree does not grow in the film.
-double year_at(const Growth& growth, int years, double time);
+/// The growth cycles that a tree of these parameters goes through.
+int cycles_of(const TreeParams& params);
+
+/// The cycle of a grove that a film has reached; the last summer where the tree does not grow in the film.
+double cycle_at(const Growth& growth, int cycles, double time);
 
 /// Its leaves as pictures, in all seasons; they must be pictures.
 LeafLook pictured_leaves(const TreeParams& params);
