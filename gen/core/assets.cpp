@@ -39,11 +39,12 @@ std::optional<fs::path> Assets::allowed(const fs::path& path) const {
   return inside ? std::optional(real) : std::nullopt;
 }
 
-Result<NamedFile> Assets::read(const std::string& name, const fs::path& folder) const {
+Result<NamedFile> Assets::read(const std::string& name, const fs::path& named_in) const {
+  const fs::path folder = named_in.empty() ? "." : named_in;
   if (name.empty()) return Error{"", "no file is named; expected the name of one"};
   // To the system a name would end at a zero byte, and another file would be read than was judged.
   if (name.find('\0') != name.npos) return Error{"", "no file has a zero byte in its name"};
-  std::vector<fs::path> places{folder / name};
+  std::vector<fs::path> places{named_in / name};
   if (fs::path(name).is_relative()) places.push_back(only_ ? *only_ / name : fs::path(name));
   bool outside = false;
   for (const fs::path& path : places) {
@@ -63,8 +64,8 @@ Result<NamedFile> Assets::read(const std::string& name, const fs::path& folder) 
   if (places.size() == 1) return Error{"", fmt::format("there is no file {}", name)};
   std::error_code error;
   fs::path second = only_ ? *only_ : fs::current_path(error);
-  return Error{"", fmt::format("there is no file \"{}\"; looked for in {} and in {}", name, folder.string(),
-                               second.string())};
+  std::string where = fs::equivalent(folder, second, error) ? "" : folder.string() + " and in ";
+  return Error{"", fmt::format("there is no file \"{}\"; looked for in {}{}", name, where, second.string())};
 }
 
 }  // namespace frond

@@ -23,8 +23,9 @@ class Assets {
   /// `preset` is the path of the file that is read first.
   explicit Assets(const std::filesystem::path& preset, const std::optional<std::filesystem::path>& only = {});
 
-  /// The file of that name, named in one that lies in `folder`. An error has no place: it is about the value
-  /// that names the file, and says where it was looked for. It shows nothing that stands in a file.
+  /// The file of that name, named in one that lies in `folder`, the working folder where that is empty. An
+  /// error has no place: it is about the value that names the file, and says where it was looked for. It
+  /// shows nothing that stands in a file.
   Result<NamedFile> read(const std::string& name, const std::filesystem::path& folder) const;
   /// Named in the preset itself.
   Result<NamedFile> read(const std::string& name) const { return read(name, folder_); }

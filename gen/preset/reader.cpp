@@ -29,7 +29,12 @@ void Reader::shorthand(std::string_view name) { frames_.back().bare = name; }
 
 std::optional<NamedFile> Reader::file_at(const Value& value) {
   if (value.text.empty()) return std::nullopt;
-  Result<NamedFile> file = assets_->read(value.text);
+  // A base or a species names its files as seen from its own folder.
+  const Origin& origin = value.origin;
+  bool written = origin.source && origin.line > 0;
+  Result<NamedFile> file =
+      written ? assets_->read(value.text, std::filesystem::path(*origin.source).parent_path())
+              : assets_->read(value.text);
   if (file) return std::move(*file);
   for (const Error& error : file.errors()) faults_.add({value.origin, pointer_, error.text()});
   return std::nullopt;
@@ -56,8 +61,14 @@ void Reader::given(std::string_view name, bool& out) const {
 
 void Reader::required(std::string_view name) {
   const Value& object = *frames_.back().value;
-  if (partial_ || !object.is(Value::Type::object) || object.find(name)) return;
-  faults_.add({object.origin, pointer_, fmt::format("no \"{}\"; expected this property to be given", name)});
+  if (partial_ || !object.is(Value::Type::object)) return;
+  const Value* given = object.find(name);
+  if (!given)
+    faults_.add(
+        {object.origin, pointer_, fmt::format("no \"{}\"; expected this property to be given", name)});
+  else if (given->is(Value::Type::text) && given->text.empty())
+    faults_.add(
+        {given->origin, pointer_step(pointer_, name), "is empty; expected this property to be given"});
 }
 
 void Reader::leave() {

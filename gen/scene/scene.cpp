@@ -109,7 +109,8 @@ class Gardener {
       std::ranges::copy_if(beds, std::back_inserter(growing),
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
       if (stage == GrowthStage::in_space) {
-        if (Errors errors = settle_colonies(growing, world, notes); !errors.empty()) return errors;
+        if (Errors errors = settle_colonies(growing, world, notes); !errors.empty())
+          return placed(errors, "");
         for (const Bed& bed : growing)  // those that found no room are done
           for (std::size_t i = bed.plantings.size(); i < steps_of(bed); ++i) watch_.step();
       }
@@ -172,13 +173,33 @@ class Gardener {
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
               std::vector<Specimen>& specimens) {
     if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
-    for (Result<Specimen>& one : beds.front().organism->grower->grow(beds, world, watch_.step)) {
-      if (!one) return one.errors();
-      assert(one->check().empty() && "before others build on it");
-      specimens.push_back(std::move(*one));
+    std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i]) return placed(all[i].errors(), fmt::format("/organisms/{}", entry_of(beds, i)));
+      assert(all[i]->check().empty() && "before others build on it");
+      specimens.push_back(std::move(*all[i]));
     }
     if (nursery_) nursery_->keep(key, specimens);
     return {};
+  }
+
+  /// The entry that the i-th of what some beds have grown belongs to.
+  static std::size_t entry_of(const std::vector<Bed>& beds, std::size_t i) {
+    for (const Bed& bed : beds) {
+      std::size_t count = finds_its_way(bed.organism->grower->stage()) ? 1 : bed.plantings.size();
+      if (i < count) return bed.entry;
+      i -= count;
+    }
+    return beds.back().entry;
+  }
+
+  /// Errors whose `where` is a pointer below another one, at their places in the preset. What names a file
+  /// keeps it.
+  Errors placed(Errors errors, const std::string& below) const {
+    for (Error& error : errors)
+      if (error.where.empty() || (error.where[0] == '/' && error.where.find(':') == error.where.npos))
+        error = fault_at(preset_, below + error.where, error.what);
+    return errors;
   }
 
   /// All that the specimens of some beds depend on. Of the land, what stands by itself takes the height of

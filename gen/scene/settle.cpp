@@ -48,12 +48,15 @@ bool is_free(const std::vector<Settled>& settled, Vec3 at, float room) {
                               [&](const Settled& s) { return glm::distance(s.foot, at) < s.room + room; });
 }
 
+/// An error's `where` is a pointer into the preset.
 Errors settle_on_bodies(Bed& bed, const World& world, std::vector<Settled>& settled,
                         std::vector<std::string>& notes) {
   const Organism& organism = *bed.organism;
   const Place& place = organism.place;
   Result<std::shared_ptr<const Host>> host = world.host(place.on, organism.name);
-  if (!host) return host.errors();
+  if (!host)
+    return {Error{fmt::format("/organisms/{}/place/on", bed.entry),
+                  host.errors().front().what + "; expected bodies to stand on, such as rocks"}};
   auto room = static_cast<float>(place.spacing);
   for (Planting& planting : bed.plantings) {  // those of `at`
     DVec3 at(planting.foot);

@@ -32,7 +32,9 @@ Errors take_style(Specimen& b, const Style& style) {
 Errors take_styles(Scene& scene, const Preset& preset) {
   for (Specimen& b : scene.specimens) {
     if (b.entry >= preset.organisms.size()) continue;  // of the setting itself
-    if (Errors errors = take_style(b, preset.organisms[b.entry].style); !errors.empty()) return errors;
+    Errors errors = take_style(b, preset.organisms[b.entry].style);
+    for (Error& error : errors) error = fault_at(preset, error.where, error.what);
+    if (!errors.empty()) return errors;
   }
   return {};
 }

@@ -35,6 +35,18 @@ class AssetsTest : public testing::Test {
   fs::path top_;
 };
 
+TEST_F(AssetsTest, NamesTheFoldersInWhichItLooked) {
+  std::string here = fs::current_path().string();
+  EXPECT_EQ(
+      read(Assets(top_ / "mine/preset.json"), "none.obj"),
+      "error: there is no file \"none.obj\"; looked for in " + (top_ / "mine").string() + " and in " + here);
+  // A preset in the working folder is named without one.
+  EXPECT_EQ(read(Assets("preset.json"), "none.obj"),
+            "error: there is no file \"none.obj\"; looked for in " + here);
+  EXPECT_EQ(Assets("preset.json").read("none.obj", "").errors()[0].what,
+            "there is no file \"none.obj\"; looked for in " + here);
+}
+
 TEST_F(AssetsTest, WithAFolderOfAssetsNothingElseIsRead) {
   Assets assets(top_ / "mine/preset.json", top_ / "shared");
   EXPECT_EQ(read(assets, "a.obj"), "mine/a.obj");

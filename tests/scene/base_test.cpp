@@ -76,6 +76,23 @@ TEST_F(Base, ThatIsNotThereIsOneMessage) {
   EXPECT_NE(preset.errors().front().text().find("/base: "), std::string::npos);
 }
 
+/// Whoever builds on it need not stand where it stands.
+TEST_F(Base, FilesThatItNamesAreSeenFromItsOwnFolder) {
+  put("lib/house.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put("lib/house.json", R"({"organisms": [{"kind": "mesh", "file": "house.obj"}]})");
+  put("mine/above.json", R"({"base": "../lib/house.json", "title": "mine"})");
+  put("mine/species.json", R"({"organisms": [{"species": "../lib/house.json", "size": 2}]})");
+  for (const char* name : {"mine/above.json", "mine/species.json"}) {
+    Result<Preset> preset = read(name);
+    ASSERT_TRUE(preset) << preset.errors().front().text();
+    EXPECT_EQ(preset->files.back().filename(), "house.obj");
+  }
+  // What lies over it counts from where that lies, and so does what the command line says.
+  put("mine/hut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_TRUE(read("mine/above.json", {"/organisms/0/file=hut.obj"}));
+  EXPECT_FALSE(read("lib/house.json", {"/organisms/0/file=hut.obj"}));
+}
+
 TEST_F(Base, MayBeSet) {
   put("a.json", R"({"seed": 5, "organisms": []})");
   put("b.json", R"({"title": "b"})");

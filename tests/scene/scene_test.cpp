@@ -289,5 +289,22 @@ TEST(Scene, IsWhatItPromises) {
   }
 }
 
+/// What only growing finds is told at its place, as all else.
+TEST(Scene, TellsWhereWhatCannotGrowStandsInThePreset) {
+  auto said = [](const std::string& ivy) {
+    Result<Scene> scene = build_scene(preset_of(R"({"scene": {"setting": "meadow"}, "organisms": [
+ {"kind": "tree", "name": "tree", "years": 2},
+ {"kind": "wall", "name": "wall"},
+ {"kind": "ivy", "name": "vine", )" + ivy + "}]}"));
+    return scene ? std::string() : scene.errors().front().text();
+  };
+  EXPECT_EQ(said(R"("on": ["wall"])"), "");
+  std::string box = said(R"("on": ["wall"], "crawl": {"low": [50, 0, 50], "high": [60, 9, 60]})");
+  EXPECT_TRUE(box.starts_with("test.json:4:59: /organisms/2/crawl: its box, from low to high, misses"))
+      << box;
+  std::string bare = said(R"("on": ["tree"])");
+  EXPECT_TRUE(bare.starts_with("test.json:4:40: /organisms/2/on: none of the 0 triangles")) << bare;
+}
+
 }  // namespace
 }  // namespace frond

@@ -233,7 +233,7 @@ body_preset() {
   "$frond" check there/preset.json
   run "$frond" derive there/grammar.json --assets there
   [ "$status" -eq 2 ]
-  [[ "$output" == 'there/grammar.json:1:35: /guide/file: there is no file "way.obj"; looked for in there and in there' ]]
+  [[ "$output" == 'there/grammar.json:1:35: /guide/file: there is no file "way.obj"; looked for in there' ]]
 }
 
 @test "nothing of a preset steers the terminal, and messages are short but keep their place" {

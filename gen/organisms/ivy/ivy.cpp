@@ -1,5 +1,7 @@
 #include "organisms/ivy/ivy.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "organisms/ivy/ivy_rest.h"
@@ -40,6 +42,20 @@ std::vector<std::int32_t> bark_ages(const Skeleton& s, std::size_t colors, doubl
   return age;
 }
 
+/// Why nothing of it grows; a pointer below the organism and the reason.
+Error rootless(const Crawl& crawl, const Host& host) {
+  DVec3 low = host.low(), high = host.high();
+  auto corner = [](const DVec3& at) { return fmt::format("[{:.3g}, {:.3g}, {:.3g}]", at.x, at.y, at.z); };
+  if (glm::any(glm::greaterThan(DVec3(crawl.low), high)) || glm::any(glm::lessThan(DVec3(crawl.high), low)))
+    return {"/crawl",
+            fmt::format("its box, from low to high, misses what the ivy grows on; expected one that "
+                        "holds some of what lies from {} to {}",
+                        corner(low), corner(high))};
+  return {"",
+          "finds no place to root; expected place.at near what it grows on, another above and facing, or a "
+          "larger box in crawl"};
+}
+
 }  // namespace
 
 Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
@@ -48,9 +64,7 @@ Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& 
   std::vector<Start> starts = starts_of(params, under, roots, count, seed);
   Ivy ivy;
   ivy.strands = grow_strands(host, starts, params.crawl, seed.child("crawl"), ground);
-  if (ivy.strands.size() < 2)
-    return Error{
-        "", "finds no place to root; expected place.at near what it grows on, or another above and facing"};
+  if (ivy.strands.size() < 2) return rootless(params.crawl, host);
   ivy.model.skeleton = ivy.strands.skeleton;
   ivy.model.color = bark_ages(ivy.model.skeleton, params.bark.colors.size(), params.crawl.radius);
   add_ivy_leaves(ivy.model, ivy.strands, params.leaves, under, seed.child("leaves"));

@@ -135,6 +135,11 @@ class IvyGrower final : public Described<IvyParams, Grower> {
   bool stands_on_rock() const override { return false; }
   Errors check() const override {
     const Crawl& crawl = params.crawl;
+    for (int axis = 0; axis < 3; ++axis)
+      if (crawl.low[axis] > crawl.high[axis])
+        return {{fmt::format("/crawl/high/{}", axis),
+                 fmt::format("found {:g}, below the {:g} of low; expected a box that holds something",
+                             crawl.high[axis], crawl.low[axis])}};
     if (crawl.lure == Lure::point || crawl.bias <= 0 || glm::length(crawl.toward) >= 1e-3f) return {};
     return {{"/crawl/toward", "found a vector of length 0; expected the direction that strands turn to"}};
   }
@@ -185,19 +190,15 @@ class IvyGrower final : public Described<IvyParams, Grower> {
  private:
   Result<Specimen> grow_bed(const Bed& bed, const World& world) const {
     const Organism& organism = *bed.organism;
-    auto named = [&](Errors errors) {
-      for (Error& error : errors)
-        error.where = organism.name.empty() ? fmt::format("organism {}", bed.entry) : organism.name;
-      return errors;
-    };
     auto ground = [&](double x, double z) { return (*world.ground())(x, z); };
     IvyRoots roots;
     for (Vec2 at : organism.place.at)
       roots.emplace_back(at.x, ground(at.x, at.y) + organism.place.raise, at.y);
     auto host = world.host(params.on, "what the ivy grows on");
-    if (!host) return named(host.errors());
+    if (!host)
+      return Error{"/on", host.errors().front().what + "; expected bodies to grow on, such as walls"};
     Result<Ivy> ivy = grow_ivy(params, **host, roots, organism.count, ground, bed.seed.child("grow"));
-    if (!ivy) return named(ivy.errors());
+    if (!ivy) return ivy.errors();
     Specimen specimen{{organism.name, bed.entry}, std::move(ivy->model)};
     Dress worn = dress();
     specimen.look = worn.look;
