@@ -47,6 +47,42 @@ test('a slider changes the model, undo brings it back, and saving keeps the comm
   assert.deepEqual(page.faults, []);
 });
 
+test('numbers are reckoned, and what is none stays and is told of', async () => {
+  const box = number(page, 'height'), row = page.getByTestId('row:organism/height');
+  await box.fill('70cm*2');
+  await box.press('Enter');
+  assert.equal(await box.inputValue(), '1.4');
+  await box.fill('1,5');
+  await box.press('ArrowUp');
+  assert.equal(await box.inputValue(), '1.6');
+  await box.fill('2 feet');
+  await box.press('Enter');
+  await row.locator('p.fault', {hasText: 'no unit of m'}).waitFor();
+  await slider(page, 'height').focus();
+  assert.equal(await box.inputValue(), '2 feet');
+  assert.equal(await box.getAttribute('aria-invalid'), 'true');
+  await box.focus();
+  await box.press('Escape');
+  assert.equal(await box.inputValue(), '1.6');
+  assert.equal(await row.locator('p.fault').textContent(), '');
+});
+
+test('the scene shows the groups of its setting alone', async () => {
+  await page.getByTestId('part:scene').click();
+  await page.getByTestId('group:scene/studio').waitFor();
+  for (const other of ['water', 'forest', 'garden', 'meadow', 'floor']) assert.equal(await page.getByTestId(`group:scene/${other}`).count(), 0, other);
+  await page.locator('[data-testid="row:scene/setting"] select').selectOption('forest');
+  await page.getByTestId('group:scene/forest').waitFor();
+  assert.equal(await page.getByTestId('group:scene/meadow').count(), 1, 'its clouds are those');
+  assert.equal(await page.getByTestId('group:scene/water').count(), 0);
+});
+
+test('the grammar tells of its size in figures', async () => {
+  await page.getByTestId('tab:grammar').click();
+  const figures = page.getByTestId('derive-figures');
+  await figures.getByText(/The whole: [\d,]+ symbols, [\d,]+ segments/).waitFor();
+});
+
 test('a wrong rule is told of at its place', async () => {
   const was = await parts(page);
   await page.getByTestId('tab:grammar').click();

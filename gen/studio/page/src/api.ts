@@ -49,7 +49,7 @@ export interface Derived {
   steps: number;
   tree: string | null;
   svg: string | null;
-  predicted: { modules: number; nodes: number } | null;
+  predicted: { modules: number; segments: number } | null;
 }
 export type Quality = "draft" | "good" | "best";
 export interface RenderState {

@@ -4,13 +4,15 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { parse } from "jsonc-parser";
-import { scaleOf, valueAt } from "../src/controls/scale";
+import { reckon } from "../src/controls/reckon";
+import { scaleOf, usualScale, valueAt } from "../src/controls/scale";
 import { insertAt, removeAt, setAt } from "../src/edits";
 import { valueAtTime, withKey } from "../src/keyframes";
 import { getAt, isObject, type Path } from "../src/pointer";
 import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
+import { sizeFor } from "../src/film_size";
 import { enlarged, everyOf, firstOf, LARGEST } from "../src/view/thinning";
 
 const TEXT = `{
@@ -188,4 +190,39 @@ test("a file is named as seen from another", () => {
   assert.equal(relativeTo("/a/b/x.json", "/a/b/s/y.json"), "s/y.json");
   assert.equal(relativeTo("/a/b/x.json", "/a/c/y.json"), "../c/y.json");
   assert.equal(beside("/a/b/x.json", relativeTo("/a/b/x.json", "/q/y.json")), "/q/y.json");
+});
+
+test("numbers are read as people type them", () => {
+  const read: [string, string, number][] = [
+    ["1,5", "", 1.5], ["1.5", "", 1.5], ["1.234,5", "", 1234.5], ["1,234.5", "", 1234.5], ["1.234.567", "", 1234567], [",5", "", 0.5],
+    ["2*0.7", "", 1.4], ["2 * 0,7", "", 1.4], ["(1+2)/4", "", 0.75], ["-3--1", "", -2], ["−2", "", -2], ["1e-3", "", 0.001], ["3*0.1", "", 0.3],
+    ["50cm", "m", 0.5], ["5 mm", "m", 0.005], ["1.2 km", "m", 1200], ["1m+20cm", "m", 1.2], ["(1+1)cm", "m", 0.02], ["90°", "°", 90], ["30 deg", "°", 30], ["50%", "", 0.5],
+  ];
+  for (const [text, unit, value] of read) assert.deepEqual(reckon(text, unit), { value }, text);
+});
+
+test("what is no number is told of", () => {
+  for (const [text, unit] of [["", ""], ["abc", ""], ["1..2", ""], ["2*", ""], ["(1", ""], ["1)", ""], ["5 cm", "°"], ["5 kg", "m"], ["3cm", ""], ["1/0", ""]] as const)
+    assert.ok("wrong" in reckon(text, unit), text);
+});
+
+test("a slider reaches what one usually wants, and what is typed beyond it", () => {
+  const years = fieldOf({ type: "integer", minimum: 0, maximum: 499, default: 20 }, "") as NumberField;
+  assert.deepEqual([usualScale(years, 29).low, usualScale(years, 29).high], [0, 87]);
+  assert.ok(usualScale(years, 300).high >= 300);
+  const turn = fieldOf({ type: "number", minimum: -180, maximum: 180, default: 25, description: "Turn (degrees)" }, "") as NumberField;
+  assert.deepEqual([usualScale(turn, 25).low, usualScale(turn, 25).high], [-180, 180]);
+  const share = fieldOf({ type: "number", minimum: 0, maximum: 1, default: 0.05 }, "") as NumberField;
+  assert.equal(usualScale(share, 0.05).high, 1);
+  const raise = fieldOf({ type: "number", minimum: -100, maximum: 1000, default: 0 }, "") as NumberField;
+  const scale = usualScale(raise, 0);
+  assert.deepEqual([valueAt(scale, raise, 0), valueAt(scale, raise, 1)], [-3, 3]);
+});
+
+test("pictures are rendered in the film's own shape", () => {
+  for (const name of ["film", "half", "double", "320", "1920"]) {
+    const [w, h] = sizeFor(name, [640, 480]);
+    assert.equal(w / h, 4 / 3, name);
+  }
+  assert.deepEqual(sizeFor("320", [640, 480]), [320, 240]);
 });

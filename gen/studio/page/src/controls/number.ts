@@ -3,41 +3,69 @@
 import { el, iconButton, quiet } from "../dom";
 import type { NumberField } from "../schema";
 import { isTyping, valueOf, type Control, type Place } from "./control";
-import { isBoundless, rounded, scaleOf, valueAt } from "./scale";
+import { reckon } from "./reckon";
+import { isBoundless, rounded, usualScale, valueAt } from "./scale";
 
 /** Five digits are enough to see; whole numbers have all of theirs. */
 export const shown = (value: unknown): string =>
   typeof value === "number" ? String(Number.isInteger(value) ? value : Number(value.toPrecision(5))) : String(value ?? "");
 
 /**
- * A box for a number. Up and down change it by a step, with Shift by ten; what is no number is not taken. `put` gets
- * each change, and whether the person is done with it.
+ * A box for a number, in which one may reckon: "2*0.7", "50cm". Up and down change it by a step, with Shift by ten. What is
+ * no number stays, marked and with what is wrong with it, which "misread" tells the row as well. `put` gets each change, and
+ * whether the person is done with it.
  */
 export function numberBox(label: string, field: NumberField, put: (value: number, done: boolean) => void): HTMLInputElement & { show(value: unknown): void } {
-  const box = el<HTMLInputElement>("input.number", { type: "text", inputMode: "decimal", "aria-label": label, autocomplete: "off", spellcheck: false });
+  const box = el<HTMLInputElement>("input.number", { type: "text", inputMode: "text", "aria-label": label, autocomplete: "off", spellcheck: false });
+  let last: unknown = "";
+  const mark = (wrong: string): void => {
+    if ((box.dataset.wrong ?? "") === wrong) return;
+    if (wrong) box.dataset.wrong = wrong;
+    else delete box.dataset.wrong;
+    box.setAttribute("aria-invalid", String(wrong !== ""));
+    box.title = wrong;
+    box.dispatchEvent(new CustomEvent("misread", { bubbles: true, detail: wrong }));
+  };
   const take = (): void => {
     delete box.dataset.touched;
-    const value = Number(box.value.replace(",", "."));
-    const fits = box.value.trim() !== "" && Number.isFinite(value);
-    if (fits) put(field.integer ? Math.round(value) : value, true);
-    else box.dispatchEvent(new Event("refused"));
+    const found = reckon(box.value, field.unit);
+    if ("wrong" in found) return mark(box.value.trim() ? found.wrong : "");
+    mark("");
+    last = field.integer ? Math.round(found.value) : found.value;
+    put(last as number, true);
+    box.value = shown(last);
   };
   box.addEventListener("input", () => (box.dataset.touched = "yes"));
-  box.addEventListener("change", take);
+  box.addEventListener("change", () => {
+    take();
+    // Nothing is typed: what counts is shown.
+    if (!box.value.trim()) box.value = shown(last);
+  });
   box.addEventListener("focus", () => box.select());
   box.addEventListener("keydown", (event) => {
     if (event.key === "Enter") take();
+    if (event.key === "Escape" && box.dataset.wrong) {
+      event.stopPropagation();
+      delete box.dataset.touched;
+      mark("");
+      box.value = shown(last);
+    }
     if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
     event.preventDefault();
-    const now = Number(box.value) || 0;
+    const found = reckon(box.value, field.unit);
+    const now = "value" in found ? found.value : Number(last) || 0;
     const size = field.integer ? 1 : Math.max(10 ** (Math.floor(Math.log10(Math.abs(now) || 1)) - 1), 1e-5);
     const step = size * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
     const next = Math.min(field.high, Math.max(field.low, rounded(now + step, field.integer ? 1 : size / 10)));
+    mark("");
+    last = next;
     put(next, false);
     box.value = shown(next);
   });
   const show = (value: unknown): void => {
-    if (!isTyping(box) && box.value !== shown(value)) box.value = shown(value);
+    if (isTyping(box) || box.dataset.wrong) return;
+    last = value;
+    if (box.value !== shown(value)) box.value = shown(value);
   };
   return Object.assign(box, { show });
 }
@@ -45,11 +73,11 @@ export function numberBox(label: string, field: NumberField, put: (value: number
 export function numberControl(place: Place<NumberField>): Control {
   const { field, binding, label } = place;
   const box = numberBox(label, field, (value, done) => binding.set(value, done));
-  box.addEventListener("refused", () => box.show(valueOf(place)));
   const boxed = el("span.boxed", {}, box, field.unit && el("span.unit", {}, field.unit));
   if (isBoundless(field)) return bareNumber(place, box, boxed);
 
-  const scale = scaleOf(field);
+  const valueNow = (): number => Number(valueOf(place) ?? field.low);
+  let scale = usualScale(field, valueNow());
   const slider = el<HTMLInputElement>("input.slider", { type: "range", min: "0", max: String(scale.steps), step: "1", "aria-label": `${label}, slider` });
   const fill = (): void => slider.style.setProperty("--fill", `${(100 * Number(slider.value)) / scale.steps}%`);
   const move = (done: boolean): void => {
@@ -67,12 +95,15 @@ export function numberControl(place: Place<NumberField>): Control {
   return {
     element: el("span.slide", {}, slider, boxed),
     refresh(): void {
-      const value = Number(valueOf(place) ?? field.low);
+      const value = valueNow();
       box.show(valueOf(place) ?? "");
       const said = `${shown(value)} ${field.unit}`;
       if (slider.getAttribute("aria-valuetext") === said) return;
       slider.setAttribute("aria-valuetext", said);
       if (slider.dataset.held) return;
+      // What was typed may lie beyond what the slider reaches.
+      if (value > scale.high || value < scale.low) scale = usualScale(field, value);
+      slider.max = String(scale.steps);
       slider.value = String(Math.round(scale.toWay(value) * scale.steps));
       fill();
     },

@@ -29,6 +29,13 @@ export function row(name: string, field: Field, binding: Binding, section: Secti
     fault,
   );
   if (control.wide) element.classList.add("wide");
+  // What is typed and cannot be read is told of here.
+  let misread = "";
+  element.addEventListener("misread", (event) => {
+    misread = (event as CustomEvent<string>).detail;
+    event.stopPropagation();
+    tellFaults();
+  });
 
   const actions = (): MenuItem[] => {
     const told = binding.inSpecies;
@@ -62,10 +69,14 @@ export function row(name: string, field: Field, binding: Binding, section: Secti
     dot.classList.toggle("all", now === "all" || now === "species");
     dot.toggleAttribute("disabled", !binding.canReset);
     if (scope) showScope(scope, binding, spelled(name));
+    tellFaults();
+  };
+  const tellFaults = (): void => {
     const pointer = binding.pointer;
-    const said = section.store.faults.filter((f) => f.pointer && isWithin(f.pointer, pointer) && !isInGroup(f.pointer));
+    const said = section.store.faults.filter((f) => f.pointer && isWithin(f.pointer, pointer) && !isInGroup(f.pointer)).map((f) => f.text);
+    if (misread) said.unshift(misread);
     element.classList.toggle("wrong", said.length > 0);
-    fault.textContent = said.map((f) => f.text).join("; ");
+    fault.textContent = said.join("; ");
   };
   /** Faults in objects of a list stand at their own rows. */
   const isInGroup = (pointer: string): boolean =>

@@ -54,10 +54,33 @@ export function scaleOf(field: NumberField): Scale {
   return { ...bounds, toValue: (way) => low + way * (high - low), toWay: (value) => clamp((value - low) / (high - low), 0, 1) };
 }
 
+/** A range is wide where it goes beyond so many times of what is usual; a slider reaches so many times that. */
+const WIDE = 8;
+const REACH = 3;
+
+/** What a slider reaches of a range that is far wider than what one wants of it: about as far as the default and the value
+ *  let think. Turns and shares have all of theirs. */
+export function usualScale(field: NumberField, value: number): Scale {
+  const { low, high, integer, unit } = field;
+  const given = Math.max(Math.abs(Number(field.default ?? 0)) || 0, Math.abs(value) || 0);
+  const usual = Math.max(given || Math.min(1, high / 100), integer ? 5 : 0);
+  const whole = high <= 1 || (unit === "°" && high <= 360) || high <= WIDE * usual;
+  if (whole || isBoundless(field)) return scaleOf(field);
+  const round = (x: number): number => (integer ? Math.round(x) : Number(x.toPrecision(2)));
+  const narrow = { low: low < 0 ? Math.max(low, -round(REACH * usual)) : low, high: Math.min(high, round(REACH * usual)) };
+  const span = narrow.high - narrow.low;
+  return {
+    ...narrow,
+    steps: integer && span <= 1000 ? span : 1000,
+    toValue: (way) => narrow.low + way * span,
+    toWay: (v) => clamp((v - narrow.low) / span, 0, 1),
+  };
+}
+
 /** The value at a place of the slider, with no more digits than it can tell apart there. */
 export function valueAt(scale: Scale, field: NumberField, way: number): number {
-  if (way <= 0) return field.low;
-  if (way >= 1) return field.high;
+  if (way <= 0) return scale.low;
+  if (way >= 1) return scale.high;
   const value = scale.toValue(way);
   const near = Math.abs(scale.toValue(Math.min(1, way + 1 / scale.steps)) - value);
   return clamp(field.integer ? Math.round(value) : rounded(value, near / 2), field.low, field.high);

@@ -19,8 +19,8 @@ const STARTS: Record<string, object> = {
 export async function addOrganism(store: Store): Promise<void> {
   let file: File | null = null;
   const chosen = await dialog("Add an organism", (close) => {
-    const kinds = store.schema.kinds.map(({ value, doc }) =>
-      el("li", {}, el("button.choice", { type: "button", "data-testid": `add:${value}`, click: () => close(`kind ${value}`) }, el("strong", {}, spelled(value)), el("span", {}, doc))),
+    const kinds = store.schema.kinds.map(({ value, doc }, i) =>
+      el("li", {}, el("button.choice", { type: "button", autofocus: i === 0, "data-testid": `add:${value}`, click: () => close(`kind ${value}`) }, el("strong", {}, spelled(value)), el("span", {}, doc))),
     );
     const input = el<HTMLInputElement>("input", { type: "file", accept: ".obj", "aria-label": "OBJ file", change: () => {
       file = input.files?.[0] ?? null;

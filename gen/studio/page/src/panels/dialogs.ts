@@ -27,7 +27,8 @@ export function dialog(title: string, fill: (close: (answer: string | null) => v
     });
     document.body.append(box);
     box.showModal();
-    box.querySelector<HTMLElement>("[autofocus], .primary, input")?.focus();
+    const first = box.querySelector<HTMLElement>("[autofocus]") ?? box.querySelector<HTMLElement>(".primary, input:not([type=file])");
+    first?.focus();
   });
 }
 

@@ -92,7 +92,7 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
   }
   function showOutcome(derived: api.Derived): void {
     const counts = Object.entries(derived.counts).sort((a, b) => b[1] - a[1]).slice(0, 8).map(([s, n]) => `${s} ${grouped(n)}`).join("  ");
-    const whole = derived.predicted ? ` The whole: ${grouped(derived.predicted.modules)} symbols, ${grouped(derived.predicted.nodes)} nodes.` : "";
+    const whole = derived.predicted ? ` The whole: ${grouped(derived.predicted.modules)} symbols, ${grouped(derived.predicted.segments)} segments.` : "";
     figures.textContent = `${grouped(derived.length)} symbols after ${derived.steps} steps (${counts}).${whole}`;
     word.textContent = derived.word + (derived.length > derived.word.length ? " …" : "");
     showSvg(drawing, derived.svg);

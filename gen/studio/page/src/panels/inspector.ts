@@ -43,7 +43,7 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
   const refresh = (): void => controls.forEach((c) => c.refresh());
   const update = (): void => {
     const { selected, preset } = store;
-    const shape = typeof selected === "number" ? `${selected} ${preset.kindOf(selected)}` : `${selected} ${selected === "all" ? [...new Set(store.kinds)].join() : ""}`;
+    const shape = typeof selected === "number" ? `${selected} ${preset.kindOf(selected)}` : `${selected} ${selected === "all" ? [...new Set(store.kinds)].join() : selected === "scene" ? settingOf(store) : ""}`;
     if (shape === built) {
       if (typeof selected === "number") title.textContent = headOf(store, selected);
       return refresh();
@@ -103,7 +103,7 @@ function membersOf(store: Store): Member[] {
   }
   if (selected === "scene") {
     const part = schema.part("scene");
-    return part.type === "object" ? fieldsOf(part, new Binding(store, null, ["scene"])) : [];
+    return part.type === "object" ? sceneMembers(store, fieldsOf(part, new Binding(store, null, ["scene"]))) : [];
   }
   if (selected === "all") return sharedMembers(store);
   const kind = store.preset.kindOf(selected);
@@ -111,6 +111,27 @@ function membersOf(store: Store): Member[] {
   // Its kind is shown at its name; another kind would be another organism. The species stands above all.
   return list.filter((m) => m.name !== "kind" && m.name !== "species");
 }
+
+/** What the chosen setting heeds, and what the preset says in vain, so that it can be taken out. */
+function sceneMembers(store: Store, all: Member[]): Member[] {
+  const setting = all.find((m) => m.name === "setting");
+  const chosen = settingOf(store);
+  if (setting?.field.type !== "enum") return all;
+  const names = new Set(setting.field.options.map((o) => o.value));
+  // "Hour and land, for forest; clouds and haze are the meadow's" names whom a group is for and whose it takes as well.
+  const takes = new Set([chosen, ...[...(all.find((m) => m.name === chosen)?.field.doc ?? "").matchAll(/the (\w+)'s/g)].map((found) => found[1]!)]);
+  const isFor = (m: Member): boolean => {
+    const listed = (/\bfor ([\w, ]+)/.exec(m.field.doc)?.[1] ?? "").split(/,? and |, /).filter((word) => names.has(word));
+    return !listed.length || listed.some((word) => takes.has(word) && (word === chosen || m.name === word));
+  };
+  return all.filter((m) => isFor(m) || m.binding.get() !== undefined);
+}
+
+const settingOf = (store: Store): string => {
+  const value = new Binding(store, null, ["scene", "setting"]).get();
+  const part = store.schema.part("scene");
+  return String(value ?? (part.type === "object" ? part.fields.get("setting")?.default : "") ?? "");
+};
 
 /** Properties of all kinds that stand in the scene. */
 function sharedMembers(store: Store): Member[] {

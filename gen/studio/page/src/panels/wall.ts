@@ -2,7 +2,7 @@
 
 import type { Binding } from "../controls/binding";
 import { anySeed, numberBox, shown } from "../controls/number";
-import { isBoundless, rounded, scaleOf, valueAt } from "../controls/scale";
+import { isBoundless, rounded, usualScale, valueAt } from "../controls/scale";
 import { el, iconButton } from "../dom";
 import { setAt } from "../edits";
 import { keysOf, valueAtTime, withKey } from "../keyframes";
@@ -118,7 +118,7 @@ function tile(label: string, pick: () => void): { element: HTMLElement; picture:
 /** About a third of the slider's way to either side. */
 function rangeAbout(field: NumberField, now: number): [number, number] {
   if (isBoundless(field)) return [now, now + COUNT - 1];
-  const scale = scaleOf(field);
+  const scale = usualScale(field, now);
   const way = scale.toWay(now);
   return [valueAt(scale, field, Math.max(0, way - 0.3)), valueAt(scale, field, Math.min(1, way + 0.3))];
 }
