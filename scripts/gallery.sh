@@ -223,6 +223,47 @@ for scene in "$root"/docs/examples/*.pov; do
   printf '%s\n' "docs/gallery/$name.jpg"
 done
 
+# The grammars of presets/grammars, each before the studio's wall, with its name below.
+if (($# == 0)) || [[ " $* " == *" grammars "* ]]; then
+  mkdir -p -- "$work/grammars"
+  list=$work/grammars/list
+  : >"$list"
+  for grammar in "$root"/presets/grammars/*.json; do
+    name=$(basename -- "$grammar" .json) place=$work/grammars/$name
+    if [[ $name == algae ]]; then continue; fi # nothing that a turtle would draw
+    {
+      cat <<'TEXT'
+{
+  "seed": 2,
+  "scene": {
+    "setting": "studio",
+    "camera": {"location": [0.5, 0.75, 4], "look_at": [0, 0.5, 0], "angle": 30, "fit": ["all"]},
+    "studio": {"wall": "#e6e2d8", "distance": 0.7, "key": [-0.9, 0.85, 0.8]}
+  },
+  "organisms": [
+    {
+      "kind": "plant", "name": "all", "height": 1, "stand": "middle", "smoothing": 2,
+      "place": {"at": [[0, 0]], "lean": 0, "size_variation": 0, "turn_variation": 0},
+      "thickness": {"from": "turtle", "least": 0.004},
+      "bark": {"kind": "stem", "colors": ["#5d7a34", "#6f9a34", "#8aa846", "#b8622f", "#d8a32c", "#7450b0", "#4274b8"]},
+      "blades": {"colors": ["#5d7a34", "#6f9a34", "#8aa846", "#b8622f", "#d8a32c", "#7450b0", "#4274b8"]},
+      "grammar":
+TEXT
+      cat -- "$grammar"
+      printf '    }\n  ]\n}\n'
+    } >"$place.json"
+    "$frond" generate "$place.json" -o "$place" --size 200x200 --quality good -q >&2
+    (cd -- "$place" && ninja frames/frame_0001.png >&2)
+    (cd -- "$place" && label label "$name" 1000 &&
+      ffmpeg -y -loglevel error -i frames/frame_0001.png -vf "format=rgb24,$(labelled label)" "../$name.png" </dev/null)
+    printf '%s\n' "$place.png" >>"$list"
+  done
+  "$root/scripts/contact_sheet.sh" "$list" "$work/grammars.png" 8 200
+  ffmpeg -y -loglevel error -i "$work/grammars.png" -bitexact -q:v 3 "$work/grammars.jpg" </dev/null
+  put_in_place "$work/grammars.jpg" "$root/docs/gallery/grammars.jpg"
+  printf 'docs/gallery/grammars.jpg\n'
+fi
+
 # What was not rendered now keeps its row.
 list=$root/docs/gallery.md
 {
