@@ -75,7 +75,8 @@ try() {
   if [[ -n ${well[$command]:-} ]]; then known=$((known + 1)) && return; fi
   if [[ -n $hours ]]; then left=$(awk "BEGIN { print int(3600*$hours) - $SECONDS }"); fi
   if ((left <= 0)); then end; fi
-  nice -n 15 timeout "$left" "$@" >"$scratch/said" 2>&1 || how=$?
+  (tied nice -n 15 timeout "$left" "$@") >"$scratch/said" 2>&1 &
+  wait $! || how=$?
   rm -rf -- "$scratch/soak"
   if ((how == 124)); then end; fi
   tried=$((tried + 1))
