@@ -223,7 +223,7 @@ for scene in "$root"/docs/examples/*.pov; do
   printf '%s\n' "docs/gallery/$name.jpg"
 done
 
-# The grammars of presets/grammars, each before the studio's wall, with its name below.
+# The grammars of presets/grammars, each before the studio's wall, with its name below. At this size a draft shows all.
 if (($# == 0)) || [[ " $* " == *" grammars "* ]]; then
   mkdir -p -- "$work/grammars"
   list=$work/grammars/list
@@ -238,7 +238,7 @@ if (($# == 0)) || [[ " $* " == *" grammars "* ]]; then
   "scene": {
     "setting": "studio",
     "camera": {"location": [0.5, 0.75, 4], "look_at": [0, 0.5, 0], "angle": 30, "fit": ["all"]},
-    "studio": {"wall": "#e6e2d8", "distance": 0.7, "key": [-0.9, 0.85, 0.8]}
+    "studio": {"wall": "#e6e2d8", "distance": 1, "key": [-0.9, 0.85, 0.8]}
   },
   "organisms": [
     {
@@ -252,7 +252,7 @@ TEXT
       cat -- "$grammar"
       printf '    }\n  ]\n}\n'
     } >"$place.json"
-    "$frond" generate "$place.json" -o "$place" --size 200x200 --quality good -q >&2
+    "$frond" generate "$place.json" -o "$place" --size 200x200 --quality draft -q >&2
     (cd -- "$place" && ninja frames/frame_0001.png >&2)
     (cd -- "$place" && label label "$name" 1000 &&
       ffmpeg -y -loglevel error -i frames/frame_0001.png -vf "format=rgb24,$(labelled label)" "../$name.png" </dev/null)
