@@ -29,13 +29,7 @@ void Storeroom::put(Name name, Thing thing, std::size_t bytes) {
   kept_.push_front({name, std::move(thing), bytes + kBookkeeping});
   places_.emplace(std::move(name), kept_.begin());
   taken_ += kept_.front().bytes;
-  gone = surplus(room_, 1);
-}
-
-void Storeroom::give_up(std::size_t until) {
-  std::list<Kept> gone;
-  std::lock_guard lock(in_work_);
-  gone = surplus(until, 0);
+  gone = surplus();
 }
 
 std::size_t Storeroom::taken() const {
@@ -43,14 +37,14 @@ std::size_t Storeroom::taken() const {
   return taken_;
 }
 
-std::size_t Storeroom::given_up() {
+std::size_t Storeroom::given_up() const {
   std::lock_guard lock(in_work_);
-  return std::exchange(given_up_, 0);
+  return given_up_;
 }
 
-std::list<Storeroom::Kept> Storeroom::surplus(std::size_t room, std::size_t least) {
+std::list<Storeroom::Kept> Storeroom::surplus() {
   std::list<Kept> gone;
-  while (taken_ > room && kept_.size() > least) {
+  while (taken_ > room_ && kept_.size() > 1) {
     gone.splice(gone.begin(), kept_, std::prev(kept_.end()));
     places_.erase(gone.front().name);
     taken_ -= gone.front().bytes, given_up_ += gone.front().bytes;

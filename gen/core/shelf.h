@@ -23,13 +23,11 @@ class Storeroom {
   int add_shelf();
   Thing find(const Name& name);
   void put(Name name, Thing thing, std::size_t bytes);
-  /// Those that were not asked for longest, until so many bytes are left or nothing is.
-  void give_up(std::size_t until);
 
   std::size_t room() const { return room_; }
   std::size_t taken() const;
-  /// Bytes that were given up since this was last called.
-  std::size_t given_up();
+  /// Bytes that were given up so far.
+  std::size_t given_up() const;
 
  private:
   struct Kept {
@@ -39,8 +37,8 @@ class Storeroom {
   };
   using Place = std::list<Kept>::iterator;
 
-  /// Takes out what must go but for the first `least`; to be destroyed when nobody waits for the lock.
-  std::list<Kept> surplus(std::size_t room, std::size_t least);
+  /// Takes out what must go, to be destroyed when nobody waits for the lock.
+  std::list<Kept> surplus();
 
   std::size_t room_, taken_ = 0, given_up_ = 0;
   int shelves_ = 0;

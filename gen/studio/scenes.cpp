@@ -23,17 +23,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kSessions = 64;                         // tabs
-constexpr std::size_t kKnown = 4096;                          // organisms
-constexpr std::size_t kDrawings = 4096;                       // that are remembered by how they are drawn
-constexpr std::size_t kDrawing = 4096;                        // bytes of that, about
-constexpr int kLookWide = 360;                                // pixels, of a card's picture
-constexpr double kLongestLook = 8;                            // seconds of growing for that
-constexpr std::size_t kWorthTidying = std::size_t{64} << 20;  // bytes that were given up
-constexpr std::size_t kShownWord = 4000;                      // characters
-constexpr double kLongestWord = 3e6;                          // modules
-constexpr double kMostLines = 3e4;                            // of a drawing of the turtle
-constexpr std::size_t kLargestTree = 2000;                    // modules, see derivation_tree_svg()
+constexpr std::size_t kSessions = 64;    // tabs
+constexpr std::size_t kKnown = 4096;     // organisms
+constexpr std::size_t kDrawings = 4096;  // that are remembered by how they are drawn
+constexpr std::size_t kDrawing = 4096;   // bytes of that, about
+constexpr int kLookWide = 360;           // pixels, of a card's picture
+constexpr double kLongestLook = 8;       // seconds of growing for that
+constexpr std::size_t kWorthTidying = std::size_t{128} << 20;
+constexpr std::size_t kShownWord = 4000;    // characters
+constexpr double kLongestWord = 3e6;        // modules
+constexpr double kMostLines = 3e4;          // of a drawing of the turtle
+constexpr std::size_t kLargestTree = 2000;  // modules, see derivation_tree_svg()
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -175,7 +175,15 @@ Result<std::string> Scenes::look(const std::string& file) {
   return png;
 }
 
-void Scenes::tidy() { malloc_trim(0); }
+void Scenes::tidy() {
+  tidied_at_ = sent_ + room_->given_up();
+  malloc_trim(0);
+}
+
+void Scenes::tidy_at_times(std::size_t sent) {
+  sent_ += sent;
+  if (sent_ + room_->given_up() - tidied_at_ > kWorthTidying) tidy();
+}
 
 Answer Scenes::view(const Doc& doc, const Json& question, const std::string& name, std::uint64_t number) {
   std::shared_ptr<Session> tab = session(name);
@@ -211,7 +219,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
   Result<std::string> packet =
       view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
-  if (!grown.empty() || room_->given_up() > kWorthTidying) tidy();
+  if (packet) tidy_at_times(packet->size());
   if (given_up()) return stale();
   if (!packet) return wrong(packet.errors(), notes);
   return {200, {}, std::move(*packet)};

@@ -39,7 +39,7 @@ class Scenes {
   /// long to grow.
   Result<std::string> look(const std::string& file);
 
-  /// Gives memory that was freed back to the system, where much was: after what has taken much, as a render.
+  /// Gives memory that was freed back to the system. For after what has taken much, as a render.
   void tidy();
   /// Bytes that are kept.
   std::size_t kept() const { return room_->taken(); }
@@ -60,6 +60,9 @@ class Scenes {
     std::mutex in_work;  // one question at a time
   };
 
+  /// The same after so many bytes that were sent or given up, since these lie scattered where many threads
+  /// have asked for them.
+  void tidy_at_times(std::size_t sent);
   std::shared_ptr<Session> session(const std::string& name);
   std::shared_ptr<const Built> find(const std::string& key);
   Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset,
@@ -73,8 +76,9 @@ class Scenes {
   Greenhouse models_{room_};
   Shelf<Built> built_{room_};
   Shelf<std::string> pictures_{room_};
-  Shelf<Drawing> drawings_;  // by the names of their pictures
-  std::mutex looking_;       // one at a time
+  Shelf<Drawing> drawings_;                          // by the names of their pictures
+  std::atomic<std::size_t> sent_{0}, tidied_at_{0};  // bytes, see tidy_at_times()
+  std::mutex looking_;                               // one at a time
   std::mutex in_work_;
   std::map<std::string, std::shared_ptr<Session>> sessions_;
   std::set<std::string> known_;  // organisms that were grown once
