@@ -232,6 +232,14 @@ class Server {
       if (!read) return send(response, 403, {{"error", read.errors().front().text()}});
       send(response, 200, *read);
     });
+    server_.Get("/api/disk", [this](const Request& request, Response& response) {
+      send(response, 200, {{"disk", documents_.disk(request.get_param_value("file"))}});
+    });
+    server_.Get("/api/files",
+                [this](const Request&, Response& response) { send(response, 200, documents_.own()); });
+    server_.Get("/api/look", [this](const Request& request, Response& response) {
+      send_picture(response, scenes_.look(request.get_param_value("file")), "image/png");
+    });
     server_.Get(R"(/api/gallery/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
       send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");
     });

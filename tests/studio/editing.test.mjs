@@ -139,17 +139,3 @@ test('two tabs do not disturb each other, and neither overwrites the other unask
   await other.context().close();
 });
 
-test('nothing is lost when the server is killed and started again', async () => {
-  await nudge(page, 'height');
-  const height = await number(page, 'height').inputValue();
-  await studio.stop();
-  const banner = page.getByTestId('banner');
-  await banner.getByText('does not answer').waitFor();
-  studio = await start(file, '--port', String(studio.port));
-  await banner.getByText('Open the address').waitFor();
-  page.once('dialog', dialog => dialog.accept());
-  await page.goto('about:blank');
-  await page.goto(studio.address);
-  await shown(page);
-  assert.equal(await number(page, 'height').inputValue(), height);
-});

@@ -87,16 +87,34 @@ export class ApiError extends Error {
 
 const TOKEN = "frond.token";
 
-/** Takes the token off the address, where `frond studio` printed it, and keeps it for this tab. */
-export function takeToken(): void {
+/** Takes the token off the address, where `frond studio` printed it, and keeps it for this tab. True where there was one. */
+export function takeToken(): boolean {
   const found = /token=([0-9a-fA-F]+)/.exec(location.hash);
-  if (!found) return;
+  if (!found) return false;
   sessionStorage.setItem(TOKEN, found[1]!);
   const rest = location.hash.replace(/[#&]?token=[0-9a-fA-F]+/, "").replace(/^&/, "#");
   history.replaceState(null, "", location.pathname + location.search + rest);
+  return true;
 }
 
 const token = (): string => sessionStorage.getItem(TOKEN) ?? "";
+const tabs = new BroadcastChannel(TOKEN);
+
+/** Tells the other tabs the token that the server knows this one by. */
+export const tellToken = (): void => tabs.postMessage(token());
+
+/**
+ * Calls `act` when this tab has another token: its address was changed to the one that was printed, or it was `wanted` and
+ * another tab has one that the server knows.
+ */
+export function onNewToken(wanted: () => boolean, act: () => void): void {
+  addEventListener("hashchange", () => takeToken() && act());
+  tabs.addEventListener("message", (event: MessageEvent<unknown>) => {
+    if (!wanted() || typeof event.data !== "string" || !/^[0-9a-fA-F]+$/.test(event.data) || event.data === token()) return;
+    sessionStorage.setItem(TOKEN, event.data);
+    act();
+  });
+}
 
 async function call(method: string, path: string, body?: BodyInit | object, signal?: AbortSignal): Promise<Response> {
   const plain = typeof body === "string" || body instanceof Blob || body === undefined;
@@ -130,6 +148,12 @@ const withToken = (path: string): string => `${path}?token=${encodeURIComponent(
 export const start = (): Promise<Start> => json("GET", "/api/start");
 export const ping = (): Promise<{ ok: boolean; started: string }> => json("GET", "/api/ping");
 export const preset = (file: string): Promise<Loaded> => json("GET", `/api/preset?file=${encodeURIComponent(file)}`);
+/** What stands for a file as it is on the disk now; "" where it is not there. */
+export const disk = async (file: string): Promise<string> => (await json<{ disk: string }>("GET", `/api/disk?file=${encodeURIComponent(file)}`)).disk;
+/** The presets in the folders that may be written, those first that were written last. */
+export const files = (): Promise<Listed[]> => json("GET", "/api/files");
+/** A small picture of a preset that has none in the gallery; where it takes long to grow there is none. */
+export const look = (file: string): string => `/api/look?file=${encodeURIComponent(file)}&token=${encodeURIComponent(token())}`;
 export const galleryPicture = (name: string): string => withToken(`/api/gallery/${encodeURIComponent(name)}`);
 
 export interface SceneRequest {

@@ -12,9 +12,9 @@
  *   renders      render-size render-quality render-start compare renders render-picture render-state cancel-render go-back
  *                wipe close-picture
  *   variations   wall wall-grid variation:VALUE
- *   gallery      gallery gallery-search new-preset card:NAME
- *   dialogs      add add:KIND add-from add-which save-as save-name save-wrong save-conflict long leave answer:VALUE
- *   elsewhere    banner
+ *   gallery      gallery gallery-search new-preset card:NAME own:NAME
+ *   dialogs      add add:KIND add-from add-which save-as save-name save-wrong save-conflict long leave left answer:VALUE
+ *   elsewhere    banner changed
  * `window.frond` has what the view gives (`mask()`, a picture of the organisms alone; `settled()`), `shown()`, which resolves
  * when the view shows what the text says, and `took()`, the seconds from the last request to its picture on the screen.
  */
@@ -30,12 +30,14 @@ import * as api from "./api";
 import { anySeed } from "./controls/number";
 import { Section } from "./controls/group";
 import { el } from "./dom";
+import { nameTab } from "./drafts";
 import { addOrganism, takeDrops } from "./panels/add_organism";
 import { ask, say } from "./panels/dialogs";
 import { drawer } from "./panels/drawer";
 import { gallery } from "./panels/gallery";
 import { grammarPanel } from "./panels/grammar_panel";
 import { inspector } from "./panels/inspector";
+import { offerLeft } from "./panels/left";
 import { linkBanner } from "./panels/link";
 import { outliner } from "./panels/outliner";
 import { picturePane } from "./panels/picture";
@@ -49,23 +51,30 @@ import { timeBar } from "./panels/time_bar";
 import { mountTips } from "./panels/tips";
 import { topBar } from "./panels/top_bar";
 import { wall } from "./panels/wall";
+import { watchFile } from "./panels/watch";
 import { listenToKeys } from "./shortcuts";
 import { Store } from "./store";
 
 const store = new Store();
+let refused = false;
 api.takeToken();
+// A page that was not let in begins anew; one in which somebody works goes on as it is.
+api.onNewToken(() => refused || store.link !== "up", () => refused && location.reload());
 void begin();
 
 async function begin(): Promise<void> {
   mountTips();
   try {
-    const start = await api.start();
+    const [start] = await Promise.all([api.start(), nameTab().catch(() => undefined)]);
+    api.tellToken();
     store.begin(start);
     document.getElementById("starting")?.remove();
     build();
-    if (!store.restore() && start.preset) store.open(start.preset);
+    if (store.restore()) return;
+    if (start.preset) store.open(start.preset);
+    await offerLeft(store).catch(() => undefined);
   } catch (error) {
-    const refused = error instanceof api.ApiError && error.status === 403;
+    refused = error instanceof api.ApiError && error.status === 403;
     const said = refused ? "Open the address that frond studio printed: it holds the key to this page." : (error as Error).message;
     document.getElementById("starting")?.remove();
     document.body.append(el("main.refused", {}, el("h1", {}, "Frond"), el("p", { role: "alert", "data-testid": "banner" }, said)));
@@ -126,7 +135,7 @@ function build(): void {
     scene.loop.want();
     void made.reload().catch(() => undefined);
   });
-  document.body.append(bar, el("main", {}, banner, begin.element, workshop));
+  document.body.append(bar, el("main", {}, banner, watchFile(store), begin.element, workshop));
 
   const showOpen = (): void => {
     workshop.hidden = !store.isOpen;

@@ -117,8 +117,7 @@ export class Store {
   }
 
   /** Goes on where a reload interrupted; false where there was nothing. */
-  restore(): boolean {
-    const draft = loadDraft();
+  restore(draft = loadDraft()): boolean {
     if (!draft) return false;
     this.file = draft.file;
     this.disk = draft.disk;

@@ -13,31 +13,52 @@ const TITLES: Record<string, string> = { "": "Scenes and single ones", lsystems:
 export function gallery(store: Store): { element: HTMLElement; show(): void } {
   const search = el<HTMLInputElement>("input.text", { type: "search", placeholder: "Search presets", "aria-label": "Search presets", "data-testid": "gallery-search" });
   const body = el("div.shelves");
+  let own: Listed[] = [];
   const empty = el("button", { type: "button", "data-testid": "new-preset", click: () => begin() }, "An empty one");
   const element = el("section.gallery", { "aria-label": "Gallery", "data-testid": "gallery", hidden: true },
-    el("div.gallery-head", {}, el("div", {}, el("h1", {}, "Begin with a preset"), el("p.hint", {}, "One click makes a copy to play with. What is shipped stays as it is.")), el("span.search", {}, icon("search"), search), empty), body);
+    el("div.gallery-head", {}, el("div", {}, el("h1", {}, "Begin with a preset"), el("p.hint", {}, "What is shipped opens as a copy to play with and stays as it is; your own files open as they are.")), el("span.search", {}, icon("search"), search), empty), body);
 
   const begin = (): void =>
     store.open({ file: store.folder + "untitled.json", disk: null, copy: true, text: '{\n  "title": "Untitled",\n  "seed": 1,\n  "film": {"frames": 1},\n  "scene": {"setting": "studio"},\n  "organisms": []\n}\n' });
 
-  async function open(file: string): Promise<void> {
+  /** What is one's own is opened as it is, what is shipped as a copy. */
+  async function open(file: string, isOwn: boolean): Promise<void> {
     try {
-      store.open({ ...(await api.preset(file)), copy: true });
+      const loaded = await api.preset(file);
+      store.open(isOwn ? loaded : { ...loaded, copy: true });
     } catch (error) {
       say((error as Error).message, true);
     }
   }
-  const card = (listed: Listed): HTMLElement => {
-    const picture = listed.picture ? el("img", { src: api.galleryPicture(listed.picture), alt: "", loading: "lazy" }) : el("span.blank", {}, icon("gallery"));
-    return el("li", {}, el("button.card", { type: "button", "data-testid": `card:${listed.name}`, click: () => void open(listed.file) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
+  const pictureOf = (listed: Listed): HTMLElement => {
+    const picture = el<HTMLImageElement>("img", { alt: "", loading: "lazy" });
+    picture.addEventListener("error", () => picture.replaceWith(el("span.blank", {}, icon("gallery"))));
+    picture.src = listed.picture ? api.galleryPicture(listed.picture) : api.look(listed.file);
+    return picture;
   };
-  const show = (): void => {
+  const card = (listed: Listed, isOwn = false): HTMLElement => {
+    const picture = pictureOf(listed);
+    return el("li", {}, el("button.card", { type: "button", "data-testid": `${isOwn ? "own" : "card"}:${listed.name}`, click: () => void open(listed.file, isOwn) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
+  };
+  const render = (): void => {
     const words = search.value.trim().toLowerCase();
-    const found = store.presets.filter((p) => `${p.title} ${p.name}`.toLowerCase().includes(words));
+    const called = (p: Listed): boolean => `${p.title} ${p.name}`.toLowerCase().includes(words);
+    const found = store.presets.filter(called);
+    const mine = own.filter(called);
     const groups = [...new Set(found.map(groupOf))].sort();
-    body.replaceChildren(...groups.map((g) => el("section", {}, el("h2", {}, TITLES[g] ?? g), el("ul.cards", {}, ...found.filter((p) => groupOf(p) === g).map(card)))));
-    if (!found.length) body.append(el("p.hint", {}, "No preset is called so."));
+    body.replaceChildren(...groups.map((g) => el("section", {}, el("h2", {}, TITLES[g] ?? g), el("ul.cards", {}, ...found.filter((p) => groupOf(p) === g).map((p) => card(p))))));
+    if (mine.length) body.prepend(el("section", {}, el("h2", {}, "Your files"), el("ul.cards", {}, ...mine.map((p) => card(p, true)))));
+    if (!found.length && !mine.length) body.append(el("p.hint", {}, "No preset is called so."));
   };
-  search.addEventListener("input", show);
+  /** One's own files come as soon as the server has found them. */
+  const show = (): void => {
+    render();
+    void api.files().then((files) => {
+      const same = JSON.stringify(files) === JSON.stringify(own);
+      own = files;
+      if (!same) render();
+    }, () => undefined);
+  };
+  search.addEventListener("input", render);
   return { element, show };
 }

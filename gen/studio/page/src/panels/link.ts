@@ -8,7 +8,7 @@ import { say } from "./dialogs";
 const TEXTS = {
   up: "",
   down: "The server does not answer. What you do here is kept; it goes on as soon as `frond studio` runs again on this address.",
-  refused: "This page is not known to the server. Open the address that `frond studio` printed; what you did here stays in this tab.",
+  refused: "This page is not known to the server. Open the address that `frond studio` printed, here or in another tab: what you did is kept, and goes on.",
 };
 
 /** What is not saved can be had as a file, whatever becomes of the server. */
@@ -36,6 +36,7 @@ export function linkBanner(store: Store, back: () => void): HTMLElement {
       const wasAway = store.link !== "up";
       started = answer.started;
       store.setLink("up");
+      if (restarted || wasAway) api.tellToken();
       if (restarted) say("The server was started anew. Everything is still here.");
       if (restarted || wasAway) back();
     } catch (error) {

@@ -30,22 +30,26 @@ function suggested(store: Store): string {
   return store.copy ? store.file.replace(/^.*\//, "").replace(/(\.json)?$/, "_copy.json") : store.file;
 }
 
+let saving = 0;
+/** Whether a file is being written: what is on the disk may be newer than what is known of it. */
+export const isSaving = (): boolean => saving > 0;
+
 async function write(store: Store, file: string, disk: string | null, overwrite: boolean, force: boolean): Promise<void> {
   const { doc } = store;
   let answer: api.SaveAnswer;
+  saving++;
   try {
     answer = await api.save(file, doc, disk, overwrite, force);
+    if (answer.is === "saved") keep(store, doc, answer);
   } catch (error) {
     say(`Not saved: ${(error as Error).message}`, true);
     // Where a folder may not be written in, a plain name stands for the one that may.
     if (error instanceof api.ApiError && error.status === 403 && file.includes("/")) await saveAs(store, file.split("/").at(-1)!);
     return;
+  } finally {
+    saving--;
   }
-  if (answer.is === "saved") {
-    if (answer.text !== doc.text && store.text === doc.text) store.change(answer.text);
-    store.markSaved(answer.file, answer.disk, answer.text);
-    return say(`Saved ${answer.file}`);
-  }
+  if (answer.is === "saved") return say(`Saved ${answer.file}`);
   if (answer.is === "wrong") {
     const first = answer.errors[0];
     const chosen = await ask("This is no preset yet", `${first?.text ?? "Something is wrong"}${first?.line ? `, line ${first.line}` : ""}. Save the text as it is?`,
@@ -63,8 +67,13 @@ async function write(store: Store, file: string, disk: string | null, overwrite:
   if (chosen === "load") await loadTheirs(store, file);
 }
 
+function keep(store: Store, doc: api.Doc, answer: { file: string; disk: string; text: string }): void {
+  if (answer.text !== doc.text && store.text === doc.text) store.change(answer.text);
+  store.markSaved(answer.file, answer.disk, answer.text);
+}
+
 /** What is on disk becomes the text; undo brings one's own back. */
-async function loadTheirs(store: Store, file: string): Promise<void> {
+export async function loadTheirs(store: Store, file: string): Promise<void> {
   const theirs = await api.preset(file);
   store.change(theirs.text);
   store.markSaved(theirs.file, theirs.disk ?? "", theirs.text);
