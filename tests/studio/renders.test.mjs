@@ -2,14 +2,14 @@
 // a few presets stand for the others: what grows, what is a film of one light, what is sown, what swims, what is a still.
 import assert from 'node:assert/strict';
 import {before, test} from 'node:test';
-import {ask, preset, start} from './studio.mjs';
+import {ask, preset, scratch, start} from './studio.mjs';
 
 const FEW = ['asking/light', 'garden/vases', 'lsystems/growing-tree-2.6', 'lsystems/sunflower-4', 'reef', 'reef/chromis', 'reef/kelp', 'shells', 'thicket',
   'trees/light_race', 'trees/seasons', 'tufted'];
 const SIZE = [32, 18];
 let studio, presets;
 before(async () => {
-  studio = await start();
+  studio = await start('--assets', scratch);
   presets = (await ask(studio, 'GET', 'api/start')).json.presets;
 });
 
