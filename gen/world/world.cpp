@@ -1,5 +1,7 @@
 #include "world/world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,11 @@ Result<std::shared_ptr<const Host>> World::host(const std::vector<std::string>& 
   Surface all;
   for (const Specimen& s : standing_)
     if (names.empty() || std::ranges::find(names, s.name) != names.end()) append(all, skin_of(s.model));
+  if (all.triangle.empty())
+    return Error{std::string(asker),
+                 names.empty()
+                     ? "nothing stands here to grow on; expected a body such as a wall, a rock or a mesh"
+                     : fmt::format("nothing stands here of \"{}\" to grow on", fmt::join(names, "\", \""))};
   Result<Host> host = Host::build(all, asker);
   if (!host) return host.errors();
   known = std::make_shared<const Host>(std::move(*host));

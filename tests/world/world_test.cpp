@@ -22,6 +22,12 @@ Specimen roof(const std::string& name, float high, float half) {
 
 World open_world() { return World(Seed{1}, Heights(), 4, true); }
 
+TEST(World, ToldOfNothingToGrowOnNobodyIsToldOfTriangles) {
+  World world = open_world();
+  EXPECT_EQ(world.host({}, "ivy").errors()[0].text(),
+            "ivy: nothing stands here to grow on; expected a body such as a wall, a rock or a mesh");
+}
+
 TEST(World, FindsTheClosestPointAndTheFirstCrossingOfBodiesByName) {
   World world = open_world();
   EXPECT_FALSE(world.host({}, "nobody"));
@@ -35,7 +41,8 @@ TEST(World, FindsTheClosestPointAndTheFirstCrossingOfBodiesByName) {
   EXPECT_NEAR((*all)->closest(DVec3(0, 0, 0))->distance, 1, 1e-6);
   EXPECT_NEAR((*high)->closest(DVec3(0, 0, 0))->distance, 3, 1e-6);
   EXPECT_NEAR((*all)->crossing(DVec3(0, 0, 0), DVec3(0, 4, 0))->share, 0.25, 1e-6);
-  EXPECT_FALSE(world.host({"neither"}, "test"));
+  EXPECT_NE(world.host({"neither"}, "test").errors()[0].text().find("of \"neither\" to grow on"),
+            std::string::npos);
   EXPECT_EQ(world.host({"high"}, "test")->get(), high->get()) << "made once";
 }
 

@@ -164,11 +164,20 @@ export interface SceneRequest {
   hide: number[];
   /** Ask the person where it would take longer than so many seconds; null: never. */
   ask: number | null;
+  /** Of what is not grown yet, just these organisms: the others are `missing` in the answer. */
+  only?: number[];
+  /** These roughly. */
+  coarse?: boolean;
 }
 
+/** How many organisms have grown of those that a session waits for. */
+export const sceneProgress = (session: string): Promise<{ done: number; of: number }> => json("GET", `/api/scene?session=${session}`);
+/** Nobody waits for that answer any more. */
+export const leaveScene = (session: string, seq: number): Promise<unknown> => json("DELETE", `/api/scene?session=${session}&seq=${seq}`);
+
 /** The model at a time. Of each session the newest `seq` counts. */
-export async function scene(session: string, seq: number, request: SceneRequest): Promise<SceneAnswer> {
-  const answer = await call("POST", `/api/scene?session=${session}&seq=${seq}`, request);
+export async function scene(session: string, seq: number, request: SceneRequest, signal?: AbortSignal): Promise<SceneAnswer> {
+  const answer = await call("POST", `/api/scene?session=${session}&seq=${seq}`, request, signal);
   if (answer.status === 200) return { is: "picture", bytes: await answer.arrayBuffer() };
   if (answer.status === 202) return { is: "long", ...((await answer.json()) as { foretold: Foretold }) };
   if (answer.status === 409) return { is: "stale" };
