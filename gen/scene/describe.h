@@ -104,7 +104,7 @@ void describe(Visitor& v, Stage& s) {
     std::string schema = std::is_same_v<Visitor, SchemaWriter> ? row.schema() : std::string();
     v.custom(row.block, s.blocks[i], row.read, schema, row.block_doc);
   }
-  v.object("floor", s.floor, "The ground of the sea and the lawn");
+  v.object("floor", s.floor, "The ground of the sea and the lawn, for underwater, meadow and garden");
 }
 
 template <class Visitor>
