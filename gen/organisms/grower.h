@@ -2,6 +2,7 @@
 
 #include <any>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -126,6 +127,9 @@ class Grower {
   /// What one claims of the space that colonies fight for; none: it takes no part.
   virtual std::optional<Spread> spread() const = 0;
 
+  /// The same, rougher and sooner grown, to look at while it is being changed; none where that is not needed.
+  virtual std::shared_ptr<const Grower> coarse() const { return nullptr; }
+
   /// Grows all plantings of all beds, in their order. All are of this kind, the first is its own.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                              const Step& step) const = 0;
@@ -166,6 +170,14 @@ class Described : public Base {
   Params params;
   std::any parameters() const final { return params; }
 };
+
+/// A grower with some of its parameters changed, for Grower::coarse(); none where those would be at fault.
+template <class Mine, class Change>
+std::shared_ptr<const Grower> changed(const Mine& grower, Change change) {
+  auto other = std::make_shared<Mine>(grower);
+  change(other->params);
+  return other->check().empty() ? other : nullptr;
+}
 
 /// What is built: how large it is only it knows; it has no branches, no motion, and no look but its
 /// materials.

@@ -92,8 +92,9 @@ std::size_t steps_of(const Bed& bed) {
 /// Grows the beds of a scene stage by stage and adds them to the world.
 class Gardener {
  public:
-  Gardener(const Preset& preset, const Watch& watch, Nursery* nursery, const Surface& floor)
-      : preset_(preset), watch_(watch), nursery_(nursery) {
+  Gardener(const Preset& preset, const Watch& watch, Nursery* nursery, const Haste& haste,
+           const Surface& floor)
+      : preset_(preset), watch_(watch), nursery_(nursery), haste_(haste) {
     if (!nursery_) return;
     std::string_view land(reinterpret_cast<const char*>(floor.position.data()),
                           floor.position.size() * sizeof(Vec3));
@@ -108,6 +109,7 @@ class Gardener {
       std::vector<Bed> growing;
       std::ranges::copy_if(beds, std::back_inserter(growing),
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
+      if (leaves_out(stage, growing)) continue;
       if (stage == GrowthStage::in_space) {
         if (Errors errors = settle_colonies(growing, world, notes); !errors.empty())
           return placed(errors, "");
@@ -122,9 +124,35 @@ class Gardener {
   std::vector<std::size_t> grown;              ///< entries
   std::map<std::size_t, std::string> origins;  ///< what stands for all that an entry grew from
   std::vector<std::string> names;              ///< in the nursery
+  std::vector<std::size_t> missing;            ///< entries that were left out
   std::vector<std::string> notes;
 
  private:
+  bool wants(const std::vector<Bed>& beds) const {
+    return !haste_ || std::ranges::any_of(beds, [&](const Bed& bed) { return haste_->contains(bed.entry); });
+  }
+
+  void leave_out(const std::vector<Bed>& beds) {
+    for (const Bed& bed : beds) missing.push_back(bed.entry);
+  }
+
+  /// What stands for a stage that has grown among all that is there now.
+  std::string among(GrowthStage stage) const {
+    return content_id(fmt::format("{} stage {}", surroundings_, static_cast<int>(stage)));
+  }
+
+  /// In haste, a stage of which nothing is wanted and nothing can have grown before: it need not even be
+  /// known where its organisms would stand. Where some of an earlier one are missing, nobody knows what
+  /// others would stand on.
+  bool leaves_out(GrowthStage stage, const std::vector<Bed>& beds) {
+    if (!haste_ || !nursery_ || beds.empty()) return false;
+    if (missing.empty() && (stage == GrowthStage::free || wants(beds) || nursery_->find(among(stage))))
+      return false;
+    if (stage == GrowthStage::free) return false;
+    leave_out(beds);
+    return true;
+  }
+
   Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
     std::vector<std::vector<Bed>> groups;
     // Each by itself, whatever grows beside it, or by what its rivals claim.
@@ -135,16 +163,22 @@ class Gardener {
     std::vector<std::string> keys(groups.size());
     if (nursery_)
       for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g], stage, world.territories());
+    if (nursery_ && !haste_ && !beds.empty()) nursery_->keep(among(stage), {});
     std::vector<std::vector<Specimen>> specimens(groups.size());
     std::vector<Errors> errors(groups.size());
-    std::vector<char> fresh(groups.size());
+    std::vector<char> fresh(groups.size()), left_out(groups.size());
     parallel_for(groups.size(), [&](std::size_t g) {
       fresh[g] = !take_grown(keys[g], world, specimens[g]);
-      if (fresh[g]) errors[g] = grow(groups[g], world, keys[g], specimens[g]);
+      left_out[g] = fresh[g] && !wants(groups[g]);
+      if (fresh[g] && !left_out[g]) errors[g] = grow(groups[g], world, keys[g], specimens[g]);
     });
     std::vector<Specimen> all;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (!errors[g].empty()) return errors[g];
+      if (left_out[g]) {
+        leave_out(groups[g]);
+        continue;
+      }
       std::ranges::move(specimens[g], std::back_inserter(all));
       for (const Bed& bed : groups[g]) {
         if (fresh[g]) grown.push_back(bed.entry);
@@ -227,6 +261,7 @@ class Gardener {
   const Preset& preset_;
   const Watch& watch_;
   Nursery* nursery_;
+  const Haste& haste_;
   std::string land_;          // a hash of it
   std::string surroundings_;  // all that organisms grow in so far, but for the land
 };
@@ -294,7 +329,7 @@ std::string Scene::check() const {
   return ground ? ground->floor().check() : "there is no ground";
 }
 
-Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nursery) {
+Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nursery, const Haste& haste) {
   // What has grown may be needed once more, see below.
   if (Nursery own; !nursery && !preset.stage.camera.fit.empty()) return build_scene(preset, watch, &own);
   Seed seed{preset.seed};
@@ -323,17 +358,18 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   bool swims = std::ranges::any_of(
       beds, [](const Bed& bed) { return bed.organism->grower->stage() == GrowthStage::swimming; });
   if (swims) world.lay(strewn_surface(*ground));
-  Gardener gardener(preset, watch, nursery, ground->floor());
+  Gardener gardener(preset, watch, nursery, haste, ground->floor());
   if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
   scene.grown = std::move(gardener.grown);
   scene.origins = std::move(gardener.origins);
   scene.nursery = std::move(gardener.names);
+  scene.missing = std::move(gardener.missing);
   std::ranges::move(gardener.notes, std::back_inserter(scene.notes));
 
   scene.specimens = in_order(std::move(world).take_all(), preset);
   shade(scene.specimens);
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
-  if (!preset.stage.camera.fit.empty()) {
+  if (!preset.stage.camera.fit.empty() && scene.missing.empty()) {
     Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),
                           preset.film.aspect(), ground->heights());
     // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
@@ -344,7 +380,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
       wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
       std::vector<std::size_t> grown = std::move(scene.grown);
       scene = {};  // its specimens are in the nursery
-      Result<Scene> again = build_scene(wider, watch, nursery);
+      Result<Scene> again = build_scene(wider, watch, nursery, haste);
       if (again)
         for (std::size_t entry : again->grown)
           if (std::ranges::find(grown, entry) == grown.end()) grown.push_back(entry);

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +48,7 @@ struct Scene {
   // With a nursery:
   std::vector<std::size_t> grown;    ///< entries that were not taken from there
   std::vector<std::string> nursery;  ///< what it is called there that stands in the scene
+  std::vector<std::size_t> missing;  ///< entries that were left out, see Haste
   std::map<std::size_t, std::string>
       origins;  ///< of entries that stand by themselves or creep, what stands for all that they grew from
 
@@ -67,9 +70,14 @@ struct Watch {
 
 class Nursery;
 
+/// Of what a nursery has not, these entries alone grow, among what is there; all others of that kind are left
+/// out, and so is what grows among them, as it may come to look otherwise. A camera that is to fit them all
+/// stays as it is.
+using Haste = std::optional<std::set<std::size_t>>;
+
 /// Places and grows everything: the phases "place" and "grow". What a nursery has is taken from there. A
 /// scene that is given up is an error.
 Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}},
-                          Nursery* nursery = nullptr);
+                          Nursery* nursery = nullptr, const Haste& haste = {});
 
 }  // namespace frond

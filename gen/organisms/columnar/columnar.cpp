@@ -52,6 +52,9 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
                "found triangles that are too large for the coral; expected a sixth of its size at most"}};
     return {};
   }
+  std::shared_ptr<const Grower> coarse() const override {
+    return changed(*this, [](auto& p) { p.accretion.edge *= 2.5; });
+  }
   Result<Foresight> foresee(Seed) const override {
     Foresight sight;
     const Accretion& a = params.accretion;

@@ -63,6 +63,9 @@ namespace {
 class EncrustingGrower final : public BodyColony<EncrustingParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  std::shared_ptr<const Grower> coarse() const override {
+    return changed(*this, [](auto& p) { p.edge *= 2.5; });
+  }
   Result<Foresight> foresee(Seed) const override {
     return foreseen(0.8 * params.across * params.across, params.edge);
   }

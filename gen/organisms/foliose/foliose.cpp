@@ -113,6 +113,9 @@ namespace {
 class FolioseGrower final : public BodyColony<FolioseParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  std::shared_ptr<const Grower> coarse() const override {
+    return changed(*this, [](auto& p) { p.edge *= 2.5; });
+  }
   Result<Foresight> foresee(Seed) const override {
     double area =
         0.5 * params.sheets * params.across * (params.across / 2 + params.height) * std::sqrt(params.excess);

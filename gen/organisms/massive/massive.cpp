@@ -84,6 +84,9 @@ class MassiveGrower final : public BodyColony<MassiveParams> {
                "found triangles that are too large for the coral; expected an eighth of its size at most"}};
     return {};
   }
+  std::shared_ptr<const Grower> coarse() const override {
+    return changed(*this, [](auto& p) { p.edge *= 3; });
+  }
   Result<Foresight> foresee(Seed) const override {
     Foresight sight;
     double area = kPi * params.across * (params.across / 4 + params.height);

@@ -41,6 +41,12 @@ namespace {
 class RockGrower final : public Described<RockParams, BodyBuilder> {
  public:
   Errors check() const override { return check_rock(params.shape); }
+  std::shared_ptr<const Grower> coarse() const override {
+    return changed(*this, [](RockParams& p) {
+      p.shape.cells.depth = std::min(p.shape.cells.depth, 5);
+      p.shape.cells.tolerance = std::max(p.shape.cells.tolerance, 0.004);
+    });
+  }
   bool stands_on_rock() const override { return false; }
   Result<Foresight> foresee(Seed) const override {
     Foresight rock;

@@ -97,6 +97,9 @@ namespace {
 class TubeGrower final : public BodyColony<TubeParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.radius, 1); }
+  std::shared_ptr<const Grower> coarse() const override {
+    return changed(*this, [](auto& p) { p.edge *= 2.5; });
+  }
   Result<Foresight> foresee(Seed) const override {
     return foreseen(
         2 * kPi * params.tubes * (params.radius + params.height * params.bulge / 3) * params.height,
