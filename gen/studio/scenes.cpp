@@ -77,6 +77,21 @@ std::set<std::size_t> numbers(const Json& question, const char* name) {
   return set;
 }
 
+/// Lets some organisms grow roughly; whether any of them can.
+bool make_coarse(Preset& preset, const std::set<std::size_t>& entries) {
+  bool any = false;
+  for (std::size_t entry : entries) {
+    if (entry >= preset.organisms.size()) continue;
+    Organism& organism = preset.organisms[entry];
+    std::shared_ptr<const Grower> coarse = organism.grower->coarse();
+    if (!coarse) continue;
+    organism.grower = std::move(coarse);
+    organism.text += " coarse";
+    any = true;
+  }
+  return any;
+}
+
 ViewRequest request_of(const Json& question) {
   ViewRequest request;
   request.time = question.value("time", 0.0);
@@ -92,6 +107,11 @@ ViewRequest request_of(const Json& question) {
 
 Scenes::Scenes(const Documents& documents, std::size_t memory)
     : documents_(documents), room_(std::make_shared<Storeroom>(memory)), drawings_(kDrawings * kDrawing) {}
+
+Scenes::Hurry Scenes::hurry_of(const Json& question) {
+  if (!question.contains("only") || !question["only"].is_array()) return {};
+  return {numbers(question, "only"), question.value("coarse", false)};
+}
 
 std::shared_ptr<Scenes::Session> Scenes::session(const std::string& name) {
   std::lock_guard lock(in_work_);
@@ -109,12 +129,25 @@ std::shared_ptr<const Scenes::Built> Scenes::find(const std::string& key) {
   return built;
 }
 
-Result<Json> Scenes::foretold(const Preset& preset, double seconds) {
+void Scenes::Session::ask(std::uint64_t number) {
+  for (std::uint64_t now = newest; now < number && !newest.compare_exchange_weak(now, number);) {
+  }
+}
+
+void Scenes::leave(const std::string& name, std::uint64_t number) { session(name)->ask(number + 1); }
+
+Json Scenes::progress(const std::string& name) {
+  std::shared_ptr<Session> tab = session(name);
+  return {{"done", tab->done.load()}, {"of", tab->of.load()}};
+}
+
+Result<Json> Scenes::foretold(const Preset& preset, const Haste& haste, double seconds) {
   Preset fresh = preset;
   {
     std::lock_guard lock(in_work_);
     for (std::size_t i = 0; i < fresh.organisms.size(); ++i)
-      if (known_.contains(name_of(preset, i))) fresh.organisms[i].count = 0, fresh.organisms[i].sown.reset();
+      if ((haste && !haste->contains(i)) || known_.contains(name_of(preset, i)))
+        fresh.organisms[i].count = 0, fresh.organisms[i].sown.reset();
   }
   Result<Foretold> foretold = foretell(fresh, 1);
   if (!foretold) return foretold.errors();
@@ -125,15 +158,16 @@ Result<Json> Scenes::foretold(const Preset& preset, double seconds) {
 }
 
 Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& key, Preset preset,
-                                                           const std::function<bool()>& given_up) {
-  Watch watch{[](auto, auto) {}, [] {}, given_up};
-  Result<Scene> scene = build_scene(preset, watch, &nursery_);
+                                                           const Watch& watch, const Hurry& hurry) {
+  bool coarse = hurry.coarsely && make_coarse(preset, *hurry.only);
+  Result<Scene> scene = build_scene(preset, watch, &nursery_, hurry.only);
   if (!scene) return scene.errors();
-  auto built = std::make_shared<const Built>(Built{std::move(preset), std::move(*scene)});
-  built_.put(key, built, built->scene.bytes() + bytes_of(built->preset));
+  auto built = std::make_shared<const Built>(Built{std::move(preset), std::move(*scene), coarse});
   for (const Drawing& drawing : built->scene.drawings)
     for (const std::string& name : drawing.names)
       drawings_.put(name, std::make_shared<const Drawing>(drawing), kDrawing);
+  if (coarse || !built->scene.missing.empty()) return built;
+  built_.put(key, built, built->scene.bytes() + bytes_of(built->preset));
   std::lock_guard lock(in_work_);
   if (known_.size() > kKnown) known_.clear();
   for (std::size_t i = 0; i < built->preset.organisms.size(); ++i) known_.insert(name_of(built->preset, i));
@@ -145,7 +179,7 @@ Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset
   std::string key = key_of(doc, preset);
   std::shared_ptr<const Built> built = find(key);
   if (!built) {
-    auto made = build(key, std::move(preset), given_up);
+    auto made = build(key, std::move(preset), {[](auto, auto) {}, [] {}, given_up}, {});
     if (!made) return made.errors();
     built = std::move(*made);
   }
@@ -187,9 +221,7 @@ void Scenes::tidy_at_times(std::size_t sent) {
 
 Answer Scenes::view(const Doc& doc, const Json& question, const std::string& name, std::uint64_t number) {
   std::shared_ptr<Session> tab = session(name);
-  for (std::uint64_t newest = tab->newest;
-       newest < number && !tab->newest.compare_exchange_weak(newest, number);) {
-  }
+  tab->ask(number);
   auto given_up = [&] { return tab->newest > number; };
   std::lock_guard lock(tab->in_work);
   if (given_up()) return stale();
@@ -201,20 +233,27 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   std::string key = key_of(doc, *preset);
   std::shared_ptr<const Built> built = find(key);
   Json grown = Json::array();
+  Hurry hurry = hurry_of(question);
   if (!built) {
     if (question.contains("ask") && question["ask"].is_number()) {
-      Result<Json> told = foretold(*preset, question["ask"].get<double>());
+      Result<Json> told = foretold(*preset, hurry.only, question["ask"].get<double>());
       if (!told) return wrong(told.errors(), notes);
       if (!told->is_null()) return {202, {{"foretold", *told}}, {}};
     }
-    auto made = build(key, std::move(*preset), given_up);
+    Watch watch{[&](auto, std::size_t steps) { tab->done = 0, tab->of = steps; }, [&] { ++tab->done; },
+                 given_up};
+    auto made = build(key, std::move(*preset), watch, hurry);
     if (given_up()) return stale();
     if (!made) return wrong(made.errors(), notes);
     built = *made;
     grown = built->scene.grown;
   }
   double grow = seconds_since(start);
-  Json header{{"seconds", {{"grow", grow}}}, {"regrown", grown}, {"notes", Json::array()}};
+  Json header{{"seconds", {{"grow", grow}}},
+              {"regrown", grown},
+              {"missing", built->scene.missing},
+              {"coarse", built->coarse},
+              {"notes", Json::array()}};
   for (const Error& note : notes) header["notes"].push_back(note.text());
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
   Result<std::string> packet =

@@ -43,6 +43,10 @@ class Scenes {
   void tidy();
   /// Bytes that are kept.
   std::size_t kept() const { return room_->taken(); }
+  /// How far the growing is that a session waits for: `{"done", "of"}` organisms.
+  Json progress(const std::string& session);
+  /// Nobody waits for the answer to that question of a session any more.
+  void leave(const std::string& session, std::uint64_t number);
 
   /// The word of an organism's grammar and what becomes of it.
   Answer derive(const Doc& doc, const Json& question) const;
@@ -54,9 +58,20 @@ class Scenes {
   struct Built {
     Preset preset;
     Scene scene;
+    bool coarse = false;
   };
+  /// What is asked for while somebody drags: just some organisms, and these coarsely.
+  struct Hurry {
+    Haste only;
+    bool coarsely = false;
+  };
+  static Hurry hurry_of(const Json& question);
+
   struct Session {
     std::atomic<std::uint64_t> newest{0};
+    std::atomic<std::size_t> done{0}, of{0};  // organisms that grow
+    /// That question is the newest now, if none newer has come.
+    void ask(std::uint64_t number);
     std::mutex in_work;  // one question at a time
   };
 
@@ -65,10 +80,10 @@ class Scenes {
   void tidy_at_times(std::size_t sent);
   std::shared_ptr<Session> session(const std::string& name);
   std::shared_ptr<const Built> find(const std::string& key);
-  Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset,
-                                             const std::function<bool()>& given_up);
+  Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset, const Watch& watch,
+                                             const Hurry& hurry);
   /// Where growing what is new takes longer than that many seconds, or more than the machine has.
-  Result<Json> foretold(const Preset& preset, double seconds);
+  Result<Json> foretold(const Preset& preset, const Haste& haste, double seconds);
 
   const Documents& documents_;
   std::shared_ptr<Storeroom> room_;

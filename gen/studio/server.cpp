@@ -270,6 +270,14 @@ class Server {
       std::uint64_t number = std::strtoull(request.get_param_value("seq").c_str(), nullptr, 10);
       send(response, scenes_.view(doc, question, request.get_param_value("session"), number));
     });
+    server_.Get("/api/scene", [this](const Request& request, Response& response) {
+      send(response, 200, scenes_.progress(request.get_param_value("session")));
+    });
+    server_.Delete("/api/scene", [this](const Request& request, Response& response) {
+      std::uint64_t number = std::strtoull(request.get_param_value("seq").c_str(), nullptr, 10);
+      scenes_.leave(request.get_param_value("session"), number);
+      send(response, 200, {{"ok", true}});
+    });
     post("/api/derive", [this](const Request&, Response& response, const Json& question, Doc doc) {
       send(response, scenes_.derive(doc, question));
     });

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "core/bounds.h"
 #include "core/parallel.h"
@@ -122,8 +123,9 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
   }
 }
 
-/// The parts of a specimen at a time, with what they are parts of.
-Result<std::vector<DrawnPart>> parts_of(const Specimen& s, std::size_t index, double time) {
+/// The parts of a specimen at a time. Their names tell which of its entry's it is, not which of the scene's:
+/// so they stay what they are while others come and go.
+Result<std::vector<DrawnPart>> parts_of(const Specimen& s, std::size_t number, double time) {
   Result<std::vector<DrawnPart>> parts = std::vector<DrawnPart>{};
   if (s.life.changes()) {
     Result<Specimen> now = developed(s, time);
@@ -134,10 +136,19 @@ Result<std::vector<DrawnPart>> parts_of(const Specimen& s, std::size_t index, do
   if (!parts) return parts;
   for (DrawnPart& part : *parts) {
     part.head["entry"] = s.entry == Specimen::kNoEntry ? -1 : static_cast<int>(s.entry);
-    part.head["specimen"] = index;
+    part.head["number"] = number;
     part.set_id();
+    part.head.erase("number");
   }
   return parts;
+}
+
+/// Of each specimen, how many of its entry come before it.
+std::vector<std::size_t> numbers_of(const std::vector<Specimen>& specimens) {
+  std::map<std::size_t, std::size_t> count;
+  std::vector<std::size_t> numbers;
+  for (const Specimen& s : specimens) numbers.push_back(count[s.entry]++);
+  return numbers;
 }
 
 /// The parts of all specimens that are to be seen.
@@ -146,6 +157,7 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, Greenhouse&
   using Parts = std::shared_ptr<const std::vector<DrawnPart>>;
   std::vector<Parts> made(scene.specimens.size());
   std::vector<Errors> errors(scene.specimens.size());
+  std::vector<std::size_t> numbers = numbers_of(scene.specimens);
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     const Specimen& s = scene.specimens[i];
     bool own = s.entry != Specimen::kNoEntry;
@@ -153,10 +165,10 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, Greenhouse&
     auto origin = scene.origins.find(s.entry);
     std::string name;
     if (origin != scene.origins.end()) {
-      name = fmt::format("{} {} {}", origin->second, i, request.time);
+      name = fmt::format("{} {} {} {}", origin->second, s.entry, numbers[i], request.time);
       if ((made[i] = ready.parts.find(name))) return;
     }
-    Result<std::vector<DrawnPart>> list = parts_of(s, i, request.time);
+    Result<std::vector<DrawnPart>> list = parts_of(s, numbers[i], request.time);
     if (!list) {
       errors[i] = list.errors();
       return;
@@ -168,7 +180,8 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, Greenhouse&
   });
   for (std::size_t i = 0; i < made.size(); ++i) {
     if (!errors[i].empty()) return errors[i];
-    if (made[i]) parts.insert(parts.end(), made[i]->begin(), made[i]->end());
+    if (!made[i]) continue;
+    for (const DrawnPart& part : *made[i]) parts.emplace_back(part).head["specimen"] = i;
   }
   return {};
 }
