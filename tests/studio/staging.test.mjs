@@ -49,8 +49,8 @@ test('a planting is dragged over the ground', async () => {
   await page.getByTestId('tab:text').click();
   await page.getByTestId('organism:0').click();
   const was = await parts(page);
-  // Where it is seen, just above its foot.
-  const grip = await pixel([0.5, 0.05, 0]);
+  // By the dot at its foot.
+  const grip = await pixel(await page.evaluate(() => window.frond.view.header.specimens[1].foot));
   const foot = await pixel([0.5, 0, 0]), goal = await pixel([0.2, 0, 0.6]);
   await drag(grip, grip.map((x, i) => x + goal[i] - foot[i]));
   await changed(page, was);

@@ -4,8 +4,8 @@
  * Marks (data-testid) that tests in a browser may rely on:
  *   top bar      to-gallery file unsaved undo redo save save-as-button seed variations render theme side
  *   outline      part:preset part:scene part:all organisms organism:N solo:N hide:N more:N add-organism
- *   properties   search group:PATH row:PATH (of organisms row:organism/PATH) scope:PATH animate:PATH seed-dice open-grammar
- *   view         view scene-status look-through set-camera foretold time play
+ *   properties   search group:PATH row:PATH (of organisms row:organism/PATH) scope:PATH animate:PATH seed-dice open-grammar species make-own
+ *   view         view scene-status look-through set-camera view:NAME growing stop-growing grow-on foretold time play
  *   drawer       tab:problems tab:grammar tab:text tab:renders; problems text
  *   grammar      grammar-panel axiom rules:rules rules:interpretation rules:decomposition derive-steps derive-figures word
  *                turtle-svg derivation-tree
@@ -13,6 +13,7 @@
  *                wipe close-picture
  *   variations   wall wall-grid variation:VALUE
  *   gallery      gallery gallery-search new-preset card:NAME own:NAME
+ *   species      choose-species species:NAME
  *   dialogs      add add:KIND add-from add-which save-as save-name save-wrong save-conflict long leave left answer:VALUE
  *   elsewhere    banner changed
  * `window.frond` has what the view gives (`mask()`, a picture of the organisms alone; `settled()`), `shown()`, which resolves
@@ -54,6 +55,9 @@ import { wall } from "./panels/wall";
 import { watchFile } from "./panels/watch";
 import { listenToKeys } from "./shortcuts";
 import { Store } from "./store";
+
+/** Windows of so few pixels have no room for view and properties side by side (layout.css says the same). */
+const NARROW = 640;
 
 const store = new Store();
 let refused = false;
@@ -117,6 +121,8 @@ function build(): void {
   const side = el("aside.side", { "aria-label": "Preset" }, outliner(store, () => void addOrganism(store)), properties);
   const center = el("div.center", {}, el("div.pictures-row", {}, scene.element, pane.element, variations.element), time.element, below.element);
   const workshop = el("div.workshop", { hidden: true }, center, side);
+  // A small window shows the view first.
+  workshop.classList.toggle("no-side", innerWidth <= NARROW);
   const toggleSide = (): void => void workshop.classList.toggle("no-side");
   const bar = topBar(store, {
     gallery: () => void leave(),
@@ -170,6 +176,7 @@ function build(): void {
     saveAs: () => store.isOpen && void saveAs(store),
     play: time.toggle,
     camera: scene.toggleCamera,
+    ...scene.looks,
     search: () => document.querySelector<HTMLElement>(store.isOpen ? "[data-testid=search]" : "[data-testid=gallery-search]")?.focus(),
   });
   addEventListener("pagehide", () => store.keepDraft());

@@ -8,6 +8,11 @@ export interface Shortcuts {
   play(): void;
   camera(): void;
   search(): void;
+  frame(): void;
+  front(): void;
+  side(): void;
+  top(): void;
+  home(): void;
 }
 
 const isText = (target: EventTarget | null): boolean =>
@@ -15,7 +20,7 @@ const isText = (target: EventTarget | null): boolean =>
 
 export function listenToKeys(acts: Shortcuts): void {
   addEventListener("keydown", (event) => {
-    if (document.querySelector("dialog[open]")) return;
+    if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const act = event.ctrlKey || event.metaKey ? withControl(event, acts) : plain(event, acts);
     if (!act) return;
     event.preventDefault();
@@ -37,5 +42,9 @@ function plain(event: KeyboardEvent, acts: Shortcuts): (() => void) | undefined 
   if (event.key === " " && !isButton) return acts.play;
   if (event.key === "c") return acts.camera;
   if (event.key === "/") return acts.search;
+  const look = ({ f: acts.frame, "1": acts.front, "3": acts.side, "7": acts.top } as Record<string, (() => void) | undefined>)[event.key];
+  if (look) return look;
+  // In sliders, lists and tabs Home is the first of them.
+  if (event.key === "Home" && !(event.target instanceof HTMLElement && event.target.closest("input, select, [role=tablist], [role=menu], [tabindex='0']:not(canvas)"))) return acts.home;
   return undefined;
 }

@@ -1,14 +1,14 @@
 /** The state of the page. Panels read it, change it by its methods, and listen to what has changed. */
 
-import type { Doc, Fault, Foretold, Listed, Loaded, Start } from "./api";
+import type { Doc, Fault, Listed, Loaded, Start } from "./api";
 import { quiet } from "./dom";
 import { loadDraft, saveDraft, type Selection } from "./drafts";
 import { insertAt, removeAt, setAt, sliceAt } from "./edits";
 import { getAt, type Path } from "./pointer";
 import { beside, Preset } from "./preset";
-import { readSpecies, readWithBases, relativeTo, withSpecies } from "./species";
+import { readSpecies, readWithBases } from "./species";
 import { PresetSchema } from "./schema";
-import type { Header } from "./view/header";
+import { NO_SCENE, type SceneStatus } from "./scene_status";
 
 export type Change =
   | "text" // the preset's text, and so all values
@@ -20,18 +20,6 @@ export type Change =
   | "saved"
   | "opened-groups" // groups of properties are to be open that were not
   | "link"; // the server came or went
-
-export interface SceneStatus {
-  header: Header | null;
-  errors: Fault[];
-  notes: string[];
-  foretold: Foretold | null;
-  busy: boolean;
-  /** What went wrong with the server itself. */
-  trouble: string;
-  /** From the request to the picture, seconds. */
-  took: number;
-}
 
 const UNDO_STEPS = 200;
 
@@ -50,10 +38,14 @@ export class Store {
   isOpen = false;
 
   selected: Selection = "preset";
+  /** Whether a person chose what is selected: what a preset opens with is not marked in the view. */
+  picked = false;
   time = 0;
+  /** An organism that was added and not looked at yet. */
+  added: number | null = null;
   solo = new Set<number>();
   hidden = new Set<number>();
-  scene: SceneStatus = { header: null, errors: [], notes: [], foretold: null, busy: false, trouble: "", took: 0 };
+  scene: SceneStatus = { ...NO_SCENE };
   link: "up" | "down" | "refused" = "up";
 
   private undoTexts: string[] = [];
@@ -140,9 +132,11 @@ export class Store {
 
   private announceOpened(): void {
     this.isOpen = true;
+    this.picked = false;
+    this.added = null;
     this.solo.clear();
     this.hidden.clear();
-    this.scene = { header: null, errors: [], notes: [], foretold: null, busy: false, trouble: "", took: 0 };
+    this.scene = { ...NO_SCENE };
     this.keepRight();
     this.keepDraft();
     this.emit("opened");
@@ -291,17 +285,10 @@ export class Store {
     return first === "organisms" && typeof entry === "number" && rest.length ? getAt(this.preset.ofSpecies(entry), rest) : undefined;
   }
 
-  /** Writes all that its species says into the organism, which names none then. */
-  makeOwn(entry: number): void {
-    const file = beside(this.file, this.preset.speciesName(entry));
-    const path: Path = ["organisms", entry];
-    const text = this.writtenOut(this.text, [...path, "species"]);
-    this.change(withSpecies(text, path, this.preset.organisms[entry], this.preset.ofSpecies(entry), (name) => relativeTo(this.file, beside(file, name))));
-  }
-
   addOrganism(organism: unknown): void {
     const at = this.preset.organisms.length;
     const text = at ? this.writtenOut(this.text, ["organisms", 0]) : this.text;
+    this.added = at;
     this.change(insertAt(text, ["organisms"], at, organism));
     this.select(at);
   }
@@ -339,8 +326,9 @@ export class Store {
   // What is looked at
 
   select(selected: Selection): void {
-    if (this.selected === selected) return;
+    if (this.selected === selected && this.picked) return;
     this.selected = selected;
+    this.picked = true;
     this.keep();
     this.emit("selected");
   }

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { parse } from "jsonc-parser";
+import { changedOrganisms, grownFrom } from "../src/changes";
 import { reckon } from "../src/controls/reckon";
 import { scaleOf, usualScale, valueAt } from "../src/controls/scale";
 import { insertAt, removeAt, setAt } from "../src/edits";
@@ -13,6 +14,8 @@ import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
 import { sizeFor } from "../src/film_size";
+import type { Header, Part } from "../src/view/header";
+import { merged } from "../src/view/merge";
 import { enlarged, everyOf, firstOf, LARGEST } from "../src/view/thinning";
 
 const TEXT = `{
@@ -225,4 +228,27 @@ test("pictures are rendered in the film's own shape", () => {
     assert.equal(w / h, 4 / 3, name);
   }
   assert.deepEqual(sizeFor("320", [640, 480]), [320, 240]);
+});
+
+test("what is changed is known, and that all may be another", () => {
+  const from = (text: string): ReturnType<typeof grownFrom> => grownFrom(new Preset(text));
+  const was = from('{"seed": 1, "title": "a", "organisms": [{"kind": "rock"}, {"kind": "coral", "height": 1}]}');
+  assert.deepEqual(changedOrganisms(was, from('{"seed": 1, "title": "b", "organisms": [{"kind": "rock"}, {"kind": "coral", "height": 2}]}')), [1]);
+  assert.deepEqual(changedOrganisms(was, from('{"seed": 2, "organisms": [{"kind": "rock"}, {"kind": "coral", "height": 2}]}')), []);
+  assert.deepEqual(changedOrganisms(was, from('{"seed": 1, "organisms": [{"kind": "rock"}]}')), []);
+  assert.deepEqual(changedOrganisms(was, from('{"seed": 1, "defaults": {"size": 2}, "organisms": [{"kind": "rock"}, {"kind": "coral", "height": 1}]}')), [0, 1]);
+  assert.deepEqual(changedOrganisms(null, was), []);
+});
+
+test("what is missing from a picture stays as it was", () => {
+  const part = (id: string, entry: number, specimen: number): Part => ({ id, kind: "mesh", entry, specimen }) as Part;
+  const header = (parts: Part[], missing: number[], specimens: Header["specimens"]): Header =>
+    ({ parts, missing, specimens, nodes: 1, camera: { at: [0, 0, parts.length] }, entries: [{ name: "a", specimens: 1 }, { name: "b", specimens: specimens.length - 1 }] }) as unknown as Header;
+  const at = (entry: number): Header["specimens"][number] => ({ entry, foot: [entry, 0, 0], placed: 0 });
+  const was = header([part("ground", -1, -1), part("a1", 0, 0), part("b1", 1, 1)], [], [at(0), at(1)]);
+  const now = merged(was, header([part("ground", -1, -1), part("a2", 0, 0)], [1], [at(0)]));
+  assert.deepEqual(now.parts.map((p) => [p.id, p.specimen]), [["ground", -1], ["a2", 0], ["b1", 1]]);
+  assert.deepEqual(now.specimens.map((s) => s.entry), [0, 1]);
+  assert.deepEqual(now.entries.map((e) => e.specimens), [1, 1]);
+  assert.equal(now.camera, was.camera);
 });

@@ -61,6 +61,7 @@ export function outliner(store: Store, addOrganism: () => void): HTMLElement {
       return made;
     }));
     organisms.replaceChildren(...store.preset.organisms.map((_, i) => organism(i)));
+    organisms.querySelector(".chosen")?.scrollIntoView({ block: "nearest" });
     if (focused && element.contains(document.activeElement) === false) element.querySelector<HTMLElement>(`[data-testid="${focused}"]`)?.focus();
   };
   element.addEventListener("keydown", (event) => keys(event, element, store));

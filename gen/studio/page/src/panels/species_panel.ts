@@ -29,7 +29,7 @@ function canName(store: Store, listed: api.Listed): boolean {
 export function speciesControl(store: Store, entry: number): Control {
   const name = el<HTMLButtonElement>("button.species-name", { type: "button", "data-testid": "species", "data-tip": "Choose a species: its properties hold where this organism has none of its own", click: () => void choose(store, entry) });
   const own = el<HTMLButtonElement>("button", { type: "button", "data-testid": "make-own", "data-tip": "Writes all that the species says into this preset, which needs the species no more", click: () => {
-    store.makeOwn(entry);
+    makeOwn(store, entry);
     say("Its properties are its own now.");
   } }, "Make it my own");
   const hint = el("p.hint");
@@ -44,6 +44,17 @@ export function speciesControl(store: Store, entry: number): Control {
       hint.textContent = known ? `Marked “sp.”: as ${file} says.` : `${file} is read …`;
     },
   };
+}
+
+/** Writes all that its species says into the organism, which names none then. */
+function makeOwn(store: Store, entry: number): void {
+  const { preset } = store;
+  write(store, entry, preset.ofSpecies(entry), beside(store.file, preset.speciesName(entry)));
+}
+
+function write(store: Store, entry: number, species: Record<string, unknown>, file: string): void {
+  const path = ["organisms", entry];
+  store.batch((text) => withSpecies(store.writtenOut(text, [...path, "species"]), path, store.preset.organisms[entry], species, (name) => relativeTo(store.file, beside(file, name))));
 }
 
 async function choose(store: Store, entry: number): Promise<void> {
@@ -86,6 +97,6 @@ async function take(store: Store, entry: number, found: api.Listed): Promise<voi
   if (canName(store, found)) return store.set(["organisms", entry, "species"], relativeTo(store.file, found.file));
   const species = await readSpecies(found.file);
   if (!species) return say(`${found.title} could not be read.`, true);
-  store.batch((text) => withSpecies(store.writtenOut(text, ["organisms", entry, "name"]), ["organisms", entry], store.preset.organisms[entry], species, (name) => relativeTo(store.file, beside(found.file, name))));
+  write(store, entry, species, found.file);
   say(`${found.title} lies in a folder that this preset cannot name: its properties are written out.`);
 }

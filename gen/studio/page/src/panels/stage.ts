@@ -14,8 +14,18 @@ import { onTheme } from "./theme";
 
 type Vec3 = [number, number, number];
 
+type StageLooks = Record<"frame" | "front" | "side" | "top" | "home", () => void>;
+const VIEWS: [keyof StageLooks, string, string][] = [
+  ["frame", "Frame", "Bring what is selected into the window (F)"],
+  ["front", "Front", "From the front (1)"],
+  ["side", "Side", "From the side (3)"],
+  ["top", "Top", "From above (7)"],
+  ["home", "Home", "Back to where the preset's camera stands (Home)"],
+];
+
 export interface Stage {
   element: HTMLElement;
+  looks: StageLooks;
   loop: SceneLoop;
   view: View;
   toggleCamera(): void;
@@ -29,8 +39,13 @@ export function stage(store: Store): Stage {
     const { at, to } = view.eye();
     setCamera(store, at, to);
   } }, "Set to this view");
+  const chosen = (): number | null => (store.picked && typeof store.selected === "number" ? store.selected : null);
+  const looks: StageLooks = { frame: () => view.frame(chosen()), front: () => view.frame(chosen(), "front"), side: () => view.frame(chosen(), "side"), top: () => view.frame(chosen(), "top"), home: () => view.home() };
+  const views = VIEWS.map(([name, label, tip]) => el("button.small", { type: "button", "data-tip": tip, "data-testid": `view:${name}`, click: looks[name] }, label));
   const over = el("div.over", { hidden: true, "data-testid": "foretold" });
-  const element = el("section.stage", { "aria-label": "View of the model" }, host, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, look, set), over, figures);
+  const bar = el<HTMLProgressElement>("progress", { max: 1, "aria-label": "Organisms that have grown" });
+  const growing = el("div.growing", { hidden: true, "data-testid": "growing" }, bar, el("button.small", { type: "button", "data-testid": "stop-growing", click: () => loop.stop() }, "Stop"));
+  const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, ...views, look, set), over, figures);
   let through = false;
 
   const view = new View(host, {
@@ -57,14 +72,17 @@ export function stage(store: Store): Stage {
     look.setAttribute("aria-pressed", String(on));
   }
   const showFigures = (): void => {
-    const { header, busy, took, foretold } = store.scene;
+    const { header, busy, took, foretold, stopped, growing: soFar } = store.scene;
     const faults = store.faults.length;
     element.classList.toggle("busy", busy);
     element.classList.toggle("wrong", faults > 0);
     // Words that change with each picture would be read aloud without end.
     figures.setAttribute("aria-live", faults ? "polite" : "off");
-    figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
-    over.hidden = foretold === null;
+    figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : soFar ? `Growing, ${soFar.done} of ${soFar.of} …` : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
+    over.hidden = foretold === null && !stopped;
+    if (stopped) over.replaceChildren(el("span", {}, "Stopped: not all has grown."), el("button", { type: "button", "data-testid": "grow-on", click: () => loop.agree() }, "Grow it"));
+    growing.hidden = soFar === null;
+    if (soFar) bar.value = soFar.of ? soFar.done / soFar.of : 0;
   };
   const summary = (nodes: number, copies: number, took: number): string =>
     [`${grouped(nodes)} nodes`, copies ? `${grouped(copies)} copies` : "", spoken(took)].filter(Boolean).join(" · ");
@@ -85,6 +103,11 @@ export function stage(store: Store): Stage {
   store.on("scene", () => {
     showFigures();
     void askIfLong();
+    // What was added may stand anywhere.
+    const drawn = store.added === null ? undefined : store.scene.header?.entries[store.added];
+    if (!drawn || store.scene.header?.missing.includes(store.added!) || drawn.specimens + drawn.copies === 0) return;
+    view.frame(store.added);
+    store.added = null;
   });
   store.on("opened", () => {
     view.lookThrough(false);
@@ -99,10 +122,10 @@ export function stage(store: Store): Stage {
   };
   store.on(["text", "selected", "opened"], () => {
     drawPaths();
-    view.select(typeof store.selected === "number" ? store.selected : null);
+    view.select(chosen());
   });
   onTheme((dark) => view.theme(dark));
-  return { element, loop, view, toggleCamera };
+  return { element, looks, loop, view, toggleCamera };
 }
 
 const round = (x: number): number => Number(x.toFixed(3));

@@ -1,4 +1,4 @@
-import { Box3, BufferGeometry, Color, DoubleSide, FrontSide, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial, Vector3, Vector4, type IUniform } from "three";
+import { Box3, BufferGeometry, DoubleSide, FrontSide, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial, Vector3, Vector4, type IUniform } from "three";
 import type { LeafPictures } from "./leaf_pictures";
 import type { Shared } from "./shared";
 import { enlarged, everyOf, firstOf } from "./thinning";
@@ -88,7 +88,6 @@ export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
   ) {
     const uniforms = {
       ...studio.shared,
-      highlight: { value: new Color(0, 0, 0) },
       number: { value: new Vector4() },
       organism: { value: 0 },
       count: { value: count },
@@ -148,10 +147,6 @@ export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
     const byte = (shift: number): number => ((number >> shift) & 255) / 255;
     (this.uniforms.number!.value as Vector4).set(byte(0), byte(8), byte(16), 1);
     this.uniforms.organism!.value = organism ? 1 : 0;
-  }
-
-  highlight(strength: number): void {
-    (this.uniforms.highlight!.value as Color).setRGB(0.25, 0.45, 1).multiplyScalar(strength);
   }
 
   dispose(): void {

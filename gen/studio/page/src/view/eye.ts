@@ -1,4 +1,4 @@
-import { MathUtils, PerspectiveCamera, Vector3 } from "three";
+import { MathUtils, PerspectiveCamera, Sphere, Vector3, type Box3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Header, Vec3 } from "./header";
 
@@ -12,6 +12,8 @@ export class Eye {
   readonly controls: OrbitControls;
   /** Whether it looks through the preset's camera. */
   through = false;
+  /** Whether a person has moved it since it stood where the preset's camera does. */
+  moved = false;
   private film: Header["camera"] = { at: [0, 1, 5], to: [0, 0, 0], angle: 50 };
   private filmAspect = 1.6;
   private width = 1;
@@ -88,6 +90,32 @@ export class Eye {
     return true;
   }
 
+  /** Looks at a box so that all of it is in the window, from where it looks now or from that side. */
+  lookAt(box: Box3, from?: Vec3): void {
+    this.leave();
+    const { camera, controls } = this;
+    this.flight = null;
+    camera.fov = this.fov();
+    if (from) arm.set(...from);
+    else arm.copy(camera.position).sub(controls.target);
+    if (arm.lengthSq() === 0) arm.set(0, 0.3, 1);
+    box.getBoundingSphere(ball);
+    const half = Math.min(Math.tan(MathUtils.degToRad(camera.fov) / 2), Math.tan(MathUtils.degToRad(camera.fov) / 2) * camera.aspect);
+    const away = (1.1 * Math.max(ball.radius, 0.005)) / Math.sin(Math.atan(half));
+    controls.target.copy(ball.center);
+    camera.position.copy(ball.center).addScaledVector(arm.normalize(), away);
+    this.lens();
+    controls.update();
+    this.changed();
+  }
+
+  /** Stands where the preset's camera does. */
+  home(): void {
+    this.stand();
+    this.lens();
+    this.changed();
+  }
+
   /** The film's frame in the window: left, top, width and height in pixels. */
   frame(): [number, number, number, number] {
     const width = this.share() * Math.min(this.width, this.height * this.filmAspect);
@@ -118,11 +146,13 @@ export class Eye {
   }
 
   private leave(): void {
+    this.moved = true;
     if (!this.through) return;
     this.lookThrough(false, false);
     this.left();
   }
   private stand(): void {
+    this.moved = false;
     this.camera.position.set(...this.film.at);
     this.controls.target.set(...this.film.to);
     this.camera.fov = this.fov();
@@ -149,6 +179,7 @@ const filmAt = new Vector3();
 const filmTo = new Vector3();
 const arm = new Vector3();
 const aside = new Vector3();
+const ball = new Sphere();
 
 /** A camera that looks straight down has no up but north. */
 function upright(camera: PerspectiveCamera, film: Header["camera"]): void {

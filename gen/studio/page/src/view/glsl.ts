@@ -48,7 +48,6 @@ uniform vec4 eye;
 uniform sampler2DShadow shade;
 uniform mat4 to_shade;
 uniform float shade_texel;  // metres, 0: no shadows
-uniform vec3 highlight;
 
 float sunlight(vec3 p, vec3 n) {
   if (shade_texel <= 0.0) return 1.0;
@@ -73,10 +72,6 @@ vec3 lit(vec3 color, vec3 p, vec3 n, float gloss, float through) {
     light += color * sun_light * (shine * (max(facing, 0.0) + through * max(-facing, 0.0)));
     if (gloss > 0.02 && facing > 0.0)
       light += sun_light * (shine * gloss * 0.25 * pow(max(dot(n, normalize(sun + to_eye / away)), 0.0), 8.0 + 60.0 * gloss));
-  }
-  if (highlight.b > 0.0) {
-    float rim = 1.0 - seen;
-    light += highlight * (0.15 + 0.85 * rim * rim);
   }
   return haze.w > 0.0 ? mix(haze.rgb, light, exp(-away / haze.w)) : light;
 }

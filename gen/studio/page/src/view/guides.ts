@@ -16,9 +16,11 @@ export interface Handle {
   at: Vector3;
 }
 
-const COLORS = { food: 0xffa63d, camera: 0x6aa5ff };
+const COLORS = { food: 0xffa63d, camera: 0x6aa5ff, foot: 0xffffff };
 const HANDLE = 6; // pixels
 const PIECES = 16;
+/** More feet than these are a carpet that hides what stands on them. */
+const MOST_FEET = 200;
 
 const lines = (color: number, opacity: number): LineBasicMaterial => new LineBasicMaterial({ color, transparent: true, opacity, depthTest: false });
 
@@ -30,8 +32,10 @@ export class Guides extends Group {
   private paints = {
     food: new MeshBasicMaterial({ color: COLORS.food, depthTest: false, transparent: true }),
     camera: new MeshBasicMaterial({ color: COLORS.camera, depthTest: false, transparent: true }),
+    foot: new MeshBasicMaterial({ color: COLORS.foot, depthTest: false, transparent: true }),
   };
   private drawnPaths = new Group();
+  private feet = new Group();
   private film: LineSegments;
   private ring: Line;
   private list: Path[] = [];
@@ -45,7 +49,7 @@ export class Guides extends Group {
     this.ring = new Line(new BufferGeometry().setAttribute("position", new BufferAttribute(circle, 3)), lines(0xffffff, 0.9));
     this.ring.visible = false;
     for (const one of [this.film, this.ring]) one.frustumCulled = false;
-    this.add(this.film, this.drawnPaths, this.ring);
+    this.add(this.film, this.drawnPaths, this.feet, this.ring);
   }
 
   setPaths(list: Path[]): void {
@@ -63,6 +67,18 @@ export class Guides extends Group {
         this.handles.push({ handle: { what: path.what, pointer: key.pointer, at: ball.position }, ball });
       }
     }
+  }
+
+  /** What can be moved over the ground is taken hold of at its foot. */
+  setFeet(list: Vec3[]): void {
+    this.feet.clear();
+    if (list.length) this.feet.add(...list.slice(0, MOST_FEET).map(() => new Mesh(this.ball, this.paints.foot)));
+    this.feet.children.forEach((ball, i) => ball.position.set(...list[i]!));
+  }
+
+  /** The foot that is drawn nearest to a pixel, as its number in the list; -1: none is near. */
+  footAt(x: number, y: number, toPixel: ToPixel): number {
+    return nearest(this.feet.children.map((ball) => ball.position), x, y, toPixel);
   }
 
   /** Moves one key until the paths are set anew. */
@@ -112,17 +128,8 @@ export class Guides extends Group {
   }
 
   /** The key that is drawn nearest to a pixel, if any is near. */
-  handleAt(x: number, y: number, toPixel: (at: Vector3) => { x: number; y: number; near: boolean }): Handle | null {
-    let best: Handle | null = null;
-    let least = HANDLE + 5;
-    for (const { handle } of this.handles) {
-      const p = toPixel(handle.at);
-      const away = Math.hypot(p.x - x, p.y - y);
-      if (!p.near || away >= least) continue;
-      least = away;
-      best = handle;
-    }
-    return best;
+  handleAt(x: number, y: number, toPixel: ToPixel): Handle | null {
+    return this.handles[nearest(this.handles.map(({ handle }) => handle.at), x, y, toPixel)]?.handle ?? null;
   }
 
   /** Handles are of one size on the screen; the preset's camera is not seen from where it stands itself. `pixel`: metres
@@ -131,7 +138,7 @@ export class Guides extends Group {
     const position = this.film.geometry.getAttribute("position") as BufferAttribute;
     const away = camera.position.distanceTo(apex.fromBufferAttribute(position, 0));
     this.film.visible = this.cameraShown && away > 1.5 * apex.distanceTo(base.fromBufferAttribute(position, 1));
-    for (const { ball } of this.handles) ball.scale.setScalar(HANDLE * pixel * ball.position.distanceTo(camera.position));
+    for (const ball of [...this.handles.map((h) => h.ball), ...this.feet.children]) ball.scale.setScalar(HANDLE * pixel * ball.position.distanceTo(camera.position));
     this.updateMatrixWorld();
   }
 
@@ -140,6 +147,7 @@ export class Guides extends Group {
     this.ball.dispose();
     this.paints.food.dispose();
     this.paints.camera.dispose();
+    this.paints.foot.dispose();
     for (const one of [this.film, this.ring]) {
       one.geometry.dispose();
       (one.material as LineBasicMaterial).dispose();
@@ -155,6 +163,22 @@ export class Guides extends Group {
     this.drawnPaths.clear();
     this.handles = [];
   }
+}
+
+type ToPixel = (at: Vector3) => { x: number; y: number; near: boolean };
+
+/** Which of some points is drawn nearest to a pixel; -1: none is near enough to be meant. */
+function nearest(points: Vector3[], x: number, y: number, toPixel: ToPixel): number {
+  let best = -1;
+  let least = HANDLE + 5;
+  points.forEach((point, i) => {
+    const p = toPixel(point);
+    const away = Math.hypot(p.x - x, p.y - y);
+    if (!p.near || away >= least) return;
+    least = away;
+    best = i;
+  });
+  return best;
 }
 
 const apex = new Vector3();

@@ -80,6 +80,9 @@ export interface Header {
   copies: number;
   seconds: { grow: number; pack: number };
   regrown: number[];
+  /** Organisms that were left out, in haste; `coarse`: those that were asked for are rough. */
+  missing: number[];
+  coarse: boolean;
   notes: string[];
   camera: { at: Vec3; to: Vec3; angle: number };
   light: Light;

@@ -1,6 +1,7 @@
 import { Box3, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderTarget, WebGLRenderer } from "three";
 import { Stand } from "./copies";
 import { Drawn } from "./drawn";
+import { Outline } from "./outline";
 import { shared, type Shared } from "./shared";
 import { Settle } from "./settle";
 import { Shadow } from "./shadow";
@@ -26,6 +27,9 @@ export class Painter {
   private sky: Sky;
   private shadow: Shadow;
   private settle: Settle;
+  private outline: Outline;
+  /** What a line is drawn round when nothing moves. */
+  marked: ReadonlySet<Drawn> = new Set();
   private stands: Stand[] = [];
   private things: Drawn[] = [];
   /** Pixels that may be lost, for the budget of each mode. */
@@ -54,12 +58,14 @@ export class Painter {
     this.shadow = new Shadow(this.renderer, this.slow ? 1024 : 2048);
     this.shared.shade.value = this.shadow.texture;
     this.settle = new Settle(this.renderer);
+    this.outline = new Outline(this.renderer);
   }
 
   resize(width: number, height: number): void {
     this.renderer.setSize(width, height, false);
     this.renderer.getDrawingBufferSize(this.size);
     this.settle.resize(this.size.x, this.size.y);
+    this.outline.resize(this.size.x, this.size.y);
   }
 
   /** What is drawn from now on; shadows are those of what stands in `bounds`. */
@@ -118,6 +124,7 @@ export class Painter {
       this.mark();
       return true;
     }
+    if (this.settle.count === 0 && this.marked.size) this.takeOutline(camera);
     const [x, y] = Settle.shift(this.settle.count);
     const lens = camera.projectionMatrix.elements;
     const [wasX, wasY] = [lens[8]!, lens[9]!];
@@ -127,8 +134,19 @@ export class Painter {
     this.settle.step(() => this.look(camera, 0.2, false));
     lens[8] = wasX;
     lens[9] = wasY;
+    if (this.marked.size) this.outline.paint();
     this.mark();
     return this.settle.count < this.enough;
+  }
+
+  private takeOutline(camera: PerspectiveCamera): void {
+    this.flat(false, false);
+    for (const one of this.things) one.visible &&= this.marked.has(one);
+    this.shared.mask.value = 1;
+    this.setEye(camera, this.size.y, 0.2);
+    this.outline.take(() => this.renderer.render(this.world, camera));
+    this.shared.mask.value = 0;
+    this.unflat();
   }
 
   private shade(): void {
@@ -253,6 +271,7 @@ export class Painter {
     this.sky.dispose();
     this.shadow.dispose();
     this.settle.dispose();
+    this.outline.dispose();
     this.spot.dispose();
     this.renderer.dispose();
   }

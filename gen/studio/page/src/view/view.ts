@@ -1,13 +1,16 @@
 import { Box3, Raycaster, Vector2, Vector3, type Object3D } from "three";
 import { pictureAddress } from "../api";
+import { boundsOf, boxOf, SIDES } from "./boxes";
 import { Stand } from "./copies";
 import { Drawn } from "./drawn";
 import { Eye } from "./eye";
 import { Guides, type Handle, type Path } from "./guides";
 import { LeafPictures } from "./leaf_pictures";
 import { setLight } from "./light";
+import { merged } from "./merge";
 import { Painter } from "./painter";
 import { decode } from "./packet";
+import { addressOf } from "./pixels";
 import { Pointer, type Planting, type PointerTarget } from "./pointer";
 import { Shelf } from "./shelf";
 import type { Header, Part, Vec3 } from "./header";
@@ -46,7 +49,9 @@ export class View implements PointerTarget {
   private header: Header | null = null;
   private shown: { part: Part; thing: Drawn | Stand }[] = [];
   private selected: number | null = null;
-  private frame = 0;
+  /** Those of the selected organism whose places the preset gives. */
+  private movable: Header["specimens"] = [];
+  private coming = 0;
   /** Whether the model was on the screen yet. */
   private seen = false;
   private rest = 0;
@@ -61,7 +66,7 @@ export class View implements PointerTarget {
     this.canvas.tabIndex = 0;
     this.canvas.className = "view-canvas";
     this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", "The model in 3D. Arrow keys turn it, with Shift they move it, plus and minus come nearer and go away, Home goes back.");
+    this.canvas.setAttribute("aria-label", "The model in 3D. Arrow keys turn it, with Shift they move it, plus and minus come nearer and go away.");
     this.canvas.style.cssText = "display:block;width:100%;height:100%;touch-action:none";
     this.frameBox.style.cssText = "position:absolute;pointer-events:none;box-shadow:0 0 0 4000px rgb(0 0 0/.55);outline:1px solid rgb(255 255 255/.5);display:none";
     if (getComputedStyle(host).position === "static") host.style.position = "relative";
@@ -83,7 +88,9 @@ export class View implements PointerTarget {
   /** Shows what the server answered; throws where it is no picture of a model. */
   show(answer: ArrayBuffer): Header {
     const packet = decode(answer);
-    const first = this.header === null || this.header.entries.length === 0;
+    // The preset's camera may be known only when all has grown.
+    const first = this.header === null || this.header.entries.length === 0 || (this.header.missing.length > 0 && !this.eyes.moved);
+    if (this.header) packet.header = merged(this.header, packet.header);
     const kept = this.shelf.take(packet);
     this.header = packet.header;
     this.shown = packet.header.parts.flatMap((part, i) => (kept[i]!.thing ? [{ part, thing: kept[i]!.thing }] : []));
@@ -94,7 +101,7 @@ export class View implements PointerTarget {
     this.guides.setCamera(this.header);
     this.painter.setThings(
       this.shown.map(({ thing }) => thing),
-      this.bounds(),
+      boundsOf(this.header),
     );
     this.changed();
     return this.header;
@@ -108,6 +115,7 @@ export class View implements PointerTarget {
   clear(): void {
     this.header = null;
     this.shown = [];
+    this.markSelected();
     this.seen = false;
     this.painter.setThings([], new Box3());
     this.changed();
@@ -128,6 +136,18 @@ export class View implements PointerTarget {
   lookThrough(on: boolean): void {
     this.eyes.lookThrough(on, !this.seen);
     this.throughChanged();
+  }
+
+  /** Brings one organism, or all, into the window: from where one looks now, or from a side of it. */
+  frame(entry: number | null, side: keyof typeof SIDES | null = null): void {
+    if (!this.header) return;
+    const box = entry === null ? boundsOf(this.header) : boxOf(this.header.entries[entry]);
+    if (!box.isEmpty()) this.eyes.lookAt(box, side ? SIDES[side] : undefined);
+  }
+
+  /** Back to where the preset's camera stands. */
+  home(): void {
+    this.eyes.home();
   }
 
   eye(): { at: Vec3; to: Vec3 } {
@@ -154,13 +174,13 @@ export class View implements PointerTarget {
   /** Another picture is being asked for: this one need not become finer. */
   hold(on: boolean): void {
     this.held = on;
-    if (!on && !this.frame && !this.rest) this.rest = window.setTimeout(this.quiet, QUIET);
+    if (!on && !this.coming && !this.rest) this.rest = window.setTimeout(this.quiet, QUIET);
   }
 
   /** Resolves when the picture is as fine as it gets. */
   settled = async (): Promise<void> => {
     await this.drawn();
-    while (this.frame || this.rest) await new Promise((next) => setTimeout(next, 50));
+    while (this.coming || this.rest) await new Promise((next) => setTimeout(next, 50));
   };
 
   theme(dark: boolean): void {
@@ -175,13 +195,13 @@ export class View implements PointerTarget {
     this.eyes.resize(width, height);
     this.placeFrame();
     // At once: another size is a blank sheet.
-    cancelAnimationFrame(this.frame);
+    cancelAnimationFrame(this.coming);
     this.paint();
   }
 
   dispose(): void {
     this.stop.abort();
-    cancelAnimationFrame(this.frame);
+    cancelAnimationFrame(this.coming);
     clearTimeout(this.rest);
     this.pointer.dispose();
     this.eyes.dispose();
@@ -196,15 +216,8 @@ export class View implements PointerTarget {
   /** Organisms white on black from the preset's camera, as a PNG's address; `quickly`: as coarse as while something moves. */
   mask = async (width: number, height: number, quickly = false): Promise<string> => {
     const pixels = this.painter.mask(this.eyes.filmCamera(), width, height, quickly);
-    const canvas = document.createElement("canvas");
-    canvas.width = width;
-    canvas.height = height;
-    const pen = canvas.getContext("2d")!;
-    const image = pen.createImageData(width, height);
-    for (let y = 0; y < height; ++y) image.data.set(pixels.subarray(4 * width * (height - 1 - y), 4 * width * (height - y)), 4 * width * y);
-    pen.putImageData(image, 0, 0);
     this.changed();
-    return canvas.toDataURL("image/png");
+    return addressOf(pixels, width, height);
   };
 
   // ---- Drawing ----
@@ -213,17 +226,17 @@ export class View implements PointerTarget {
   private changed = (): void => {
     clearTimeout(this.rest);
     this.rest = 0;
-    cancelAnimationFrame(this.frame);
-    this.frame = requestAnimationFrame(this.draw);
+    cancelAnimationFrame(this.coming);
+    this.coming = requestAnimationFrame(this.draw);
   };
 
   private draw = (): void => {
-    if (this.painter.busy) this.frame = requestAnimationFrame(this.draw);
+    if (this.painter.busy) this.coming = requestAnimationFrame(this.draw);
     else this.paint();
   };
 
   private paint(): void {
-    this.frame = 0;
+    this.coming = 0;
     const more = this.eyes.step();
     this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
     this.painter.draw(this.camera);
@@ -233,8 +246,8 @@ export class View implements PointerTarget {
       this.painter.finish();
       requestAnimationFrame(() => waiting.forEach((resolve) => resolve()));
     }
-    if (more || this.frame) {
-      if (!this.frame) this.frame = requestAnimationFrame(this.draw);
+    if (more || this.coming) {
+      if (!this.coming) this.coming = requestAnimationFrame(this.draw);
       return;
     }
     this.rest = window.setTimeout(this.quiet, QUIET);
@@ -242,15 +255,15 @@ export class View implements PointerTarget {
 
   private quiet = (): void => {
     this.rest = 0;
-    if (this.header && !this.frame) this.frame = requestAnimationFrame(this.refine);
+    if (this.header && !this.coming) this.coming = requestAnimationFrame(this.refine);
   };
 
   private refine = (): void => {
     if (this.held) {
-      this.frame = 0;
+      this.coming = 0;
       return;
     }
-    this.frame = this.painter.busy || this.painter.refine(this.camera) ? requestAnimationFrame(this.refine) : 0;
+    this.coming = this.painter.busy || this.painter.refine(this.camera) ? requestAnimationFrame(this.refine) : 0;
   };
 
   private listen(): void {
@@ -286,18 +299,6 @@ export class View implements PointerTarget {
     Object.assign(style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
   }
 
-  /** The box of all that the preset's organisms take, for shadows. */
-  private bounds(): Box3 {
-    const box = new Box3();
-    const { entries, camera } = this.header!;
-    for (const { low, high, specimens, copies } of entries) if (specimens + copies > 0) box.union(new Box3(new Vector3(...low), new Vector3(...high)));
-    // Of a wide stand only what is near can be told apart.
-    const middle = new Vector3(...camera.to);
-    const far = Math.max(8, 2.5 * middle.distanceTo(new Vector3(...camera.at)));
-    const near = new Box3().setFromCenterAndSize(middle, new Vector3(2 * far, 4 * far, 2 * far));
-    return box.intersectsBox(near) ? box.intersect(near).expandByScalar(0.05) : box;
-  }
-
   // ---- What is what ----
 
   private identify(part: Part, thing: Drawn | Stand): void {
@@ -312,18 +313,18 @@ export class View implements PointerTarget {
   }
 
   private markSelected(): void {
-    for (const { part, thing } of this.shown) {
-      const strength = this.selected !== null && part.entry === this.selected ? 0.14 : 0;
-      for (const one of thing instanceof Stand ? thing.drawn() : [thing]) one.highlight(strength);
-    }
+    const marked = this.selected === null ? [] : this.shown.filter(({ part }) => part.entry === this.selected);
+    this.painter.marked = new Set(marked.flatMap(({ thing }) => (thing instanceof Stand ? thing.drawn() : [thing])));
+    this.movable = this.header?.specimens.filter((s) => s.entry === this.selected && s.placed !== null) ?? [];
+    this.guides.setFeet(this.movable.map((s) => s.foot));
   }
 
-  private specimenAt(x: number, y: number): { entry: number; specimen: number } | null {
+  private entryAt(x: number, y: number): number | null {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const number = this.painter.numberAt(this.camera, x, y, width, height);
-    if (number >= SOWN) return { entry: number - SOWN, specimen: -1 };
-    const specimen = this.header?.specimens[number - 1];
-    return specimen && specimen.entry >= 0 ? { entry: specimen.entry, specimen: number - 1 } : null;
+    if (number >= SOWN) return number - SOWN;
+    const entry = this.header?.specimens[number - 1]?.entry ?? -1;
+    return entry >= 0 ? entry : null;
   }
 
   // ---- What the pointer may do ----
@@ -343,10 +344,8 @@ export class View implements PointerTarget {
     return p.near && Math.hypot(p.x - x, p.y - y) < 14;
   }
   plantingAt(x: number, y: number): Planting | null {
-    if (this.selected === null || !this.header?.specimens.some((s) => s.entry === this.selected && s.placed !== null)) return null;
-    const found = this.specimenAt(x, y);
-    const specimen = found && found.entry === this.selected ? this.header.specimens[found.specimen] : undefined;
-    return specimen && specimen.placed !== null ? { entry: specimen.entry, place: specimen.placed, foot: specimen.foot } : null;
+    const found = this.movable[this.guides.footAt(x, y, this.toPixel)];
+    return found ? { entry: found.entry, place: found.placed!, foot: found.foot } : null;
   }
   groundUnder(ray: Raycaster, height: number): Vector3 | null {
     const ground = this.shown.filter(({ part, thing }) => part.kind === "ground" && thing instanceof Drawn && !thing.instanced);
@@ -357,7 +356,7 @@ export class View implements PointerTarget {
     return way > 0 && way < 1e4 ? origin.clone().addScaledVector(direction, way) : null;
   }
   click(x: number, y: number): void {
-    this.events.picked(this.header ? (this.specimenAt(x, y)?.entry ?? null) : null);
+    this.events.picked(this.header && this.entryAt(x, y));
   }
   flyToCamera(): void {
     this.lookThrough(true);
