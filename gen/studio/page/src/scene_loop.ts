@@ -17,7 +17,8 @@ const PATIENCE = 8;
 const LONG = 0.3;
 /** So long nothing is changed before the whole is grown, ms. */
 const CALM = 300;
-/** How often is looked what has grown so far, ms; a look takes at most this share of the time. */
+/** How soon, and how often, is looked what has grown so far, ms; a look takes at most this share of the time. */
+const FIRST_LOOK = 250;
 const LOOK = 700;
 const SHARE = 0.25;
 
@@ -138,7 +139,7 @@ export class SceneLoop {
     const session = this.session;
     const partial = this.grown === null;
     let seen = -1;
-    for (let pause = LOOK; ; ) {
+    for (let pause = FIRST_LOOK; ; ) {
       await sleep(pause);
       if (over() || session !== this.session) return;
       const begin = performance.now();
