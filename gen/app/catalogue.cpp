@@ -7,6 +7,7 @@
 #include "app/inputs.h"
 #include "app/pace.h"
 #include "app/streams.h"
+#include "core/figures.h"
 #include "core/files.h"
 #include "core/printable.h"
 #include "emit/foretell.h"
@@ -80,16 +81,22 @@ int check(const std::vector<std::string>& paths, const std::optional<std::string
   return result;
 }
 
-int info(const PresetArguments& arguments, bool json, bool sizes) {
+int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes) {
   if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
   tell_notes(preset->notes);
-  Result<Foretold> foretold = foretell(*preset, preset->film.frames);
+  FrameRange range{1, preset->film.frames};
+  if (frames) {
+    Result<FrameRange> asked = read_frames(*frames, preset->film.frames);
+    if (!asked) return fail(asked.errors(), kWrongInput);
+    range = *asked;
+  }
+  Result<Foretold> foretold = foretell(*preset, range.last - range.first + 1);
   if (!foretold) return fail(foretold.errors(), kWrongInput);
   const Foretold& f = *foretold;
   Machine machine = this_machine(".");
-  double memory = f.memory(f.at_once(machine)), seconds = f.seconds(machine.threads);
+  double memory = f.memory(f.at_once(machine));
   std::vector<GrownSize> grown;
   if (sizes) {
     now_doing("growing what stands in the scene");
@@ -103,18 +110,19 @@ int info(const PresetArguments& arguments, bool json, bool sizes) {
     put(
         fmt::format("{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"organs\": {:.0f}, "
                     "\"copies\": {:.0f}, \"models\": {:.0f}, \"memory_bytes\": {:.0f}, \"frames\": {}, "
-                    "\"bytes_a_frame\": {:.0f}, \"disk_bytes\": {:.0f}, \"seconds\": {:.1f}, "
-                    "\"render_seconds\": {:.1f}{}}}\n",
+                    "\"bytes_a_frame\": {:.0f}, \"written_bytes\": {:.0f}, \"disk_bytes\": {:.0f}, "
+                    "\"seconds\": {:.2f}, \"render_seconds\": {:.1f}{}}}\n",
                     f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, memory, f.frames,
-                    f.frame_bytes, f.disk(), seconds, render, sizes ? sizes_json(grown) : ""));
+                    f.frame_bytes + f.picture_bytes, f.written(), f.disk(), f.seconds(), render,
+                    sizes ? sizes_json(grown) : ""));
   else
     put(fmt::format(
         "about {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.0f} organs; {:.0f} copies of {:.0f} "
-        "models; {} of memory; {} frames of {}, {} in all; {:.2g} s to generate, {} of "
-        "processor to render (reckoned {})\n",
+        "models; {} of memory; {} frames of {}, {} in all; {} of processor to generate, "
+        "{} to render (reckoned {})\n",
         f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, bytes_text(memory), f.frames,
-        bytes_text(f.frame_bytes + f.picture_bytes), bytes_text(f.disk()), seconds, seconds_text(render),
-        pace.measured));
+        bytes_text(f.frame_bytes + f.picture_bytes), bytes_text(f.disk()), seconds_text(f.seconds()),
+        seconds_text(render), pace.measured));
   if (!json)
     for (const std::string& line : sizes_lines(grown)) put(line + "\n");
   Errors errors = refuse(f, machine);

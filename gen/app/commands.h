@@ -108,7 +108,8 @@ int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
-int info(const PresetArguments& arguments, bool json, bool sizes);
+/// `frames` as in `--frames`.
+int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes);
 int list_files(const PresetArguments& arguments);
 int farm(const FarmArguments& arguments);
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/streams.h"
+#include "core/figures.h"
 #include "export/formats.h"
 
 namespace frond {
@@ -88,7 +89,7 @@ int export_scene(const ExportArguments& arguments) {
   if (!scene) return fail(scene.errors(), kWrongInput);
 
   auto foretell = [&](double bytes) {
-    if (!arguments.quiet) tell(fmt::format("{}: about {:.2g} MB", arguments.out, bytes / 1e6));
+    if (!arguments.quiet) tell(fmt::format("{}: about {}", arguments.out, bytes_text(bytes)));
   };
   now_doing("writing the mesh or the volume");
   auto written = write_scene(**format, *scene, film.time(frame), options, arguments.out, foretell);

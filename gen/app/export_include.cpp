@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/streams.h"
+#include "core/figures.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "emit/film_files.h"
@@ -122,8 +123,8 @@ int export_include(const ExportArguments& arguments) {
   }
   if (Result<bool> done = write_file(out, *written); !done) return fail(done.errors(), kCouldNot);
   if (!arguments.quiet)
-    tell(fmt::format("{}: {:.2g} MB; in a scene: #include \"{}\", then object {{ {}(0, 0) }}", arguments.out,
-                     static_cast<double>(written->size()) / 1e6, text.file, text.name));
+    tell(fmt::format("{}: {}; in a scene: #include \"{}\", then object {{ {}(0, 0) }}", arguments.out,
+                     bytes_text(static_cast<double>(written->size())), text.file, text.name));
   return kDone;
 }
 

@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "app/streams.h"
 #include "core/content.h"
+#include "core/figures.h"
 #include "core/files.h"
 #include "core/machine.h"
 #include "core/parallel.h"

@@ -134,10 +134,13 @@ int walk_turtle(const GrammarArguments& arguments) {
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
+  const Limits& limits = grammar.text.limits;
   now_doing("deriving the word and walking along it");
-  if (arguments.picture)
-    return write_picture(arguments, grammar, turtle_svg(grammar, steps, seed, grammar.text.limits));
-  Result<TurtleStats> stats = stats_of(grammar, steps, seed, grammar.text.limits);
+  Forecast size = forecast(grammar, static_cast<int>(std::ceil(steps)), seed, limits);
+  if (Errors errors = refuse(size, limits); !errors.empty())
+    return fail_derivation(errors, grammar, arguments.path);
+  if (arguments.picture) return write_picture(arguments, grammar, turtle_svg(grammar, steps, seed, limits));
+  Result<TurtleStats> stats = stats_of(grammar, steps, seed, limits);
   if (!stats) return fail_derivation(stats.errors(), grammar, arguments.path);
   std::string ends;
   for (DVec3 end : stats->end_positions) ends += (ends.empty() ? "" : ", ") + list(end);

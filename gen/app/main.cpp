@@ -12,6 +12,7 @@
 #include "app/messages.h"
 #include "app/streams.h"
 #include "app/words.h"
+#include "core/figures.h"
 #include "core/machine.h"
 #include "jobs/farm.h"
 
@@ -152,16 +153,19 @@ void add_check(CLI::App& app, int& result) {
 
 void add_info(CLI::App& app, int& result) {
   auto preset = std::make_shared<PresetArguments>();
+  auto frames = std::make_shared<std::optional<std::string>>();
   auto json = std::make_shared<bool>(false), sizes = std::make_shared<bool>(false);
   auto* command =
       app.add_subcommand("info", "Foresees how large a preset's scene or a grammar's word will be");
   add_preset(command, *preset);
+  command->add_option("--frames", *frames, "A-B: of a film only these frames");
   command->add_flag("--json", *json, "For machines");
   command->add_flag("--sizes", *sizes,
                     "Grows it and says how high and wide each organism has become, and its stem");
   command->footer(
       "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes");
-  command->callback([&result, preset, json, sizes] { result = info(*preset, *json, *sizes); });
+  command->callback(
+      [&result, preset, frames, json, sizes] { result = info(*preset, *frames, *json, *sizes); });
 }
 
 void add_files(CLI::App& app, int& result) {

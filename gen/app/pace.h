@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace frond {
@@ -14,8 +13,5 @@ struct Pace {
 
 /// That of the last run of the preset of that name; where there is none, the middle one of all.
 Pace pace_of(std::string_view preset);
-
-/// Seconds for people: "42 s", "12 min", "3.5 h".
-std::string seconds_text(double seconds);
 
 }  // namespace frond

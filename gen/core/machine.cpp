@@ -1,6 +1,5 @@
 #include "core/machine.h"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -94,13 +93,6 @@ double memory_in_use() {
   std::ifstream in("/proc/self/statm");
   double all = 0, resident = 0;
   return in >> all >> resident ? resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) : 0;
-}
-
-std::string bytes_text(double bytes) {
-  constexpr const char* kUnits[] = {"bytes", "kB", "MB", "GB", "TB"};
-  std::size_t unit = 0;
-  for (; bytes >= 999.5 && unit + 1 < std::size(kUnits); ++unit) bytes /= 1000;
-  return bytes < 1e6 ? fmt::format("{:.3g} {}", bytes, kUnits[unit]) : fmt::format("{:.1e} TB", bytes);
 }
 
 }  // namespace frond

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <limits>
-#include <string>
 
 namespace frond {
 
@@ -22,8 +21,5 @@ Machine this_machine(const std::filesystem::path& out, const std::filesystem::pa
 
 /// Memory that the process takes now, bytes; 0 where the system does not tell.
 double memory_in_use();
-
-/// A number of bytes for people: "12.3 GB".
-std::string bytes_text(double bytes);
 
 }  // namespace frond

@@ -44,7 +44,12 @@ Result<std::vector<Picture>> draw_bark(const BarkCoat& coat) {
 }  // namespace
 
 Drawing bark_drawing(const BarkCoat& coat) {
-  return {{bark_color_name(coat), bark_height_name(coat)}, [coat] { return draw_bark(coat); }};
+  constexpr double kSecondsAPixel = 2e-6;  // of both
+  double pixels = coat.aspect * coat.pixels * coat.pixels;
+  return {{bark_color_name(coat), bark_height_name(coat)},
+          [coat] { return draw_bark(coat); },
+          2 * pixels,
+          kSecondsAPixel * pixels};
 }
 
 }  // namespace frond

@@ -154,7 +154,9 @@ Drawing fish_drawing(const FishForm& form, const FishLook& look) {
     if (!bytes) return bytes.errors();
     return std::vector<Picture>{{name, std::move(*bytes)}};
   };
-  return {{name}, std::move(draw)};
+  constexpr double kSecondsAPixel = 4e-7;
+  double pixels = kSpan * look.pixels * look.pixels;
+  return {{name}, std::move(draw), pixels, kSecondsAPixel * pixels};
 }
 
 }  // namespace frond

@@ -83,15 +83,18 @@ Prototype leaf_prototype(const LeafLook& look, double phase) {
 }
 
 std::vector<Drawing> leaf_drawings(const LeafLook& look) {
+  constexpr double kSecondsAPixel = 1.8e-6;
   std::vector<Drawing> drawings;
+  PictureFrame frame = picture_frame(leaf_image(look, 0));
+  double pixels = 2 * frame.half / (frame.high - frame.low) * look.pixels * look.pixels;
   for (std::size_t i = 0; i < look.looks(); ++i) {
-    auto draw = [name = picture_name(look, i), image = leaf_image(look, i), pixels = look.pixels,
+    auto draw = [name = picture_name(look, i), image = leaf_image(look, i), high = look.pixels,
                  spots = Seed{spots_of(look, i)}]() -> Result<std::vector<Picture>> {
-      Result<std::string> bytes = png_text(opaque(leaf_picture(image, pixels, spots), image.rim));
+      Result<std::string> bytes = png_text(opaque(leaf_picture(image, high, spots), image.rim));
       if (!bytes) return bytes.errors();
       return std::vector<Picture>{{name, std::move(*bytes)}};
     };
-    drawings.push_back({{picture_name(look, i)}, std::move(draw)});
+    drawings.push_back({{picture_name(look, i)}, std::move(draw), pixels, kSecondsAPixel * pixels});
   }
   return drawings;
 }

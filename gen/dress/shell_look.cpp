@@ -17,6 +17,7 @@ namespace frond {
 namespace {
 
 constexpr int kMostLines = 4096;  // of a picture
+constexpr double kSecondsAPixel = 1e-6;
 constexpr int kMantleWide = 1024, kMantleHigh = 320;
 
 void set(Raster& picture, int x, int y, Vec3 light) {
@@ -53,9 +54,12 @@ PigmentRegime regime_of(ShellPattern pattern) {
 
 bool reacts(ShellPattern pattern) { return pattern >= ShellPattern::stripes; }
 
+int lines_of(const ShellLook& look, double lines_a_cell) {
+  return std::clamp(static_cast<int>(std::lround(lines_a_cell * look.cells)), 64, kMostLines);
+}
+
 Raster shell_picture(const ShellLook& look, double lines_a_cell, double whorls) {
-  int wide = look.cells,
-      high = std::clamp(static_cast<int>(std::lround(lines_a_cell * wide)), 64, kMostLines);
+  int wide = look.cells, high = lines_of(look, lines_a_cell);
   Seed seed{static_cast<std::uint64_t>(look.seed)};
   Grid made;
   if (reacts(look.pattern)) made = pigment(regime_of(look.pattern), wide, high, seed.child("pigment"));
@@ -125,13 +129,16 @@ Raster mantle_picture(const MantleLook& look) {
 }
 
 template <class Draw>
-Drawing drawing_of(std::string_view what, const std::string& key, Draw draw) {
+Drawing drawing_of(std::string_view what, const std::string& key, double pixels, double seconds, Draw draw) {
   std::string name = fmt::format("{}_{}.png", what, made_id(key));
-  return {{name}, [name, draw]() -> Result<std::vector<Picture>> {
+  return {{name},
+          [name, draw]() -> Result<std::vector<Picture>> {
             Result<std::string> bytes = png_text(draw());
             if (!bytes) return bytes.errors();
             return std::vector<Picture>{{name, std::move(*bytes)}};
-          }};
+          },
+          pixels,
+          seconds};
 }
 
 void append_colors(std::string& key, std::initializer_list<Color> colors) {
@@ -145,14 +152,17 @@ Drawing shell_drawing(const ShellLook& look, double lines_a_cell, double whorls)
   append_list(key, 6, static_cast<int>(look.pattern), look.count, look.width, look.from, look.to, look.mottle,
               look.growth_lines, look.cells, look.seed, lines_a_cell, whorls);
   append_colors(key, {look.color, look.second, look.inside, look.lip});
-  return drawing_of("shell", key, [=] { return shell_picture(look, lines_a_cell, whorls); });
+  double pixels = 1.0 * look.cells / kShellOutside * lines_of(look, lines_a_cell);
+  return drawing_of("shell", key, pixels, kSecondsAPixel * pixels,
+                    [=] { return shell_picture(look, lines_a_cell, whorls); });
 }
 
 Drawing mantle_drawing(const MantleLook& look) {
   std::string key = "mantle ";
   append_list(key, 6, look.spots);
   append_colors(key, {look.color, look.second, look.rim});
-  return drawing_of("mantle", key, [=] { return mantle_picture(look); });
+  return drawing_of("mantle", key, kMantleWide * kMantleHigh, kSecondsAPixel * kMantleWide * kMantleHigh,
+                    [=] { return mantle_picture(look); });
 }
 
 }  // namespace frond

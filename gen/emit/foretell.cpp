@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/figures.h"
+#include "emit/foretell_ground.h"
 #include "emit/setting.h"
-#include "emit/soft_light.h"
+#include "emit/solid.h"
+#include "field/volume.h"
 #include "organisms/organism.h"
-#include "settings/settings.h"
 
 namespace frond {
 
@@ -20,34 +22,38 @@ constexpr double kCoatNode = 650, kTwigCoatNode = 280;  // of one that is a mesh
 constexpr double kPoint = 29, kChain = 135, kChunkTexture = 200;  // what a node's text is made of
 constexpr double kBodyNode = 1100;                                // of a fused body or one of cubes
 constexpr double kPlacement = 122;                                // of an organ, a stone, a patch of grass
-constexpr double kTriangle = 45, kGrassTriangle = 100;  // of a mesh; of one whose triangles share few corners
-constexpr double kCorner = 86;                          // of a leaf that the turtle outlined
+constexpr double kTriangle = 45;                                  // of a mesh
+constexpr double kCorner = 86;                                    // of a leaf that the turtle outlined
 constexpr double kLayout = 5000;
-constexpr double kAsideBytes = 5e6;  // of what goes to a file of its own, see frame.cpp
+constexpr double kAsideBytes = 4e6;  // of what goes to a file of its own, see frame.cpp
 // Bytes of memory.
-constexpr double kProgram = 4e7;
+constexpr double kProgram = 4.2e7;
 constexpr double kHeldNode = 40, kGrowingNode = 60, kPosedNode = 50;
 constexpr double kHeldOrgan = 70, kGrowingOrgan = 130, kPosedOrgan = 50;
-constexpr double kHeldTriangle = 40;
-constexpr double kFrameBuffers = 3e7;
+constexpr double kHeldTriangle = 40, kHeldPixel = 6;
+constexpr double kFrameBuffers = 1e7;
 // A second.
-constexpr double kOrgansGrown = 5e5, kTrianglesMade = 5e5, kBytesWritten = 3e7, kPixelsDrawn = 5e5;
-constexpr double kLightWorkedOut = 4e6, kLightMemory = 2e8;  // bytes a second; bytes
+constexpr double kOrgansGrown = 5e5, kTrianglesMade = 1e6, kModulesDerived = 1e7;
+constexpr double kBytesWritten = 3e7, kModelWritten = 4e7;
+constexpr double kStart = 0.04;  // seconds to read the preset
 
-constexpr double kPictureBytes = 1.8;  // of a pixel
+constexpr double kPictureBytes = 1.8;  // of a pixel of what is rendered
+constexpr double kDrawnBytes = 0.6;    // of one of bark or a leaf
 // Of POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
 // picture of kTracedPixels, by quality, and by which power of their number a pixel of a larger picture, where
 // fewer lie on edges, takes less; crowded scenes take more.
 constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
 constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3, 0.3};
+// Of a view in the studio, a second: what is put into packets.
+constexpr double kNodesPacked = 2e6, kOrgansPacked = 2e6, kTrianglesPacked = 1e6;
 
-double render_seconds(const Foretold& f, const Film& film) {
+double render_seconds(const Foretold& f, double text, double tracing, const Film& film) {
   double pixels = double(film.size[0]) * film.size[1];
   auto quality = static_cast<std::size_t>(film.quality);
   double traced =
       pixels * kPixelTraced[quality] * std::pow(kTracedPixels / std::max(pixels, 1.0), kEdges[quality]);
-  return f.frame_bytes / kBytesRead + f.shared_bytes / kModelsRead +
-         traced * (f.copies > kCrowd ? kCrowded : 1);
+  return text / kBytesRead + f.shared_bytes / kModelsRead +
+         traced * tracing * (f.copies > kCrowd ? kCrowded : 1);
 }
 
 /// Bytes of text that a node takes.
@@ -63,123 +69,219 @@ double node_bytes(const Foresight& size, const Dress& dress) {
   return bytes;
 }
 
-/// The files of the models of what is sown, each at two of its levels.
-double model_bytes(const Foresight& size) {
-  return 2 * (250 * size.nodes + std::min(90 * 12 * size.parts, 90 * 3e5) + kTriangle * size.triangles);
+/// The files of a model of what is sown, each at some of its levels: the finer the picture, the finer ones.
+double model_bytes(const Foresight& size, const Film& film) {
+  constexpr double kMost = 4.5e6;  // of wood, and of leaves: what is smaller than a pixel is left out
+  double fine = film.size[0] / 960.0 * (film.quality == Quality::draft ? 0.8 : 1);
+  return std::clamp(fine, 0.2, 1.5) *
+         (std::min(100 * size.nodes, kMost) + std::min(540 * size.parts, kMost) + kTriangle * size.triangles);
+}
+
+/// The branches of one organism as text: in each frame, once its pose is found.
+struct WoodTold {
+  double bytes = 0, memory = 0, seconds = 0;
+};
+
+/// A body that is fused or built of cubes is foreseen by a small one that is grown; where that would take
+/// long, by its nodes.
+WoodTold foretell_wood(const Organism& organism, const Foresight& size, const Dress& dress, Seed seed) {
+  constexpr double kGrown = 0.2;  // seconds that growing one may take
+  constexpr double kBlockBytes = 6800, kBlockSeconds = 2e-3, kBlockHeld = 9000;
+  if (organism.style.build == Build::sweeps) return {node_bytes(size, dress) * size.nodes, 0, 0};
+  WoodTold wood{kBodyNode * size.nodes, kBodyNode * size.nodes, kBodyNode * size.nodes / 1e6};
+  if (size.nodes / size.nodes_a_second + size.seconds > kGrown) return wood;
+  Result<Model> one = organism.grower->grow_copy(organism, seed);
+  if (!one) return wood;
+  Boughs boughs = boughs_of(one->skeleton, static_cast<float>(organism.style.blend));
+  double blocks = foresee_volume(boughs, organism.style.voxel).blocks;
+  return {kBlockBytes * blocks, kBlockHeld * blocks, kBlockSeconds * blocks};
+}
+
+/// Triangles of a living skin that are written: no finer than the camera sees them.
+double drawn_triangles(const Preset& preset, const Organism& organism, const Foresight& size) {
+  if (size.area <= 0) return size.triangles;
+  Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
+  Spread spread = organism.grower->spread().value_or(Spread{});
+  Vec3 middle(foot.x, static_cast<float>(organism.place.raise) + spread.up / 2, foot.y);
+  double edge = drawn_edge(preset.film, preset.stage.camera, middle, std::max(spread.across, spread.up / 2));
+  return std::min(size.triangles, size.area / (0.43 * edge * edge));
+}
+
+/// What the entries of a preset add up to.
+struct Sums {
+  Foretold f;
+  ViewTold view;
+  bool changing = false;
+  double text = kLayout, materials = 0;  // bytes that each frame writes, that all share
+  double still = 0;                      // of what stands and lies, the same in all frames
+  double most = 0, growing = 0;          // bytes of the largest entry; of memory while the largest grows
+  double body_seconds = 0, body_memory = 0;
+
+  void add_pictures(const Look& look);
+  void add_sown(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress, double made,
+                double grows);
+  void add_standing(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress,
+                    double made, double held, double grows, Seed seed);
+};
+
+void Sums::add_pictures(const Look& look) {
+  double memory = 0;
+  for (const Drawing& drawing : drawings(look)) {
+    f.shared_bytes += kDrawnBytes * drawing.pixels;
+    f.growth_seconds += drawing.seconds;
+    memory += kHeldPixel * drawing.pixels;
+  }
+  growing = std::max(growing, memory);
+}
+
+void Sums::add_sown(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress,
+                    double made, double grows) {
+  const Organism& organism = preset.organisms[o];
+  double models = organism.sown->models, count = organism.count, model = model_bytes(size, preset.film);
+  f.copies += count;
+  f.models += models;
+  f.shared_bytes += models * model;
+  f.growth_seconds += models * (made + model / kModelWritten);
+  view.seconds += models * (made + size.nodes / kNodesPacked + 12 * size.parts / kTrianglesPacked);
+  view.longest = std::max(view.longest, made);
+  // What is too far or out of view is left out.
+  double lines = 0.4 * count * 2.5 * kPlacement;
+  bool sways = dress.motion.wave.amplitude > 0 && preset.film.frames > 1;
+  (sways ? text : still) += lines;
+  f.scene_memory += 40 * count;
+  growing = std::max(growing, grows + 2 * model);
+  if (lines + model > most) most = lines + model, f.largest = o;
+}
+
+void Sums::add_standing(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress,
+                        double made, double held, double grows, Seed seed) {
+  const Organism& organism = preset.organisms[o];
+  const Grower& grower = *organism.grower;
+  double count = std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
+  bool together = finds_its_way(grower.stage());
+  WoodTold wood = foretell_wood(organism, size, dress, seed);
+  double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
+  double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;
+  f.organisms += count;
+  f.modules += count * size.word.modules;
+  f.nodes += count * size.nodes;
+  f.organs += count * size.organs;
+  f.scene_memory += count * held + kHeldTriangle * size.shapes;
+  f.frame_memory += count * (grower.develops(preset.film.frames > 1) ? held : 0) + kPosedNode * size.nodes +
+                    kPosedOrgan * size.organs + (wood.bytes > kMovingNode * size.nodes ? own : 0);
+  body_memory = std::max(body_memory, wood.memory);
+  body_seconds += count * wood.seconds;
+  growing = std::max(growing, (together ? count : 1) * grows);
+  text += count * own;
+  still += count * solid;
+  materials += kTriangle * size.shapes;
+  f.growth_seconds += count * made;
+  view.seconds += count * (made + wood.seconds + size.nodes / kNodesPacked + size.organs / kOrgansPacked +
+                           size.triangles / kTrianglesPacked);
+  view.longest = std::max(view.longest, (together ? count : 1) * (made + wood.seconds));
+  if (count * own + solid > most) most = count * own + solid, f.largest = o;
+}
+
+Result<Sums> sums_of(const Preset& preset) {
+  Sums sums;
+  for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
+    const Organism& organism = preset.organisms[o];
+    if (organism.count == 0) continue;
+    const Grower& grower = *organism.grower;
+    Seed seed = Seed{preset.seed}.child("organism", o);
+    Result<Foresight> foreseen = grower.foresee(seed);
+    if (!foreseen) return foreseen.errors();
+    const Foresight& size = *foreseen;
+    Dress dress = grower.dress();
+    double held = kHeldNode * size.nodes + kHeldOrgan * size.organs + kCorner * size.corners +
+                  kHeldTriangle * size.triangles + 100 * size.blocks + size.held / 2;
+    double grows = held + kGrowingNode * size.nodes + kGrowingOrgan * size.organs + 2 * size.word.bytes +
+                   3 * kHeldTriangle * size.triangles + size.held / 2;
+    double made = size.nodes / size.nodes_a_second + size.organs / kOrgansGrown +
+                  size.triangles / kTrianglesMade + size.word.work / kModulesDerived + size.seconds;
+    bool develops = grower.develops(preset.film.frames > 1);
+    sums.changing = sums.changing || dress.motion.growth.duration > 0 || develops;
+    sums.add_pictures(dress.look);
+    if (organism.sown)
+      sums.add_sown(preset, o, size, dress, made, grows);
+    else
+      sums.add_standing(preset, o, size, dress, made, held, grows, seed);
+  }
+  return sums;
+}
+
+Errors refuse_memory(double memory, std::size_t largest, const Machine& machine) {
+  if (memory <= machine.memory) return {};
+  return {{"", fmt::format("the run would take about {} of memory, and {} can be had; /organisms/{} takes "
+                           "most of it: fewer or smaller ones, or fewer steps or years",
+                           bytes_text(memory), bytes_text(machine.memory), largest)}};
 }
 
 }  // namespace
 
 int Foretold::at_once(const Machine& machine) const {
   double spare = 0.8 * machine.memory - scene_memory;
-  return static_cast<int>(std::clamp(spare / std::max(frame_memory, 1.0), 1.0, double(machine.threads)));
+  double most = std::clamp(frames * exposures, 1, std::max(1, machine.threads));
+  return static_cast<int>(std::clamp(spare / std::max(frame_memory, 1.0), 1.0, most));
 }
 
 double Foretold::memory(int at_once) const {
   return std::max(growth_memory, scene_memory + at_once * frame_memory);
 }
 
-double Foretold::seconds(int threads) const { return (growth_seconds + frames * frame_seconds) / threads; }
+double ViewTold::wait(int threads) const { return std::max(seconds / std::max(1, threads), longest); }
 
 Result<Foretold> foretell(const Preset& preset, int frames) {
-  Foretold f;
+  Result<Sums> sums = sums_of(preset);
+  if (!sums) return sums.errors();
+  Foretold& f = sums->f;
+  GroundTold ground = foretell_ground(preset, tallest_of(preset), f.copies > kCrowd);
   f.frames = frames;
-  f.scene_memory = kProgram;
-  f.frame_memory = kFrameBuffers;
-  bool changing = false;
-  double ground = 0, materials = 0, text = kLayout, most = 0, growing = 0;
-  GroundForesight laid = settings()[preset.stage.setting].answers.foresee(preset.stage, preset.film);
-  ground += kTriangle * 0.87 * laid.triangles + kGrassTriangle * laid.grass + kPlacement * laid.placed;
-  f.scene_memory += kHeldTriangle * (laid.triangles + laid.grass) + 60 * laid.placed;
-  for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
-    const Organism& organism = preset.organisms[o];
-    if (organism.count == 0) continue;
-    const Grower& grower = *organism.grower;
-    Result<Foresight> foreseen = grower.foresee(Seed{preset.seed}.child("organism", o));
-    if (!foreseen) return foreseen.errors();
-    const Foresight& size = *foreseen;
-    Dress dress = grower.dress();
-    double nodes = size.nodes;
-    double held = kHeldNode * nodes + kHeldOrgan * size.organs + kCorner * size.corners +
-                  kHeldTriangle * (size.triangles + size.shapes) + 100 * size.blocks;
-    double grows = held + kGrowingNode * nodes + kGrowingOrgan * size.organs + 2 * size.word.bytes +
-                   3 * kHeldTriangle * size.triangles;
-    double wood = organism.style.build == Build::sweeps ? node_bytes(size, dress) : kBodyNode;
-    double own = wood * nodes + kPlacement * size.parts + kCorner * size.corners;
-    double made = nodes / size.nodes_a_second + size.organs / kOrgansGrown + size.triangles / kTrianglesMade;
-    changing = changing || dress.motion.growth.duration > 0 || grower.develops(preset.film.frames > 1);
-    double count = std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
-    for (const Drawing& drawing : drawings(dress.look)) {
-      f.shared_bytes += 4e5 * static_cast<double>(drawing.names.size());
-      f.growth_seconds += 3e5 / kPixelsDrawn * static_cast<double>(drawing.names.size());
-    }
-    if (organism.sown) {
-      f.copies += count;
-      f.models += organism.sown->models;
-      double model = model_bytes(size);
-      f.shared_bytes += organism.sown->models * model;
-      f.growth_seconds += organism.sown->models * (made + model / kBytesWritten);
-      // What is too far or out of view is left out.
-      double lines = 0.4 * count * 2.5 * kPlacement;
-      bool sways = dress.motion.wave.amplitude > 0 && preset.film.frames > 1;
-      (sways ? text : ground) += lines;
-      f.scene_memory += 40 * count;
-      growing = std::max(growing, grows + 2 * model);
-      if (lines + model > most) most = lines + model, f.largest = o;
-      continue;
-    }
-    bool at_once = finds_its_way(grower.stage());
-    f.organisms += count;
-    f.modules += count * size.word.modules;
-    f.nodes += count * nodes;
-    f.organs += count * size.organs;
-    f.scene_memory += count * held;
-    f.frame_memory += count * ((grower.develops(preset.film.frames > 1) ? held : 0)) + kPosedNode * nodes +
-                      kPosedOrgan * size.organs + (wood > kMovingNode ? own : 0);
-    growing = std::max(growing, (at_once ? count : 1) * grows);
-    text += count * own;
-    ground += count * (kTriangle * size.triangles + kPlacement * size.blocks);
-    materials += kTriangle * size.shapes;
-    f.growth_seconds += count * made;
-    if (count * own > most) most = count * own, f.largest = o;
-  }
-  if (has_soft_light(preset.stage)) {
-    double light = light_bytes(preset.film);
-    bool each = changing && preset.film.frames > 1;
-    (each ? f.picture_bytes : f.shared_bytes) += light;
-    (each ? f.frame_seconds : f.growth_seconds) += light / kLightWorkedOut;
-    (each ? f.frame_memory : f.growth_memory) += kLightMemory;
-  }
-  f.scene_memory += 2 * (ground + materials);
-  f.growth_memory += f.scene_memory + growing;
+  f.exposures = exposures(preset.film, preset.stage.camera);
+  f.scene_memory += kProgram + ground.memory;
+  f.growth_seconds += kStart + ground.seconds;
+  sums->still += ground.bytes;
+  f.scene_memory += 2 * (sums->still + sums->materials);
+  f.frame_memory += kFrameBuffers + sums->body_memory;
+  bool each = sums->changing && preset.film.frames > 1;
+  f.growth_memory = f.scene_memory + std::max(sums->growing, each ? 0 : ground.light_memory);
+  if (each) f.frame_memory += ground.light_memory;
+  (each ? f.frame_seconds : f.growth_seconds) += ground.light_seconds;
   // What all frames share is written once where it is surely long.
-  for (double same : {ground, materials})
-    (preset.film.frames > 1 && same > kAsideBytes ? f.shared_bytes : text) += same;
-  f.frame_bytes = text;
-  f.picture_bytes += kPictureBytes * preset.film.size[0] * preset.film.size[1];
-  f.render_seconds = render_seconds(f, preset.film);
-  int each = exposures(preset.film, preset.stage.camera);
-  f.frame_bytes *= each, f.render_seconds *= each;
-  f.frame_seconds += f.frame_bytes / kBytesWritten;
-  return f;
+  for (double same : {sums->still, sums->materials})
+    (preset.film.frames > 1 && same > kAsideBytes ? f.shared_bytes : sums->text) += same;
+  f.picture_bytes = kPictureBytes * preset.film.size[0] * preset.film.size[1];
+  f.render_seconds = f.exposures * render_seconds(f, sums->text, ground.tracing, preset.film);
+  f.frame_bytes = f.exposures * (sums->text + ground.pictures) + (each ? ground.light_bytes : 0);
+  if (!each) f.shared_bytes += ground.light_bytes;
+  f.frame_seconds += f.exposures * (sums->text / kBytesWritten + sums->body_seconds + ground.picture_seconds);
+  return std::move(f);
+}
+
+Result<ViewTold> foretell_view(const Preset& preset) {
+  Result<Sums> sums = sums_of(preset);
+  if (!sums) return sums.errors();
+  ViewTold& view = sums->view;
+  view.nodes = sums->f.nodes;
+  view.memory = kProgram + sums->f.scene_memory + sums->growing;
+  view.largest = sums->f.largest;
+  return view;
 }
 
 Errors refuse(const Foretold& f, const Machine& machine) {
-  Errors errors;
-  std::string most = fmt::format("/organisms/{} takes most of it", f.largest);
-  if (double memory = f.memory(1); memory > machine.memory)
-    errors.push_back(
-        {"", fmt::format("the run would take about {} of memory, and {} can be had; {}: fewer or "
-                         "smaller ones, or fewer steps or years",
-                         bytes_text(memory), bytes_text(machine.memory), most)});
+  Errors errors = refuse_memory(f.memory(1), f.largest, machine);
   if (f.disk() > machine.disk)
     errors.push_back(
         {"", fmt::format("the run would write about {}, {} frames of {} and {} beside them, and "
                          "{} of the disk are free; fewer frames (film.frames, --frames), or "
-                         "another --out; {}",
+                         "another --out; /organisms/{} takes most of it",
                          bytes_text(f.disk()), f.frames, bytes_text(f.frame_bytes + f.picture_bytes),
-                         bytes_text(f.shared_bytes), bytes_text(machine.disk), most)});
+                         bytes_text(f.shared_bytes), bytes_text(machine.disk), f.largest)});
   return errors;
+}
+
+Errors refuse(const ViewTold& view, const Machine& machine) {
+  return refuse_memory(view.memory, view.largest, machine);
 }
 
 }  // namespace frond

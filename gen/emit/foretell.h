@@ -5,32 +5,52 @@
 
 namespace frond {
 
-/// What it will take to write a film's frames, foreseen from the preset: nothing is grown but small samples.
-/// Within about a factor of two.
+/// What it will take to write a film's frames, foreseen from the preset: nothing is grown but small samples,
+/// and the ground is laid where it is small. Seconds and memory within about a factor of two, bytes of 1.5.
+/// Seconds are of a processor as ours, user and system time over all threads.
 struct Foretold {
   double organisms = 0, modules = 0, nodes = 0, organs = 0;  ///< of all that grows with the scene
   double copies = 0, models = 0;                             ///< of what is sown, and what they are copies of
-  int frames = 0;
-  double frame_bytes = 0;                     ///< text of one frame when all is grown
-  double shared_bytes = 0;                    ///< of all files that frames share
+  int frames = 0, exposures = 1;                             ///< of the film; scenes of each frame
+  double frame_bytes = 0;   ///< of the text of one frame when all is grown, and of what it alone reads
+  double shared_bytes = 0;  ///< of all files that frames share
   double scene_memory = 0, frame_memory = 0;  ///< bytes: while frames are written, and more for each at work
-  double growth_memory = 0;                   ///< the most that is held while it grows
-  double growth_seconds = 0, frame_seconds = 0;  ///< of one thread; of each frame
-  double picture_bytes = 0;                      ///< of one rendered picture, and of its soft light
-  double render_seconds = 0;  ///< of one processor as ours, for POV-Ray to render one frame
-  std::size_t largest = 0;    ///< the organism that takes most
+  double growth_memory = 0;                   ///< the most that is held before the first is written
+  double growth_seconds = 0, frame_seconds = 0;  ///< before the frames; for each
+  double picture_bytes = 0;                      ///< of one rendered picture
+  double render_seconds = 0;                     ///< for POV-Ray to render one frame
+  std::size_t largest = 0;                       ///< the organism that takes most
 
   /// How many frames are best written at a time, at least 1.
   int at_once(const Machine& machine) const;
   double memory(int at_once) const;
-  double disk() const { return frames * (frame_bytes + picture_bytes) + shared_bytes; }
-  double seconds(int threads) const;
+  /// What the frames take before they are rendered, and with their pictures.
+  double written() const { return frames * frame_bytes + shared_bytes; }
+  double disk() const { return written() + frames * picture_bytes; }
+  /// Of a processor, until all frames are written.
+  double seconds() const { return growth_seconds + frames * frame_seconds; }
+};
+
+/// What it will take to grow a preset for a view in the studio: what stands, without its text, its light and
+/// its pictures, which a view has none of or asks for later. Within about a factor of two.
+struct ViewTold {
+  double nodes = 0;
+  double seconds = 0, longest = 0;  ///< of a processor as ours; of that, what one thread does alone
+  double memory = 0;                ///< bytes
+  std::size_t largest = 0;          ///< the organism that takes most
+
+  /// Seconds until it is there, on so many processors.
+  double wait(int threads) const;
 };
 
 /// Of so many frames of the preset. A derivation past its limits is refused.
 Result<Foretold> foretell(const Preset& preset, int frames);
 
+/// The same for a view. Entries of which there are none to grow cost nothing.
+Result<ViewTold> foretell_view(const Preset& preset);
+
 /// Why the machine cannot bear it: the figures and what to change. Empty where it can.
 Errors refuse(const Foretold& foretold, const Machine& machine);
+Errors refuse(const ViewTold& foretold, const Machine& machine);
 
 }  // namespace frond

@@ -45,6 +45,8 @@ std::string setting_text(const Scene& scene, double time) {
   return text_of(scene.stage).surroundings(scene, time);
 }
 
+bool has_pictures(const Stage& stage) { return text_of(stage).pictures; }
+
 bool has_soft_light(const Stage& stage) { return text_of(stage).ambience; }
 
 std::optional<Ambience> ambience_of(const Scene& scene, double time) {

@@ -25,7 +25,7 @@ std::string caustics_name(const Scene& scene, double time) {
 Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
   if (scene.stage.block<Water>().caustics <= 0) return std::vector<Picture>();
   auto quality = static_cast<int>(scene.film.quality);
-  Raster picture = caustics_picture({.pixels = 224 + 64 * quality,
+  Raster picture = caustics_picture({.pixels = caustic_pixels(scene.film.quality),
                                      .focus = 0.27 + 0.04 * quality,
                                      .time = time,
                                      .loop = scene.film.length()});

@@ -84,6 +84,14 @@ void add_copies(SoftLight& grid, const Scene& scene, const Crumbs& crumbs) {
   }
 }
 
+/// Those of the film that are heeded.
+std::vector<Eye> some_eyes(const Scene& scene) {
+  std::vector<Eye> all = eyes(scene), some;
+  for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
+    some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, std::min(all.size(), kEyes) - 1)]);
+  return some;
+}
+
 /// As POV-Ray packs a direction: three bytes in hexadecimal.
 constexpr const char* kPacked[] = {"fe7f7f", "007f7f", "7ffe7f",
                                    "7f007f", "7f7f00", "7f7ffe"};  // z is mirrored
@@ -107,10 +115,18 @@ void append_probe(std::string& text, const PovSpace& space, const Probe& probe) 
 
 }  // namespace
 
-double light_bytes(const Film& film) {
-  constexpr double kBytes = 60 * 500;  // of the places behind each other in one cell of the picture
-  double pixels = kPixels[static_cast<std::size_t>(film.quality)];
-  return kBytes * film.size[0] * film.size[1] / (pixels * pixels);
+SoftLight::Size foresee_light(const Scene& scene, double tall) {
+  Bounds room;
+  for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
+  if (room.empty()) room = {Vec3(-1, 0, -1), Vec3(1, 0, 1)};
+  room.high.y += static_cast<float>(tall);
+  Vec3 far(kFarthest, 1e6f, kFarthest);
+  room = {glm::max(room.low, -far), glm::min(room.high, far)};
+  std::vector<Eye> some = some_eyes(scene);
+  return SoftLight::foresee(
+      some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / PovSpace{}.unit,
+      [&](Vec2 at) { return scene.ground->height(at); }, static_cast<float>(scene.ground->low_cover().height),
+      some);
 }
 
 bool light_changes(const Scene& scene) {
@@ -134,9 +150,7 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
     if (!one) return one.errors();
     now.back() = &others.emplace_back(std::move(*one));
   }
-  std::vector<Eye> all = eyes(scene), some, here{eye_at(scene, time)};
-  for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
-    some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, std::min(all.size(), kEyes) - 1)]);
+  std::vector<Eye> some = some_eyes(scene), here{eye_at(scene, time)};
   Bounds room = room_of(scene, now, crumbs);
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);

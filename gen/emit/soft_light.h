@@ -4,12 +4,14 @@
 
 #include "emit/crumbs.h"
 #include "emit/pov.h"
+#include "light/light.h"
 #include "scene/scene.h"
 
 namespace frond {
 
-/// About how many bytes the soft light of a picture takes, within a factor of two or three.
-double light_bytes(const Film& film);
+/// How large the grids are that the soft light of a scene's ground is worked out in, with things on it that
+/// rise to `tall` metres.
+SoftLight::Size foresee_light(const Scene& scene, double tall);
 
 /// Whether the soft light is another in each frame: where something grows or becomes another shape. What only
 /// sways keeps that of the first frame.

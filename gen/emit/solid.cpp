@@ -175,13 +175,12 @@ bool is_growing(const Solid& solid, const Growth& growth) {
 constexpr double kSidePixels[] = {2.2, 1.5, 1.0};  // that a triangle is long, at each quality
 
 /// How many pixels a metre is where the camera comes nearest to a place over the film.
-double nearest_pixels(const Scene& scene, Vec3 middle, float reach) {
+double nearest_pixels(const Film& film, const Camera& camera, Vec3 middle, float reach) {
   double most = 0;
-  const Camera& camera = scene.stage.camera;
-  for (int frame = 1; frame <= scene.film.frames; ++frame) {
-    double time = scene.film.time(frame);
+  for (int frame = 1; frame <= film.frames; ++frame) {
+    double time = film.time(frame);
     double away = std::max(0.05f, glm::distance(camera.location.at(time), middle) - reach);
-    most = std::max(most, scene.film.size[0] / (2 * away * std::tan(radians(camera.angle.at(time)) / 2)));
+    most = std::max(most, film.size[0] / (2 * away * std::tan(radians(camera.angle.at(time)) / 2)));
   }
   return most;
 }
@@ -228,6 +227,10 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
 }  // namespace
 
 bool lives(const Material& material) { return row_of(material.matter).include == "reef"; }
+
+double drawn_edge(const Film& film, const Camera& camera, Vec3 middle, float reach) {
+  return kSidePixels[static_cast<std::size_t>(film.quality)] / nearest_pixels(film, camera, middle, reach);
+}
 
 Solid with_edges(const Solid& solid, double edge) {
   auto triangles = static_cast<std::size_t>(area(solid.surface) / (0.43 * edge * edge));
@@ -286,8 +289,8 @@ DrawnSolids drawn_solids(const Scene& scene) {
       if (!lives(solid.material)) continue;
       Bounds box;
       for (const Vec3& p : solid.surface.position) box.take(solids.placed(k, p));
-      double pixels = nearest_pixels(scene, box.middle(), glm::length(box.size()) / 2);
-      double edge = kSidePixels[static_cast<std::size_t>(scene.film.quality)] / pixels / solids.scale[k].x;
+      double edge = drawn_edge(scene.film, scene.stage.camera, box.middle(), glm::length(box.size()) / 2) /
+                    solids.scale[k].x;
       Solid coarse = with_edges(solid, edge);
       if (coarse.surface.triangle.size() == solid.surface.triangle.size()) continue;
       if (!drawn[i]) drawn[i] = solids;

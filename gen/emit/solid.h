@@ -15,6 +15,10 @@ Surface told(Surface skin, const Solid& solid);
 /// Whether it is a living skin, or the rock that such skins made.
 bool lives(const Material& material);
 
+/// About how long a side of a triangle is that shows, metres, of what lies round a place, up to `reach` away,
+/// from where the camera comes nearest over the film.
+double drawn_edge(const Film& film, const Camera& camera, Vec3 middle, float reach);
+
 /// The same solid of triangles that are about so long, metres; as it is where its own are no shorter.
 Solid with_edges(const Solid& solid, double edge);
 

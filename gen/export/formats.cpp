@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/figures.h"
 #include "core/files.h"
 #include "core/machine.h"
 
@@ -70,13 +71,12 @@ Errors refuse_bytes(const Format& format, double bytes) {
   // A file is put together in memory, beside the meshes.
   double memory = 0.9 * this_machine(".").memory;
   if (bytes > format.most_bytes)
-    return {Error{"", fmt::format("would take about {:.2g} GB; such a file holds {:.2g} GB at most",
-                                  bytes / 1e9, format.most_bytes / 1e9)}};
+    return {Error{"", fmt::format("would take about {}; such a file holds {} at most", bytes_text(bytes),
+                                  bytes_text(format.most_bytes))}};
   if (bytes > memory)
-    return {
-        Error{"", fmt::format("would take about {:.2g} GB, more than the {:.2g} GB that this machine's "
-                              "memory has for it; a .glb holds each model once, however many copies stand",
-                              bytes / 1e9, memory / 1e9)}};
+    return {Error{"", fmt::format("would take about {}, more than the {} that this machine's memory has for "
+                                  "it; a .glb holds each model once, however many copies stand",
+                                  bytes_text(bytes), bytes_text(memory))}};
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/bounds.h"
+#include "core/figures.h"
 #include "core/linear.h"
 #include "core/text.h"
 #include "export/formats.h"
@@ -371,8 +372,8 @@ Result<std::string> glb_bytes(const Cast& cast, bool instances) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::size_t total = 12 + 8 + json.size() + 8 + buffer.bytes.size();
   if (total > 4294967295u)
-    return Error{"", fmt::format("would take {:.2g} GB; a .glb file holds 4.29 GB at most",
-                                 static_cast<double>(total) / 1e9)};
+    return Error{"", fmt::format("would take {}; a .glb file holds 4.29 GB at most",
+                                 bytes_text(static_cast<double>(total)))};
   std::string bytes = "glTF";
   bytes.reserve(total);
   append_word(bytes, 2);

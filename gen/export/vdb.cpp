@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/bounds.h"
+#include "core/figures.h"
 #include "export/formats.h"
 #include "export/sown.h"
 #include "geometry/far.h"
@@ -47,10 +48,9 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
     bytes += kSegmentBytes * static_cast<double>(shapes.back().size() * model.copies.size());
   }
   if (bytes > all.options.limit)
-    return {
-        Error{"", fmt::format("the branches of all copies would take about {:.2g} GB of memory, more than "
-                              "the limit of {:.2g} GB; a larger --voxel leaves more of the thin ones out",
-                              bytes / 1e9, all.options.limit / 1e9)}};
+    return {Error{"", fmt::format("the branches of all copies would take about {} of memory, more than the "
+                                  "limit of {}; a larger --voxel leaves more of the thin ones out",
+                                  bytes_text(bytes), bytes_text(all.options.limit))}};
   std::vector<Vec3> position;
   std::vector<float> radius;
   for (std::size_t m = 0; m < sown.size(); ++m)

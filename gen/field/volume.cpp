@@ -11,6 +11,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "core/figures.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "field/settle.h"
@@ -162,9 +163,9 @@ Errors refuse_volume(const Boughs& boughs, const VolumeOptions& options) {
   VolumeForecast forecast = foresee_volume(boughs, options.voxel);
   if (forecast.bytes > options.limit) {
     double enough = options.voxel * std::sqrt(forecast.bytes / options.limit) * 1.05;
-    return {Error{"", fmt::format("the volume would take about {:.2g} GB of memory, more than the limit of "
-                                  "{:.2g} GB; a voxel of {:.2g} m would do",
-                                  forecast.bytes / 1e9, options.limit / 1e9, enough)}};
+    return {Error{"", fmt::format("the volume would take about {} of memory, more than the limit of {}; "
+                                  "a voxel of {:.2g} m would do",
+                                  bytes_text(forecast.bytes), bytes_text(options.limit), enough)}};
   }
   if (!fits_grid(boughs, static_cast<float>(options.voxel)))
     return {Error{"", fmt::format("voxels of {:.2g} m are too small for a place so far from the middle",

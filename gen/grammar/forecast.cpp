@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/figures.h"
 #include "grammar/stream.h"
 
 namespace frond {
 
 namespace {
 
-constexpr double kEnough = 1e300;   // of modules: no forecast goes on beyond it
+constexpr double kEnough = 1e300;                     // of modules: no forecast goes on beyond it
+constexpr double kSmallWord = 1e5, kSmallWork = 2e6;  // modules or segments; modules of all words
 constexpr int kMostStreamed = 100;  // steps: a path so deep needs no more than 100 KB of the stack
 
 /// What one module of a symbol becomes in a step: how many of each symbol, on average.
@@ -129,7 +131,13 @@ std::vector<double> times_in(const Grammar& grammar, const Word& word) {
   return times;
 }
 
-void note(Forecast& forecast, const Sizes& sizes, int step, const Limits& limits) {
+/// Notes the word after a step, and with it those of the next `alike` steps, which are no other.
+void note(Forecast& forecast, const Sizes& sizes, int step, const Limits& limits, int alike = 0) {
+  double spare = kSmallWork - forecast.work - sizes.modules;
+  if (std::max(sizes.modules, sizes.segments) <= kSmallWord && spare >= 0)
+    forecast.small_steps =
+        step + static_cast<int>(std::min<double>(alike, spare / std::max(1.0, sizes.modules)));
+  forecast.work = std::min(forecast.work + (1.0 + alike) * sizes.modules, kEnough);
   forecast.modules = std::min(sizes.modules, kEnough);
   forecast.bytes = std::min(sizes.bytes, kEnough);
   forecast.segments = std::min(sizes.segments, kEnough);
@@ -157,9 +165,10 @@ void by_matrix(const Grammar& grammar, int steps, const Limits& limits, Forecast
     for (std::size_t i = 0; i < times.size(); ++i)
       if (times[i] > 0)
         for (auto [symbol, count] : rows[i]) next[symbol] += times[i] * count;
-    if (next == times) break;
+    bool same = next == times;
     times = std::move(next);
-    note(forecast, sizes_of(grammar, times, segments), step, limits);
+    note(forecast, sizes_of(grammar, times, segments), step, limits, same ? steps - step : 0);
+    if (same) break;
     if (forecast.modules >= kEnough) break;
   }
 }
@@ -242,11 +251,11 @@ Errors refuse(const Forecast& forecast, const Limits& limits) {
                          : forecast.kind == Forecast::Kind::expected ? "would have on average"
                          : forecast.kind == Forecast::Kind::at_least ? "would have at least"
                                                                      : "would have about";
-  return {{"", fmt::format("step {} {} {:.4g} modules or segments, past the limit of {} modules and {} "
-                           "bytes; the last step {} {:.4g} "
-                           "({:.3g} bytes): use at most {} steps, or raise `limits`",
-                           forecast.passes_at, how, forecast.passes_with, limits.modules, limits.bytes, how,
-                           forecast.modules, forecast.bytes, std::max(0, forecast.passes_at - 1))}};
+  return {{"", fmt::format("step {} {} {} modules or segments, past the limit of {} modules and {} bytes; "
+                           "the last step {} {} ({}): use at most {} steps, or raise `limits`",
+                           forecast.passes_at, how, count_text(forecast.passes_with), limits.modules,
+                           limits.bytes, how, count_text(forecast.modules), bytes_text(forecast.bytes),
+                           std::max(0, forecast.passes_at - 1))}};
 }
 
 }  // namespace frond

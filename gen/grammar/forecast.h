@@ -12,6 +12,8 @@ struct Forecast {
   double modules = 0;      ///< of the last word
   double segments = 0;     ///< that the turtle draws for it
   double bytes = 0;        ///< of the last word
+  double work = 0;         ///< modules of all words up to it
+  int small_steps = 0;     ///< so many of the steps take a moment: few modules in all, and in the last word
   int passes_at = -1;      ///< first step whose word passes the limits; -1: none
   double passes_with = 0;  ///< modules at that step, or segments where they are more
   Errors trouble;          ///< what else will stop the derivation, where that showed

@@ -74,6 +74,29 @@ SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels,
   }
 }
 
+SoftLight::Size SoftLight::foresee(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit,
+                                   const std::function<float(Vec2)>& height, float tall,
+                                   std::span<const Eye> seen_by) {
+  constexpr double kAsked = 5000;  // columns of a grid, about
+  SoftLight grid(std::move(eyes), pixels);
+  while (!grid.lay_levels(bounds, unit)) grid.pixels_ *= 1.1;
+  Size size;
+  for (std::size_t k = 0; k < grid.levels_.size(); ++k) {
+    const Level& level = grid.levels_[k];
+    size.cells += static_cast<double>(level.count());
+    int step = static_cast<int>(std::ceil(std::sqrt(double(level.size.x) * level.size.z / kAsked)));
+    for (int z = step / 2; z < level.size.z; z += step)
+      for (int x = step / 2; x < level.size.x; x += step) {
+        Vec3 at = level.middle({x, 0, z});
+        at.y = height({at.x, at.z});
+        if (!grid.wanted(k, at, seen_by)) continue;
+        size.land += double(step) * step;
+        size.cover += double(step) * step * tall / level.cell;
+      }
+  }
+  return size;
+}
+
 bool SoftLight::lay_levels(const Bounds& bounds, double unit) {
   levels_.clear();
   double pixel = 1e30, least = 1e30;

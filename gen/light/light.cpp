@@ -148,25 +148,24 @@ void SoftLight::gather(std::size_t k, Vec3 at, Facing facing, const Ambience& am
   }
 }
 
+bool SoftLight::wanted(std::size_t k, Vec3 at, std::span<const Eye> seen_by) const {
+  float cell = levels_[k].cell;
+  double far = away(at), margin = 2.0 * cell;
+  std::size_t from = level_for(fit(far - margin)), to = level_for(fit(std::max(far, kNearest) + margin));
+  bool sure = false, maybe = false;  // whether it is in view
+  for (const Eye& eye : seen_by) {
+    maybe = maybe || in_view(eye, at, 3 * cell);
+    sure = sure || in_view(eye, at, 1.6 * cell);
+  }
+  std::size_t top = levels_.size() - 1;
+  bool fine = maybe && from <= k && k <= to;
+  bool coarse = !sure && std::min(from + kUnseen, top) <= k && k <= std::min(to + kUnseen, top);
+  return fine || coarse || (k == top && to >= k);
+}
+
 std::vector<Probe> SoftLight::probes_of(std::size_t k, const Ambience& ambience,
                                         std::span<const Eye> seen_by) const {
   const Level& level = levels_[k];
-  bool last = k + 1 == levels_.size();
-  // Whether cells of this level are wanted at a place: its own, or the next ones where what stands there has
-  // another.
-  auto wanted = [&](Vec3 at) {
-    double far = away(at), margin = 2.0 * level.cell;
-    std::size_t from = level_for(fit(far - margin)), to = level_for(fit(std::max(far, kNearest) + margin));
-    bool sure = false, maybe = false;  // whether it is in view
-    for (const Eye& eye : seen_by) {
-      maybe = maybe || in_view(eye, at, 3 * level.cell);
-      sure = sure || in_view(eye, at, 1.6 * level.cell);
-    }
-    std::size_t top = levels_.size() - 1;
-    bool fine = maybe && from <= k && k <= to;
-    bool coarse = !sure && std::min(from + kUnseen, top) <= k && k <= std::min(to + kUnseen, top);
-    return fine || coarse || (last && to >= k);
-  };
   std::vector<std::vector<Probe>> slabs(static_cast<std::size_t>(level.size.y));
   parallel_for(slabs.size(), [&](std::size_t slab) {
     int y = static_cast<int>(slab);
@@ -184,7 +183,7 @@ std::vector<Probe> SoftLight::probes_of(std::size_t k, const Ambience& ambience,
         }
         if (need == 0) continue;
         Vec3 at = level.middle({x, y, z});
-        if (!wanted(at)) continue;
+        if (!wanted(k, at, seen_by)) continue;
         // Within a body it is the light on its outside; of directions that are in the open, all rays serve
         // all.
         std::array<Vec3, 6> sum{};

@@ -60,6 +60,15 @@ class SoftLight {
   /// The side of the cells there, metres.
   float cell_at(Vec3 at) const;
 
+  /// How large the grids of such a scene are, found without making them.
+  struct Size {
+    double cells = 0;  ///< of all grids
+    double land = 0;   ///< columns of cells at whose foot the light on the land is asked for
+    double cover = 0;  ///< cells of theirs that lie in what stands `tall` metres on the land
+  };
+  static Size foresee(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit,
+                      const std::function<float(Vec2)>& height, float tall, std::span<const Eye> seen_by);
+
   /// A bit of a surface. `facing` tells which way its sides look; `bulk` is how many metres across the body
   /// is whose skin it belongs to, 0 of a leaf, both sides of which are one bit; the bit is spread over a cube
   /// `wide` across. From many threads at once.
@@ -98,12 +107,17 @@ class SoftLight {
   static constexpr Facing kLand = 64;      // bit: the land is in the cell
   static constexpr int kUnseen = 2;        // levels that what no eye sees is coarser
 
+  SoftLight(std::vector<Eye> eyes, double pixels) : eyes_(std::move(eyes)), pixels_(pixels) {}
+
   /// Sets the grids' places and sizes; whether they are small enough.
   bool lay_levels(const Bounds& bounds, double unit);
   /// Metres from the next eye, and the side of a cell that is wanted at a distance.
   double away(Vec3 at) const;
   double fit(double far) const { return std::max(far, kNearest) * eyes_[0].pixel * pixels_; }
   std::size_t level_for(double cell) const;
+  /// Whether light is asked for at a place by cells of that level: its own, or the next ones where what
+  /// stands there has another.
+  bool wanted(std::size_t level, Vec3 at, std::span<const Eye> seen_by) const;
   /// What comes to the middle of a cell from a direction.
   Vec3 arriving(std::size_t level, Vec3 at, Vec3 way, float spread, const Ambience& ambience,
                 float& open) const;

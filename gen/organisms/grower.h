@@ -84,9 +84,12 @@ struct Foresight {
   double corners = 0;           ///< of what the turtle outlined
   double shapes = 0;            ///< triangles of its organs' shapes, once for an entry
   double triangles = 0;         ///< of a body
+  double area = 0;              ///< m2 of a living skin, which is written no finer than it is seen; 0: none
   double blocks = 0;            ///< how many placements a body is made of
   bool riding = false;          ///< whether its textures ride on it even while it does not move
   double nodes_a_second = 5e5;  ///< that grow
+  double seconds = 0;           ///< of a processor, to grow one, beyond what its nodes, organs and word take
+  double held = 0;              ///< bytes that are held of one while it grows, and later a half of it
 };
 
 /// Of what searches for its way: nodes that grow a second, as a Foresight has them.

@@ -83,9 +83,27 @@ Errors check_edge(double edge, double across, double parts) {
 }
 
 Foresight foreseen(double area, double edge) {
+  constexpr double kSheetTriangle = 4e-6;  // seconds of one that is laid
   Foresight sight;
   sight.triangles = 3 * area / (edge * edge);
+  sight.area = area;
   sight.blocks = 1;
+  sight.seconds = kSheetTriangle * sight.triangles;
+  sight.held = kPastTriangle * sight.triangles;
+  return sight;
+}
+
+Foresight foreseen(const Accretion& law, double area) {
+  constexpr double kLaidTriangle = 1.2e-7;  // seconds of one in one layer, when it has grown
+  Foresight sight;
+  sight.triangles = 2.3 * area / (law.edge * law.edge);
+  // Where a layer is thicker than triangles are wide, the skin folds, and is cut again and again.
+  double thick = std::max(law.across, law.up) / law.layers / law.edge;
+  sight.triangles *= std::clamp(0.35 * std::pow(thick, 1.8), 1.0, 8.0);
+  sight.seconds = kLaidTriangle * law.layers * sight.triangles * std::clamp(1.5 * thick, 1.0, 3.0);
+  sight.area = sight.triangles * law.edge * law.edge / 2.3;
+  sight.blocks = 1;
+  sight.held = kPastTriangle * sight.triangles;
   return sight;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accretion/accretion.h"
 #include "accretion/sheet_body.h"
 #include "organisms/colony.h"
 
@@ -28,6 +29,12 @@ Errors check_edge(double edge, double across, double parts);
 
 /// So much skin of a sheet with such triangles, both its sides.
 Foresight foreseen(double area, double edge);
+
+/// Bytes that the past of a body takes, for each of its triangles.
+inline constexpr double kPastTriangle = 250;
+
+/// What a skin that grows by layers takes, as foreseen from the m2 that it comes to.
+Foresight foreseen(const Accretion& law, double area);
 
 /// The body of a sheet as a model.
 Model model_of(SheetBody body, const Material& material);

@@ -48,6 +48,7 @@ struct GroundForesight {
   double triangles = 0;
   double grass = 0;   ///< triangles that share few corners
   double placed = 0;  ///< placements of stones and patches
+  double pixels = 0;  ///< of the pictures that each frame has of its own
 };
 
 /// The light and the colours of a setting, for a quick look at it that no renderer is asked for. Colours as

@@ -19,6 +19,9 @@ struct Water {
   int particles = 60;               ///< specks that drift before the camera
 };
 
+/// The width of the picture of caustics, which is square.
+inline int caustic_pixels(Quality quality) { return 224 + 64 * static_cast<int>(quality); }
+
 /// A stone shape put somewhere in the world.
 struct StoneInstance {
   int shape = 0;  ///< index into SeaFloor::stones

@@ -51,11 +51,5 @@ TEST_F(MachineTest, KnowsTheDiskOfAFolderThatIsNotThereYet) {
   EXPECT_NEAR(below / here, 1, 0.1);
 }
 
-TEST(BytesText, ReadsAsPeopleDo) {
-  EXPECT_EQ(bytes_text(12), "12 bytes");
-  EXPECT_EQ(bytes_text(1.62e11), "162 GB");
-  EXPECT_EQ(bytes_text(3.456e6), "3.46 MB");
-}
-
 }  // namespace
 }  // namespace frond

@@ -40,7 +40,7 @@ TEST(Body, past_its_limit_is_refused_before_a_frame_is_made) {
   Result<Scene> scene = coral(R"({"build": "fused", "voxel": 0.002, "limit": 1e6})");
   ASSERT_FALSE(scene);
   EXPECT_TRUE(scene.errors()[0].where.ends_with(": /organisms/0/body/voxel")) << scene.errors()[0].where;
-  EXPECT_NE(scene.errors()[0].what.find("more than the limit of 0.001 GB"), std::string::npos);
+  EXPECT_NE(scene.errors()[0].what.find("more than the limit of 1 MB"), std::string::npos);
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ TEST(Foretell, RefusesWhatTheMemoryCannotHold) {
 
 TEST(Foretell, WritesFewerFramesAtATimeWhereMemoryIsShort) {
   Foretold f;
+  f.frames = 24;
   f.scene_memory = 1e9;
   f.frame_memory = 2e9;
   Machine machine{1e12, 1e12, 16};
@@ -120,6 +121,96 @@ TEST(Foretell, DoesNotGrowAnOldTreeToForeseeIt) {
   double young = nodes("34"), old = nodes("400");
   EXPECT_GT(old, 3 * young);
   EXPECT_LT(old, 40 * young);
+}
+
+TEST(Foretell, CountsThePixelsOfBark) {
+  auto with = [](const char* pixels) {
+    return foretold_of(
+        preset_at("presets/trees/birch.json",
+                  {std::string("/organisms/0/coat/pixels=") + pixels, "/organisms/0/years=6"}));
+  };
+  Foretold small = with("64"), large = with("4096");
+  EXPECT_GT(large.seconds() - small.seconds(), 30);
+  EXPECT_GT(large.memory(1), 2.5e8);
+  EXPECT_GT(large.shared_bytes - small.shared_bytes, 1e7);
+}
+
+TEST(Foretell, CountsTheLayersOfACoralThatGrowsByThem) {
+  auto with = [](const char* up) {
+    return foretold_of(
+        preset_at("presets/species/corals/finger.json", {std::string("/organisms/0/accretion/up=") + up}));
+  };
+  Foretold low = with("0.2"), high = with("5");
+  EXPECT_LT(low.seconds(), 6);
+  EXPECT_GT(high.seconds(), 10 * low.seconds());
+  EXPECT_GT(high.memory(1), low.memory(1) + 1e8);
+}
+
+TEST(Foretell, CountsTheVolumeOfFusedBranches) {
+  auto with = [](const char* body) {
+    return foretold_of(
+        preset_at("presets/fused.json", {std::string("/organisms/0/body={\"build\": ") + body + "}"}));
+  };
+  Foretold sweeps = with(R"("sweeps")"), fused = with(R"("fused", "voxel": 0.004)"),
+           finer = with(R"("fused", "voxel": 0.002)");
+  EXPECT_GT(fused.frame_seconds, sweeps.frame_seconds + 0.5);
+  EXPECT_GT(finer.frame_seconds, 2 * fused.frame_seconds);
+  EXPECT_GT(finer.frame_bytes, 2 * fused.frame_bytes);
+}
+
+TEST(Foretell, CountsThePictureOfCaustics) {
+  auto with = [](const char* caustics) {
+    return foretold_of(preset_at("presets/reef/starfish.json",
+                                 {std::string("/scene/water/caustics=") + caustics, "/film/frames=10"}));
+  };
+  Foretold none = with("0"), some = with("1");
+  EXPECT_LT(none.frame_bytes, some.frame_bytes);
+  EXPECT_LT(none.frame_seconds, some.frame_seconds);
+  EXPECT_LT(none.render_seconds, some.render_seconds);
+}
+
+TEST(Foretell, AnswersOfAHundredThousandSteps) {
+  // The word grows by a module a step, so that all of them have five thousand million.
+  Foretold f = foretold_of(
+      preset_at("presets/lsystems/koch-1.6.json", {R"(/organisms/0/grammar={"axiom": "A", "steps": 100000,
+                                       "rules": ["A -> FA"]})"}));
+  EXPECT_EQ(f.nodes, 100001);
+  EXPECT_GT(f.seconds(), 60);
+}
+
+TEST(Foretell, CountsNoMoreFramesAtATimeThanThereAre) {
+  Foretold f;
+  f.frame_memory = 1e6;
+  f.frames = 2;
+  Machine machine{1e12, 1e12, 16};
+  EXPECT_EQ(f.at_once(machine), 2);
+  f.exposures = 5;
+  EXPECT_EQ(f.at_once(machine), 10);
+}
+
+TEST(Foretell, AnOldTreeHasDroppedItsLeavesAndTwigs) {
+  auto nodes = [](const char* lifespan) {
+    Foretold f = foretold_of(
+        preset_at("presets/trees/dead_tree.json", {std::string("/organisms/0/habit/lifespan=") + lifespan}));
+    return std::pair{f.nodes, f.organs};
+  };
+  EXPECT_EQ(nodes("34").second, 0);
+  EXPECT_LT(nodes("34").first, 0.3 * nodes("60").first);
+}
+
+TEST(Foretell, AViewHasNoLightAndNoText) {
+  // What takes longer than this opens with a question (PATIENCE of the page).
+  constexpr double kPatience = 8;
+  for (const char* path : {"presets/trees/oak.json", "presets/lsystems/plants-1.24.json", "presets/bush.json",
+                           "presets/forest/sapling.json", "presets/trees/birch.json", "presets/aspen.json"}) {
+    ViewTold view = *foretell_view(preset_at(path));
+    EXPECT_LT(view.wait(2), kPatience) << path;
+    EXPECT_TRUE(refuse(view, Machine{4e9, 1, 2}).empty()) << path;
+  }
+  EXPECT_GT(foretell_view(preset_at("presets/forest.json"))->wait(1), kPatience);
+  Machine small;
+  small.memory = 1e7;
+  EXPECT_EQ(refuse(*foretell_view(preset_at("presets/bush.json")), small).size(), 1u);
 }
 
 }  // namespace

@@ -88,6 +88,26 @@ TEST(Forecast, SaysAtLeastWhereOneStepOfTheDryRunIsTooMuch) {
   EXPECT_FALSE(refuse(forecast(grammar, 1, Seed{1}, {1000, 1 << 20}), {1000, 1 << 20}).empty());
 }
 
+TEST(Forecast, TellsHowManyStepsTakeAMoment) {
+  // Each step adds a module, so all words together have a hundred thousand times as many as the last.
+  for (const char* rule : {"A -> FA", "A(x) -> FA(x+1)", "A < A -> A"}) {
+    GrammarText text;
+    text.axiom = rule[1] == '(' ? "A(0)" : "A";
+    text.rules = {{rule}};
+    Grammar grammar = *compile(text);
+    Forecast predicted = forecast(grammar, 100'000, Seed{1});
+    int small = predicted.small_steps;
+    EXPECT_GT(small, 1000) << rule;
+    EXPECT_LE(forecast(grammar, small, Seed{1}).work, 3e6) << rule;
+    EXPECT_GE(predicted.work, 1e5) << rule;
+  }
+  // Few steps of a small word are counted as they are.
+  GrammarText text;
+  text.rules = {{"F -> FF"}};
+  EXPECT_EQ(forecast(*compile(text), 5, Seed{1}).small_steps, 5);
+  EXPECT_LT(forecast(*compile(text), 25, Seed{1}).small_steps, 20);
+}
+
 TEST(Forecast, StaysFinite) {
   GrammarText text;
   text.rules = {{"F -> FFFFFFFFFF"}};

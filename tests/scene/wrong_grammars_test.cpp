@@ -106,9 +106,9 @@ const WrongPreset kWrongGrammars[] = {
   {"kind": "coral", "form": "own", "grammar": {"rules": ["F -> FF"], "steps": 60}},
   {"kind": "plant", "grammar": {"rules": ["F -> FF"], "steps": 5, "limits": {"modules": 20}}}]})",
      {},
-     {"2:47: /organisms/0/grammar: step 28 would have 2.684e+08 modules or segments, past the limit of "
+     {"2:47: /organisms/0/grammar: step 28 would have 268 million modules or segments, past the limit of "
       "200000000 "
-      "modules and 4294967296 bytes; the last step would have 1.153e+18 (1.15e+18 bytes): use at most 27 "
+      "modules and 4294967296 bytes; the last step would have 10^18 (1.15 EB): use at most 27 "
       "steps, or "
       "raise `limits`",
       "3:32: /organisms/1/grammar: step 5 would have 32 modules or segments, past the limit of 20 modules "

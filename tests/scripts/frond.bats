@@ -89,6 +89,41 @@ setup() {
   [ "$status" -eq 2 ]
 }
 
+@test "turtle refuses the steps that info refuses" {
+  # Its segments pass the limit, its modules do not; and a step of it is not told by a matrix.
+  echo '{"axiom": "A(0)", "steps": 3, "rules": ["A(x) : x >= 0 -> A(x+1)A(x+1)"], "limits": {"modules": 1000}}' >twice.json
+  run "$frond" info twice.json
+  [ "$status" -eq 0 ]
+  run "$frond" turtle twice.json --steps 12
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"would have"*"past the limit of 1000 modules"* ]]
+  echo '{"axiom": "A", "rules": ["A -> AA"], "interpretation": ["A -> FFFF"], "limits": {"modules": 100}}' >long.json
+  run "$frond" turtle long.json --steps 6
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"step 5 would have 128 modules or segments, past the limit of 100 modules"* ]]
+}
+
+@test "info answers of many steps, and of some frames of a film" {
+  echo '{"organisms": [{"kind": "plant", "grammar": {"axiom": "A", "steps": 100000, "rules": ["A -> FA"]}}]}' >line.json
+  run "$frond" info line.json
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"100001 nodes"* ]]
+  written() { "$frond" info "$root/tests/presets/tiny_film.json" --json "$@" | sed 's/.*"bytes_a_frame": \([0-9]*\), .*"disk_bytes": \([0-9]*\).*/\1 \2/'; }
+  read -r frame all <<<"$(written --frames 1-2)"
+  read -r same one <<<"$(written --frames 1)"
+  [ "$frame" -eq "$same" ]
+  [ "$((all - one))" -eq "$frame" ]
+  run "$frond" info "$root/tests/presets/tiny_film.json" --frames 900
+  [ "$status" -eq 2 ]
+}
+
+@test "info says the same bytes in words and to machines" {
+  "$frond" info "$root/presets/bush.json" >words
+  "$frond" info "$root/presets/bush.json" --json >numbers
+  megabytes=$(sed 's/.*"bytes_a_frame": \([0-9]*\).*/\1/' numbers | awk '{ printf "%.3g", $1 / 1e6 }')
+  grep -F "frames of $megabytes MB" words
+}
+
 @test "what explodes names the file and the place" {
   printf '{"axiom": "F",\n "steps": 60, "rules": ["F -> FF"]}' > wild.json
   for command in info derive turtle; do

@@ -4,6 +4,7 @@
 
 #include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
+#include "organisms/sheet_growth.h"
 
 namespace frond {
 
@@ -56,12 +57,8 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
     return changed(*this, [](auto& p) { p.accretion.edge *= 2.5; });
   }
   Result<Foresight> foresee(Seed) const override {
-    Foresight sight;
     const Accretion& a = params.accretion;
-    double area = 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger);
-    sight.triangles = 2.3 * area / (a.edge * a.edge);
-    sight.blocks = 1;
-    return sight;
+    return foreseen(a, 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger));
   }
   double tallest() const override { return params.accretion.up; }
   Dress dress() const override {

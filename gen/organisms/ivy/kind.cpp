@@ -155,7 +155,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
     ivy.shapes = 9000;
     ivy.riding = true;
-    ivy.nodes_a_second = kTreeNodesASecond;
+    ivy.nodes_a_second = 1.5e4;
     return ivy;
   }
   double tallest() const override { return 0; }

@@ -7,6 +7,7 @@
 #include "accretion/refine.h"
 #include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
+#include "organisms/sheet_growth.h"
 
 namespace frond {
 
@@ -88,10 +89,12 @@ class MassiveGrower final : public BodyColony<MassiveParams> {
     return changed(*this, [](auto& p) { p.edge *= 3; });
   }
   Result<Foresight> foresee(Seed) const override {
-    Foresight sight;
-    double area = kPi * params.across * (params.across / 4 + params.height);
-    sight.triangles = 2.3 * area / (params.edge * params.edge);
-    sight.blocks = 1;
+    Foresight sight = foreseen(law_of(params), kPi * params.across * (params.across / 4 + params.height));
+    if (params.relief == Wrought::plain) return sight;
+    constexpr double kReacting = 2.2e-9;  // seconds of a triangle in one step
+    sight.triangles *= 1 << 2 * kTimes;
+    sight.held *= 1 << 2 * kTimes;
+    sight.seconds += kReacting * reaction_of(params).steps * sight.triangles;
     return sight;
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {

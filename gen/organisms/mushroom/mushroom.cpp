@@ -107,7 +107,10 @@ class MushroomGrower final : public BodyColony<MushroomParams> {
   Result<Foresight> foresee(Seed) const override {
     Foresight sight;
     sight.triangles = 2.0 * 46 * params.septa * 12;
+    sight.area = 2 * params.across * params.across * params.oval;
     sight.blocks = 1;
+    sight.seconds = 2e-6 * sight.triangles;
+    sight.held = kPastTriangle * sight.triangles;
     return sight;
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {

@@ -119,15 +119,9 @@ namespace {
 
 /// Adds what a grammar hangs on its branches: as counted where it is small, and on a smaller one otherwise.
 void count_organs(const PlantParams& params, Seed seed, Foresight& plant) {
-  constexpr double kCounted = 1e5;  // modules or segments
   Result<Grammar> grammar = plant_grammar(params);
   if (!grammar) return;
-  int steps = grammar->text.steps;
-  auto large = [&](int n) {
-    Forecast word = forecast(*grammar, n, seed);
-    return std::max(word.modules, word.segments) > kCounted;
-  };
-  while (steps > 1 && large(steps)) --steps;
+  int steps = std::max(plant.word.small_steps, std::min(1, grammar->text.steps));
   std::vector<std::string> names;
   for (const OrganParams& organ : params.organs) names.push_back(organ.symbol);
   Limits limits{2'000'000, std::size_t{64} << 20};

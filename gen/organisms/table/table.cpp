@@ -175,6 +175,7 @@ class TableGrower final : public BodyColony<TableParams> {
   }
   Result<Foresight> foresee(Seed) const override {
     Foresight sight = foreseen(0.8 * params.across * params.across, params.edge);
+    // Branchlets are added to what is seen of the plate.
     sight.triangles += 40 * params.across * params.across / (params.spacing * params.spacing);
     return sight;
   }

@@ -172,8 +172,10 @@ namespace {
 constexpr int kNeighbours = 6;
 constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a field of light
 
+constexpr double kGrownASecond = 1.5e5;  // nodes of a tree of twenty cycles; each is a look at all of it
+
 /// As large as a tree must be for its later growth to be told from it.
-constexpr double kToldBy = 20'000;
+constexpr double kToldBy = 60'000;
 
 /// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once its crown is
 /// closed it grows about as much each cycle, and less when it is as tall as it will be. So it is grown
@@ -253,10 +255,16 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   }
   Result<Foresight> foresee(Seed seed) const override {
     Foresight tree;
-    tree.nodes = foresee_tree(params, seed);
+    // Once its life is over it bears no leaves, and its twigs drop within some years.
+    TreeParams living = params;
+    living.years = std::min(params.years, std::max(1, static_cast<int>(params.species.lifespan)));
+    double bare = (params.years - living.years) / std::max(0.5, params.species.wood.deadwood);
+    double grown = foresee_tree(living, seed);
+    tree.nodes = grown * std::exp(-bare);
     tree.word.modules = tree.word.segments = tree.nodes;
-    if (params.leaves.size > 0) tree.organs = tree.parts = 1.1 * tree.nodes;
-    tree.nodes_a_second = kTreeNodesASecond * 20 / std::max(20, cycles_of(params));
+    if (params.leaves.size > 0 && bare == 0) tree.organs = tree.parts = 1.1 * tree.nodes;
+    tree.seconds = grown * std::max(20, cycles_of(params)) / (20 * kGrownASecond);
+    tree.nodes_a_second = 1e7;  // those seconds are all
     return tree;
   }
   double tallest() const override { return params.species.height; }

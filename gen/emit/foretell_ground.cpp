@@ -1,0 +1,87 @@
+#include "emit/foretell_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "emit/pov.h"
+#include "emit/setting.h"
+#include "emit/soft_light.h"
+#include "scene/bounds.h"
+#include "scene/camera.h"
+#include "settings/settings.h"
+
+namespace frond {
+
+namespace {
+
+// Of ground that is not laid for the forecast, as measured over the presets: bytes of text of a triangle, of
+// one whose triangles share few corners, of a placement; bytes of memory.
+constexpr double kLaidTriangleText = 39, kGrassTriangleText = 100, kLaidPlacementText = 122;
+constexpr double kLaidTriangleHeld = 40, kLaidPlacementHeld = 60;
+constexpr double kLaidAtOnce = 1e6;                        // triangles and placements
+constexpr double kGroundLaid = 1e6, kGroundWritten = 5e7;  // triangles and placements a second; bytes
+// Of light: bytes of a line of its file; lines for a column of cells on bare land, on land where grass or
+// litter stands, and for each cell in that.
+constexpr double kProbeText = 61, kProbesBare = 4, kProbesCovered = 9, kProbesCover = 6;
+constexpr double kCrowdedProbes = 2.2;  // times as many where what is sown fills the view
+// Bytes of memory that a cell and a line take; seconds of each.
+constexpr double kCellHeld = 29, kProbeHeld = 150;
+constexpr double kCellLit = 5.4e-8, kProbeLit = 4.1e-6;
+constexpr double kPlainLight = 0.65;  // of the time that rays take whose light passes through a picture
+// Of a picture that a frame has of its own, a pixel.
+constexpr double kOwnPixelBytes = 0.25, kOwnPixelSeconds = 8e-7;
+
+}  // namespace
+
+double tallest_of(const Preset& preset) {
+  const Camera& camera = preset.stage.camera;
+  Vec3 at = camera.location.at(0), to = camera.look_at.at(0);
+  double half = std::tan(radians(camera.angle.at(0)) / 2) * preset.film.aspect();
+  double seen = to.y + glm::distance(at, to) * half, tall = 0;
+  for (const Organism& organism : preset.organisms) {
+    if (organism.count == 0 && !organism.sown) continue;
+    double own = organism.grower->tallest() * (1 + organism.place.size_variation) + organism.place.raise;
+    tall = std::max(tall, organism.grower->tallest() > 0 ? own : seen);
+  }
+  return tall;
+}
+
+GroundTold foretell_ground(const Preset& preset, double tall, bool crowded) {
+  GroundTold told;
+  const SettingAnswers& setting = settings()[preset.stage.setting].answers;
+  GroundForesight laid = setting.foresee(preset.stage, preset.film);
+  told.pictures = kOwnPixelBytes * laid.pixels;
+  told.picture_seconds = kOwnPixelSeconds * laid.pixels;
+  if (has_pictures(preset.stage) && laid.pixels == 0) told.tracing = kPlainLight;
+  double pieces = laid.triangles + laid.grass + laid.placed;
+  told.memory = kLaidTriangleHeld * (laid.triangles + laid.grass) + kLaidPlacementHeld * laid.placed;
+
+  Scene scene;
+  scene.film = preset.film;
+  scene.stage = preset.stage;
+  std::unique_ptr<Grounds> ground =
+      setting.lay(preset.stage, preset.film, reach_of(preset), Seed{preset.seed});
+  if (preset.stage.camera.follow) scene.stage.camera = over_ground(preset.stage.camera, ground->heights());
+  bool moment = pieces < kLaidAtOnce;
+  if (moment) {
+    TakenSpots taken;
+    ground->strew(taken);
+    ground->lay_litter(scene.stage.camera);
+  }
+  scene.ground = std::move(ground);
+  told.bytes = moment ? static_cast<double>(ground_text(PovSpace{}, scene).size())
+                      : kLaidTriangleText * laid.triangles + kGrassTriangleText * laid.grass +
+                            kLaidPlacementText * laid.placed;
+  told.seconds = pieces / kGroundLaid + told.bytes / kGroundWritten;
+  if (!has_soft_light(preset.stage)) return told;
+  SoftLight::Size light = foresee_light(scene, tall);
+  double probes =
+      light.cover > 0 ? kProbesCovered * light.land + kProbesCover * light.cover : kProbesBare * light.land;
+  if (crowded) probes *= kCrowdedProbes;
+  told.light_bytes = kProbeText * probes;
+  told.light_memory = kCellHeld * light.cells + kProbeHeld * probes;
+  told.light_seconds = kCellLit * light.cells + kProbeLit * probes;
+  return told;
+}
+
+}  // namespace frond

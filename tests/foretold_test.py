@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""What `frond info` foretells of one frame of a preset, held against `frond generate` in a fresh folder.
+
+Usage: foretold_test.py FROND ROOT [--all | PRESET...]
+
+Prints a table: seconds of processor (user and system time of the whole run), the most memory that it held and bytes
+that it wrote, each with what was foretold as a multiple of it. Seconds and memory are held to a factor of 2, bytes to
+one of 1.5. The last frame is written, in which all has grown.
+
+Seconds differ from machine to machine and with what else it does. So a few presets whose work is of every kind are
+run first; the middle of their ratios is the pace of this machine, and all seconds foretold are corrected by it. A run
+that is out of bounds is made again, and its least figures count. Exit codes: 0 within bounds, 1 not.
+"""
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SECONDS, MEMORY, BYTES = 2.0, 2.0, 1.5
+# What is so small that nobody asks: start of the program, files read, the layout of a frame.
+LEAST_SECONDS, LEAST_BYTES = 0.15, 20_000
+PACE = ["bush", "staghorn", "garden/vases", "lsystems/trees-2.6"]
+SMALL = ["fan", "tufted", "voxel", "lsystems/sunflower-4", "garden/rocks", "species/shells/cowrie", "species/corals/brain",
+         "ivy/column"]
+ATTEMPTS = 3
+
+
+def presets(root):
+    """All that are shipped: below presets/grammars lie grammars, which are none."""
+    names = [str(p.relative_to(root / "presets").with_suffix("")) for p in sorted((root / "presets").rglob("*.json"))]
+    return [n for n in names if not n.startswith("grammars/")]
+
+
+def foretold(frond, path, frame):
+    out = subprocess.run([frond, "info", path, "--json", "--frames", str(frame)], check=True, capture_output=True, text=True).stdout
+    said = json.loads(out)
+    return said["seconds"], said["memory_bytes"], said["written_bytes"]
+
+
+def frames(frond, path):
+    said = subprocess.run([frond, "info", path, "--json"], check=True, capture_output=True, text=True).stdout
+    return json.loads(said)["frames"]
+
+
+def generated(frond, path, frame):
+    """Seconds, bytes of memory and bytes written of one run."""
+    with tempfile.TemporaryDirectory() as out:
+        child = subprocess.Popen([frond, "generate", path, "-o", out, "--frames", str(frame), "-q"])
+        _, status, used = os.wait4(child.pid, 0)
+        if status:
+            raise SystemExit(f"{path}: generate failed")
+        size = sum(f.stat().st_size for f in (Path(out) / "frames").iterdir())
+        return used.ru_utime + used.ru_stime, 1024 * used.ru_maxrss, size
+
+
+def ratio(said, true, least=0.0):
+    return (said + least) / (true + least)
+
+
+def within(ratio, bound):
+    return 1 / bound <= ratio <= bound
+
+
+class Judge:
+    def __init__(self, frond, root):
+        self.frond, self.root, self.pace = frond, root, 1.0
+
+    def measure(self, name):
+        """What was foretold and, of up to some runs, the least that was true."""
+        path = str(self.root / "presets" / f"{name}.json")
+        frame = frames(self.frond, path)
+        said = foretold(self.frond, path, frame)
+        true = None
+        for _ in range(ATTEMPTS):
+            now = generated(self.frond, path, frame)
+            true = now if true is None else tuple(map(min, true, now))
+            if self.good(said, true):
+                break
+        return said, true
+
+    def ratios(self, said, true):
+        return (ratio(said[0] * self.pace, true[0], LEAST_SECONDS), ratio(said[1], true[1]),
+                ratio(said[2], true[2], LEAST_BYTES))
+
+    def good(self, said, true):
+        return all(map(within, self.ratios(said, true), (SECONDS, MEMORY, BYTES)))
+
+    def find_pace(self):
+        runs = [self.measure(name) for name in PACE]
+        self.pace = 1 / statistics.median(ratio(said[0], true[0], LEAST_SECONDS) for said, true in runs)
+        print(f"pace of this machine: {self.pace:.2f}")
+
+    def row(self, name):
+        said, true = self.measure(name)
+        ratios, good = self.ratios(said, true), self.good(said, true)
+        print(f"{name:36} {true[0]:8.2f} s {ratios[0]:5.2f} {true[1] / 1e6:8.0f} MB {ratios[1]:5.2f} "
+              f"{true[2] / 1e6:9.2f} MB {ratios[2]:5.2f}{'' if good else '  OUT OF BOUNDS'}", flush=True)
+        return good
+
+
+def main():
+    frond, root, *names = sys.argv[1:]
+    judge = Judge(frond, Path(root))
+    judge.find_pace()
+    if names == ["--all"]:
+        names = presets(Path(root))
+    wrong = [name for name in names or SMALL if not judge.row(name)]
+    if wrong:
+        print("out of bounds: " + ", ".join(wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
