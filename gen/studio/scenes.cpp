@@ -149,12 +149,13 @@ Result<Json> Scenes::foretold(const Preset& preset, const Haste& haste, double s
       if ((haste && !haste->contains(i)) || known_.contains(name_of(preset, i)))
         fresh.organisms[i].count = 0, fresh.organisms[i].sown.reset();
   }
-  Result<Foretold> foretold = foretell(fresh, 1);
+  Result<ViewTold> foretold = foretell_view(fresh);
   if (!foretold) return foretold.errors();
-  if (Errors errors = refuse(*foretold, this_machine(".")); !errors.empty()) return errors;
-  if (foretold->growth_seconds <= seconds) return Json(nullptr);
-  return Json{
-      {"nodes", foretold->nodes}, {"seconds", foretold->growth_seconds}, {"memory", foretold->memory(1)}};
+  Machine machine = this_machine(".");
+  if (Errors errors = refuse(*foretold, machine); !errors.empty()) return errors;
+  double wait = foretold->wait(machine.threads);
+  if (wait <= seconds) return Json(nullptr);
+  return Json{{"nodes", foretold->nodes}, {"seconds", wait}, {"memory", foretold->memory}};
 }
 
 Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& key, Preset preset,
