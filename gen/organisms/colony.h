@@ -72,6 +72,7 @@ class BodyColony : public Described<Params, ColonyGrower> {
     dress.motion.growth = this->params.growth;
     return dress;
   }
+  bool branches() const override { return false; }
   std::optional<Spread> spread() const override {
     return Spread{static_cast<float>(this->params.across / 2), static_cast<float>(this->params.height)};
   }

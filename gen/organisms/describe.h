@@ -101,15 +101,17 @@ void describe(Visitor& v, Style& s) {
   v.shorthand("build");
   v.choice("build", s.build, kBuilds, "What branches are drawn as");
   v.number("voxel", s.voxel, {.min = 0, .max = 100, .unit = "m"},
-           "Size of a voxel of a fused body, or of a cube; 0 takes it from the size of the organism");
+           "Size of a voxel of a fused body, or of a cube; 0 takes it from the size of the organism. Needs "
+           "build other than sweeps");
   v.number("blend", s.blend, {.min = 0, .max = 3},
            "How far branches flow into each other at forks, as a share of the thinner one's radius. Needs "
            "\"build\": \"fused\"");
   v.number("adaptivity", s.adaptivity, {.min = 0, .max = 1},
            "How unequal the triangles of a fused body may be: 0 all alike, 1 few where the body is flat. "
            "Needs \"build\": \"fused\"");
-  v.number("limit", s.limit, {.min = 1e6, .max = 1e15, .unit = "bytes"},
-           "Memory that one volume may take; one that would need more is refused");
+  v.number(
+      "limit", s.limit, {.min = 1e6, .max = 1e15, .unit = "bytes"},
+      "Memory that one volume may take; one that would need more is refused. Needs build other than sweeps");
 }
 
 template <class Visitor>

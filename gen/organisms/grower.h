@@ -121,6 +121,8 @@ class Grower {
   /// About how tall one may be, metres, rather too much; 0: unknown.
   virtual double tallest() const = 0;
   virtual Dress dress() const = 0;
+  /// Whether it has branches, which an organism's `body` says how to draw.
+  virtual bool branches() const = 0;
   /// Whether it is another shape in each frame of a film, made anew.
   virtual bool develops(bool filmed) const = 0;
   /// Its grammar, ready to derive, where it has one.
@@ -188,6 +190,7 @@ class BodyBuilder : public LoneGrower {
  public:
   double tallest() const override { return 0; }
   Dress dress() const override { return {}; }
+  bool branches() const override { return false; }
   bool develops(bool) const override { return false; }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
   std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }

@@ -7,6 +7,7 @@
 #include "preset/fault.h"
 #include "preset/json.h"
 #include "scene/describe.h"
+#include "scene/needs.h"
 
 namespace frond {
 
@@ -111,6 +112,12 @@ class Finder {
     bool colony = organism.grower->stage() == GrowthStage::in_space && !organism.sown;
     for (std::string_view name : {"on", "upright"})
       if (!colony) idle(name, "only corals and their like that are not sown stand on bodies");
+    check_body(organism, written, pointer);
+    bool drawn = organism.grower->branches() && !organism.sown;
+    find_unmet(written, [&](const Value& value, const std::string& at, std::string_view need) {
+      if (!drawn && at.starts_with("/body/")) return;  // all of it does nothing
+      note(value, pointer + at, fmt::format("it needs {}", need));
+    });
     check_motion(written, pointer, "wave", "amplitude");
     check_motion(written, pointer, "food", "strength");
     const Value* strength = at(written, "/food/strength");
@@ -118,6 +125,16 @@ class Finder {
       add({strength->origin, pointer + "/food/strength",
            fmt::format("is an angle in degrees; {:g} radians would be {:.6g}", strength->number,
                        degrees(strength->number))});
+  }
+
+  /// How branches are drawn, where there are none.
+  void check_body(const Organism& organism, const Value& written, const std::string& pointer) {
+    const Value* body = written.find("body");
+    if (!body) return;
+    if (!organism.grower->branches() || organism.sown)
+      note(*body, pointer + "/body",
+           organism.sown ? "copies that are sown are drawn branch by branch"
+                         : "this kind has no branches, which it is for");
   }
 
   /// What moves only by a number that nobody gave.

@@ -16,6 +16,7 @@
 #include "scene/camera.h"
 #include "scene/feeding.h"
 #include "scene/fit.h"
+#include "scene/inside.h"
 #include "scene/nursery.h"
 #include "scene/remarks.h"
 #include "scene/settle.h"
@@ -393,6 +394,8 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
     scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
   ground->lay_litter(scene.stage.camera);
   scene.ground = std::move(ground);
+  if (std::string said = inside_something(scene); !said.empty())
+    scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
   note_growth(scene);
   for (const Organism& organism : preset.organisms)
     if (organism.count > 0)

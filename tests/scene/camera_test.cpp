@@ -1,5 +1,6 @@
 #include "scene/camera.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,6 +96,34 @@ TEST(Camera, SaysThatItSeesNothing) {
   };
   EXPECT_TRUE(said(R"("location": [0, 2, 9], "look_at": [0, 2, 20])"));
   EXPECT_FALSE(said(R"("location": [0, 2, 9], "look_at": [0, 2, 0])"));
+}
+
+/// A grey picture would not tell what it shows.
+TEST(Camera, SaysThatItLiesInsideOfABody) {
+  auto note_of = [](const std::string& organisms, const std::string& location, const char* setting) {
+    Scene scene = *build_scene(*read_preset(
+        fmt::format(R"({{"film": {{"frames": 30}}, "scene": {{"setting": "{}", "camera": {{"location": {},
+            "look_at": [0, 1, -30]}}}}, "organisms": [{}]}})",
+                    setting, location, organisms),
+        "test.json", {}));
+    for (const std::string& note : scene.notes)
+      if (note.find("lies inside of") != note.npos) return note;
+    return std::string();
+  };
+  const std::string rock =
+      R"({"kind": "rock", "name": "boulder", "depth": 5, "size": 4, "place": {"at": [[0, 0]]}})";
+  std::string note = note_of(rock, "[0, 1, 0]", "meadow");
+  EXPECT_NE(note.find("/scene/camera/location"), note.npos) << note;
+  EXPECT_NE(note.find("\"boulder\""), note.npos) << note;
+  EXPECT_EQ(note_of(rock, "[0, 1, 9]", "meadow"), "");
+  // On its way through.
+  note = note_of(rock, "[[0, [0, 1, 9]], [1, [0, 1, -9]]]", "meadow");
+  EXPECT_NE(note.find("first at 0."), note.npos) << note;
+  const std::string trunk =
+      R"({"kind": "tree", "name": "stem", "years": 14, "leaves": {"size": 0}, "flare": 4, "place": {"at": [[0, 0]], "lean": 0}})";
+  EXPECT_NE(note_of(trunk, "[0, 0.3, 0]", "meadow").find("\"stem\""), note.npos);
+  const std::string vase = R"({"kind": "vase", "name": "vase", "place": {"at": [[0, 0]]}})";
+  EXPECT_EQ(note_of(vase, "[0, 0.8, 0]", "studio"), "") << "above a vessel";
 }
 
 TEST(Camera, FitsOnlyWhatIsThere) {

@@ -5,6 +5,9 @@
 #include <filesystem>
 
 #include "core/files.h"
+#include "preset/json.h"
+#include "preset/manual.h"
+#include "scene/needs.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -52,6 +55,51 @@ TEST(IdleSettings, OfAnOrganismAreNoted) {
              "p.json:3:50: /organisms/2/food: does nothing here: its strength is not given and so is 0",
              "p.json:4:51: /organisms/3/place/radius: does nothing here: sown.where says where copies "
              "stand"}));
+}
+
+TEST(IdleSettings, HowToDrawBranchesThatThereAreNotIsNoted) {
+  EXPECT_EQ(
+      notes_of(R"({"scene": {"setting": "forest"}, "organisms": [
+ {"kind": "table", "body": "fused"}, {"kind": "coral", "body": "fused"}, {"kind": "rock", "body": {"voxel": 0.1}},
+ {"kind": "tree", "sown": {}, "body": "voxels"},
+ {"kind": "coral", "body": {"blend": 2}}, {"kind": "coral", "body": {"build": "voxels", "voxel": 0.1, "blend": 2}}]})"),
+      (Notes{"p.json:2:28: /organisms/0/body: does nothing here: this kind has no branches, which it is for",
+             "p.json:2:99: /organisms/2/body: does nothing here: this kind has no branches, which it is for",
+             "p.json:3:39: /organisms/3/body: does nothing here: copies that are sown are drawn branch by "
+             "branch",
+             "p.json:4:38: /organisms/4/body/blend: does nothing here: it needs \"build\": \"fused\"",
+             "p.json:4:112: /organisms/5/body/blend: does nothing here: it needs \"build\": \"fused\""}));
+  // A whole reef may be fused, whatever stands among it.
+  EXPECT_EQ(
+      notes_of(R"({"defaults": {"body": "fused"}, "organisms": [{"kind": "table"}, {"kind": "coral"}]})"),
+      Notes{});
+}
+
+TEST(IdleSettings, WhatNeedsAnotherPropertyIsNoted) {
+  EXPECT_EQ(
+      notes_of(R"({"scene": {"setting": "meadow"}, "organisms": [
+ {"kind": "rock", "weathering": {"dip": 20}}, {"kind": "rock", "weathering": {"dip": 20, "strata": 0.5}},
+ {"kind": "bridge", "style": "stone", "balusters": 3}, {"kind": "bridge", "balusters": 3},
+ {"kind": "tree", "light": {"depth": 3}}, {"kind": "tree", "light": {"depth": 3, "fading": "even"}}]})"),
+      (Notes{
+          "p.json:2:41: /organisms/0/weathering/dip: does nothing here: it needs strata above 0",
+          "p.json:3:52: /organisms/2/balusters: does nothing here: it needs \"style\": \"wood\"",
+          "p.json:4:38: /organisms/4/light/depth: does nothing here: it needs fading other than diffuse"}));
+}
+
+/// What a sentence says that a property needs is what is looked at.
+TEST(IdleSettings, SentencesOfNeedsAreUnderstood) {
+  auto schema = parse_json(preset_schema(), "schema");
+  int count = 0;
+  for (const Topic& topic : topics_of(schema->root)) {
+    std::size_t at = topic.sentence.find("Needs ");
+    if (at == std::string::npos || topic.sentence.substr(at) == "Needs a coat") continue;
+    std::optional<Need> need = need_of(topic.sentence);
+    ASSERT_TRUE(need) << topic.path << ": " << topic.sentence;
+    EXPECT_FALSE(need->name.empty() || need->name.find(' ') != std::string::npos) << topic.sentence;
+    ++count;
+  }
+  EXPECT_GT(count, 25);
 }
 
 TEST(IdleSettings, AStrengthInRadiansIsNoted) {

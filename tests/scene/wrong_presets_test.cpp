@@ -349,7 +349,7 @@ const WrongPreset kWrongValues[] = {
      R"({"organisms": [{"kind": "wall", "name": "wall"},
  {"kind": "ivy", "on": ["wall"], "crawl": {"low": [0, 2, 0], "high": [1, 1, 1]}}]})",
      {},
-     {"2:73: /organisms/1/crawl/high/1: found 1, below the 2 of low; expected a box that holds something"}},
+     {"2:74: /organisms/1/crawl/high/1: found 1, below the 2 of low; expected a box that holds something"}},
     {"A fault of the defaults once",
      R"({"defaults": {"wave": {"speed": -1}}, "organisms": [{"kind": "coral"}, {"kind": "coral"}]})",
      {},

@@ -88,6 +88,7 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
     return tree;
   }
   double tallest() const override { return params.envelope.base + params.envelope.height; }
+  bool branches() const override { return true; }
   Dress dress() const override { return dress_of(params.dress, params.leaf_reach > 0); }
   bool develops(bool) const override { return params.dress.season.has_value(); }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }

@@ -61,6 +61,7 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
     return foreseen(a, 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger));
   }
   double tallest() const override { return params.accretion.up; }
+  bool branches() const override { return false; }
   Dress dress() const override {
     Dress dress;
     dress.motion.growth = params.growth;

@@ -95,6 +95,7 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     return coral;
   }
   double tallest() const override { return 0; }
+  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.skin = params.skin;

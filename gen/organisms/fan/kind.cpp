@@ -42,6 +42,7 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
     return sight;
   }
   double tallest() const override { return 1.1 * params.height; }
+  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.skin = params.skin;

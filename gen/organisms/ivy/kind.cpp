@@ -159,6 +159,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     return ivy;
   }
   double tallest() const override { return 0; }
+  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.bark = params.bark;

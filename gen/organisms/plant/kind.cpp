@@ -186,6 +186,7 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     return plant;
   }
   double tallest() const override { return params.height; }
+  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.bark = params.bark;

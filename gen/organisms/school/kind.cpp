@@ -140,6 +140,7 @@ class School final : public Described<SchoolParams, Grower> {
     return fish;
   }
   double tallest() const override { return 0; }
+  bool branches() const override { return false; }
   Dress dress() const override {
     Dress dress;
     dress.look.bark = Bark{};  // none is seen: fish are organs

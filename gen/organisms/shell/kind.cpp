@@ -155,6 +155,7 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
     return sight;
   }
   double tallest() const override { return params.size; }
+  bool branches() const override { return false; }
   Dress dress() const override {
     Dress dress;
     dress.look.pictures.push_back(shell_drawing_of(params));

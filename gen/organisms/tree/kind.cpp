@@ -268,6 +268,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     return tree;
   }
   double tallest() const override { return params.species.height; }
+  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.bark = params.bark;

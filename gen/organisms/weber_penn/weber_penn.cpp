@@ -171,6 +171,7 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
     return tree;
   }
   double tallest() const override { return 1.2 * (params.tree.scale + params.tree.scale_v); }
+  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress = dress_of(params.dress, params.tree.leaves != 0);
     dress.look.lobes = params.tree.lobes;
