@@ -156,5 +156,29 @@ TEST(TreePresets, TreesDoNotOutgrowTheirSpeciesAsTheyAge) {
   }
 }
 
+/// The colours of autumn come with the season, so that another `at` gives another time of the year. A cherry
+/// in blossom bears its flowers as leaves.
+TEST(TreePresets, LeavesAreGreenInSummer) {
+  int seen = 0;
+  for (const char* name :
+       {"trees/acacia", "trees/beech", "trees/birch", "trees/cedar", "trees/cypress", "trees/larch",
+        "trees/maple", "trees/oak", "trees/olive", "trees/pine", "trees/poplar", "trees/spruce",
+        "trees/willow", "aspen", "black_oak", "weeping_willow"}) {
+    std::string path = std::string("presets/") + name + ".json";
+    Result<Preset> preset = read_preset(*read_file(FROND_ROOT "/" + path), path, {});
+    ASSERT_TRUE(preset) << preset.errors()[0].text();
+    const Grower& grower = *preset->organisms.at(0).grower;
+    std::vector<Color> colors;
+    if (const Dress dress = grower.dress(); dress.look.leaves) colors = dress.look.leaves->colors;
+    std::any parameters = grower.parameters();
+    if (const auto* tree = std::any_cast<TreeParams>(&parameters); tree && colors.empty())
+      colors = tree->leaves.colors;
+    ASSERT_FALSE(colors.empty()) << name;
+    for (const Color& c : colors) EXPECT_GT(c.green, c.red) << name;
+    seen += grower.dress().season.has_value();
+  }
+  EXPECT_EQ(seen, 3) << "aspen, larch and maple are filmed in autumn";
+}
+
 }  // namespace
 }  // namespace frond
