@@ -61,7 +61,7 @@ NEARER = {
 STRIPS = [
     ("coral/pitch", [15, 30, 50]),
     ("coral/steps", [2, 3, 5]),
-    ("tree/years", [8, 15, 33]),
+    ("tree/years", [8, 15, 24]),
     ("tree/habit/branching_angle", [30, 55, 85]),
     ("tree/habit/apical_control", [0.5, 0.66, 0.85]),
     ("vase/profile", [[[0.1, 0], [0.1, 0.3]], [[0.06, 0], [0.2, 0.12], [0.05, 0.3]],

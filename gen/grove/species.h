@@ -25,7 +25,7 @@ struct Wood {
 /// for those that say years; in_cycles() turns these into cycles, which a grove counts by.
 struct Species {
   double pace = 1;                             ///< cycles a year while it is young
-  double youth = 12;                           ///< years up to which it keeps that pace
+  double youth = 50;                           ///< years up to which it keeps that pace
   double internode = 0.10;                     ///< length of an ordinary one
   int longest_shoot = 7;                       ///< internodes that one bud makes in a cycle at most
   int longest_branch_shoot = 0;                ///< the same on branches; 0: as on the stem
@@ -41,7 +41,7 @@ struct Species {
   double apical_control = 0.6;      ///< 0.45 bushy .. 0.6 .. 0.85 a leading stem
   double apical_control_old = 0.5;  ///< what it becomes at maturity
   double branch_control = 0;        ///< added to it on branches
-  double maturity = 20;             ///< years, up to that
+  double maturity = 18;             ///< years, up to that
 
   double light_pull = 0.35;      ///< weight of the direction of most light
   double tropism = 0.35;         ///< of the stem: upward > 0, downward < 0

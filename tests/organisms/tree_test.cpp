@@ -164,7 +164,7 @@ TEST(Tree, StubsGoWithoutAJump) {
 
 TEST(Tree, BareWoodStandsAtTheEndsOfStubs) {
   TreeParams params = sapling();
-  params.years = 124, params.species.clear_trunk = 8;
+  params.years = 40, params.species.clear_trunk = 8;
   TreeParams plain = params;
   plain.knots = 0;
   Model with = grow_tree(params, Seed{3}), without = grow_tree(plain, Seed{3});

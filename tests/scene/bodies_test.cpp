@@ -5,7 +5,7 @@
 namespace frond {
 namespace {
 
-const std::string kTree = R"({"kind": "tree", "years": 17, "habit": {"clear_trunk": 0},
+const std::string kTree = R"({"kind": "tree", "years": 16, "habit": {"clear_trunk": 0},
   "place": {"at": [[0, 0]], "size_variation": 0, "lean": 0}})";
 
 /// A wall 12 m high whose face is a metre from the tree, turned about the vertical through the tree's foot.
