@@ -247,8 +247,11 @@ if (($# == 0)) || [[ " $* " == *" grammars "* ]]; then
       "thickness": {"from": "turtle", "least": 0.004},
       "bark": {"kind": "stem", "colors": ["#5d7a34", "#6f9a34", "#8aa846", "#b8622f", "#d8a32c", "#7450b0", "#4274b8"]},
       "blades": {"colors": ["#5d7a34", "#6f9a34", "#8aa846", "#b8622f", "#d8a32c", "#7450b0", "#4274b8"]},
-      "grammar":
 TEXT
+      if grep -q '~b' "$grammar"; then
+        printf '      "organs": [{"symbol": "b", "shape": "bud", "size": 0.03, "colors": ["#b8622f"]}],\n'
+      fi
+      printf '      "grammar":\n'
       cat -- "$grammar"
       printf '    }\n  ]\n}\n'
     } >"$place.json"
