@@ -22,9 +22,9 @@ from pathlib import Path
 SECONDS, MEMORY, BYTES = 2.0, 2.0, 1.5
 # What is so small that nobody asks: start of the program, files read, the layout of a frame.
 LEAST_SECONDS, LEAST_BYTES = 0.15, 20_000
-PACE = ["bush", "staghorn", "garden/vases", "lsystems/trees-2.6"]
-SMALL = ["fan", "tufted", "voxel", "lsystems/sunflower-4", "garden/rocks", "species/shells/cowrie", "species/corals/brain",
-         "ivy/column"]
+PACE = ["bush", "garden/bush", "species/corals/honeycomb", "lsystems/trees-2.6"]
+SMALL = ["fan", "lsystems/koch-1.6", "lsystems/inflorescence-3", "garden/palm", "species/corals/brain", "species/corals/finger",
+         "ivy/brick_wall", "forest/mushrooms"]
 ATTEMPTS = 3
 
 

@@ -94,7 +94,9 @@ WoodTold foretell_wood(const Organism& organism, const Foresight& size, const Dr
   if (!one) return wood;
   Boughs boughs = boughs_of(one->skeleton, static_cast<float>(organism.style.blend));
   double blocks = foresee_volume(boughs, organism.style.voxel).blocks;
-  return {kBlockBytes * blocks, kBlockHeld * blocks, kBlockSeconds * blocks};
+  // Cubes are found without a level set.
+  double share = organism.style.build == Build::voxels ? 0.1 : 1;
+  return {kBlockBytes * blocks, kBlockHeld * blocks, share * kBlockSeconds * blocks};
 }
 
 /// Triangles of a living skin that are written: no finer than the camera sees them.

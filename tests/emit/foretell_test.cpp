@@ -174,7 +174,7 @@ TEST(Foretell, AnswersOfAHundredThousandSteps) {
   Foretold f = foretold_of(
       preset_at("presets/lsystems/koch-1.6.json", {R"(/organisms/0/grammar={"axiom": "A", "steps": 100000,
                                        "rules": ["A -> FA"]})"}));
-  EXPECT_EQ(f.nodes, 100001);
+  EXPECT_EQ(f.modules, 100001);
   EXPECT_GT(f.seconds(), 60);
 }
 

@@ -107,7 +107,7 @@ setup() {
   echo '{"organisms": [{"kind": "plant", "grammar": {"axiom": "A", "steps": 100000, "rules": ["A -> FA"]}}]}' >line.json
   run "$frond" info line.json
   [ "$status" -eq 0 ]
-  [[ "$output" == *"100001 nodes"* ]]
+  [[ "$output" == *"100001 modules"* ]]
   written() { "$frond" info "$root/tests/presets/tiny_film.json" --json "$@" | sed 's/.*"bytes_a_frame": \([0-9]*\), .*"disk_bytes": \([0-9]*\).*/\1 \2/'; }
   read -r frame all <<<"$(written --frames 1-2)"
   read -r same one <<<"$(written --frames 1)"
