@@ -112,7 +112,8 @@ setup() {
   read -r frame all <<<"$(written --frames 1-2)"
   read -r same one <<<"$(written --frames 1)"
   [ "$frame" -eq "$same" ]
-  [ "$((all - one))" -eq "$frame" ]
+  apart=$((all - one - frame))
+  [ "${apart#-}" -le 1 ]  # rounded
   run "$frond" info "$root/tests/presets/tiny_film.json" --frames 900
   [ "$status" -eq 2 ]
 }
