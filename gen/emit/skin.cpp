@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
-#include <mutex>
 
+#include "core/bytes.h"
+#include "core/shelf.h"
 #include "core/text.h"
 #include "emit/plant.h"
 #include "geometry/relief.h"
@@ -109,21 +109,15 @@ float height_at(const Grid& grid, Vec2 uv) {
 
 /// The heights of a bark, kept for the trees and frames that ask for the same ones again.
 std::shared_ptr<const Grid> heights_of(const BarkCoat& coat, int width) {
-  static std::mutex mutex;
-  static std::map<std::string, std::shared_ptr<const Grid>> kept;
-  constexpr std::size_t kMostKept = 16;
+  constexpr std::size_t kRoom = 32 << 20;  // bytes
+  static Shelf<Grid> kept(kRoom);
   // The picture's name says all that its heights depend on.
   std::string name = bark_height_name(coat);
-  {
-    std::lock_guard lock(mutex);
-    if (auto at = kept.find(name); at != kept.end()) return at->second;
-  }
-  // Reckoned without the lock: it runs on threads that may ask for another one meanwhile.
+  if (auto found = kept.find(name)) return found;
   int height = static_cast<int>(std::lround(width * coat.aspect));
   auto grid = std::make_shared<const Grid>(bark_maps(coat.image, width, height, bark_seed()).height);
-  std::lock_guard lock(mutex);
-  if (kept.size() >= kMostKept) kept.clear();
-  return kept[name] = grid;
+  kept.put(name, grid, bytes_of(grid->data));
+  return grid;
 }
 
 /// The furrows of what the eye sees from so near that they show.
