@@ -54,8 +54,9 @@ void describe(Visitor& v, Polyps& p) {
   v.number("glow", p.glow, {.min = 0, .max = 3}, "How brightly it fluoresces, as corals do in blue light");
   v.number("polyps", p.width, {.min = 0, .max = 0.2, .unit = "m"},
            "Width over which a polyp spreads its tentacles; 0 leaves them in their cups");
-  v.animated("open", p.open, {.min = 0, .max = 1},
-             "How far polyps are open: 0 drawn in, 1 spread; keyframes open and close them");
+  v.animated(
+      "open", p.open, {.min = 0, .max = 1},
+      "How far polyps are open: 0 drawn in, 1 spread; keyframes open and close them. Needs polyps above 0");
 }
 
 template <class Visitor>

@@ -47,14 +47,12 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
     PlacedEntry& plot = plots.emplace_back();
     plot.bed = {&organism, o, Seed{preset.seed}.child("organism", o), {}};
     if (finds_its_way(organism.grower->stage())) continue;
-    const Seed& seed = plot.bed.seed;
     auto room = static_cast<float>(room_of(place, extent));
-    for (Vec2 at : place.at) plot.spots.push_back({at, room});
-    for (const Spot& spot : plot.spots) taken.take(spot);
+    for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.take(plot.spots.back());
     if (!place.on.empty()) continue;  // bodies are not there yet
     int more = organism.count - static_cast<int>(plot.spots.size());
     for (const Spot& spot :
-         scatter(place.center, place.inner, place.radius, room, more, taken, seed.child("scatter")))
+         scatter(place.center, place.inner, place.radius, room, more, taken, plot.bed.seed.child("scatter")))
       plot.spots.push_back(spot);
     if (plot.spots.size() < static_cast<std::size_t>(organism.count))
       notes.push_back(fmt::format("{}: only {} of {} found room; place.radius larger or place.spacing less?",
@@ -142,14 +140,11 @@ class Gardener {
     return content_id(fmt::format("{} stage {}", surroundings_, static_cast<int>(stage)));
   }
 
-  /// In haste, a stage of which nothing is wanted and nothing can have grown before: it need not even be
-  /// known where its organisms would stand. Where some of an earlier one are missing, nobody knows what
-  /// others would stand on.
+  /// In haste, a stage of which nothing is wanted and nothing can have grown before. Where some of an earlier
+  /// one are missing, nobody knows what others would stand on.
   bool leaves_out(GrowthStage stage, const std::vector<Bed>& beds) {
-    if (!haste_ || !nursery_ || beds.empty()) return false;
-    if (missing.empty() && (stage == GrowthStage::free || wants(beds) || nursery_->find(among(stage))))
-      return false;
-    if (stage == GrowthStage::free) return false;
+    if (!haste_ || !nursery_ || beds.empty() || stage == GrowthStage::free) return false;
+    if (missing.empty() && (wants(beds) || nursery_->find(among(stage)))) return false;
     leave_out(beds);
     return true;
   }
@@ -176,10 +171,7 @@ class Gardener {
     std::vector<Specimen> all;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (!errors[g].empty()) return errors[g];
-      if (left_out[g]) {
-        leave_out(groups[g]);
-        continue;
-      }
+      if (left_out[g]) leave_out(groups[g]), fresh[g] = false;
       std::ranges::move(specimens[g], std::back_inserter(all));
       for (const Bed& bed : groups[g]) {
         if (fresh[g]) grown.push_back(bed.entry);
@@ -382,20 +374,19 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
       std::vector<std::size_t> grown = std::move(scene.grown);
       scene = {};  // its specimens are in the nursery
       Result<Scene> again = build_scene(wider, watch, nursery, haste);
-      if (again)
-        for (std::size_t entry : again->grown)
-          if (std::ranges::find(grown, entry) == grown.end()) grown.push_back(entry);
-      if (again) again->grown = std::move(grown);
+      if (!again) return again;
+      for (std::size_t entry : again->grown)
+        if (std::ranges::find(grown, entry) == grown.end()) grown.push_back(entry);
+      again->grown = std::move(grown);
       return again;
     }
     scene.stage.camera = std::move(moved);
   }
-  if (std::string said = under_ground(scene.stage.camera, preset.film, ground->heights()); !said.empty())
-    scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
   ground->lay_litter(scene.stage.camera);
   scene.ground = std::move(ground);
-  if (std::string said = inside_something(scene); !said.empty())
-    scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
+  for (const std::string& said :
+       {under_ground(scene.stage.camera, preset.film, scene.ground->heights()), inside_something(scene)})
+    if (!said.empty()) scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
   note_growth(scene);
   for (const Organism& organism : preset.organisms)
     if (organism.count > 0)

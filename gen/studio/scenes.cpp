@@ -242,7 +242,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
       if (!told->is_null()) return {202, {{"foretold", *told}}, {}};
     }
     Watch watch{[&](auto, std::size_t steps) { tab->done = 0, tab->of = steps; }, [&] { ++tab->done; },
-                 given_up};
+                given_up};
     auto made = build(key, std::move(*preset), watch, hurry);
     if (given_up()) return stale();
     if (!made) return wrong(made.errors(), notes);
