@@ -203,7 +203,7 @@ class Gardener {
     std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all[i]) return placed(all[i].errors(), fmt::format("/organisms/{}", entry_of(beds, i)));
-      assert(all[i]->check().empty() && "before others build on it");
+      assert(all[i]->model.check().empty() && "before others build on it");
       specimens.push_back(std::move(*all[i]));
     }
     if (nursery_) nursery_->keep(key, specimens);
