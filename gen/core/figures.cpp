@@ -11,6 +11,7 @@ namespace frond {
 std::string bytes_text(double bytes) {
   constexpr const char* kUnits[] = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
   std::size_t unit = 0;
+  if (bytes < 999.5) return fmt::format("{:.0f} bytes", bytes);
   for (; bytes >= 999.5 && unit + 1 < std::size(kUnits); ++unit) bytes /= 1000;
   return bytes < 999.5 ? fmt::format("{:.3g} {}", bytes, kUnits[unit]) : "more than 1000 EB";
 }

@@ -61,14 +61,8 @@ void Reader::given(std::string_view name, bool& out) const {
 
 void Reader::required(std::string_view name) {
   const Value& object = *frames_.back().value;
-  if (partial_ || !object.is(Value::Type::object)) return;
-  const Value* given = object.find(name);
-  if (!given)
-    faults_.add(
-        {object.origin, pointer_, fmt::format("no \"{}\"; expected this property to be given", name)});
-  else if (given->is(Value::Type::text) && given->text.empty())
-    faults_.add(
-        {given->origin, pointer_step(pointer_, name), "is empty; expected this property to be given"});
+  if (partial_ || !object.is(Value::Type::object) || object.find(name)) return;
+  faults_.add({object.origin, pointer_, fmt::format("no \"{}\"; expected this property to be given", name)});
 }
 
 void Reader::leave() {

@@ -35,10 +35,10 @@ Result<std::shared_ptr<const Host>> World::host(const std::vector<std::string>& 
   for (const Specimen& s : standing_)
     if (names.empty() || std::ranges::find(names, s.name) != names.end()) append(all, skin_of(s.model));
   if (all.triangle.empty())
-    return Error{std::string(asker),
-                 names.empty()
-                     ? "nothing stands here to grow on; expected a body such as a wall, a rock or a mesh"
-                     : fmt::format("nothing stands here of \"{}\" to grow on", fmt::join(names, "\", \""))};
+    return Error{
+        std::string(asker),
+        fmt::format("nothing stands here{} to grow on; expected a body such as a wall, a rock or a mesh",
+                    names.empty() ? "" : fmt::format(" of \"{}\"", fmt::join(names, "\", \"")))};
   Result<Host> host = Host::build(all, asker);
   if (!host) return host.errors();
   known = std::make_shared<const Host>(std::move(*host));

@@ -4,6 +4,8 @@
 
 #include "core/files.h"
 #include "emit/frame.h"
+#include "emit/setting.h"
+#include "emit/soft_light.h"
 
 namespace frond {
 namespace {
@@ -30,6 +32,10 @@ TEST(Foretell, IsWithinAFactorOfTwoOfWhatIsWritten) {
     FrameParts parts = prepare_frames(scene);
     auto nodes = static_cast<double>(scene.nodes());
     auto bytes = static_cast<double>(frame_text(scene, parts, layout, preset.film.frames)->size());
+    if (ambience_of(scene, 0) && light_changes(scene)) {
+      double end = scene.film.time(preset.film.frames);
+      bytes += static_cast<double>(soft_light_text(parts.space, scene, parts.plan.crumbs, end)->size());
+    }
     EXPECT_GE(f.nodes, nodes / 2);
     EXPECT_LE(f.nodes, nodes * 2 + 50);
     EXPECT_GE(f.frame_bytes, bytes / 2);

@@ -66,7 +66,9 @@ TEST(IvyScene, NamesWhatItCannotGrowOn) {
   ASSERT_TRUE(alone.ok());
   Result<Scene> scene = build_scene(*alone);
   ASSERT_FALSE(scene.ok());
-  EXPECT_NE(scene.errors()[0].text().find("green: "), std::string::npos);
+  EXPECT_NE(scene.errors()[0].text().find("/organisms/0/on: nothing stands here to grow on"),
+            std::string::npos)
+      << scene.errors()[0].text();
 }
 
 /// Where the tip of each leaf is and how large it is, at a time.

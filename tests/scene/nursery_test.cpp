@@ -78,9 +78,9 @@ TEST(Nursery, IvyGrowsAnewWhereItsHostDoes) {
 }
 
 TEST(Nursery, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
-  std::vector<std::string> sets{"/organisms/0/years=5", "/scene/camera/fit=[\"all\"]"};
+  std::vector<std::string> sets{"/organisms/0/years=6", "/scene/camera/fit=[\"all\"]"};
   Preset preset = preset_with("presets/trees/oak.json", sets);
-  sets.insert(sets.end(), {"/scene/camera/angle=2", "/organisms/0/years=5"});
+  sets.insert(sets.end(), {"/scene/camera/angle=2", "/organisms/0/years=6"});
   Preset far = preset_with("presets/trees/oak.json", sets);
   auto steps_of = [](const Preset& of, Scene& scene) {
     std::atomic<int> steps = 0;

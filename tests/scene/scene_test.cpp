@@ -303,7 +303,7 @@ TEST(Scene, TellsWhereWhatCannotGrowStandsInThePreset) {
   EXPECT_TRUE(box.starts_with("test.json:4:59: /organisms/2/crawl: its box, from low to high, misses"))
       << box;
   std::string bare = said(R"("on": ["tree"])");
-  EXPECT_TRUE(bare.starts_with("test.json:4:40: /organisms/2/on: none of the 0 triangles")) << bare;
+  EXPECT_TRUE(bare.starts_with("test.json:4:40: /organisms/2/on: nothing stands here of \"tree\"")) << bare;
 }
 
 }  // namespace

@@ -196,8 +196,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     for (Vec2 at : organism.place.at)
       roots.emplace_back(at.x, ground(at.x, at.y) + organism.place.raise, at.y);
     auto host = world.host(params.on, "what the ivy grows on");
-    if (!host)
-      return Error{"/on", host.errors().front().what + "; expected bodies to grow on, such as walls"};
+    if (!host) return Error{"/on", host.errors().front().what};
     Result<Ivy> ivy = grow_ivy(params, **host, roots, organism.count, ground, bed.seed.child("grow"));
     if (!ivy) return ivy.errors();
     Specimen specimen{{organism.name, bed.entry}, std::move(ivy->model)};

@@ -43,7 +43,10 @@ namespace {
 
 class MeshGrower final : public Described<MeshParams, BodyBuilder> {
  public:
-  Errors check() const override { return {}; }
+  Errors check() const override {
+    if (params.file.empty()) return {Error{"/file", "is empty; expected the name of a file"}};
+    return {};
+  }
   Result<Foresight> foresee(Seed) const override {
     Foresight mesh;
     mesh.triangles = static_cast<double>(params.mesh.triangle.size());
