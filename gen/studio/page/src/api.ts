@@ -98,10 +98,11 @@ export function takeToken(): boolean {
 }
 
 const token = (): string => sessionStorage.getItem(TOKEN) ?? "";
-const tabs = new BroadcastChannel(TOKEN);
+let channel: BroadcastChannel | undefined;  // not before somebody listens: it would keep a program without a page running
+const tabs = (): BroadcastChannel => (channel ??= new BroadcastChannel(TOKEN));
 
 /** Tells the other tabs the token that the server knows this one by. */
-export const tellToken = (): void => tabs.postMessage(token());
+export const tellToken = (): void => tabs().postMessage(token());
 
 /**
  * Calls `act` when this tab has another token: its address was changed to the one that was printed, or it was `wanted` and
@@ -109,7 +110,7 @@ export const tellToken = (): void => tabs.postMessage(token());
  */
 export function onNewToken(wanted: () => boolean, act: () => void): void {
   addEventListener("hashchange", () => takeToken() && act());
-  tabs.addEventListener("message", (event: MessageEvent<unknown>) => {
+  tabs().addEventListener("message", (event: MessageEvent<unknown>) => {
     if (!wanted() || typeof event.data !== "string" || !/^[0-9a-fA-F]+$/.test(event.data) || event.data === token()) return;
     sessionStorage.setItem(TOKEN, event.data);
     act();
