@@ -93,6 +93,7 @@ export class Eye {
   /** Looks at a box so that all of it is in the window, from where it looks now or from that side. */
   lookAt(box: Box3, from?: Vec3): void {
     this.leave();
+    this.rest();
     const { camera, controls } = this;
     this.flight = null;
     camera.fov = this.fov();
@@ -152,11 +153,18 @@ export class Eye {
     this.left();
   }
   private stand(): void {
+    this.rest();
     this.moved = false;
     this.camera.position.set(...this.film.at);
     this.controls.target.set(...this.film.to);
     this.camera.fov = this.fov();
     this.controls.update();
+  }
+  /** Ends what is left of a turn: it would go on from the next place. */
+  private rest(): void {
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = true;
   }
   private share(): number {
     return this.through ? FRAME : 1;
