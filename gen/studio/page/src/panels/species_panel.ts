@@ -3,7 +3,7 @@
 import * as api from "../api";
 import type { Control } from "../controls/control";
 import { el } from "../dom";
-import { removeAt } from "../edits";
+import { removeAt, setAt } from "../edits";
 import { beside } from "../preset";
 import { relativeTo, readSpecies, withSpecies } from "../species";
 import type { Store } from "../store";
@@ -92,11 +92,23 @@ function draw(list: api.Listed[], pictures: HTMLCanvasElement[], over: () => boo
   return [];
 }
 
-/** Names the species, or, where the preset cannot, writes what it says. */
+/**
+ * Names the species, or, where the preset cannot, writes what it says. Its kind holds then; of an organism that was of
+ * another kind only its places and their number are left.
+ */
 async function take(store: Store, entry: number, found: api.Listed): Promise<void> {
-  if (canName(store, found)) return store.set(["organisms", entry, "species"], relativeTo(store.file, found.file));
   const species = await readSpecies(found.file);
   if (!species) return say(`${found.title} could not be read.`, true);
-  write(store, entry, species, found.file);
-  say(`${found.title} lies in a folder that this preset cannot name: its properties are written out.`);
+  const path = ["organisms", entry];
+  const same = species.kind === store.preset.kindOf(entry);
+  const stays = (key: string): boolean => (same ? key !== "kind" : ["species", "place", "count"].includes(key));
+  const own = Object.entries(store.preset.organisms[entry] ?? {});
+  const named = canName(store, found);
+  store.batch((text) => {
+    let out = store.writtenOut(text, [...path, "species"]);
+    for (const [key] of own) if (!stays(key)) out = removeAt(out, [...path, key]);
+    out = setAt(out, [...path, "species"], relativeTo(store.file, found.file));
+    return named ? out : withSpecies(out, path, Object.fromEntries(own.filter(([key]) => stays(key))), species, (name) => relativeTo(store.file, beside(found.file, name)));
+  });
+  if (!named) say(`${found.title} lies in a folder that this preset cannot name: its properties are written out.`);
 }
