@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
-import {browse, changed, parts, preset, scratch, shown, start, visit} from './studio.mjs';
+import {browse, changed, parts, pixelOf, preset, scratch, shown, start, visit} from './studio.mjs';
 
 const TEXT = `{
   "film": {"frames": 48, "fps": 24, "size": [320, 240]},
@@ -26,14 +26,7 @@ after(() => studio.stop());
 const text = () => page.evaluate(() => document.querySelector('[data-testid="text"]').value);
 const now = async () => JSON.parse(await text());
 
-/** Where a point is in the window. */
-const pixel = at =>
-  page.evaluate(([x, y, z]) => {
-    const {view} = window.frond;
-    const {x: left, y: top} = view.toPixel(view.filmEye.set(x, y, z));
-    const box = view.canvas.getBoundingClientRect();
-    return [box.left + left, box.top + top];
-  }, at);
+const pixel = at => pixelOf(page, at);
 
 async function drag(from, to) {
   await page.mouse.move(...from);

@@ -126,3 +126,12 @@ export const parts = page => page.evaluate(() => window.frond.view.header.parts.
 /** Another picture than that of `parts` before. */
 export const changed = (page, before) =>
   page.waitForFunction(before => window.frond.view.header.parts.map(part => part.id).join() !== before, before);
+
+/** Where a point is in a page's window. */
+export const pixelOf = (page, at) =>
+  page.evaluate(([x, y, z]) => {
+    const {view} = window.frond;
+    const {x: left, y: top} = view.toPixel(view.filmEye.set(x, y, z));
+    const box = view.canvas.getBoundingClientRect();
+    return [box.left + left, box.top + top];
+  }, at);

@@ -1,7 +1,7 @@
 // How a person looks at what is there: turning, framing, marks, what is shown in a small window.
 import assert from 'node:assert/strict';
 import {before, test} from 'node:test';
-import {browse, preset, shown, start, visit} from './studio.mjs';
+import {browse, pixelOf, preset, shown, start, visit} from './studio.mjs';
 
 const TEXT = `{
   "film": {"frames": 1, "size": [320, 240]},
@@ -24,14 +24,7 @@ const eye = () => page.evaluate(() => window.frond.view.eye());
 const text = () => page.getByTestId('text').inputValue();
 const marked = () => page.evaluate(() => window.frond.view.painter.marked.size);
 
-/** Where a point is in the window. */
-const pixel = at =>
-  page.evaluate(([x, y, z]) => {
-    const {view} = window.frond;
-    const {x: left, y: top} = view.toPixel(view.filmEye.set(x, y, z));
-    const box = view.canvas.getBoundingClientRect();
-    return [box.left + left, box.top + top];
-  }, at);
+const pixel = at => pixelOf(page, at);
 
 /** How much of the window's height and width an organism takes. */
 const taken = entry =>
