@@ -1,7 +1,7 @@
 // What is changed is shown first, alone; then all else.
 import assert from 'node:assert/strict';
 import {before, test} from 'node:test';
-import {browse, preset, shown, start, visit} from './studio.mjs';
+import {browse, preset, shown, start, visit, visitIn} from './studio.mjs';
 
 const TEXT = `{
   "film": {"frames": 1, "size": [320, 240]},
@@ -48,4 +48,18 @@ test('what stands by itself is shown at once, as it is', async () => {
   await shown(page);
   assert.deepEqual(await page.evaluate(() => window.pictures), [{missing: [], drawn: [-1, 0, 1], specimens: 2}]);
   assert.deepEqual(page.faults, []);
+});
+
+test('growing is stopped, and goes on when it is told to', async () => {
+  const rocks = Array.from({length: 8}, (_, i) => `{"kind": "rock", "size": 0.5, "depth": 8, "place": {"at": [[${i - 4}, 0]], "rock": 0}}`);
+  const studio = await start(preset('rocks.json', `{"film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [${rocks}]}`));
+  const other = await visitIn(page.context(), studio.address);
+  await other.getByTestId('stop-growing').click();
+  await other.getByTestId('grow-on').waitFor();
+  const grown = () => other.evaluate(() => window.frond.view.header?.missing.length === 0);
+  assert.equal(await grown(), false);
+  await other.getByTestId('grow-on').click();
+  await shown(other);
+  assert.equal(await grown(), true);
+  await studio.stop();
 });

@@ -98,7 +98,7 @@ export async function visitIn(context, address) {
   const page = await context.newPage();
   page.faults = [];
   page.on('pageerror', error => page.faults.push(error.stack));
-  page.on('console', message => message.type() === 'error' && page.faults.push(message.text()));
+  page.on('console', message => message.type() === 'error' && page.faults.push(`${message.text()} ${message.location().url}`));
   await page.goto(address);
   return page;
 }
