@@ -63,7 +63,8 @@ tried=0 known=0 found=0
 
 end() {
   local spent
-  spent=$(times | awk -F'[ms ]+' 'NR == 2 { printf "%.2f", (60*($1 + $3) + $2 + $4)/3600 }')
+  times >"$scratch/times" # not in a pipe, whose end would tell its own
+  spent=$(awk -F'[ms ]+' 'NR == 2 { printf "%.2f", (60*($1 + $3) + $2 + $4)/3600 }' "$scratch/times")
   say "$tried runs, $known more that had ended well before; $found did not end well; $spent hours of processor"
   exit $((found > 0))
 }
