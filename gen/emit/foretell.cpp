@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "core/figures.h"
 #include "emit/foretell_ground.h"
@@ -11,6 +13,9 @@
 #include "emit/solid.h"
 #include "field/volume.h"
 #include "organisms/organism.h"
+#include "scene/bounds.h"
+#include "scene/copies.h"
+#include "scene/style.h"
 
 namespace frond {
 
@@ -18,7 +23,7 @@ namespace {
 
 // Bytes of text, as measured over the presets.
 constexpr double kStillNode = 45, kMovingNode = 85;  // of a branch as a sweep; with textures that ride on it
-constexpr double kCoatNode = 650, kTwigCoatNode = 280;  // of one that is a mesh; where twigs are sweeps
+constexpr double kCoatNode = 650, kTwigCoatNode = 170;  // of one that is a mesh; where twigs are sweeps
 constexpr double kPoint = 29, kChain = 135, kChunkTexture = 200;  // what a node's text is made of
 constexpr double kBodyNode = 1100;                                // of a fused body or one of cubes
 constexpr double kPlacement = 122;                                // of an organ, a stone, a patch of grass
@@ -34,7 +39,7 @@ constexpr double kHeldTriangle = 40, kHeldPixel = 6;
 constexpr double kFrameBuffers = 1e7;
 // A second.
 constexpr double kOrgansGrown = 5e5, kTrianglesMade = 1e6, kModulesDerived = 1e7;
-constexpr double kBytesWritten = 3e7, kModelWritten = 4e7;
+constexpr double kBytesWritten = 4e7, kModelWritten = 4e7;
 constexpr double kStart = 0.04;  // seconds to read the preset
 
 constexpr double kPictureBytes = 1.8;  // of a pixel of what is rendered
@@ -43,6 +48,7 @@ constexpr double kDrawnBytes = 0.6;    // of one of bark or a leaf
 // picture of kTracedPixels, by quality, and by which power of their number a pixel of a larger picture, where
 // fewer lie on edges, takes less; crowded scenes take more.
 constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
+constexpr double kCrowdedLight = 1000;  // copies that fill the view with cells
 constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3, 0.3};
 // Of a view in the studio, a second: what is put into packets.
 constexpr double kNodesPacked = 2e6, kOrgansPacked = 2e6, kTrianglesPacked = 1e6;
@@ -69,12 +75,33 @@ double node_bytes(const Foresight& size, const Dress& dress) {
   return bytes;
 }
 
-/// The files of a model of what is sown, each at some of its levels: the finer the picture, the finer ones.
-double model_bytes(const Foresight& size, const Film& film) {
-  constexpr double kMost = 4.5e6;  // of wood, and of leaves: what is smaller than a pixel is left out
-  double fine = film.size[0] / 960.0 * (film.quality == Quality::draft ? 0.8 : 1);
-  return std::clamp(fine, 0.2, 1.5) *
-         (std::min(100 * size.nodes, kMost) + std::min(540 * size.parts, kMost) + kTriangle * size.triangles);
+constexpr double kCrown = 0.25;  // the radius of a tree's crown, of its height
+
+/// The files of a model of what is sown, one at each level from where its copies come nearest to the camera
+/// to where they are farthest.
+double model_bytes(const Preset& preset, const Organism& organism, const Foresight& size) {
+  constexpr double kWoodNode = 100, kPart = 540;
+  constexpr double kFarthest = 200;  // metres, where copies stand all over the land
+  const SowRules& where = organism.sown->where;
+  const Camera& camera = preset.stage.camera;
+  double reach = where.reach > 0 ? where.reach : kFarthest;
+  Vec3 middle(where.center.x, 0, where.center.y);
+  double away = 1e30;  // the camera at its nearest
+  for (int i = 0; i <= 8; ++i)
+    away = std::min<double>(away, glm::distance(camera.location.at(preset.film.length() * i / 8), middle));
+  double pixel = 2 * std::tan(radians(camera.angle.at(0)) / 2) / preset.film.size[0];
+  if (preset.film.quality == Quality::draft) pixel *= 1.5;
+  // The next copy of one model is about so far away where the camera is among them.
+  double apart = 0.5 * reach * std::sqrt(kPi * organism.sown->models / std::max(1, organism.count));
+  double next = std::max(away - reach, apart) - kCrown * organism.grower->tallest();
+  int first = level_for(pixel * std::max(next, 0.3)), last = level_for(pixel * (away + reach));
+  double bytes = 0;
+  for (int level = first; level <= last; ++level) {
+    double of = std::min(kWoodNode * size.nodes + kPart * size.parts, kTriangle * kLevels[level].leaves);
+    // Of the finest there are only the blocks that are so near.
+    bytes += (level == first && last > first ? 0.5 : 1) * of + kTriangle * size.triangles;
+  }
+  return bytes;
 }
 
 /// The branches of one organism as text: in each frame, once its pose is found.
@@ -86,14 +113,16 @@ struct WoodTold {
 /// long, by its nodes.
 WoodTold foretell_wood(const Organism& organism, const Foresight& size, const Dress& dress, Seed seed) {
   constexpr double kGrown = 0.2;  // seconds that growing one may take
-  constexpr double kBlockBytes = 6800, kBlockSeconds = 2e-3, kBlockHeld = 9000;
+  constexpr double kBlockBytes = 6800, kBlockSeconds = 2e-3, kBlockHeld = 9000, kOwnVoxelBlocks = 110;
   if (organism.style.build == Build::sweeps) return {node_bytes(size, dress) * size.nodes, 0, 0};
   WoodTold wood{kBodyNode * size.nodes, kBodyNode * size.nodes, kBodyNode * size.nodes / 1e6};
   if (size.nodes / size.nodes_a_second + size.seconds > kGrown) return wood;
   Result<Model> one = organism.grower->grow_copy(organism, seed);
   if (!one) return wood;
   Boughs boughs = boughs_of(one->skeleton, static_cast<float>(organism.style.blend));
-  double blocks = foresee_volume(boughs, organism.style.voxel).blocks;
+  double blocks = foresee_volume(boughs, settled(organism.style, one->skeleton).voxel).blocks;
+  // A voxel that is a share of the size gives bodies of all sizes about as many.
+  if (organism.style.voxel <= 0) blocks = std::min(blocks, kOwnVoxelBlocks);
   // Cubes are found without a level set.
   double share = organism.style.build == Build::voxels ? 0.1 : 1;
   return {kBlockBytes * blocks, kBlockHeld * blocks, share * kBlockSeconds * blocks};
@@ -105,8 +134,23 @@ double drawn_triangles(const Preset& preset, const Organism& organism, const For
   Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
   Spread spread = organism.grower->spread().value_or(Spread{});
   Vec3 middle(foot.x, static_cast<float>(organism.place.raise) + spread.up / 2, foot.y);
-  double edge = drawn_edge(preset.film, preset.stage.camera, middle, std::max(spread.across, spread.up / 2));
+  // Where others grow beside it, it fills less of the space that it would claim alone.
+  float reach = 0.75f * std::max(spread.across, spread.up / 2);
+  double edge = drawn_edge(preset.film, preset.stage.camera, middle, reach);
   return std::min(size.triangles, size.area / (0.43 * edge * edge));
+}
+
+/// What trees that grow in one light leave of each other: the ground that they cover is less than their
+/// crowns would, and what is in shade dies.
+double left_in_shade(const Preset& preset) {
+  double crowns = 0, reach = 0;
+  for (const Organism& o : preset.organisms) {
+    if (o.sown || o.grower->stage() != GrowthStage::in_light) continue;
+    double crown = kCrown * o.grower->tallest();
+    crowns += std::max<double>(o.count, static_cast<double>(o.place.at.size())) * crown * crown;
+    reach = std::max(reach, reach_of(o) + crown);
+  }
+  return crowns > 0 ? std::pow(std::min(1.0, reach * reach / crowns), 2) : 1;
 }
 
 /// What the entries of a preset add up to.
@@ -118,6 +162,8 @@ struct Sums {
   double still = 0;                      // of what stands and lies, the same in all frames
   double most = 0, growing = 0;          // bytes of the largest entry; of memory while the largest grows
   double body_seconds = 0, body_memory = 0;
+  std::set<std::string> drawn,
+      grown;  // names of pictures and models that are counted: several entries may share them
 
   void add_pictures(const Look& look);
   void add_sown(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress, double made,
@@ -129,6 +175,7 @@ struct Sums {
 void Sums::add_pictures(const Look& look) {
   double memory = 0;
   for (const Drawing& drawing : drawings(look)) {
+    if (!drawn.insert(drawing.names.at(0)).second) continue;
     f.shared_bytes += kDrawnBytes * drawing.pixels;
     f.growth_seconds += drawing.seconds;
     memory += kHeldPixel * drawing.pixels;
@@ -139,7 +186,8 @@ void Sums::add_pictures(const Look& look) {
 void Sums::add_sown(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress,
                     double made, double grows) {
   const Organism& organism = preset.organisms[o];
-  double models = organism.sown->models, count = organism.count, model = model_bytes(size, preset.film);
+  double models = 0, count = organism.count, model = model_bytes(preset, organism, size);
+  for (int m = 0; m < organism.sown->models; ++m) models += grown.insert(copy_id(organism, m)).second;
   f.copies += count;
   f.models += models;
   f.shared_bytes += models * model;
@@ -186,6 +234,7 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const Foresight& si
 
 Result<Sums> sums_of(const Preset& preset) {
   Sums sums;
+  double shaded = left_in_shade(preset);
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
     if (organism.count == 0) continue;
@@ -193,7 +242,10 @@ Result<Sums> sums_of(const Preset& preset) {
     Seed seed = Seed{preset.seed}.child("organism", o);
     Result<Foresight> foreseen = grower.foresee(seed);
     if (!foreseen) return foreseen.errors();
-    const Foresight& size = *foreseen;
+    Foresight& size = *foreseen;
+    if (!organism.sown && grower.stage() == GrowthStage::in_light) {
+      size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
+    }
     Dress dress = grower.dress();
     double held = kHeldNode * size.nodes + kHeldOrgan * size.organs + kCorner * size.corners +
                   kHeldTriangle * size.triangles + 100 * size.blocks + size.held / 2;
@@ -237,7 +289,7 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
   Result<Sums> sums = sums_of(preset);
   if (!sums) return sums.errors();
   Foretold& f = sums->f;
-  GroundTold ground = foretell_ground(preset, tallest_of(preset), f.copies > kCrowd);
+  GroundTold ground = foretell_ground(preset, tallest_of(preset), f.copies > kCrowdedLight);
   f.frames = frames;
   f.exposures = exposures(preset.film, preset.stage.camera);
   f.scene_memory += kProgram + ground.memory;

@@ -23,7 +23,8 @@ constexpr double kGroundLaid = 1e6, kGroundWritten = 5e7;  // triangles and plac
 // Of light: bytes of a line of its file; lines for a column of cells on bare land, on land where grass or
 // litter stands, and for each cell in that.
 constexpr double kProbeText = 61, kProbesBare = 4, kProbesCovered = 9, kProbesCover = 6;
-constexpr double kCrowdedProbes = 2.2;  // times as many where what is sown fills the view
+constexpr double kCrowdedProbes = 2.2;  // times as many where what is sown or dense grass fills the view
+constexpr double kDenseCover = 2;       // m2 of leaves a square metre
 // Bytes of memory that a cell and a line take; seconds of each.
 constexpr double kCellHeld = 29, kProbeHeld = 150;
 constexpr double kCellLit = 5.4e-8, kProbeLit = 4.1e-6;
@@ -75,8 +76,9 @@ GroundTold foretell_ground(const Preset& preset, double tall, bool crowded) {
   told.seconds = pieces / kGroundLaid + told.bytes / kGroundWritten;
   if (!has_soft_light(preset.stage)) return told;
   SoftLight::Size light = foresee_light(scene, tall);
-  double probes =
-      light.cover > 0 ? kProbesCovered * light.land + kProbesCover * light.cover : kProbesBare * light.land;
+  crowded = crowded || scene.ground->low_cover().area > kDenseCover;
+  double probes = light.cover > 0 || crowded ? kProbesCovered * light.land + kProbesCover * light.cover
+                                             : kProbesBare * light.land;
   if (crowded) probes *= kCrowdedProbes;
   told.light_bytes = kProbeText * probes;
   told.light_memory = kCellHeld * light.cells + kProbeHeld * probes;

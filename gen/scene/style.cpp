@@ -9,14 +9,14 @@
 
 namespace frond {
 
-namespace {
-
 Style settled(Style style, const Skeleton& rest) {
   if (style.voxel > 0 || rest.size() == 0) return style;
   double size = std::max(bounds_of(rest.position).longest(), 0.01f);
   style.voxel = size / (style.build == Build::voxels ? 44 : 160);
   return style;
 }
+
+namespace {
 
 Errors take_style(Specimen& b, const Style& style) {
   b.style = settled(style, b.model.skeleton);

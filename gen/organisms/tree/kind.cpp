@@ -172,37 +172,35 @@ namespace {
 constexpr int kNeighbours = 6;
 constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a field of light
 
-constexpr double kGrownASecond = 1.5e5;  // nodes of a tree of twenty cycles; each is a look at all of it
+constexpr double kGrownASecond = 2e5;  // nodes of a tree of twenty cycles; each is a look at all of it
 
 /// As large as a tree must be for its later growth to be told from it.
 constexpr double kToldBy = 60'000;
 
-/// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once its crown is
-/// closed it grows about as much each cycle, and less when it is as tall as it will be. So it is grown
-/// until then, in two or three goes, and the cycles that are left are reckoned.
+/// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once it is large
+/// its nodes increase by a power of its cycles, which two or three goes tell. So it is grown until then, and
+/// the cycles that are left are reckoned.
 double foresee_tree(const TreeParams& params, Seed seed) {
+  constexpr double kSteepest =
+      3.6;  // power, of large trees: the crown widens, and its leaves shade each other
   TreeParams young = params;
   young.species = in_cycles(params.species);
   const int cycles = cycles_of(params);
-  double before = 0, nodes = 0, tall = 0;
+  double before = 0, nodes = 0;
   int since = 0;
   young.years = std::min(cycles, 10);
   for (;;) {
-    Skeleton s = grow_tree(young, seed).skeleton;
     before = nodes;
-    nodes = static_cast<double>(s.size());
-    for (const Vec3& p : s.position) tall = std::max<double>(tall, p.y);
-    if (young.years == cycles || nodes > kToldBy) break;
+    nodes = static_cast<double>(grow_tree(young, seed).skeleton.size());
+    if (young.years == cycles) return nodes;
+    if (nodes > kToldBy) break;
     since = young.years;
     // A crown that is not closed yet grows by a third to a half in a cycle.
     int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
     young.years = std::min(cycles, young.years + more);
   }
-  if (young.years == cycles) return nodes;
-  double added = (nodes - before) / std::max(1, young.years - since), left = cycles - young.years;
-  double rising = std::clamp(young.years * (params.species.height / std::max(tall, 0.1) - 1), 0.0, left);
-  // It added less while its crown was still closing.
-  return nodes + added * (1.25 * rising + 0.75 * (left - rising));
+  double power = since > 0 ? std::log(nodes / before) / std::log(double(young.years) / since) : kSteepest;
+  return nodes * std::pow(double(cycles) / young.years, std::clamp(power, 0.0, kSteepest));
 }
 
 Filming filming_of(const Growth& growth, int cycles, double time) {
