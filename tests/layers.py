@@ -16,7 +16,7 @@ KINDS = "organisms"
 
 # What only some files may include: header -> who may.
 RESERVED = {
-    "nlohmann/": lambda path: path.parent.name == "studio" or path.parent.name == "preset" and path.suffix == ".cpp",
+    "nlohmann/": lambda path: path.parent.name == "studio",
     "httplib.h": lambda path: path.parent.name == "studio" and path.stem in ("server", "connections", "wire"),
     "tbb/": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
     "oneapi/tbb": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",

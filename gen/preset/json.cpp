@@ -2,44 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <iterator>
-#include <nlohmann/json.hpp>
+#include <array>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "core/utf8.h"
-#include "preset/syntax.h"
+#include "preset/tokens.h"
 
 namespace frond {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
-/// Gives the library its bytes and counts them.
-class CountingIterator {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  CountingIterator(const char* at, std::size_t* count) : at_(at), count_(count) {}
-
-  reference operator*() const { return *at_; }
-  CountingIterator& operator++() {
-    ++at_;
-    ++*count_;
-    return *this;
-  }
-  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
-
- private:
-  const char* at_;
-  std::size_t* count_;
-};
 
 /// Turns offsets into lines and columns; cheap for offsets that grow from call to call.
 class Places {
@@ -70,143 +44,159 @@ class Places {
   int column_ = 1;
 };
 
-/// What the library calls (its SAX interface) as it reads the text, each time with a token just behind it. To
-/// return false ends the reading. A name that stands twice is noted and the reading goes on.
-class TreeBuilder {
+/// Reads a text by recursive descent. The first fault ends the reading, except that a name which stands twice
+/// is noted and the reading goes on.
+class Parser {
  public:
-  TreeBuilder(std::string_view text, std::string_view file_name)
-      : text_(text), end_(text.starts_with(kByteOrderMark) ? 3 : 0), places_(text, end_, file_name) {}
+  Parser(std::string_view text, std::string_view file_name)
+      : text_(text),
+        at_(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0),
+        places_(text, at_, file_name) {}
 
-  Result<Document> build() {
+  Result<Document> parse() {
+    Document document;
     if (std::optional<std::size_t> bad = invalid_utf8(text_)) {
       note(*bad, "", "bytes that are not UTF-8; expected UTF-8");
     } else if (std::size_t zero = text_.find('\0'); zero != text_.npos) {
-      // The library would take it for the end.
       note(zero, "", "a zero byte; expected a text");
-    } else {
-      // It throws nothing: what is wrong comes to parse_error().
-      CountingIterator begin(text_.data(), &read_);
-      CountingIterator end(text_.data() + text_.size(), nullptr);
-      nlohmann::json::sax_parse(begin, end, this, nlohmann::json::input_format_t::json, true, true);
+    } else if (read_value(document.root) && next() != '\0') {
+      unexpected(About::container, "the end of the text");
     }
     if (!errors_.empty()) return errors_;
-    return std::move(document_);
-  }
-
-  bool null() { return add(Value::Type::null), true; }
-  bool boolean(bool boolean) { return add(Value::Type::boolean).boolean = boolean, true; }
-  bool string(std::string& text) { return add(Value::Type::text).text = std::move(text), true; }
-  bool number_unsigned(std::uint64_t number) {
-    return add_number(static_cast<double>(number), true, fmt::formatted_size("{}", number));
-  }
-  bool number_integer(std::int64_t number) {
-    // Zero comes here as -0.
-    return add_number(static_cast<double>(number), true, number == 0 ? 2 : fmt::formatted_size("{}", number));
-  }
-  bool number_float(double number, const std::string& text) {
-    return add_number(number, text.find_first_not_of("-0123456789") == text.npos, text.size());
-  }
-  bool binary(nlohmann::json::binary_t&) { return false; }  // not in JSON
-
-  bool start_object(std::size_t) { return open(Value::Type::object); }
-  bool start_array(std::size_t) { return open(Value::Type::list); }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
-
-  bool key(std::string& name) {
-    Frame& frame = frames_.back();
-    std::size_t start = next_token();
-    end_ = read_;
-    bool fresh = frame.names.insert(name).second;
-    frame.value->members.push_back({std::move(name), places_.at(start), {}});
-    frame.at_value = true;
-    if (fresh) return true;
-    std::string shown = serialize(make_text(frame.value->members.back().name));
-    note(start, pointer(true), fmt::format("the name {} a second time; expected it once", shown));
-    return true;
-  }
-
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& exception) {
-    SyntaxFault fault = find_fault(text_, end_, expected(), position, exception.what());
-    note(fault.offset, pointer(fault.inside), std::move(fault.what));
-    return false;
+    return document;
   }
 
  private:
-  /// A list or object that is being read.
-  struct Frame {
-    Value* value;
-    std::set<std::string> names = {};
-    bool at_value = false;  ///< of an object: behind a name
-  };
+  /// Whether a fault is about the element or member that is being read or about the list or object that has
+  /// it.
+  enum class About { element, container };
 
-  /// Where the token begins that was just read.
-  std::size_t next_token() const {
-    std::size_t start = skip_blanks(text_, end_);
-    bool separator = start < text_.size() && (text_[start] == ',' || text_[start] == ':');
-    return separator ? skip_blanks(text_, start + 1) : start;
-  }
+  // Each of these reads what begins at the next token and stands behind it then. False: a fault was noted.
 
-  Value& add(Value::Type type) {
-    Value* value = &document_.root;
-    if (frames_.empty()) {
-      whole_ = true;
-    } else if (Frame& frame = frames_.back(); frame.value->is(Value::Type::list)) {
-      value = &frame.value->items.emplace_back();
-    } else {
-      value = &frame.value->members.back().value;
-      frame.at_value = false;
+  bool read_value(Value& value) {
+    char first = next();
+    value.origin = places_.at(at_);
+    if (first == '{' || first == '[') return read_container(value, first);
+    if (first == '"') {
+      value.type = Value::Type::text;
+      return passed(read_quoted(text_, at_, value.text), About::element);
     }
-    value->type = type;
-    value->origin = places_.at(next_token());
-    end_ = read_;
-    return *value;
-  }
-
-  /// The library may have read one byte more to see that the number ends; `length` is how long it is.
-  bool add_number(double number, bool integer, std::size_t length) {
-    std::size_t start = next_token();
-    Value& value = add(Value::Type::number);
-    value.number = number;
-    value.integer = integer;
-    end_ = start + length;
+    if (first == '-' || (first >= '0' && first <= '9')) return read_number_value(value);
+    auto word = [&](std::string_view name) {
+      if (!text_.substr(at_).starts_with(name)) return false;
+      at_ += name.size();
+      return true;
+    };
+    if (word("null")) return true;
+    value.boolean = word("true");
+    if (!value.boolean && !word("false")) return unexpected(About::element, "a value");
+    value.type = Value::Type::boolean;
     return true;
   }
 
-  bool open(Value::Type type) {
-    if (frames_.size() == kDeepestNesting) {
-      note(next_token(), pointer(true),
+  bool read_number_value(Value& value) {
+    NumberToken token;
+    value.type = Value::Type::number;
+    if (!passed(read_number(text_, at_, token), About::element)) return false;
+    value.number = token.number;
+    value.integer = token.integer;
+    return true;
+  }
+
+  bool read_container(Value& value, char bracket) {
+    if (open_.size() == kDeepestNesting) {
+      note(at_, pointer(About::element),
            fmt::format("a value {} levels deep; expected at most {}", kDeepestNesting + 1, kDeepestNesting));
       return false;
     }
-    frames_.push_back({&add(type)});
+    value.type = bracket == '{' ? Value::Type::object : Value::Type::list;
+    open_.push_back(&value);
+    ++at_;
+    bool good = value.is(Value::Type::object) ? read_members(value) : read_items(value);
+    open_.pop_back();
+    return good;
+  }
+
+  bool read_items(Value& list) {
+    if (next() == ']') return ++at_, true;
+    for (;;) {
+      if (!read_value(list.items.emplace_back())) return false;
+      std::size_t end = at_;
+      if (next() == ']') return ++at_, true;
+      if (!read_comma(end, ']', "\"{[-0123456789tfn", "',' or ']'", "element")) return false;
+    }
+  }
+
+  bool read_members(Value& object) {
+    std::set<std::string, std::less<>> names;
+    if (next() == '}') return ++at_, true;
+    for (;;) {
+      if (!read_name(object, names)) return false;
+      if (next() != ':') return unexpected(About::container, "':' behind the name");
+      ++at_;
+      if (!read_value(object.members.back().value)) return false;
+      std::size_t end = at_;
+      if (next() == '}') return ++at_, true;
+      if (!read_comma(end, '}', "\"", "',' or '}'", "member")) return false;
+    }
+  }
+
+  bool read_name(Value& object, std::set<std::string, std::less<>>& names) {
+    if (next() != '"') return unexpected(About::container, "a name in double quotes");
+    std::size_t start = at_;
+    std::string name;
+    if (!passed(read_quoted(text_, at_, name), About::container)) return false;
+    object.members.push_back({name, places_.at(start), {}});
+    if (!names.insert(name).second)
+      note(start, pointer(About::element),
+           fmt::format("the name {} a second time; expected it once", serialize(make_text(name))));
     return true;
   }
 
-  bool close() {
-    frames_.pop_back();
-    end_ = read_;
-    return true;
+  /// Reads the comma behind what ended at `end`. It is missing where the next one of `beginnings` stands:
+  /// then the fault is right behind the value, which may be lines above.
+  bool read_comma(std::size_t end, char close, std::string_view beginnings, std::string_view expected,
+                  std::string_view what) {
+    char first = next();
+    if (first == ',') {
+      std::size_t comma = at_++;
+      if (next() != close) return true;
+      note(comma, pointer(About::container),
+           fmt::format("a comma before the closing '{}'; expected no comma behind the last {}", close, what));
+      return false;
+    }
+    if (first == '\0' || beginnings.find(first) == beginnings.npos)
+      return unexpected(About::container, expected);
+    note(end, pointer(About::container), fmt::format("no comma behind the value; expected {}", expected));
+    return false;
   }
 
-  Expected expected() const {
-    if (frames_.empty()) return whole_ ? Expected::end : Expected::value;
-    const Frame& frame = frames_.back();
-    if (frame.value->is(Value::Type::list))
-      return frame.value->items.empty() ? Expected::value : Expected::comma_or_bracket;
-    if (frame.at_value) return Expected::colon;
-    return frame.value->members.empty() ? Expected::first_name : Expected::comma_or_brace;
+  /// Goes to the next token and gives its first byte; 0 at the end.
+  char next() {
+    at_ = skip_blanks(text_, at_);
+    return at_ < text_.size() ? text_[at_] : '\0';
   }
 
-  /// Of the innermost list or object, or of the next value inside it.
-  std::string pointer(bool inside) const {
+  bool unexpected(About about, std::string_view expected) {
+    bool comment = text_.substr(at_).starts_with("/*");
+    note(at_, pointer(about),
+         fmt::format("{}; expected {}", comment ? "a comment without end" : found_at(text_, at_),
+                     comment ? "*/" : expected));
+    return false;
+  }
+
+  bool passed(const std::optional<TokenFault>& fault, About about) {
+    if (fault) note(fault->offset, pointer(about), fault->what);
+    return !fault;
+  }
+
+  /// Of the innermost list or object that is being read, or of its last element or member.
+  std::string pointer(About about) const {
     std::string text;
-    for (const Frame& frame : frames_) {
-      bool last = &frame == &frames_.back();
-      const Value& value = *frame.value;
-      if (last && !inside) break;
-      text = value.is(Value::Type::list) ? fmt::format("{}/{}", text, value.items.size() - (last ? 0 : 1))
-                                         : pointer_step(text, value.members.back().name);
+    for (const Value* value : open_) {
+      if (value == open_.back() && about == About::container) break;
+      text = value->is(Value::Type::list) ? fmt::format("{}/{}", text, value->items.size() - 1)
+                                          : pointer_step(text, value->members.back().name);
     }
     return text;
   }
@@ -217,19 +207,16 @@ class TreeBuilder {
   }
 
   std::string_view text_;
-  std::size_t read_ = 0;  ///< bytes that the library has read
-  std::size_t end_;       ///< of the last token
+  std::size_t at_;
   Places places_;
-  Document document_;
-  std::vector<Frame> frames_;
-  bool whole_ = false;  ///< the outermost value has begun
+  std::vector<const Value*> open_;  // lists and objects that are being read, outermost first
   Errors errors_;
 };
 
 }  // namespace
 
 Result<Document> parse_json(std::string_view text, std::string_view file_name) {
-  return TreeBuilder(text, file_name).build();
+  return Parser(text, file_name).parse();
 }
 
 }  // namespace frond
