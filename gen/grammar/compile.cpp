@@ -80,6 +80,8 @@ class Compiler {
 
   /// Constants may use each other in any order: whatever can be read is read until nothing more can.
   void read_constants() {
+    for (const auto& [name, value] : grammar_.text.numbers)
+      modules_.constants.push_back({name, {value}, false, 0});
     const auto& texts = grammar_.text.constants;
     std::vector<bool> done(texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -49,6 +49,7 @@ struct GrammarText {
   DVec3 tropism{0, -1, 0};    ///< the pull on every segment, used as it is given
   double elasticity = 0;      ///< how much a segment gives way to the pull: turned by e|H x T| radians
   std::vector<std::pair<std::string, std::string>> constants;  ///< name, formula or `[a, b, …]`
+  std::vector<std::pair<std::string, double>> numbers;         ///< constants whose values are known
   std::vector<Rule> rules, decomposition, interpretation;
   int interpretation_depth = 1;  ///< how deep interpretation rules are applied to their own outcome
   Mode mode = Mode::parallel;

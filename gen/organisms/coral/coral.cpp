@@ -18,8 +18,7 @@ GrammarText coral_text(const CoralParams& params) {
   if (params.form != CoralForm::own) {
     text.axiom = "A";
     text.steps = params.steps;
-    text.constants = {{"pitch", std::to_string(degrees(params.pitch))},
-                      {"roll", std::to_string(degrees(params.roll))}};
+    text.numbers = {{"pitch", degrees(params.pitch)}, {"roll", degrees(params.roll)}};
     auto rules = [&](std::initializer_list<std::string> list) {
       for (const std::string& rule : list) text.rules.emplace_back().text = rule;
     };
