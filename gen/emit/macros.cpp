@@ -105,7 +105,6 @@ std::set<std::string> macros_called(const MacroFiles& files, std::string_view te
 }
 
 std::string macros_text(const MacroFiles& files, const std::vector<std::size_t>& used) {
-  constexpr std::string_view kDark = "ambient 0 ";
   std::string text;
   for (std::size_t file : used) {
     int depth = 0;  // of the macro that is being written
@@ -113,8 +112,6 @@ std::string macros_text(const MacroFiles& files, const std::vector<std::size_t>&
       if (line.starts_with("#include")) continue;
       bool begins = depth == 0 && line.starts_with("#macro ");
       if (begins) text += fmt::format("#ifndef ({})\n", declared(line));
-      for (std::size_t at; (at = line.find(kDark)) != line.npos; line.remove_prefix(at + kDark.size()))
-        text.append(line.substr(0, at)) += "ambient Frond_Ambient ";
       text += line;
       if (begins || depth > 0) {
         depth += opened(line);

@@ -18,7 +18,7 @@ std::vector<std::size_t> macros_used(const MacroFiles& files, std::string_view t
 std::set<std::string> macros_called(const MacroFiles& files, std::string_view text);
 
 /// Those files as one text that needs no other: each macro gives way to one of that name which is there
-/// already, and `ambient` is Frond_Ambient instead of nothing.
+/// already.
 std::string macros_text(const MacroFiles& files, const std::vector<std::size_t>& used);
 
 }  // namespace frond

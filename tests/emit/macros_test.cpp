@@ -8,7 +8,7 @@ namespace {
 const MacroFiles kFiles{
     {"frond_leaf.inc",
      "#ifndef (Leaf_Inc)\n#declare Leaf_Inc = version;\n#macro Leaf_Skin(C)\n"
-     "  #if (C > 0) pigment { rgb C } #end\n  finish { ambient 0 diffuse 1 }\n#end\n"
+     "  #if (C > 0) pigment { rgb C } #end\n  finish { diffuse 1 }\n#end\n"
      "#macro Leaf_Rib(C) rgb C #end\n#end\n"},
     {"frond_tree.inc", "#include \"frond_leaf.inc\"\n#macro Tree_Top(A, B) Leaf_Skin(A) #end\n"},
     {"frond_sea.inc", "#macro Sea_Blue() rgb z #end\n"}};
@@ -24,11 +24,11 @@ TEST(Macros, ThoseCalledAreNamedWithTheirArguments) {
             (std::set<std::string>{"Leaf_Rib(C)", "Tree_Top(A, B)"}));
 }
 
-TEST(Macros, GiveWayToAScenesOwnAndTakeItsAmbientLight) {
+TEST(Macros, GiveWayToAScenesOwn) {
   EXPECT_EQ(macros_text(kFiles, {0}),
             "#ifndef (Leaf_Inc)\n#declare Leaf_Inc = version;\n"
             "#ifndef (Leaf_Skin)\n#macro Leaf_Skin(C)\n  #if (C > 0) pigment { rgb C } #end\n"
-            "  finish { ambient Frond_Ambient diffuse 1 }\n#end\n#end\n"
+            "  finish { diffuse 1 }\n#end\n#end\n"
             "#ifndef (Leaf_Rib)\n#macro Leaf_Rib(C) rgb C #end\n#end\n#end\n");
   EXPECT_EQ(macros_text(kFiles, {1}).find("#include"), std::string::npos);
 }
