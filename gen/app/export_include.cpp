@@ -48,13 +48,14 @@ Errors grow_models(IncludeVariant& variant) {
     const SownStand& stand = variant.scene.stands[files[i].stand];
     Result<Model> model = grow_copy(stand.organism, files[i].model);
     if (!model) errors[i] = model.errors();
-    for (std::size_t k = i; model && k < files.size() && same(k); ++k)
-      variant.models[k] = model_texts({files[k]}, stand, *model, {})[0];
+    for (std::size_t k = i; model && k < files.size() && same(k); ++k) {
+      ModelText text = model_texts({files[k]}, stand, *model, {})[0];
+      files[k].parts = text.parts;
+      variant.models[k] = text.title + text.body;
+    }
   });
   for (const Errors& list : errors)
     if (!list.empty()) return list;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    files[i].parts = model_parts(variant.models[i]).value_or(std::vector<int>{});
   for (CopyPlan& plan : variant.plans) plan.files = files;
   return {};
 }

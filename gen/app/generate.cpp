@@ -211,7 +211,7 @@ int generate(const GenerateArguments& arguments) {
   Result<CopyPlan> plan = write_models(*scene, out / "frames", watch);
   if (!plan) return fail(plan.errors(), kCouldNot);
   for (const ModelFile& file : plan->files) needed.insert(file.name);
-  needed.insert(plan->crumb_files.begin(), plan->crumb_files.end());
+  needed.insert(plan->summaries.begin(), plan->summaries.end());
   shown.reset();
   now_doing("writing frames");
   Written written = write_frames(*scene, std::move(*plan), *layout, out, range, foretold->at_once(machine),

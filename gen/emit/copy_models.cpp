@@ -1,9 +1,9 @@
 #include "emit/copy_models.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -162,43 +162,32 @@ std::vector<int> append_parts(std::string& text, std::string_view name, const Lo
   return parts;
 }
 
-std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
-                                     const Model& model, const ModelBlocks& blocks) {
-  const Look& look = stand.dress.look;
-  std::vector<CopyPart> all = copy_parts(look, model, kLevels[files[0].level], &blocks);
-  std::vector<std::string> texts(files.size());
-  parallel_for(files.size(), [&](std::size_t i) {
-    std::string body, list;
-    std::set<std::string_view> includes{"copy"};
-    if (look.skin) includes.insert("coral");
-    for (int p : append_parts(body, declared_name(files[i]), look, model, all, files[i])) {
-      list += fmt::format(" {}", p);
-      const CopyPart& part = all[static_cast<std::size_t>(p)];
-      if (part.kind == CopyPart::Kind::solid)
-        includes.insert(material_include(model.solids.shapes[part.which].material));
-    }
-    std::string& text = texts[i];
-    append_comment(text,
-                   fmt::format("parts{}; {} segments, {} organs", list,
-                               std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
-    for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);
-    text += body;
-  });
-  return texts;
+std::string ModelText::file_text() const {
+  std::string text = title;
+  for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);
+  return text + body;
 }
 
-std::optional<std::vector<int>> model_parts(std::string_view text) {
-  constexpr std::string_view kStart = "// parts";
-  if (!text.starts_with(kStart)) return std::nullopt;
-  std::vector<int> parts;
-  const char* at = text.data() + kStart.size();
-  const char* end = text.data() + text.size();
-  for (int part = 0; at < end && *at == ' '; parts.push_back(part)) {
-    auto [next, error] = std::from_chars(at + 1, end, part);
-    if (error != std::errc{}) return std::nullopt;
-    at = next;
-  }
-  return at < end && *at == ';' ? std::optional(parts) : std::nullopt;
+std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
+                                   const Model& model, const ModelBlocks& blocks) {
+  const Look& look = stand.dress.look;
+  std::vector<CopyPart> all = copy_parts(look, model, kLevels[files[0].level], &blocks);
+  std::vector<ModelText> texts(files.size());
+  parallel_for(files.size(), [&](std::size_t i) {
+    ModelText& text = texts[i];
+    text.parts = append_parts(text.body, declared_name(files[i]), look, model, all, files[i]);
+    std::set<std::string_view> includes{"copy"};
+    if (look.skin) includes.insert("coral");
+    for (int p : text.parts)
+      if (const CopyPart& part = all[static_cast<std::size_t>(p)]; part.kind == CopyPart::Kind::solid)
+        includes.insert(material_include(model.solids.shapes[part.which].material));
+    text.includes.assign(includes.begin(), includes.end());
+    append_comment(text.title,
+                   fmt::format("parts{}{}; {} segments, {} organs", text.parts.empty() ? "" : " ",
+                               fmt::join(text.parts, " "),
+                               std::max<std::size_t>(1, model.skeleton.size()) - 1, model.organs.size()));
+  });
+  return texts;
 }
 
 }  // namespace frond

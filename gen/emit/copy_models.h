@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +22,17 @@ void append_part_name(std::string& text, std::string_view model, std::size_t par
 std::vector<int> append_parts(std::string& text, std::string_view name, const Look& look, const Model& model,
                               const std::vector<CopyPart>& all, const ModelFile& file);
 
-/// The texts of files of one level of a model; `blocks` are its own.
-std::vector<std::string> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
-                                     const Model& model, const ModelBlocks& blocks);
+/// What a model's file says.
+struct ModelText {
+  std::vector<int> parts;                  ///< that it declares
+  std::vector<std::string_view> includes;  ///< names of the povinc files that it needs, as `copy`
+  std::string title, body;                 ///< a comment of one line; the declarations
 
-/// Which parts the file declares, by its first line; none where it is not ours.
-std::optional<std::vector<int>> model_parts(std::string_view text);
+  std::string file_text() const;
+};
+
+/// The texts of files of one level of a model; `blocks` are its own.
+std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
+                                   const Model& model, const ModelBlocks& blocks);
 
 }  // namespace frond

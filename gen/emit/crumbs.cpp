@@ -1,11 +1,9 @@
 #include "emit/crumbs.h"
 
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <mutex>
 
-#include "core/text.h"
 #include "emit/crumbling.h"
 
 namespace frond {
@@ -61,6 +59,19 @@ float apart(const Sum& sum, float hides) {
   return -std::log(std::max(through / kColumns, 1e-6f)) / (all / kColumns);
 }
 
+float rounded(double value, int decimals) {
+  double power = std::pow(10.0, decimals);
+  return static_cast<float>(static_cast<double>(std::llround(value * power)) / power);
+}
+
+Crumb rounded(const Crumb& c) {
+  auto all = [](Vec3 v) {
+    return Vec3(rounded(v.x, kCrumbDecimals), rounded(v.y, kCrumbDecimals), rounded(v.z, kCrumbDecimals));
+  };
+  return {all(c.at), rounded(c.area, kCrumbAreaDecimals), rounded(c.wide, kCrumbDecimals), all(c.albedo),
+          rounded(c.bulk, kCrumbDecimals)};
+}
+
 }  // namespace
 
 std::vector<Crumb> crumbs_of(const Look& look, const Model& model) {
@@ -81,42 +92,8 @@ std::vector<Crumb> crumbs_of(const Look& look, const Model& model) {
       return static_cast<float>(static_cast<double>(sum.of[i]) / total / 1e3);
     };
     float area = static_cast<float>(total / 1e6) * cell * cell / (kFine * kFine);
-    list.push_back({Vec3(share(1), share(2), share(3)), area * apart(sum, key[3] ? 0.25f : 0.5f), cell,
-                    Vec3(share(4), share(5), share(6)), share(7)});
-  }
-  return list;
-}
-
-std::string crumbs_text(const std::vector<Crumb>& crumbs) {
-  std::string text = "// " + number_text(static_cast<double>(crumbs.size())) + " crumbs\n";
-  for (const Crumb& crumb : crumbs) {
-    append_list(text, 3, crumb.at.x, crumb.at.y, crumb.at.z);
-    text += ',';
-    append(text, crumb.area, 6);
-    text += ',';
-    append(text, crumb.wide, 3);
-    text += ',';
-    append_list(text, 3, crumb.albedo.x, crumb.albedo.y, crumb.albedo.z, crumb.bulk);
-    text += '\n';
-  }
-  return text;
-}
-
-std::vector<Crumb> read_crumbs(std::string_view text) {
-  std::vector<Crumb> list;
-  text.remove_prefix(std::min(text.size(), text.find('\n')));
-  const char* at = text.data();
-  const char* end = text.data() + text.size();
-  while (at < end) {
-    std::array<float, 9> value{};
-    for (float& one : value) {
-      if (at == end || ++at == end) return list;  // past what parts it from the last
-      auto [next, error] = std::from_chars(at, end, one);
-      if (error != std::errc{}) return list;
-      at = next;
-    }
-    list.push_back(
-        {{value[0], value[1], value[2]}, value[3], value[4], {value[5], value[6], value[7]}, value[8]});
+    list.push_back(rounded({Vec3(share(1), share(2), share(3)), area * apart(sum, key[3] ? 0.25f : 0.5f),
+                            cell, Vec3(share(4), share(5), share(6)), share(7)}));
   }
   return list;
 }

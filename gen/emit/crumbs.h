@@ -1,12 +1,14 @@
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "world/specimen.h"
 
 namespace frond {
+
+/// How many decimals the numbers of a crumb have, and its area: what is finer does not count, and a file of
+/// them holds all that there is.
+inline constexpr int kCrumbDecimals = 3, kCrumbAreaDecimals = 6;
 
 /// A bit of what a model is made of, its foot at the origin. Metres.
 struct Crumb {
@@ -15,6 +17,8 @@ struct Crumb {
   float wide = 0;  ///< metres of the cube that it fills
   Vec3 albedo{0};  ///< linear
   float bulk = 0;  ///< metres across of the bodies it is of, about; 0 of leaves
+
+  bool operator==(const Crumb&) const = default;
 };
 
 /// What models of stands are made of, for each stand those of each model; some may be empty.
@@ -22,9 +26,5 @@ using Crumbs = std::vector<std::vector<std::vector<Crumb>>>;
 
 /// A model in crumbs of about a twenty-fourth of its height.
 std::vector<Crumb> crumbs_of(const Look& look, const Model& model);
-
-/// As a text, and back; what is no such text has none.
-std::string crumbs_text(const std::vector<Crumb>& crumbs);
-std::vector<Crumb> read_crumbs(std::string_view text);
 
 }  // namespace frond

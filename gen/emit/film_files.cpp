@@ -1,7 +1,7 @@
 #include "emit/film_files.h"
 
 #include <algorithm>
-#include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +11,7 @@
 #include "core/frame_name.h"
 #include "core/growing_file.h"
 #include "core/parallel.h"
+#include "emit/model_summary.h"
 #include "emit/setting.h"
 #include "emit/soft_light.h"
 #include "emit/solid.h"
@@ -22,21 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The parts that a model's file declares, if it is there.
-std::optional<std::vector<int>> parts_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head;
-  if (!std::getline(file, head)) return std::nullopt;
-  return model_parts(head);
-}
-
-std::string crumbs_name(const std::string& id) { return "model_" + id + ".crumbs"; }
-
-/// Those that its copies are of.
-std::set<int> models_of(const SownStand& stand) {
-  return {stand.copies.model.begin(), stand.copies.model.end()};
-}
-
 /// What lives, with no more triangles than show at a level.
 Model for_level(Model model, int level) {
   for (Solid& solid : model.solids.shapes)
@@ -44,114 +30,159 @@ Model for_level(Model model, int level) {
   return model;
 }
 
+/// A model of one stand or, of one species, of several.
+struct SownModel {
+  struct Use {
+    std::size_t stand;
+    ModelPlan plan;
+  };
+  std::vector<Use> uses;
+  int number = 0;
+  std::string summary_name;
+  ModelSummary summary;
+  std::vector<std::vector<ModelFile>> missing;  // of each level; empty: nothing is known of it yet
+  std::shared_ptr<const Model> grown;           // where the film sees it grow
+};
+
+/// Plans the files of all models that stand in a scene and writes those that are not there.
+class ModelWriter {
+ public:
+  ModelWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder), views_(scene) {
+    for (std::size_t s = 0; s < scene.stands.size(); ++s)
+      for (int model : models_of(scene.stands[s])) {
+        std::string id = copy_id(scene.stands[s].organism, model);
+        SownModel& one = models_[id];
+        one.uses.push_back({s, {}});
+        one.number = model;
+        one.summary_name = "model_" + id + ".summary";
+      }
+  }
+
+  Result<CopyPlan> write(const Watch& watch) {
+    std::vector<SownModel*> each, to_grow;
+    for (auto& [id, one] : models_) each.push_back(&one);
+    parallel_for(each.size(), [&](std::size_t i) { look_up(*each[i]); });
+    std::ranges::copy_if(each, std::back_inserter(to_grow), [&](SownModel* one) {
+      return grows(*one) || one->missing.empty() ||
+             std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); });
+    });
+    watch.begin("models", to_grow.size());
+    std::vector<Errors> errors(to_grow.size());
+    parallel_for(to_grow.size(), [&](std::size_t i) {
+      errors[i] = grow(*to_grow[i]);
+      if (errors[i].empty()) watch.step();
+    });
+    for (const Errors& list : errors)
+      if (!list.empty()) return list;
+    return joined();
+  }
+
+ private:
+  /// Those that its copies are of.
+  static std::set<int> models_of(const SownStand& stand) {
+    return {stand.copies.model.begin(), stand.copies.model.end()};
+  }
+
+  /// What an earlier run knew of it.
+  void look_up(SownModel& one) const {
+    Result<std::string> text = read_file(folder_ / one.summary_name);
+    std::optional<ModelSummary> summary = text ? read_summary(*text) : std::nullopt;
+    if (!summary) return;
+    one.summary = std::move(*summary);
+    plan(one);
+  }
+
+  /// By what the crumbs tell of its size.
+  void plan(SownModel& one) const {
+    std::set<std::string_view> names;
+    one.missing.assign(kLevelCount, {});
+    for (SownModel::Use& use : one.uses) {
+      use.plan = views_.plan(use.stand, one.number, one.summary.crumbs);
+      for (const ModelFile& file : use.plan.files) {
+        std::error_code none;
+        bool known =
+            one.summary.parts.contains({file.level, file.block}) && fs::exists(folder_ / file.name, none);
+        if (!known && names.insert(file.name).second)
+          one.missing[static_cast<std::size_t>(file.level)].push_back(file);
+      }
+    }
+  }
+
+  /// Whether the film sees it grow.
+  bool grows(const SownModel& one) const {
+    return std::ranges::any_of(one.uses, [&](const SownModel::Use& use) {
+      return copy_growth(scene_.stands[use.stand].organism, scene_.film, one.number).has_value();
+    });
+  }
+
+  Errors grow(SownModel& one) const {
+    const SownStand& stand = scene_.stands[one.uses[0].stand];
+    Result<Model> model = grow_copy(stand.organism, one.number);
+    if (!model) return model.errors();
+    if (one.missing.empty()) {
+      one.summary.crumbs = crumbs_of(stand.dress.look, *model);
+      if (Errors errors = write_summary(one); !errors.empty()) return errors;
+      plan(one);
+    }
+    bool living = std::ranges::any_of(model->solids.shapes, [](const Solid& s) { return lives(s.material); });
+    for (const std::vector<ModelFile>& files : one.missing) {
+      if (files.empty()) continue;
+      Errors errors = write_level(one, files, living ? for_level(*model, files[0].level) : *model);
+      if (!errors.empty()) return errors;
+    }
+    if (!grows(one)) return {};
+    int finest = kLevelCount - 1;
+    for (const SownModel::Use& use : one.uses)
+      for (const ModelFile& file : use.plan.files) finest = std::min(finest, file.level);
+    one.grown = std::make_shared<const Model>(for_level(std::move(*model), finest));
+    return {};
+  }
+
+  /// Files first, so that the summary names none that is not there.
+  Errors write_level(SownModel& one, const std::vector<ModelFile>& files, const Model& model) const {
+    std::vector<ModelText> texts =
+        model_texts(files, scene_.stands[one.uses[0].stand], model, blocks_of(one.summary.crumbs));
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      Result<bool> written = write_file(folder_ / files[k].name, texts[k].file_text());
+      if (!written) return written.errors();
+      one.summary.parts[{files[k].level, files[k].block}] = std::move(texts[k].parts);
+    }
+    return write_summary(one);
+  }
+
+  Errors write_summary(const SownModel& one) const {
+    Result<bool> written = write_file(folder_ / one.summary_name, summary_text(one.summary));
+    return written ? Errors{} : written.errors();
+  }
+
+  CopyPlan joined() const {
+    CopyPlan plan = views_.empty_plan();
+    for (std::size_t s = 0; s < scene_.stands.size(); ++s)
+      for (int model : models_of(scene_.stands[s])) {
+        const SownModel& one = models_.at(copy_id(scene_.stands[s].organism, model));
+        std::size_t first = plan.files.size();
+        Views::add(plan, s, std::ranges::find(one.uses, s, &SownModel::Use::stand)->plan);
+        for (std::size_t f = first; f < plan.files.size(); ++f)
+          plan.files[f].parts = one.summary.parts.at({plan.files[f].level, plan.files[f].block});
+        if (one.grown) plan.growing[{s, model}] = one.grown;
+        std::vector<std::vector<Crumb>>& crumbs = plan.crumbs[s];
+        crumbs.resize(std::max(crumbs.size(), static_cast<std::size_t>(model) + 1));
+        crumbs[static_cast<std::size_t>(model)] = one.summary.crumbs;
+        plan.summaries.push_back(one.summary_name);
+      }
+    return plan;
+  }
+
+  const Scene& scene_;
+  const fs::path& folder_;
+  Views views_;
+  std::map<std::string, SownModel> models_;  // by copy_id()
+};
+
 }  // namespace
 
 Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const Watch& watch) {
-  /// A model of one stand or, of one species, of several.
-  struct Grown {
-    struct Use {
-      std::size_t stand;
-      ModelPlan plan;
-    };
-    std::vector<Use> uses;
-    int model = 0;
-    std::string crumbs_name;
-    std::vector<Crumb> crumbs;
-    std::vector<std::vector<ModelFile>> missing;  // of each level
-    std::shared_ptr<const Model> grown;           // where the film sees it grow
-  };
-  Views views(scene);
-  std::map<std::string, Grown> all;
-  for (std::size_t s = 0; s < scene.stands.size(); ++s)
-    for (int model : models_of(scene.stands[s])) {
-      std::string id = copy_id(scene.stands[s].organism, model);
-      Grown& one = all[id];
-      one.uses.push_back({s, {}});
-      one.model = model;
-      one.crumbs_name = crumbs_name(id);
-    }
-  // By what the crumbs tell of its size.
-  auto plan = [&](Grown& one) {
-    std::set<std::string_view> names;
-    one.missing.assign(kLevelCount, {});
-    for (Grown::Use& use : one.uses) {
-      use.plan = views.plan(use.stand, one.model, one.crumbs);
-      for (const ModelFile& file : use.plan.files)
-        if (!parts_of(folder / file.name) && names.insert(file.name).second)
-          one.missing[static_cast<std::size_t>(file.level)].push_back(file);
-    }
-  };
-  auto grows = [&](const Grown& one) {
-    return std::ranges::any_of(one.uses, [&](const Grown::Use& use) {
-      return copy_growth(scene.stands[use.stand].organism, scene.film, one.model).has_value();
-    });
-  };
-  std::vector<Grown*> each, to_grow;
-  for (auto& [id, one] : all) each.push_back(&one);
-  parallel_for(each.size(), [&](std::size_t i) {
-    Result<std::string> text = read_file(folder / each[i]->crumbs_name);
-    if (!text) return;
-    each[i]->crumbs = read_crumbs(*text);
-    plan(*each[i]);
-  });
-  for (Grown* one : each)
-    if (grows(*one) || one->missing.empty() ||
-        std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); }))
-      to_grow.push_back(one);
-  watch.begin("models", to_grow.size());
-  std::vector<Errors> errors(to_grow.size());
-  parallel_for(to_grow.size(), [&](std::size_t i) {
-    Grown& one = *to_grow[i];
-    const SownStand& stand = scene.stands[one.uses[0].stand];
-    Result<Model> model = grow_copy(stand.organism, one.model);
-    if (!model) {
-      errors[i] = model.errors();
-      return;
-    }
-    auto put = [&](const std::string& name, const std::string& text) {
-      Result<bool> written = write_file(folder / name, text);
-      if (!written) errors[i] = written.errors();
-    };
-    if (one.missing.empty()) {
-      // As they are read again.
-      std::string text = crumbs_text(crumbs_of(stand.dress.look, *model));
-      put(one.crumbs_name, text);
-      one.crumbs = read_crumbs(text);
-      plan(one);
-    }
-    ModelBlocks blocks = blocks_of(one.crumbs);
-    for (const std::vector<ModelFile>& files : one.missing) {
-      if (files.empty()) continue;
-      bool living =
-          std::ranges::any_of(model->solids.shapes, [](const Solid& s) { return lives(s.material); });
-      std::vector<std::string> texts =
-          model_texts(files, stand, living ? for_level(*model, files[0].level) : *model, blocks);
-      for (std::size_t k = 0; k < files.size(); ++k) put(files[k].name, texts[k]);
-    }
-    if (grows(one)) {
-      int finest = kLevelCount - 1;
-      for (const Grown::Use& use : one.uses)
-        for (const ModelFile& file : use.plan.files) finest = std::min(finest, file.level);
-      one.grown = std::make_shared<const Model>(for_level(std::move(*model), finest));
-    }
-    watch.step();
-  });
-  for (const Errors& list : errors)
-    if (!list.empty()) return list;
-  CopyPlan joined = views.empty_plan();
-  for (std::size_t s = 0; s < scene.stands.size(); ++s)
-    for (int model : models_of(scene.stands[s])) {
-      Grown& one = all.at(copy_id(scene.stands[s].organism, model));
-      auto use = std::ranges::find(one.uses, s, &Grown::Use::stand);
-      Views::add(joined, s, use->plan);
-      if (one.grown) joined.growing[{s, model}] = one.grown;
-      std::vector<std::vector<Crumb>>& crumbs = joined.crumbs[s];
-      crumbs.resize(std::max(crumbs.size(), static_cast<std::size_t>(model) + 1));
-      crumbs[static_cast<std::size_t>(model)] = one.crumbs;
-      joined.crumb_files.push_back(one.crumbs_name);
-    }
-  for (ModelFile& file : joined.files) file.parts = parts_of(folder / file.name).value_or(std::vector<int>{});
-  return joined;
+  return ModelWriter(scene, folder).write(watch);
 }
 
 Errors write_drawings(const Scene& scene, const fs::path& folder, const Watch& watch) {

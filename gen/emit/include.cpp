@@ -164,7 +164,7 @@ class Writer {
       std::string first = declared_name(file) + "_0";
       if (models_.insert(file.name).second)
         shapes_ += fmt::format("#macro {}_{}()\n#local Frond_Unit = {};\n{}#end\n", what_.name, first,
-                               number_text(kModelUnit), without_includes(variants_[v].models[i], {}));
+                               number_text(kModelUnit), variants_[v].models[i]);
       calls += fmt::format("#ifndef ({}) {}_{}() #end\n", first, what_.name, first);
     }
     return calls;
@@ -187,9 +187,10 @@ class Writer {
       Model grown = b.model;
       grown.solids = {};  // these are drawn as they are at any detail
       if (b.life.develop) text += developed_solids_text(parts.space, b.model.solids, i);
-      std::string model = model_texts({file}, stand, grown, {})[0], name = declared_name(file);
-      text += without_includes(model, parts);
-      for (int part : model_parts(model).value_or(std::vector<int>{})) {
+      ModelText model = model_texts({file}, stand, grown, {})[0];
+      std::string name = declared_name(file);
+      text += model.title + model.body;
+      for (int part : model.parts) {
         // A coral is one part, its skin.
         std::string look = b.look.skin
                                ? fmt::format("texture{{Skin[{}]}}", parts.first_skin[i])

@@ -20,7 +20,7 @@ inline constexpr int kIncludeDetails = 3;
 struct IncludeVariant {
   Scene scene;                      ///< of no setting but the studio, of which nothing is written
   std::vector<CopyPlan> plans;      ///< of what is sown: one a detail, with the same files
-  std::vector<std::string> models;  ///< the texts of those files
+  std::vector<std::string> models;  ///< what those files declare, without their includes
 };
 
 /// What an include is called and made of.

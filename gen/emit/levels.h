@@ -25,7 +25,7 @@ struct ModelFile {
   int block = kWhole;
   int blocks = 0;    ///< whose files, of the same level, it is put together from; 0: its meshes are its own
   std::string name;  ///< without its folder
-  std::vector<int> parts;  ///< that it declares; see model_parts()
+  std::vector<int> parts;  ///< that it declares, once that is known
 
   static constexpr int kWhole = -1;
 };
@@ -45,7 +45,7 @@ struct CopyPlan {
   int stretch = 1;                                     ///< frames
   std::vector<std::vector<std::vector<Drawn>>> drawn;  ///< of each stretch, of each stand
   std::vector<ModelFile> files;                        ///< that are needed: by stand, model, level and block
-  std::vector<std::string> crumb_files;                ///< names of what they are read from
+  std::vector<std::string> summaries;                  ///< names of the files that tell the same of models
   Crumbs crumbs;                                       ///< of all models that stand
   /// Models that the film sees grow, by stand and number: what is there of them is written in each frame.
   std::map<std::pair<std::size_t, int>, std::shared_ptr<const Model>> growing;

@@ -195,11 +195,10 @@ std::pair<std::string, std::string> texts(const Scene& scene, CopyPlan& plan) {
   for (ModelFile& file : plan.files) {
     const SownStand& stand = scene.stands[file.stand];
     const std::vector<Crumb>& crumbs = plan.crumbs[file.stand][static_cast<std::size_t>(file.model)];
-    std::string text =
-        model_texts({file}, stand, *grow_copy(stand.organism, file.model), blocks_of(crumbs))[0];
-    file.parts = model_parts(text).value_or(std::vector<int>{});
+    ModelText text = model_texts({file}, stand, *grow_copy(stand.organism, file.model), blocks_of(crumbs))[0];
+    file.parts = text.parts;
     EXPECT_TRUE(file.parts.size() == 1 || file.parts.size() == 2) << "wood and leaves";
-    models += text;
+    models += text.file_text();
   }
   return {models, still_copies_text({}, scene, plan, 0)};
 }
@@ -257,15 +256,6 @@ TEST(CopyText, WhatIsTheSameInAFilmIsWrittenOnce) {
   ASSERT_EQ(parts.files.size(), 1u);
   EXPECT_EQ(parts.files[0].bytes, whole);
   EXPECT_EQ(parts.ground, "#include \"" + parts.files[0].name + "\"");
-}
-
-TEST(ModelParts, AreListedInTheFirstLine) {
-  EXPECT_EQ(model_parts("// parts 0 2 11; 7 segments"), (std::vector<int>{0, 2, 11}));
-  EXPECT_EQ(model_parts("// parts; "), std::vector<int>{});
-  EXPECT_EQ(model_parts("// parts of birds"), std::nullopt);
-  EXPECT_EQ(model_parts("// parts 0 1"), std::nullopt) << "cut short";
-  EXPECT_EQ(model_parts("#declare"), std::nullopt);
-  EXPECT_EQ(model_parts(""), std::nullopt);
 }
 
 }  // namespace

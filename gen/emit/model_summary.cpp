@@ -1,0 +1,91 @@
+#include "emit/model_summary.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "core/text.h"
+
+namespace frond {
+
+namespace {
+
+/// Takes the words of a text, one after the other; nothing more after the first that is not as expected.
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) {}
+
+  bool expect(std::string_view word) { return good_ = next() == word && good_; }
+
+  template <class Number>
+  bool take(Number& number) {
+    std::string_view word = next();
+    const char* end = word.data() + word.size();
+    auto [at, fault] = std::from_chars(word.data(), end, number);
+    return good_ = good_ && fault == std::errc() && at == end;
+  }
+
+ private:
+  std::string_view next() {
+    text_.remove_prefix(std::min(text_.find_first_not_of(" \n"), text_.size()));
+    std::string_view word = text_.substr(0, text_.find_first_of(" \n"));
+    text_.remove_prefix(word.size());
+    return word;
+  }
+
+  std::string_view text_;
+  bool good_ = true;
+};
+
+}  // namespace
+
+std::string summary_text(const ModelSummary& summary) {
+  std::string text = "crumbs ";
+  append_index(text, summary.crumbs.size());
+  for (const Crumb& c : summary.crumbs) {
+    char before = '\n';
+    auto add = [&](float number, int decimals) {
+      text += std::exchange(before, ' ');
+      append(text, number, decimals);
+    };
+    for (float number : {c.at.x, c.at.y, c.at.z}) add(number, kCrumbDecimals);
+    add(c.area, kCrumbAreaDecimals);
+    for (float number : {c.wide, c.albedo.x, c.albedo.y, c.albedo.z, c.bulk}) add(number, kCrumbDecimals);
+  }
+  text += "\nfiles ";
+  append_index(text, summary.parts.size());
+  for (const auto& [file, parts] : summary.parts) {
+    char before = '\n';
+    auto add = [&](long long number) {
+      text += std::exchange(before, ' ');
+      append_integer(text, number);
+    };
+    add(file.first), add(file.second), add(static_cast<long long>(parts.size()));
+    for (int part : parts) add(part);
+  }
+  return text + "\nend\n";
+}
+
+std::optional<ModelSummary> read_summary(std::string_view text) {
+  ModelSummary summary;
+  Words words(text);
+  std::size_t crumbs = 0, files = 0;
+  bool good = words.expect("crumbs") && words.take(crumbs);
+  for (std::size_t i = 0; i < crumbs && good; ++i) {
+    Crumb& c = summary.crumbs.emplace_back();
+    for (float* number :
+         {&c.at.x, &c.at.y, &c.at.z, &c.area, &c.wide, &c.albedo.x, &c.albedo.y, &c.albedo.z, &c.bulk})
+      good = words.take(*number);
+  }
+  good = words.expect("files") && words.take(files);
+  for (std::size_t i = 0; i < files && good; ++i) {
+    std::pair<int, int> file;
+    std::size_t count = 0;
+    good = words.take(file.first) && words.take(file.second) && words.take(count);
+    std::vector<int>& parts = summary.parts[file];
+    for (std::size_t k = 0; k < count && good; ++k) good = words.take(parts.emplace_back());
+  }
+  return words.expect("end") ? std::optional(std::move(summary)) : std::nullopt;
+}
+
+}  // namespace frond
