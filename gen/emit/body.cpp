@@ -37,7 +37,9 @@ struct Part {
 };
 
 /// Appends a mesh2 of a part; without a list it has no texture.
-void append_part(std::string& text, const PovSpace& space, const Surface& surface, const Part& part) {
+void append_part(ObjectText& all, const PovSpace& space, const Surface& surface, const Part& part) {
+  std::string& text = all.text;
+  ++all.objects;
   std::vector<std::uint32_t> used;
   for (const auto& t : part.triangles) used.insert(used.end(), t.begin(), t.end());
   std::sort(used.begin(), used.end());
@@ -98,8 +100,8 @@ ChunkTextures chunk_textures(const PovSpace& space, const Specimen& b, const Pos
   return textures;
 }
 
-std::string fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkTextures& textures,
-                       bool one_texture, std::size_t skin) {
+ObjectText fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkTextures& textures,
+                      bool one_texture, std::size_t skin) {
   auto texture_of = [&](std::uint32_t v) { return textures.of_node[static_cast<std::size_t>(mesh.node[v])]; };
   // Triangles of one chunk together, so that a part has few textures.
   std::vector<std::uint32_t> order;
@@ -107,7 +109,7 @@ std::string fused_text(const PovSpace& space, const FusedMesh& mesh, const Chunk
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return texture_of(mesh.surface.triangle[a][0]) < texture_of(mesh.surface.triangle[b][0]);
   });
-  std::string text;
+  ObjectText text;
   for (std::size_t from = 0; from < order.size(); from += kPartTriangles) {
     Part part;
     std::vector<std::uint32_t> numbers;
@@ -128,10 +130,10 @@ std::string fused_text(const PovSpace& space, const FusedMesh& mesh, const Chunk
         n = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), n) - numbers.begin());
     append_part(text, space, mesh.surface, part);
   }
-  if (!one_texture || text.empty()) return text;
-  text = "union{\n" + text + "texture{Skin[";
-  append_index(text, skin);
-  return text + "]}}\n";
+  if (!one_texture || text.objects == 0) return text;
+  std::string all = "union{\n" + text.text + "texture{Skin[";
+  append_index(all, skin);
+  return {all + "]}}\n", 1};
 }
 
 /// `texture{Voxel_Skin(...)}` of one age and shade.
@@ -154,8 +156,8 @@ std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shad
   return text + ")}";
 }
 
-Result<std::string> cubes_text(const PovSpace& space, const Specimen& b, const Pose& pose,
-                               const Boughs& limbs) {
+Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Pose& pose,
+                              const Boughs& limbs) {
   Result<Cubes> cubes = cubes_of(limbs, options_of(b.style));
   if (!cubes) return cubes.errors();
   std::vector<std::uint32_t> cube;
@@ -186,7 +188,7 @@ Result<std::string> cubes_text(const PovSpace& space, const Specimen& b, const P
     all.list.push_back(cube_texture(b, example[l], static_cast<int>(l / kCubeShades % kCubeAges),
                                     static_cast<int>(l % kCubeShades)));
   }
-  std::string text;
+  ObjectText text;
   for (std::size_t from = 0; from < surface.triangle.size(); from += kPartTriangles) {
     Part part{{}, {}, all.list};
     for (std::size_t t = from; t < std::min(surface.triangle.size(), from + kPartTriangles); ++t) {
@@ -201,12 +203,12 @@ Result<std::string> cubes_text(const PovSpace& space, const Specimen& b, const P
 
 }  // namespace
 
-Result<std::string> body_text(const PovSpace& space, const Specimen& b, const Pose& pose,
-                              std::span<const Chunk> chunks, std::size_t skin) {
+Result<ObjectText> body_text(const PovSpace& space, const Specimen& b, const Pose& pose,
+                             std::span<const Chunk> chunks, std::size_t skin) {
   Boughs limbs;
   add_boughs(limbs, b.model.skeleton, pose.position, pose.radius, pose.front,
              static_cast<float>(b.style.blend));
-  if (limbs.cones.empty()) return std::string();
+  if (limbs.cones.empty()) return ObjectText();
   if (b.style.build == Build::voxels) return cubes_text(space, b, pose, limbs);
   Result<FusedMesh> mesh = fuse(limbs, options_of(b.style));
   if (!mesh) return mesh.errors();

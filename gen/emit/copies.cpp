@@ -121,8 +121,8 @@ class StandParts {
 };
 
 /// All copies of a stand: one union for each part of each model, level, block and tint.
-std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t which,
-                       std::size_t stretch, double time) {
+ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t which,
+                      std::size_t stretch, double time) {
   const SownStand& stand = scene.stands[which];
   const Copies& copies = stand.copies;
   const Wave* wave = sways(stand, scene.film) ? &stand.dress.motion.wave : nullptr;
@@ -141,7 +141,8 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
     std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i]}];
     if (append_matrix(lines, space, frame, copies.foot[i])) lines += "}\n";
   }
-  std::string text;
+  ObjectText all;
+  std::string& text = all.text;
   append_comment(text, stand.organism.name);
   StandParts made(scene, plan, which, time);
   for (const auto& [key, lines] : groups) {
@@ -166,28 +167,28 @@ std::string stand_text(const PovSpace& space, const Scene& scene, const CopyPlan
         from = to;
       }
       text += carries ? "}\n" : look + "}\n";
+      ++all.objects;
     }
   }
-  return text;
+  return all;
 }
 
-std::string stands_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t stretch,
-                        double time, bool swaying) {
+ObjectText stands_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t stretch,
+                       double time, bool swaying) {
   if (plan.drawn.empty()) return {};
-  std::vector<std::string> texts(scene.stands.size());
+  std::vector<ObjectText> texts(scene.stands.size());
   parallel_for(texts.size(), [&](std::size_t s) {
     if (moves(scene.stands[s], scene.film) == swaying)
       texts[s] = stand_text(space, scene, plan, s, stretch, time);
   });
-  std::string text;
-  for (const std::string& part : texts) text += part;
-  return text;
+  ObjectText all;
+  for (const ObjectText& part : texts) all += part;
+  return all;
 }
 
 }  // namespace
 
-std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
-                              std::size_t stretch) {
+std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch) {
   std::string text;
   std::set<std::pair<bool, std::string>>
       names;  // two stands may share a model; what is put together comes last
@@ -200,12 +201,18 @@ std::string still_copies_text(const PovSpace& space, const Scene& scene, const C
         names.insert({false, plan.file(s, model, one).name});
     }
   for (const auto& [joined, name] : names) text += "#include \"" + name + "\"\n";
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) text += tints_text(s, scene.stands[s].organism);
-  return text + stands_text(space, scene, plan, stretch, 0, false);
+  return text;
 }
 
-std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
-                                double time) {
+ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
+                             std::size_t stretch) {
+  ObjectText all;
+  for (std::size_t s = 0; s < scene.stands.size(); ++s) all.text += tints_text(s, scene.stands[s].organism);
+  return all += stands_text(space, scene, plan, stretch, 0, false);
+}
+
+ObjectText swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
+                               double time) {
   return stands_text(space, scene, plan, plan.stretch_of(frame), time, true);
 }
 

@@ -7,12 +7,13 @@
 
 namespace frond {
 
-/// For a stretch of the film: the includes of the models and the tints of the stands, and all copies of
-/// stands that stand still.
-std::string still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
-                              std::size_t stretch);
+/// The `#include` lines of the models that a stretch of the film shows.
+std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch);
+/// For a stretch of the film: the tints of the stands and all copies of stands that stand still.
+ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
+                             std::size_t stretch);
 /// The copies of stands that sway in the wind, in a frame at its time.
-std::string swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
-                                double time);
+ObjectText swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
+                               double time);
 
 }  // namespace frond

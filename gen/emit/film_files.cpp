@@ -246,12 +246,12 @@ Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, 
     if (Result<bool> written = write_file(folder / picture.name, picture.bytes); !written)
       return written.errors();
   GrowingFile file(folder / (exposure_name(frame, exposure) + ".pov"));
-  Result<std::size_t> nodes = write_frame(
+  Result<FrameCount> count = write_frame(
       scene, parts, layout, frame, [&](std::string_view text) { file.add(text); }, exposure);
-  if (!nodes) return nodes.errors();
+  if (!count) return count.errors();
   Result<bool> changed = file.close();
   if (!changed) return changed.errors();
-  return FrameFile{*changed, *nodes};
+  return FrameFile{*changed, count->nodes};
 }
 
 }  // namespace frond

@@ -1,19 +1,18 @@
 #include "emit/frame.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/content.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/body.h"
 #include "emit/camera.h"
+#include "emit/copies.h"
 #include "emit/eyes.h"
 #include "emit/focus.h"
 #include "emit/plant.h"
@@ -30,39 +29,6 @@ namespace {
 constexpr std::int32_t kPartNodes = 20'000;    // of one organism, written by one thread at a time
 constexpr std::size_t kPartsAtOnce = 16;       // such parts, whose text is held
 constexpr std::size_t kLinesAtOnce = 200'000;  // of organisms, whose text is held
-
-/// The skin of each organism, at all its ages.
-void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first) {
-  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
-    const Specimen& b = scene.specimens[i];
-    if (b.look.bark) {
-      append_bark(text, b, first[i]);
-      continue;
-    }
-    if (!b.look.skin) continue;
-    const Pores& pores = b.look.skin->pores;
-    const Tint& tint = b.look.skin->tint;
-    std::string of = "(";
-    append_integer(of, static_cast<long long>(first[i]));
-    of += ',';
-    append_integer(of, static_cast<int>(b.look.skin->kind));
-    of += ',';
-    append_color(of, tint.base);
-    of += ',';
-    append_color(of, tint.secondary);
-    of += ',';
-    append_list(of, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
-                b.brightness, tint.young);
-    of += ") ";
-    text += "Coral_Skin" + of;
-    if (!b.model.light.empty()) text += "Coral_Starving" + of;
-    if (double glow = b.look.skin->polyps.glow; glow > 0) {
-      std::string skin = "Skin[" + number_text(static_cast<double>(first[i])) + "]";
-      text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
-    }
-    append_comment(text, b.name);
-  }
-}
 
 /// One food object for each place that an organism is drawn to.
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
@@ -93,10 +59,12 @@ class Group {
     out_(std::exchange(held_, {}));
   }
 
-  void close(std::string_view texture) {
-    if (!open_ && held_.empty()) return;
+  /// Gives how many groups there are: none or one.
+  std::size_t close(std::string_view texture) {
+    if (!open_ && held_.empty()) return 0;
     if (!open_) out_(group_opening(held_)), out_(held_);
     out_(texture);
+    return 1;
   }
 
  private:
@@ -147,21 +115,23 @@ void write_chunks(const Specimen& b, const Pose& pose, const ChunkOptions& optio
   }
 }
 
-/// The sweeps of twigs: one union with one texture.
+/// The sweeps of twigs: one union with one texture. Gives how many unions there are.
 template <class IsTwig>
-void write_twigs(const PovSpace& space, const Specimen& b, const Pose& pose, const ChunkOptions& options,
-                 std::size_t index, const IsTwig& is_twig, const Out& out) {
+std::size_t write_twigs(const PovSpace& space, const Specimen& b, const Pose& pose,
+                        const ChunkOptions& options, std::size_t index, const IsTwig& is_twig,
+                        const Out& out) {
   Group group(out);
   write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
     if (is_twig(chunk.first) && append_sweep(text, space, b.model.skeleton, pose, chunk)) text += "}\n";
   });
-  group.close(skin_texture(index) + "}\n");
+  return group.close(skin_texture(index) + "}\n");
 }
 
-/// The sweeps of all other chunks.
+/// The same of all other chunks.
 template <class IsTwig>
-void write_sweeps(const PovSpace& space, const Specimen& b, const Pose& pose, const ChunkOptions& options,
-                  std::size_t index, const IsTwig& is_twig, const Out& out) {
+std::size_t write_sweeps(const PovSpace& space, const Specimen& b, const Pose& pose,
+                         const ChunkOptions& options, std::size_t index, const IsTwig& is_twig,
+                         const Out& out) {
   Group group(out);
   bool whole = one_texture(b);
   write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
@@ -172,7 +142,7 @@ void write_sweeps(const PovSpace& space, const Specimen& b, const Pose& pose, co
     }
     text += "}\n";
   });
-  group.close(whole ? skin_texture(index) + "}\n" : "}\n");
+  return group.close(whole ? skin_texture(index) + "}\n" : "}\n");
 }
 
 ChunkOptions chunk_options(const Specimen& b) {
@@ -193,34 +163,34 @@ ChunkOptions chunk_options(const Specimen& b) {
   return options;
 }
 
-Errors write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, std::size_t index, Vec3 eye,
-                  const Out& out) {
+/// Gives how many objects it is.
+Result<std::size_t> write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, std::size_t index,
+                               Vec3 eye, const Out& out) {
   ChunkOptions options = chunk_options(b);
   if (b.look.coat && b.style.build == Build::sweeps) {
-    out(coat_text(space, b, pose, eye));
-    if (b.look.coat->twigs <= 0) return {};
+    ObjectText coat = coat_text(space, b, pose, eye);
+    out(coat.text);
+    if (b.look.coat->twigs <= 0) return coat.objects;
     options.tolerance = std::numeric_limits<float>::infinity();
     std::vector<bool> bare = coatless(b);
     auto is_twig = [&](std::int32_t i) { return static_cast<bool>(bare[static_cast<std::size_t>(i)]); };
-    write_twigs(space, b, pose, options, index, is_twig, out);
-    return {};
+    return coat.objects + write_twigs(space, b, pose, options, index, is_twig, out);
   }
   if (b.style.build == Build::sweeps) {
     auto is_twig = [&](std::int32_t i) { return b.model.skeleton.radius[i] < options.thin; };
-    if (options.thin > 0) write_twigs(space, b, pose, options, index, is_twig, out);
-    write_sweeps(space, b, pose, options, index, is_twig, out);
-    return {};
+    std::size_t twigs = options.thin > 0 ? write_twigs(space, b, pose, options, index, is_twig, out) : 0;
+    return twigs + write_sweeps(space, b, pose, options, index, is_twig, out);
   }
-  Result<std::string> body = body_text(space, b, pose, cut_chunks(b.model.skeleton, pose, options), index);
+  Result<ObjectText> body = body_text(space, b, pose, cut_chunks(b.model.skeleton, pose, options), index);
   if (!body) return body.errors();
-  out(*body);
-  return {};
+  out(body->text);
+  return body->objects;
 }
 
-/// Gives how many nodes there are by then.
-Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std::size_t index,
-                                   const Eye& eye, double time, const Out& out) {
-  if (!b.look.skin && !b.look.bark) return 0;
+/// Gives what there is of them by then.
+Result<FrameCount> write_branches(const PovSpace& space, const Specimen& b, std::size_t index, const Eye& eye,
+                                  double time, const Out& out) {
+  if (!b.look.skin && !b.look.bark) return FrameCount{};
   Pose pose;
   pose_specimen(b, time, pose);
   bool named = false;
@@ -231,29 +201,40 @@ Result<std::size_t> write_branches(const PovSpace& space, const Specimen& b, std
     out(name);
     out(piece);
   };
-  if (Errors errors = write_wood(space, b, pose, index, eye.at, under_name); !errors.empty()) return errors;
-  write_foliage(space, b, pose, time, under_name);
-  if (b.look.skin && b.look.skin->polyps.width > 0) under_name(branch_polyps_text(space, b, pose, time, eye));
+  Result<std::size_t> wood = write_wood(space, b, pose, index, eye.at, under_name);
+  if (!wood) return wood.errors();
+  FrameCount count{0, *wood + write_foliage(space, b, pose, time, under_name)};
+  if (b.look.skin && b.look.skin->polyps.width > 0) {
+    ObjectText polyps = branch_polyps_text(space, b, pose, time, eye);
+    under_name(polyps.text);
+    count.objects += polyps.objects;
+  }
   const std::vector<float>& birth = b.model.skeleton.birth;
-  return static_cast<std::size_t>(
-      std::ranges::count_if(birth, [&](float born) { return born <= pose.front; }));
+  count.nodes =
+      static_cast<std::size_t>(std::ranges::count_if(birth, [&](float born) { return born <= pose.front; }));
+  return count;
 }
 
 /// Writes organism i as it is at a time.
-Result<std::size_t> write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
-                                   const Out& out) {
+Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, std::size_t i, double time,
+                                  const Out& out) {
   const Specimen& b = scene.specimens[i];
   Eye eye = eye_at(scene, time);
   const Solids& solids = solids_of(parts.solids, scene, i);
-  if (std::string text = growing_solids_text(parts.space, solids, b.motion.growth, time); !text.empty())
-    out(text);
-  if (std::string text = polyps_text(parts.space, solids, parts.polyps[i], b.motion.growth, time, eye);
-      !text.empty())
-    out(text);
-  if (!b.life.changes()) return write_branches(parts.space, b, parts.first_skin[i], eye, time, out);
-  Result<Specimen> now = developed(b, time);
-  if (now && b.life.develop) out(developed_solids_text(parts.space, now->model.solids, i));
-  return now ? write_branches(parts.space, *now, parts.first_skin[i], eye, time, out) : now.errors();
+  std::optional<Specimen> changed;
+  if (b.life.changes()) {
+    Result<Specimen> now = developed(b, time);
+    if (!now) return now.errors();
+    changed = std::move(*now);
+  }
+  const Specimen& now = changed ? *changed : b;
+  ObjectText bodies = growing_solids_text(parts.space, solids, b.motion.growth, time);
+  bodies += polyps_text(parts.space, solids, parts.polyps[i], b.motion.growth, time, eye);
+  if (b.life.develop) bodies += developed_solids_text(parts.space, now.model.solids, i);
+  out(bodies.text);
+  Result<FrameCount> count = write_branches(parts.space, now, parts.first_skin[i], eye, time, out);
+  if (count) count->objects += bodies.objects;
+  return count;
 }
 
 /// About how many lines an organism takes.
@@ -262,12 +243,12 @@ std::size_t lines_of(const Specimen& b) {
 }
 
 /// Small ones are written side by side and put together, large ones one by one with nothing held.
-std::size_t write_organisms(const FrameParts& parts, const Scene& scene, double time, Errors& errors,
-                            const Out& out) {
-  std::size_t nodes = 0;
-  auto take = [&](const Result<std::size_t>& written) {
+FrameCount write_organisms(const FrameParts& parts, const Scene& scene, double time, Errors& errors,
+                           const Out& out) {
+  FrameCount count;
+  auto take = [&](const Result<FrameCount>& written) {
     if (written)
-      nodes += *written;
+      count += *written;
     else
       errors.insert(errors.end(), written.errors().begin(), written.errors().end());
   };
@@ -281,75 +262,29 @@ std::size_t write_organisms(const FrameParts& parts, const Scene& scene, double 
       continue;
     }
     std::vector<std::string> texts(to - from);
-    std::vector<Result<std::size_t>> written(texts.size(), 0);
+    std::vector<Result<FrameCount>> written(texts.size(), FrameCount{});
     parallel_for(texts.size(), [&](std::size_t i) {
       written[i] =
           write_organism(parts, scene, from + i, time, [&](std::string_view piece) { texts[i] += piece; });
     });
-    for (const Result<std::size_t>& one : written) take(one);
+    for (const Result<FrameCount>& one : written) take(one);
     for (const std::string& text : texts) out(text);
   }
-  return nodes;
-}
-
-constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
-
-/// Puts what is the same in all frames of a film into a file that they include, named by what is in it.
-void put_aside(std::string& text, std::vector<Picture>& files) {
-  if (text.size() < kAside) return;
-  std::string name = fmt::format("part_{}.inc", content_id(text));
-  files.push_back({name, std::move(text)});
-  text = "#include \"" + name + "\"";
+  return count;
 }
 
 }  // namespace
 
-FrameParts prepare_frames(const Scene& scene, CopyPlan plan) {
-  float thinnest = std::numeric_limits<float>::infinity();
-  for (const Specimen& b : scene.specimens)
-    for (float radius : b.model.skeleton.radius) thinnest = std::min(thinnest, radius);
-  FrameParts parts;
-  parts.space = space_for(thinnest);
-  std::size_t skins = 0;
-  for (const Specimen& b : scene.specimens) {
-    parts.first_skin.push_back(skins);
-    skins += b.look.bark ? b.look.bark->colors.size() : b.look.skin ? 1 : 0;
-  }
-  std::string count = number_text(static_cast<double>(std::max<std::size_t>(1, skins)));
-  parts.materials =
-      "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
-  if (std::ranges::any_of(scene.specimens, [](const Specimen& b) { return !b.model.light.empty(); }))
-    parts.materials +=
-        "#declare Skin_Bleached = array[" + count + "];\n#declare Skin_Dead = array[" + count + "];\n";
-  append_skins(parts.materials, scene, parts.first_skin);
-  parts.materials += prototypes_text(parts.space, scene);
-  parts.solids = drawn_solids(scene);
-  parts.polyps.resize(scene.specimens.size());
-  parallel_for(parts.polyps.size(),
-               [&](std::size_t i) { parts.polyps[i] = polyp_places(solids_of(parts.solids, scene, i)); });
-  parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene, parts.solids);
-  parts.copies.resize(plan.drawn.size());
-  parallel_for(parts.copies.size(),
-               [&](std::size_t k) { parts.copies[k] = still_copies_text(parts.space, scene, plan, k); });
-  parts.plan = std::move(plan);
-  if (scene.film.frames > 1) {
-    put_aside(parts.materials, parts.files);
-    put_aside(parts.ground, parts.files);
-    for (std::string& some : parts.copies) put_aside(some, parts.files);
-  }
-  return parts;
-}
-
 std::string light_name(int frame) { return frame_name(frame) + ".rca"; }
 
-Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
-                                int frame, const Out& out, int exposure) {
+Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
+                               int frame, const Out& out, int exposure) {
   const Film& film = scene.film;
   const Camera& camera = scene.stage.camera;
   int all = exposure > 0 ? exposures(film, camera) : 1;
   double time = exposure > 0 ? exposure_time(film, camera, frame, exposure) : film.time(frame);
   Errors errors;
-  std::size_t nodes = 0;
+  FrameCount count;
   fill(layout, out, [&](std::string_view hole) {
     if (hole == "frame") return out(number_text(frame));
     if (hole == "frames") return out(number_text(film.frames));
@@ -376,20 +311,22 @@ Result<std::size_t> write_frame(const Scene& scene, const FrameParts& parts, std
       return;
     }
     if (hole == "organisms") {
-      nodes = write_organisms(parts, scene, time, errors, out);
-      return out(swaying_copies_text(parts.space, scene, parts.plan, frame, time));
+      count = write_organisms(parts, scene, time, errors, out);
+      ObjectText swaying = swaying_copies_text(parts.space, scene, parts.plan, frame, time);
+      count.objects += swaying.objects;
+      return out(swaying.text);
     }
     if (hole == "food") return out(food_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
   });
   if (!errors.empty()) return errors;
-  return nodes;
+  return count;
 }
 
 Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame) {
   std::string text;
-  Result<std::size_t> written =
+  Result<FrameCount> written =
       write_frame(scene, parts, layout, frame, [&](std::string_view piece) { text += piece; });
   if (!written) return written.errors();
   return text;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/bounds.h"
+#include "emit/copies.h"
 #include "emit/copy_models.h"
 #include "emit/macros.h"
 #include "emit/setting.h"
@@ -38,47 +39,6 @@ double tall_of(const SownStand& stand) {
   return height > 0 ? height : 8 * stand.organism.sown->where.radius;
 }
 
-/// The text without its lines that include files; those of parts are put in their place.
-std::string without_includes(const std::string& text, const FrameParts& parts) {
-  constexpr std::string_view kInclude = "#include \"";
-  std::string out;
-  out.reserve(text.size());
-  for (std::size_t from = 0; from < text.size();) {
-    std::size_t to = std::min(text.find('\n', from), text.size() - 1) + 1;
-    std::string_view line(text.data() + from, to - from);
-    from = to;
-    if (!line.starts_with(kInclude)) {
-      out += line;
-      continue;
-    }
-    std::string_view name = line.substr(kInclude.size(), line.rfind('"') - kInclude.size());
-    for (const Picture& file : parts.files)
-      if (file.name == name) out += file.bytes;
-  }
-  return out;
-}
-
-/// How many objects stand side by side in a text.
-int count_objects(std::string_view text) {
-  int count = 0, depth = 0;
-  bool declared = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    char c = text[i];
-    if (c == '/' && text.substr(i, 2) == "//") {
-      i = std::min(text.find('\n', i), text.size());
-    } else if (c == '"') {
-      i = std::min(text.find('"', i + 1), text.size());
-    } else if (c == '#' && depth == 0) {
-      declared = text.substr(i, 4) != "#end";
-    } else if (c == '{') {
-      if (depth++ == 0 && !declared) ++count;
-    } else if (c == '}' && --depth == 0) {
-      declared = false;
-    }
-  }
-  return count;
-}
-
 /// Writes the parts of an include, each a macro that is only read where a scene asks for it.
 class Writer {
  public:
@@ -94,7 +54,7 @@ class Writer {
  private:
   Errors write_variant(std::size_t v) {
     const IncludeVariant& variant = variants_[v];
-    FrameParts parts = prepare_frames(variant.scene);
+    FrameParts parts = prepare_frames(variant.scene, {}, false);
     std::vector<double> heights;
     for (const Specimen& b : variant.scene.specimens) {
       Bounds own = box_of(b);
@@ -109,33 +69,33 @@ class Writer {
       }
     shapes_ += fmt::format("#macro {}_Parts_{}()\n#local Frond_Unit = {};\n", what_.name, v,
                            number_text(parts.space.unit));
-    shapes_ += without_includes(parts.materials, parts) + "#end\n";
-    std::string solids = solids_text(parts.space, variant.scene);
-    shapes_ += fmt::format("#macro {}_Solids_{}()\n{}#end\n", what_.name, v, solids);
-    solids_ = count_objects(solids);
+    shapes_ += parts.materials + "#end\n";
+    ObjectText solids = solids_text(parts.space, variant.scene);
+    shapes_ += fmt::format("#macro {}_Solids_{}()\n{}#end\n", what_.name, v, solids.text);
+    solids_ = solids.objects;
     for (int detail = 0; detail < kIncludeDetails; ++detail) {
       const CopyPlan& plan = variant.plans[static_cast<std::size_t>(detail)];
-      std::string models = models_text(v, plan),
-                  copies = still_copies_text(parts.space, variant.scene, plan, 0);
-      parts.ground = copies;
+      std::string models = models_text(v, plan);
+      ObjectText copies = still_copies_text(parts.space, variant.scene, plan, 0);
       parts.plan = plan;
       for (std::size_t f = 0; f < what_.frames.size(); ++f) {
         bool last = f + 1 == what_.frames.size();
         if (detail > 0 && !last) continue;  // these stand still
-        Result<std::string> objects =
-            detail == 0 ? frame_text(variant.scene, parts, "{{ground}}\n{{organisms}}\n", what_.frames[f])
-                        : Result<std::string>(coarse_text(variant.scene, parts, heights, detail));
-        if (!objects) return objects.errors();
-        if (Errors none = write_shape(v, detail, f, parts, models, *objects); !none.empty()) return none;
+        Result<ObjectText> grown = detail == 0 ? fine_text(variant.scene, parts, what_.frames[f])
+                                               : coarse_text(variant.scene, parts, heights, detail);
+        if (!grown) return grown.errors();
+        ObjectText objects = copies;
+        if (Errors none = write_shape(v, detail, f, parts, models, objects += *grown); !none.empty())
+          return none;
       }
     }
     return {};
   }
 
   Errors write_shape(std::size_t v, int detail, std::size_t f, const FrameParts& parts,
-                     const std::string& models, const std::string& text) {
-    std::string objects = without_includes(text, parts);
-    int count = count_objects(objects) + solids_;
+                     const std::string& models, const ObjectText& text) {
+    std::string objects = text.text;
+    std::size_t count = text.objects + solids_;
     if (solids_ > 0) objects.insert(0, fmt::format("{}_Solids_{}()\n", what_.name, v));
     bool last = f + 1 == what_.frames.size();
     if (count == 0 && last)
@@ -170,10 +130,20 @@ class Writer {
     return calls;
   }
 
-  /// All that has grown by itself, as models are drawn.
-  std::string coarse_text(const Scene& scene, const FrameParts& parts, const std::vector<double>& heights,
-                          int detail) {
-    std::string text = parts.ground;
+  /// All that has grown by itself, as in a frame.
+  static Result<ObjectText> fine_text(const Scene& scene, const FrameParts& parts, int frame) {
+    ObjectText text;
+    Result<FrameCount> count = write_frame(scene, parts, "\n{{organisms}}\n", frame,
+                                           [&](std::string_view piece) { text.text += piece; });
+    if (!count) return count.errors();
+    text.objects = count->objects;
+    return text;
+  }
+
+  /// The same as models are drawn.
+  ObjectText coarse_text(const Scene& scene, const FrameParts& parts, const std::vector<double>& heights,
+                         int detail) {
+    ObjectText text;
     for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
       const Specimen& b = scene.specimens[i];
       SownStand stand;
@@ -186,17 +156,20 @@ class Writer {
       file.name = model_file_name(stand.organism, 0, file.level);
       Model grown = b.model;
       grown.solids = {};  // these are drawn as they are at any detail
-      if (b.life.develop) text += developed_solids_text(parts.space, b.model.solids, i);
+      text += b.life.develop ? developed_solids_text(parts.space, b.model.solids, i)
+                             : growing_solids_text(parts.space, b.model.solids, b.motion.growth,
+                                                   scene.film.time(what_.frames.back()));
       ModelText model = model_texts({file}, stand, grown, {})[0];
       std::string name = declared_name(file);
-      text += model.title + model.body;
+      text.text += model.title + model.body;
       for (int part : model.parts) {
         // A coral is one part, its skin.
         std::string look = b.look.skin
                                ? fmt::format("texture{{Skin[{}]}}", parts.first_skin[i])
                                : fmt::format("{}_{}_Look(<0,1,{}>)", name, part, number_text(b.brightness));
-        text += fmt::format("object{{{}_{} scale {} {}}}\n", name, part,
-                            number_text(parts.space.unit / kModelUnit), look);
+        text += {fmt::format("object{{{}_{} scale {} {}}}\n", name, part,
+                             number_text(parts.space.unit / kModelUnit), look),
+                 1};
       }
     }
     return text;
@@ -285,7 +258,7 @@ class Writer {
   const std::vector<IncludeVariant>& variants_;
   std::string shapes_;
   std::set<std::string> models_;  // files that are written
-  int solids_ = 0;                // objects among the solids of the variant that is written
+  std::size_t solids_ = 0;        // objects among the solids of the variant that is written
   Bounds box_;
 };
 

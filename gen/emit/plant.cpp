@@ -125,9 +125,10 @@ Buckets buckets_of(const Specimen& b, const Pose& pose) {
   return buckets;
 }
 
-/// Bucket k of a prototype: each line is made once and used by all its parts.
-void write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, double time, std::size_t p,
-                  std::size_t k, std::span<const std::uint32_t> organs, const Out& out) {
+/// Bucket k of a prototype: each line is made once and used by all its parts. Gives how many objects it is.
+std::size_t write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
+                         std::size_t p, std::size_t k, std::span<const std::uint32_t> organs,
+                         const Out& out) {
   const Prototype& prototype = b.model.prototypes[p];
   std::size_t steps = steps_of(prototype);
   std::string lines;
@@ -135,7 +136,7 @@ void write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, do
     float size = unfolded(b.model.organs.birth[i], pose.front, unfold_time(b.motion));
     append_placement(lines, space, b, pose, i, size, time);
   }
-  if (lines.empty()) return;
+  if (lines.empty()) return 0;
   Color color = unfolding_color(prototype, k / kLeafShades / steps, k / kLeafShades % steps);
   std::string text;
   for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
@@ -158,21 +159,26 @@ void write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, do
     text += "}\n";
   }
   out(text);
+  return prototype.parts.size();
 }
 
-void write_organs(const PovSpace& space, const Specimen& b, const Pose& pose, double time, const Out& out) {
+std::size_t write_organs(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
+                         const Out& out) {
+  std::size_t objects = 0;
   Buckets buckets = buckets_of(b, pose);
   for (std::size_t p = 0; p < b.model.prototypes.size(); ++p)
     for (std::size_t k = 0;
          k < b.model.prototypes[p].colors.size() * steps_of(b.model.prototypes[p]) * kLeafShades; ++k) {
       std::size_t at = buckets.first_of[p] + k, from = buckets.begin[at];
-      write_bucket(space, b, pose, time, p, k,
-                   std::span(buckets.organ).subspan(from, buckets.begin[at + 1] - from), out);
+      objects += write_bucket(space, b, pose, time, p, k,
+                              std::span(buckets.organ).subspan(from, buckets.begin[at + 1] - from), out);
     }
+  return objects;
 }
 
-void write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, const Out& out) {
-  if (b.model.blades.size() == 0) return;
+std::size_t write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, const Out& out) {
+  std::size_t objects = 0;
+  if (b.model.blades.size() == 0) return objects;
   const BladeLook& look = b.look.blades;
   for (std::size_t k = 0; k < look.colors.size() * kLeafShades; ++k) {
     Surface surface =
@@ -186,7 +192,9 @@ void write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, co
     append_tissue(text, look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades, {});
     text += "}\n";
     out(text);
+    ++objects;
   }
+  return objects;
 }
 
 }  // namespace
@@ -286,9 +294,10 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-void write_foliage(const PovSpace& space, const Specimen& b, const Pose& pose, double time, const Out& out) {
-  if (b.model.organs.size() > 0) write_organs(space, b, pose, time, out);
-  write_blades(space, b, pose, out);
+std::size_t write_foliage(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
+                          const Out& out) {
+  std::size_t organs = b.model.organs.size() > 0 ? write_organs(space, b, pose, time, out) : 0;
+  return organs + write_blades(space, b, pose, out);
 }
 
 }  // namespace frond

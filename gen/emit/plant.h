@@ -40,7 +40,8 @@ void append_bark(std::string& text, const Specimen& plant, std::size_t first);
 std::string prototypes_text(const PovSpace& space, const Scene& scene);
 
 /// Writes the organs and blades of one plant at a pose and a time: for each material one union or one mesh.
-void write_foliage(const PovSpace& space, const Specimen& plant, const Pose& pose, double time,
-                   const Out& out);
+/// Gives how many of these there are.
+std::size_t write_foliage(const PovSpace& space, const Specimen& plant, const Pose& pose, double time,
+                          const Out& out);
 
 }  // namespace frond

@@ -117,17 +117,15 @@ class Bearer {
       lines_.resize(line);
   }
 
-  std::string text(const Color& color, double time) const {
-    std::string text;
-    if (lines_.empty()) return text;
-    text = "#declare Polyp = ";
+  ObjectText text(const Color& color, double time) const {
+    if (lines_.empty()) return {};
+    std::string text = "#declare Polyp = ";
     append_mesh(text, space_, polyp_surface(std::clamp(polyps_.open.at(time), 0.0, 1.0)));
     text += "\nunion{\n" + lines_ + "texture{Reef_Polyp(";
     append_color(text, color);
     text += ',';
     append(text, polyps_.glow, 4);
-    text += ")}}\n";
-    return text;
+    return {text + ")}}\n", 1};
   }
 
  private:
@@ -151,9 +149,9 @@ PolypPlaces polyp_places(const Solids& solids) {
   return places;
 }
 
-std::string polyps_text(const PovSpace& space, const Solids& solids, const PolypPlaces& places,
-                        const Growth& growth, double time, const Eye& eye) {
-  std::string text;
+ObjectText polyps_text(const PovSpace& space, const Solids& solids, const PolypPlaces& places,
+                       const Growth& growth, double time, const Eye& eye) {
+  ObjectText text;
   auto front = static_cast<float>(growth_front(growth, time));
   if (front <= 0) return text;
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -173,8 +171,8 @@ std::string polyps_text(const PovSpace& space, const Solids& solids, const Polyp
   return text;
 }
 
-std::string branch_polyps_text(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
-                               const Eye& eye) {
+ObjectText branch_polyps_text(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
+                              const Eye& eye) {
   const Skeleton& rest = b.model.skeleton;
   const Polyps& polyps = b.look.skin->polyps;
   Bearer bearer(space, polyps, eye);

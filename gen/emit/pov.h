@@ -15,6 +15,18 @@ struct PovSpace {
   double unit = 10;  ///< POV-Ray units a metre
 };
 
+/// Objects that stand side by side, with the declarations that they need before them.
+struct ObjectText {
+  std::string text;
+  std::size_t objects = 0;  ///< how many there are
+
+  ObjectText& operator+=(const ObjectText& more) {
+    text += more.text;
+    objects += more.objects;
+    return *this;
+  }
+};
+
 inline constexpr double kThinnest = 0.002;  ///< POV-Ray units; sphere_sweeps break down below 0.0008
 
 /// The space for a scene whose thinnest branch has the radius given in metres: 10 units a metre, or more in

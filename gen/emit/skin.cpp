@@ -145,7 +145,7 @@ Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
 
 }  // namespace
 
-std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye) {
+ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye) {
   const BarkCoat& coat = *tree.look.coat;
   Surface wood = tube_surface(tree.model.skeleton, pose.position, pose.radius, pose.turn, shape_of(tree));
   if (!has_faces(wood)) return {};
@@ -160,7 +160,7 @@ std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& p
     append_list(text, 4, coat.moss, coat.moss_height, pose.position[0].y);
     text += ")}";
   }
-  return text + "}\n";
+  return {text + "}\n", 1};
 }
 
 std::vector<bool> coatless(const Specimen& tree) { return left_out(tree.model.skeleton, shape_of(tree)); }

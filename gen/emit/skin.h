@@ -15,7 +15,7 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const Specim
 
 /// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
 /// has grown. Where the eye is near, its furrows are let in.
-std::string coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye);
+ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye);
 
 /// Which nodes it leaves out, for they are of twigs too thin for a picture.
 std::vector<bool> coatless(const Specimen& tree);

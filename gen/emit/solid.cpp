@@ -185,9 +185,10 @@ double nearest_pixels(const Film& film, const Camera& camera, Vec3 middle, float
   return most;
 }
 
-void append_shape(std::string& text, const PovSpace& space, const Solids& solids, std::size_t organism,
+void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, std::size_t organism,
                   std::size_t shape) {
-  std::string lines;
+  std::string lines, &text = all.text;
+  std::size_t placed = 0;
   auto count = static_cast<std::size_t>(std::count(solids.shape.begin(), solids.shape.end(), shape));
   if (count == 0) return;
   const Solid& solid = solids.shapes[shape];
@@ -211,14 +212,16 @@ void append_shape(std::string& text, const PovSpace& space, const Solids& solids
     lines += ' ';
     if (own) append_material(lines, solid.material);
     if (append_placement(lines, space, solids, i))
-      lines += "}\n";
+      lines += "}\n", ++placed;
     else
       lines.resize(line);
   }
   if (own || lines.empty()) {
     text += lines;
+    all.objects += placed;
     return;
   }
+  ++all.objects;
   text += "union{\n" + lines;
   append_material(text, solid.material);
   text += "}\n";
@@ -305,29 +308,29 @@ const Solids& solids_of(const DrawnSolids& drawn, const Scene& scene, std::size_
                                                     : scene.specimens[organism].model.solids;
 }
 
-std::string solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn) {
-  std::string text;
+ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn) {
+  ObjectText text;
   for (std::size_t o = 0; o < scene.specimens.size(); ++o) {
     const Specimen& b = scene.specimens[o];
     const Solids& solids = solids_of(drawn, scene, o);
     if (solids.size() == 0 || b.life.develop) continue;
-    append_comment(text, b.name);
+    append_comment(text.text, b.name);
     for (std::size_t s = 0; s < solids.shapes.size(); ++s)
       if (!is_growing(solids.shapes[s], b.motion.growth)) append_shape(text, space, solids, o, s);
   }
   return text;
 }
 
-std::string developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism) {
-  std::string text;
+ObjectText developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism) {
+  ObjectText text;
   for (std::size_t s = 0; s < solids.shapes.size(); ++s)
     if (has_faces(solids.shapes[s].surface)) append_shape(text, space, solids, organism, s);
   return text;
 }
 
-std::string growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
-                                double time) {
-  std::string text;
+ObjectText growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
+                               double time) {
+  ObjectText text;
   auto front = static_cast<float>(growth_front(growth, time));
   if (front <= 0) return text;
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -339,8 +342,8 @@ std::string growing_solids_text(const PovSpace& space, const Solids& solids, con
     append_mesh(object, space, told(std::move(now), solid));
     append_material(object, solid.material);
     if (!append_placement(object, space, solids, i)) continue;
-    if (lives(solid.material)) append_front(text, front);
-    text += object + "}\n";
+    if (lives(solid.material)) append_front(text.text, front);
+    text += {object + "}\n", 1};
   }
   return text;
 }

@@ -41,13 +41,13 @@ const Solids& solids_of(const DrawnSolids& drawn, const Scene& scene, std::size_
 
 /// Declares the shapes of all solids and places them, but for those that a film sees grow or become others;
 /// the same in each frame. Without `drawn` they are written as they are.
-std::string solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
+ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
 
 /// The solids of an organism that becomes another shape, as it is now.
-std::string developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism);
+ObjectText developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism);
 
 /// The solids of one organism that a film sees grow, as they are at a time.
-std::string growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
-                                double time);
+ObjectText growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
+                               double time);
 
 }  // namespace frond

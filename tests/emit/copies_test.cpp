@@ -200,7 +200,7 @@ std::pair<std::string, std::string> texts(const Scene& scene, CopyPlan& plan) {
     EXPECT_TRUE(file.parts.size() == 1 || file.parts.size() == 2) << "wood and leaves";
     models += text.file_text();
   }
-  return {models, still_copies_text({}, scene, plan, 0)};
+  return {models, model_includes_text(scene, plan, 0) + still_copies_text({}, scene, plan, 0).text};
 }
 
 TEST(CopyText, PlacesOnlyWhatItsFilesDeclare) {
@@ -239,9 +239,9 @@ TEST(CopyText, WindMovesCopiesAndComesBack) {
   CopyPlan plan = planned(scene);
   auto [models, still] = texts(scene, plan);
   EXPECT_EQ(still.find("object{"), still.npos);
-  std::string start = swaying_copies_text({}, scene, plan, 1, scene.film.time(1));
-  EXPECT_NE(start, swaying_copies_text({}, scene, plan, 7, scene.film.time(7)));
-  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, 25, scene.film.time(25)))
+  std::string start = swaying_copies_text({}, scene, plan, 1, scene.film.time(1)).text;
+  EXPECT_NE(start, swaying_copies_text({}, scene, plan, 7, scene.film.time(7)).text);
+  EXPECT_EQ(start, swaying_copies_text({}, scene, plan, 25, scene.film.time(25)).text)
       << "where the film begins again";
 }
 

@@ -32,7 +32,7 @@ class GrowingCopies : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string at(double time) const { return swaying_copies_text({}, scene_, plan_, 1, time); }
+  std::string at(double time) const { return swaying_copies_text({}, scene_, plan_, 1, time).text; }
   static std::size_t count(const std::string& text, const std::string& what) {
     std::size_t n = 0;
     for (std::size_t i = text.find(what); i != text.npos; i = text.find(what, i + 1)) ++n;

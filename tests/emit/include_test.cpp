@@ -57,6 +57,24 @@ TEST(Include, HoldsThePosesOfFramesForDetailZeroAlone) {
   EXPECT_NE(text->find("int((Time - 1)*2 + 0.5)"), std::string::npos);
 }
 
+TEST(Include, AUnionIsOfTwoObjectsOrMore) {
+  Result<std::string> text = include_text(text_of({5}), variants(1));
+  ASSERT_TRUE(text.ok());
+  EXPECT_EQ(count_of(*text, "_Shapes[0][0][0] = object{"), 1u) << "of one plant, which is one sweep";
+  EXPECT_EQ(count_of(*text, "_Shapes[0][1][0] = object{"), 1u);
+  EXPECT_EQ(count_of(*text, " = union{"), 0u);
+}
+
+TEST(Include, ABodyThatGrowsIsSomething) {
+  Result<Preset> preset = read_preset(R"({"film": {"frames": 3, "fps": 2}, "scene": {"setting": "studio"},
+      "organisms": [{"species": "presets/species/corals/brain.json", "place": {"at": [[0, 0]]},
+        "growth": {"duration": 1}}]})",
+                                      "brain.json", {});
+  ASSERT_TRUE(preset);
+  Result<std::string> text = include_text(text_of({2}), {include_variant(*build_scene(*preset))});
+  EXPECT_TRUE(text.ok()) << text.errors()[0].text();
+}
+
 TEST(Include, OfNothingIsRefused) {
   Result<std::string> text = include_text(text_of({1}), variants(1));
   ASSERT_FALSE(text.ok());

@@ -24,7 +24,7 @@ Scene with_copies(int count) {
 }
 
 TEST(SolidText, HoldsAShapeOnceAndPlacesItOften) {
-  std::string text = solids_text({}, with_copies(3));
+  std::string text = solids_text({}, with_copies(3)).text;
   EXPECT_EQ(count(text, "mesh2{"), 1u);
   EXPECT_EQ(count(text, "object{Solid0_0"), 3u);
   EXPECT_EQ(count(text, " texture{Matter_Plain(srgb<"), 3u);
@@ -32,7 +32,7 @@ TEST(SolidText, HoldsAShapeOnceAndPlacesItOften) {
 }
 
 TEST(SolidText, ManyPlacementsShareOneTexture) {
-  std::string text = solids_text({}, with_copies(100));
+  std::string text = solids_text({}, with_copies(100)).text;
   EXPECT_EQ(count(text, "object{Solid0_0"), 100u);
   EXPECT_EQ(count(text, "texture{"), 1u);
 }
@@ -46,7 +46,7 @@ TEST(SolidText, PaintsBandsOverTheTexture) {
   Material& material = scene.specimens[0].model.solids.shapes[0].material;
   material.matter = Matter::ceramic;
   material.bands = {{0.5, 0.1, {0, 0, 1}, Motif::meander, 12}, {}};
-  std::string text = solids_text({}, scene);
+  std::string text = solids_text({}, scene).text;
   EXPECT_EQ(count(text, "texture{Vessel_Ceramic("), 1u);
   EXPECT_EQ(count(text, "texture{Vessel_Band("), 2u);
   EXPECT_NE(text.find("texture{Vessel_Band(srgb<0,0,1>,0.5,0.1,0.1,4,12)}"), text.npos) << text;
@@ -55,14 +55,14 @@ TEST(SolidText, PaintsBandsOverTheTexture) {
 TEST(SolidText, GlassHasAnInside) {
   Scene scene = with_copies(1);
   scene.specimens[0].model.solids.shapes[0].material.matter = Matter::glass;
-  EXPECT_EQ(count(solids_text({}, scene), "interior{Vessel_Glass_Inside("), 1u);
+  EXPECT_EQ(count(solids_text({}, scene).text, "interior{Vessel_Glass_Inside("), 1u);
 }
 
 TEST(SolidText, TurnedBodiesAreLathes) {
   Scene scene = with_copies(1);
   Solid& solid = scene.specimens[0].model.solids.shapes[0];
   solid.turned = {{{{0, 0}, {0.1, 0}, {0.2, 0.1}, {0.2, 0.3}}}};
-  std::string text = solids_text({}, scene);
+  std::string text = solids_text({}, scene).text;
   EXPECT_EQ(count(text, "mesh2{"), 0u);
   EXPECT_NE(text.find("lathe{bezier_spline 4,<0,0>,<1,0>,<2,1>,<2,3> sturm}"), text.npos) << text;
 }
@@ -72,7 +72,7 @@ TEST(SolidText, WritesAnIsosurfaceInPlaceOfItsTriangles) {
   Solid& solid = scene.specimens[0].model.solids.shapes[0];
   Blobs blobs{{{DVec3(1, 2, 0.5), DVec3(0.25, 0, -1)}, {DVec3(1), DVec3(0)}}, Falloff::cubic, 0.5};
   solid.native = Isosurface{blobs, {DVec3(-1, -2, -3), DVec3(4, 5, 6)}, 7, DVec3(0.5, -2, 1), 0.1};
-  std::string text = solids_text({}, scene);
+  std::string text = solids_text({}, scene).text;
   EXPECT_EQ(count(text, "mesh2{"), 0u);
   EXPECT_EQ(count(text, "isosurface{"), 1u);
   EXPECT_EQ(count(text, "object{Solid0_0"), 2u);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "emit/levels.h"
+#include "emit/polyps.h"
+#include "emit/pov.h"
+#include "emit/solid.h"
+#include "scene/scene.h"
+
+namespace frond {
+
+inline constexpr std::string_view kOwnLight = "*";
+
+/// What is the same in each frame of a film, written once.
+struct FrameParts {
+  std::vector<Picture> files;  ///< that frames include, to be put beside them
+  CopyPlan plan;               ///< of the copies of stands
+  PovSpace space;
+  std::string materials;                ///< the skins of all organisms and the shapes of their organs
+  std::string ground;                   ///< floor, stones, grass and solids
+  DrawnSolids solids;                   ///< of all organisms
+  std::vector<PolypPlaces> polyps;      ///< on the solids of each organism
+  std::vector<std::string> copies;      ///< those that stand still, in each stretch of the film
+  std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
+  std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none
+};
+
+/// With the plan of copies, whose files must have been counted. `aside`: what is long goes into files that
+/// all frames of the film include.
+FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {}, bool aside = true);
+
+}  // namespace frond
