@@ -174,15 +174,8 @@ bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest
     ++count;
   };
   std::int32_t below = rest.parent[chunk.first];
-  float foot = pose.radius[below];
-  if (below != chunk.first - 1) {
-    // A branch leaves its parent little thicker than it goes on, or the fork would swell; and its foot does
-    // not hold its first node, which would leave no cone between them and specks in the picture.
-    float first = pose.radius[chunk.first];
-    float most = 0.9f * glm::distance(pose.position[below], pose.position[chunk.first]);
-    foot = std::clamp(std::min(foot, 1.25f * first), first - most, first + most);
-  }
-  add(pose.position[below], foot);
+  bool forks = below != chunk.first - 1;
+  add(pose.position[below], forks ? foot_radius(rest, pose, chunk.first) : pose.radius[below]);
   for (std::int32_t i = chunk.first; i <= chunk.last; ++i) add(pose.position[i], pose.radius[i]);
   if (count < 2) {
     text.resize(start);

@@ -92,6 +92,12 @@ float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, 
   return glm::length(center) + angle * pose.radius[i];
 }
 
+float foot_radius(const Skeleton& rest, const Pose& pose, std::int32_t first) {
+  std::int32_t below = rest.parent[first];
+  float next = pose.radius[first], length = glm::distance(pose.position[below], pose.position[first]);
+  return cone_radius(std::min(pose.radius[below], 1.25f * next), next, length);
+}
+
 void lay_along(const Skeleton& rest, Chunk& chunk) {
   Vec3 way = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
   float length = glm::length(way);

@@ -46,6 +46,10 @@ std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const Chun
 std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options,
                               float longest, std::int32_t first, std::int32_t end);
 
+/// How thick a branch is drawn where it leaves another, at the node below its node `first`: little thicker
+/// than it goes on, or the fork would swell.
+float foot_radius(const Skeleton& rest, const Pose& pose, std::int32_t first);
+
 /// Takes the pattern of a chunk, which lies along the y axis, to the branch: its y is the way along the
 /// branch from the base, and then it goes with the moving skin.
 void lay_along(const Skeleton& rest, Chunk& chunk);

@@ -121,6 +121,11 @@ float Food::left(std::size_t i, double time) const {
   return static_cast<float>(1 - smooth_step(reached[i], reached[i] + kMeal, time));
 }
 
+float cone_radius(float radius, float other, float length) {
+  constexpr float kSteepest = 0.9f;  // metres of radius a metre
+  return std::clamp(radius, other - kSteepest * length, other + kSteepest * length);
+}
+
 double growth_front(const Growth& growth, double time) {
   assert(growth.ripen >= 0 && std::isfinite(time));
   double end = 1 + growth.ripen;
@@ -189,12 +194,9 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
     float age = std::max(pose.front - born, 0.0f);
     pose.radius[i] =
         rest.radius[i] * onset * (kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age));
-    // A sphere that holds its neighbour has no cone between them: along a branch radii change more slowly
-    // than its length does.
-    if (p != Skeleton::kRoot && p == static_cast<std::int32_t>(i) - 1) {
-      float most = 0.9f * glm::distance(pose.position[i], pose.position[p]);
-      pose.radius[i] = std::clamp(pose.radius[i], pose.radius[p] - most, pose.radius[p] + most);
-    }
+    if (p != Skeleton::kRoot && p == static_cast<std::int32_t>(i) - 1)
+      pose.radius[i] =
+          cone_radius(pose.radius[i], pose.radius[p], glm::distance(pose.position[i], pose.position[p]));
   }
 }
 

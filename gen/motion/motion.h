@@ -78,6 +78,10 @@ struct Pose {
   float front = 0;          ///< nodes born before this have been reached; above 1 all of them
 };
 
+/// A radius at one end of a branch's stretch, kept from differing from that at the other end by so much that
+/// one sphere would hold the other: between such there is no cone, and a sphere_sweep has specks. Metres.
+float cone_radius(float radius, float other, float length);
+
 /// The share of growth that is reached at a time: 0 before the start, 1 + ripen in the end, smooth in
 /// between.
 double growth_front(const Growth& growth, double time);

@@ -101,10 +101,7 @@ class Weaver {
     if (below == i - 1 && !segments_.empty() && last_ == below) {
       from_way = last_way_;
     } else if (below != i - 1) {
-      // As thick at its foot as sweeps are drawn, see append_sweep().
-      float most = 0.9f * length;
-      s.from_radius =
-          std::clamp(std::min(s.from_radius, 1.25f * s.to_radius), s.to_radius - most, s.to_radius + most);
+      s.from_radius = foot_radius(rest_, pose_, i);
     }
     Vec3 to_way = goes_on ? direction(Vec3(0), way + direction(s.to, pose_.position[i + 1], way), way) : way;
     s.from_way = packed(from_way), s.to_way = packed(to_way);

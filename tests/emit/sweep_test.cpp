@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/matrix.hpp>
 #include <map>
 
@@ -104,6 +105,21 @@ TEST(Sweep, RingsLieAcrossTheBranch) {
     EXPECT_LT(glm::distance(on, Vec3(s, 1, 0)), 1e-4f) << on.x << " " << on.y;
   }
   EXPECT_NEAR(glm::determinant(side.matrix), 1, 1e-5);
+}
+
+TEST(Sweep, AFootHoldsNotItsFirstNodeNorIsItAsThickAsTheTrunk) {
+  Skeleton rest;  // a trunk, and a twig that leaves it
+  std::int32_t trunk = rest.add(Vec3(0, 0, 0), 0.1f, Skeleton::kRoot, 0);
+  rest.add(Vec3(0, 0.5f, 0), 0.1f, trunk, 0);
+  Pose pose;
+  for (float length : {0.3f, 0.02f}) {
+    Skeleton forked = rest;
+    std::int32_t first = forked.add(Vec3(length, 0, 0), 0.01f, trunk, 0);
+    pose_skeleton(forked, {}, 0, pose);
+    float foot = foot_radius(forked, pose, first);
+    EXPECT_LT(foot, 0.02f);
+    EXPECT_LT(std::abs(foot - 0.01f), length);
+  }
 }
 
 }  // namespace
