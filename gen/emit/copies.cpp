@@ -18,16 +18,12 @@ namespace frond {
 
 namespace {
 
-/// The tints of a stand, spread evenly over their range so that all of it occurs.
 std::string tints_text(std::size_t stand, const Organism& organism) {
-  const CopyTint& tint = organism.sown->tint;
   std::string text = fmt::format("#declare Tint{} = array[{}]{{", stand, kTints);
   for (int i = 0; i < kTints; ++i) {
-    // Steps that are no multiples of each other, so that the three do not go together.
-    auto spread = [&](int step) { return 2.0 * ((i * step) % kTints + 0.5) / kTints - 1; };
+    TintShift shift = tint_shift(organism.sown->tint, i);
     text += i > 0 ? ",<" : "<";
-    append_list(text, 4, degrees(tint.hue) * spread(5), 1 + tint.saturation * spread(7),
-                1 + tint.value * spread(1));
+    append_list(text, 4, degrees(shift.hue), shift.saturation, shift.value);
     text += '>';
   }
   return text + "}\n";

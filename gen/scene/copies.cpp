@@ -160,6 +160,12 @@ std::string copy_id(const Organism& organism, int which) {
   return made_id(fmt::format("{} {} {} {}", organism.text, s.number, s.crowd, s.ages));
 }
 
+TintShift tint_shift(const CopyTint& tint, int number) {
+  // Steps that are no multiples of each other, so that the three do not go together.
+  auto spread = [&](int step) { return 2.0 * ((number * step) % kTints + 0.5) / kTints - 1; };
+  return {tint.hue * spread(5), 1 + tint.saturation * spread(7), 1 + tint.value * spread(1)};
+}
+
 Result<Model> grow_copy(const Organism& organism, int which) {
   CopySeed s = copy_seed(organism, which);
   Seed seed = Seed{s.number}.child(organism.text, kShapes).child("crowd", s.crowd).child("ages", s.ages);

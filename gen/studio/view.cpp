@@ -9,6 +9,7 @@
 #include "core/bounds.h"
 #include "core/parallel.h"
 #include "preset/value.h"
+#include "scene/copies.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -186,14 +187,12 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, Greenhouse&
   return {};
 }
 
-/// Three factors for colours, 128 for 1, as the tints of a stand's copies are spread.
-std::array<std::uint8_t, 4> tint_bytes(const CopyTint& tint, int number) {
-  auto spread = [&](int step) { return 2.0 * ((number * step) % kTints + 0.5) / kTints - 1; };
-  double value = 1 + tint.value * spread(1), hue = tint.hue * spread(5);
+/// Three factors for colours, 128 for 1, which are about what a tint does.
+std::array<std::uint8_t, 4> tint_bytes(const TintShift& shift) {
   auto byte = [&](double turn) {
-    return static_cast<std::uint8_t>(std::clamp(128 * value * (1 + turn), 0.0, 255.0));
+    return static_cast<std::uint8_t>(std::clamp(128 * shift.value * (1 + turn), 0.0, 255.0));
   };
-  return {byte(hue), byte(0), byte(-hue), 255};
+  return {byte(shift.hue), byte(0), byte(-shift.hue), 255};
 }
 
 Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& models,
@@ -219,7 +218,8 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& mo
       if (c.model[k] != which) continue;
       places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, c.turn[k].x, c.turn[k].y,
                                    c.turn[k].z, c.turn[k].w, c.scale[k], c.scale[k], c.scale[k]});
-      for (std::uint8_t byte : tint_bytes(stand->organism.sown->tint, c.tint[k])) tints.push_back(byte);
+      for (std::uint8_t byte : tint_bytes(tint_shift(stand->organism.sown->tint, c.tint[k])))
+        tints.push_back(byte);
     }
     part.head["entry"] = stand->entry, part.head["specimen"] = -1, part.head["model"] = which;
     part.add("/instances", places);
