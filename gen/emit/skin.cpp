@@ -11,12 +11,11 @@
 #include "emit/plant.h"
 #include "geometry/relief.h"
 #include "geometry/tubes.h"
+#include "scene/bleaching.h"
 
 namespace frond {
 
 namespace {
-
-constexpr float kStarving = 0.52f;  // of its light: with less a coral's skin pales, as Coral_Starved draws it
 
 /// What is left of its light at both ends of a chunk; it is taken by neighbours that grow as it does.
 std::array<float, 2> light_along(const Specimen& b, const Pose& pose, const Chunk& chunk) {
@@ -54,7 +53,7 @@ void append_skin(std::string& text, const PovSpace& space, const Specimen& b, co
     append_integer(text, static_cast<long long>(index));
   };
   if (std::array<float, 2> light = light_along(b, pose, chunk);
-      std::min(light[0], light[1]) < kStarving && length2 >= 1e-10f) {
+      std::min(light[0], light[1]) < kLivingLight && length2 >= 1e-10f) {
     append_macro("Coral_Starved(");
     append_slope(chunk.young_from, chunk.young_to);
     append_slope(light[0], light[1]);

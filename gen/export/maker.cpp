@@ -10,6 +10,7 @@
 #include "export/look.h"
 #include "export/pattern.h"
 #include "geometry/far.h"
+#include "scene/bleaching.h"
 
 namespace frond {
 
@@ -46,12 +47,7 @@ double solid_triangles(const Cast& cast, const std::vector<CastPart>& parts) {
 }
 
 Vec3 starved(float light, Vec3 color) {
-  float gray = std::min(0.55f, (color.x + color.y + color.z) / 3);
-  Vec3 bleached = color * 0.30f + Vec3(0.92f, 0.88f, 0.80f) * (0.30f + 0.75f * gray);
-  Vec3 dead = Vec3(0.62f, 0.55f, 0.30f) * (0.18f + 0.80f * gray);
-  Vec3 seen = light < 0.36f ? glm::mix(dead, bleached, smooth_step(0.28f, 0.36f, light))
-                            : glm::mix(bleached, color, smooth_step(0.36f, 0.52f, light));
-  return glm::min(seen / glm::max(color, Vec3(1e-4f)), Vec3(1));
+  return glm::min(bleached(color, light) / glm::max(color, Vec3(1e-4f)), Vec3(1));
 }
 
 CastTint tint_of(Vec3 light) {
