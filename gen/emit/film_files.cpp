@@ -216,7 +216,7 @@ Errors write_drawings(const Scene& scene, const fs::path& folder, const Watch& w
 }
 
 Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder) {
-  if (!ambience_of(scene, 0)) return {};
+  if (!ambience_of(scene)) return {};
   if (light_changes(scene)) {
     parts.light = kOwnLight;
     return {};

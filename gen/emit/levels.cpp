@@ -64,7 +64,7 @@ Views::Views(const Scene& scene) : scene_(scene), coarse_(scene.film.quality == 
     for (int frame = first - kBeyond; frame < first + kStretch + kBeyond; frame += 3)
       eyes.push_back(eye_at(scene, film.time(std::clamp(frame, 1, film.frames))));
   }
-  if (std::optional<Ambience> ambience = ambience_of(scene, 0); ambience && ambience->sunlight != Vec3(0))
+  if (std::optional<Ambience> ambience = ambience_of(scene); ambience && ambience->sunlight != Vec3(0))
     sun_ = ambience->sun;
 }
 

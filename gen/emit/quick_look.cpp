@@ -285,6 +285,8 @@ Raster quick_look(const Scene& scene, double time) {
   FloorDepth floor(scene.ground->floor(), lens, width, height);
   Raster picture(width, height, 3);
   Vec3 zenith = linear(light.zenith), horizon = linear(light.horizon), ground = linear(light.ground);
+  Vec3 fog = linear(light.fog), shade = 0.45f * zenith + 0.12f;
+  Vec3 sunny = shade + 0.9f * glm::min(light.sunlight / light.brightest, Vec3(1));
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
     int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
@@ -300,10 +302,8 @@ Raster quick_look(const Scene& scene, double time) {
         albedo = ground;
       if (std::isfinite(depth)) {
         bool shaded = light.sun.y <= 0 || sun.shaded(lens.at + depth * ray);
-        color = albedo *
-                (shaded ? 0.45f * zenith + 0.12f : 0.45f * zenith + 0.12f + 0.9f * linear(light.sunlight));
-        if (light.fade > 0)
-          color = glm::mix(horizon, color, std::exp(-depth / static_cast<float>(light.fade)));
+        color = albedo * (shaded ? shade : sunny);
+        if (light.fade > 0) color = glm::mix(fog, color, std::exp(-depth / static_cast<float>(light.fade)));
       } else {
         color = glm::mix(horizon, zenith, std::clamp(glm::normalize(ray).y * 1.6f, 0.0f, 1.0f));
       }

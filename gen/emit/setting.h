@@ -18,8 +18,6 @@ struct SettingText {
   std::string (*surroundings)(const Scene& scene, double time);
   /// The ground with what lies on it; the same in each frame.
   std::string (*ground)(const PovSpace& space, const Scene& scene);
-  /// What shines on all of it from far away; null where lamps alone do.
-  Ambience (*ambience)(const Scene& scene, double time) = nullptr;
   /// Pictures that its text names at a time, to be put beside the frame; null where there are none.
   Result<std::vector<Picture>> (*pictures)(const Scene& scene, double time) = nullptr;
 };
@@ -34,7 +32,7 @@ bool has_pictures(const Stage& stage);
 /// Whether light comes from all around there, and not from lamps alone.
 bool has_soft_light(const Stage& stage);
 /// What shines on a scene; none where there are lamps.
-std::optional<Ambience> ambience_of(const Scene& scene, double time);
+std::optional<Ambience> ambience_of(const Scene& scene);
 std::string ground_text(const PovSpace& space, const Scene& scene);
 
 }  // namespace frond

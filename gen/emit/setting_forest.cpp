@@ -1,4 +1,3 @@
-#include "core/linear.h"
 #include "emit/setting_parts.h"
 #include "settings/forest.h"
 
@@ -28,15 +27,8 @@ std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-Ambience wood_light(const Scene& scene, double) {
-  const auto& forest = scene.stage.block<Forest>();
-  // Litter lies on moss, too.
-  auto green = static_cast<float>(0.6 * forest.moss);
-  return ambience(forest_sky(scene.stage), glm::mix(linear(forest.litter), linear(forest.green), green));
-}
-
 }  // namespace
 
-SettingText forest_text() { return {{"meadow", "forest"}, wood_text, forest_floor_text, wood_light}; }
+SettingText forest_text() { return {{"meadow", "forest"}, wood_text, forest_floor_text}; }
 
 }  // namespace frond

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include "core/linear.h"
 
 #include "emit/setting_parts.h"
 #include "settings/garden.h"
@@ -19,20 +18,13 @@ std::string sky_and_pond_text(const Scene& scene, double) {
   return text;
 }
 
-Ambience garden_light(const Scene& scene, double) {
-  return ambience(garden_sky(scene.stage), linear(scene.stage.block<Meadow>().grass));
-}
-
 }  // namespace
 
 SettingText garden_text() {
-  return {{"meadow", "garden"},
-          sky_and_pond_text,
-          [](const PovSpace& space, const Scene& scene) {
+  return {{"meadow", "garden"}, sky_and_pond_text, [](const PovSpace& space, const Scene& scene) {
             return lawn_text(space, scene, scene.stage.block<Meadow>().grass,
                              scene.stage.block<Garden>().gravel_color);
-          },
-          garden_light};
+          }};
 }
 
 }  // namespace frond

@@ -1,4 +1,3 @@
-#include "core/linear.h"
 #include "emit/setting_parts.h"
 #include "settings/meadow.h"
 
@@ -24,20 +23,13 @@ std::string mountain_text(const PovSpace& space, const Scene& scene) {
          ")}no_shadow no_reflection no_radiosity}\n";
 }
 
-Ambience summer_light(const Scene& scene, double) {
-  return ambience(meadow_sky(scene.stage), linear(scene.stage.block<Meadow>().grass));
-}
-
 }  // namespace
 
 SettingText meadow_text() {
-  return {{"meadow"},
-          summer_text,
-          [](const PovSpace& space, const Scene& scene) {
+  return {{"meadow"}, summer_text, [](const PovSpace& space, const Scene& scene) {
             return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}) +
                    mountain_text(space, scene);
-          },
-          summer_light};
+          }};
 }
 
 }  // namespace frond

@@ -20,6 +20,12 @@ std::string color_text(const Color& c) {
   return text;
 }
 
+std::string light_text(Vec3 light) {
+  std::string text = "rgb <";
+  append_list(text, 6, light.r, light.g, light.b);
+  return text + '>';
+}
+
 std::string eye_text(const Scene& scene, double time) {
   return direction_text(scene.stage.camera.location.at(time));
 }
@@ -88,18 +94,6 @@ std::string lamp_text(const Sky& sky) {
 std::string country_text(const Sky& sky, const Meadow& meadow) {
   return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) +
          "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," + number_text(meadow.hills) + ")";
-}
-
-Ambience ambience(const Sky& sky, Vec3 ground) {
-  Ambience light;
-  light.sun = sky.lamp;
-  light.sunlight = sky.lamplight;
-  light.zenith = sky.cloudy_zenith;
-  light.horizon = sky.cloudy_horizon;
-  light.ground = 0.48f * ground;  // its textures are darker than the colour, and matt
-  light.below =
-      light.ground * (0.5f * sky.lamplight * sky.lamp.y + 0.4f * (sky.cloudy_zenith + sky.cloudy_horizon));
-  return light;
 }
 
 void append_name(std::string& text, std::string_view name, std::size_t index) {

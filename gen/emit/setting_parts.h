@@ -14,6 +14,8 @@ namespace frond {
 
 std::string direction_text(Vec3 v);
 std::string color_text(const Color& c);
+/// `rgb <r,g,b>` of linear light.
+std::string light_text(Vec3 light);
 
 /// Where the camera stands and what it looks at, in POV-Ray's axes and metres.
 std::string eye_text(const Scene& scene, double time);
@@ -42,9 +44,6 @@ std::string lamp_text(const Sky& sky);
 
 /// That sky with hills and haze under it.
 std::string country_text(const Sky& sky, const Meadow& meadow);
-
-/// What shines under that sky over a ground of that colour.
-Ambience ambience(const Sky& sky, Vec3 ground);
 
 /// A lawn of a colour, with its grass and gravel.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel);

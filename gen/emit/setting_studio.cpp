@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "emit/setting_parts.h"
+#include "settings/settings.h"
 #include "settings/studio.h"
 
 namespace frond {
@@ -14,7 +15,8 @@ std::string room_text(const Scene& scene, double time) {
       stops != 0 ? "#declare Studio_Exposure = " + number_text(std::exp2(stops)) + ";\n" : "";
   return exposed + "Studio_Globals()\nStudio_Setting(" + eye_text(scene, time) + "," +
          look_text(scene, time) + "," + color_text(studio.wall) + "," + number_text(studio.distance) + "," +
-         direction_text(studio.key) + "," + number_text(studio.softness) + ")";
+         direction_text(studio.key) + "," + light_text(drawn_daylight(scene.stage).sunlight) + "," +
+         number_text(studio.softness) + ")";
 }
 
 }  // namespace

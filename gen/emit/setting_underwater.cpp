@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "emit/setting_parts.h"
 #include "images/caustics.h"
+#include "settings/settings.h"
 #include "settings/underwater.h"
 
 namespace frond {
@@ -34,25 +35,16 @@ Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
   return std::vector<Picture>{{caustics_name(scene, time), std::move(*bytes)}};
 }
 
-/// What so much clear ocean water leaves of the light, as a share (Kd of Jerlov's type IB at 620, 540 and 460
-/// nm).
-Vec3 filter_of(const Water& water) {
-  return glm::exp(-static_cast<float>(water.depth) * Vec3(0.30f, 0.072f, 0.041f));
-}
-
 /// Its macros take metres, in POV-Ray's axes.
 std::string water_text(const Scene& scene, double time) {
   const auto& water = scene.stage.block<Water>();
   std::string eye = eye_text(scene, time), look = look_text(scene, time);
   std::string near = color_text(water.near), sun = direction_text(water.sun);
-  std::string text;
-  if (water.depth > 0) {
-    Vec3 left = filter_of(water);
-    text = fmt::format("#declare Water_Filter = rgb <{:.4f},{:.4f},{:.4f}>;\n", left.x, left.y, left.z);
-  }
-  text += "Water_Globals()\nWater_Setting(" + eye + "," + near + "," + color_text(water.deep) + "," +
-          number_text(water.visibility) + "," + sun + "," + number_text(water.caustics) + ",\"" +
-          caustics_name(scene, time) + "\")\n";
+  Daylight light = drawn_daylight(scene.stage);
+  std::string text = "Water_Globals()\nWater_Setting(" + eye + "," + near + "," +
+                     light_text(linear(light.fog)) + "," + number_text(light.fade) + "," + sun + "," +
+                     light_text(light.sunlight) + "," + number_text(water.caustics) + ",\"" +
+                     caustics_name(scene, time) + "\")\n";
   if (water.shafts > 0)
     text +=
         "Water_Shafts(" + eye + "," + look + "," + near + "," + sun + "," + number_text(water.shafts) + ")\n";
@@ -89,26 +81,8 @@ std::string sea_floor_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-/// The water scatters: from above most, from all sides, a little from below. The lamp of frond_water.inc is
-/// the sun.
-Ambience water_light(const Scene& scene, double) {
-  const auto& water = scene.stage.block<Water>();
-  Vec3 near = linear(water.near), tint = near / std::max({near.x, near.y, near.z});
-  Ambience light;
-  light.sun = glm::normalize(water.sun);
-  Vec3 left = filter_of(water);
-  light.sunlight = Vec3(1.00f, 0.98f, 0.88f) * 2.25f * left;
-  light.zenith = 0.8f * (0.4f * tint + 0.6f) * left;
-  light.horizon = 0.26f * (0.6f * tint + 0.4f);
-  light.below = 0.1f * tint;
-  light.ground = {0.36f, 0.32f, 0.26f};
-  return light;
-}
-
 }  // namespace
 
-SettingText underwater_text() {
-  return {{"water", "sand"}, water_text, sea_floor_text, water_light, caustics};
-}
+SettingText underwater_text() { return {{"water", "sand"}, water_text, sea_floor_text, caustics}; }
 
 }  // namespace frond

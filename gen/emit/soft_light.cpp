@@ -137,7 +137,7 @@ bool light_changes(const Scene& scene) {
 
 Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Crumbs& crumbs,
                                     double time) {
-  std::optional<Ambience> ambience = ambience_of(scene, time);
+  std::optional<Ambience> ambience = ambience_of(scene);
   if (!ambience) return std::string();
   bool changes = light_changes(scene);
   std::vector<Specimen> others;  // that are another shape now

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear.h"
 #include "settings/describe_plot.h"
 #include "settings/plot_bounds.h"
 #include "settings/settings.h"
@@ -123,7 +124,12 @@ SettingRow forest_setting() {
         return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed);
       },
       [](const Stage& stage) {
-        return daylight(forest_sky(stage), stage.block<Forest>().litter, stage.block<Meadow>().haze);
+        const auto& forest = stage.block<Forest>();
+        // Litter lies on moss, too.
+        auto green = static_cast<float>(0.6 * forest.moss);
+        return daylight(forest_sky(stage), forest.litter,
+                        glm::mix(linear(forest.litter), linear(forest.green), green),
+                        stage.block<Meadow>().haze);
       });
 }
 

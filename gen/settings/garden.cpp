@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/linear.h"
 #include "settings/describe_plot.h"
 #include "settings/lawn.h"
 #include "settings/plot_bounds.h"
@@ -70,7 +71,7 @@ SettingRow garden_setting() {
       },
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();
-        return daylight(garden_sky(stage), meadow.grass, meadow.haze);
+        return daylight(garden_sky(stage), meadow.grass, linear(meadow.grass), meadow.haze);
       });
 }
 

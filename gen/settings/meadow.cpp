@@ -85,7 +85,7 @@ SettingRow meadow_setting() {
       },
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();
-        return daylight(meadow_sky(stage), meadow.grass, meadow.haze);
+        return daylight(meadow_sky(stage), meadow.grass, linear(meadow.grass), meadow.haze);
       });
 }
 

@@ -51,12 +51,18 @@ struct GroundForesight {
   double pixels = 0;  ///< of the pictures that each frame has of its own
 };
 
-/// The light and the colours of a setting, for a quick look at it that no renderer is asked for. Colours as
-/// in presets: sRGB.
+/// The light of a setting and what its air does to colours: the one table that POV-Ray's text, the soft
+/// light, the quick look and the studio's page take them from. Light is linear, as a white matt surface shows
+/// it; colours are sRGB, as in presets.
 struct Daylight {
-  Vec3 sun{0, 1, 0};  ///< toward the main light, of length 1
-  Color sunlight, zenith, horizon, ground;
-  double fade = 0;  ///< metres in which two thirds of a colour are lost to that of the horizon; 0: none
+  Vec3 sun{0, 1, 0};                  ///< toward the main light, of length 1
+  Vec3 sunlight{1};                   ///< what it gives to what faces it
+  float brightest = 1;                ///< what it gives there at its brightest, by which a camera is set
+  bool soft = false;                  ///< whether light comes from all around, too, and not from lamps alone
+  Vec3 above{0}, aside{0}, below{0};  ///< that light: of the sky, and of what is lower than all that stands
+  Vec3 thrown_back{0.2f};             ///< share of light that the land throws back
+  Color zenith = {}, horizon = {}, fog = {}, ground = {};  ///< as they are seen
+  double fade = 0;  ///< metres in which two thirds of a colour are lost to that of the fog; 0: none
 };
 
 /// Bodies of one shape that lie about, for a quick look.
@@ -124,8 +130,12 @@ class Grounds {
   Heights heights_;
 };
 
-/// The light of day under a sky, over a ground of that colour.
-Daylight daylight(const Sky& sky, const Color& ground, double haze);
+/// The light of day under a sky, over a ground that is seen in that colour; `matt`: its linear colour as far
+/// as it throws light back.
+Daylight daylight(const Sky& sky, const Color& ground, Vec3 matt, double haze);
+
+/// A linear colour as sRGB, as far as that goes.
+Color seen_color(Vec3 light);
 
 /// Up from the ground, of length 1.
 Vec3 ground_normal(const Heights& heights, Vec2 at);

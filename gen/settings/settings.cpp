@@ -23,15 +23,24 @@ Stage::Stage() {
   for (const SettingRow& row : settings()) blocks.push_back(row.initial);
 }
 
-Daylight daylight(const Sky& sky, const Color& ground, double haze) {
-  auto color = [](Vec3 light) {
-    auto part = [](float x) {
-      return static_cast<float>(encoded(std::clamp(static_cast<double>(x), 0.0, 1.0)));
-    };
-    return Color{part(light.r), part(light.g), part(light.b)};
+Color seen_color(Vec3 light) {
+  auto part = [](float x) {
+    return static_cast<float>(encoded(std::clamp(static_cast<double>(x), 0.0, 1.0)));
   };
-  constexpr float kFull = 3;  // the lamp of a clear noon
-  return {sky.lamp, color(sky.lamplight / kFull), color(sky.zenith), color(sky.horizon), ground, haze};
+  return {part(light.r), part(light.g), part(light.b)};
+}
+
+Daylight daylight(const Sky& sky, const Color& ground, Vec3 matt, double haze) {
+  Daylight light{.sun = sky.lamp, .sunlight = sky.lamplight, .brightest = 3, .soft = true};
+  light.above = sky.cloudy_zenith;
+  light.aside = sky.cloudy_horizon;
+  light.thrown_back = 0.48f * matt;  // its textures are darker than the colour
+  light.below = light.thrown_back * (0.5f * sky.lamplight * sky.lamp.y + 0.4f * (light.above + light.aside));
+  light.zenith = seen_color(sky.zenith);
+  light.horizon = light.fog = seen_color(sky.horizon);
+  light.ground = ground;
+  light.fade = haze;
+  return light;
 }
 
 Vec3 ground_normal(const Heights& heights, Vec2 at) {
@@ -62,9 +71,11 @@ Land Grounds::sloping_land(double size, std::vector<Spot> taken) const {
   return land;
 }
 
+Daylight drawn_daylight(const Stage& stage) { return settings()[stage.setting].answers.daylight(stage); }
+
 Daylight daylight_of(Stage stage) {
   stage.camera.highlights = 0;
-  return settings()[stage.setting].answers.daylight(stage);
+  return drawn_daylight(stage);
 }
 
 }  // namespace frond

@@ -19,7 +19,8 @@ std::span<const SettingRow> settings();
 /// Which row a name is; as many as there are rows where it is none.
 std::size_t row_of(std::string_view name);
 
-/// What lights a stage, as its finished picture shows it.
+/// What lights a stage as POV-Ray draws it, and as its finished picture shows it.
+Daylight drawn_daylight(const Stage& stage);
 Daylight daylight_of(Stage stage);
 
 }  // namespace frond

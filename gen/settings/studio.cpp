@@ -88,7 +88,10 @@ SettingRow studio_setting() {
       },
       [](const Stage& stage) {
         const auto& studio = stage.block<Studio>();
-        return Daylight{glm::normalize(studio.key), {1, 1, 1}, studio.wall, studio.wall, studio.wall, 0};
+        Daylight light{.sun = glm::normalize(studio.key), .sunlight = 1.28f * Vec3(1.00f, 0.96f, 0.90f)};
+        light.brightest = light.sunlight.r;
+        light.zenith = light.horizon = light.fog = light.ground = studio.wall;
+        return light;
       });
 }
 

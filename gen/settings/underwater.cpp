@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -32,6 +33,26 @@ constexpr Color kSand{0.78f, 0.72f, 0.58f}, kStone{0.47f, 0.45f, 0.40f};
 constexpr double kFloorRadius = 32;  // metres, at least: as far as the water lets one see
 constexpr double kFloorBeyond = 4;   // metres from what stands farthest out to the edge, at least
 constexpr double kSownSize = 44;     // metres, a square within that
+
+/// The water scatters: from above most, from all sides, a little from below.
+Daylight water_light(const Water& water) {
+  // What so much clear ocean water leaves of the light, as a share (Kd of Jerlov's type IB at 620, 540 and
+  // 460 nm).
+  Vec3 left = glm::exp(-static_cast<float>(water.depth) * Vec3(0.30f, 0.072f, 0.041f));
+  Vec3 near = linear(water.near), tint = near / std::max({near.x, near.y, near.z});
+  constexpr Vec3 kSurface = 2.25f * Vec3(1.00f, 0.98f, 0.88f);
+  Daylight light{.sun = glm::normalize(water.sun), .sunlight = kSurface * left, .soft = true};
+  light.brightest = kSurface.r;
+  light.above = 0.8f * (0.4f * tint + 0.6f) * left;
+  light.aside = 0.26f * (0.6f * tint + 0.4f);
+  light.below = 0.1f * tint;
+  light.thrown_back = {0.36f, 0.32f, 0.26f};
+  light.zenith = light.horizon = water.near;
+  light.fog = seen_color(0.65f * near + 0.35f * linear(water.deep));
+  light.ground = kSand;
+  light.fade = water.visibility;
+  return light;
+}
 
 /// How finely stones are meshed: facets show sooner in careful pictures.
 int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
@@ -114,11 +135,7 @@ SettingRow underwater_setting() {
       [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<SeaFloor>(stage.floor, film.quality, reach, seed);
       },
-      [](const Stage& stage) {
-        const auto& water = stage.block<Water>();
-        return Daylight{glm::normalize(water.sun), {0.86f, 0.97f, 1}, water.near, water.near, kSand,
-                        water.visibility};
-      });
+      [](const Stage& stage) { return water_light(stage.block<Water>()); });
 }
 
 }  // namespace frond

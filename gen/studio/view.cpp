@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 #include "core/bounds.h"
+#include "core/linear.h"
 #include "core/parallel.h"
 #include "preset/value.h"
 #include "scene/copies.h"
@@ -16,19 +17,11 @@ namespace frond {
 
 namespace {
 
-/// A colour as light, linear.
-Json linear(const Color& c) {
-  auto part = [](float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); };
-  return Json::array({part(c.red), part(c.green), part(c.blue)});
-}
-
 Json light_json(const Daylight& light) {
-  return {{"sun", json_of(light.sun)},
-          {"sun_color", linear(light.sunlight)},
-          {"sky", linear(light.zenith)},
-          {"horizon", linear(light.horizon)},
-          {"ground", linear(light.ground)},
-          {"fog", {{"color", linear(light.horizon)}, {"distance", light.fade}}}};
+  auto seen = [](const Color& c) { return json_of(linear(c)); };
+  return {{"sun", json_of(light.sun)},    {"sunlight", json_of(light.sunlight)},
+          {"sky", seen(light.zenith)},    {"horizon", seen(light.horizon)},
+          {"ground", seen(light.ground)}, {"fog", {{"color", seen(light.fog)}, {"distance", light.fade}}}};
 }
 
 Json film_json(const Film& film) {

@@ -9,7 +9,7 @@
 #include "frond_coral.inc"
 #include "frond_food.inc"
 Water_Globals()
-Water_Setting(<0.1,0.6,-2.2>,srgb<0.06,0.46,0.62>,srgb<0.02,0.22,0.38>,11,<0.35,1,-0.35>,1,"frame_0004.caustics")
+Water_Setting(<0.1,0.6,-2.2>,srgb<0.06,0.46,0.62>,rgb <0.003724,0.130153,0.264303>,11,<0.35,1,-0.35>,rgb <2.25,2.205,1.98>,1,"frame_0004.caustics")
 Water_Particles(<0.1,0.6,-2.2>,<0,0.3,0>,4)
 Water_Surface(<0.1,0.6,-2.2>,srgb<0.06,0.46,0.62>)
 camera{location<1,6,-22> right x*image_width/image_height angle 45 look_at<0,3,0>}

@@ -7,7 +7,7 @@
 #include "frond_studio.inc"
 #include "frond_vessel.inc"
 Studio_Globals()
-Studio_Setting(<0,0.5,-1.5>,<0,0.1,0>,srgb<0.87,0.86,0.83>,1.5,<-0.6,0.9,-0.8>,1)
+Studio_Setting(<0,0.5,-1.5>,<0,0.1,0>,srgb<0.87,0.86,0.83>,1.5,<-0.6,0.9,-0.8>,rgb <1.28,1.2288,1.152>,1)
 camera{location<0,5,-15> right x*image_width/image_height angle 45 look_at<0,1,0>}
 // The skins, old and young.
 #declare Skin = array[1];

@@ -63,10 +63,10 @@ export interface CopiesPart extends PartBase {
 
 export type Part = TubesPart | MeshPart | CopiesPart;
 
-/** Colours of light are linear. `sun` points towards it. */
+/** Colours of light are linear. `sun` points towards it; `sunlight` is what it gives to what faces it. */
 export interface Light {
   sun: Vec3;
-  sun_color: Vec3;
+  sunlight: Vec3;
   sky: Vec3;
   horizon: Vec3;
   ground: Vec3;
