@@ -9,6 +9,8 @@ const WIDTH = 360;
 const FRAME = 0.94;
 /** Seconds that one may take to grow. */
 const PATIENCE = 20;
+/** How often is looked whether they are still wanted, ms. */
+const LOOK = 200;
 const NOTHING = (): void => {};
 
 type Shown = Pick<api.SceneRequest, "time" | "solo" | "hide">;
@@ -30,9 +32,15 @@ export async function drawPictures(docs: api.Doc[], aspect: number, shown: Shown
   view.lookThrough(true);
   const there = sleep(600); // it flies there
   const session = crypto.randomUUID();
+  let asked = 0;
+  const leaving = setInterval(() => {
+    if (!over()) return;
+    clearInterval(leaving);
+    void api.leaveScene(session, asked).catch(NOTHING); // nobody waits for what is growing
+  }, LOOK);
   try {
     for (let i = 0; i < docs.length && !over(); i++) {
-      const answer = await api.scene(session, i + 1, { doc: docs[i]!, ...shown, have: view.have(), ask: PATIENCE });
+      const answer = await api.scene(session, (asked = i + 1), { doc: docs[i]!, ...shown, have: view.have(), ask: PATIENCE });
       if (over()) break;
       if (answer.is !== "picture") {
         take(i, answer.is === "long" ? "too large" : "cannot be grown");
@@ -51,6 +59,7 @@ export async function drawPictures(docs: api.Doc[], aspect: number, shown: Shown
   } catch (error) {
     docs.forEach((_, i) => take(i, (error as Error).message));
   } finally {
+    clearInterval(leaving);
     view.dispose();
     host.remove();
   }
