@@ -172,7 +172,7 @@ namespace {
 constexpr int kNeighbours = 6;
 constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a field of light
 
-constexpr double kGrownASecond = 2e5;  // nodes of a tree of twenty cycles; each is a look at all of it
+constexpr double kGrownASecond = 2.3e5;  // nodes of a tree of twenty cycles; each is a look at all of it
 
 /// As large as a tree must be for its later growth to be told from it.
 constexpr double kToldBy = 60'000;
