@@ -59,18 +59,21 @@ if [[ ! -f build/build.ninja ]] || { [[ -n $tests ]] && ! grep -qx 'FROND_TESTS:
   cmake ${fresh[@]+"${fresh[@]}"} --preset release "-DFROND_TESTS=$([[ -n $tests ]] && echo ON || echo OFF)" >>"$log" 2>&1 || give_up "configure the build"
 fi
 
+# Ninja's own lines are marked, so that they are told from what compilers say.
 quarter=-1
-step() {
-  printf '[%s/%s] %s\n' "$1" "$2" "$4" >>"$log"
-  if (($1 == 0)); then return; fi  # only a look at which files there are
-  if on_terminal; then
-    draw_bar "$1" "$2" "building, $1 of $2"
-  elif ((4 * $1 / $2 != quarter)); then
-    quarter=$((4 * $1 / $2))
-    say "Building: $1 of $2"
-  fi
-}
-tell() { printf '%s\n' "$1" >>"$log"; }
-
-start_ninja -C build -j "$(nproc)" -- "${targets[@]}"
-follow_ninja step tell || give_up "build"
+export NINJA_STATUS=$'\001%f %t '
+(tied ninja -C build -j "$(nproc)" -- "${targets[@]}") 2>&1 | {
+  while IFS= read -r line; do
+    printf '%s\n' "${line#$'\001'}" >>"$log"
+    if [[ $line != $'\001'* ]]; then continue; fi
+    read -r step all _ <<<"${line#?}"
+    if ((step == 0)); then continue; fi  # only a look at which files there are
+    if on_terminal; then
+      draw_bar "$step" "$all" "building, $step of $all"
+    elif ((4 * step / all != quarter)); then
+      quarter=$((4 * step / all))
+      say "Building: $step of $all"
+    fi
+  done
+  end_bar
+} || give_up "build"

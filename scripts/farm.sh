@@ -101,16 +101,8 @@ jobs_of() {
 }
 
 show_status() {
-  local all=0 rendered=0 name failed
-  while IFS= read -r name; do
-    all=$((all + 1))
-    if [[ -e $farm/latest/$name.png ]]; then rendered=$((rendered + 1)); fi
-  done < <(sed -n 's/.*"file": "\(.*\)\.pov".*/\1/p' "$farm/latest/manifest.json")
-  if [[ -f $farm/latest/bands && $rendered == 0 ]]; then
-    all=$(<"$farm/latest/bands")
-    rendered=$(find "$farm/latest/frames" -name "band_*_of_$all.png" | wc -l)
-  fi
-  printf '%s of %s pictures are rendered\n' "$rendered" "$all"
+  local failed
+  "$farm/latest/tool/scripts/farm_task.sh" "$farm/latest" 1 status
   if command -v squeue >/dev/null; then
     jobs_of all | awk '$2 ~ /RUNNING|PENDING|COMPLETING/ { print $1 " tasks are " tolower($2) }'
   fi
@@ -168,7 +160,7 @@ preset=$(realpath -s -- "$preset")
 "$frond" files "$preset" "${pass[@]}" ${assets:+"--assets=$assets"} >"$new/list" || exit $?
 if [[ -n $assets ]]; then assets=$(realpath -s -- "$assets"); fi
 mkdir -p -- "$new/tool/scripts" "$new"/{frames,models,log,failed} "$new/files$here" "$new/files$assets"
-if ! said=$({ cp -- "$root"/scripts/*.{sh,pl,ini} "$new/tool/scripts" && cp -r -- "$root/povinc" "$root/templates" "$new/tool" &&
+if ! said=$({ cp -- "$root"/scripts/*.{sh,ini} "$new/tool/scripts" && cp -r -- "$root/povinc" "$root/templates" "$new/tool" &&
   cp -- "$frond" "$new/tool/frond" && xargs -0 realpath -sz -- <"$new/list" | xargs -0 cp --parents -t "$new/files" --; } 2>&1); then
   fail 1 "$farm could not be written: $said"
 fi
@@ -189,46 +181,13 @@ for name in FROND_POVRAY FROND_FFMPEG FROND_UNCONFINED; do
 done >"$folder/environment"
 
 # What is to be done. Pictures that are damaged go here, and so are made again.
-task=$folder/tool/scripts/farm_task.sh
-"$task" "$folder" 1 plan ${frames:+"--frames=$frames"} || exit $?
-read -r first last <<<"$(sed -n 's/.*"number": \([0-9]*\),.*/\1/p' "$folder/manifest.json" | sed -n '1p;$p' | paste -sd ' ')"
-last=${last:-$first}
-height=$(sed -n 's/^size = .*x//p' "$folder/build.ninja")
-most=100000
+task=$folder/tool/scripts/farm_task.sh most=100000
 if [[ -z $hosts$openjd$opencue ]]; then
   largest=$(scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p')
   most=$((${largest:-1001} - 1))
 fi
-blocks=$(((height + 31) / 32))  # bands are of whole blocks of POV-Ray
-if ((bands > most)); then bands=$most; fi
-if ((bands > blocks)); then bands=$blocks; fi
-if ((bands > 1)) && grep -q '^rule still$' "$folder/build.ninja"; then
-  printf '%s\n' "$bands" >"$folder/bands"
-  count=$bands chunk=1 work=(bands "$bands")
-else
-  if (((last - first) / chunk >= most)); then
-    chunk=$(((last - first) / most + 1))
-    say "This cluster takes $most tasks at most: each renders $chunk frames"
-  fi
-  count=$(((last - first) / chunk + 1)) work=(frames "$first" "$last" "$chunk")
-fi
-
-# Which tasks have something to do.
-is_done() {
-  local number from to
-  if [[ ${work[0]} == bands ]]; then [[ -e $folder/frames/frame_0001.png || -e $folder/frames/band_$1_of_$bands.png ]]; return; fi
-  from=$((first + ($1 - 1) * chunk)) to=$((from + chunk - 1 < last ? from + chunk - 1 : last))
-  for ((number = from; number <= to; ++number)); do
-    [[ -e $folder/frames/$(printf 'frame_%04d.png' "$number") ]] || return
-  done
-}
-tasks='' list=()
-for ((number = 1; number <= count; ++number)); do
-  if is_done "$number"; then continue; fi
-  list+=("$number")
-  if [[ $tasks =~ ^(.*[,-])?$((number - 1))$ && -n $tasks ]]; then tasks=${tasks%-$((number - 1))}-$number; else tasks+=${tasks:+,}$number; fi
-done
-what="${#list[@]} of $count $([[ ${work[0]} == bands ]] && echo bands || echo "chunks of $chunk frames")"
+plan=$("$task" "$folder" 1 plan "$chunk" "$bands" "$most" ${frames:+"--frames=$frames"}) || exit $?
+{ read -r -a work && read -r tasks && read -r -a list && read -r what; } <<<"$plan"
 
 if [[ -n $openjd$opencue ]]; then
   write() {  # FORMAT FILE

@@ -257,11 +257,12 @@ TEXT
     } >"$place.json"
     "$frond" generate "$place.json" -o "$place" --size 200x200 --quality draft -q >&2
     (cd -- "$place" && ninja frames/frame_0001.png >&2)
-    (cd -- "$place" && label label "$name" 1000 &&
-      ffmpeg -y -loglevel error -i frames/frame_0001.png -vf "format=rgb24,$(labelled label)" "../$name.png" </dev/null)
+    # Names are of letters, digits and underscores, which need no quotes in a filter.
+    ffmpeg -y -loglevel error -i "$place/frames/frame_0001.png" -vf "format=rgb24,pad=iw:ih+28:0:0:0x202020,drawtext=text=$name:\
+fontcolor=white:fontsize='clip(w/14,8,16)':x='max(0,(w-tw)/2)':y=h-20" "$place.png" </dev/null
     printf '%s\n' "$place.png" >>"$list"
   done
-  "$root/scripts/contact_sheet.sh" "$list" "$work/grammars.png" 8 200
+  "$frond" film "$list" "$work/grammars.png" --columns 8 --width 200
   ffmpeg -y -loglevel error -i "$work/grammars.png" -bitexact -q:v 3 "$work/grammars.jpg" </dev/null
   put_in_place "$work/grammars.jpg" "$root/docs/gallery/grammars.jpg"
   printf 'docs/gallery/grammars.jpg\n'

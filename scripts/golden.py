@@ -47,7 +47,8 @@ def generate(frond, preset, out):
     files = {path.name: abridged(path.read_text(encoding="utf-8")) for path in (out / "frames").glob("*.pov")}
     files["manifest.json"] = (out / "manifest.json").read_text(encoding="utf-8")
     ninja = (out / "build.ninja").read_text(encoding="utf-8")
-    files["build.ninja"] = ninja.replace(os.path.relpath(ROOT, out.resolve()), "ROOT")
+    program = os.path.relpath(pathlib.Path(frond).resolve(), out.resolve())
+    files["build.ninja"] = ninja.replace(program, "PROGRAM").replace(os.path.relpath(ROOT, out.resolve()), "ROOT")
     return files
 
 

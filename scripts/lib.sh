@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the scripts share: messages, files put in their place and the progress of a run of ninja. Sourced, never run.
+# What the scripts share: messages, and files put in their place. Sourced, never run.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 export root
@@ -112,91 +112,4 @@ whole_png() {
   end=$(tail -c 12 -- "$1" 2>/dev/null | od -An -v -tx1 | tr -d ' \n')
   if [[ -n ${2:-} ]]; then printf -v size '%08x%08x' "${2%x*}" "${2#*x}"; fi
   [[ $begin =~ ^89504e470d0a1a0a0000000d49484452$size$ && $end == 0000000049454e44ae426082 ]]
-}
-
-# label NAME TEXT WIDTH: notes in the files NAME1, NAME2 ... the lines of what is to stand below a picture, and in
-# $label_lines the most that one of them has. A character is at most 0.64 of its size wide; three blanks part a text.
-label_lines=1
-label() {
-  local text=${2//[[:cntrl:]]/ } most line count=0
-  most=$(($3 > 224 ? $3 * 100 / 1024 : $3 > 112 ? 21 : $3 > 16 ? $3 * 100 / 512 : 3))
-  if ((${#text} > most)); then text=${text//   /$'\n'}; fi
-  while IFS= read -r line; do
-    count=$((count + 1))
-    printf '%s' "$line" >"$1$count"
-  done < <(fold -s -w "$most" <<<"$text")
-  if ((count > label_lines)); then label_lines=$count; fi
-}
-# labelled NAME: the filter of ffmpeg that puts them there. So no text is ever part of a filter.
-labelled() {
-  local line
-  printf 'pad=iw:ih+%d:0:0:0x202020' $((10 + 18 * label_lines))
-  for ((line = 1; line <= label_lines; ++line)); do
-    if [[ ! -e $1$line ]]; then return; fi
-    printf ",drawtext=textfile=%s%d:expansion=none:fontcolor=white:fontsize='clip(w/14,8,16)'" "$1" "$line"
-    printf ":x='max(0,(w-tw)/2)':y=h-%d" $((2 + 18 * (label_lines - line + 1)))
-  done
-}
-
-# frames_in FILM: how many pictures a film holds, by what is there of them and not by its header.
-frames_in() {
-  "${FROND_FFMPEG:-ffmpeg}" -hide_banner -nostdin -loglevel quiet -nostats -i "file:$1" -map 0:v -c copy -progress pipe:1 \
-    -f null - 2>/dev/null | sed -n 's/^frame= *//p' | tail -n 1
-}
-
-# Marks the progress lines of ninja, so that they are told from what failing commands print.
-ninja_status=$'\001%f %t %e '
-
-# start_ninja ARGUMENTS...: ninja as a child that ends when this script does, however it ends, its output on $ninja_out.
-start_ninja() {
-  export NINJA_STATUS=$ninja_status
-  exec {ninja_out}< <(tied ninja "$@" 2>&1)
-  ninja_pid=$!
-}
-
-# follow_ninja STEP TELL [IDLE]: calls `STEP finished all seconds description` for each command that ended well,
-# `TELL line` for each line that a failing command prints, and IDLE after each second without a line. Returns ninja's
-# exit code; $failed then holds the files that could not be made.
-follow_ninja() {
-  local line step=$1 tell=$2 idle=${3:-:} skip='' pending='' finished all elapsed what begun='' status
-  failed=''
-  told() {  # a command is counted when the next line shows that it did not fail
-    [[ -n $pending ]] || return 0
-    IFS=' ' read -r finished all elapsed what <<<"$pending"
-    pending=''
-    "$step" "$finished" "$all" "${elapsed%%.*}" "$what"
-  }
-  while true; do
-    status=0
-    IFS= read -t 1 -r line <&"$ninja_out" || status=$?
-    line=$begun$line
-    begun=''
-    if ((status > 128)); then  # not a whole line yet
-      begun=$line
-      "$idle"
-      continue
-    fi
-    if ((status > 0)); then break; fi
-    if [[ -n $skip ]]; then  # the command that failed
-      skip=''
-      continue
-    fi
-    case $line in
-      $'\001'*)
-        told
-        pending=${line#?}
-        ;;
-      'FAILED: '*)
-        pending=''
-        failed+=" ${line#FAILED: }"
-        skip=yes
-        ;;
-      'ninja: no work to do.' | 'ninja: build stopped'* | 'ninja: Entering directory'*) ;;
-      *) "$tell" "$line" ;;
-    esac
-  done
-  told
-  end_bar
-  exec {ninja_out}<&-
-  wait "$ninja_pid"
 }

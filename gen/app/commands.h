@@ -10,7 +10,14 @@
 namespace frond {
 
 /// Exit codes of the program.
-enum ExitCode { kDone = 0, kCouldNot = 1, kWrongInput = 2 };
+enum ExitCode {
+  kDone = 0,
+  kCouldNot = 1,
+  kWrongInput = 2,
+  kNoLandlock = 3,
+  kInterrupted = 130,
+  kStopped = 143
+};
 
 /// What the command line says about a preset.
 struct PresetArguments {
@@ -85,6 +92,50 @@ struct FarmArguments {
   std::optional<std::string> site;  ///< JSON file
 };
 
+struct ConfineArguments {
+  std::vector<std::string> read;   ///< files and folders
+  std::vector<std::string> write;  ///< folders
+  std::vector<std::string> words;  ///< the program and its arguments
+};
+
+struct FrameArguments {
+  std::string scene;               ///< a .pov
+  std::string picture;             ///< a .png
+  std::string size;                ///< WIDTHxHEIGHT
+  std::vector<std::string> flags;  ///< of POV-Ray
+};
+
+struct FilmArguments {
+  std::string list;              ///< a file that names the pictures, one a line
+  std::string file;              ///< to write: a film; a sheet where there are columns; a still
+  std::string fps = "24";        ///< frames a second
+  std::string title, comment;    ///< for a film's metadata
+  int columns = 0, width = 240;  ///< of a sheet, and of its pictures at most
+};
+
+struct RenderArguments {
+  PresetArguments preset;
+  std::string out;                    ///< folder; empty: out/<preset name>
+  std::optional<std::string> frames;  ///< A-B
+  std::string format = "mp4";         ///< of the film: mp4, webm or gif
+  int jobs = 0;                       ///< processors that render; 0: all
+  int threads = 0;                    ///< that generate; 0: all
+  int every = 1;                      ///< each K-th frame first, then those between
+  int why = 0;                        ///< renders nothing and says why this frame is out of date
+  std::optional<std::string> plot;    ///< SVG file to write
+  std::vector<std::string> compare;   ///< A, B and perhaps a file: compares them instead
+  std::vector<std::string> sweeps;    ///< POINTER=FROM:TO:COUNT: makes a sheet instead
+  std::optional<std::string> seeds;   ///< how many: a sheet over them
+};
+
+struct TaskArguments {
+  std::string folder;                 ///< of the farm's job
+  int cpus = 1;                       ///< processors to use; 0: all
+  std::string work;                   ///< frames, bands, film, plan or status
+  std::vector<std::string> words;     ///< what it is told besides
+  std::optional<std::string> frames;  ///< of plan: A-B
+};
+
 struct NewArguments {
   std::string name;               ///< of the file to write, with or without its .json
   std::string from;               ///< a kind, the file of a preset, or the name of one that is shipped
@@ -120,5 +171,13 @@ int print_schema();
 int describe_properties(const std::vector<std::string>& words, bool json);
 int new_preset(const NewArguments& arguments);
 int studio(const StudioArguments& arguments);
+int frame(const FrameArguments& arguments);
+int film(const FilmArguments& arguments);
+int render(const RenderArguments& arguments);
+int sheet(const RenderArguments& arguments);
+int farm_task(const TaskArguments& arguments);
+int compare(const std::vector<std::string>& paths);
+/// Returns only where the program could not be started.
+int run_confined(const ConfineArguments& arguments);
 
 }  // namespace frond

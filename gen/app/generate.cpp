@@ -21,6 +21,7 @@
 #include "emit/foretell.h"
 #include "emit/frame.h"
 #include "jobs/jobs.h"
+#include "render/process.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -92,7 +93,7 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
   jobs.seed = preset.seed;
   std::error_code error;
   jobs.povinc = fs::relative(root / "povinc", out, error).string();
-  jobs.scripts = fs::relative(root / "scripts", out, error).string();
+  jobs.program = fs::relative(own_program(), out, error).string();
   for (const fs::path& file : files_in(root / "povinc"))
     if (file.extension() == ".inc") jobs.includes.push_back(file.filename());
   if (error || jobs.includes.empty())

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/messages.h"
+#include "app/rendering.h"
 #include "app/streams.h"
 #include "app/words.h"
 #include "core/figures.h"
@@ -19,21 +20,6 @@
 using namespace frond;
 
 namespace {
-
-void add_assets(CLI::App* command, std::optional<std::string>& assets) {
-  command->add_option("--assets", assets,
-                      "DIR: reads no file but below the preset's own folder and this one");
-}
-
-void add_preset(CLI::App* command, PresetArguments& preset) {
-  command->add_option("preset", preset.path, "The preset, a JSON file")->required();
-  command->add_option("--set", preset.sets, "POINTER=VALUE: overrides one value, as in /film/fps=12")
-      ->allow_extra_args(false);
-  command->add_option("--size", preset.size, "WxH: size of the pictures, in pixels");
-  command->add_option("--scale", preset.scale, "N: multiplies the size, by 1 to 16");
-  command->add_option("--quality", preset.quality, "draft, good or best");
-  add_assets(command, preset.assets);
-}
 
 /// Returns the option of the steps, which may take a further check.
 CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar) {
@@ -298,9 +284,9 @@ int run(int count, char** words) {
       "one "
       "above the program's own.");
   int result = kDone;
-  for (auto add :
-       {add_new, add_describe, add_look, add_generate, add_export, add_textures, add_develop, add_check,
-        add_info, add_files, add_farm, add_derive, add_turtle, add_catalogue, add_studio})
+  for (auto add : {add_new,      add_describe, add_look,  add_render, add_sheet,  add_generate,  add_export,
+                   add_textures, add_develop,  add_check, add_info,   add_files,  add_confine,   add_frame,
+                   add_film,     add_task,     add_farm,  add_derive, add_turtle, add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -16,6 +16,10 @@ void tell(std::string_view line);
 /// Prints notes to stderr, one a line.
 void tell_notes(const Errors& notes);
 
+/// Prints what a run could not do to stderr: the last is marked by "error: ", those before it say why. Each
+/// may have several lines, as of another program. Returns the given exit code.
+int fail_run(const Errors& errors, ExitCode code);
+
 /// Prints errors to stderr, one a line; returns the given exit code.
 int fail(const Errors& errors, ExitCode code);
 

@@ -33,7 +33,8 @@ bool is_ours(std::string_view name) {
 /// Whether a file of that name in a folder of frames is opened by it, by ninja or a script, and written to.
 bool is_written_to(std::string_view name) {
   if (name.ends_with(".list"))  // of pictures
-    return name.starts_with("film.") || name.starts_with("contact.") || name.starts_with("preview.");
+    return name.starts_with("film.") || name.starts_with("still.") || name.starts_with("contact.") ||
+           name.starts_with("preview.");
   return name == "frames" || name == ".lock" || name == ".times" || name.starts_with(".ninja_");
 }
 

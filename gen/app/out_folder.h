@@ -29,7 +29,8 @@ class FolderInUse {
 };
 
 /// What is wrong with a folder of frames that links elsewhere. Most files there are put in their place whole,
-/// which leaves alone what a link points to; but ninja and the scripts write to some by their names
+/// which leaves alone what a link points to; but ninja and the programs that it calls write to some by their
+/// names
 /// (.ninja_log, .times, lists), and all frames go through the folder `frames`: no link may stand there.
 Errors refuse_links(const std::filesystem::path& out);
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace frond {
 
-/// How fast POV-Ray is here, by the runs that scripts/render.sh has noted in $XDG_CACHE_HOME/frond/pace
+/// How fast POV-Ray is here, by the last runs of `frond render`, which are noted in
+/// $XDG_CACHE_HOME/frond/pace
 /// (~/.cache), one a line: preset, seconds foretold, seconds taken.
 struct Pace {
   double factor = 1;  ///< of the seconds that are foretold
@@ -13,5 +15,12 @@ struct Pace {
 
 /// That of the last run of the preset of that name; where there is none, the middle one of all.
 Pace pace_of(std::string_view preset);
+
+/// Notes a run: the seconds of processor that were foretold of the preset of that name, and those that it
+/// took. The last 50 presets are kept. Where nothing can be written there is no note.
+void note_pace(std::string_view preset, double foretold, double taken);
+
+/// Where nothing is noted yet, has POV-Ray render a small picture, which takes a second or two.
+void measure_machine(const std::string& povray);
 
 }  // namespace frond

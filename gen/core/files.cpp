@@ -35,9 +35,18 @@ bool holds(const fs::path& path, std::string_view text) {
   return now.ok() && *now == text;
 }
 
-/// Writes a file that lies on the disk when this returns. It is a new one: what stands in its place goes,
-/// and a link there is not followed.
-std::error_code write_through(const fs::path& path, std::string_view text) {
+template <class Iterator>
+std::vector<fs::path> found_by(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (Iterator at(folder, error), end; !error && at != end; at.increment(error)) found.push_back(at->path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+std::error_code write_new(const fs::path& path, std::string_view text) {
   auto error_now = [] { return std::error_code(errno, std::generic_category()); };
   ::unlink(path.c_str());
   int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -54,17 +63,6 @@ std::error_code write_through(const fs::path& path, std::string_view text) {
   if (::close(file) != 0 && !error) error = error_now();
   return error;
 }
-
-template <class Iterator>
-std::vector<fs::path> found_by(const fs::path& folder) {
-  std::vector<fs::path> found;
-  std::error_code error;
-  for (Iterator at(folder, error), end; !error && at != end; at.increment(error)) found.push_back(at->path());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-}  // namespace
 
 std::string reason_of(std::error_code error) {
   if (error == std::errc::no_space_on_device || error == std::error_code(EDQUOT, std::generic_category()))
@@ -88,7 +86,7 @@ Result<bool> write_file(const fs::path& path, std::string_view text) {
   if (error) return Error{path.parent_path().string(), "cannot be made: " + reason_of(error)};
   fs::path temporary = temporary_beside(path);
   std::string_view what = "cannot be written: ";
-  error = write_through(temporary, text);
+  error = write_new(temporary, text);
   if (!error) {
     what = "cannot be put in place: ";
     fs::rename(temporary, path, error);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "core/result.h"
@@ -16,6 +17,10 @@ Result<std::string> read_file(const std::filesystem::path& path);
 /// beside it that lies on the disk before it is renamed), making the folders above it. A file that already
 /// holds just this text is left alone with its time stamp. True where the file was written.
 Result<bool> write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Writes a file that lies on the disk when this returns. It is a new one: what stands in its place goes, and
+/// a link there is not followed.
+std::error_code write_new(const std::filesystem::path& path, std::string_view text);
 
 /// A file beside another that nobody else writes, no thread of ours either, to be renamed to it when it is
 /// whole: its name goes on with ".tmp" and digits.

@@ -103,37 +103,44 @@ std::string ninja_text(const JobList& jobs) {
       "is not\n"
       "# made again.\nninja_required_version = 1.7\n\n";
   append_variable(text, "povinc", jobs.povinc);
-  append_variable(text, "render_frame", shell_quoted(jobs.scripts + "/render_frame.sh"));
+  append_variable(text, "frond", shell_quoted(jobs.program));
   append_variable(text, "size", size_text(jobs.size));
   append_variable(text, "flags", povray_flags(jobs.quality, jobs.lens));
 
   if (!jobs.rendered) {
-    append_rule(text, "frame", "exec $render_frame $in $out $size $flags", "frame $number");
+    append_rule(text, "frame", "exec $frond frame $in $out $size -- $flags", "frame $number");
     append_frames(text, jobs);
   }
 
   if (jobs.still) {
-    append_variable(text += '\n', "keep_still", shell_quoted(jobs.scripts + "/keep_still.sh"));
-    append_rule(text, "still", "exec $keep_still $in $out", "still.png");
+    append_list_rule(text += '\n', "still", "exec $frond film $out.list $out", "still.png");
     append_build(text, "still.png", "still", {jobs.frames.front()});
     return text;
   }
   text += '\n';
-  append_variable(text, "encode_film", shell_quoted(jobs.scripts + "/encode_film.sh"));
-  append_variable(text, "contact_sheet", shell_quoted(jobs.scripts + "/contact_sheet.sh"));
   append_variable(text, "fps", number_text(jobs.fps, 6));
-  append_variable(text, "title", shell_quoted(jobs.title));
-  append_variable(text, "comment", shell_quoted("seed " + std::to_string(jobs.seed)));
-  append_list_rule(text, "film", "exec $encode_film $out.list $out $fps $title $comment", "$out");
+  append_variable(text, "title", shell_quoted("--title=" + jobs.title));
+  append_variable(text, "comment", shell_quoted("--comment=seed " + std::to_string(jobs.seed)));
+  append_list_rule(text, "film", "exec $frond film $out.list $out --fps $fps $title $comment", "$out");
   for (std::string_view film : {"film.mp4", "film.webm", "film.gif"})
     append_build(text, film, "film", jobs.frames);
 
   std::vector<int> sheet = sheet_frames(jobs.frames);
   append_variable(text += '\n', "columns", std::to_string(sheet_columns(sheet.size())));
-  append_list_rule(text, "contact", "exec $contact_sheet $out.list $out $columns", "contact.png");
+  append_list_rule(text, "contact", "exec $frond film $out.list $out --columns $columns", "contact.png");
   append_build(text, "contact.png", "contact", sheet);
   text += "\ndefault film.mp4 contact.png\n";
   return text;
+}
+
+std::string ninja_variable(std::string_view ninja, std::string_view name) {
+  std::string begin = "\n" + std::string(name) + " = ";
+  std::size_t at = ninja.find(begin);
+  if (at == ninja.npos) return {};
+  ninja.remove_prefix(at + begin.size());
+  std::string value(ninja.substr(0, ninja.find('\n')));
+  for (std::size_t i = 0; (i = value.find('$', i)) != value.npos; ++i) value.erase(i, 1);  // $$ and $blank
+  return value;
 }
 
 std::string manifest_text(const Manifest& manifest) {

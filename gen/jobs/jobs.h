@@ -6,13 +6,15 @@
 #include <string_view>
 #include <vector>
 
-/// The text of the job files of a film: what `ninja` is to do, and what the film is made of. Text only; the
-/// scripts run the processes.
+#include "core/result.h"
+
+/// The text of the job files of a film: what `ninja` is to do, and what the film is made of. Text only;
+/// gen/render runs the processes.
 ///
-///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     scripts/render_frame.sh
-///     all frames                -> DIR/film.mp4, .webm, .gif     scripts/encode_film.sh
-///     some frames               -> DIR/contact.png               scripts/contact_sheet.sh
-///     the frame of a still      -> DIR/still.png                 scripts/keep_still.sh
+///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     frond frame
+///     all frames                -> DIR/film.mp4, .webm, .gif     frond film
+///     some frames               -> DIR/contact.png               frond film
+///     the frame of a still      -> DIR/still.png                 frond film
 ///
 ///     write_file(dir / "build.ninja", ninja_text(jobs));
 ///     write_file(dir / "manifest.json", manifest_text(manifest));
@@ -52,12 +54,15 @@ struct JobList {
   std::uint64_t seed = 0;              ///< too
   std::string povinc = "../povinc";    ///< folder of the includes, as seen from DIR; no line break in it
   std::vector<std::string> includes;   ///< names of the files there that a frame may read: "frond_water.inc"
-  std::string scripts = "../scripts";  ///< folder of the scripts, as seen from DIR; no line break in it
+  std::string program = "../build/frond";  ///< this program, as seen from DIR; no line break in it
 };
 
 /// build.ninja. What it makes unasked is film.mp4 and contact.png, or still.png. Paths and title may hold any
 /// character but a line break (one in a title becomes a blank).
 std::string ninja_text(const JobList& jobs);
+
+/// The value of a variable at the top of a build.ninja; empty where there is none of that name.
+std::string ninja_variable(std::string_view ninja, std::string_view name);
 
 /// What the film is made of, for people and machines that come later. It holds no clock and no absolute path:
 /// the same film has the same manifest everywhere.
@@ -82,5 +87,8 @@ struct Manifest {
 
 /// manifest.json, one frame a line.
 std::string manifest_text(const Manifest& manifest);
+
+/// Reads it again, but for seed and quality.
+Result<Manifest> read_manifest(std::string_view text, const std::string& file_name);
 
 }  // namespace frond

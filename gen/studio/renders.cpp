@@ -35,19 +35,19 @@ constexpr int kLeastForPreview = 320;  // pixels wide
 constexpr auto kLook = std::chrono::milliseconds(100);
 
 /// Starts a program with both outputs in a file; 0 where it cannot.
-pid_t start(const std::vector<std::string>& words, const fs::path& log, const fs::path& folder) {
+pid_t spawn(const std::vector<std::string>& words, const fs::path& log, const fs::path& folder,
+            const fs::path& home) {
   std::vector<char*> list;
   for (const std::string& word : words) list.push_back(const_cast<char*>(word.c_str()));
   list.push_back(nullptr);
-  // Scripts that ask for frond, as where pictures are developed, get this one.
   std::error_code error;
   std::string own[] = {"FROND_THREADS=" + std::to_string(thread_count()),
-                       "FROND_BIN=" + fs::read_symlink("/proc/self/exe", error).string()};
+                       "FROND_HOME=" + fs::absolute(home, error).string()};
   std::vector<char*> environment;
   for (std::string& variable : own) environment.push_back(variable.data());
   for (char** variable = environ; *variable; ++variable) {
     std::string_view text = *variable;
-    if (!text.starts_with("FROND_THREADS=") && !text.starts_with("FROND_BIN="))
+    if (!text.starts_with("FROND_THREADS=") && !text.starts_with("FROND_HOME="))
       environment.push_back(*variable);
   }
   environment.push_back(nullptr);
@@ -247,16 +247,20 @@ Errors Renders::write(Job& job) {
 }
 
 Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name) {
-  std::vector<std::string> words{(home_ / "scripts/render_frame.sh").string(),
-                                 "frames/" + frame_name(job.frame) + ".pov", "frames/" + name + ".png",
-                                 fmt::format("{}x{}", size[0], size[1])};
+  // This program, even where another was built in its place meanwhile.
+  std::vector<std::string> words{"/proc/self/exe",
+                                 "frame",
+                                 "frames/" + frame_name(job.frame) + ".pov",
+                                 "frames/" + name + ".png",
+                                 fmt::format("{}x{}", size[0], size[1]),
+                                 "--"};
   for (std::size_t from = 0; from < flags.size();) {
     std::size_t to = std::min(flags.find(' ', from), flags.size());
     words.emplace_back(flags.substr(from, to - from));
     from = to + 1;
   }
   fs::path log = job.folder / (name + ".log");
-  pid_t child = start(words, log, job.folder);
+  pid_t child = spawn(words, log, job.folder, home_);
   if (child == 0) return {Error{words[0], "cannot be started"}};
   int status = 0;
   bool told = false;

@@ -39,7 +39,7 @@ TEST(NinjaText, RendersEachFrameOfTheList) {
       contains(text, "build frames/frame_0002.png: frame frames/frame_0002.pov | includes\n  number = 2\n"));
   EXPECT_TRUE(contains(text, "build includes: phony $povinc/frond_sea.inc $povinc/frond_skin.inc\n"));
   EXPECT_TRUE(contains(text, "size = 480x270\n"));
-  EXPECT_TRUE(contains(text, "command = exec $render_frame $in $out $size $flags\n"));
+  EXPECT_TRUE(contains(text, "command = exec $frond frame $in $out $size -- $flags\n"));
 }
 
 TEST(NinjaText, FilmHoldsTheFramesOfTheListOnly) {
@@ -77,8 +77,8 @@ TEST(NinjaText, StillHasNoFilm) {
   jobs.still = true;
   std::string text = ninja_text(jobs);
   EXPECT_TRUE(contains(text, "build still.png: still $\n    frames/frame_0001.png\n"));
-  EXPECT_TRUE(contains(text, "command = exec $keep_still $in $out\n"));
-  EXPECT_FALSE(contains(text, "film"));
+  EXPECT_TRUE(contains(text, "command = exec $frond film $out.list $out\n"));
+  EXPECT_FALSE(contains(text, "film.mp4"));
 }
 
 TEST(NinjaText, OnlyTheFilmIsMadeOfPicturesFromElsewhere) {
@@ -108,15 +108,16 @@ TEST(NinjaText, SizeAndQualityStandInTheCommands) {
 TEST(NinjaText, OddCharactersAreEscaped) {
   JobList jobs = film_of(1);
   jobs.povinc = "../it's $HOME|x/povinc";
-  jobs.scripts = "../it's $HOME/scripts";
+  jobs.program = "../it's $HOME/frond";
   jobs.includes = {"a b.inc"};
   jobs.title = "Reef: $(date)\n`id`";
   jobs.seed = 18446744073709551615ull;
   std::string text = ninja_text(jobs);
   EXPECT_TRUE(contains(text, "povinc = ../it's $$HOME|x/povinc\n"));
-  EXPECT_TRUE(contains(text, "render_frame = '../it'\\''s $$HOME/scripts/render_frame.sh'\n"));
+  EXPECT_TRUE(contains(text, "frond = '../it'\\''s $$HOME/frond'\n"));
   EXPECT_TRUE(contains(text, "$povinc/a$ b.inc"));
-  EXPECT_TRUE(contains(text, "title = 'Reef: $$(date) `id`'\ncomment = 'seed 18446744073709551615'\n"));
+  EXPECT_TRUE(contains(
+      text, "title = '--title=Reef: $$(date) `id`'\ncomment = '--comment=seed 18446744073709551615'\n"));
 }
 
 TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
@@ -146,6 +147,32 @@ TEST(ManifestText, SaysWhatTheFilmIsMadeOf) {
             "    {\"number\": 2, \"time\": 0.041667, \"nodes\": 17, \"file\": \"frames/frame_0002.pov\"}\n"
             "  ]\n"
             "}\n");
+}
+
+TEST(NinjaText, GivesItsVariablesBack) {
+  JobList jobs = film_of(2);
+  jobs.title = "costs $5";
+  std::string text = ninja_text(jobs);
+  EXPECT_EQ(ninja_variable(text, "size"), "480x270");
+  EXPECT_EQ(ninja_variable(text, "flags"), povray_flags(jobs.quality, false));
+  EXPECT_EQ(ninja_variable(text, "title"), "'--title=costs $5'");
+  EXPECT_EQ(ninja_variable(text, "none"), "");
+}
+
+TEST(ManifestText, IsReadAsItWasWritten) {
+  Manifest manifest;
+  manifest.preset = "a \"reef\"";
+  manifest.title = "Reef: ä";
+  manifest.fps = 12.5;
+  manifest.size = {80, 60};
+  manifest.still = true;
+  manifest.render_seconds = 1.25;
+  manifest.frames = {{7, 0.25, 100}, {8, 0.5, 0}};
+  Result<Manifest> read = read_manifest(manifest_text(manifest), "manifest.json");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(manifest_text(*read), manifest_text(manifest));
+  EXPECT_FALSE(read_manifest("{}", "manifest.json"));
+  EXPECT_FALSE(read_manifest("{", "manifest.json"));
 }
 
 TEST(Jobs, AFrameIsRenderedAgainWhereOneOfItsExposuresChanged) {

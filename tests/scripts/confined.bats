@@ -6,7 +6,8 @@ setup() {
   mkdir -p film/frames
   echo '"secret"' >secret.txt
   ffmpeg -nostdin -loglevel error -f lavfi -i color=red:s=8x8 -frames:v 1 -update 1 secret.png
-  "$ROOT/scripts/confined.pl" -- true || skip "this kernel has no Landlock"
+  need_frond
+  "$FROND_BIN" confine -- true || skip "this kernel has no Landlock"
   export HOME=$BATS_TEST_TMPDIR/home
 }
 
@@ -14,7 +15,7 @@ setup() {
 frame() {
   printf '%s\n' '#version 3.7;' "$1" >film/frames/frame_0001.pov
   cd film
-  run "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 32x24 -J
+  run "$FROND_BIN" frame frames/frame_0001.pov frames/frame_0001.png 32x24 -- -J
   cd ..
   echo "$1: $status $output"
 }
@@ -73,7 +74,7 @@ frame() {
 @test "the pixels of a large picture find room, and go" {
   frame 'sphere { 0, 1 }'  # a picture beyond 128 MB of pixels is kept in a file
   cd film
-  run "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/large.png 3000x2400 -J +MI1
+  run "$FROND_BIN" frame frames/frame_0001.pov frames/large.png 3000x2400 -- -J +MI1
   echo "$output"
   [ "$status" -eq 0 ]
   [ "$(ls -A frames)" = $'frame_0001.png\nframe_0001.pov\nlarge.png' ]

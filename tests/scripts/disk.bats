@@ -55,12 +55,12 @@ damage() {
   for how in empty short wrong zeros; do
     cp "$frames/frame_0003.png" kept.png
     damage "$how" "$frames/frame_0003.png"
-    run "$ROOT/scripts/encode_film.sh" list film.mp4 24
+    run "$FROND_BIN" film list film.mp4
     echo "$how: $output"
     [ "$status" -eq 1 ]
     [[ $output == *"film.mp4 could not be encoded: "*" of 6 frames"* ]]
     [ "$how" = wrong ] || [[ $output == "$frames/frame_0003.png is damaged, or no PNG"* ]]
-    run "$ROOT/scripts/contact_sheet.sh" list contact.png 3
+    run "$FROND_BIN" film list contact.png --columns 3
     [ "$status" -eq 1 ]
     [[ $output == *"contact.png could not be made: "* ]]
     mv kept.png "$frames/frame_0003.png"
@@ -98,14 +98,14 @@ damage() {
   [ -d out/still/film.mp4/mine ]
 }
 
-@test "scripts put nothing into a folder in the place of their file" {
+@test "nothing is put into a folder in the place of their file" {
   "$RENDER" film.json --frames 1-1
   ls "$frames"/*.png >list
   mkdir folder
-  for call in "render_frame.sh $frames/frame_0001.pov folder 64x48" "encode_film.sh list folder 24" \
-    "contact_sheet.sh list folder 1" "keep_still.sh $frames/frame_0001.png folder"; do
+  for call in "$FROND_BIN frame $frames/frame_0001.pov folder 64x48" "$FROND_BIN film list folder" \
+    "$FROND_BIN film list folder --columns 1"; do
     # shellcheck disable=SC2086
-    run "$ROOT"/scripts/$call
+    run $call
     echo "$call: $output"
     [ "$status" -eq 1 ]
     [[ $output == *"folder is a folder; expected a file, or none"* ]]
@@ -162,33 +162,33 @@ unharmed() { [ "$(cd mine && find . -type f -exec sha256sum {} + | sort)" = "$ha
   [ "$(find out -type l)" = out/film/.mine ]  # which is nobody's
 }
 
-@test "no script writes through a link in the place of its unfinished file" {
+@test "nothing is written through a link in the place of its unfinished file" {
   precious
   harmless=$(cd mine && find . -type f -exec sha256sum {} + | sort)
   "$RENDER" film.json --frames 1-1
   ls "$frames"/*.png >list
   local name
   for name in .a.mp4.part .a.gif.part .a.gif.part.png .a.png.part .b.png.part .c.png.part .plot.svg.part; do ln -s mine/file "$name"; done
-  "$ROOT/scripts/encode_film.sh" list a.mp4 24
-  "$ROOT/scripts/encode_film.sh" list a.gif 24 title
-  "$ROOT/scripts/contact_sheet.sh" list a.png 1
-  "$ROOT/scripts/keep_still.sh" "$frames/frame_0001.png" b.png
-  "$ROOT/scripts/plot.sh" out/film plot.svg
-  "$ROOT/scripts/compare.sh" b.png b.png c.png
+  "$FROND_BIN" film list a.mp4
+  "$FROND_BIN" film list a.gif --title title
+  "$FROND_BIN" film list a.png --columns 1
+  "$FROND_BIN" film list b.png
+  "$RENDER" film.json --frames 1-1 --plot plot.svg
+  "$RENDER" --compare b.png b.png c.png
   unharmed
-  # The same of a frame, by its own script.
+  # The same of a frame.
   rm "$frames/frame_0001.png" out/film/.times
   ln -s "$PWD/mine/file" out/film/.times
   cd out/film
   local key
-  FRAME_TIME=1 "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
+  FRAME_TIME=1 "$FROND_BIN" frame frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
   local running=$!
   until compgen -G 'frames/.frame_0001.*.spent' >/dev/null; do sleep 0.05; done
   key=$(compgen -G 'frames/.frame_0001.*.spent')
   wait "$running"
   for name in spent log kept png pov-state plain; do ln -s "$PWD/../../mine/file" "${key%.spent}.$name"; done
   rm frames/frame_0001.png
-  "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48
+  "$FROND_BIN" frame frames/frame_0001.pov frames/frame_0001.png 64x48
   [ -s frames/frame_0001.png ]
   cd ../..
   unharmed
@@ -265,21 +265,20 @@ with_disk() {
   # Noise makes everything larger than its disk.
   ffmpeg -nostdin -loglevel error -f lavfi -i "nullsrc=s=160x120,geq='random(1)*255:128:128'" -frames:v 1 -update 1 noise.png
   echo noise.png >list
-  for call in "encode_film.sh list small/film.mp4 24" "contact_sheet.sh list small/sheet.png 1" \
-    "keep_still.sh noise.png small/still.png"; do
+  for call in "list small/film.mp4" "list small/sheet.png --columns 1" "list small/still.png"; do
     # shellcheck disable=SC2086
-    run with_disk small 4 "$ROOT"/scripts/$call
+    run with_disk small 4 "$FROND_BIN" film $call
     echo "$call: $output"
     [ "$status" -eq 1 ]
     [[ $output == *": no room on the disk" ]]
   done
 }
 
-# A killed script and what it has started: its pids stand in the file pids.
+# A killed run and what it has started: its pid stands in the file pid.
 killed_while_generating() {
   printf '#!/bin/sh\necho $$ >pid\nexec sleep 600\n' >slow
   chmod +x slow
-  FROND_BIN=$PWD/slow "$RENDER" film.json >log 2>&1 3>&- &
+  FROND_BIN=$PWD/slow "$FROND_BIN" render film.json >log 2>&1 3>&- &
   local script=$!
   until [ -s pid ]; do sleep 0.05; done
   kill "-$1" "$script"
@@ -292,5 +291,5 @@ killed_while_generating() {
   return 1
 }
 
-@test "a killed script leaves no generate alive" { killed_while_generating KILL; }
-@test "a stopped script waits for no generate" { killed_while_generating TERM; }
+@test "a killed run leaves no generate alive" { killed_while_generating KILL; }
+@test "a stopped run waits for no generate" { killed_while_generating TERM; }

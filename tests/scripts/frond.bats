@@ -244,11 +244,11 @@ body_preset() {
   [[ "$output" == '--assets: "nowhere" is no folder'* ]]
 }
 
-@test "render.sh hands --assets on" {
+@test "render hands --assets on" {
   printf '#!/bin/sh\necho "$@" >args\nexit 2\n' >fake
   chmod +x fake
   body_preset body.obj >preset.json
-  FROND_BIN=$PWD/fake run "$root/scripts/render.sh" preset.json --assets shared -o out
+  FROND_BIN=$PWD/fake run "$frond" render preset.json --assets shared -o out
   [ "$status" -eq 2 ]
   grep -q -- ' --assets=shared' args
 }
@@ -379,10 +379,10 @@ XML
 @test "an unknown command is told with those there are and the nearest" {
   run "$frond" genrate x.json
   [ "$status" -eq 2 ]
-  [[ "$output" == 'genrate: no such command; expected one of new, describe, look, generate, export, '*'; did you mean "generate"?' ]]
+  [[ "$output" == 'genrate: no such command; expected one of new, describe, look, render, sheet, generate, export, '*'; did you mean "generate"?' ]]
   run "$frond" preview
   [ "$status" -eq 2 ]
-  [[ "$output" == 'preview: no such command; expected one of new, describe, look, generate, '* ]]
+  [[ "$output" == 'preview: no such command; expected one of new, describe, look, render, sheet, generate, '* ]]
 }
 
 @test "an unknown option is told with the nearest that its command has" {

@@ -40,7 +40,7 @@ setup() {
   mkdir colours
   ffmpeg -nostdin -loglevel error -f lavfi -i "color=0xff7f6a:s=64x48" -frames:v 1 -update 1 colours/a.png
   echo colours/a.png >colours/list
-  "$ROOT/scripts/encode_film.sh" colours/list colours/film.mp4 24 "it's \$(a) \"title\""
+  "$FROND_BIN" film colours/list colours/film.mp4 --title "it's \$(a) \"title\""
   ffmpeg -nostdin -loglevel error -i colours/film.mp4 -vf scale=in_color_matrix=bt709,format=rgb24 -f rawvideo colours/raw
   read -r r g b <<<"$(od -An -tu1 -N3 colours/raw)"
   echo "$r $g $b"
@@ -194,7 +194,7 @@ kill_still() {
   "$FROND_BIN" generate film.json -o out/film -q "${shutter[@]}"
   rm out/film/frames/frame_0002_s2.pov
   cd out/film
-  run "$ROOT/scripts/render_frame.sh" frames/frame_0002.pov frames/frame_0002.png 64x48
+  run "$FROND_BIN" frame frames/frame_0002.pov frames/frame_0002.png 64x48
   [ "$status" -eq 1 ]
   [[ $output == *"frame_0002.pov could not be rendered: its exposure frames/frame_0002_s2.pov is gone" ]]
 }
@@ -210,12 +210,12 @@ exec "$FROND_POVRAY" "\$@"
 SH
   chmod +x slow-povray
   cd out/still
-  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray FRAME_TIME=30 "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
+  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray FRAME_TIME=30 "$FROND_BIN" frame frames/frame_0001.pov frames/frame_0001.png 64x48 3>&- &
   local running=$!
   until [ -e "$BATS_TEST_TMPDIR/worked" ]; do sleep 0.05; done
   kill -TERM "$running"
   wait "$running" || true
-  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray "$ROOT/scripts/render_frame.sh" frames/frame_0001.pov frames/frame_0001.png 64x48
+  FROND_POVRAY=$BATS_TEST_TMPDIR/slow-povray "$FROND_BIN" frame frames/frame_0001.pov frames/frame_0001.png 64x48
   cat .times
   read -r _ took _ <.times
   ((took > 1000))
@@ -242,7 +242,8 @@ SH
 @test "a frame that fails is shown with file, line and reason" {
   cat >frond <<SH
 #!/usr/bin/env bash
-"$FROND_BIN" "\$@"
+"$FROND_BIN" "\$@" || exit
+[[ \$1 == generate ]] || exit 0
 echo broken >out/film/frames/frame_0003.pov
 SH
   chmod +x frond
@@ -250,7 +251,7 @@ SH
   echo "$output"
   [ "$status" -eq 1 ]
   [[ $output == *"File 'frames/frame_0003.pov' line 1: Parse Error: Expected 'object',"*"'broken' found"* ]]
-  [[ $output != *render_frame.sh* ]]
+  [[ $output != *"/frond' frame"* ]]
   [ ! -e out/film/film.mp4 ]
   run "$RENDER" film.json
   [ "$status" -eq 0 ]

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace frond {
+
+/// How a film may be cut up.
+struct FarmLimits {
+  int chunk = 4;  ///< frames a task
+  int bands = 8;  ///< of a still
+  int most = 1;   ///< tasks that the farm takes
+};
+
+/// The tasks that make the pictures of a job.
+struct FarmPlan {
+  std::vector<std::string> work;  ///< what each is told before its number
+  std::vector<int> tasks;         ///< those that have something to do
+  int all = 1;                    ///< how many there are
+  int chunk = 1;
+  bool bands = false;
+  std::string note;  ///< for people; empty where there is nothing to say
+
+  /// Four lines: the work; the tasks as 1,3,7-9; the same one by one; and in words.
+  std::string text() const;
+};
+
+/// That of a job whose folder `frond generate --film-only` has written; notes there into how many bands a
+/// still is cut.
+Result<FarmPlan> plan_farm(const std::filesystem::path& folder, const FarmLimits& limits);
+
+/// How many pictures of a job there are, in words.
+std::string farm_status(const std::filesystem::path& folder);
+
+}  // namespace frond

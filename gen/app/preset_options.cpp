@@ -1,0 +1,20 @@
+#include "app/rendering.h"
+
+namespace frond {
+
+void add_assets(CLI::App* command, std::optional<std::string>& assets) {
+  command->add_option("--assets", assets,
+                      "DIR: reads no file but below the preset's own folder and this one");
+}
+
+void add_preset(CLI::App* command, PresetArguments& preset) {
+  command->add_option("preset", preset.path, "The preset, a JSON file")->required();
+  command->add_option("--set", preset.sets, "POINTER=VALUE: overrides one value, as in /film/fps=12")
+      ->allow_extra_args(false);
+  command->add_option("--size", preset.size, "WxH: size of the pictures, in pixels");
+  command->add_option("--scale", preset.scale, "N: multiplies the size, by 1 to 16");
+  command->add_option("--quality", preset.quality, "draft, good or best");
+  add_assets(command, preset.assets);
+}
+
+}  // namespace frond

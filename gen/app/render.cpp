@@ -1,0 +1,209 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+
+#include "app/bar.h"
+#include "app/commands.h"
+#include "app/inputs.h"
+#include "app/messages.h"
+#include "app/pace.h"
+#include "app/render_notes.h"
+#include "app/render_run.h"
+#include "app/streams.h"
+#include "core/files.h"
+#include "core/frame_name.h"
+#include "core/parallel.h"
+#include "preset/json.h"
+#include "render/place.h"
+
+// From a preset to a film: render.
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The presets that there are, a line each, with their titles.
+int list_presets() {
+  Result<fs::path> root = home();
+  if (!root) return fail_run(root.errors(), kCouldNot);
+  put("Usage: frond render PRESET [options], see frond render --help\n\n");
+  for (const fs::path& file : files_below(*root / "presets")) {
+    fs::path name = file.lexically_relative(*root);
+    if (file.extension() != ".json" || name.string().starts_with("presets/grammars/")) continue;
+    Result<std::string> text = read_file(file);
+    Result<Document> document = text ? parse_json(*text, file.string()) : text.errors();
+    const Value* title = document ? document->root.find("title") : nullptr;
+    put(fmt::format("{:<42} {}\n", name.string(), title ? title->text : ""));
+  }
+  put("\nA preset of your own to begin with: frond new my_tree --from tree\n");
+  return kDone;
+}
+
+/// What is wrong with the words of a call; empty where nothing is.
+std::string wrong_words(const RenderArguments& a) {
+  if (a.format != "mp4" && a.format != "webm" && a.format != "gif")
+    return fmt::format("--format needs mp4, webm or gif, not '{}'", a.format);
+  if (a.plot && !a.plot->ends_with(".svg"))
+    return fmt::format("--plot needs a name that ends in .svg, not '{}'", *a.plot);
+  return {};
+}
+
+/// A path that no program takes for an option.
+std::string as_path(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
+
+/// Holds the folder of a run as long as it lives; other runs wait. What this process starts holds it, too, so
+/// that a run whose parent was killed is over before the next begins.
+class RunLock {
+ public:
+  explicit RunLock(const fs::path& out) {
+    std::error_code error;
+    fs::create_directories(out, error);
+    if (error) {
+      errors_ = {{"", out.string() + ": the folder cannot be made"}};
+      return;
+    }
+    fs::path path = out / ".lock";
+    if (fs::is_symlink(fs::symlink_status(path, error))) {
+      errors_ = {
+          {"", path.string() + ": is a link, and what it points to would be written to; expected none"}};
+      return;
+    }
+    file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW, 0666);
+    if (file_ < 0) {
+      errors_ = {{"", out.string() + ": cannot be written to"}};
+      return;
+    }
+    if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+    say(fmt::format("Another run is at work in {}; waiting for it", out.string()));
+    while (::flock(file_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  ~RunLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  RunLock(const RunLock&) = delete;
+  RunLock& operator=(const RunLock&) = delete;
+
+  const Errors& errors() const { return errors_; }
+
+ private:
+  int file_ = -1;
+  Errors errors_;
+};
+
+/// The words that have a program write the frames.
+std::vector<std::string> generate_words(const RenderArguments& a, const fs::path& out) {
+  const PresetArguments& preset = a.preset;
+  std::vector<std::string> words{environment_or("FROND_BIN", own_program().string()), "generate",
+                                 as_path(preset.path), "--out=" + out.string()};
+  for (const std::string& set : preset.sets) words.push_back("--set=" + set);
+  if (preset.size) words.push_back("--size=" + *preset.size);
+  if (preset.scale) words.push_back(fmt::format("--scale={}", *preset.scale));
+  if (preset.quality) words.push_back("--quality=" + *preset.quality);
+  if (preset.assets) words.push_back("--assets=" + *preset.assets);
+  if (a.frames) words.push_back("--frames=" + *a.frames);
+  if (a.threads > 0) words.push_back(fmt::format("--threads={}", a.threads));
+  return words;
+}
+
+int interrupted() {
+  say("Interrupted. What is finished is kept: the same command goes on from there.");
+  return kInterrupted;
+}
+
+/// Writes the frames. In a process of its own: what it has grown is no longer in memory while frames are
+/// rendered.
+int write_scenes(const RenderArguments& a, const fs::path& out, const std::string& root, StopSignals& stop) {
+  constexpr int kKilled = 128;
+  say("Generating " + out.string());
+  Command command;
+  command.words = generate_words(a, out);
+  command.environment = {"FROND_HOME=" + root};
+  command.end_with = SIGTERM;
+  Result<pid_t> process = start(command);
+  if (!process) return fail_run(process.errors(), kCouldNot);
+  std::optional<int> status = stop.wait_for(*process);
+  if (!status) {
+    ::kill(*process, SIGTERM);
+    wait_for(*process);
+    return interrupted();
+  }
+  if (*status == kDone || *status == kCouldNot || *status == kWrongInput) return *status;
+  if (*status == kInterrupted || *status == kKilled + SIGTERM) return interrupted();
+  return fail_run({{"", fmt::format("frond ended with exit code {}", *status)}}, kCouldNot);
+}
+
+/// A program that is named by its path has one that holds in any folder.
+std::string program_variable(const char* name, const std::string& usual) {
+  std::string program = environment_or(name, usual);
+  std::error_code error;
+  if (program.find('/') != program.npos) program = fs::absolute(program, error).string();
+  return fmt::format("{}={}", name, program);
+}
+
+int render_into(const RenderArguments& a, const fs::path& out) {
+  Result<fs::path> root = home();
+  if (!root) return fail_run(root.errors(), kCouldNot);
+  std::string povray = environment_or("FROND_POVRAY", "povray");
+  if (!find_program(povray))
+    return fail_run({{"", povray + ": no such program; it is what renders"}}, kCouldNot);
+  RunLock lock(out);
+  if (!lock.errors().empty()) return fail_run(lock.errors(), kCouldNot);
+  StopSignals stop;
+  std::string before;
+  if (a.why > 0)
+    if (Result<std::string> scene = read_file(out / "frames" / (frame_name(a.why) + ".pov")))
+      before = std::move(*scene);
+  std::error_code error;
+  std::string home_folder = fs::absolute(*root, error).string();
+  measure_machine(povray);
+  if (int code = write_scenes(a, out, home_folder, stop); code != kDone) return code;
+  std::vector<std::string> environment{"FROND_HOME=" + home_folder,
+                                       program_variable("FROND_POVRAY", "povray"),
+                                       program_variable("FROND_FFMPEG", "ffmpeg")};
+  if (a.why > 0) return tell_why(Ninja(out, environment, stop), out, a.why, before);
+  RenderSettings settings;
+  settings.out = out;
+  settings.format = a.format;
+  settings.every = a.every;
+  settings.jobs = a.jobs > 0 ? a.jobs : thread_count();
+  settings.ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
+  std::size_t noted = read_times(out).size();
+  RenderRun run(settings, environment, stop);
+  int code = run.run();
+  if (code == kInterrupted) return interrupted();
+  if (code != kDone) return code;
+  note_times(out, noted, run.manifest(), run.rendered());
+  if (a.plot) {
+    if (Errors errors = write_plot(out, run.manifest(), *a.plot); !errors.empty())
+      return fail_run(errors, kCouldNot);
+    put(fs::absolute(*a.plot, error).lexically_normal().string() + "\n");
+  }
+  for (const std::string& result : run.results()) put((out / result).string() + "\n");
+  return kDone;
+}
+
+}  // namespace
+
+int render(const RenderArguments& arguments) {
+  if (!arguments.compare.empty()) return compare(arguments.compare);
+  if (arguments.preset.path.empty()) return list_presets();
+  if (std::string wrong = wrong_words(arguments); !wrong.empty()) return fail_run({{"", wrong}}, kWrongInput);
+  std::error_code error;
+  const std::string& preset = arguments.preset.path;
+  if (!fs::is_regular_file(preset, error))
+    return fail_run({{"", preset + ": no such preset" + nearest_presets(preset)}}, kWrongInput);
+  if (!arguments.sweeps.empty() || arguments.seeds) return sheet(arguments);
+  fs::path out =
+      arguments.out.empty() ? fs::path("out") / fs::path(preset).stem() : fs::path(as_path(arguments.out));
+  return render_into(arguments, out);
+}
+
+}  // namespace frond

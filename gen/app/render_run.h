@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jobs/jobs.h"
+#include "render/left.h"
+#include "render/ninja.h"
+#include "render/process.h"
+
+namespace frond {
+
+/// How the frames of a folder are to be rendered.
+struct RenderSettings {
+  std::filesystem::path out;   ///< the folder that `frond generate` has written
+  std::string format = "mp4";  ///< of the film
+  int jobs = 1;                ///< processors
+  int every = 1;               ///< each K-th frame first, then those between
+  std::string ffmpeg = "ffmpeg";
+};
+
+/// What `frond generate` has written is rendered and made a film, as far as it is not there yet, and people
+/// are told how far it is.
+class RenderRun {
+ public:
+  /// `environment`: what ninja's commands are given.
+  RenderRun(RenderSettings settings, std::vector<std::string> environment, StopSignals& stop);
+
+  /// The exit code: kDone, kCouldNot or kInterrupted.
+  int run();
+
+  /// Of a run that was done: the files made, and how many frames were rendered for them.
+  std::vector<std::string> results() const;
+  int rendered() const { return left_ ? left_->done() : 0; }
+  const Manifest& manifest() const { return manifest_; }
+
+ private:
+  Errors prepare();
+  void remove_old_results();
+  void find_what_to_do();
+  void begin();
+  Errors render_every_kth();
+  int end();
+  Error lost_frames() const;
+  /// Makes files. What cannot be made is noted in failed_.
+  void make(const std::vector<std::string>& files);
+  std::vector<std::string> pictures_of(int step) const;
+
+  void done(std::string_view what);
+  void said(std::string line);
+  void idle();
+
+  RenderSettings settings_;
+  StopSignals& stop_;
+  Ninja ninja_;
+  std::vector<std::string> environment_;
+  Manifest manifest_;
+  std::vector<int> to_do_;
+  std::optional<FramesLeft> left_;
+  std::vector<std::string> failed_;
+  bool gave_up_ = false, interrupted_ = false, disk_full_ = false;
+  int faults_ = 0;
+  double said_at_ = 0, pause_ = 10;  // seconds
+  int tenth_ = -1;
+};
+
+/// Seconds by a clock that only goes on.
+double seconds_now();
+
+}  // namespace frond

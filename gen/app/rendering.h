@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "app/commands.h"
+
+namespace frond {
+
+/// Options that several commands have: `--assets`, and a preset with what is set of it.
+void add_assets(CLI::App* command, std::optional<std::string>& assets);
+void add_preset(CLI::App* command, PresetArguments& preset);
+
+/// The commands that start other programs: each adds itself to the command line and puts its exit code into
+/// `result` when it is called.
+void add_confine(CLI::App& app, int& result);
+void add_frame(CLI::App& app, int& result);
+void add_film(CLI::App& app, int& result);
+void add_render(CLI::App& app, int& result);
+void add_sheet(CLI::App& app, int& result);
+void add_task(CLI::App& app, int& result);
+
+}  // namespace frond

@@ -1,0 +1,22 @@
+#include "app/work_folder.h"
+
+#include <stdlib.h>
+
+#include <string>
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+WorkFolder::WorkFolder() {
+  std::error_code error;
+  std::string path = (fs::temp_directory_path(error) / "frond.XXXXXX").string();
+  if (!error && ::mkdtemp(path.data())) path_ = path;
+}
+
+WorkFolder::~WorkFolder() {
+  std::error_code error;
+  if (!path_.empty()) fs::remove_all(path_, error);
+}
+
+}  // namespace frond

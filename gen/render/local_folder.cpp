@@ -1,0 +1,63 @@
+#include "render/local_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <string>
+
+#include "core/files.h"
+#include "render/process.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Removes a folder that no task holds.
+void remove_left(const fs::path& folder) {
+  int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0) return;
+  std::error_code error;
+  struct stat about {};
+  bool ours = ::fstat(file, &about) == 0 && about.st_uid == ::getuid();
+  if (ours && ::flock(file, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
+  ::close(file);
+}
+
+}  // namespace
+
+LocalFolder::LocalFolder() {
+  near_ = environment_or("SLURM_TMPDIR", environment_or("TMPDIR", "/tmp"));
+  std::string name = fmt::format("frond-farm.{}.", ::getuid());
+  for (const fs::path& path : files_in(near_))
+    if (path.filename().string().starts_with(name)) remove_left(path);
+  // Another task may find the folder before it is held, and take it for left: then it is gone, and there is a
+  // next one.
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    std::string path = (near_ / (name + "XXXXXX")).string();
+    if (!::mkdtemp(path.data())) return;
+    lock_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ >= 0) ::flock(lock_, LOCK_EX);
+    std::error_code error;
+    if (lock_ >= 0 && fs::is_directory(path, error)) {
+      path_ = path;
+      return;
+    }
+    if (lock_ >= 0) ::close(lock_);
+    lock_ = -1;
+  }
+}
+
+LocalFolder::~LocalFolder() {
+  std::error_code error;
+  if (!path_.empty()) fs::remove_all(path_, error);
+  if (lock_ >= 0) ::close(lock_);
+}
+
+}  // namespace frond

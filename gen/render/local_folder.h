@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+namespace frond {
+
+/// A folder of this task's own on the disk of this machine ($SLURM_TMPDIR, $TMPDIR or /tmp); gone with this,
+/// and what killed tasks have left goes when it is made.
+class LocalFolder {
+ public:
+  LocalFolder();
+  ~LocalFolder();
+  LocalFolder(const LocalFolder&) = delete;
+  LocalFolder& operator=(const LocalFolder&) = delete;
+
+  /// Empty where none could be made.
+  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& near() const { return near_; }
+
+ private:
+  std::filesystem::path near_, path_;
+  int lock_ = -1;  // held as long as the task lives
+};
+
+}  // namespace frond

@@ -1,0 +1,43 @@
+#include "render/scene_head.h"
+
+#include <gtest/gtest.h>
+
+namespace frond {
+
+TEST(SceneHead, IsPlainWhereNothingIsSaid) {
+  SceneHead head = read_scene_head(
+      "// povray +W64 +H48\n// +RFlight_1.rca +FN16; then frond develop --highlights 1 --contrast 1\n");
+  EXPECT_EQ(head.light, "");
+  EXPECT_FALSE(head.fine);
+  EXPECT_EQ(head.exposures, 1);
+}
+
+TEST(SceneHead, NamesTheLight) {
+  EXPECT_EQ(read_scene_head("// povray +RFI +RFlight_01ab.rca +W64\n").light, "light_01ab.rca");
+  EXPECT_EQ(read_scene_head("// +RFframe_0001.rca").light, "frame_0001.rca");
+  for (const char* odd : {"// +RF../light.rca", "// +RF/light.rca", "// +RF.rca", "// +RFlight", "// +RFI"})
+    EXPECT_EQ(read_scene_head(odd).light, "") << odd;
+}
+
+TEST(SceneHead, SaysHowThePictureIsDeveloped) {
+  SceneHead head =
+      read_scene_head("// +A +FN16; then frond develop --highlights 1.5 --contrast 1.1\n#version");
+  EXPECT_TRUE(head.fine);
+  EXPECT_EQ(head.exposures, 1);
+  EXPECT_EQ(head.tone.highlights, 1.5);
+  EXPECT_EQ(head.tone.contrast, 1.1);
+  head = read_scene_head("// +FN16; exposure 1 of 8; then frond develop --highlights 0 --contrast 1");
+  EXPECT_TRUE(head.fine);
+  EXPECT_EQ(head.exposures, 8);
+}
+
+TEST(SceneHead, TakesNothingElseForIt) {
+  for (const char* odd :
+       {"// +FN16; exposure 2 of 8", "// +FN16; then frond develop --highlights x --contrast 1",
+        "// +FN16; then frond develop --highlights 1 --contrast 1; rm"}) {
+    EXPECT_FALSE(read_scene_head(odd).fine) << odd;
+    EXPECT_EQ(read_scene_head(odd).exposures, 1) << odd;
+  }
+}
+
+}  // namespace frond
