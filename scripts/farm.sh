@@ -65,13 +65,11 @@ while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --status | --cancel | --logs) action=${1#--} ;;
+    --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}"; continue ;;
     -o | --out | --site | --partition | --hosts | --openjd | --opencue | --frames | --assets | --chunk | --bands | --size | --scale | --quality | --set)
       (($# > 1)) || bad_usage "$1 needs a value"
       take "$1" "$2"
       shift
-      ;;
-    --out=* | --site=* | --partition=* | --hosts=* | --openjd=* | --opencue=* | --frames=* | --assets=* | --chunk=* | --bands=* | --size=* | --scale=* | --quality=* | --set=*)
-      take "${1%%=*}" "${1#*=}"
       ;;
     -?*) unknown_option "$1" ;;
     *)
@@ -191,12 +189,8 @@ plan=$("$task" "$folder" 1 plan "$chunk" "$bands" "$most" ${frames:+"--frames=$f
 
 if [[ -n $openjd$opencue ]]; then
   write() {  # FORMAT FILE
-    local part
-    part=$(part_of "$2")
-    "$frond" farm "$1" "$folder" "${work[@]}" --name="$(basename -- "$preset" .json)" --tasks="${tasks:-1}" \
-      "${options[@]}" >"$part" || fail 1 "$2 could not be written"
-    put_in_place "$part" "$2"
-    printf '%s\n' "$2"
+    "$frond" farm "$1" "$folder" "${work[@]}" --out="$2" --name="$(basename -- "$preset" .json)" --tasks="${tasks:-1}" \
+      "${options[@]}" || fail 1 "$2 could not be written"
   }
   if [[ -n $openjd ]]; then write openjd "$openjd"; fi
   if [[ -n $opencue ]]; then write opencue "$opencue"; fi

@@ -90,6 +90,7 @@ struct FarmArguments {
   std::string name = "frond";       ///< of the job
   std::string tasks = "1";          ///< their numbers: 1,3,7-9
   std::optional<std::string> site;  ///< JSON file
+  std::optional<std::string> out;   ///< file to write; none: stdout
 };
 
 struct ConfineArguments {

@@ -29,7 +29,13 @@ int farm(const FarmArguments& arguments) {
               .work = arguments.work,
               .uid = ::getuid()};
   if (const passwd* user = ::getpwuid(job.uid)) job.user = user->pw_name;
-  put(std::ranges::find(farm_formats(), arguments.format, &FarmFormat::name)->text(job, site));
+  std::string text = std::ranges::find(farm_formats(), arguments.format, &FarmFormat::name)->text(job, site);
+  if (arguments.out) {
+    Result<bool> written = write_file(*arguments.out, text);
+    if (!written) return fail(written.errors(), kCouldNot);
+    text = *arguments.out + "\n";
+  }
+  put(text);
   return kDone;
 }
 

@@ -175,6 +175,7 @@ void add_farm(CLI::App& app, int& result) {
   command->add_option("work", to->work, "What each task is told, before its number");
   command->add_option("--name", to->name, "Of the job");
   command->add_option("--tasks", to->tasks, "Numbers of the tasks, as in 1,3,7-9");
+  command->add_option("-o,--out", to->out, "FILE: writes it there, and its name to stdout");
   command->add_option("--site", to->site, "JSON file: what this site's farm needs");
   command->footer("Example:\n  frond farm openjd /shared/reef/farm/latest frames 1 240 8 --tasks 1-30");
   command->callback([&result, to] { result = farm(*to); });

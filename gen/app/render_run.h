@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jobs/jobs.h"
-#include "render/left.h"
+#include "render/frames_left.h"
 #include "render/ninja.h"
 #include "render/process.h"
 

@@ -111,6 +111,6 @@ SH
   [ "$status" -eq 2 ]
   local name
   for name in $(sed -n 's/^best="\(.*\)"$/\1/p' "$ROOT/scripts/gallery.sh"); do
-    grep -q "^$name [0-9]*x[0-9]* 1 " "$ROOT/scripts/gallery.sh"
+    grep -q "^$name [0-9]*x[0-9]* 1 " "$ROOT/docs/gallery/pictures.txt"
   done
 }

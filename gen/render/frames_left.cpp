@@ -1,4 +1,4 @@
-#include "render/left.h"
+#include "render/frames_left.h"
 
 #include <fmt/format.h>
 
