@@ -9,5 +9,5 @@ if [[ " $* " == *" --help "* && ! -x $frond ]]; then
   exit 0
 fi
 "$root/scripts/setup.sh" --quiet
-if [[ -z ${FROND_BIN:-} ]]; then "$root/scripts/build.sh"; fi
+if [[ -z ${FROND_BIN:-} ]]; then (tied "$root/scripts/build.sh"); fi
 FROND_HOME=${FROND_HOME:-$root} exec "$frond" render "$@"
