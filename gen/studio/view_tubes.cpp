@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include "core/parallel.h"
 #include "emit/sweep.h"
 #include "export/look.h"
+#include "motion/unfold.h"
 #include "studio/view.h"
 
 namespace frond {
