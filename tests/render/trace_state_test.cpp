@@ -1,6 +1,7 @@
 #include "render/trace_state.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -33,7 +34,7 @@ std::string other_block() { return message(std::string("PxBSPiIdINT4\0\0\0\4\0\0
 std::string coarse() { return message("PxSe and so on, as many"); }
 
 std::size_t kept(const std::string& state) {
-  fs::path file = fs::path(::testing::TempDir()) / "trace_state_test";
+  fs::path file = fs::path(::testing::TempDir()) / ("frond_trace_state_" + std::to_string(::getpid()));
   EXPECT_FALSE(write_new(file, state));
   EXPECT_TRUE(keep_traced(file).empty());
   std::size_t size = fs::file_size(file);

@@ -172,7 +172,7 @@ namespace {
 constexpr int kNeighbours = 6;
 constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a field of light
 
-constexpr double kGrownASecond = 2.3e5;  // nodes of a tree of twenty cycles; each is a look at all of it
+constexpr double kGrownASecond = 3e5;  // nodes of a tree of twenty cycles; each is a look at all of it
 
 /// As large as a tree must be for its later growth to be told from it.
 constexpr double kToldBy = 60'000;
@@ -181,8 +181,7 @@ constexpr double kToldBy = 60'000;
 /// its nodes increase by a power of its cycles, which two or three goes tell. So it is grown until then, and
 /// the cycles that are left are reckoned.
 double foresee_tree(const TreeParams& params, Seed seed) {
-  constexpr double kSteepest =
-      3.6;  // power, of large trees: the crown widens, and its leaves shade each other
+  constexpr double kSteepest = 4;  // power, of large trees: the crown widens, and its leaves shade each other
   TreeParams young = params;
   young.species = in_cycles(params.species);
   const int cycles = cycles_of(params);
