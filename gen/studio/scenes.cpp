@@ -43,7 +43,8 @@ Answer wrong(const Errors& errors, const Errors& notes = {}) {
   return {422, {{"errors", errors_json(errors)}, {"notes", errors_json(notes)}}, {}};
 }
 
-Answer stale() { return {409, {{"stale", true}}, {}}; }
+/// An overtaken question is no fault: browsers would tell of it on their consoles.
+Answer stale() { return {202, {{"stale", true}}, {}}; }
 
 /// All that an organism grows from, but for its place.
 std::string name_of(const Preset& preset, std::size_t entry) {

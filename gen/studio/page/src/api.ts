@@ -180,8 +180,10 @@ export const leaveScene = (session: string, seq: number): Promise<unknown> => js
 export async function scene(session: string, seq: number, request: SceneRequest, signal?: AbortSignal): Promise<SceneAnswer> {
   const answer = await call("POST", `/api/scene?session=${session}&seq=${seq}`, request, signal);
   if (answer.status === 200) return { is: "picture", bytes: await answer.arrayBuffer() };
-  if (answer.status === 202) return { is: "long", ...((await answer.json()) as { foretold: Foretold }) };
-  if (answer.status === 409) return { is: "stale" };
+  if (answer.status === 202) {
+    const said = (await answer.json()) as { foretold: Foretold } | { stale: true };
+    return "foretold" in said ? { is: "long", ...said } : { is: "stale" };
+  }
   if (answer.status === 422) {
     const said = (await answer.json()) as { errors: Fault[]; notes?: string[] };
     return { is: "wrong", errors: said.errors, notes: said.notes ?? [] };

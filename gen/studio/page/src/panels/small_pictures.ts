@@ -9,8 +9,6 @@ const WIDTH = 360;
 const FRAME = 0.94;
 /** Seconds that one may take to grow. */
 const PATIENCE = 20;
-/** How often is looked whether they are still wanted, ms. */
-const LOOK = 200;
 const NOTHING = (): void => {};
 
 type Shown = Pick<api.SceneRequest, "time" | "solo" | "hide">;
@@ -22,7 +20,7 @@ export interface Cut {
 }
 
 /** Draws each and hands it over, or says why there is none; ends where `over` says so. */
-export async function drawPictures(docs: api.Doc[], aspect: number, shown: Shown, over: () => boolean, take: (index: number, drawn: Cut | string) => void): Promise<void> {
+export async function drawPictures(docs: api.Doc[], aspect: number, shown: Shown, over: AbortSignal, take: (index: number, drawn: Cut | string) => void): Promise<void> {
   const host = el("div.offscreen", { "aria-hidden": "true", inert: true });
   const width = Math.round(WIDTH * Math.min(1, aspect));
   host.style.width = `${width}px`;
@@ -33,15 +31,10 @@ export async function drawPictures(docs: api.Doc[], aspect: number, shown: Shown
   const there = sleep(600); // it flies there
   const session = crypto.randomUUID();
   let asked = 0;
-  const leaving = setInterval(() => {
-    if (!over()) return;
-    clearInterval(leaving);
-    void api.leaveScene(session, asked).catch(NOTHING); // nobody waits for what is growing
-  }, LOOK);
   try {
-    for (let i = 0; i < docs.length && !over(); i++) {
-      const answer = await api.scene(session, (asked = i + 1), { doc: docs[i]!, ...shown, have: view.have(), ask: PATIENCE });
-      if (over()) break;
+    for (let i = 0; i < docs.length && !over.aborted; i++) {
+      const answer = await api.scene(session, (asked = i + 1), { doc: docs[i]!, ...shown, have: view.have(), ask: PATIENCE }, over);
+      if (over.aborted) break;
       if (answer.is !== "picture") {
         take(i, answer.is === "long" ? "too large" : "cannot be grown");
         continue;
@@ -57,9 +50,9 @@ export async function drawPictures(docs: api.Doc[], aspect: number, shown: Shown
       take(i, { from, width: across, height: across / aspect });
     }
   } catch (error) {
-    docs.forEach((_, i) => take(i, (error as Error).message));
+    if (over.aborted) void api.leaveScene(session, asked).catch(NOTHING); // nobody waits for what is growing
+    else docs.forEach((_, i) => take(i, (error as Error).message));
   } finally {
-    clearInterval(leaving);
     view.dispose();
     host.remove();
   }

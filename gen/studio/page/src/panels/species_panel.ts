@@ -60,22 +60,22 @@ function write(store: Store, entry: number, species: Record<string, unknown>, fi
 async function choose(store: Store, entry: number): Promise<void> {
   const list = shipped(store);
   const now = beside(store.file, store.preset.speciesName(entry));
-  let over = false;
+  const over = new AbortController();
   const pictures = list.map(() => el<HTMLCanvasElement>("canvas", { width: 160, height: 120, "aria-hidden": "true" }));
   const chosen = await dialog("Choose a species", (close) => [
     el("ul.species-list", { "aria-label": "Species" }, ...list.map((p, i) =>
       el("li", {}, el("button", { type: "button", "aria-pressed": String(p.file === now), "data-testid": `species:${p.name}`, click: () => close(p.file) }, pictures[i]!, el("strong", {}, calledBy(p.file)), el("small", {}, p.title))))),
     el("div.answers", {}, el("button", { type: "button", click: () => close("none"), hidden: !store.preset.speciesName(entry), "data-testid": "species:none" }, "No species"), el("button.primary", { type: "button", click: () => close(null) }, "Cancel")),
-    ...draw(list, pictures, () => over),
+    ...draw(list, pictures, over.signal),
   ], "choose-species");
-  over = true;
+  over.abort();
   if (chosen === "none") return store.batch((text) => removeAt(store.writtenOut(text, ["organisms", entry, "species"]), ["organisms", entry, "species"]));
   const found = list.find((p) => p.file === chosen);
   if (found) await take(store, entry, found);
 }
 
 /** Draws the pictures that there are none of yet, while the list is open. */
-function draw(list: api.Listed[], pictures: HTMLCanvasElement[], over: () => boolean): [] {
+function draw(list: api.Listed[], pictures: HTMLCanvasElement[], over: AbortSignal): [] {
   const missing: number[] = [];
   list.forEach((p, i) => {
     const known = drawn.get(p.file);

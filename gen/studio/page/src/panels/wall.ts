@@ -43,11 +43,11 @@ export function wall(store: Store): Wall {
   const element = el("section.wall", { "aria-label": "Variations", hidden: true, "data-testid": "wall" },
     el("div.pane-head", {}, title, range, again, iconButton("close", "Close the variations", () => close())), grid);
   let again_: () => void = NOTHING;
-  let round = 0;
+  let drawing = new AbortController();
   let before: HTMLElement | null = null;
 
   const close = (): void => {
-    round++;
+    drawing.abort();
     element.hidden = true;
     grid.replaceChildren();
     if (before?.isConnected) before.focus();
@@ -66,13 +66,15 @@ export function wall(store: Store): Wall {
     }));
     grid.replaceChildren(...tiles.map((t) => t.element));
     tiles[0]!.element.focus();
-    void draw(texts, tiles.map((t) => t.picture), ++round);
+    drawing.abort();
+    drawing = new AbortController();
+    void draw(texts, tiles.map((t) => t.picture), drawing.signal);
   };
 
-  async function draw(texts: string[], pictures: HTMLCanvasElement[], mine: number): Promise<void> {
+  async function draw(texts: string[], pictures: HTMLCanvasElement[], over: AbortSignal): Promise<void> {
     const docs = texts.map((text) => ({ text, file: store.file }));
     const shown = { time: store.time, solo: store.solo.size ? [...store.solo] : null, hide: [...store.hidden] };
-    await drawPictures(docs, aspectOf(store), shown, () => mine !== round, (i, drawn) => {
+    await drawPictures(docs, aspectOf(store), shown, over, (i, drawn) => {
       const figure = pictures[i]!;
       if (typeof drawn === "string") figure.parentElement!.dataset.note = drawn;
       else copyTo(figure, drawn);
