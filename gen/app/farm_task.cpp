@@ -17,6 +17,7 @@
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/printable.h"
+#include "core/text.h"
 #include "jobs/jobs.h"
 #include "render/bands.h"
 #include "render/local_folder.h"
@@ -102,13 +103,8 @@ class FarmTask {
 int FarmTask::generate(const fs::path& out, const std::vector<std::string>& options, int err) {
   Result<std::string> call = read_file(folder_ / "call");
   if (!call) return fail_run(call.errors(), kCouldNot);
-  std::vector<std::string>
-      words;  // the folder, the preset, the assets and what was asked for, each ended by a zero
-  for (std::size_t from = 0; from < call->size();) {
-    std::size_t to = std::min(call->find('\0', from), call->size());
-    words.push_back(call->substr(from, to - from));
-    from = to + 1;
-  }
+  // The folder, the preset, the assets and what was asked for, each ended by a zero.
+  std::vector<std::string> words = split(*call, '\0');
   if (words.size() < 3) return fail_here((folder_ / "call").string() + ": is damaged");
   std::string files = (folder_ / "files").string();
   Command command;
@@ -173,11 +169,8 @@ Command FarmTask::frame(const Wanted& wanted, int threads, const Words& said) co
   Command command;
   command.words = {own_program().string(),           "frame", "frames/" + wanted.scene + ".pov",
                    "frames/" + wanted.name + ".png", size_,   "--"};
-  for (std::size_t from = 0; from < flags_.size();) {
-    std::size_t to = std::min(flags_.find(' ', from), flags_.size());
-    command.words.push_back(flags_.substr(from, to - from));
-    from = to + 1;
-  }
+  std::vector<std::string> flags = split(flags_, ' ');
+  command.words.insert(command.words.end(), flags.begin(), flags.end());
   command.words.insert(command.words.end(), wanted.flags.begin(), wanted.flags.end());
   command.environment = {fmt::format("FROND_THREADS={}", threads)};
   command.folder = local_.path();

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "app/rendering.h"
 
 namespace frond {
@@ -15,6 +17,17 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("--scale", preset.scale, "N: multiplies the size, by 1 to 16");
   command->add_option("--quality", preset.quality, "draft, good or best");
   add_assets(command, preset.assets);
+}
+
+std::string as_path(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
+
+void add_words(std::vector<std::string>& words, const PresetArguments& preset) {
+  words.push_back(as_path(preset.path));
+  for (const std::string& set : preset.sets) words.push_back("--set=" + set);
+  if (preset.size) words.push_back("--size=" + *preset.size);
+  if (preset.scale) words.push_back(fmt::format("--scale={}", *preset.scale));
+  if (preset.quality) words.push_back("--quality=" + *preset.quality);
+  if (preset.assets) words.push_back("--assets=" + *preset.assets);
 }
 
 }  // namespace frond

@@ -14,6 +14,7 @@
 #include "app/pace.h"
 #include "app/render_notes.h"
 #include "app/render_run.h"
+#include "app/rendering.h"
 #include "app/streams.h"
 #include "core/files.h"
 #include "core/frame_name.h"
@@ -54,9 +55,6 @@ std::string wrong_words(const RenderArguments& a) {
     return fmt::format("--plot needs a name that ends in .svg, not '{}'", *a.plot);
   return {};
 }
-
-/// A path that no program takes for an option.
-std::string as_path(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
 
 /// Holds the folder of a run as long as it lives; other runs wait. What this process starts holds it, too, so
 /// that a run whose parent was killed is over before the next begins.
@@ -100,14 +98,9 @@ class RunLock {
 
 /// The words that have a program write the frames.
 std::vector<std::string> generate_words(const RenderArguments& a, const fs::path& out) {
-  const PresetArguments& preset = a.preset;
-  std::vector<std::string> words{environment_or("FROND_BIN", own_program().string()), "generate",
-                                 as_path(preset.path), "--out=" + out.string()};
-  for (const std::string& set : preset.sets) words.push_back("--set=" + set);
-  if (preset.size) words.push_back("--size=" + *preset.size);
-  if (preset.scale) words.push_back(fmt::format("--scale={}", *preset.scale));
-  if (preset.quality) words.push_back("--quality=" + *preset.quality);
-  if (preset.assets) words.push_back("--assets=" + *preset.assets);
+  std::vector<std::string> words{environment_or("FROND_BIN", own_program().string()), "generate"};
+  add_words(words, a.preset);
+  words.push_back("--out=" + out.string());
   if (a.frames) words.push_back("--frames=" + *a.frames);
   if (a.threads > 0) words.push_back(fmt::format("--threads={}", a.threads));
   return words;

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
 
@@ -11,6 +12,12 @@ namespace frond {
 /// Options that several commands have: `--assets`, and a preset with what is set of it.
 void add_assets(CLI::App* command, std::optional<std::string>& assets);
 void add_preset(CLI::App* command, PresetArguments& preset);
+
+/// The same as the words of a call of this program, behind those that are there.
+void add_words(std::vector<std::string>& words, const PresetArguments& preset);
+
+/// A path that no program takes for an option.
+std::string as_path(const std::string& path);
 
 /// The commands that start other programs: each adds itself to the command line and puts its exit code into
 /// `result` when it is called.

@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/messages.h"
+#include "app/rendering.h"
 #include "app/streams.h"
 #include "app/work_folder.h"
 #include "core/content.h"
@@ -143,16 +144,11 @@ std::vector<Cell> cells_of(const std::vector<Sweep>& sweeps, const fs::path& pic
 /// Has the picture made, by a run like any other; its exit code.
 Result<int> render_cell(const RenderArguments& a, const Cell& cell, int frame) {
   Command command;
-  command.words = {own_program().string(), "render",
-                   a.preset.path.starts_with('-') ? "./" + a.preset.path : a.preset.path,
-                   "--out=" + cell.folder.string(), fmt::format("--frames={0}-{0}", frame)};
-  const PresetArguments& preset = a.preset;
-  for (const std::string& set : preset.sets) command.words.push_back("--set=" + set);
+  command.words = {own_program().string(), "render"};
+  add_words(command.words, a.preset);
+  command.words.push_back("--out=" + cell.folder.string());
+  command.words.push_back(fmt::format("--frames={0}-{0}", frame));
   for (const std::string& set : cell.sets) command.words.push_back("--set=" + set);
-  if (preset.size) command.words.push_back("--size=" + *preset.size);
-  if (preset.scale) command.words.push_back(fmt::format("--scale={}", *preset.scale));
-  if (preset.quality) command.words.push_back("--quality=" + *preset.quality);
-  if (preset.assets) command.words.push_back("--assets=" + *preset.assets);
   if (a.jobs > 0) command.words.push_back(fmt::format("--jobs={}", a.jobs));
   if (a.threads > 0) command.words.push_back(fmt::format("--threads={}", a.threads));
   command.end_with = SIGTERM;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace frond {
 
@@ -26,6 +27,9 @@ void append_list(std::string& text, int decimals, double first, Numbers... rest)
   append(text, first, decimals);
   ((text += ',', append(text, static_cast<double>(rest), decimals)), ...);
 }
+
+/// The parts of a text that a character ends or separates.
+std::vector<std::string> split(std::string_view text, char separator);
 
 /// Where a long text goes, piece by piece.
 using Out = std::function<void(std::string_view)>;

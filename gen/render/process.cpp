@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/text.h"
+
 extern char** environ;
 
 namespace frond {
@@ -205,14 +207,6 @@ bool tells_full_disk(std::string_view words) {
          words.find("Disk quota exceeded") != words.npos;
 }
 
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    std::size_t end = std::min(text.find('\n'), text.size());
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
-}
+std::vector<std::string> lines_of(std::string_view text) { return split(text, '\n'); }
 
 }  // namespace frond

@@ -11,10 +11,12 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
+#include "core/text.h"
 #include "emit/film_files.h"
 #include "jobs/jobs.h"
 extern char** environ;
@@ -254,11 +256,7 @@ Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags
                                  "frames/" + name + ".png",
                                  fmt::format("{}x{}", size[0], size[1]),
                                  "--"};
-  for (std::size_t from = 0; from < flags.size();) {
-    std::size_t to = std::min(flags.find(' ', from), flags.size());
-    words.emplace_back(flags.substr(from, to - from));
-    from = to + 1;
-  }
+  std::ranges::move(split(flags, ' '), std::back_inserter(words));
   fs::path log = job.folder / (name + ".log");
   pid_t child = spawn(words, log, job.folder, home_);
   if (child == 0) return {Error{words[0], "cannot be started"}};
