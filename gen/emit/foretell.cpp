@@ -9,6 +9,7 @@
 
 #include "core/figures.h"
 #include "emit/foretell_ground.h"
+#include "emit/levels.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
 #include "field/volume.h"
@@ -89,8 +90,8 @@ double model_bytes(const Preset& preset, const Organism& organism, const Foresig
   double away = 1e30;  // the camera at its nearest
   for (int i = 0; i <= 8; ++i)
     away = std::min<double>(away, glm::distance(camera.location.at(preset.film.length() * i / 8), middle));
-  double pixel = 2 * std::tan(radians(camera.angle.at(0)) / 2) / preset.film.size[0];
-  if (preset.film.quality == Quality::draft) pixel *= 1.5;
+  double pixel =
+      coarseness(preset.film.quality) * 2 * std::tan(radians(camera.angle.at(0)) / 2) / preset.film.size[0];
   // The next copy of one model is about so far away where the camera is among them.
   double apart = 0.5 * reach * std::sqrt(kPi * organism.sown->models / std::max(1, organism.count));
   double next = std::max(away - reach, apart) - kCrown * organism.grower->tallest();
@@ -140,6 +141,11 @@ double drawn_triangles(const Preset& preset, const Organism& organism, const For
   return std::min(size.triangles, size.area / (0.43 * edge * edge));
 }
 
+/// How many of an entry stand.
+double number_of(const Organism& organism) {
+  return std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
+}
+
 /// What trees that grow in one light leave of each other: the ground that they cover is less than their
 /// crowns would, and what is in shade dies.
 double left_in_shade(const Preset& preset) {
@@ -147,7 +153,7 @@ double left_in_shade(const Preset& preset) {
   for (const Organism& o : preset.organisms) {
     if (o.sown || o.grower->stage() != GrowthStage::in_light) continue;
     double crown = kCrown * o.grower->tallest();
-    crowns += std::max<double>(o.count, static_cast<double>(o.place.at.size())) * crown * crown;
+    crowns += number_of(o) * crown * crown;
     reach = std::max(reach, reach_of(o) + crown);
   }
   return crowns > 0 ? std::pow(std::min(1.0, reach * reach / crowns), 2) : 1;
@@ -162,8 +168,8 @@ struct Sums {
   double still = 0;                      // of what stands and lies, the same in all frames
   double most = 0, growing = 0;          // bytes of the largest entry; of memory while the largest grows
   double body_seconds = 0, body_memory = 0;
-  std::set<std::string> drawn,
-      grown;  // names of pictures and models that are counted: several entries may share them
+  // Names of pictures and models that are counted: several entries may share them.
+  std::set<std::string> drawn, grown;
 
   void add_pictures(const Look& look);
   void add_sown(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress, double made,
@@ -207,7 +213,7 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const Foresight& si
                         double made, double held, double grows, Seed seed) {
   const Organism& organism = preset.organisms[o];
   const Grower& grower = *organism.grower;
-  double count = std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
+  double count = number_of(organism);
   bool together = finds_its_way(grower.stage());
   WoodTold wood = foretell_wood(organism, size, dress, seed);
   double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;

@@ -54,7 +54,7 @@ ModelBlocks blocks_of(const std::vector<Crumb>& crumbs) {
   return ModelBlocks(bits);
 }
 
-Views::Views(const Scene& scene) : scene_(scene), coarse_(scene.film.quality == Quality::draft ? 1.5 : 1) {
+Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.quality)) {
   const Film& film = scene.film;
   bool one = !moves(scene.stage.camera, film.length());
   stretch_ = one ? film.frames : kStretch;

@@ -62,6 +62,9 @@ struct ModelPlan {
   std::vector<ModelFile> files;
 };
 
+/// How many times as coarse as a pixel copies may be drawn.
+inline double coarseness(Quality quality) { return quality == Quality::draft ? 1.5 : 1; }
+
 ModelBlocks blocks_of(const std::vector<Crumb>& crumbs);
 
 /// What the cameras of a film see.
