@@ -238,7 +238,9 @@ class Server {
     server_.Get("/api/files",
                 [this](const Request&, Response& response) { send(response, 200, documents_.own()); });
     server_.Get("/api/look", [this](const Request& request, Response& response) {
-      send_picture(response, scenes_.look(request.get_param_value("file")), "image/png");
+      Result<std::string> look = scenes_.look(request.get_param_value("file"));
+      if (!look) return void(response.status = 204);  // a 404 would stand on the browser's console as a fault
+      response.set_content(*look, "image/png");
     });
     server_.Get(R"(/api/gallery/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
       send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");

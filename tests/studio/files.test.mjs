@@ -11,6 +11,7 @@ before(async () => {
   browser = await browse();
   file = preset('plant.json', TEXT);
   preset('other.json', TEXT.replace('A test', 'Another of mine'));
+  preset('unfinished.json', TEXT.replace('"kind": "plant"', '"kind": "plannt"'));
   studio = await start(file);
 });
 after(() => studio.stop());
@@ -44,6 +45,15 @@ test('a card without a picture in the gallery shows a quick look', async () => {
   const picture = page.getByTestId('card:species/corals/finger').locator('img');
   await picture.waitFor();
   await page.waitForFunction(() => document.querySelector('[data-testid="card:species/corals/finger"] img')?.naturalWidth > 100);
+  await page.context().close();
+});
+
+test('a file that no picture can be made of has a card all the same, and is no fault on the console', async () => {
+  const page = await visit(browser, studio.address);
+  await shown(page);
+  await page.getByTestId('to-gallery').click();
+  await page.getByTestId('own:unfinished.json').locator('.blank').waitFor();
+  assert.deepEqual(page.faults, []);
   await page.context().close();
 });
 

@@ -114,6 +114,7 @@ const seen = () =>
 
 test('every shipped preset opens and draws', async t => {
   assert.ok(names.length > 40, `${names.length} presets`);
+  assert.deepEqual(only.filter(name => !names.includes(name)), []);
   for (const name of only.length > 0 ? only : names)
     await t.test(name, async () => {
       try {
