@@ -205,7 +205,8 @@ Result<std::string> Scenes::look(const std::string& file) {
   Result<Foretold> foretold = foretell(*preset, 1);
   if (!foretold) return foretold.errors();
   if (foretold->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
-  Result<Scene> scene = build_scene(*preset);
+  auto given_up = [this, views = views_.load()] { return views_ != views; };
+  Result<Scene> scene = build_scene(*preset, {[](auto, auto) {}, [] {}, given_up});
   Result<std::string> png = scene ? png_text(quick_look(*scene, film.time(film.frames))) : scene.errors();
   if (png) pictures_.put(name, std::make_shared<const std::string>(*png), png->size());
   return png;
@@ -224,6 +225,7 @@ void Scenes::tidy_at_times(std::size_t sent) {
 Answer Scenes::view(const Doc& doc, const Json& question, const std::string& name, std::uint64_t number) {
   std::shared_ptr<Session> tab = session(name);
   tab->ask(number);
+  ++views_;
   auto given_up = [&] { return tab->newest > number; };
   std::lock_guard lock(tab->in_work);
   if (given_up()) return stale();

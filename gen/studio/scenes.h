@@ -36,7 +36,7 @@ class Scenes {
                                              const std::function<bool()>& given_up);
 
   /// A small quick look at a preset that Frond brings or that may be read, as a PNG; an error where it takes
-  /// long to grow.
+  /// long to grow, or where a scene is asked for meanwhile, which goes first.
   Result<std::string> look(const std::string& file);
 
   /// Gives memory that was freed back to the system. For after what has taken much, as a render.
@@ -94,6 +94,7 @@ class Scenes {
   Shelf<Drawing> drawings_;                          // by the names of their pictures
   std::atomic<std::size_t> sent_{0}, tidied_at_{0};  // bytes, see tidy_at_times()
   std::mutex looking_;                               // one at a time
+  std::atomic<std::uint64_t> views_{0};              // scenes that were asked for
   std::mutex in_work_;
   std::map<std::string, std::shared_ptr<Session>> sessions_;
   std::set<std::string> known_;  // organisms that were grown once

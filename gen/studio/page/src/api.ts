@@ -153,8 +153,11 @@ export const preset = (file: string): Promise<Loaded> => json("GET", `/api/prese
 export const disk = async (file: string): Promise<string> => (await json<{ disk: string }>("GET", `/api/disk?file=${encodeURIComponent(file)}`)).disk;
 /** The presets in the folders that may be written, those first that were written last. */
 export const files = (): Promise<Listed[]> => json("GET", "/api/files");
-/** A small picture of a preset that has none in the gallery; where it takes long to grow there is none. */
-export const look = (file: string): string => `/api/look?file=${encodeURIComponent(file)}&token=${encodeURIComponent(token())}`;
+/** A small picture of a preset that has none in the gallery; null where it takes long to grow. */
+export async function look(file: string, signal: AbortSignal): Promise<Blob | null> {
+  const answer = await call("GET", `/api/look?file=${encodeURIComponent(file)}`, undefined, signal);
+  return answer.status === 200 ? answer.blob() : null;
+}
 export const galleryPicture = (name: string): string => withToken(`/api/gallery/${encodeURIComponent(name)}`);
 
 export interface SceneRequest {

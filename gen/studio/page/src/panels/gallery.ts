@@ -3,6 +3,7 @@
 import * as api from "../api";
 import { el, icon } from "../dom";
 import type { Listed } from "../api";
+import { Looks } from "../looks";
 import type { Store } from "../store";
 import { say } from "./dialogs";
 
@@ -14,6 +15,8 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
   const search = el<HTMLInputElement>("input.text", { type: "search", placeholder: "Search presets", "aria-label": "Search presets", "data-testid": "gallery-search" });
   const body = el("div.shelves");
   let own: Listed[] = [];
+  const looks = new Looks();
+  store.on("opened", () => looks.stop());
   const empty = el("button", { type: "button", "data-testid": "new-preset", click: () => begin() }, "An empty one");
   const element = el("section.gallery", { "aria-label": "Gallery", "data-testid": "gallery", hidden: true },
     el("div.gallery-head", {}, el("div", {}, el("h1", {}, "Begin with a preset"), el("p.hint", {}, "What is shipped opens as a copy to play with and stays as it is; your own files open as they are.")), el("span.search", {}, icon("search"), search), empty), body);
@@ -33,7 +36,8 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
   const pictureOf = (listed: Listed): HTMLElement => {
     const picture = el<HTMLImageElement>("img", { alt: "", loading: "lazy" });
     picture.addEventListener("error", () => picture.replaceWith(el("span.blank", {}, icon("gallery"))));
-    picture.src = listed.picture ? api.galleryPicture(listed.picture) : api.look(listed.file);
+    if (listed.picture) picture.src = api.galleryPicture(listed.picture);
+    else looks.want(picture, listed.file);
     return picture;
   };
   const card = (listed: Listed, isOwn = false): HTMLElement => {
@@ -41,6 +45,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
     return el("li", {}, el("button.card", { type: "button", "data-testid": `${isOwn ? "own" : "card"}:${listed.name}`, click: () => void open(listed.file, isOwn) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
   };
   const render = (): void => {
+    looks.stop();
     const words = search.value.trim().toLowerCase();
     const called = (p: Listed): boolean => `${p.title} ${p.name}`.toLowerCase().includes(words);
     const found = store.presets.filter(called);
