@@ -132,8 +132,9 @@ class Grower {
   /// What one claims of the space that colonies fight for; none: it takes no part.
   virtual std::optional<Spread> spread() const = 0;
 
-  /// The same, rougher and sooner grown, to look at while it is being changed; none where that is not needed.
-  virtual std::shared_ptr<const Grower> coarse() const { return nullptr; }
+  /// The same, rougher and grown in about `share`, 0..1, of the time, to look at while it is being changed;
+  /// none where that is not needed.
+  virtual std::shared_ptr<const Grower> coarse(double /*share*/) const { return nullptr; }
 
   /// Grows all plantings of all beds, in their order. All are of this kind, the first is its own.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
@@ -181,6 +182,29 @@ template <class Mine, class Change>
 std::shared_ptr<const Grower> changed(const Mine& grower, Change change) {
   auto other = std::make_shared<Mine>(grower);
   change(other->params);
+  return other->check().empty() ? other : nullptr;
+}
+
+/// The same with edges of triangles so much longer that about `share` of the triangles are left, 1/16 at
+/// least.
+template <class Mine>
+std::shared_ptr<const Grower> longer_edges(const Mine& grower, double share,
+                                           double& (*edge)(decltype(grower.params)&)) {
+  return changed(grower, [&](auto& params) { edge(params) /= std::sqrt(std::clamp(share, 1. / 16, 1.)); });
+}
+
+/// The same after fewer derivation steps, with no more than `share` of the nodes where that can be.
+template <class Mine>
+std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share,
+                                          int& (*steps)(decltype(grower.params)&)) {
+  auto other = std::make_shared<Mine>(grower);
+  auto nodes = [&] {
+    Result<Foresight> sight = other->foresee(Seed{1});
+    return sight ? sight->nodes : 0;
+  };
+  double most = share * nodes();
+  other->params.smoothing = 1;
+  for (int& left = steps(other->params); left > 1 && nodes() > most;) --left;
   return other->check().empty() ? other : nullptr;
 }
 

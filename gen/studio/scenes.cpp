@@ -78,16 +78,16 @@ std::set<std::size_t> numbers(const Json& question, const char* name) {
   return set;
 }
 
-/// Lets some organisms grow roughly; whether any of them can.
-bool make_coarse(Preset& preset, const std::set<std::size_t>& entries) {
+/// Lets some organisms grow roughly, in about that share of the time; whether any of them can.
+bool make_coarse(Preset& preset, const std::set<std::size_t>& entries, double share) {
   bool any = false;
   for (std::size_t entry : entries) {
     if (entry >= preset.organisms.size()) continue;
     Organism& organism = preset.organisms[entry];
-    std::shared_ptr<const Grower> coarse = organism.grower->coarse();
+    std::shared_ptr<const Grower> coarse = organism.grower->coarse(share);
     if (!coarse) continue;
     organism.grower = std::move(coarse);
-    organism.text += " coarse";
+    organism.text += fmt::format(" coarse {}", share);
     any = true;
   }
   return any;
@@ -111,7 +111,7 @@ Scenes::Scenes(const Documents& documents, std::size_t memory)
 
 Scenes::Hurry Scenes::hurry_of(const Json& question) {
   if (!question.contains("only") || !question["only"].is_array()) return {};
-  return {numbers(question, "only"), question.value("coarse", false)};
+  return {numbers(question, "only"), question.value("share", 1.0)};
 }
 
 std::shared_ptr<Scenes::Session> Scenes::session(const std::string& name) {
@@ -161,7 +161,7 @@ Result<Json> Scenes::foretold(const Preset& preset, const Haste& haste, double s
 
 Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& key, Preset preset,
                                                            const Watch& watch, const Hurry& hurry) {
-  bool coarse = hurry.coarsely && make_coarse(preset, *hurry.only);
+  bool coarse = hurry.share < 1 && make_coarse(preset, *hurry.only, hurry.share);
   Result<Scene> scene = build_scene(preset, watch, &nursery_, hurry.only);
   if (!scene) return scene.errors();
   auto built = std::make_shared<const Built>(Built{std::move(preset), std::move(*scene), coarse});

@@ -63,7 +63,7 @@ class Scenes {
   /// What is asked for while somebody drags: just some organisms, and these coarsely.
   struct Hurry {
     Haste only;
-    bool coarsely = false;
+    double share = 1;  // of the time that these take
   };
   static Hurry hurry_of(const Json& question);
 

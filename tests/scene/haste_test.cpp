@@ -84,7 +84,7 @@ TEST(Haste, ARoughTreeIsAsTallAndHasFewerTwigs) {
       "organisms": [{"kind": "tree", "years": 12, "place": {"at": [[0, 0]]}}]})",
                                "tree", {});
   Preset rough = preset;
-  rough.organisms[0].grower = preset.organisms[0].grower->coarse();
+  rough.organisms[0].grower = preset.organisms[0].grower->coarse(0.3);
   ASSERT_NE(rough.organisms[0].grower, nullptr);
   auto tall = [](const Scene& scene) {
     float height = 0;
@@ -102,7 +102,7 @@ TEST(Haste, ARoughOneIsNoFaultAndHasFewerTriangles) {
       {"kind": "shell", "detail": 100000}, {"kind": "table"}, {"kind": "foliose"}, {"kind": "tube"}]})",
                              "reef", {});
   for (const Organism& o : reef.organisms) {
-    std::shared_ptr<const Grower> coarse = o.grower->coarse();
+    std::shared_ptr<const Grower> coarse = o.grower->coarse(0.2);
     ASSERT_NE(coarse, nullptr) << o.text;
     EXPECT_TRUE(coarse->check().empty());
     EXPECT_LT(coarse->foresee(Seed{1})->triangles, o.grower->foresee(Seed{1})->triangles) << o.text;

@@ -53,8 +53,8 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
                "found triangles that are too large for the coral; expected a sixth of its size at most"}};
     return {};
   }
-  std::shared_ptr<const Grower> coarse() const override {
-    return changed(*this, [](auto& p) { p.accretion.edge *= 2.5; });
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return longer_edges(*this, share, [](auto& p) -> double& { return p.accretion.edge; });
   }
   Result<Foresight> foresee(Seed) const override {
     const Accretion& a = params.accretion;

@@ -94,6 +94,10 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     if (coral) coral->riding = true;
     return coral;
   }
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return fewer_steps(*this, share,
+                       [](CoralParams& p) -> int& { return p.own_rules ? p.grammar.steps : p.steps; });
+  }
   double tallest() const override { return 0; }
   bool branches() const override { return true; }
   Dress dress() const override {

@@ -113,8 +113,8 @@ namespace {
 class FolioseGrower final : public BodyColony<FolioseParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
-  std::shared_ptr<const Grower> coarse() const override {
-    return changed(*this, [](auto& p) { p.edge *= 2.5; });
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
   Result<Foresight> foresee(Seed) const override {
     double area =

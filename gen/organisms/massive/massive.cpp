@@ -85,8 +85,8 @@ class MassiveGrower final : public BodyColony<MassiveParams> {
                "found triangles that are too large for the coral; expected an eighth of its size at most"}};
     return {};
   }
-  std::shared_ptr<const Grower> coarse() const override {
-    return changed(*this, [](auto& p) { p.edge *= 3; });
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
   Result<Foresight> foresee(Seed) const override {
     Foresight sight = foreseen(law_of(params), kPi * params.across * (params.across / 4 + params.height));

@@ -185,6 +185,9 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     if (plant) count_organs(params, seed, *plant);
     return plant;
   }
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return fewer_steps(*this, share, [](PlantParams& p) -> int& { return p.grammar.steps; });
+  }
   double tallest() const override { return params.height; }
   bool branches() const override { return true; }
   Dress dress() const override {

@@ -41,9 +41,9 @@ namespace {
 class RockGrower final : public Described<RockParams, BodyBuilder> {
  public:
   Errors check() const override { return check_rock(params.shape); }
-  std::shared_ptr<const Grower> coarse() const override {
-    return changed(*this, [](RockParams& p) {
-      p.shape.cells.depth = std::min(p.shape.cells.depth, 5);
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return changed(*this, [&](RockParams& p) {
+      p.shape.cells.depth = std::min(p.shape.cells.depth, share < 0.1 ? 4 : 5);
       p.shape.cells.tolerance = std::max(p.shape.cells.tolerance, 0.004);
     });
   }

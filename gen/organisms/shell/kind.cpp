@@ -144,8 +144,9 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
       errors.push_back({"/mantle", "needs the two valves of \"form\": \"bivalve\""});
     return errors;
   }
-  std::shared_ptr<const Grower> coarse() const override {
-    return changed(*this, [](ShellParams& p) { p.detail = std::min(p.detail, 2e4); });
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return changed(*this,
+                   [&](ShellParams& p) { p.detail = std::max(share * p.detail, std::min(p.detail, 5e3)); });
   }
   Result<Foresight> foresee(Seed) const override {
     Foresight sight;

@@ -170,8 +170,8 @@ namespace {
 class TableGrower final : public BodyColony<TableParams> {
  public:
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
-  std::shared_ptr<const Grower> coarse() const override {
-    return changed(*this, [](auto& p) { p.edge *= 2.5; });
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
   Result<Foresight> foresee(Seed) const override {
     Foresight sight = foreseen(0.8 * params.across * params.across, params.edge);

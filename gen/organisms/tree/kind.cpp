@@ -210,17 +210,17 @@ Filming filming_of(const Growth& growth, int cycles, double time) {
   return filming;
 }
 
-/// The same tree in fewer years, each of which adds as much more: as tall and of the same habit, with a third
-/// of its twigs.
-void hurry(TreeParams& tree) {
-  constexpr double kFewer = 0.62;
-  tree.years = std::max(1, static_cast<int>(std::lround(kFewer * tree.years)));
-  tree.species.internode /= kFewer;
-  tree.species.maturity *= kFewer;
-  tree.species.leaf_area /= kFewer * kFewer;
-  tree.species.wood.twig_radius /= kFewer;
-  tree.light.voxel /= kFewer;
-  tree.leaves.size /= kFewer;
+/// The same tree in fewer cycles of growth, each of which adds as much more: as tall and of the same habit, with about
+/// `share` of its twigs.
+void hurry(TreeParams& tree, double share) {
+  constexpr double kTwigsByCycles = 2.3;  // twigs grow as the cycles to this power
+  double fewer = std::pow(std::clamp(share, 0.05, 1.), 1 / kTwigsByCycles);
+  tree.species.pace *= fewer;
+  tree.species.internode /= fewer;
+  tree.species.leaf_area /= fewer * fewer;
+  tree.species.wood.twig_radius /= fewer;
+  tree.light.voxel /= fewer;
+  tree.leaves.size /= fewer;
 }
 
 /// Trees of a scene grow together, in one light.
@@ -232,7 +232,9 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     return check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels");
   }
   Errors doubts() const override { return {}; }
-  std::shared_ptr<const Grower> coarse() const override { return changed(*this, hurry); }
+  std::shared_ptr<const Grower> coarse(double share) const override {
+    return changed(*this, [&](TreeParams& tree) { hurry(tree, share); });
+  }
   /// The field of light of all of them together may be too large.
   Errors check_together(std::span<const Organism* const> all, double relief) const override {
     double reach = 0, low = 0, high = 0;

@@ -170,8 +170,8 @@ export interface SceneRequest {
   ask: number | null;
   /** Of what is not grown yet, just these organisms: the others are `missing` in the answer. */
   only?: number[];
-  /** These roughly. */
-  coarse?: boolean;
+  /** These roughly, in about this share of the time, 0..1. */
+  share?: number;
 }
 
 /** How many organisms have grown of those that a session waits for. */

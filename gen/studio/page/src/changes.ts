@@ -16,7 +16,7 @@ const FEW = 4;
 
 export function grownFrom(preset: Preset): GrownFrom {
   const rest = Object.entries(preset.whole).filter(([name]) => !SILENT.has(name));
-  return { rest: JSON.stringify(rest), organisms: preset.organisms.map((_, i) => JSON.stringify([preset.organism(i), preset.speciesName(i)])) };
+  return { rest: JSON.stringify(rest), organisms: preset.organisms.map((_, i) => JSON.stringify([preset.ownOf(i), preset.speciesName(i)])) };
 }
 
 /** None where all may be another. */

@@ -132,12 +132,19 @@ export class Preset {
   /** All that counts for an organism. */
   organism(entry: number): Json {
     let found = this.merged.get(entry);
-    if (!found) {
-      found = structuredClone(overlay(this.defaults, this.described(entry))) as Json;
-      for (const path of this.force) forcePath(this.defaults, found, path.split("/"));
-      this.merged.set(entry, found);
-    }
+    if (!found) this.merged.set(entry, (found = this.overDefaults(this.described(entry))));
     return found;
+  }
+
+  /** The same without what its species says, which may not be known yet. */
+  ownOf(entry: number): Json {
+    return this.overDefaults(this.organisms[entry] ?? {});
+  }
+
+  private overDefaults(described: Json): Json {
+    const all = structuredClone(overlay(this.defaults, described)) as Json;
+    for (const path of this.force) forcePath(this.defaults, all, path.split("/"));
+    return all;
   }
 
   /** Does `force` name the property, or what it is a part of? */

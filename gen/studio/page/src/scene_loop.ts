@@ -13,8 +13,9 @@ import type { View } from "./view/view";
 
 /** What takes longer than so many seconds is asked first. */
 const PATIENCE = 8;
-/** An organism that takes longer than so many seconds grows roughly while it is changed. */
-const LONG = 0.3;
+/** An organism that takes longer than so many seconds grows roughly while it is changed: in about so many, or in this share of its time where that is more. */
+const QUICK = 0.2;
+const LEAST_SHARE = 1 / 32;
 /** So long nothing is changed before the whole is grown, ms. */
 const CALM = 300;
 /** How soon, and how often, is looked what has grown so far, ms; a look takes at most this share of the time. */
@@ -109,8 +110,9 @@ export class SceneLoop {
     const changed = changedOrganisms(this.grown, from);
     if (changed.length) {
       const begin = performance.now();
-      const coarse = changed.some((entry) => (this.took.get(entry) ?? 0) > LONG);
-      const header = await this.picture({ only: changed, coarse }, begin);
+      const took = Math.max(...changed.map((entry) => this.took.get(entry) ?? 0));
+      const share = Math.min(1, Math.max(LEAST_SHARE, 2 ** Math.floor(Math.log2(QUICK / took)))); // few values, whose pictures are kept
+      const header = await this.picture({ only: changed, share }, begin);
       if (header && !header.missing.length && !header.coarse) this.grown = from;
       if (!header || this.wanted || this.grown === from) return;
       await sleep(CALM);
@@ -197,7 +199,8 @@ export class SceneLoop {
     if (answer.is === "picture") {
       const header = this.view.show(answer.bytes);
       await this.view.drawn();
-      for (const entry of header.coarse ? [] : header.regrown) this.took.set(entry, header.seconds.grow);
+      const share = header.coarse ? more.share ?? 1 : 1;
+      for (const entry of header.regrown) this.took.set(entry, header.seconds.grow / share);
       const took = (performance.now() - begin) / 1000;
       store.setScene({ header, errors: [], notes: header.notes, foretold: null, busy: more.only !== undefined && (header.missing.length > 0 || header.coarse), trouble: "", took });
       return header;

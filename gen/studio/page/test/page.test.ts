@@ -238,6 +238,9 @@ test("what is changed is known, and that all may be another", () => {
   assert.deepEqual(changedOrganisms(was, from('{"seed": 1, "organisms": [{"kind": "rock"}]}')), []);
   assert.deepEqual(changedOrganisms(was, from('{"seed": 1, "defaults": {"size": 2}, "organisms": [{"kind": "rock"}, {"kind": "coral", "height": 1}]}')), [0, 1]);
   assert.deepEqual(changedOrganisms(null, was), []);
+  const text = '{"organisms": [{"species": "a.json"}]}';
+  const known = grownFrom(new Preset(text, {}, () => ({ size: 2 })));
+  assert.deepEqual(changedOrganisms(grownFrom(new Preset(text)), known), [], "a species that has been read is no change");
 });
 
 test("what is missing from a picture stays as it was", () => {
