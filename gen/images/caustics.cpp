@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "core/seed.h"
+#include "core/vec.h"
 
 namespace frond {
 
