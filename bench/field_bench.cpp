@@ -39,7 +39,7 @@ void Fuse(benchmark::State& state) {
   state.counters["segments"] = static_cast<double>(boughs.cones.size());
   state.counters["triangles"] = static_cast<double>(triangles);
   state.counters["peak_MB"] = static_cast<double>(use.ru_maxrss) / 1024;
-  state.counters["foreseen_MB"] = foresee_volume(boughs, kVoxel).bytes / 1e6;
+  state.counters["estimated_MB"] = estimate_volume(boughs, kVoxel).bytes / 1e6;
 }
 BENCHMARK(Fuse)->Arg(0)->Arg(10)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 

@@ -55,7 +55,7 @@ BENCHMARK(Grow)
     ->Args({7, 27, 6})
     ->Args({10, 28, 6});
 
-void Cast(benchmark::State& state) {
+void ExportScene(benchmark::State& state) {
   LightLaw law;
   law.voxel = 0.2;
   law.fading = static_cast<Fading>(state.range(0));
@@ -73,7 +73,7 @@ void Cast(benchmark::State& state) {
   for (auto _ : state) field.cast(shades, 0);
   state.counters["tiles"] = static_cast<double>(field.tiles());
 }
-BENCHMARK(Cast)
+BENCHMARK(ExportScene)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Arg(static_cast<int>(Fading::diffuse))

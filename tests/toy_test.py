@@ -34,7 +34,7 @@ namespace {
 class Toy final : public Described<ToyParams, BodyBuilder> {
  public:
   Errors check() const override { return {}; }
-  Result<Foresight> foresee(Seed) const override { return Foresight{}; }
+  Result<SizeEstimate> estimate_size(Seed) const override { return SizeEstimate{}; }
   Result<Model> grow_alone(Seed seed) const override {
     Model model;
     std::uint16_t stone = model.solids.add_shape({stone_surface({seed}, 2), {}});
@@ -66,9 +66,9 @@ void describe(Visitor& v, Toyshop& t) {
 
 namespace {
 
-class Shelf final : public Grounds {
+class LruCache final : public Grounds {
  public:
-  explicit Shelf(double height) : height_(static_cast<float>(height)) {}
+  explicit LruCache(double height) : height_(static_cast<float>(height)) {}
   void strew(TakenSpots&) override {}
   float seat(Vec2, double, Seed) override { return height_; }
   Land land(std::vector<Spot>) const override { return {}; }
@@ -88,9 +88,9 @@ SettingRow toyshop_setting() {
   return setting_row<Toyshop>(
       "toyshop", "a shelf of toys", "toyshop", "The shelf, for toyshop", {"/toyshop"},
       [](const Stage&) { return Extent{}; }, [](const Stage&, const Film&) { return Errors{}; },
-      [](const Stage&, const Film&) { return GroundForesight{}; },
+      [](const Stage&, const Film&) { return GroundSizeEstimate{}; },
       [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
-        return std::make_unique<Shelf>(stage.block<Toyshop>().shelf);
+        return std::make_unique<LruCache>(stage.block<Toyshop>().shelf);
       },
       [](const Stage&) { return Daylight{}; });
 }

@@ -10,7 +10,7 @@
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/printable.h"
-#include "emit/foretell.h"
+#include "emit/estimate_cost.h"
 #include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
@@ -92,9 +92,9 @@ int info(const PresetArguments& arguments, const std::optional<std::string>& fra
     if (!asked) return fail(asked.errors(), kWrongInput);
     range = *asked;
   }
-  Result<Foretold> foretold = foretell(*preset, range.last - range.first + 1);
-  if (!foretold) return fail(foretold.errors(), kWrongInput);
-  const Foretold& f = *foretold;
+  Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
+  if (!estimate) return fail(estimate.errors(), kWrongInput);
+  const CostEstimate& f = *estimate;
   Machine machine = this_machine(".");
   double memory = f.memory(f.at_once(machine));
   std::vector<GrownSize> grown;

@@ -13,7 +13,7 @@ namespace frond {
 namespace {
 
 /// Sets how fine it is, by `250000` or `400px`.
-Errors set_detail(const std::string& text, CastOptions& options) {
+Errors set_detail(const std::string& text, ExportOptions& options) {
   bool pixels = text.ends_with("px");
   std::string_view number = std::string_view(text).substr(0, text.size() - (pixels ? 2 : 0));
   double least = pixels ? 20 : 100, most = pixels ? 1e4 : 1e9, value = 0;
@@ -29,7 +29,7 @@ Errors set_detail(const std::string& text, CastOptions& options) {
 }
 
 /// Sets the times of the shapes that an animation goes through. Returns the last frame.
-Result<int> set_keys(const std::string& frames, int most, const Film& film, CastOptions& options) {
+Result<int> set_keys(const std::string& frames, int most, const Film& film, ExportOptions& options) {
   Result<FrameRange> range = read_frames(frames, film.frames);
   if (!range) return range.errors();
   int steps = std::min(range->last - range->first, most - 1);
@@ -66,11 +66,11 @@ int export_scene(const ExportArguments& arguments) {
   if (!preset) return fail(preset.errors(), kWrongInput);
   if (!arguments.quiet) tell_notes(preset->notes);
   const Film& film = preset->film;
-  CastOptions options{.sides = arguments.sides,
-                      .voxel = arguments.voxel,
-                      .texture = arguments.texture,
-                      .instances = arguments.instances,
-                      .levels = arguments.levels};
+  ExportOptions options{.sides = arguments.sides,
+                        .voxel = arguments.voxel,
+                        .texture = arguments.texture,
+                        .instances = arguments.instances,
+                        .levels = arguments.levels};
   if (Errors errors = set_detail(arguments.detail, options); !errors.empty())
     return fail(errors, kWrongInput);
   int frame = arguments.frame == 0 ? film.frames : arguments.frame;
@@ -88,11 +88,11 @@ int export_scene(const ExportArguments& arguments) {
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
 
-  auto foretell = [&](double bytes) {
+  auto estimate_cost = [&](double bytes) {
     if (!arguments.quiet) tell(fmt::format("{}: about {}", arguments.out, bytes_text(bytes)));
   };
   now_doing("writing the mesh or the volume");
-  auto written = write_scene(**format, *scene, film.time(frame), options, arguments.out, foretell);
+  auto written = write_scene(**format, *scene, film.time(frame), options, arguments.out, estimate_cost);
   if (written) {
     if (!arguments.quiet && !written->empty())
       tell(fmt::format("note: at frame {} of {} nothing has grown yet of {}", frame, film.frames,

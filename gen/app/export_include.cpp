@@ -6,8 +6,8 @@
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "emit/estimate_cost.h"
 #include "emit/film_files.h"
-#include "emit/foretell.h"
 #include "emit/include.h"
 #include "settings/settings.h"
 
@@ -94,8 +94,8 @@ int export_include(const ExportArguments& arguments) {
     return fail(
         {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
         kWrongInput);
-  Result<Foretold> foretold = foretell(*preset, range.last - range.first + 1);
-  Errors refused = foretold ? refuse(*foretold, this_machine(".")) : foretold.errors();
+  Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
+  Errors refused = estimate ? refuse(*estimate, this_machine(".")) : estimate.errors();
   if (!refused.empty()) return fail(refused, kWrongInput);
   Result<MacroFiles> macros = read_macros();
   if (!macros) return fail(macros.errors(), kCouldNot);

@@ -17,8 +17,8 @@
 #include "core/files.h"
 #include "core/machine.h"
 #include "core/parallel.h"
+#include "emit/estimate_cost.h"
 #include "emit/film_files.h"
-#include "emit/foretell.h"
 #include "emit/frame.h"
 #include "jobs/jobs.h"
 #include "render/process.h"
@@ -172,19 +172,19 @@ int generate(const GenerateArguments& arguments) {
     if (errors.empty()) errors = remove_unusable(out, range, preset->film.size);
     return errors.empty() ? kDone : fail(errors, kCouldNot);
   }
-  now_doing("foreseeing how much there will be");
-  Result<Foretold> foretold = foretell(*preset, range.last - range.first + 1);
+  now_doing("estimating how much there will be");
+  Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
   Machine machine = machine_for(out);
-  Errors refused = foretold ? refuse(*foretold, machine) : foretold.errors();
+  Errors refused = estimate ? refuse(*estimate, machine) : estimate.errors();
   for (Error& error : refused)
     error.where = arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
   if (!refused.empty()) return fail(refused, kWrongInput);
 
   if (!arguments.quiet) {
     Pace pace = pace_of(name);
-    tell(fmt::format("foretold: {} of disk, {} of processor to render (reckoned {})",
-                     bytes_text(foretold->disk()),
-                     seconds_text(pace.factor * foretold->frames * foretold->render_seconds), pace.measured));
+    tell(fmt::format("estimate: {} of disk, {} of processor to render (reckoned {})",
+                     bytes_text(estimate->disk()),
+                     seconds_text(pace.factor * estimate->frames * estimate->render_seconds), pace.measured));
   }
 
   std::optional<Progress> shown;
@@ -215,11 +215,11 @@ int generate(const GenerateArguments& arguments) {
   needed.insert(plan->summaries.begin(), plan->summaries.end());
   shown.reset();
   now_doing("writing frames");
-  Written written = write_frames(*scene, std::move(*plan), *layout, out, range, foretold->at_once(machine),
+  Written written = write_frames(*scene, std::move(*plan), *layout, out, range, estimate->at_once(machine),
                                  arguments.quiet);
   if (!written.errors.empty()) return fail(written.errors, kCouldNot);
   Errors job_errors =
-      write_jobs(*preset, range, written.nodes, foretold->render_seconds, *root, out, name, false);
+      write_jobs(*preset, range, written.nodes, estimate->render_seconds, *root, out, name, false);
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);
   job_errors = remove_unusable(out, range, preset->film.size);
   if (!job_errors.empty()) return fail(job_errors, kCouldNot);

@@ -142,7 +142,7 @@ void add_info(CLI::App& app, int& result) {
   auto frames = std::make_shared<std::optional<std::string>>();
   auto json = std::make_shared<bool>(false), sizes = std::make_shared<bool>(false);
   auto* command =
-      app.add_subcommand("info", "Foresees how large a preset's scene or a grammar's word will be");
+      app.add_subcommand("info", "Estimates how large a preset's scene or a grammar's word will be");
   add_preset(command, *preset);
   command->add_option("--frames", *frames, "A-B: of a film only these frames");
   command->add_flag("--json", *json, "For machines");

@@ -14,12 +14,13 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kMostTold = 100;  // errors or notes that are told one by one
+constexpr std::size_t kMostPrinted = 100;  // errors or notes that are told one by one
 
 void print(const Errors& errors, std::string_view before) {
-  for (std::size_t i = 0; i < std::min(errors.size(), kMostTold); ++i)
+  for (std::size_t i = 0; i < std::min(errors.size(), kMostPrinted); ++i)
     put_words(fmt::format("{}{}\n", before, printable(errors[i])));
-  if (errors.size() > kMostTold) put_words(fmt::format("{}and {} more\n", before, errors.size() - kMostTold));
+  if (errors.size() > kMostPrinted)
+    put_words(fmt::format("{}and {} more\n", before, errors.size() - kMostPrinted));
 }
 
 }  // namespace

@@ -62,14 +62,14 @@ double seconds_of_others() {
 
 }  // namespace
 
-void note_pace(std::string_view preset, double foretold, double taken) {
+void note_pace(std::string_view preset, double estimate, double taken) {
   std::string key = key_of(preset), text;
   Result<std::string> noted = read_file(pace_file());
   std::vector<std::string> lines = noted ? lines_of(*noted) : std::vector<std::string>{};
   std::erase_if(lines, [&](const std::string& line) { return line.starts_with(key + " "); });
   for (std::size_t i = lines.size() - std::min(lines.size(), kKept - 1); i < lines.size(); ++i)
     text += lines[i] + '\n';
-  (void)write_file(pace_file(), text + fmt::format("{} {:.6g} {:.6g}\n", key, foretold, taken));
+  (void)write_file(pace_file(), text + fmt::format("{} {:.6g} {:.6g}\n", key, estimate, taken));
 }
 
 void measure_machine(const std::string& povray) {
@@ -97,9 +97,9 @@ Pace pace_of(std::string_view preset) {
   std::string wanted = key_of(preset), key;
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
-    double foretold = 0, taken = 0;
-    if (!(words >> key >> foretold >> taken) || !(foretold > 0) || !(taken > 0)) continue;
-    all.push_back(taken / foretold);
+    double estimate = 0, taken = 0;
+    if (!(words >> key >> estimate >> taken) || !(estimate > 0) || !(taken > 0)) continue;
+    all.push_back(taken / estimate);
     if (key == wanted) pace = {all.back(), "on its last run"};
   }
   if (pace.measured != Pace{}.measured || all.empty()) return pace;

@@ -19,7 +19,7 @@ struct FrameTime {
 std::vector<FrameTime> read_times(const std::filesystem::path& out);
 
 /// After a run that has rendered so many frames: says what the slowest took, and notes the pace for what is
-/// foretold of the next. The times behind the first `before` are its own.
+/// estimated for the next. The times behind the first `before` are its own.
 void note_times(const std::filesystem::path& out, std::size_t before, const Manifest& manifest, int rendered);
 
 /// Draws nodes, bytes and seconds of the frames in a folder as an SVG.

@@ -100,7 +100,7 @@ double flare_factor(double flare, double z);
 double stem_count(const WeberPenn& tree, int n, double share, double offset);
 
 /// About how many nodes a tree will have.
-double foresee_nodes(const WeberPenn& tree);
+double estimate_nodes(const WeberPenn& tree);
 
 /// Grows one; past four million nodes or ten million leaves it is refused. Radii have the flare but not the
 /// lobes. From each split on a stem and its clones share the stems that it would have borne, and each bears

@@ -67,7 +67,7 @@ double stem_count(const WeberPenn& tree, int n, double share, double offset) {
   return most * (1 - 0.5 * offset);
 }
 
-double foresee_nodes(const WeberPenn& tree) {
+double estimate_nodes(const WeberPenn& tree) {
   double stems = tree.trunks, nodes = 1;
   for (int n = 0; n < tree.levels; ++n) {
     const StemLevel& level = tree.stem(n);

@@ -82,7 +82,7 @@ class StandParts {
     if (own == name) return;  // in another tint
     name = own, parts.clear();
     if (!now_) return;
-    ModelBlocks blocks = blocks_of(plan_.crumbs[which_][static_cast<std::size_t>(model)]);
+    ModelBlocks blocks = blocks_of(plan_.surfels[which_][static_cast<std::size_t>(model)]);
     ModelFile here;
     here.level = one.level, here.block = one.block;
     const Look& look = stand_.dress.look;

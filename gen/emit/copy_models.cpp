@@ -111,7 +111,8 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
 
 /// What is written of a part.
 Surface skin_for(const CopyPart& part, const Model& model, const Surface& surface) {
-  return part.kind == CopyPart::Kind::solid ? told(surface, model.solids.shapes[part.which]) : surface;
+  return part.kind == CopyPart::Kind::solid ? with_light_uv(surface, model.solids.shapes[part.which])
+                                            : surface;
 }
 
 /// A part put together from its blocks, as their files declare them.

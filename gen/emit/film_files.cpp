@@ -92,12 +92,12 @@ class ModelWriter {
     plan(one);
   }
 
-  /// By what the crumbs tell of its size.
+  /// By what the surfels tell of its size.
   void plan(SownModel& one) const {
     std::set<std::string_view> names;
     one.missing.assign(kLevelCount, {});
     for (SownModel::Use& use : one.uses) {
-      use.plan = views_.plan(use.stand, one.number, one.summary.crumbs);
+      use.plan = views_.plan(use.stand, one.number, one.summary.surfels);
       for (const ModelFile& file : use.plan.files) {
         std::error_code none;
         bool known =
@@ -120,7 +120,7 @@ class ModelWriter {
     Result<Model> model = grow_copy(stand.organism, one.number);
     if (!model) return model.errors();
     if (one.missing.empty()) {
-      one.summary.crumbs = crumbs_of(stand.dress.look, *model);
+      one.summary.surfels = surfels_of(stand.dress.look, *model);
       if (Errors errors = write_summary(one); !errors.empty()) return errors;
       plan(one);
     }
@@ -141,7 +141,7 @@ class ModelWriter {
   /// Files first, so that the summary names none that is not there.
   Errors write_level(SownModel& one, const std::vector<ModelFile>& files, const Model& model) const {
     std::vector<ModelText> texts =
-        model_texts(files, scene_.stands[one.uses[0].stand], model, blocks_of(one.summary.crumbs));
+        model_texts(files, scene_.stands[one.uses[0].stand], model, blocks_of(one.summary.surfels));
     for (std::size_t k = 0; k < files.size(); ++k) {
       Result<bool> written = write_file(folder_ / files[k].name, texts[k].file_text());
       if (!written) return written.errors();
@@ -165,9 +165,9 @@ class ModelWriter {
         for (std::size_t f = first; f < plan.files.size(); ++f)
           plan.files[f].parts = one.summary.parts.at({plan.files[f].level, plan.files[f].block});
         if (one.grown) plan.growing[{s, model}] = one.grown;
-        std::vector<std::vector<Crumb>>& crumbs = plan.crumbs[s];
-        crumbs.resize(std::max(crumbs.size(), static_cast<std::size_t>(model) + 1));
-        crumbs[static_cast<std::size_t>(model)] = one.summary.crumbs;
+        std::vector<std::vector<Surfel>>& surfels = plan.surfels[s];
+        surfels.resize(std::max(surfels.size(), static_cast<std::size_t>(model) + 1));
+        surfels[static_cast<std::size_t>(model)] = one.summary.surfels;
         plan.summaries.push_back(one.summary_name);
       }
     return plan;
@@ -221,7 +221,7 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
     parts.light = kOwnLight;
     return {};
   }
-  Result<std::string> text = soft_light_text(parts.space, scene, parts.plan.crumbs, 0);
+  Result<std::string> text = soft_light_text(parts.space, scene, parts.plan.surfels, 0);
   if (!text) return text.errors();
   if (text->empty()) return {};
   parts.light = "light_" + content_id(*text) + ".rca";
@@ -235,7 +235,7 @@ Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, 
       exposure > 0 ? exposure_time(scene.film, scene.stage.camera, frame, exposure) : scene.film.time(frame);
   if (parts.light == kOwnLight && exposure <= 1) {
     Result<std::string> light =
-        soft_light_text(parts.space, scene, parts.plan.crumbs, scene.film.time(frame));
+        soft_light_text(parts.space, scene, parts.plan.surfels, scene.film.time(frame));
     if (!light) return light.errors();
     if (Result<bool> written = write_file(folder / light_name(frame), *light); !written)
       return written.errors();

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "emit/crumbling.h"
+#include "emit/surfel_sampler.h"
 #include "scene/camera.h"
 
 namespace frond {
@@ -72,12 +72,12 @@ std::optional<float> depth_of(const std::vector<const Specimen*>& specimens, con
   std::mutex in_work;
   float depth = kNoDepth;
   auto look = [&](Vec2 at) {
-    for (const Specimen* s : specimens) crumble(FocusSpot{lens, at, depth, in_work}, *s, time);
+    for (const Specimen* s : specimens) sample_surfels(FocusSpot{lens, at, depth, in_work}, *s, time);
     return depth < kNoDepth;
   };
   if (look(Vec2(0))) return depth;
   std::vector<std::pair<Vec3, float>> bits;
-  for (const Specimen* s : specimens) crumble(FocusMiddle{lens, bits, in_work}, *s, time);
+  for (const Specimen* s : specimens) sample_surfels(FocusMiddle{lens, bits, in_work}, *s, time);
   if (bits.empty()) return std::nullopt;
   std::ranges::sort(bits, [](const auto& a, const auto& b) {
     return std::tie(a.first.x, a.first.y, a.first.z, a.second) <

@@ -48,9 +48,9 @@ const ModelFile& CopyPlan::file(std::size_t stand, int model, const Drawn& one) 
                            [](const ModelFile& f, const auto& key) { return order(f) < key; });
 }
 
-ModelBlocks blocks_of(const std::vector<Crumb>& crumbs) {
+ModelBlocks blocks_of(const std::vector<Surfel>& surfels) {
   std::vector<Vec3> bits;
-  for (const Crumb& crumb : crumbs) bits.push_back(crumb.at);
+  for (const Surfel& surfel : surfels) bits.push_back(surfel.at);
   return ModelBlocks(bits);
 }
 
@@ -136,9 +136,9 @@ std::vector<Drawn> Views::drawn(std::size_t stretch, const SownStand& stand, int
   return list;
 }
 
-ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Crumb>& crumbs) const {
+ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& surfels) const {
   const SownStand& sown = scene_.stands[stand];
-  ModelBlocks blocks = blocks_of(crumbs);
+  ModelBlocks blocks = blocks_of(surfels);
   ModelPlan result;
   std::set<std::pair<int, int>> used;
   for (std::size_t k = 0; k < eyes_.size(); ++k) {
@@ -160,7 +160,7 @@ CopyPlan Views::empty_plan() const {
   CopyPlan plan;
   plan.stretch = stretch_;
   plan.drawn.assign(eyes_.size(), std::vector<std::vector<Drawn>>(scene_.stands.size()));
-  plan.crumbs.resize(scene_.stands.size());
+  plan.surfels.resize(scene_.stands.size());
   return plan;
 }
 

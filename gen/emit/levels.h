@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "emit/crumbs.h"
+#include "emit/surfels.h"
 #include "light/light.h"
 #include "scene/copies.h"
 
@@ -46,7 +46,7 @@ struct CopyPlan {
   std::vector<std::vector<std::vector<Drawn>>> drawn;  ///< of each stretch, of each stand
   std::vector<ModelFile> files;                        ///< that are needed: by stand, model, level and block
   std::vector<std::string> summaries;                  ///< names of the files that tell the same of models
-  Crumbs crumbs;                                       ///< of all models that stand
+  Surfels surfels;                                     ///< of all models that stand
   /// Models that the film sees grow, by stand and number: what is there of them is written in each frame.
   std::map<std::pair<std::size_t, int>, std::shared_ptr<const Model>> growing;
 
@@ -65,7 +65,7 @@ struct ModelPlan {
 /// How many times as coarse as a pixel copies may be drawn.
 inline double coarseness(Quality quality) { return quality == Quality::draft ? 1.5 : 1; }
 
-ModelBlocks blocks_of(const std::vector<Crumb>& crumbs);
+ModelBlocks blocks_of(const std::vector<Surfel>& surfels);
 
 /// What the cameras of a film see.
 class Views {
@@ -74,7 +74,7 @@ class Views {
 
   /// By how near each block of each copy comes to the camera, and whether it, or its shadow in the sun, is in
   /// view.
-  ModelPlan plan(std::size_t stand, int model, const std::vector<Crumb>& crumbs) const;
+  ModelPlan plan(std::size_t stand, int model, const std::vector<Surfel>& surfels) const;
   /// A plan for no model yet. Models are added in their order.
   CopyPlan empty_plan() const;
   static void add(CopyPlan& plan, std::size_t stand, const ModelPlan& model);

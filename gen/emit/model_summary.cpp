@@ -40,17 +40,17 @@ class Words {
 }  // namespace
 
 std::string summary_text(const ModelSummary& summary) {
-  std::string text = "crumbs ";
-  append_index(text, summary.crumbs.size());
-  for (const Crumb& c : summary.crumbs) {
+  std::string text = "surfels ";
+  append_index(text, summary.surfels.size());
+  for (const Surfel& c : summary.surfels) {
     char before = '\n';
     auto add = [&](float number, int decimals) {
       text += std::exchange(before, ' ');
       append(text, number, decimals);
     };
-    for (float number : {c.at.x, c.at.y, c.at.z}) add(number, kCrumbDecimals);
-    add(c.area, kCrumbAreaDecimals);
-    for (float number : {c.wide, c.albedo.x, c.albedo.y, c.albedo.z, c.bulk}) add(number, kCrumbDecimals);
+    for (float number : {c.at.x, c.at.y, c.at.z}) add(number, kSurfelDecimals);
+    add(c.area, kSurfelAreaDecimals);
+    for (float number : {c.wide, c.albedo.x, c.albedo.y, c.albedo.z, c.bulk}) add(number, kSurfelDecimals);
   }
   text += "\nfiles ";
   append_index(text, summary.parts.size());
@@ -69,10 +69,10 @@ std::string summary_text(const ModelSummary& summary) {
 std::optional<ModelSummary> read_summary(std::string_view text) {
   ModelSummary summary;
   Words words(text);
-  std::size_t crumbs = 0, files = 0;
-  bool good = words.expect("crumbs") && words.take(crumbs);
-  for (std::size_t i = 0; i < crumbs && good; ++i) {
-    Crumb& c = summary.crumbs.emplace_back();
+  std::size_t surfels = 0, files = 0;
+  bool good = words.expect("surfels") && words.take(surfels);
+  for (std::size_t i = 0; i < surfels && good; ++i) {
+    Surfel& c = summary.surfels.emplace_back();
     for (float* number :
          {&c.at.x, &c.at.y, &c.at.z, &c.area, &c.wide, &c.albedo.x, &c.albedo.y, &c.albedo.z, &c.bulk})
       good = words.take(*number);

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "emit/crumbs.h"
+#include "emit/surfels.h"
 
 namespace frond {
 
 /// What later runs have to know of a sown model so that they need not grow it again.
 struct ModelSummary {
-  std::vector<Crumb> crumbs;
+  std::vector<Surfel> surfels;
   /// Which parts its file of a level and block declares; none where there is no such file.
   std::map<std::pair<int, int>, std::vector<int>> parts;
 };
@@ -21,11 +21,11 @@ struct ModelSummary {
 /// The text of a file and what it says; nothing where that is no such text or not all of it. Its words are
 /// parted by blanks or line ends:
 ///
-///     crumbs N    N times x y z area wide red green blue bulk
+///     surfels N    N times x y z area wide red green blue bulk
 ///     files N     N times level block M and M numbers of parts
 ///     end
 ///
-/// Numbers have the decimals that crumbs have, so that what is read is what was written.
+/// Numbers have the decimals that surfels have, so that what is read is what was written.
 std::string summary_text(const ModelSummary& summary);
 std::optional<ModelSummary> read_summary(std::string_view text);
 

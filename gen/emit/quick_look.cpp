@@ -10,7 +10,7 @@
 #include "core/bounds.h"
 #include "core/linear.h"
 #include "core/parallel.h"
-#include "emit/crumbling.h"
+#include "emit/surfel_sampler.h"
 #include "scene/camera.h"
 #include "settings/settings.h"
 
@@ -152,11 +152,12 @@ Vec3 color_of(const Look& look) {
 
 /// All that stands, in bits.
 template <class Sink>
-void crumble_all(const Sink& sink, const Scene& scene, const std::vector<Specimen>& changed, double time) {
+void sample_all_surfels(const Sink& sink, const Scene& scene, const std::vector<Specimen>& changed,
+                        double time) {
   for (const Specimen& s : scene.specimens)
-    if (!s.life.changes()) crumble(sink, s, time);
-  for (const Specimen& s : changed) crumble(sink, s, time);
-  Crumbling<Sink> to{sink};
+    if (!s.life.changes()) sample_surfels(sink, s, time);
+  for (const Specimen& s : changed) sample_surfels(sink, s, time);
+  SurfelSampler<Sink> to{sink};
   for (const Strewn& strewn : scene.ground->strewn())
     for (const Strewn::At& at : strewn.at)
       to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
@@ -279,8 +280,8 @@ Raster quick_look(const Scene& scene, double time) {
       if (Result<Specimen> now = developed(s, time)) changed.push_back(std::move(*now));
   Pixels pixels(width, height), from_sun(kShadowSide, kShadowSide);
   ToSun sun = sun_over(scene, light.sun, from_sun);
-  crumble_all(sun, scene, changed, time);
-  crumble_all(ToPicture{lens, pixels}, scene, changed, time);
+  sample_all_surfels(sun, scene, changed, time);
+  sample_all_surfels(ToPicture{lens, pixels}, scene, changed, time);
 
   FloorDepth floor(scene.ground->floor(), lens, width, height);
   Raster picture(width, height, 3);

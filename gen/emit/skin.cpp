@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/bytes.h"
-#include "core/shelf.h"
+#include "core/lru_cache.h"
 #include "core/text.h"
 #include "emit/plant.h"
 #include "geometry/relief.h"
@@ -109,7 +109,7 @@ float height_at(const Grid& grid, Vec2 uv) {
 /// The heights of a bark, kept for the trees and frames that ask for the same ones again.
 std::shared_ptr<const Grid> heights_of(const BarkCoat& coat, int width) {
   constexpr std::size_t kRoom = 32 << 20;  // bytes
-  static Shelf<Grid> kept(kRoom);
+  static LruCache<Grid> kept(kRoom);
   // The picture's name says all that its heights depend on.
   std::string name = bark_height_name(coat);
   if (auto found = kept.find(name)) return found;

@@ -7,9 +7,9 @@
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "core/text.h"
-#include "emit/crumbling.h"
 #include "emit/eyes.h"
 #include "emit/setting.h"
+#include "emit/surfel_sampler.h"
 
 namespace frond {
 
@@ -24,7 +24,7 @@ constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throw
 constexpr double kErrorBound = 4;  // of povinc's radiosity
 
 /// The room that a scene takes, metres.
-Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, const Crumbs& crumbs) {
+Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, const Surfels& surfels) {
   Bounds room;
   for (const Specimen* b : now) {
     const Model& m = b->model;
@@ -38,9 +38,9 @@ Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, cons
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const Copies& copies = scene.stands[s].copies;
     std::vector<float> reach;
-    for (const auto& model : crumbs[s]) {
+    for (const auto& model : surfels[s]) {
       float far = 0;
-      for (const Crumb& crumb : model) far = std::max(far, glm::length(crumb.at));
+      for (const Surfel& surfel : model) far = std::max(far, glm::length(surfel.at));
       reach.push_back(far);
     }
     for (std::size_t i = 0; i < copies.size(); ++i)
@@ -66,20 +66,20 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
   LowCover cover = ground.low_cover();
   grid.add_land([&](Vec2 at) { return ground.height(at); }, albedo, static_cast<float>(cover.height),
                 static_cast<float>(cover.area));
-  Crumbling<IntoGrid> to{IntoGrid{grid}};
+  SurfelSampler<IntoGrid> to{IntoGrid{grid}};
   for (const Strewn& strewn : ground.strewn())
     for (const Strewn::At& at : strewn.at)
       to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
 }
 
-void add_copies(SoftLight& grid, const Scene& scene, const Crumbs& crumbs) {
+void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels) {
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const Copies& copies = scene.stands[s].copies;
     parallel_for(copies.size(), [&](std::size_t i) {
       float scale = copies.scale[i];
-      for (const Crumb& crumb : crumbs[s][copies.model[i]])
-        grid.add(copies.foot[i] + copies.turn[i] * (scale * crumb.at), scale * scale * crumb.area,
-                 kDiffuse * crumb.albedo, kAllWays, scale * crumb.bulk, scale * crumb.wide);
+      for (const Surfel& surfel : surfels[s][copies.model[i]])
+        grid.add(copies.foot[i] + copies.turn[i] * (scale * surfel.at), scale * scale * surfel.area,
+                 kDiffuse * surfel.albedo, kAllWays, scale * surfel.bulk, scale * surfel.wide);
     });
   }
 }
@@ -115,7 +115,7 @@ void append_probe(std::string& text, const PovSpace& space, const Probe& probe) 
 
 }  // namespace
 
-SoftLight::Size foresee_light(const Scene& scene, double tall) {
+SoftLight::Size estimate_light(const Scene& scene, double tall) {
   Bounds room;
   for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
   if (room.empty()) room = {Vec3(-1, 0, -1), Vec3(1, 0, 1)};
@@ -123,7 +123,7 @@ SoftLight::Size foresee_light(const Scene& scene, double tall) {
   Vec3 far(kFarthest, 1e6f, kFarthest);
   room = {glm::max(room.low, -far), glm::min(room.high, far)};
   std::vector<Eye> some = some_eyes(scene);
-  return SoftLight::foresee(
+  return SoftLight::estimate_size(
       some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / PovSpace{}.unit,
       [&](Vec2 at) { return scene.ground->height(at); }, static_cast<float>(scene.ground->low_cover().height),
       some);
@@ -135,7 +135,7 @@ bool light_changes(const Scene& scene) {
          });
 }
 
-Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Crumbs& crumbs,
+Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Surfels& surfels,
                                     double time) {
   std::optional<Ambience> ambience = ambience_of(scene);
   if (!ambience) return std::string();
@@ -151,11 +151,11 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
     now.back() = &others.emplace_back(std::move(*one));
   }
   std::vector<Eye> some = some_eyes(scene), here{eye_at(scene, time)};
-  Bounds room = room_of(scene, now, crumbs);
+  Bounds room = room_of(scene, now, surfels);
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
-  for (const Specimen* specimen : now) crumble(IntoGrid{grid}, *specimen, time);
-  add_copies(grid, scene, crumbs);
+  for (const Specimen* specimen : now) sample_surfels(IntoGrid{grid}, *specimen, time);
+  add_copies(grid, scene, surfels);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
   std::vector<std::string> texts((probes.size() + 4095) / 4096);

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "emit/crumbs.h"
 #include "emit/pov.h"
+#include "emit/surfels.h"
 #include "light/light.h"
 #include "scene/scene.h"
 
@@ -11,7 +11,7 @@ namespace frond {
 
 /// How large the grids are that the soft light of a scene's ground is worked out in, with things on it that
 /// rise to `tall` metres.
-SoftLight::Size foresee_light(const Scene& scene, double tall);
+SoftLight::Size estimate_light(const Scene& scene, double tall);
 
 /// Whether the soft light is another in each frame: where something grows or becomes another shape. What only
 /// sways keeps that of the first frame.
@@ -20,7 +20,7 @@ bool light_changes(const Scene& scene);
 /// The soft light of a scene at a time, as POV-Ray's radiosity keeps it in files (+RFI): each line a place, a
 /// direction and the light that comes from the half of all directions round it. Empty where the setting
 /// brings lamps of its own instead.
-Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Crumbs& crumbs,
+Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Surfels& surfels,
                                     double time);
 
 }  // namespace frond

@@ -200,7 +200,7 @@ void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, 
   if (solid.native)
     append_isosurface(text, space, *solid.native);
   else if (solid.turned.empty())
-    append_mesh(text, space, told(solid.surface, solid));
+    append_mesh(text, space, with_light_uv(solid.surface, solid));
   else
     append_lathe(text, space, solid);
   text += '\n';
@@ -256,7 +256,7 @@ void append_front(std::string& text, double front) {
   text += ";\n";
 }
 
-Surface told(Surface skin, const Solid& solid) {
+Surface with_light_uv(Surface skin, const Solid& solid) {
   Matter m = solid.material.matter;
   for (std::size_t v = 0; lives(solid.material) && m != Matter::reef && v < skin.uv.size(); ++v)
     skin.uv[v][m == Matter::meander ? 1 : 0] = solid.light.empty() ? 1 : solid.light[v];
@@ -339,7 +339,7 @@ ObjectText growing_solids_text(const PovSpace& space, const Solids& solids, cons
     Surface now = surface_at(solid, front);
     std::string object = "object{\n";
     if (!has_faces(now)) continue;
-    append_mesh(object, space, told(std::move(now), solid));
+    append_mesh(object, space, with_light_uv(std::move(now), solid));
     append_material(object, solid.material);
     if (!append_placement(object, space, solids, i)) continue;
     if (lives(solid.material)) append_front(text.text, front);

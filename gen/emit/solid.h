@@ -10,7 +10,7 @@ namespace frond {
 
 /// The skin of a solid with the `uv` that its texture asks for: tissue is told how much light it has, valleys
 /// in v, all others in u, which say nothing of their own there.
-Surface told(Surface skin, const Solid& solid);
+Surface with_light_uv(Surface skin, const Solid& solid);
 
 /// Whether it is a living skin, or the rock that such skins made.
 bool lives(const Material& material);

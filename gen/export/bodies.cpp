@@ -97,10 +97,10 @@ Vec3 wrought(const Material& m, float height, Vec3 light) {
 
 }  // namespace
 
-std::vector<CastPart> body_parts(Maker& maker, const Look& look, const Solids& solids,
-                                 std::span<const Solids> keys) {
+std::vector<ExportPart> body_parts(Maker& maker, const Look& look, const Solids& solids,
+                                   std::span<const Solids> keys) {
   Kinds kinds = kinds_of(solids);
-  std::vector<CastPart> parts(kinds.kin.size());
+  std::vector<ExportPart> parts(kinds.kin.size());
   double all = 0;
   for (std::uint16_t s : solids.shape) all += static_cast<double>(solids.shapes[s].surface.triangle.size());
   double share = maker.share() * std::min(1.0, kBodyShare * maker.options.detail / std::max(all, 1.0));
@@ -146,8 +146,8 @@ std::vector<CastPart> body_parts(Maker& maker, const Look& look, const Solids& s
       parts[k].tint.push_back(tint_of(factor * tint));
     }
   }
-  for (CastPart& part : parts)
-    if (std::ranges::all_of(part.tint, [](CastTint t) { return t == CastTint{255, 255, 255, 255}; }))
+  for (ExportPart& part : parts)
+    if (std::ranges::all_of(part.tint, [](ExportTint t) { return t == ExportTint{255, 255, 255, 255}; }))
       part.tint.clear();
   return parts;
 }

@@ -202,7 +202,7 @@ class Brancher {
   }
 
   Maker& maker_;
-  const CastOptions& options_;
+  const ExportOptions& options_;
   const Specimen& b_;
   const Pose& pose_;
   double most_;

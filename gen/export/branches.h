@@ -8,7 +8,7 @@ namespace frond {
 
 /// Branches of one material, and the node of the skeleton that each vertex belongs to.
 struct BranchPart {
-  CastPart part;
+  ExportPart part;
   std::vector<std::int32_t> node = {};
 };
 

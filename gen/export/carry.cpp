@@ -14,10 +14,10 @@ constexpr float kStill = 1e-5f;  // metres: less is no movement
 
 }  // namespace
 
-CastShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, const Surface& surface,
-                     std::span<const std::int32_t> node) {
+ExportShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, const Surface& surface,
+                       std::span<const std::int32_t> node) {
   assert(node.size() == surface.position.size());
-  CastShift shift;
+  ExportShift shift;
   for (std::size_t v = 0; v < node.size(); ++v) {
     std::int32_t n = node[v], below = rest.parent[n] == Skeleton::kRoot ? n : rest.parent[n];
     Vec3 foot = from.position[below], way = from.position[n] - foot, at = surface.position[v];
@@ -35,9 +35,9 @@ CastShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, con
   return shift;
 }
 
-CastShift shift_between(const Surface& from, const Surface& to) {
+ExportShift shift_between(const Surface& from, const Surface& to) {
   assert(from.position.size() == to.position.size());
-  CastShift shift;
+  ExportShift shift;
   for (std::size_t v = 0; v < from.position.size(); ++v) {
     shift.position.push_back(to.position[v] - from.position[v]);
     shift.normal.push_back(to.normal[v] - from.normal[v]);
@@ -65,25 +65,25 @@ Simplified drawn_with(const Surface& whole, double triangles) {
   return simple;
 }
 
-void append_shift(CastPart& part, std::size_t key, std::size_t first, const Surface& there,
-                  const CastPlacement& placement) {
+void append_shift(ExportPart& part, std::size_t key, std::size_t first, const Surface& there,
+                  const ExportPlacement& placement) {
   Surface placed;
   append_placed(placed, there, placement.at, placement.turn, placement.scale);
   if (part.shifts.size() <= key) part.shifts.resize(key + 1);
-  CastShift& shift = part.shifts[key];
+  ExportShift& shift = part.shifts[key];
   for (std::size_t v = 0; v < placed.position.size(); ++v) {
     shift.position.push_back(placed.position[v] - part.surface.position[first + v]);
     shift.normal.push_back(placed.normal[v] - part.surface.normal[first + v]);
   }
 }
 
-void leave_out_still(std::vector<CastPart>& parts) {
-  auto still = [](const CastShift& shift) {
+void leave_out_still(std::vector<ExportPart>& parts) {
+  auto still = [](const ExportShift& shift) {
     return std::ranges::all_of(shift.position, [](Vec3 by) { return glm::dot(by, by) < kStill * kStill; });
   };
   if (std::ranges::all_of(parts,
-                          [&](const CastPart& part) { return std::ranges::all_of(part.shifts, still); }))
-    for (CastPart& part : parts) part.shifts.clear();
+                          [&](const ExportPart& part) { return std::ranges::all_of(part.shifts, still); }))
+    for (ExportPart& part : parts) part.shifts.clear();
 }
 
 }  // namespace frond

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "export/cast.h"
+#include "export/export_scene.h"
 #include "motion/motion.h"
 
 namespace frond {
@@ -10,11 +10,11 @@ namespace frond {
 /// Where the surface of branches is in another pose: each vertex keeps its place on the branch, whose node it
 /// has, and is as much nearer to its middle line as the branch is thinner there. What growth has not reached
 /// yet lies in the growing tip.
-CastShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, const Surface& surface,
-                     std::span<const std::int32_t> node);
+ExportShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, const Surface& surface,
+                       std::span<const std::int32_t> node);
 
 /// What leads from a surface to another one of the same triangles.
-CastShift shift_between(const Surface& from, const Surface& to);
+ExportShift shift_between(const Surface& from, const Surface& to);
 
 inline constexpr double kAllTriangles = 1e18;
 
@@ -30,10 +30,10 @@ Simplified drawn_with(const Surface& whole, double triangles);
 
 /// Adds what leads from the vertices of a part, from `first` on, to where they are at a key, as a placement
 /// has `there`.
-void append_shift(CastPart& part, std::size_t key, std::size_t first, const Surface& there,
-                  const CastPlacement& placement);
+void append_shift(ExportPart& part, std::size_t key, std::size_t first, const Surface& there,
+                  const ExportPlacement& placement);
 
 /// Takes the shifts from parts none of which moves by more than a hair.
-void leave_out_still(std::vector<CastPart>& parts);
+void leave_out_still(std::vector<ExportPart>& parts);
 
 }  // namespace frond

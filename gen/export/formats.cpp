@@ -19,12 +19,12 @@ constexpr double kPlyVertex = 35;
 constexpr double kMostIndices = 2147483647;  // whole numbers of a PLY
 
 /// The large file first: where the disk is full the small ones would be left alone.
-Result<bool> write_obj(const Cast& cast, const CastOptions&, const fs::path& path) {
+Result<bool> write_obj(const ExportScene& exported, const ExportOptions&, const fs::path& path) {
   fs::path materials = path;
   materials.replace_extension(".mtl");
   // Pictures are called as the file is, so that two exports in one folder do not take each other's.
-  Cast named = cast;
-  for (CastPicture& picture : named.pictures) picture.name = path.stem().string() + '_' + picture.name;
+  ExportScene named = exported;
+  for (ExportPicture& picture : named.pictures) picture.name = path.stem().string() + '_' + picture.name;
   std::vector<fs::path> there;
   auto write = [&](const fs::path& to, const std::string& text) {
     Result<bool> written = write_file(to, text);
@@ -40,29 +40,29 @@ Result<bool> write_obj(const Cast& cast, const CastOptions&, const fs::path& pat
   return written;
 }
 
-Result<bool> write_ply(const Cast& cast, const CastOptions&, const fs::path& path) {
-  return write_file(path, ply_bytes(cast));
+Result<bool> write_ply(const ExportScene& exported, const ExportOptions&, const fs::path& path) {
+  return write_file(path, ply_bytes(exported));
 }
 
-Result<bool> write_glb(const Cast& cast, const CastOptions& options, const fs::path& path) {
-  Result<std::string> bytes = glb_bytes(cast, options.instances);
+Result<bool> write_glb(const ExportScene& exported, const ExportOptions& options, const fs::path& path) {
+  Result<std::string> bytes = glb_bytes(exported, options.instances);
   if (!bytes) return bytes.errors();
   return write_file(path, *bytes);
 }
 
 constexpr Format kFormats[] = {
     {".obj", "Wavefront OBJ, with an MTL file and pictures beside it",
-     [](const CastSize& s) { return 45 * s.all_vertices + 50 * s.all_triangles; }, kAny, write_obj, true,
+     [](const ExportSize& s) { return 45 * s.all_vertices + 50 * s.all_triangles; }, kAny, write_obj, true,
      false},
     {".ply", "binary PLY with colours at the vertices",
-     [](const CastSize& s) { return kPlyVertex * s.all_vertices + 13 * s.all_triangles; },
+     [](const ExportSize& s) { return kPlyVertex * s.all_vertices + 13 * s.all_triangles; },
      kPlyVertex* kMostIndices, write_ply, false},
     {".glb", "binary glTF 2.0 with materials and instances",
-     [](const CastSize& s) {
+     [](const ExportSize& s) {
        return 32 * s.vertices + 12 * s.triangles + 24 * s.shifts + 120 * s.placements + s.pictures;
      },
      4294967295.0, write_glb, true, true, true},
-    {".vdb", "OpenVDB: the branches as a level set named \"surface\"", [](const CastSize&) { return 0.0; },
+    {".vdb", "OpenVDB: the branches as a level set named \"surface\"", [](const ExportSize&) { return 0.0; },
      kAny, nullptr},
 };
 
@@ -96,29 +96,29 @@ Result<const Format*> format_of(const fs::path& path) {
 }
 
 Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,
-                                             const CastOptions& options, const fs::path& path,
+                                             const ExportOptions& options, const fs::path& path,
                                              const std::function<void(double)>& tell) {
   if (!format.write) {
-    Result<Volume> volume = cast_volume(scene, time, options);
+    Result<Volume> volume = export_volume(scene, time, options);
     if (!volume) return volume.errors();
     Result<bool> written = write_vdb(path, *volume);
     if (!written) return written.errors();
     return std::vector<std::string>{};
   }
-  // Foreseen before anything large is made, and again once what is sown has grown.
-  if (Errors errors = refuse_bytes(format, format.bytes(foresee_cast(scene, options))); !errors.empty())
+  // Estimated before anything large is made, and again once what is sown has grown.
+  if (Errors errors = refuse_bytes(format, format.bytes(estimate_export(scene, options))); !errors.empty())
     return errors;
-  CastOptions own = options;
+  ExportOptions own = options;
   if (!format.pictures) own.texture = 0;
   own.tints = format.tints;
-  Result<Cast> cast = cast_scene(scene, time, own);
-  if (!cast) return cast.errors();
-  double bytes = format.bytes(size_of(*cast));
+  Result<ExportScene> exported = export_scene(scene, time, own);
+  if (!exported) return exported.errors();
+  double bytes = format.bytes(size_of(*exported));
   tell(bytes);
   if (Errors errors = refuse_bytes(format, bytes); !errors.empty()) return errors;
-  Result<bool> written = format.write(*cast, own, path);
+  Result<bool> written = format.write(*exported, own, path);
   if (!written) return written.errors();
-  return std::move(cast->absent);
+  return std::move(exported->absent);
 }
 
 }  // namespace frond

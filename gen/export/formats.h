@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "export/cast.h"
+#include "export/export_scene.h"
 #include "field/volume.h"
 
 namespace frond {
@@ -17,12 +17,13 @@ namespace frond {
 struct Format {
   std::string_view extension, doc;
   /// About how many bytes a cast of that size takes.
-  double (*bytes)(const CastSize& size);
+  double (*bytes)(const ExportSize& size);
   double most_bytes;  ///< that the format can hold
   /// Writes a cast: each file whole or not at all. Null for the format of volumes.
-  Result<bool> (*write)(const Cast& cast, const CastOptions& options, const std::filesystem::path& path);
+  Result<bool> (*write)(const ExportScene& exported, const ExportOptions& options,
+                        const std::filesystem::path& path);
   bool pictures = true;  ///< whether it holds them
-  bool tints = true;     ///< whether what shows it heeds colours at the vertices
+  bool tints = true;     ///< whether what shows it reads colours at the vertices
   bool films = false;    ///< whether it holds levels of detail and shapes that go over into each other
 };
 
@@ -37,23 +38,23 @@ Result<const Format*> format_of(const std::filesystem::path& path);
 /// nothing would be written. Errors of the disk stand at a path, those of what was asked for at none. Gives
 /// the names of organisms of which nothing has grown by then.
 Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,
-                                             const CastOptions& options, const std::filesystem::path& path,
+                                             const ExportOptions& options, const std::filesystem::path& path,
                                              const std::function<void(double)>& tell);
 
 // The texts of the formats, pure functions of the cast.
 
 /// A Wavefront OBJ; its materials are in the file `materials`.
-std::string obj_text(const Cast& cast, std::string_view materials);
-std::string mtl_text(const Cast& cast);
+std::string obj_text(const ExportScene& exported, std::string_view materials);
+std::string mtl_text(const ExportScene& exported);
 
 /// A binary PLY, little-endian: one mesh, colours at the vertices.
-std::string ply_bytes(const Cast& cast);
+std::string ply_bytes(const ExportScene& exported);
 
 /// A binary glTF 2.0: a node for each group, below it one for each placement; with `instances`, for all of
 /// one mesh (EXT_mesh_gpu_instancing).
-Result<std::string> glb_bytes(const Cast& cast, bool instances = false);
+Result<std::string> glb_bytes(const ExportScene& exported, bool instances = false);
 
 /// The branches of a whole scene, those of what is sown with them, as one volume.
-Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options);
+Result<Volume> export_volume(const Scene& scene, double time, const ExportOptions& options);
 
 }  // namespace frond

@@ -106,7 +106,7 @@ std::size_t add_indices(BinaryPart& buffer, const Surface& s) {
   return buffer.add(std::span<const std::uint16_t>(small), kElementBuffer, kShort, "SCALAR", n);
 }
 
-std::string primitive_text(BinaryPart& buffer, const CastPart& part) {
+std::string primitive_text(BinaryPart& buffer, const ExportPart& part) {
   const Surface& s = part.surface;
   std::size_t n = s.position.size();
   std::size_t at =
@@ -119,7 +119,7 @@ std::string primitive_text(BinaryPart& buffer, const CastPart& part) {
                                                       ",\"normalized\":true"));
   text += fmt::format(R"(}},"indices":{},"material":{})", add_indices(buffer, s), part.material);
   if (!part.shifts.empty())
-    text += ",\"targets\":" + list(part.shifts, [&](const CastShift& shift) {
+    text += ",\"targets\":" + list(part.shifts, [&](const ExportShift& shift) {
               auto add = [&](const std::vector<Vec3>& by, std::string_view bounds) {
                 return buffer.add(std::span(by), kArrayBuffer, kFloat, "VEC3", n, bounds);
               };
@@ -130,11 +130,11 @@ std::string primitive_text(BinaryPart& buffer, const CastPart& part) {
 }
 
 /// A level of a mesh; its other shapes are named by their seconds.
-std::string mesh_text(BinaryPart& buffer, const std::string& name, const std::vector<CastPart>& parts,
+std::string mesh_text(BinaryPart& buffer, const std::string& name, const std::vector<ExportPart>& parts,
                       const std::vector<double>& keys) {
   std::string text =
       fmt::format(R"({{"name":"{}","primitives":{})", name,
-                  list(parts, [&](const CastPart& part) { return primitive_text(buffer, part); }));
+                  list(parts, [&](const ExportPart& part) { return primitive_text(buffer, part); }));
   if (std::vector<double> shifted(parts[0].shifts.size()); !shifted.empty()) {
     std::copy_n(keys.begin(), shifted.size(), shifted.begin());
     text += ",\"weights\":" + list(shifted, [](double) { return "0"; });
@@ -145,7 +145,7 @@ std::string mesh_text(BinaryPart& buffer, const std::string& name, const std::ve
   return text + '}';
 }
 
-std::string material_text(const CastMaterial& m) {
+std::string material_text(const ExportMaterial& m) {
   bool picture = m.colors != kNoPicture;
   std::string text = "{\"name\":\"" + m.name + "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":";
   Vec3 color = linear(picture ? m.factor : m.color);  // as glTF has them
@@ -170,7 +170,7 @@ std::string material_text(const CastMaterial& m) {
 
 void append_name(std::string& text, std::string_view name) { text += fmt::format("{{\"name\":\"{}\"", name); }
 
-void append_place(std::string& text, const CastPlacement& p, Vec3 from) {
+void append_place(std::string& text, const ExportPlacement& p, Vec3 from) {
   if (p.at != from)
     text += ",\"translation\":", append_numbers(text, {p.at.x - from.x, p.at.y - from.y, p.at.z - from.z});
   if (p.turn != Quat(1, 0, 0, 0))
@@ -181,15 +181,15 @@ void append_place(std::string& text, const CastPlacement& p, Vec3 from) {
 /// The nodes of a cast: one for each group, its meshes below it.
 class GlbNodes {
  public:
-  GlbNodes(const Cast& cast, bool instances, BinaryPart& buffer)
-      : cast_(cast), instances_(instances), buffer_(buffer) {
+  GlbNodes(const ExportScene& exported, bool instances, BinaryPart& buffer)
+      : scene_(exported), instances_(instances), buffer_(buffer) {
     // Coarser meshes come after all others.
-    std::size_t next = cast.meshes.size();
-    for (const CastMesh& mesh : cast.meshes) first_level_.push_back(next), next += mesh.coarser.size();
-    for (std::size_t i = 0; i < cast.placements.size();) {
-      std::size_t from = i, group = cast.placements[i].group;
-      while (i < cast.placements.size() && cast.placements[i].group == group) ++i;
-      add_group(cast.groups[group], std::span(cast.placements).subspan(from, i - from));
+    std::size_t next = exported.meshes.size();
+    for (const ExportMesh& mesh : exported.meshes) first_level_.push_back(next), next += mesh.coarser.size();
+    for (std::size_t i = 0; i < exported.placements.size();) {
+      std::size_t from = i, group = exported.placements[i].group;
+      while (i < exported.placements.size() && exported.placements[i].group == group) ++i;
+      add_group(exported.groups[group], std::span(exported.placements).subspan(from, i - from));
     }
   }
 
@@ -204,33 +204,33 @@ class GlbNodes {
     return count_++;
   }
 
-  void add_group(const CastGroup& group, std::span<const CastPlacement> placements) {
+  void add_group(const ExportGroup& group, std::span<const ExportPlacement> placements) {
     bool alone = placements.size() == 1;
     Vec3 from = alone ? Vec3(0) : group.foot;
     std::vector<std::size_t> nodes;
     for (std::size_t i = 0; i < placements.size();) {
       std::size_t first = i, mesh = placements[i].mesh;
       while (i < placements.size() && placements[i].mesh == mesh) ++i;
-      std::span<const CastPlacement> alike = placements.subspan(first, i - first);
+      std::span<const ExportPlacement> alike = placements.subspan(first, i - first);
       if (instances_ && alike.size() > 1) {
         nodes.push_back(add(instances_text(alike, from)));
         continue;
       }
       for (std::size_t k = 0; k < alike.size(); ++k) {
         std::string number = alike.size() > 1 ? fmt::format("_{}", k + 1) : "";
-        std::size_t coarser = group.sown || alone ? cast_.meshes[mesh].coarser.size() : 0;
+        std::size_t coarser = group.sown || alone ? scene_.meshes[mesh].coarser.size() : 0;
         std::vector<std::size_t> levels;
         for (std::size_t level = 1; level <= coarser; ++level)
           levels.push_back(add(placed_text(alike[k], from, number, level)));
         nodes.push_back(add(placed_text(alike[k], from, number, 0) + levels_text(levels)));
-        if (cast_.meshes[mesh].moves()) moving.push_back(nodes.back());
+        if (scene_.meshes[mesh].moves()) moving.push_back(nodes.back());
       }
     }
     append_root(alone ? nodes[0] : add_organism(group, placements, nodes));
   }
 
   /// A node of all that one organism is made of, and one for each coarser level.
-  std::size_t add_organism(const CastGroup& group, std::span<const CastPlacement> placements,
+  std::size_t add_organism(const ExportGroup& group, std::span<const ExportPlacement> placements,
                            const std::vector<std::size_t>& nodes) {
     auto text_of = [&](std::size_t level, const std::vector<std::size_t>& children) {
       std::string node;
@@ -241,8 +241,8 @@ class GlbNodes {
     std::vector<std::size_t> levels;
     for (std::size_t level = 1; !group.sown; ++level) {
       std::vector<std::size_t> parts;
-      for (const CastPlacement& p : placements)
-        if (cast_.meshes[p.mesh].coarser.size() >= level)
+      for (const ExportPlacement& p : placements)
+        if (scene_.meshes[p.mesh].coarser.size() >= level)
           parts.push_back(add(placed_text(p, group.foot, "", level)));
       if (parts.empty()) break;
       levels.push_back(add(text_of(level, parts)));
@@ -252,9 +252,9 @@ class GlbNodes {
 
   static std::string level_name(std::size_t level) { return level > 0 ? fmt::format("_LOD{}", level) : ""; }
 
-  std::string placed_text(const CastPlacement& p, Vec3 from, const std::string& number, std::size_t level) {
+  std::string placed_text(const ExportPlacement& p, Vec3 from, const std::string& number, std::size_t level) {
     std::string node;
-    append_name(node, cast_.meshes[p.mesh].name + number + level_name(level));
+    append_name(node, scene_.meshes[p.mesh].name + number + level_name(level));
     node += fmt::format(",\"mesh\":{}", level == 0 ? p.mesh : first_level_[p.mesh] + level - 1);
     append_place(node, p, from);
     return node;
@@ -278,15 +278,15 @@ class GlbNodes {
     append_count(roots, root);
   }
 
-  std::string instances_text(std::span<const CastPlacement> alike, Vec3 from) {
+  std::string instances_text(std::span<const ExportPlacement> alike, Vec3 from) {
     std::vector<Vec3> at, scale;
     std::vector<std::array<float, 4>> turn;
-    for (const CastPlacement& p : alike) {
+    for (const ExportPlacement& p : alike) {
       at.push_back(p.at - from), scale.push_back(p.scale);
       turn.push_back({p.turn.x, p.turn.y, p.turn.z, p.turn.w});
     }
     std::string node;
-    append_name(node, cast_.meshes[alike[0].mesh].name);
+    append_name(node, scene_.meshes[alike[0].mesh].name);
     std::size_t n = alike.size();
     node += fmt::format(
         R"(,"mesh":{},"extensions":{{"{}":{{"attributes":{{"TRANSLATION":{},"ROTATION":{},"SCALE":{}}}}}}})",
@@ -297,7 +297,7 @@ class GlbNodes {
     return node;
   }
 
-  const Cast& cast_;
+  const ExportScene& scene_;
   bool instances_;
   BinaryPart& buffer_;
   std::vector<std::size_t> first_level_;  // of each mesh: its first coarser one
@@ -330,14 +330,15 @@ void append_word(std::string& bytes, std::size_t value) {
 
 }  // namespace
 
-Result<std::string> glb_bytes(const Cast& cast, bool instances) {
-  if (cast.placements.empty()) return Error{"", "there is nothing at that frame to write"};
+Result<std::string> glb_bytes(const ExportScene& exported, bool instances) {
+  if (exported.placements.empty()) return Error{"", "there is nothing at that frame to write"};
   BinaryPart buffer;
-  GlbNodes nodes(cast, instances, buffer);
-  std::string meshes = list(
-      cast.meshes, [&](const CastMesh& mesh) { return mesh_text(buffer, mesh.name, mesh.parts, cast.keys); });
+  GlbNodes nodes(exported, instances, buffer);
+  std::string meshes = list(exported.meshes, [&](const ExportMesh& mesh) {
+    return mesh_text(buffer, mesh.name, mesh.parts, exported.keys);
+  });
   meshes.pop_back();
-  for (const CastMesh& mesh : cast.meshes)
+  for (const ExportMesh& mesh : exported.meshes)
     for (std::size_t level = 0; level < mesh.coarser.size(); ++level)
       meshes +=
           ',' + mesh_text(buffer, fmt::format("{}_LOD{}", mesh.name, level + 1), mesh.coarser[level], {});
@@ -347,21 +348,22 @@ Result<std::string> glb_bytes(const Cast& cast, bool instances) {
   if (nodes.instanced)
     extensions.push_back(kInstancing), json += fmt::format(R"(,"extensionsRequired":["{}"])", kInstancing);
   if (nodes.leveled) extensions.push_back(kLod);
-  if (std::any_of(cast.materials.begin(), cast.materials.end(),
-                  [](const CastMaterial& m) { return m.transmission > 0; }))
+  if (std::any_of(exported.materials.begin(), exported.materials.end(),
+                  [](const ExportMaterial& m) { return m.transmission > 0; }))
     extensions.insert(extensions.end(), {kTransmission, kIor});
   if (!extensions.empty()) json += fmt::format(R"(,"extensionsUsed":["{}"])", fmt::join(extensions, "\",\""));
   json += R"(,"scene":0,"scenes":[{"nodes":[)" + nodes.roots + "]}],\"nodes\":[" + nodes.text +
           "],\"meshes\":" + meshes;
-  if (!nodes.moving.empty()) json += animation_text(buffer, nodes.moving, cast.keys);
-  json += ",\"materials\":" + list(cast.materials, material_text);
-  if (!cast.pictures.empty()) {
+  if (!nodes.moving.empty()) json += animation_text(buffer, nodes.moving, exported.keys);
+  json += ",\"materials\":" + list(exported.materials, material_text);
+  if (!exported.pictures.empty()) {
     // All pictures go on over their edges.
     std::size_t source = 0;
     json += R"(,"samplers":[{"magFilter":9729,"minFilter":9987,"wrapS":10497,"wrapT":10497}],"textures":)";
-    json += list(cast.pictures,
-                 [&](const CastPicture&) { return fmt::format(R"({{"sampler":0,"source":{}}})", source++); });
-    json += ",\"images\":" + list(cast.pictures, [&](const CastPicture& picture) {
+    json += list(exported.pictures, [&](const ExportPicture&) {
+      return fmt::format(R"({{"sampler":0,"source":{}}})", source++);
+    });
+    json += ",\"images\":" + list(exported.pictures, [&](const ExportPicture& picture) {
               return fmt::format(R"({{"name":"{}","mimeType":"image/png","bufferView":{}}})", picture.name,
                                  buffer.add_view(picture.png, 0));
             });

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "dress/dress.h"
-#include "export/cast.h"
+#include "export/export_scene.h"
 #include "organisms/organism.h"
 
 namespace frond {

@@ -19,69 +19,70 @@ namespace {
 constexpr double kNear = 0.85;  // a share that is no less is as good as all
 
 /// About so large a share of a part's triangles.
-void make_coarser(CastPart& part, double share) {
+void make_coarser(ExportPart& part, double share) {
   std::vector<std::uint32_t> kept;
   auto goal = static_cast<std::size_t>(share * static_cast<double>(part.surface.triangle.size()));
   part.surface = reduced(part.surface, goal, &kept);
-  std::vector<CastTint> tint;
+  std::vector<ExportTint> tint;
   for (std::size_t v = 0; !part.tint.empty() && v < part.surface.position.size(); ++v)
     tint.push_back(part.tint[kept.empty() ? v : kept[v]]);
   part.tint = std::move(tint);
 }
 
-double sum(const std::vector<CastPart>& parts, const auto& counted) {
+double sum(const std::vector<ExportPart>& parts, const auto& counted) {
   double triangles = 0;
-  for (const CastPart& p : parts)
+  for (const ExportPart& p : parts)
     if (counted(p)) triangles += static_cast<double>(p.surface.triangle.size());
   return triangles;
 }
 
 }  // namespace
 
-double triangles_of(const std::vector<CastPart>& parts) {
-  return sum(parts, [](const CastPart&) { return true; });
+double triangles_of(const std::vector<ExportPart>& parts) {
+  return sum(parts, [](const ExportPart&) { return true; });
 }
 
-double solid_triangles(const Cast& cast, const std::vector<CastPart>& parts) {
-  return sum(parts, [&](const CastPart& p) { return !cast.materials[p.material].leaf; });
+double solid_triangles(const ExportScene& exported, const std::vector<ExportPart>& parts) {
+  return sum(parts, [&](const ExportPart& p) { return !exported.materials[p.material].leaf; });
 }
 
 Vec3 starved(float light, Vec3 color) {
   return glm::min(bleached(color, light) / glm::max(color, Vec3(1e-4f)), Vec3(1));
 }
 
-CastTint tint_of(Vec3 light) {
+ExportTint tint_of(Vec3 light) {
   auto part = [](float x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
   return {part(light.x), part(light.y), part(light.z), 255};
 }
 
-std::optional<std::size_t> Maker::mesh(const std::string& part, std::vector<CastPart> parts) {
-  std::erase_if(parts, [](const CastPart& p) { return p.surface.triangle.empty(); });
+std::optional<std::size_t> Maker::mesh(const std::string& part, std::vector<ExportPart> parts) {
+  std::erase_if(parts, [](const ExportPart& p) { return p.surface.triangle.empty(); });
   if (parts.empty()) return {};
   if (level == 0) {
-    begun[part] = cast.meshes.size();
-    cast.meshes.push_back({mesh_names.unique(name() + '_' + part), std::move(parts)});
-    return cast.meshes.size() - 1;
+    begun[part] = exported.meshes.size();
+    exported.meshes.push_back({mesh_names.unique(name() + '_' + part), std::move(parts)});
+    return exported.meshes.size() - 1;
   }
   auto of = begun.find(part);
   if (of == begun.end()) return {};
-  CastMesh& mesh = cast.meshes[of->second];
-  double factor = share() * solid_triangles(cast, mesh.parts) / std::max(1.0, solid_triangles(cast, parts));
-  for (CastPart& p : parts)
-    if (factor < kNear && !cast.materials[p.material].leaf) make_coarser(p, factor);
+  ExportMesh& mesh = exported.meshes[of->second];
+  double factor =
+      share() * solid_triangles(exported, mesh.parts) / std::max(1.0, solid_triangles(exported, parts));
+  for (ExportPart& p : parts)
+    if (factor < kNear && !exported.materials[p.material].leaf) make_coarser(p, factor);
   mesh.coarser.push_back(std::move(parts));
   return {};
 }
 
-void Maker::stand(const std::string& part, std::vector<CastPart> parts) {
-  for (CastPart& p : parts)
+void Maker::stand(const std::string& part, std::vector<ExportPart> parts) {
+  for (ExportPart& p : parts)
     for (Vec3& at : p.surface.position) at -= foot();
   if (auto made = mesh(part, std::move(parts))) place(*made, foot(), Quat(1, 0, 0, 0), Vec3(1));
 }
 
-std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& look, const Model& model,
-                                                     std::vector<LeafPart> parts) {
-  std::map<std::string, std::vector<CastPart>> meshes;
+std::map<std::string, std::vector<ExportPart>> by_name(Maker& maker, const Look& look, const Model& model,
+                                                       std::vector<LeafPart> parts) {
+  std::map<std::string, std::vector<ExportPart>> meshes;
   for (LeafPart& leaf : parts) {
     const Prototype& prototype = model.prototypes[leaf.prototype];
     std::string name = plain_name(prototype.name, "organ");
@@ -90,8 +91,8 @@ std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& l
                                         : Palette::Lies::mesh;
     std::size_t material =
         maker.palette.organ(look, prototype, leaf.part, leaf.color, lies, maker.name() + '_' + name);
-    std::vector<CastPart>& made = meshes[name];
-    auto same = std::ranges::find(made, material, &CastPart::material);
+    std::vector<ExportPart>& made = meshes[name];
+    auto same = std::ranges::find(made, material, &ExportPart::material);
     if (same == made.end())
       made.push_back({std::move(leaf.surface), material});
     else

@@ -11,47 +11,47 @@ namespace frond {
 
 /// Puts a cast together.
 struct Maker {
-  Cast& cast;
-  const CastOptions& options;
-  Palette palette{cast, options};
+  ExportScene& exported;
+  const ExportOptions& options;
+  Palette palette{exported, options};
   Names group_names{}, mesh_names{};
   int level = 0;                               ///< of detail, that what is added next is
   std::map<std::string, std::size_t> begun{};  ///< the meshes of this organism, by what was asked for
 
   /// Begins an organism, which what is added next belongs to.
   void begin(const std::string& name, Vec3 foot, bool sown = false) {
-    cast.groups.push_back({group_names.unique(name), foot, sown});
+    exported.groups.push_back({group_names.unique(name), foot, sown});
     begun.clear();
   }
   /// Of the first level's triangles, that what is added next may have.
   double share() const { return std::pow(kCoarser, level); }
-  const std::string& name() const { return cast.groups.back().name; }
-  Vec3 foot() const { return cast.groups.back().foot; }
+  const std::string& name() const { return exported.groups.back().name; }
+  Vec3 foot() const { return exported.groups.back().foot; }
 
   /// Adds a mesh without a placement; nothing where its parts are empty. At a coarser level it is added to
   /// the mesh of that name, its wood and bodies in no more triangles than their share, and nothing is to be
   /// placed.
-  std::optional<std::size_t> mesh(const std::string& part, std::vector<CastPart> parts);
+  std::optional<std::size_t> mesh(const std::string& part, std::vector<ExportPart> parts);
   void place(std::size_t mesh, Vec3 at, Quat turn, Vec3 scale) {
-    cast.placements.push_back({mesh, at, turn, scale, cast.groups.size() - 1});
+    exported.placements.push_back({mesh, at, turn, scale, exported.groups.size() - 1});
   }
   /// Adds a mesh whose corners are where they stand in the world.
-  void stand(const std::string& part, std::vector<CastPart> parts);
+  void stand(const std::string& part, std::vector<ExportPart> parts);
 
   /// The bodies of a model; `keys`: see body_parts().
   void add_bodies(const Look& look, const Solids& solids, std::span<const Solids> keys = {});
 };
 
-CastTint tint_of(Vec3 light);
+ExportTint tint_of(Vec3 light);
 /// The factor on a coral's skin of a linear colour for what is left of its light; see bleached().
 Vec3 starved(float light, Vec3 color);
 
 /// How many triangles parts have; without leaves, of which each has as few as it can.
-double triangles_of(const std::vector<CastPart>& parts);
-double solid_triangles(const Cast& cast, const std::vector<CastPart>& parts);
+double triangles_of(const std::vector<ExportPart>& parts);
+double solid_triangles(const ExportScene& exported, const std::vector<ExportPart>& parts);
 
 /// Foliage by the names of its prototypes, one part a material.
-std::map<std::string, std::vector<CastPart>> by_name(Maker& maker, const Look& look, const Model& model,
-                                                     std::vector<LeafPart> parts);
+std::map<std::string, std::vector<ExportPart>> by_name(Maker& maker, const Look& look, const Model& model,
+                                                       std::vector<LeafPart> parts);
 
 }  // namespace frond

@@ -113,11 +113,11 @@ Dab bed(const Painted& m, double u, double v) {
 }
 
 Dab soil(const Painted& m, double u, double v) {
-  double g = m.p.granite(u, v, 16, 1), crumb = tiling_cells(u * 40, v * 40, 40, 40, Seed{42}).nearest;
+  double g = m.p.granite(u, v, 16, 1), surfel = tiling_cells(u * 40, v * 40, 40, 40, Seed{42}).nearest;
   return {
       ramp(g,
            {{0, m.c * 0.25}, {0.35, m.c * 0.7}, {0.65, m.c * 1.2}, {0.88, m.c * 0.9 + m.s * 0.35}, {1, m.s}}),
-      0.8 * g + 0.3 * (1 - crumb)};
+      0.8 * g + 0.3 * (1 - surfel)};
 }
 
 /// What stone is in the open: stained, cracked, with lichen.

@@ -73,30 +73,30 @@ void append_part(std::string& text, const Surface& surface, Counted& counted) {
 
 }  // namespace
 
-std::string obj_text(const Cast& cast, std::string_view materials) {
+std::string obj_text(const ExportScene& exported, std::string_view materials) {
   std::string text = "# metres, y up\nmtllib ";
   text += materials;
   text += '\n';
-  std::vector<std::size_t> times(cast.meshes.size(), 0);
-  for (const CastPlacement& p : cast.placements) ++times[p.mesh];
+  std::vector<std::size_t> times(exported.meshes.size(), 0);
+  for (const ExportPlacement& p : exported.placements) ++times[p.mesh];
   Counted counted;
-  for (std::size_t i = 0; i < cast.placements.size(); ++i) {
-    const CastMesh& mesh = cast.meshes[cast.placements[i].mesh];
+  for (std::size_t i = 0; i < exported.placements.size(); ++i) {
+    const ExportMesh& mesh = exported.meshes[exported.placements[i].mesh];
     text += "o " + mesh.name;
-    if (times[cast.placements[i].mesh] > 1) text += '_', append_integer(text, static_cast<long long>(i));
+    if (times[exported.placements[i].mesh] > 1) text += '_', append_integer(text, static_cast<long long>(i));
     text += '\n';
-    for (const CastPart& part : mesh.parts) {
-      text += "usemtl " + cast.materials[part.material].name + '\n';
-      append_part(text, placed(part, cast.placements[i]), counted);
+    for (const ExportPart& part : mesh.parts) {
+      text += "usemtl " + exported.materials[part.material].name + '\n';
+      append_part(text, placed(part, exported.placements[i]), counted);
     }
   }
   return text;
 }
 
-std::string mtl_text(const Cast& cast) {
+std::string mtl_text(const ExportScene& exported) {
   std::string text;
-  auto file = [&](std::size_t picture) { return cast.pictures[picture].name + ".png\n"; };
-  for (const CastMaterial& m : cast.materials) {
+  auto file = [&](std::size_t picture) { return exported.pictures[picture].name + ".png\n"; };
+  for (const ExportMaterial& m : exported.materials) {
     text += "newmtl " + m.name + '\n';
     const Color& color = m.colors == kNoPicture ? m.color : m.factor;
     auto shine = static_cast<float>(0.5 * std::min(m.gloss, 1.0));

@@ -111,7 +111,7 @@ std::string Names::unique(const std::string& name) {
   return times == 0 ? name : unique(fmt::format("{}_{}", name, times + 1));
 }
 
-void Palette::add_pictures(CastMaterial& material, const std::string& key, const std::string& name,
+void Palette::add_pictures(ExportMaterial& material, const std::string& key, const std::string& name,
                            const std::function<Pictures()>& draw) {
   auto [at, fresh] = drawn_.try_emplace(key, std::array{kNoPicture, kNoPicture, kNoPicture});
   if (fresh) {
@@ -122,37 +122,37 @@ void Palette::add_pictures(CastMaterial& material, const std::string& key, const
     parallel_for(3, [&](std::size_t i) { bytes[i] = png_text(*rasters[i]); });
     for (std::size_t i = 0; i < 3; ++i) {
       if (!bytes[i]) continue;
-      at->second[i] = cast_.pictures.size();
-      cast_.pictures.push_back({name + words[i], std::move(*bytes[i])});
+      at->second[i] = scene_.pictures.size();
+      scene_.pictures.push_back({name + words[i], std::move(*bytes[i])});
     }
   }
   material.colors = at->second[0], material.normals = at->second[1], material.roughness = at->second[2];
 }
 
-void Palette::add_drawn(CastMaterial& material, const Look& look, const std::string& picture) {
+void Palette::add_drawn(ExportMaterial& material, const Look& look, const std::string& picture) {
   auto [at, fresh] = drawn_.try_emplace(picture, std::array{kNoPicture, kNoPicture, kNoPicture});
   for (const Drawing& drawing : fresh ? drawings(look) : std::vector<Drawing>()) {
     auto which = std::ranges::find(drawing.names, picture);
     if (which == drawing.names.end()) continue;
     auto made = drawing.draw();
     if (!made) continue;
-    at->second[0] = cast_.pictures.size();
+    at->second[0] = scene_.pictures.size();
     std::string& bytes = (*made)[static_cast<std::size_t>(which - drawing.names.begin())].bytes;
-    cast_.pictures.push_back({material.name + "_color", std::move(bytes)});
+    scene_.pictures.push_back({material.name + "_color", std::move(bytes)});
   }
   material.colors = at->second[0];
 }
 
 template <class Draw>
-Palette::Use Palette::keep(const std::string& key, CastMaterial made, const std::string& name,
+Palette::Use Palette::keep(const std::string& key, ExportMaterial made, const std::string& name,
                            const Draw& draw) {
   auto [at, fresh] = used_.try_emplace(key + key_of(made.factor) + key_of(made.color));
   if (!fresh) return at->second;
   Use use;
   made.name = names_.unique(name);
   if (options_.texture > 0) draw(made, use);
-  use.material = cast_.materials.size();
-  cast_.materials.push_back(std::move(made));
+  use.material = scene_.materials.size();
+  scene_.materials.push_back(std::move(made));
   return at->second = use;
 }
 
@@ -161,12 +161,12 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
   int pixels = options_.texture;
   Vec3 young = ages ? young_light(look, color) : Vec3(1), most = glm::max(young, Vec3(1));
   auto aged = [&](Use use) { return use.young = young, use; };
-  CastMaterial made;
+  ExportMaterial made;
   made.factor = scaled({1, 1, 1}, brightness);
   if (look.coat) {
     const BarkCoat& coat = *look.coat;
     made.color = scaled(coat.image.color, 0.85 * brightness);
-    return keep("coat " + bark_color_name(coat), made, name, [&](CastMaterial& m, Use&) {
+    return keep("coat " + bark_color_name(coat), made, name, [&](ExportMaterial& m, Use&) {
       int wide = std::min(pixels, coat.pixels),
           high = std::max(1, static_cast<int>(std::lround(wide * coat.aspect)));
       add_pictures(m, bark_color_name(coat), m.name,
@@ -176,7 +176,7 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
   if (look.skin) {
     made.color = lighter(tinted(look.skin->tint, brightness), most), made.gloss = 0.1;
     std::string key = key_of(*look.skin) + key_of(most);
-    return aged(keep(key, made, name, [&](CastMaterial& m, Use& use) {
+    return aged(keep(key, made, name, [&](ExportMaterial& m, Use& use) {
       add_pictures(m, key, m.name,
                    [&] { return lighter(pictures_of(skin_tile(*look.skin, pixels), 0.75), most); });
       std::tie(use.wide, use.high) = picture_size(look);
@@ -186,7 +186,7 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
   made.color = lighter(scaled(bark.colors[color], brightness), most);
   made.gloss = bark_gloss(bark), made.metal = is_metal(bark);
   std::string key = key_of(bark, color) + key_of(most);
-  return aged(keep(key, made, name, [&](CastMaterial& m, Use& use) {
+  return aged(keep(key, made, name, [&](ExportMaterial& m, Use& use) {
     if (bark.kind == BarkKind::palm) {
       add_pictures(m, key, m.name, [&] { return lighter(pictures_of(palm_tile(bark, pixels), 0.85), most); });
     } else if (bark.kind == BarkKind::bark || bark.kind == BarkKind::birch) {
@@ -211,11 +211,11 @@ std::pair<double, double> Palette::picture_size(const Look& look) {
 
 Palette::Use Palette::cubes(const Look& look, double brightness, std::size_t color, const std::string& name) {
   Vec3 young = options_.tints ? young_light(look, color) : Vec3(1);
-  CastMaterial made;
+  ExportMaterial made;
   made.color = look.skin ? tinted(look.skin->tint, brightness) : scaled(look.bark->colors[color], brightness);
   made.color = lighter(made.color, glm::max(young, Vec3(1)));
   made.gloss = 0.2;
-  Use use = keep("cube", made, name, [&](CastMaterial& m, Use&) {
+  Use use = keep("cube", made, name, [&](ExportMaterial& m, Use&) {
     add_pictures(m, "cube " + key_of(m.color), m.name,
                  [&] { return pictures_of(cube_tile(m.color, std::min(options_.texture, 128)), 0.75); });
   });
@@ -227,25 +227,25 @@ std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t
                            Lies lies, const std::string& name) {
   bool card = lies == Lies::card, laid = lies != Lies::nowhere;
   Tissue tissue = organ.parts[part].tissue;
-  CastMaterial made;
+  ExportMaterial made;
   made.color = tissue == Tissue::heart ? organ.second : organ.colors[color];
   made.gloss = tissue == Tissue::fruit ? 0.6 : 0.2, made.leaf = is_leaf(tissue), made.cutout = card;
   if (laid && look.leaves && color < organ.parts[part].pictures.size()) {
     const std::string& key = organ.parts[part].pictures[color];
     int pixels = std::min(options_.texture, 2 * look.leaves->pixels);
     return keep((card ? "card " : "") + key, made, name,
-                [&](CastMaterial& m, Use&) {
+                [&](ExportMaterial& m, Use&) {
                   add_pictures(m, key, m.name, [&] { return leaf_pictures(*look.leaves, color, pixels); });
                 })
         .material;
   }
   if (const auto& shown = organ.parts[part].pictures; laid && color < shown.size())
-    return keep(shown[color], made, name, [&](CastMaterial& m, Use&) { add_drawn(m, look, shown[color]); })
+    return keep(shown[color], made, name, [&](ExportMaterial& m, Use&) { add_drawn(m, look, shown[color]); })
         .material;
   if (tissue == Tissue::dew) made.color = {1, 1, 1}, made.gloss = 1.2, made.transmission = 0.95;
   std::string key = fmt::format("organ {} {} {}", static_cast<int>(tissue), laid, key_of(organ.second));
   return keep(key, made, name,
-              [&](CastMaterial& m, Use&) {
+              [&](ExportMaterial& m, Use&) {
                 if (!made.leaf || !laid) return void(m.factor = m.color);
                 add_pictures(m, key + key_of(m.color), m.name, [&] {
                   int pixels = std::min(options_.texture, kLeafPixels);
@@ -261,7 +261,7 @@ std::size_t Palette::blade(const BladeLook& look, std::size_t color, const std::
 }
 
 Palette::Use Palette::body(const Look& look, const Material& material, bool vessel, const std::string& name) {
-  CastMaterial made;
+  ExportMaterial made;
   made.color = material.color, made.gloss = material.gloss;
   if (material.matter == Matter::glass) {
     // Light takes on the colour at each of the four faces of two walls: each gives a share of it.
@@ -274,9 +274,9 @@ Palette::Use Palette::body(const Look& look, const Material& material, bool vess
   if (material.matter == Matter::ceramic) made.gloss = 0.4 + 0.8 * material.gloss;
   if (!material.picture.empty())
     return keep(material.picture, made, name,
-                [&](CastMaterial& m, Use&) { add_drawn(m, look, material.picture); });
+                [&](ExportMaterial& m, Use&) { add_drawn(m, look, material.picture); });
   std::string key = key_of(material);
-  return keep((vessel ? "vessel " : "") + key, made, name, [&](CastMaterial& m, Use& use) {
+  return keep((vessel ? "vessel " : "") + key, made, name, [&](ExportMaterial& m, Use& use) {
     bool painted = vessel && (patterned(material.matter) || !material.bands.empty());
     if (!painted && !patterned(material.matter)) return void(m.factor = m.color);
     Tile tile =

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "export/cast.h"
+#include "export/export_scene.h"
 #include "export/tile.h"
 
 namespace frond {
@@ -20,7 +20,7 @@ class Names {
 /// Makes the materials of a cast with their pictures, each once.
 class Palette {
  public:
-  Palette(Cast& cast, const CastOptions& options) : cast_(cast), options_(options) {}
+  Palette(ExportScene& exported, const ExportOptions& options) : scene_(exported), options_(options) {}
 
   /// A material, and how many metres its picture is wide and high where it lies.
   struct Use {
@@ -52,14 +52,14 @@ class Palette {
  private:
   /// The material of that key; a new one is `made` with pictures that `draw` makes.
   template <class Draw>
-  Use keep(const std::string& key, CastMaterial made, const std::string& name, const Draw& draw);
-  void add_pictures(CastMaterial& material, const std::string& key, const std::string& name,
+  Use keep(const std::string& key, ExportMaterial made, const std::string& name, const Draw& draw);
+  void add_pictures(ExportMaterial& material, const std::string& key, const std::string& name,
                     const std::function<Pictures()>& draw);
   /// The picture of that name, of those that the look wears.
-  void add_drawn(CastMaterial& material, const Look& look, const std::string& picture);
+  void add_drawn(ExportMaterial& material, const Look& look, const std::string& picture);
 
-  Cast& cast_;
-  const CastOptions& options_;
+  ExportScene& scene_;
+  const ExportOptions& options_;
   std::map<std::string, Use> used_;
   std::map<std::string, std::array<std::size_t, 3>> drawn_;
   Names names_;

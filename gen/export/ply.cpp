@@ -26,17 +26,17 @@ char channel(std::uint8_t tint, float x) {
 }
 
 template <class Visit>
-void each_part(const Cast& cast, const Visit& visit) {
-  for (const CastPlacement& p : cast.placements)
-    for (const CastPart& part : cast.meshes[p.mesh].parts) visit(part, p);
+void each_part(const ExportScene& exported, const Visit& visit) {
+  for (const ExportPlacement& p : exported.placements)
+    for (const ExportPart& part : exported.meshes[p.mesh].parts) visit(part, p);
 }
 
 }  // namespace
 
-std::string ply_bytes(const Cast& cast) {
+std::string ply_bytes(const ExportScene& exported) {
   std::size_t vertices = 0, triangles = 0;
-  for (const CastPlacement& p : cast.placements) {
-    for (const CastPart& part : cast.meshes[p.mesh].parts)
+  for (const ExportPlacement& p : exported.placements) {
+    for (const ExportPart& part : exported.meshes[p.mesh].parts)
       vertices += part.surface.position.size(), triangles += part.surface.triangle.size();
   }
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment metres, y up\nelement vertex ";
@@ -48,20 +48,20 @@ std::string ply_bytes(const Cast& cast) {
   append_integer(text, static_cast<long long>(triangles));
   text += "\nproperty list uchar int vertex_indices\nend_header\n";
   text.reserve(text.size() + vertices * 35 + triangles * 13);
-  each_part(cast, [&](const CastPart& part, const CastPlacement& p) {
+  each_part(exported, [&](const ExportPart& part, const ExportPlacement& p) {
     Surface surface = placed(part, p);
-    const Color& color = cast.materials[part.material].color;
+    const Color& color = exported.materials[part.material].color;
     for (std::size_t v = 0; v < surface.position.size(); ++v) {
       append_raw(text, surface.position[v]);
       append_raw(text, surface.normal[v]);
       append_raw(text, surface.uv.empty() ? Vec2(0) : surface.uv[v]);
-      CastTint tint = part.tint.empty() ? CastTint{255, 255, 255, 255} : part.tint[v];
+      ExportTint tint = part.tint.empty() ? ExportTint{255, 255, 255, 255} : part.tint[v];
       std::size_t k = 0;
       for (float c : {color.red, color.green, color.blue}) text += channel(tint[k], c), ++k;
     }
   });
   std::uint32_t first = 0;
-  each_part(cast, [&](const CastPart& part, const CastPlacement&) {
+  each_part(exported, [&](const ExportPart& part, const ExportPlacement&) {
     for (const auto& t : part.surface.triangle) {
       text += '\3';
       for (std::uint32_t corner : t) append_raw(text, first + corner);

@@ -22,7 +22,7 @@ constexpr double kLeafShare = 0.25;  // of the detail of one that stands alone: 
 struct SownModel {
   const SownStand* stand = nullptr;
   int which = 0;
-  std::vector<CastPlacement> copies;  // of no mesh yet
+  std::vector<ExportPlacement> copies;  // of no mesh yet
 };
 
 std::vector<SownModel> models_of(const Scene& scene) {
@@ -91,7 +91,7 @@ SownShape shape_of(const Look& look, Model model, double grains, double leaves) 
 }
 
 /// At each level of detail.
-std::vector<SownShape> shapes_of(const Look& look, const Model& model, const CastOptions& options) {
+std::vector<SownShape> shapes_of(const Look& look, const Model& model, const ExportOptions& options) {
   bool seen = options.pixels > 0;
   double grains = seen ? options.pixels : kGrains, leaves = options.detail * (seen ? 1 : kLeafShare);
   std::vector<SownShape> levels;
@@ -106,8 +106,8 @@ std::vector<SownShape> shapes_of(const Look& look, const Model& model, const Cas
 }
 
 /// All of one model as one mesh.
-std::vector<CastPart> parts_of(Maker& maker, const Look& look, SownShape& shape) {
-  std::vector<CastPart> parts;
+std::vector<ExportPart> parts_of(Maker& maker, const Look& look, SownShape& shape) {
+  std::vector<ExportPart> parts;
   for (CopyPart& part : shape.parts) {
     if (part.kind == CopyPart::Kind::wood) {
       Look worn = look;
@@ -121,7 +121,7 @@ std::vector<CastPart> parts_of(Maker& maker, const Look& look, SownShape& shape)
   }
   for (auto& [own, made] : by_name(maker, look, shape.model, std::move(shape.foliage)))
     std::move(made.begin(), made.end(), std::back_inserter(parts));
-  for (CastPart& body : body_parts(maker, look, shape.model.solids)) parts.push_back(std::move(body));
+  for (ExportPart& body : body_parts(maker, look, shape.model.solids)) parts.push_back(std::move(body));
   return parts;
 }
 
@@ -142,7 +142,7 @@ Errors add_sown(Maker& maker, const Scene& scene) {
       if (maker.level++ == 0) mesh = made;
     }
     maker.level = 0;
-    for (const CastPlacement& copy : models[m].copies)
+    for (const ExportPlacement& copy : models[m].copies)
       if (mesh) maker.place(*mesh, copy.at, copy.turn, copy.scale);
   }
   return {};

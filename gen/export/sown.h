@@ -14,7 +14,7 @@ Errors add_sown(Maker& maker, const Scene& scene);
 /// The branches of a model, its foot at the origin, and where its copies stand.
 struct SownBranches {
   Skeleton rest;
-  std::vector<CastPlacement> copies;  ///< their `mesh` means nothing
+  std::vector<ExportPlacement> copies;  ///< their `mesh` means nothing
 };
 
 /// All that are sown in a scene and have branches.

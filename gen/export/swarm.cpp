@@ -30,8 +30,8 @@ bool is_same_swarm(const Model& a, const Model& b) {
   return true;
 }
 
-std::map<std::string, std::vector<CastPart>> swarm_parts(Maker& maker, const Look& look, const Model& last,
-                                                         std::span<const Model> keys, double triangles) {
+std::map<std::string, std::vector<ExportPart>> swarm_parts(Maker& maker, const Look& look, const Model& last,
+                                                           std::span<const Model> keys, double triangles) {
   const Organs& o = last.organs;
   double each = triangles / static_cast<double>(o.size());
   std::vector<std::vector<Simplified>> drawn;
@@ -40,7 +40,7 @@ std::map<std::string, std::vector<CastPart>> swarm_parts(Maker& maker, const Loo
     for (const OrganPart& part : p.parts)
       drawn.back().push_back(drawn_with(part.surface, each / static_cast<double>(p.parts.size())));
   }
-  std::map<std::string, std::vector<CastPart>> meshes;
+  std::map<std::string, std::vector<ExportPart>> meshes;
   for (std::size_t i = 0; i < o.size(); ++i) {
     const Prototype& p = last.prototypes[o.prototype[i]];
     std::string name = plain_name(p.name, "organ");
@@ -49,8 +49,8 @@ std::map<std::string, std::vector<CastPart>> swarm_parts(Maker& maker, const Loo
       auto lies = own.surface.uv.empty() ? Palette::Lies::nowhere : Palette::Lies::mesh;
       std::size_t material = maker.palette.organ(look, p, k, color_index(o.color[i], p.colors.size()), lies,
                                                  maker.name() + '_' + name);
-      std::vector<CastPart>& parts = meshes[name];
-      auto made = std::ranges::find(parts, material, &CastPart::material);
+      std::vector<ExportPart>& parts = meshes[name];
+      auto made = std::ranges::find(parts, material, &ExportPart::material);
       if (made == parts.end()) made = parts.insert(made, {{}, material});
       std::size_t first = made->surface.position.size();
       append_placed(made->surface, own.surface, o.position[i], o.turn[i], Vec3(o.scale[i]));

@@ -36,7 +36,7 @@ void add_posed(Gathered& all, const Specimen& b, double time, bool own_voxel) {
   all.options.limit = std::max(all.options.limit, b.style.limit);
 }
 
-Vec3 at_copy(const CastPlacement& copy, Vec3 p) { return copy.at + copy.turn * (p * copy.scale); }
+Vec3 at_copy(const ExportPlacement& copy, Vec3 p) { return copy.at + copy.turn * (p * copy.scale); }
 
 /// Adds the copies of what is sown, without branches that are much thinner than a voxel.
 Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
@@ -54,7 +54,7 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
   std::vector<Vec3> position;
   std::vector<float> radius;
   for (std::size_t m = 0; m < sown.size(); ++m)
-    for (const CastPlacement& copy : sown[m].copies) {
+    for (const ExportPlacement& copy : sown[m].copies) {
       position.clear(), radius.clear();
       for (const Vec3& p : shapes[m].position) position.push_back(at_copy(copy, p));
       for (float r : shapes[m].radius) radius.push_back(r * copy.scale.x);
@@ -66,7 +66,7 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
 
 }  // namespace
 
-Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& options) {
+Result<Volume> export_volume(const Scene& scene, double time, const ExportOptions& options) {
   Gathered all;
   all.options = {options.voxel, 0, 0};
   for (const Specimen& organism : scene.specimens) {
@@ -83,7 +83,7 @@ Result<Volume> cast_volume(const Scene& scene, double time, const CastOptions& o
   Result<std::vector<SownBranches>> sown = sown_branches(scene);
   if (!sown) return sown.errors();
   for (const SownBranches& model : *sown)
-    for (const CastPlacement& copy : model.copies)
+    for (const ExportPlacement& copy : model.copies)
       for (const Vec3& p : model.rest.position) all.box.take(at_copy(copy, p));
   if (all.boughs.cones.empty() && sown->empty())
     return Error{"", "there are no branches at that frame to make a volume of"};

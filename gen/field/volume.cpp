@@ -152,7 +152,7 @@ void keep_outsides(FusedMesh& mesh, const Boughs& boughs) {
 
 }  // namespace
 
-VolumeForecast foresee_volume(const Boughs& boughs, double voxel) {
+VolumeForecast estimate_volume(const Boughs& boughs, double voxel) {
   VolumeForecast forecast;
   forecast.blocks = count_blocks(boughs, voxel, kBand);
   forecast.bytes = forecast.blocks * kBytesABlock;
@@ -160,7 +160,7 @@ VolumeForecast foresee_volume(const Boughs& boughs, double voxel) {
 }
 
 Errors refuse_volume(const Boughs& boughs, const VolumeOptions& options) {
-  VolumeForecast forecast = foresee_volume(boughs, options.voxel);
+  VolumeForecast forecast = estimate_volume(boughs, options.voxel);
   if (forecast.bytes > options.limit) {
     double enough = options.voxel * std::sqrt(forecast.bytes / options.limit) * 1.05;
     return {Error{"", fmt::format("the volume would take about {} of memory, more than the limit of {}; "

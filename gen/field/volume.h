@@ -13,7 +13,7 @@ namespace frond {
 struct VolumeOptions {
   double voxel = 0.01;      ///< metres, side of a voxel
   double adaptivity = 0.1;  ///< 0: triangles of a voxel's size everywhere .. 1: as few as curvature allows
-  double limit = 4e9;       ///< bytes of memory; what is foreseen to need more is refused
+  double limit = 4e9;       ///< bytes of memory; what is estimated to need more is refused
 };
 
 /// How large a volume will be, mesh included.
@@ -22,7 +22,7 @@ struct VolumeForecast {
   double bytes = 0;   ///< of memory, with the mesh
 };
 
-VolumeForecast foresee_volume(const Boughs& boughs, double voxel);
+VolumeForecast estimate_volume(const Boughs& boughs, double voxel);
 
 /// Empty, or why the volume is not made: it would pass the limit (with the figure and a voxel that would do),
 /// or its voxels are too small for where it lies. Nothing large is allocated to find out.

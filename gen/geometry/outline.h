@@ -14,7 +14,7 @@ namespace frond {
 Vec3 outline_area(std::span<const Vec3> points);
 
 /// Cuts an outline, which may be concave, into triangles that run as it does (ear clipping, Meisters 1975).
-/// Outlines that cross themselves give triangles too, only none that could be foretold. Appends to
+/// Outlines that cross themselves give triangles too, but not predictable ones. Appends to
 /// `triangles`, with `offset` added to each index.
 void triangulate(std::span<const Vec3> points, std::uint32_t offset,
                  std::vector<std::array<std::uint32_t, 3>>& triangles);

@@ -81,7 +81,7 @@ struct Manifest {
   std::array<int, 2> size{480, 270};
   std::string_view quality = "draft";
   bool still = false;
-  double render_seconds = 0;  ///< of a frame, as foretold for a processor as ours
+  double render_seconds = 0;  ///< of a frame, as estimated for a processor as ours
   std::vector<Frame> frames;
 };
 

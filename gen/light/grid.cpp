@@ -74,9 +74,9 @@ SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels,
   }
 }
 
-SoftLight::Size SoftLight::foresee(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit,
-                                   const std::function<float(Vec2)>& height, float tall,
-                                   std::span<const Eye> seen_by) {
+SoftLight::Size SoftLight::estimate_size(std::vector<Eye> eyes, const Bounds& bounds, double pixels,
+                                         double unit, const std::function<float(Vec2)>& height, float tall,
+                                         std::span<const Eye> seen_by) {
   constexpr double kAsked = 5000;  // columns of a grid, about
   SoftLight grid(std::move(eyes), pixels);
   while (!grid.lay_levels(bounds, unit)) grid.pixels_ *= 1.1;

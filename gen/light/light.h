@@ -66,8 +66,9 @@ class SoftLight {
     double land = 0;   ///< columns of cells at whose foot the light on the land is asked for
     double cover = 0;  ///< cells of theirs that lie in what stands `tall` metres on the land
   };
-  static Size foresee(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit,
-                      const std::function<float(Vec2)>& height, float tall, std::span<const Eye> seen_by);
+  static Size estimate_size(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit,
+                            const std::function<float(Vec2)>& height, float tall,
+                            std::span<const Eye> seen_by);
 
   /// A bit of a surface. `facing` tells which way its sides look; `bulk` is how many metres across the body
   /// is whose skin it belongs to, 0 of a leaf, both sides of which are one bit; the bit is spread over a cube

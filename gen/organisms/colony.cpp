@@ -4,8 +4,8 @@
 
 namespace frond {
 
-Surroundings::Surroundings(const World& world, std::size_t claim, const Stance& stance)
-    : world_(&world), claim_(claim), stance_(stance) {
+Surroundings::Surroundings(const World& world, std::size_t claim, const Placement& placement)
+    : world_(&world), claim_(claim), placement_(placement) {
   if (Result<std::shared_ptr<const Host>> host = world.host({}, "")) host_ = *host;
 }
 
@@ -14,13 +14,13 @@ float Surroundings::room(Vec3 at, float within) const {
   Vec3 place = outside(at);
   float room = world_->territories().room(claim_, place);
   if (host_)
-    if (auto contact = host_->closest(DVec3(place), within * stance_.size))
+    if (auto contact = host_->closest(DVec3(place), within * placement_.size))
       room = std::min(room, static_cast<float>(contact->inside ? -contact->distance : contact->distance));
-  return room / stance_.size;
+  return room / placement_.size;
 }
 
 float Surroundings::border(Vec3 at) const {
-  return world_ ? world_->territories().room(claim_, outside(at)) / stance_.size : Territories::kOpen;
+  return world_ ? world_->territories().room(claim_, outside(at)) / placement_.size : Territories::kOpen;
 }
 
 float Surroundings::light(Vec3 at) const {
@@ -32,9 +32,9 @@ float Surroundings::light(Vec3 at) const {
 Surroundings::Hold Surroundings::hold(Vec3 at, float within) const {
   if (!world_) return {{at.x, 0, at.z}, {0, 1, 0}};
   Vec3 place = outside(at);
-  Quat back = glm::conjugate(stance_.turn);
+  Quat back = glm::conjugate(placement_.turn);
   if (host_)
-    if (auto contact = host_->closest(DVec3(place), within * stance_.size)) {
+    if (auto contact = host_->closest(DVec3(place), within * placement_.size)) {
       Vec3 normal = back * Vec3(contact->normal);
       return {inside(Vec3(contact->point)), contact->inside ? -normal : normal};
     }

@@ -18,7 +18,7 @@ namespace frond {
 class Surroundings {
  public:
   Surroundings() = default;  ///< nothing near
-  Surroundings(const World& world, std::size_t claim, const Stance& stance);
+  Surroundings(const World& world, std::size_t claim, const Placement& placement);
 
   /// Metres to the border of its territory and to the bodies that stand, the nearer of them, at least; less
   /// than 0 beyond. `within`: farther bodies do not count.
@@ -34,15 +34,17 @@ class Surroundings {
   /// The share of the sky that bodies, and neighbours when they are grown, leave open, 0..1.
   float light(Vec3 at) const;
   /// A place of the world, as it is measured here.
-  Vec3 inside(Vec3 at) const { return (glm::conjugate(stance_.turn) * (at - stance_.foot)) / stance_.size; }
+  Vec3 inside(Vec3 at) const {
+    return (glm::conjugate(placement_.turn) * (at - placement_.foot)) / placement_.size;
+  }
 
  private:
-  Vec3 outside(Vec3 at) const { return stance_.foot + stance_.turn * (at * stance_.size); }
+  Vec3 outside(Vec3 at) const { return placement_.foot + placement_.turn * (at * placement_.size); }
 
   const World* world_ = nullptr;
   std::shared_ptr<const Host> host_;
   std::size_t claim_ = SIZE_MAX;
-  Stance stance_;
+  Placement placement_;
 };
 
 /// What fights for space with its like.
@@ -56,9 +58,9 @@ class ColonyGrower : public LoneGrower {
   std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
   bool develops(bool) const override { return false; }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  Result<Model> grow_standing(const World& world, const Planting& planting, const Stance& stance,
+  Result<Model> grow_standing(const World& world, const Planting& planting, const Placement& placement,
                               Seed seed) const final {
-    return grow_at(Surroundings(world, planting.claim, stance), seed);
+    return grow_at(Surroundings(world, planting.claim, placement), seed);
   }
 };
 

@@ -49,17 +49,17 @@ Errors pointed(const GrammarText& grammar, Errors errors) {
   return errors;
 }
 
-Errors foreseen_trouble(const Grammar& grammar) {
+Errors size_faults(const Grammar& grammar) {
   const GrammarText& text = grammar.text;
   Forecast word = forecast(grammar, text.steps, Seed{1}, text.limits);
   bool guess = word.kind == Forecast::Kind::extrapolated && word.trouble.empty();
   return guess ? Errors{} : refuse(word, text.limits);
 }
 
-Result<Foresight> foresee_word(const Result<Grammar>& grammar, Seed seed, int smoothing) {
+Result<SizeEstimate> estimate_word(const Result<Grammar>& grammar, Seed seed, int smoothing) {
   if (!grammar) return grammar.errors();
   const GrammarText& text = grammar->text;
-  Foresight seen;
+  SizeEstimate seen;
   seen.word = forecast(*grammar, text.steps, seed, text.limits);
   if (Errors errors = refuse(seen.word, text.limits); !errors.empty()) return placed(errors, text);
   seen.nodes = 1 + seen.word.segments * smoothing;

@@ -11,9 +11,9 @@ namespace frond {
 Errors pointed(const GrammarText& grammar, Errors errors);
 
 /// Why a derivation is sure not to come to its end. What is only extrapolated is tried when it grows.
-Errors foreseen_trouble(const Grammar& grammar);
+Errors size_faults(const Grammar& grammar);
 
 /// What a grammar's word and skeleton will be, with `smoothing` nodes for each segment.
-Result<Foresight> foresee_word(const Result<Grammar>& grammar, Seed seed, int smoothing);
+Result<SizeEstimate> estimate_word(const Result<Grammar>& grammar, Seed seed, int smoothing);
 
 }  // namespace frond

@@ -23,7 +23,7 @@ Quat yaw_of(const Organism& organism, const Planting& planting) {
 }
 
 /// On a slope as upright as `place` says, and leaning.
-Stance stance_of(const Organism& organism, const Planting& planting) {
+Placement placement_of(const Organism& organism, const Planting& planting) {
   Vec3 up = glm::mix(planting.normal, Vec3(0, 1, 0), static_cast<float>(organism.place.upright));
   bool slopes = planting.normal != Vec3(0, 1, 0) && glm::dot(up, up) > 1e-6f;
   Quat slope = slopes ? Quat(Vec3(0, 1, 0), glm::normalize(up)) : Quat(1, 0, 0, 0);
@@ -84,20 +84,20 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
     const auto& grower = static_cast<const LoneGrower&>(*bed.organism->grower);
     const Organism& organism = *bed.organism;
     Seed seed = planting.seed.child("grow");
-    Stance stance = stance_of(organism, planting);
-    Result<Model> model = grower.grow_standing(world, planting, stance, seed);
+    Placement placement = placement_of(organism, planting);
+    Result<Model> model = grower.grow_standing(world, planting, placement, seed);
     if (!model) return model.errors();
-    if (model->solids.follow_ground) stance.turn = yaw_of(organism, planting);
-    if (organism.place.raise <= 0) stance.foot.y -= grower.copy_depth(*model) * stance.size;
+    if (model->solids.follow_ground) placement.turn = yaw_of(organism, planting);
+    if (organism.place.raise <= 0) placement.foot.y -= grower.copy_depth(*model) * placement.size;
     Specimen specimen{{organism.name, bed.entry}, std::move(*model)};
-    put(specimen.model, stance.foot, stance.turn, stance.size);
+    transform(specimen.model, placement.foot, placement.turn, placement.size);
     if (specimen.model.solids.follow_ground && organism.place.raise == 0)
       follow_ground(specimen.model.solids, world, planting.foot.y);
     put_on(specimen, *dress, world, planting.seed);
     if (auto develop = grower.develop(specimen.motion, seed))
-      specimen.life.develop = [develop = std::move(develop), stance](double time) {
+      specimen.life.develop = [develop = std::move(develop), placement](double time) {
         Result<Model> now = develop(time);
-        if (now) put(*now, stance.foot, stance.turn, stance.size);
+        if (now) transform(*now, placement.foot, placement.turn, placement.size);
         return now;
       };
     return specimen;

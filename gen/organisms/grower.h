@@ -54,7 +54,7 @@ struct Planting {
 };
 
 /// Where one is put, how it is turned and its size as a factor.
-struct Stance {
+struct Placement {
   Vec3 foot{0};
   Quat turn{1, 0, 0, 0};
   float size = 1;
@@ -74,7 +74,7 @@ struct Bed {
 };
 
 /// How large one of them will be, within about a factor of two.
-struct Foresight {
+struct SizeEstimate {
   Forecast word;     ///< of its grammar
   double nodes = 0;  ///< of its skeleton
   std::optional<double>
@@ -92,7 +92,7 @@ struct Foresight {
   double held = 0;              ///< bytes that are held of one while it grows, and later a half of it
 };
 
-/// Of what searches for its way: nodes that grow a second, as a Foresight has them.
+/// Of what searches for its way: nodes that grow a second, as a SizeEstimate has them.
 inline constexpr double kTreeNodesASecond = 5e4;
 
 /// Called after each organism that has grown, from several threads.
@@ -117,7 +117,7 @@ class Grower {
   /// pointers are below the first of them, whose grower this is.
   virtual Errors check_together(std::span<const Organism* const> all, double relief) const = 0;
   /// Its size, without growing; a derivation past its limits is refused with the figure and the step.
-  virtual Result<Foresight> foresee(Seed seed) const = 0;
+  virtual Result<SizeEstimate> estimate_size(Seed seed) const = 0;
   /// About how tall one may be, metres, rather too much; 0: unknown.
   virtual double tallest() const = 0;
   virtual Dress dress() const = 0;
@@ -151,7 +151,7 @@ class LoneGrower : public Grower {
   /// Grows one, upright, its foot at the origin.
   virtual Result<Model> grow_alone(Seed seed) const = 0;
   /// The same where it stands: another shape only for those that heed what is round them.
-  virtual Result<Model> grow_standing(const World&, const Planting&, const Stance&, Seed seed) const {
+  virtual Result<Model> grow_standing(const World&, const Planting&, const Placement&, Seed seed) const {
     return grow_alone(seed);
   }
   /// What gives the same at a time of a film, fully revealed, see Life; empty: it is merely revealed.
@@ -199,7 +199,7 @@ std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share,
                                           int& (*steps)(decltype(grower.params)&)) {
   auto other = std::make_shared<Mine>(grower);
   auto nodes = [&] {
-    Result<Foresight> sight = other->foresee(Seed{1});
+    Result<SizeEstimate> sight = other->estimate_size(Seed{1});
     return sight ? sight->nodes : 0;
   };
   double most = share * nodes();

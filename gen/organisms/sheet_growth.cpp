@@ -82,9 +82,9 @@ Errors check_edge(double edge, double across, double parts) {
   return {{"/edge", "found triangles that are too large for what is to grow; expected smaller ones"}};
 }
 
-Foresight foreseen(double area, double edge) {
+SizeEstimate estimate_surface(double area, double edge) {
   constexpr double kSheetTriangle = 4e-6;  // seconds of one that is laid
-  Foresight sight;
+  SizeEstimate sight;
   sight.triangles = 3 * area / (edge * edge);
   sight.area = area;
   sight.blocks = 1;
@@ -93,9 +93,9 @@ Foresight foreseen(double area, double edge) {
   return sight;
 }
 
-Foresight foreseen(const Accretion& law, double area) {
+SizeEstimate estimate_surface(const Accretion& law, double area) {
   constexpr double kLaidTriangle = 1.2e-7;  // seconds of one in one layer, when it has grown
-  Foresight sight;
+  SizeEstimate sight;
   sight.triangles = 2.3 * area / (law.edge * law.edge);
   // Where a layer is thicker than triangles are wide, the skin folds, and is cut again and again.
   double thick = std::max(law.across, law.up) / law.layers / law.edge;

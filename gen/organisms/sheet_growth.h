@@ -28,13 +28,13 @@ void append(SheetBody& to, const SheetBody& more);
 Errors check_edge(double edge, double across, double parts);
 
 /// So much skin of a sheet with such triangles, both its sides.
-Foresight foreseen(double area, double edge);
+SizeEstimate estimate_surface(double area, double edge);
 
 /// Bytes that the past of a body takes, for each of its triangles.
 inline constexpr double kPastTriangle = 250;
 
-/// What a skin that grows by layers takes, as foreseen from the m2 that it comes to.
-Foresight foreseen(const Accretion& law, double area);
+/// What a skin that grows by layers takes, as estimated from the m2 that it comes to.
+SizeEstimate estimate_surface(const Accretion& law, double area);
 
 /// The body of a sheet as a model.
 Model model_of(SheetBody body, const Material& material);

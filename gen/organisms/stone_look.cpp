@@ -56,7 +56,7 @@ Errors check_rock(const RockShape& shape) {
   return {};
 }
 
-double foresee_triangles(const RockShape& shape) {
+double estimate_triangles(const RockShape& shape) {
   double flat = 6e4 * std::pow(0.0003 / std::max(shape.cells.tolerance, 1e-9), 0.87);
   return std::min(flat, 6.6 * std::pow(4.0, shape.cells.depth));
 }

@@ -31,7 +31,7 @@ Error hollow_rock();
 
 /// About how many triangles a rock will have: as many as its tolerance asks for and its finest cells can
 /// make.
-double foresee_triangles(const RockShape& shape);
+double estimate_triangles(const RockShape& shape);
 
 /// How high a mesh on the ground is, metres.
 float height_of(const Surface& surface);

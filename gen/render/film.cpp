@@ -82,7 +82,7 @@ bool is_progress(std::string_view line) {
 }
 
 /// How many frames the last line of -progress says; -1 where none does.
-int frames_told(std::string_view words) {
+int frames_of(std::string_view words) {
   constexpr std::string_view kKey = "frame=";
   int frames = -1;
   for (const std::string& line : lines_of(words)) {
@@ -195,7 +195,7 @@ Errors encode_film(const FilmJob& job) {
   Remover part{part_of(job.film)}, palette{part.path.string() + ".png"};
   ::unlink(palette.path.c_str());
   Encoded encoded = encode(job, format, part.path, palette.path);
-  int frames = frames_told(encoded.words);
+  int frames = frames_of(encoded.words);
   bool whole =
       encoded.status == 0 && encoded.damaged.empty() && frames == static_cast<int>(job.pictures.size());
   if (!whole) {
@@ -250,7 +250,7 @@ int frames_in(const fs::path& film, const std::string& ffmpeg) {
                    "-progress", "pipe:1",        "-f",       "null",      "-"};
   command.out = said.descriptor();
   Result<int> status = run(command);
-  return status ? std::max(frames_told(said.text()), 0) : 0;
+  return status ? std::max(frames_of(said.text()), 0) : 0;
 }
 
 }  // namespace frond

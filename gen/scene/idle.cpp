@@ -20,16 +20,16 @@ constexpr std::string_view kStance[] = {"size_variation", "turn", "turn_variatio
 /// An angle that is given as so few degrees was meant as radians.
 constexpr double kRadians = 1.5;
 
-/// Whether a setting heeds a property below the scene, by itself or as a part of its block.
-bool heeds(const SettingRow& setting, std::string_view pointer) {
-  return std::ranges::any_of(setting.answers.heeds, [&](std::string_view own) {
+/// Whether a setting reads a property below the scene, by itself or as a part of its block.
+bool reads(const SettingRow& setting, std::string_view pointer) {
+  return std::ranges::any_of(setting.answers.reads, [&](std::string_view own) {
     return pointer == own || (pointer.starts_with(own) && pointer[own.size()] == '/');
   });
 }
 
-/// Whether it heeds something of a block.
-bool heeds_some(const SettingRow& setting, std::string_view block) {
-  return std::ranges::any_of(setting.answers.heeds, [&](std::string_view own) {
+/// Whether it reads something of a block.
+bool reads_some(const SettingRow& setting, std::string_view block) {
+  return std::ranges::any_of(setting.answers.reads, [&](std::string_view own) {
     return own.starts_with(block) && (own.size() == block.size() || own[block.size()] == '/');
   });
 }
@@ -89,10 +89,10 @@ class Finder {
            fmt::format("the setting is {}; it is for {}", settings()[preset_.stage.setting].name, names));
     };
     const SettingRow& setting = settings()[preset_.stage.setting];
-    if (!heeds_some(setting, block)) return idle(*value, block, heeds_some);
+    if (!reads_some(setting, block)) return idle(*value, block, reads_some);
     for (const Member& member : value->members)
-      if (std::string pointer = block + "/" + member.name; !heeds(setting, pointer))
-        idle(member.value, pointer, heeds);
+      if (std::string pointer = block + "/" + member.name; !reads(setting, pointer))
+        idle(member.value, pointer, reads);
   }
 
   void check(const Organism& organism, const Value& written, const std::string& pointer) {

@@ -8,8 +8,6 @@
 #include <map>
 #include <utility>
 
-#include "core/content.h"
-#include "core/parallel.h"
 #include "organisms/kinds.h"
 #include "preset/json.h"
 #include "scene/bounds.h"
@@ -17,11 +15,11 @@
 #include "scene/feeding.h"
 #include "scene/fit.h"
 #include "scene/inside.h"
-#include "scene/nursery.h"
 #include "scene/remarks.h"
-#include "scene/settle.h"
 #include "scene/shading.h"
 #include "scene/sowing.h"
+#include "scene/specimen_cache.h"
+#include "scene/stages.h"
 #include "scene/style.h"
 #include "settings/settings.h"
 #include "world/world.h"
@@ -79,186 +77,6 @@ std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
   return beds;
 }
 
-/// How many steps are told while a bed grows: one for each planting, also for those that have yet to find
-/// room on bodies; all creepers or fish of an entry grow as one.
-std::size_t steps_of(const Bed& bed) {
-  const Organism& organism = *bed.organism;
-  if (finds_its_way(organism.grower->stage())) return 1;
-  std::size_t to_come = organism.place.on.empty() ? 0 : static_cast<std::size_t>(organism.count);
-  return std::max(bed.plantings.size(), to_come);
-}
-
-/// Grows the beds of a scene stage by stage and adds them to the world.
-class Gardener {
- public:
-  Gardener(const Preset& preset, const Watch& watch, Nursery* nursery, const Haste& haste,
-           const Surface& floor)
-      : preset_(preset), watch_(watch), nursery_(nursery), haste_(haste) {
-    if (!nursery_) return;
-    std::string_view land(reinterpret_cast<const char*>(floor.position.data()),
-                          floor.position.size() * sizeof(Vec3));
-    land_ = content_id(land);
-    surroundings_ =
-        fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.stage.setting);
-  }
-
-  Errors grow_all(const std::vector<Bed>& beds, World& world) {
-    for (GrowthStage stage : {GrowthStage::free, GrowthStage::in_space, GrowthStage::in_light,
-                              GrowthStage::creeping, GrowthStage::swimming}) {
-      std::vector<Bed> growing;
-      std::ranges::copy_if(beds, std::back_inserter(growing),
-                           [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
-      if (leaves_out(stage, growing)) continue;
-      if (stage == GrowthStage::in_space) {
-        if (Errors errors = settle_colonies(growing, world, notes); !errors.empty())
-          return placed(errors, "");
-        for (const Bed& bed : growing)  // those that found no room are done
-          for (std::size_t i = bed.plantings.size(); i < steps_of(bed); ++i) watch_.step();
-      }
-      if (Errors errors = grow_stage(stage, growing, world); !errors.empty()) return errors;
-    }
-    return {};
-  }
-
-  std::vector<std::size_t> grown;              ///< entries
-  std::map<std::size_t, std::string> origins;  ///< what stands for all that an entry grew from
-  std::vector<std::string> names;              ///< in the nursery
-  std::vector<std::size_t> missing;            ///< entries that were left out
-  std::vector<std::string> notes;
-
- private:
-  bool wants(const std::vector<Bed>& beds) const {
-    return !haste_ || std::ranges::any_of(beds, [&](const Bed& bed) { return haste_->contains(bed.entry); });
-  }
-
-  void leave_out(const std::vector<Bed>& beds) {
-    for (const Bed& bed : beds) missing.push_back(bed.entry);
-  }
-
-  /// What stands for a stage that has grown among all that is there now.
-  std::string among(GrowthStage stage) const {
-    return content_id(fmt::format("{} stage {}", surroundings_, static_cast<int>(stage)));
-  }
-
-  /// In haste, a stage of which nothing is wanted and nothing can have grown before. Where some of an earlier
-  /// one are missing, nobody knows what others would stand on.
-  bool leaves_out(GrowthStage stage, const std::vector<Bed>& beds) {
-    if (!haste_ || !nursery_ || beds.empty() || stage == GrowthStage::free) return false;
-    if (missing.empty() && (wants(beds) || nursery_->find(among(stage)))) return false;
-    leave_out(beds);
-    return true;
-  }
-
-  Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
-    std::vector<std::vector<Bed>> groups;
-    // Each by itself, whatever grows beside it, or by what its rivals claim.
-    if (nursery_ && (stage == GrowthStage::free || stage == GrowthStage::in_space))
-      for (const Bed& bed : beds) groups.push_back({bed});
-    else
-      groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });
-    std::vector<std::string> keys(groups.size());
-    if (nursery_)
-      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g], stage, world.territories());
-    if (nursery_ && !haste_ && !beds.empty()) nursery_->keep(among(stage), {});
-    std::vector<std::vector<Specimen>> specimens(groups.size());
-    std::vector<Errors> errors(groups.size());
-    std::vector<char> fresh(groups.size()), left_out(groups.size());
-    parallel_for(groups.size(), [&](std::size_t g) {
-      fresh[g] = !take_grown(keys[g], world, specimens[g]);
-      left_out[g] = fresh[g] && !wants(groups[g]);
-      if (fresh[g] && !left_out[g]) errors[g] = grow(groups[g], world, keys[g], specimens[g]);
-    });
-    std::vector<Specimen> all;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      if (!errors[g].empty()) return errors[g];
-      if (left_out[g]) leave_out(groups[g]), fresh[g] = false;
-      std::ranges::move(specimens[g], std::back_inserter(all));
-      for (const Bed& bed : groups[g]) {
-        if (fresh[g]) grown.push_back(bed.entry);
-        if (nursery_) origins[bed.entry] = keys[g] + land_;
-      }
-    }
-    if (nursery_) names.insert(names.end(), keys.begin(), keys.end());
-    // What comes later grows among all of these.
-    for (const std::string& key : keys) surroundings_ += key;
-    std::ranges::stable_sort(all, {}, &Specimen::entry);
-    world.add(std::move(all));
-    return {};
-  }
-
-  /// What has grown on other land stands on this one: at the same feet, and only its leaves fall elsewhere.
-  bool take_grown(const std::string& key, const World& world, std::vector<Specimen>& specimens) {
-    auto kept = nursery_ ? nursery_->find(key) : nullptr;
-    if (!kept || std::ranges::any_of(*kept, [](const auto& s) { return s.model.solids.follow_ground; }))
-      return false;
-    specimens = *kept;
-    for (Specimen& s : specimens)
-      if (s.life.ground) s.life.ground = world.ground();
-    return true;
-  }
-
-  Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
-              std::vector<Specimen>& specimens) {
-    if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
-    std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!all[i]) return placed(all[i].errors(), fmt::format("/organisms/{}", entry_of(beds, i)));
-      assert(all[i]->model.check().empty() && "before others build on it");
-      specimens.push_back(std::move(*all[i]));
-    }
-    if (nursery_) nursery_->keep(key, specimens);
-    return {};
-  }
-
-  /// The entry that the i-th of what some beds have grown belongs to.
-  static std::size_t entry_of(const std::vector<Bed>& beds, std::size_t i) {
-    for (const Bed& bed : beds) {
-      std::size_t count = finds_its_way(bed.organism->grower->stage()) ? 1 : bed.plantings.size();
-      if (i < count) return bed.entry;
-      i -= count;
-    }
-    return beds.back().entry;
-  }
-
-  /// Errors whose `where` is a pointer below another one, at their places in the preset. What names a file
-  /// keeps it.
-  Errors placed(Errors errors, const std::string& below) const {
-    for (Error& error : errors)
-      if (error.where.empty() || (error.where[0] == '/' && error.where.find(':') == error.where.npos))
-        error = fault_at(preset_, below + error.where, error.what);
-    return errors;
-  }
-
-  /// All that the specimens of some beds depend on. Of the land, what stands by itself takes the height of
-  /// its foot alone.
-  std::string key_of(const std::vector<Bed>& beds, GrowthStage stage, const Territories& territories) const {
-    std::string text = surroundings_;
-    if (stage == GrowthStage::creeping || stage == GrowthStage::in_space) text += land_;
-    const Value* written = preset_.written->find("organisms");
-    for (const Bed& bed : beds) {
-      text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, serialize(written->items[bed.entry]),
-                          bed.organism->text);
-      for (const Planting& p : bed.plantings) {
-        text += fmt::format(" {} {} {} {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z, p.normal.x,
-                            p.normal.y, p.normal.z);
-        if (p.claim >= territories.size()) continue;
-        for (std::size_t rival : territories.rivals(p.claim)) {
-          const Claim& c = territories.claim(rival);
-          text += fmt::format(" {} {} {} {} {}", c.foot.x, c.foot.y, c.foot.z, c.across, c.up);
-        }
-      }
-    }
-    return content_id(text);
-  }
-
-  const Preset& preset_;
-  const Watch& watch_;
-  Nursery* nursery_;
-  const Haste& haste_;
-  std::string land_;          // a hash of it
-  std::string surroundings_;  // all that organisms grow in so far, but for the land
-};
-
 /// All specimens in the order of the preset, those of the setting first and creepers last.
 std::vector<Specimen> in_order(std::vector<Specimen> all, const Preset& preset) {
   std::ranges::stable_sort(all, {}, [&](const Specimen& s) {
@@ -285,6 +103,40 @@ void note_growth(Scene& scene) {
       // One of many like it is enough.
       if (std::ranges::find(scene.notes, line) == scene.notes.end()) scene.notes.push_back(line);
     }
+}
+
+/// A camera that sees nothing but the inside of what stands there.
+void note_camera(Scene& scene, const Preset& preset) {
+  for (const std::string& said :
+       {under_ground(scene.stage.camera, preset.film, scene.ground->heights()), inside_something(scene)})
+    if (!said.empty()) scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
+}
+
+/// The phase "grow".
+Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vector<Bed>& beds,
+                            const Grounds& ground, const Watch& watch, SpecimenCache* cache,
+                            const EntryFilter& only) {
+  std::size_t steps = 0;
+  for (const Bed& bed : beds) steps += steps_of(bed);
+  watch.begin("grow", steps);
+  bool swims = std::ranges::any_of(
+      beds, [](const Bed& bed) { return bed.organism->grower->stage() == GrowthStage::swimming; });
+  if (swims) world.lay(strewn_surface(ground));
+  return grow_stages(preset, beds, ground.floor(), watch, cache, only, world);
+}
+
+/// The scene once more, for a camera that has stepped back. `before`: entries that grew the first time.
+Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::size_t> before,
+                          const Watch& watch, SpecimenCache* cache, const EntryFilter& only) {
+  Preset wider = preset;
+  wider.stage.camera = std::move(camera);
+  wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
+  Result<Scene> scene = build_scene(wider, watch, cache, only);
+  if (!scene) return scene;
+  for (std::size_t entry : scene->grown)
+    if (std::ranges::find(before, entry) == before.end()) before.push_back(entry);
+  scene->grown = std::move(before);
+  return scene;
 }
 
 }  // namespace
@@ -322,9 +174,10 @@ std::string Scene::check() const {
   return ground ? ground->floor().check() : "there is no ground";
 }
 
-Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nursery, const Haste& haste) {
+Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+                          const EntryFilter& only) {
   // What has grown may be needed once more, see below.
-  if (Nursery own; !nursery && !preset.stage.camera.fit.empty()) return build_scene(preset, watch, &own);
+  if (SpecimenCache own; !cache && !preset.stage.camera.fit.empty()) return build_scene(preset, watch, &own);
   Seed seed{preset.seed};
   Scene scene;
   scene.film = preset.film;
@@ -343,21 +196,15 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
   std::vector<Bed> beds = set_feet(std::move(plots), *ground);
   watch.step();
 
-  std::size_t growing = 0;
-  for (const Bed& bed : beds) growing += steps_of(bed);
-  watch.begin("grow", growing);
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
   world.add(ground->furnishings());
-  bool swims = std::ranges::any_of(
-      beds, [](const Bed& bed) { return bed.organism->grower->stage() == GrowthStage::swimming; });
-  if (swims) world.lay(strewn_surface(*ground));
-  Gardener gardener(preset, watch, nursery, haste, ground->floor());
-  if (Errors errors = gardener.grow_all(beds, world); !errors.empty()) return errors;
-  scene.grown = std::move(gardener.grown);
-  scene.origins = std::move(gardener.origins);
-  scene.nursery = std::move(gardener.names);
-  scene.missing = std::move(gardener.missing);
-  std::ranges::move(gardener.notes, std::back_inserter(scene.notes));
+  Result<GrownStages> grown = grow_in(world, preset, beds, *ground, watch, cache, only);
+  if (!grown) return grown.errors();
+  scene.grown = std::move(grown->entries);
+  scene.origins = std::move(grown->origins);
+  scene.cached = std::move(grown->names);
+  scene.missing = std::move(grown->missing);
+  std::ranges::move(grown->notes, std::back_inserter(scene.notes));
 
   scene.specimens = in_order(std::move(world).take_all(), preset);
   shade(scene.specimens);
@@ -368,25 +215,15 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, Nursery* nur
     // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
     // mind.
     if (reach_of(moved) > reach_of(preset)) {
-      Preset wider = preset;
-      wider.stage.camera = std::move(moved);
-      wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
-      std::vector<std::size_t> grown = std::move(scene.grown);
-      scene = {};  // its specimens are in the nursery
-      Result<Scene> again = build_scene(wider, watch, nursery, haste);
-      if (!again) return again;
-      for (std::size_t entry : again->grown)
-        if (std::ranges::find(grown, entry) == grown.end()) grown.push_back(entry);
-      again->grown = std::move(grown);
-      return again;
+      std::vector<std::size_t> before = std::move(scene.grown);
+      scene = {};  // its specimens are in the cache
+      return build_wider(preset, std::move(moved), std::move(before), watch, cache, only);
     }
     scene.stage.camera = std::move(moved);
   }
   ground->lay_litter(scene.stage.camera);
   scene.ground = std::move(ground);
-  for (const std::string& said :
-       {under_ground(scene.stage.camera, preset.film, scene.ground->heights()), inside_something(scene)})
-    if (!said.empty()) scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
+  note_camera(scene, preset);
   note_growth(scene);
   for (const Organism& organism : preset.organisms)
     if (organism.count > 0)

@@ -45,10 +45,10 @@ struct Scene {
   std::vector<SownStand> stands;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
-  // With a nursery:
+  // With a cache of specimens:
   std::vector<std::size_t> grown;    ///< entries that were not taken from there
-  std::vector<std::string> nursery;  ///< what it is called there that stands in the scene
-  std::vector<std::size_t> missing;  ///< entries that were left out, see Haste
+  std::vector<std::string> cached;   ///< what it is called there that stands in the scene
+  std::vector<std::size_t> missing;  ///< entries that were left out, see EntryFilter
   std::map<std::size_t, std::string>
       origins;  ///< of entries that stand by themselves or creep, what stands for all that they grew from
 
@@ -68,16 +68,16 @@ struct Watch {
   std::function<bool()> given_up = {};  ///< whether nobody waits for the scene any more; empty: somebody does
 };
 
-class Nursery;
+class SpecimenCache;
 
-/// Of what a nursery has not, these entries alone grow, among what is there; all others of that kind are left
+/// Of what a cache has not, these entries alone grow, among what is there; all others of that kind are left
 /// out, and so is what grows among them, as it may come to look otherwise. A camera that is to fit them all
 /// stays as it is.
-using Haste = std::optional<std::set<std::size_t>>;
+using EntryFilter = std::optional<std::set<std::size_t>>;
 
-/// Places and grows everything: the phases "place" and "grow". What a nursery has is taken from there. A
+/// Places and grows everything: the phases "place" and "grow". What a cache has is taken from there. A
 /// scene that is given up is an error.
 Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}},
-                          Nursery* nursery = nullptr, const Haste& haste = {});
+                          SpecimenCache* cache = nullptr, const EntryFilter& only = {});
 
 }  // namespace frond

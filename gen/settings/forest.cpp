@@ -118,7 +118,7 @@ SettingRow forest_setting() {
                        stage.camera.location.at(film.time(std::max(1, frame - step)));
           way += std::hypot(moved.x, moved.z);
         }
-        return GroundForesight{39'200, 13'700, 3000 + 170 * way};
+        return GroundSizeEstimate{39'200, 13'700, 3000 + 170 * way};
       },
       [](const Stage& stage, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed);

@@ -57,8 +57,8 @@ SettingRow garden_setting() {
         return errors;
       },
       [](const Stage& stage, const Film& film) {
-        GroundForesight ground{.triangles = 89'700 + 66'400};
-        foresee_grass(stage.block<Meadow>().lawn, film, ground);
+        GroundSizeEstimate ground{.triangles = 89'700 + 66'400};
+        estimate_grass(stage.block<Meadow>().lawn, film, ground);
         ground.grass *= 1.3;
         ground.placed = 1000 + 1.6 * ground.placed;
         return ground;

@@ -74,7 +74,7 @@ Errors check_grass(const LawnShape& meadow) {
   return list;
 }
 
-void foresee_grass(const LawnShape& shape, const Film& film, GroundForesight& ground) {
+void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate& ground) {
   if (shape.blade <= 0 || shape.blades <= 0) return;
   double side = 5 * shape.blade, thin = film.quality == Quality::draft ? 0.6 : 1;
   ground.grass += 12 * kTurfStands * kTurfShapes * 1.25 * side * side * shape.blades * thin;

@@ -39,8 +39,8 @@ struct LawnShape {
 
 /// Grass that neither the memory nor POV-Ray could hold, at pointers below the scene.
 Errors check_grass(const LawnShape& shape);
-/// Adds the grass to what is foreseen.
-void foresee_grass(const LawnShape& shape, const Film& film, GroundForesight& ground);
+/// Adds the grass to the estimate.
+void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate& ground);
 
 /// A lawn, level or in low hills, with the pond and the path of a plot where there are such.
 class Lawn final : public Grounds {

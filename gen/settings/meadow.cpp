@@ -76,8 +76,8 @@ SettingRow meadow_setting() {
       {"/meadow", "/floor/relief", "/floor/scale"}, [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) { return check_grass(stage.block<Meadow>().lawn); },
       [](const Stage& stage, const Film& film) {
-        GroundForesight ground{.triangles = 48'180};
-        foresee_grass(stage.block<Meadow>().lawn, film, ground);
+        GroundSizeEstimate ground{.triangles = 48'180};
+        estimate_grass(stage.block<Meadow>().lawn, film, ground);
         return ground;
       },
       [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {

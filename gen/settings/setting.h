@@ -44,7 +44,7 @@ struct Extent {
 };
 
 /// What the ground of a setting takes, within about a factor of two.
-struct GroundForesight {
+struct GroundSizeEstimate {
   double triangles = 0;
   double grass = 0;   ///< triangles that share few corners
   double placed = 0;  ///< placements of stones and patches
@@ -146,12 +146,12 @@ std::function<double(Vec2)> clear_of(const Plot& plot);
 
 /// What a setting answers for its parameters.
 struct SettingAnswers {
-  /// The properties below the scene that it heeds: "/meadow" a whole block, "/meadow/haze" one of it.
-  std::vector<std::string_view> heeds;
+  /// The properties below the scene that it reads: "/meadow" a whole block, "/meadow/haze" one of it.
+  std::vector<std::string_view> reads;
   Extent (*extent)(const Stage&);
   /// Faults that only show when all is read; each `where` is a JSON pointer below the scene.
   Errors (*check)(const Stage&, const Film&);
-  GroundForesight (*foresee)(const Stage&, const Film&);
+  GroundSizeEstimate (*estimate_size)(const Stage&, const Film&);
   /// Lays the ground so that it reaches past `reach` metres from the middle.
   std::unique_ptr<Grounds> (*lay)(const Stage&, const Film&, double reach, Seed);
   Daylight (*daylight)(const Stage&);
@@ -170,10 +170,10 @@ struct SettingRow {
 /// The row of a setting with the described struct of its parameters; nothing may be left out.
 template <class Block>
 SettingRow setting_row(std::string_view name, std::string_view doc, std::string_view block,
-                       std::string_view block_doc, std::vector<std::string_view> heeds,
+                       std::string_view block_doc, std::vector<std::string_view> reads,
                        decltype(SettingAnswers::extent) extent, decltype(SettingAnswers::check) check,
-                       decltype(SettingAnswers::foresee) foresee, decltype(SettingAnswers::lay) lay,
-                       decltype(SettingAnswers::daylight) daylight) {
+                       decltype(SettingAnswers::estimate_size) estimate_size,
+                       decltype(SettingAnswers::lay) lay, decltype(SettingAnswers::daylight) daylight) {
   return {name,
           doc,
           block,
@@ -191,7 +191,7 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
             describe(writer, sample);
             return serialize(writer.object_schema());
           },
-          {std::move(heeds), extent, check, foresee, lay, daylight}};
+          {std::move(reads), extent, check, estimate_size, lay, daylight}};
 }
 
 }  // namespace frond

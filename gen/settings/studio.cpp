@@ -82,7 +82,7 @@ SettingRow studio_setting() {
       "studio", "soft light before a plain wall", "studio", "Wall and light, for studio", {"/studio"},
       [](const Stage& stage) { return Extent{.sown = sown_size(stage.block<Studio>().distance)}; },
       [](const Stage&, const Film&) { return Errors{}; },
-      [](const Stage&, const Film&) { return GroundForesight{}; },
+      [](const Stage&, const Film&) { return GroundSizeEstimate{}; },
       [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<StudioFloor>(stage.block<Studio>());
       },

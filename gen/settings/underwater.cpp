@@ -130,7 +130,7 @@ SettingRow underwater_setting() {
       [](const Stage& stage, const Film& film) {
         double stones = film.quality == Quality::best ? 102'400 : 25'600;
         double caustics = stage.block<Water>().caustics > 0 ? caustic_pixels(film.quality) : 0;
-        return GroundForesight{14'280 + stones, 0, 1.6 * stage.floor.stones, caustics * caustics};
+        return GroundSizeEstimate{14'280 + stones, 0, 1.6 * stage.floor.stones, caustics * caustics};
       },
       [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<SeaFloor>(stage.floor, film.quality, reach, seed);

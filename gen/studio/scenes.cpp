@@ -9,7 +9,7 @@
 
 #include "core/content.h"
 #include "core/machine.h"
-#include "emit/foretell.h"
+#include "emit/estimate_cost.h"
 #include "emit/quick_look.h"
 #include "grammar/forecast.h"
 #include "grammar/picture.h"
@@ -107,7 +107,7 @@ ViewRequest request_of(const Json& question) {
 }  // namespace
 
 Scenes::Scenes(const Documents& documents, std::size_t memory)
-    : documents_(documents), room_(std::make_shared<Storeroom>(memory)), drawings_(kDrawings * kDrawing) {}
+    : documents_(documents), room_(std::make_shared<CacheBudget>(memory)), drawings_(kDrawings * kDrawing) {}
 
 Scenes::Hurry Scenes::hurry_of(const Json& question) {
   if (!question.contains("only") || !question["only"].is_array()) return {};
@@ -126,7 +126,7 @@ std::shared_ptr<const Scenes::Built> Scenes::find(const std::string& key) {
   std::shared_ptr<const Built> built = built_.find(key);
   // While it is looked at, what it grew from is wanted as well: for when something in it is changed.
   if (built)
-    for (const std::string& name : built->scene.nursery) nursery_.find(name);
+    for (const std::string& name : built->scene.cached) cache_.find(name);
   return built;
 }
 
@@ -142,27 +142,27 @@ Json Scenes::progress(const std::string& name) {
   return {{"done", tab->done.load()}, {"of", tab->of.load()}};
 }
 
-Result<Json> Scenes::foretold(const Preset& preset, const Haste& haste, double seconds) {
+Result<Json> Scenes::estimate(const Preset& preset, const EntryFilter& only, double seconds) {
   Preset fresh = preset;
   {
     std::lock_guard lock(in_work_);
     for (std::size_t i = 0; i < fresh.organisms.size(); ++i)
-      if ((haste && !haste->contains(i)) || known_.contains(name_of(preset, i)))
+      if ((only && !only->contains(i)) || known_.contains(name_of(preset, i)))
         fresh.organisms[i].count = 0, fresh.organisms[i].sown.reset();
   }
-  Result<ViewTold> foretold = foretell_view(fresh);
-  if (!foretold) return foretold.errors();
+  Result<ViewCostEstimate> estimate = estimate_view_cost(fresh);
+  if (!estimate) return estimate.errors();
   Machine machine = this_machine(".");
-  if (Errors errors = refuse(*foretold, machine); !errors.empty()) return errors;
-  double wait = foretold->wait(machine.threads);
+  if (Errors errors = refuse(*estimate, machine); !errors.empty()) return errors;
+  double wait = estimate->wait(machine.threads);
   if (wait <= seconds) return Json(nullptr);
-  return Json{{"nodes", foretold->nodes}, {"seconds", wait}, {"memory", foretold->memory}};
+  return Json{{"nodes", estimate->nodes}, {"seconds", wait}, {"memory", estimate->memory}};
 }
 
 Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& key, Preset preset,
                                                            const Watch& watch, const Hurry& hurry) {
   bool coarse = hurry.share < 1 && make_coarse(preset, *hurry.only, hurry.share);
-  Result<Scene> scene = build_scene(preset, watch, &nursery_, hurry.only);
+  Result<Scene> scene = build_scene(preset, watch, &cache_, hurry.only);
   if (!scene) return scene.errors();
   auto built = std::make_shared<const Built>(Built{std::move(preset), std::move(*scene), coarse});
   for (const Drawing& drawing : built->scene.drawings)
@@ -202,9 +202,9 @@ Result<std::string> Scenes::look(const std::string& file) {
   film.size = {kLookWide,
                std::clamp(static_cast<int>(std::lround(kLookWide * film.aspect())), 16, 2 * kLookWide)};
   film.quality = Quality::draft;
-  Result<Foretold> foretold = foretell(*preset, 1);
-  if (!foretold) return foretold.errors();
-  if (foretold->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
+  Result<CostEstimate> estimate = estimate_cost(*preset, 1);
+  if (!estimate) return estimate.errors();
+  if (estimate->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
   auto given_up = [this, views = views_.load()] { return views_ != views; };
   Result<Scene> scene = build_scene(*preset, {[](auto, auto) {}, [] {}, given_up});
   Result<std::string> png = scene ? png_text(quick_look(*scene, film.time(film.frames))) : scene.errors();
@@ -240,9 +240,9 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   Hurry hurry = hurry_of(question);
   if (!built) {
     if (question.contains("ask") && question["ask"].is_number()) {
-      Result<Json> told = foretold(*preset, hurry.only, question["ask"].get<double>());
+      Result<Json> told = estimate(*preset, hurry.only, question["ask"].get<double>());
       if (!told) return wrong(told.errors(), notes);
-      if (!told->is_null()) return {202, {{"foretold", *told}}, {}};
+      if (!told->is_null()) return {202, {{"estimate", *told}}, {}};
     }
     Watch watch{[&](auto, std::size_t steps) { tab->done = 0, tab->of = steps; }, [&] { ++tab->done; },
                 given_up};

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "scene/nursery.h"
+#include "scene/specimen_cache.h"
 #include "studio/documents.h"
 #include "studio/view.h"
 
@@ -62,7 +62,7 @@ class Scenes {
   };
   /// What is asked for while somebody drags: just some organisms, and these coarsely.
   struct Hurry {
-    Haste only;
+    EntryFilter only;
     double share = 1;  // of the time that these take
   };
   static Hurry hurry_of(const Json& question);
@@ -83,15 +83,15 @@ class Scenes {
   Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset, const Watch& watch,
                                              const Hurry& hurry);
   /// Where growing what is new takes longer than that many seconds, or more than the machine has.
-  Result<Json> foretold(const Preset& preset, const Haste& haste, double seconds);
+  Result<Json> estimate(const Preset& preset, const EntryFilter& only, double seconds);
 
   const Documents& documents_;
-  std::shared_ptr<Storeroom> room_;
-  Nursery nursery_{room_};
-  Greenhouse models_{room_};
-  Shelf<Built> built_{room_};
-  Shelf<std::string> pictures_{room_};
-  Shelf<Drawing> drawings_;                          // by the names of their pictures
+  std::shared_ptr<CacheBudget> room_;
+  SpecimenCache cache_{room_};
+  ViewCache models_{room_};
+  LruCache<Built> built_{room_};
+  LruCache<std::string> pictures_{room_};
+  LruCache<Drawing> drawings_;                       // by the names of their pictures
   std::atomic<std::size_t> sent_{0}, tidied_at_{0};  // bytes, see tidy_at_times()
   std::mutex looking_;                               // one at a time
   std::atomic<std::uint64_t> views_{0};              // scenes that were asked for

@@ -146,7 +146,7 @@ std::vector<std::size_t> numbers_of(const std::vector<Specimen>& specimens) {
 }
 
 /// The parts of all specimens that are to be seen.
-Errors add_specimens(const Scene& scene, const ViewRequest& request, Greenhouse& ready,
+Errors add_specimens(const Scene& scene, const ViewRequest& request, ViewCache& ready,
                      std::vector<DrawnPart>& parts) {
   using Parts = std::shared_ptr<const std::vector<DrawnPart>>;
   std::vector<Parts> made(scene.specimens.size());
@@ -188,7 +188,7 @@ std::array<std::uint8_t, 4> tint_bytes(const TintShift& shift) {
   return {byte(shift.hue), byte(0), byte(-shift.hue), 255};
 }
 
-Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& models,
+Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& models,
                   std::vector<DrawnPart>& parts) {
   std::vector<std::pair<const SownStand*, int>> wanted;
   for (const SownStand& stand : scene.stands)
@@ -225,7 +225,7 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, Greenhouse& mo
 }  // namespace
 
 Result<std::string> view_of(const Scene& scene, const Preset& preset, const ViewRequest& request,
-                            Greenhouse& models, Json header) {
+                            ViewCache& models, Json header) {
   std::vector<DrawnPart> parts;
   const SettingRow& setting = settings()[scene.stage.setting];
   Daylight light = daylight_of(scene.stage);

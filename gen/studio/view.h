@@ -6,26 +6,26 @@
 #include <string>
 #include <vector>
 
+#include "core/lru_cache.h"
 #include "core/result.h"
-#include "core/shelf.h"
 #include "scene/scene.h"
 #include "studio/packet.h"
 
 namespace frond {
 
 /// What was made ready to be sent and may be wanted again. May be asked from many threads.
-class Greenhouse {
+class ViewCache {
  public:
-  explicit Greenhouse(const std::shared_ptr<Storeroom>& room) : parts(room), models_(room) {}
+  explicit ViewCache(const std::shared_ptr<CacheBudget>& room) : parts(room), models_(room) {}
 
   /// Model `which` of what is sown, at some levels of detail. Its head has "levels".
   Result<std::shared_ptr<const DrawnPart>> model(const SownStand& stand, int which);
 
   /// The parts of specimens, by what those grew from and the time.
-  Shelf<std::vector<DrawnPart>> parts;
+  LruCache<std::vector<DrawnPart>> parts;
 
  private:
-  Shelf<DrawnPart> models_;
+  LruCache<DrawnPart> models_;
 };
 
 /// What of a scene is wanted.
@@ -40,7 +40,7 @@ struct ViewRequest {
 /// Everything that stands in a scene at one time, as a packet that the page draws (docs/studio.md describes
 /// its bytes). `header` brings what the caller has to add.
 Result<std::string> view_of(const Scene& scene, const Preset& preset, const ViewRequest& request,
-                            Greenhouse& models, Json header);
+                            ViewCache& models, Json header);
 
 /// The parts of one organism at a time.
 Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double time);

@@ -81,7 +81,7 @@ DrawnPart model_part(const Look& look, const Model& model) {
 
 }  // namespace
 
-Result<std::shared_ptr<const DrawnPart>> Greenhouse::model(const SownStand& stand, int which) {
+Result<std::shared_ptr<const DrawnPart>> ViewCache::model(const SownStand& stand, int which) {
   std::string name = copy_id(stand.organism, which);
   if (auto kept = models_.find(name)) return kept;
   Result<Model> grown = grow_copy(stand.organism, which);

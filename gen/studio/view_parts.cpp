@@ -2,7 +2,7 @@
 #include <map>
 
 #include "emit/sweep.h"
-#include "export/cast.h"
+#include "export/export_scene.h"
 #include "export/look.h"
 #include "geometry/far.h"
 #include "motion/unfold.h"

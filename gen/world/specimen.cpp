@@ -49,7 +49,7 @@ std::size_t bytes_of(const Specimen& specimen) {
   return bytes;
 }
 
-void put(Model& model, Vec3 foot, Quat turn, float size) {
+void transform(Model& model, Vec3 foot, Quat turn, float size) {
   put_skeleton(model.skeleton, foot, turn, size);
   for (float& girth : model.girth) girth *= size;
   put_placed(model.organs, foot, turn, size);

@@ -61,7 +61,7 @@ struct Specimen : Traits {
 std::size_t bytes_of(const Specimen& specimen);
 
 /// Turns, sizes and moves a model from the origin to its place.
-void put(Model& model, Vec3 foot, Quat turn, float size);
+void transform(Model& model, Vec3 foot, Quat turn, float size);
 
 /// The outside of the bodies that it is, without `uv`; empty where it is none.
 Surface skin_of(const Model& model);

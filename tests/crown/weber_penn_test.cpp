@@ -346,7 +346,7 @@ TEST(WeberPenn, RunawaySplitsAreRefused) {
   t.level[3].branches = 400;
   t.shape = CrownShape::cylindrical;
   EXPECT_FALSE(grow_weber_penn(t, Seed{1}).ok());
-  EXPECT_GT(foresee_nodes(t), 4e6);
+  EXPECT_GT(estimate_nodes(t), 4e6);
 }
 
 }  // namespace

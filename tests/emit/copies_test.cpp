@@ -36,9 +36,9 @@ CopyPlan planned(const Scene& scene) {
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const SownStand& stand = scene.stands[s];
     for (int model = 0; model < stand.organism.sown->models; ++model) {
-      std::vector<Crumb> crumbs = crumbs_of(stand.dress.look, *grow_copy(stand.organism, model));
-      Views::add(plan, s, views.plan(s, model, crumbs));
-      plan.crumbs[s].push_back(std::move(crumbs));
+      std::vector<Surfel> surfels = surfels_of(stand.dress.look, *grow_copy(stand.organism, model));
+      Views::add(plan, s, views.plan(s, model, surfels));
+      plan.surfels[s].push_back(std::move(surfels));
     }
   }
   return plan;
@@ -85,12 +85,12 @@ TEST(CopyPlan, TheSameFilmLargerIsFiner) {
 TEST(CopyPlan, OfATallTreeWhatIsNearIsFine) {
   Scene scene = scene_of(preset_text(kStill));
   SownStand& stand = scene.stands[0];
-  std::vector<Crumb> crumbs;  // of a pole, eighteen metres high, right before the camera
+  std::vector<Surfel> surfels;  // of a pole, eighteen metres high, right before the camera
   for (int i = 0; i < 90; ++i)
-    crumbs.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
+    surfels.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
   stand.copies = {{0}, {Vec3(0, 0, 38)}, {Quat(1, 0, 0, 0)}, {1}, {0}};
-  ModelPlan plan = Views(scene).plan(0, 0, crumbs);
-  ModelBlocks blocks = blocks_of(crumbs);
+  ModelPlan plan = Views(scene).plan(0, 0, surfels);
+  ModelBlocks blocks = blocks_of(surfels);
   ASSERT_EQ(blocks.count(), 6);
   std::vector<Drawn> drawn = plan.drawn[0];
   ASSERT_EQ(drawn.size(), 6u) << "its top throws a shadow";
@@ -100,19 +100,19 @@ TEST(CopyPlan, OfATallTreeWhatIsNearIsFine) {
 
 TEST(CopyPlan, PiecesThatThrowShadowsAreNoWiderThanTheirBlur) {
   Scene scene = scene_of(preset_text(kStill));
-  std::vector<Crumb> crumbs;  // of a pole of thirty metres
+  std::vector<Surfel> surfels;  // of a pole of thirty metres
   for (int i = 0; i < 150; ++i)
-    crumbs.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
+    surfels.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
   Copies& copies = scene.stands[0].copies = {};
   for (double turn = 0; turn < 2 * kPi; turn += kPi / 8) {  // round the camera, as near as its top sees it
     copies.model.push_back(0), copies.scale.push_back(1), copies.tint.push_back(0);
     copies.turn.push_back(Quat(1, 0, 0, 0));
     copies.foot.push_back(Vec3(14 * std::cos(turn), 0, 40 + 14 * std::sin(turn)));
   }
-  ModelBlocks blocks = blocks_of(crumbs);
+  ModelBlocks blocks = blocks_of(surfels);
   constexpr double kSun = 0.0093;  // radians across
   int above = 0;
-  ModelPlan plan = Views(scene).plan(0, 0, crumbs);
+  ModelPlan plan = Views(scene).plan(0, 0, surfels);
   for (const Drawn& one : plan.drawn[0]) {
     if (one.block == ModelFile::kWhole || blocks.middle(one.block).y < 20) continue;
     ++above;
@@ -194,8 +194,9 @@ std::pair<std::string, std::string> texts(const Scene& scene, CopyPlan& plan) {
   std::string models;
   for (ModelFile& file : plan.files) {
     const SownStand& stand = scene.stands[file.stand];
-    const std::vector<Crumb>& crumbs = plan.crumbs[file.stand][static_cast<std::size_t>(file.model)];
-    ModelText text = model_texts({file}, stand, *grow_copy(stand.organism, file.model), blocks_of(crumbs))[0];
+    const std::vector<Surfel>& surfels = plan.surfels[file.stand][static_cast<std::size_t>(file.model)];
+    ModelText text =
+        model_texts({file}, stand, *grow_copy(stand.organism, file.model), blocks_of(surfels))[0];
     file.parts = text.parts;
     EXPECT_TRUE(file.parts.size() == 1 || file.parts.size() == 2) << "wood and leaves";
     models += text.file_text();

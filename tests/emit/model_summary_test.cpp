@@ -16,7 +16,7 @@ ModelSummary summary_of(Seed seed) {
   }
   Look look;
   look.bark = Bark{};
-  summary.crumbs = crumbs_of(look, model);
+  summary.surfels = surfels_of(look, model);
   summary.parts = {{{0, 3}, {}}, {{2, -1}, {0, 1, 12}}, {{2, 0}, {1}}};
   return summary;
 }
@@ -24,10 +24,10 @@ ModelSummary summary_of(Seed seed) {
 TEST(ModelSummary, WhatALaterRunReadsIsWhatThisRunHas) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     ModelSummary summary = summary_of(Seed{seed});
-    ASSERT_GT(summary.crumbs.size(), 50u);
+    ASSERT_GT(summary.surfels.size(), 50u);
     std::optional<ModelSummary> read = read_summary(summary_text(summary));
     ASSERT_TRUE(read);
-    EXPECT_EQ(read->crumbs, summary.crumbs);
+    EXPECT_EQ(read->surfels, summary.surfels);
     EXPECT_EQ(read->parts, summary.parts);
   }
 }

@@ -36,75 +36,76 @@ Scene garden(const std::string& style = R"("sweeps")") {
   return *build_scene(*preset);
 }
 
-const CastOptions kSmallPictures{.texture = 64};
+const ExportOptions kSmallPictures{.texture = 64};
 
-Cast cast_of(const Scene& scene, double time = 2) {
-  Result<Cast> cast = cast_scene(scene, time, kSmallPictures);
-  EXPECT_TRUE(cast);
-  return *cast;
+ExportScene export_scene_of(const Scene& scene, double time = 2) {
+  Result<ExportScene> exported = export_scene(scene, time, kSmallPictures);
+  EXPECT_TRUE(exported);
+  return *exported;
 }
 
 template <class Visit>
-void each_part(const Cast& cast, const Visit& visit) {
-  for (const CastPlacement& p : cast.placements)
-    for (const CastPart& part : cast.meshes[p.mesh].parts) visit(part, p);
+void each_part(const ExportScene& exported, const Visit& visit) {
+  for (const ExportPlacement& p : exported.placements)
+    for (const ExportPart& part : exported.meshes[p.mesh].parts) visit(part, p);
 }
 
-std::size_t all_triangles(const Cast& cast) {
+std::size_t all_triangles(const ExportScene& exported) {
   std::size_t sum = 0;
-  each_part(cast, [&](const CastPart& part, const CastPlacement&) { sum += part.surface.triangle.size(); });
+  each_part(exported,
+            [&](const ExportPart& part, const ExportPlacement&) { sum += part.surface.triangle.size(); });
   return sum;
 }
 
-TEST(Cast, holds_sound_meshes_a_few_for_each_organism) {
+TEST(ExportScene, holds_sound_meshes_a_few_for_each_organism) {
   for (bool instances : {false, true}) {
-    Result<Cast> made = cast_scene(garden(), 2, {.texture = 64, .instances = instances});
+    Result<ExportScene> made = export_scene(garden(), 2, {.texture = 64, .instances = instances});
     ASSERT_TRUE(made);
-    const Cast& cast = *made;
+    const ExportScene& exported = *made;
     std::set<std::string> names;
-    for (const CastMaterial& m : cast.materials) EXPECT_TRUE(names.insert(m.name).second) << m.name;
+    for (const ExportMaterial& m : exported.materials) EXPECT_TRUE(names.insert(m.name).second) << m.name;
     names.clear();
-    for (const CastMesh& mesh : cast.meshes) {
+    for (const ExportMesh& mesh : exported.meshes) {
       EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
-      for (const CastPart& part : mesh.parts) {
+      for (const ExportPart& part : mesh.parts) {
         EXPECT_EQ(part.surface.check(), "") << mesh.name;
-        EXPECT_LT(part.material, cast.materials.size());
+        EXPECT_LT(part.material, exported.materials.size());
       }
     }
     std::map<std::size_t, int> placed;
-    for (const CastPlacement& p : cast.placements) ++placed[p.mesh];
+    for (const ExportPlacement& p : exported.placements) ++placed[p.mesh];
     int thrice = 0;
     for (auto [mesh, times] : placed) thrice += times == 3;
     EXPECT_EQ(thrice, instances ? 1 : 0);  // the flowers
-    EXPECT_EQ(cast.groups.size(), 2u);
-    EXPECT_EQ(cast.placements.size(), instances ? 5u : 3u);  // two have branches, one has flowers
+    EXPECT_EQ(exported.groups.size(), 2u);
+    EXPECT_EQ(exported.placements.size(), instances ? 5u : 3u);  // two have branches, one has flowers
   }
 }
 
-TEST(Cast, has_no_more_triangles_than_it_may) {
+TEST(ExportScene, has_no_more_triangles_than_it_may) {
   Scene scene = garden();
-  std::size_t all = all_triangles(cast_of(scene));
-  Result<Cast> less = cast_scene(scene, 2, {.detail = 400, .texture = 64});
+  std::size_t all = all_triangles(export_scene_of(scene));
+  Result<ExportScene> less = export_scene(scene, 2, {.detail = 400, .texture = 64});
   ASSERT_TRUE(less);
   EXPECT_LT(all_triangles(*less), all / 2);
-  for (const CastMesh& mesh : less->meshes)
-    for (const CastPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
+  for (const ExportMesh& mesh : less->meshes)
+    for (const ExportPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
 }
 
-TEST(Cast, paints_what_patterns_draw) {
-  Cast cast = cast_of(garden());
-  ASSERT_NE(cast.materials[0].colors, kNoPicture);  // the pores of the coral
-  Result<Raster> picture = read_png(cast.pictures[cast.materials[0].colors].png);
+TEST(ExportScene, paints_what_patterns_draw) {
+  ExportScene exported = export_scene_of(garden());
+  ASSERT_NE(exported.materials[0].colors, kNoPicture);  // the pores of the coral
+  Result<Raster> picture = read_png(exported.pictures[exported.materials[0].colors].png);
   ASSERT_TRUE(picture);
   EXPECT_EQ(picture->width, 64);
   auto [low, high] = std::minmax_element(picture->data.begin(), picture->data.end());
   EXPECT_GT(*high - *low, 60);
-  Result<Cast> bare = cast_scene(garden(), 2, {.texture = 0});
+  Result<ExportScene> bare = export_scene(garden(), 2, {.texture = 0});
   ASSERT_TRUE(bare);
   EXPECT_TRUE(bare->pictures.empty());
 }
 
-TEST(Cast, pictures_of_bodies_fit_on_themselves) {
+TEST(ExportScene, pictures_of_bodies_fit_on_themselves) {
   for (Matter matter :
        {Matter::brick, Matter::mortar, Matter::limestone, Matter::plaster, Matter::paint, Matter::timber,
         Matter::ashlar, Matter::bed, Matter::soil, Matter::granite, Matter::karst, Matter::basalt}) {
@@ -120,23 +121,23 @@ TEST(Cast, pictures_of_bodies_fit_on_themselves) {
   }
 }
 
-TEST(Cast, grows_with_time_and_is_near_what_was_foreseen) {
+TEST(ExportScene, grows_with_time_and_is_near_what_was_foreseen) {
   Scene scene = garden();
-  CastSize foreseen = foresee_cast(scene, kSmallPictures);
-  auto grown = static_cast<double>(all_triangles(cast_of(scene)));
-  EXPECT_GT(foreseen.all_triangles, 0.7 * grown);
-  EXPECT_LT(foreseen.all_triangles, 1.5 * grown);
-  EXPECT_LT(all_triangles(cast_of(scene, 0.2)), all_triangles(cast_of(scene)));
+  ExportSize estimated = estimate_export(scene, kSmallPictures);
+  auto grown = static_cast<double>(all_triangles(export_scene_of(scene)));
+  EXPECT_GT(estimated.all_triangles, 0.7 * grown);
+  EXPECT_LT(estimated.all_triangles, 1.5 * grown);
+  EXPECT_LT(all_triangles(export_scene_of(scene, 0.2)), all_triangles(export_scene_of(scene)));
 }
 
-TEST(Cast, follows_the_style) {
+TEST(ExportScene, follows_the_style) {
   for (const char* style : {R"("fused")", R"({"build": "voxels", "voxel": 0.03})"}) {
     Scene scene = garden(style);
-    Cast cast = cast_of(scene);
-    const Surface& coral = cast.meshes[0].parts[0].surface;
+    ExportScene exported = export_scene_of(scene);
+    const Surface& coral = exported.meshes[0].parts[0].surface;
     EXPECT_EQ(coral.check(), "");
     EXPECT_GT(coral.triangle.size(), 300u);
-    EXPECT_NE(coral.triangle.size(), cast_of(garden()).meshes[0].parts[0].surface.triangle.size());
+    EXPECT_NE(coral.triangle.size(), export_scene_of(garden()).meshes[0].parts[0].surface.triangle.size());
   }
 }
 
@@ -149,26 +150,26 @@ TEST(Formats, are_told_by_the_extension) {
 }
 
 TEST(Obj, is_read_back_by_tinyobjloader) {
-  Cast cast = cast_of(garden());
+  ExportScene exported = export_scene_of(garden());
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warn, error;
-  std::istringstream text(obj_text(cast, "garden.mtl")), colors(mtl_text(cast));
+  std::istringstream text(obj_text(exported, "garden.mtl")), colors(mtl_text(exported));
   tinyobj::MaterialStreamReader reader(colors);
   ASSERT_TRUE(tinyobj::LoadObj(&attrib, &shapes, &materials, &warn, &error, &text, &reader, false)) << error;
   EXPECT_EQ(warn, "");
-  EXPECT_EQ(shapes.size(), cast.placements.size());
-  EXPECT_EQ(materials.size(), cast.materials.size());
+  EXPECT_EQ(shapes.size(), exported.placements.size());
+  EXPECT_EQ(materials.size(), exported.materials.size());
   std::size_t faces = 0;
   for (const auto& shape : shapes) faces += shape.mesh.num_face_vertices.size();
-  EXPECT_EQ(faces, all_triangles(cast));
+  EXPECT_EQ(faces, all_triangles(exported));
   std::size_t o = 0, i = 0;
   auto as_read = [](const std::vector<tinyobj::real_t>& list, int at) {
     const float* read = &list[3 * static_cast<std::size_t>(at)];
     return Vec3(read[0], read[1], read[2]);
   };
-  each_part(cast, [&](const CastPart& part, const CastPlacement& p) {
+  each_part(exported, [&](const ExportPart& part, const ExportPlacement& p) {
     Surface surface = placed(part, p);
     for (const auto& t : surface.triangle)
       for (std::uint32_t corner : t) {
@@ -178,8 +179,8 @@ TEST(Obj, is_read_back_by_tinyobjloader) {
         ASSERT_LT(glm::distance(surface.normal[corner], as_read(attrib.normals, at.normal_index)), 2e-3f);
       }
   });
-  EXPECT_NEAR(materials[0].diffuse[0], cast.materials[0].factor.red, 1e-4);
-  EXPECT_EQ(materials[0].diffuse_texname, cast.pictures[cast.materials[0].colors].name + ".png");
+  EXPECT_NEAR(materials[0].diffuse[0], exported.materials[0].factor.red, 1e-4);
+  EXPECT_EQ(materials[0].diffuse_texname, exported.pictures[exported.materials[0].colors].name + ".png");
 }
 
 template <class T>
@@ -192,8 +193,8 @@ T take(std::string_view& bytes) {
 }
 
 TEST(Ply, has_what_its_header_says) {
-  Cast cast = cast_of(garden());
-  std::string all = ply_bytes(cast);
+  ExportScene exported = export_scene_of(garden());
+  std::string all = ply_bytes(exported);
   std::string_view bytes = all;
   std::size_t end = bytes.find("end_header\n");
   ASSERT_NE(end, bytes.npos);
@@ -204,9 +205,9 @@ TEST(Ply, has_what_its_header_says) {
     std::sscanf(line.c_str(), "element vertex %zu", &vertices);
     std::sscanf(line.c_str(), "element face %zu", &faces);
   }
-  EXPECT_EQ(faces, all_triangles(cast));
+  EXPECT_EQ(faces, all_triangles(exported));
   ASSERT_EQ(bytes.size(), vertices * (8 * 4 + 3) + faces * 13);
-  Surface first = placed(cast.meshes[cast.placements[0].mesh].parts[0], cast.placements[0]);
+  Surface first = placed(exported.meshes[exported.placements[0].mesh].parts[0], exported.placements[0]);
   for (std::size_t v = 0; v < vertices; ++v) {
     Vec3 at = take<Vec3>(bytes), normal = take<Vec3>(bytes);
     take<Vec2>(bytes);
@@ -215,7 +216,7 @@ TEST(Ply, has_what_its_header_says) {
     EXPECT_NEAR(glm::length(normal), 1, 1e-3);
     if (v < first.position.size()) {
       EXPECT_EQ(at, first.position[v]);
-      double light = linear(cast.materials[0].color.red) * cast.meshes[0].parts[0].tint[v][0] / 255;
+      double light = linear(exported.materials[0].color.red) * exported.meshes[0].parts[0].tint[v][0] / 255;
       EXPECT_NEAR(red, 255 * encoded(light), 0.6);
     }
   }
@@ -226,8 +227,8 @@ TEST(Ply, has_what_its_header_says) {
 }
 
 TEST(Glb, keeps_to_the_format) {
-  Cast cast = cast_of(garden());
-  std::string all = *glb_bytes(cast);
+  ExportScene exported = export_scene_of(garden());
+  std::string all = *glb_bytes(exported);
   std::string_view bytes = all;
   ASSERT_EQ(bytes.substr(0, 4), "glTF");
   bytes.remove_prefix(4);
@@ -243,9 +244,10 @@ TEST(Glb, keeps_to_the_format) {
   bytes.remove_prefix(4);
   ASSERT_EQ(bytes.size(), bin_size);
   EXPECT_EQ(root["buffers"][0]["byteLength"], bin_size);
-  EXPECT_EQ(root["nodes"].size(), cast.placements.size() + 1);  // the herb has two meshes below its own node
-  EXPECT_EQ(root["scenes"][0]["nodes"].size(), cast.groups.size());
-  EXPECT_EQ(root["meshes"].size(), cast.meshes.size());
+  EXPECT_EQ(root["nodes"].size(),
+            exported.placements.size() + 1);  // the herb has two meshes below its own node
+  EXPECT_EQ(root["scenes"][0]["nodes"].size(), exported.groups.size());
+  EXPECT_EQ(root["meshes"].size(), exported.meshes.size());
 
   std::map<std::string, std::size_t> width{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
   std::map<int, std::size_t> bytes_of{{5121, 1}, {5123, 2}, {5125, 4}, {5126, 4}};
@@ -266,7 +268,7 @@ TEST(Glb, keeps_to_the_format) {
         read_png(bytes.substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>())));
   }
 
-  for (std::size_t m = 0; m < cast.meshes.size(); ++m) {
+  for (std::size_t m = 0; m < exported.meshes.size(); ++m) {
     const json& primitive = root["meshes"][m]["primitives"][0];
     const json& at = root["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
     const json& index = root["accessors"][primitive["indices"].get<std::size_t>()];
@@ -304,43 +306,43 @@ Scene sown_lawn() {
   return *build_scene(*preset);
 }
 
-TEST(Cast, holds_each_sown_model_once_and_each_copy_of_it) {
+TEST(ExportScene, holds_each_sown_model_once_and_each_copy_of_it) {
   Scene scene = sown_lawn();
   ASSERT_EQ(scene.stands.size(), 2u);
   ASSERT_GT(scene.stands[0].copies.size(), 20u);
-  Cast cast = cast_of(scene, 0);
+  ExportScene exported = export_scene_of(scene, 0);
   std::map<std::size_t, std::size_t> copies;
-  for (const CastPlacement& p : cast.placements) ++copies[p.mesh];
-  EXPECT_EQ(copies.size(), cast.meshes.size());
+  for (const ExportPlacement& p : exported.placements) ++copies[p.mesh];
+  EXPECT_EQ(copies.size(), exported.meshes.size());
   std::size_t herbs = 0, stones = 0;
   std::set<std::string> names;
-  for (std::size_t m = 0; m < cast.meshes.size(); ++m) {
-    const CastMesh& mesh = cast.meshes[m];
+  for (std::size_t m = 0; m < exported.meshes.size(); ++m) {
+    const ExportMesh& mesh = exported.meshes[m];
     EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
-    for (const CastPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
+    for (const ExportPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
     if (mesh.name.starts_with("herb")) herbs += copies[m];
     if (mesh.name.starts_with("stone")) stones += copies[m];
   }
   EXPECT_EQ(herbs, scene.stands[0].copies.size());
   EXPECT_EQ(stones, scene.stands[1].copies.size());
   // The copies stand where they are sown.
-  Surface first = placed(cast.meshes[0].parts[0], cast.placements[0]);
+  Surface first = placed(exported.meshes[0].parts[0], exported.placements[0]);
   EXPECT_LT(glm::distance(first.position[0], scene.stands[0].copies.foot[0]), 0.3f);
-  EXPECT_EQ(cast.groups.size(), 2u);
+  EXPECT_EQ(exported.groups.size(), 2u);
   // With instances all copies of a model are one node, else each is one.
   for (bool instances : {false, true}) {
-    std::string glb = *glb_bytes(cast, instances);
+    std::string glb = *glb_bytes(exported, instances);
     json root = json::parse(glb.substr(20, *reinterpret_cast<const std::uint32_t*>(&glb[12])));
-    EXPECT_EQ(root["nodes"].size(), 2 + (instances ? cast.meshes.size() : cast.placements.size()));
+    EXPECT_EQ(root["nodes"].size(), 2 + (instances ? exported.meshes.size() : exported.placements.size()));
     EXPECT_EQ(root.contains("extensionsRequired"), instances);
   }
   // A file is as large as its copies are many, but for instances.
-  CastSize size = size_of(cast);
+  ExportSize size = size_of(exported);
   EXPECT_GT(size.all_vertices, 5 * size.vertices);
 }
 
 TEST(Volume, holds_what_is_sown) {
-  Result<Volume> volume = cast_volume(sown_lawn(), 0, {.voxel = 0.004});
+  Result<Volume> volume = export_volume(sown_lawn(), 0, {.voxel = 0.004});
   ASSERT_TRUE(volume) << volume.errors()[0].text();
   EXPECT_GT(volume->active_voxels(), 10'000u);
 }
@@ -429,11 +431,11 @@ TEST(Formats, write_whole_files) {
     double told = 0;
     auto written = write_scene(format, scene, 2, kSmallPictures, path, [&](double bytes) { told = bytes; });
     ASSERT_TRUE(written) << written.errors()[0].text();
-    double foreseen = format.bytes(foresee_cast(scene, kSmallPictures)),
+    double estimated = format.bytes(estimate_export(scene, kSmallPictures)),
            size = static_cast<double>(fs::file_size(path));
     EXPECT_GT(size, 10'000);
-    if (foreseen > 0) {
-      EXPECT_NEAR(foreseen / size, 1, 0.7) << format.extension;
+    if (estimated > 0) {
+      EXPECT_NEAR(estimated / size, 1, 0.7) << format.extension;
       EXPECT_NEAR(told / size, 1, 0.7) << format.extension;
     }
   }

@@ -37,9 +37,9 @@ Vec3 highest(const std::vector<Vec3>& places) {
   return *std::ranges::max_element(places, {}, [](Vec3 p) { return p.y; });
 }
 
-std::size_t triangles_of_all(const std::vector<CastPart>& parts) {
+std::size_t triangles_of_all(const std::vector<ExportPart>& parts) {
   std::size_t all = 0;
-  for (const CastPart& part : parts) all += part.surface.triangle.size();
+  for (const ExportPart& part : parts) all += part.surface.triangle.size();
   return all;
 }
 
@@ -49,20 +49,20 @@ json json_of(const std::string& glb) {
 
 TEST(Film, carries_each_mesh_to_where_it_is_at_other_times) {
   Scene scene = growing();
-  CastOptions options{.texture = 0, .keys = {0.6, 1.2, 1.9}};
-  Result<Cast> cast = cast_scene(scene, 1.9, options);
-  ASSERT_TRUE(cast) << cast.errors()[0].text();
-  EXPECT_EQ(cast->keys.size(), 3u);
-  EXPECT_DOUBLE_EQ(cast->keys[0], 0);
+  ExportOptions options{.texture = 0, .keys = {0.6, 1.2, 1.9}};
+  Result<ExportScene> exported = export_scene(scene, 1.9, options);
+  ASSERT_TRUE(exported) << exported.errors()[0].text();
+  EXPECT_EQ(exported->keys.size(), 3u);
+  EXPECT_DOUBLE_EQ(exported->keys[0], 0);
   for (std::size_t key = 0; key < 2; ++key) {
-    Result<Cast> then = cast_scene(scene, options.keys[key], {.texture = 0});
+    Result<ExportScene> then = export_scene(scene, options.keys[key], {.texture = 0});
     ASSERT_TRUE(then);
-    for (const CastMesh& mesh : cast->meshes) {
+    for (const ExportMesh& mesh : exported->meshes) {
       ASSERT_TRUE(mesh.moves()) << mesh.name;
-      auto same = std::ranges::find(then->meshes, mesh.name, &CastMesh::name);
+      auto same = std::ranges::find(then->meshes, mesh.name, &ExportMesh::name);
       if (same == then->meshes.end()) continue;  // nothing of it has grown yet
       for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
-        const CastPart& part = mesh.parts[p];
+        const ExportPart& part = mesh.parts[p];
         ASSERT_EQ(part.shifts.size(), 2u);
         std::vector<Vec3> moved = part.surface.position;
         for (std::size_t v = 0; v < moved.size(); ++v) {
@@ -80,10 +80,10 @@ TEST(Film, carries_each_mesh_to_where_it_is_at_other_times) {
 }
 
 TEST(Film, of_a_glb_is_an_animation_of_weights) {
-  Result<Cast> cast = cast_scene(growing(), 1.9, {.texture = 0, .keys = {0.6, 1.2, 1.9}});
-  ASSERT_TRUE(cast);
-  json root = json_of(*glb_bytes(*cast));
-  EXPECT_EQ(root["animations"][0]["channels"].size(), cast->meshes.size());
+  Result<ExportScene> exported = export_scene(growing(), 1.9, {.texture = 0, .keys = {0.6, 1.2, 1.9}});
+  ASSERT_TRUE(exported);
+  json root = json_of(*glb_bytes(*exported));
+  EXPECT_EQ(root["animations"][0]["channels"].size(), exported->meshes.size());
   const json& sampler = root["animations"][0]["samplers"][0];
   const json& times = root["accessors"][sampler["input"].get<std::size_t>()];
   EXPECT_EQ(times["count"], 3);
@@ -101,21 +101,21 @@ TEST(Film, carries_bodies_that_grow_and_fish_that_swim) {
        "growth": {"duration": 3}, "place": {"at": [[0, 0]]}},
       {"kind": "school", "name": "fish", "count": 5, "place": {"at": [[2, 0]], "raise": 1}}]})");
   // At a detail that leaves a part of the triangles.
-  CastOptions options{.detail = 600, .texture = 0, .keys = {0.4, 1.7, 3.5}};
-  Result<Cast> cast = cast_scene(scene, 3.5, options);
-  ASSERT_TRUE(cast) << cast.errors()[0].text();
-  ASSERT_EQ(cast->meshes.size(), 2u);
+  ExportOptions options{.detail = 600, .texture = 0, .keys = {0.4, 1.7, 3.5}};
+  Result<ExportScene> exported = export_scene(scene, 3.5, options);
+  ASSERT_TRUE(exported) << exported.errors()[0].text();
+  ASSERT_EQ(exported->meshes.size(), 2u);
   for (std::size_t key = 0; key < 2; ++key) {
-    Result<Cast> then = cast_scene(scene, options.keys[key], {.texture = 0});
+    Result<ExportScene> then = export_scene(scene, options.keys[key], {.texture = 0});
     ASSERT_TRUE(then);
     for (std::size_t m = 0; m < 2; ++m) {
-      ASSERT_TRUE(cast->meshes[m].moves());
-      EXPECT_LT(triangles_of_all(cast->meshes[m].parts), triangles_of_all(then->meshes[m].parts));
-      const CastPart &part = cast->meshes[m].parts[0], &same = then->meshes[m].parts[0];
+      ASSERT_TRUE(exported->meshes[m].moves());
+      EXPECT_LT(triangles_of_all(exported->meshes[m].parts), triangles_of_all(then->meshes[m].parts));
+      const ExportPart &part = exported->meshes[m].parts[0], &same = then->meshes[m].parts[0];
       std::vector<Vec3> moved = part.surface.position;
       for (std::size_t v = 0; v < moved.size(); ++v) moved[v] += part.shifts[key].position[v];
       Vec3 top = highest(moved), wanted = highest(same.surface.position);
-      EXPECT_LT(glm::distance(top + cast->groups[m].foot, wanted + then->groups[m].foot), 0.02f) << m;
+      EXPECT_LT(glm::distance(top + exported->groups[m].foot, wanted + then->groups[m].foot), 0.02f) << m;
       if (m > 0 || key > 0) continue;
       EXPECT_LT(top.y, 0.9f * highest(part.surface.position).y) << "it grows";
     }
@@ -124,24 +124,25 @@ TEST(Film, carries_bodies_that_grow_and_fish_that_swim) {
 
 TEST(Film, is_refused_where_no_mesh_can_follow_or_nothing_moves) {
   Scene still = scene_of(R"({"organisms": [{"kind": "rock", "place": {"at": [[0, 0]]}}]})");
-  Result<Cast> none = cast_scene(still, 1, {.texture = 0, .keys = {0, 1}});
+  Result<ExportScene> none = export_scene(still, 1, {.texture = 0, .keys = {0, 1}});
   ASSERT_FALSE(none);
   EXPECT_EQ(none.errors()[0].what, "nothing moves from the first of those frames to the last");
   Scene changing = growing();
   changing.specimens[2].life.develop = [](double) { return Model{}; };
-  Result<Cast> cast = cast_scene(changing, 1, {.texture = 0, .keys = {0, 1}});
-  ASSERT_FALSE(cast);
-  EXPECT_NE(cast.errors()[0].what.find("herb changes its shape"), std::string::npos) << cast.errors()[0].what;
+  Result<ExportScene> exported = export_scene(changing, 1, {.texture = 0, .keys = {0, 1}});
+  ASSERT_FALSE(exported);
+  EXPECT_NE(exported.errors()[0].what.find("herb changes its shape"), std::string::npos)
+      << exported.errors()[0].what;
 }
 
 TEST(Levels, have_a_quarter_of_the_triangles_each) {
-  Result<Cast> cast = cast_scene(growing(), 1.9 + 2, {.texture = 0, .levels = 3});
-  ASSERT_TRUE(cast);
+  Result<ExportScene> exported = export_scene(growing(), 1.9 + 2, {.texture = 0, .levels = 3});
+  ASSERT_TRUE(exported);
   double all[3] = {0, 0, 0};
-  for (const CastMesh& mesh : cast->meshes) {
+  for (const ExportMesh& mesh : exported->meshes) {
     ASSERT_EQ(mesh.coarser.size(), 2u) << mesh.name;
-    auto count = [&](double& sum, const std::vector<CastPart>& parts) {
-      for (const CastPart& part : parts) {
+    auto count = [&](double& sum, const std::vector<ExportPart>& parts) {
+      for (const ExportPart& part : parts) {
         EXPECT_EQ(part.surface.check(), "") << mesh.name;
         EXPECT_TRUE(part.tint.empty() || part.tint.size() == part.surface.position.size());
         sum += static_cast<double>(part.surface.triangle.size());
@@ -152,9 +153,9 @@ TEST(Levels, have_a_quarter_of_the_triangles_each) {
   EXPECT_GT(all[1], 0.15 * all[0]);
   EXPECT_LT(all[1], 0.3 * all[0]);
   EXPECT_LT(all[2], 0.3 * all[1]);
-  json root = json_of(*glb_bytes(*cast));
+  json root = json_of(*glb_bytes(*exported));
   EXPECT_EQ(root["extensionsUsed"][0], "MSFT_lod");
-  EXPECT_EQ(root["meshes"].size(), 3 * cast->meshes.size());
+  EXPECT_EQ(root["meshes"].size(), 3 * exported->meshes.size());
   // Coarser levels stand in no scene; the herb is one node with two levels, as the corals are.
   ASSERT_EQ(root["scenes"][0]["nodes"].size(), 3u);
   for (const json& at : root["scenes"][0]["nodes"]) {
@@ -171,27 +172,27 @@ TEST(Detail, by_pixels_follows_the_levels_of_forests) {
   for (double pixels = 20; pixels < 1e4; pixels *= 1.3)
     EXPECT_LE(detail_seen(pixels), detail_seen(1.3 * pixels));
   auto triangles = [&](double pixels) {
-    Result<Cast> cast =
-        cast_scene(growing(), 4, {.detail = detail_seen(pixels), .texture = 0, .pixels = pixels});
-    EXPECT_TRUE(cast);
-    return size_of(*cast).triangles;
+    Result<ExportScene> exported =
+        export_scene(growing(), 4, {.detail = detail_seen(pixels), .texture = 0, .pixels = pixels});
+    EXPECT_TRUE(exported);
+    return size_of(*exported).triangles;
   };
   EXPECT_LT(triangles(40), 0.7 * triangles(2000));
 }
 
 TEST(Tips, are_paler) {
-  Result<Cast> cast = cast_scene(growing(), 4, {.texture = 0});
-  ASSERT_TRUE(cast);
-  const CastPart& coral = cast->meshes[0].parts[0];
+  Result<ExportScene> exported = export_scene(growing(), 4, {.texture = 0});
+  ASSERT_TRUE(exported);
+  const ExportPart& coral = exported->meshes[0].parts[0];
   ASSERT_EQ(coral.tint.size(), coral.surface.position.size());
   const std::vector<Vec3>& at = coral.surface.position;
   auto tip =
       static_cast<std::size_t>(std::ranges::max_element(at, {}, [](Vec3 p) { return p.y; }) - at.begin());
   auto foot =
       static_cast<std::size_t>(std::ranges::min_element(at, {}, [](Vec3 p) { return p.y; }) - at.begin());
-  EXPECT_EQ(coral.tint[tip], (CastTint{255, 255, 255, 255}));
+  EXPECT_EQ(coral.tint[tip], (ExportTint{255, 255, 255, 255}));
   EXPECT_LT(coral.tint[foot][2], 100);  // a pale tip is far less red
-  EXPECT_TRUE(cast_scene(growing(), 4, {.texture = 0, .tints = false})->meshes[0].parts[0].tint.empty());
+  EXPECT_TRUE(export_scene(growing(), 4, {.texture = 0, .tints = false})->meshes[0].parts[0].tint.empty());
 }
 
 }  // namespace

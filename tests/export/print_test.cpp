@@ -32,10 +32,10 @@ std::vector<std::string> film_of(const std::string& preset, std::vector<std::str
 
 /// Of the meshes of branches: all are one piece each, every edge twice, without a void.
 void expect_printable(const Scene& scene, double time, const std::string& what) {
-  Result<Cast> cast = cast_scene(scene, time, {.texture = 0});
-  ASSERT_TRUE(cast) << what;
+  Result<ExportScene> exported = export_scene(scene, time, {.texture = 0});
+  ASSERT_TRUE(exported) << what;
   std::size_t bodies = 0;
-  for (const CastMesh& mesh : cast->meshes) {
+  for (const ExportMesh& mesh : exported->meshes) {
     if (mesh.name.find("_branches") == mesh.name.npos) continue;
     ++bodies;
     PrintedPieces pieces = printed_pieces(mesh.parts[0].surface);
@@ -81,13 +81,13 @@ TEST(Printed, bodies_thinner_than_a_voxel_hold_together) {
 }
 
 TEST(Printed, bodies_in_an_obj_share_the_corners_of_their_faces) {
-  Result<Cast> cast = cast_scene(scene_of("voxel.json", {}), 0, {.texture = 0});
-  ASSERT_TRUE(cast);
+  Result<ExportScene> exported = export_scene(scene_of("voxel.json", {}), 0, {.texture = 0});
+  ASSERT_TRUE(exported);
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warn, error;
-  std::istringstream text(obj_text(*cast, "none.mtl"));
+  std::istringstream text(obj_text(*exported, "none.mtl"));
   ASSERT_TRUE(tinyobj::LoadObj(&attrib, &shapes, &materials, &warn, &error, &text, nullptr, false)) << error;
   std::map<std::pair<int, int>, int> edges;
   for (std::size_t i = 0; i < shapes[0].mesh.indices.size(); ++i) {

@@ -44,15 +44,15 @@ SwimTask task() {
   return task;
 }
 
-Swum swum_among(const World& world) {
+Trajectory swum_among(const World& world) {
   SwimTask swims = task();
   Vec3 reach(2.6f, 1.5f, 2.6f);
   return swim(swims, 2.2, 0.12, clearance_of(world, swims.home - reach, swims.home + reach, 0.04f));
 }
 
 /// Shared, as each test asks of the same school.
-const Swum& swum() {
-  static const Swum made = swum_among(*reef());
+const Trajectory& trajectory() {
+  static const Trajectory made = swum_among(*reef());
   return made;
 }
 
@@ -65,9 +65,9 @@ float distance_to(Vec3 at, Vec3 a, Vec3 b) {
 TEST(School, IsTheSameForAnyThreads) {
   std::unique_ptr<const World> world = reef();
   limit_threads(1);
-  Swum one = swum_among(*world);
+  Trajectory one = swum_among(*world);
   limit_threads(4);
-  Swum four = swum_among(*world);
+  Trajectory four = swum_among(*world);
   limit_threads(0);
   EXPECT_EQ(one.position, four.position);
   EXPECT_EQ(one.heading, four.heading);
@@ -83,7 +83,7 @@ TEST(School, KeepsClearOfWhatStands) {
     Pose pose;
     pose_skeleton(coral.model.skeleton, coral.motion, time, pose);
     for (int i = 0; i < kFish; ++i) {
-      Vec3 at = fish_at(swum(), i, time).position;
+      Vec3 at = fish_at(trajectory(), i, time).position;
       ASSERT_GT(at.y, least) << "over the ground";
       for (std::size_t n = 0; n < pose.position.size(); ++n) {
         std::int32_t parent = coral.model.skeleton.parent[n];
@@ -97,7 +97,7 @@ TEST(School, KeepsClearOfWhatStands) {
 }
 
 TEST(School, KeepsApart) {
-  const Swum& s = swum();
+  const Trajectory& s = trajectory();
   for (int step = 0; step <= s.steps; ++step)
     for (int i = 0; i < kFish; ++i)
       for (int j = i + 1; j < kFish; ++j)
@@ -107,7 +107,7 @@ TEST(School, KeepsApart) {
 }
 
 TEST(School, ClosesTheFilm) {
-  const Swum& s = swum();
+  const Trajectory& s = trajectory();
   EXPECT_EQ(std::set<int>(s.next.begin(), s.next.end()).size(), static_cast<std::size_t>(kFish));
   for (int i = 0; i < kFish; ++i) {
     FishPose end = fish_at(s, i, kFilm), begin = fish_at(s, s.next[static_cast<std::size_t>(i)], 0);
@@ -119,7 +119,7 @@ TEST(School, ClosesTheFilm) {
 }
 
 TEST(School, SwimsSmoothly) {
-  const Swum& s = swum();
+  const Trajectory& s = trajectory();
   double fastest = task().params.speed * (1.5 + glm::length(task().params.current));
   for (int step = 0; step < s.steps; ++step)
     for (int i = 0; i < kFish; ++i)
@@ -129,15 +129,15 @@ TEST(School, SwimsSmoothly) {
 
 TEST(School, HeadsOneWay) {
   double chance = 1 / std::sqrt(static_cast<double>(kFish)), sum = 0;
-  for (int step = 0; step <= swum().steps; ++step) sum += polarization(swum(), step);
-  EXPECT_GT(sum / (swum().steps + 1), 4 * chance);
+  for (int step = 0; step <= trajectory().steps; ++step) sum += polarization(trajectory(), step);
+  EXPECT_GT(sum / (trajectory().steps + 1), 4 * chance);
 }
 
 TEST(School, FrameAloneIsThatOfAFilm) {
   SchoolParams params;
-  Organs alone = school_organs(params, swum(), 2.5);
-  for (int frame = 0; frame < 60; ++frame) school_organs(params, swum(), frame / 24.0);
-  Organs in_order = school_organs(params, swum(), 60 / 24.0);
+  Organs alone = school_organs(params, trajectory(), 2.5);
+  for (int frame = 0; frame < 60; ++frame) school_organs(params, trajectory(), frame / 24.0);
+  Organs in_order = school_organs(params, trajectory(), 60 / 24.0);
   EXPECT_EQ(alone.position, in_order.position);
   EXPECT_EQ(alone.prototype, in_order.prototype);
 }

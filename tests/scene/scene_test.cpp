@@ -111,11 +111,11 @@ TEST(Preset, ShippedOnesRaiseNoDoubts) {
 
 TEST(Scene, TellsAsManyStepsAsItForetold) {
   for (const char* path : {"presets/ivy/column.json", "presets/thicket.json", "presets/garden/vases.json"}) {
-    std::size_t foretold = 0;
+    std::size_t estimate = 0;
     std::atomic<std::size_t> told = 0;
-    Watch watch{[&](std::string_view, std::size_t steps) { foretold += steps; }, [&] { ++told; }};
+    Watch watch{[&](std::string_view, std::size_t steps) { estimate += steps; }, [&] { ++told; }};
     ASSERT_TRUE(build_scene(preset_at(path), watch)) << path;
-    EXPECT_EQ(told, foretold) << path;
+    EXPECT_EQ(told, estimate) << path;
   }
 }
 
@@ -128,12 +128,12 @@ TEST(Scene, FindsRoomOnBodiesWithoutMoreOrFewerStepsThanForetold) {
     own.replace(own.find("SPACING"), 7, spacing);
     Result<Preset> preset = read_preset(own, "test.json", {});
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
-    std::size_t foretold = 0;
+    std::size_t estimate = 0;
     std::atomic<std::size_t> told = 0;
-    Watch watch{[&](std::string_view, std::size_t steps) { foretold += steps; }, [&] { ++told; }};
+    Watch watch{[&](std::string_view, std::size_t steps) { estimate += steps; }, [&] { ++told; }};
     Result<Scene> scene = build_scene(*preset, watch);
     ASSERT_TRUE(scene.ok()) << scene.errors()[0].text();
-    EXPECT_EQ(told, foretold) << spacing;
+    EXPECT_EQ(told, estimate) << spacing;
     EXPECT_EQ(std::string_view(spacing) == "0.7", !scene->notes.empty());
   }
 }

@@ -254,7 +254,7 @@ with_disk() {
   run with_disk small 8 "$RENDER" film.json -o small/film --frames 1-2
   [ "$status" -ne 0 ]
   [[ $output == *"8.19 kB of the disk are free"* ]]
-  # The folder of the frames alone has a small disk: the room that is foretold is that of the film's folder.
+  # The folder of the frames alone has a small disk: the room that is estimated is that of the film's folder.
   for row in "8 64x48" "$((scenes + 60)) 64x48" "$((scenes + 900)) 320x180"; do  # scenes, notes of blocks, those of a picture
     run with_disk small/film/frames "${row% *}" "$RENDER" film.json -o small/film --frames 1-2 --size "${row#* }"
     echo "$row: $output"

@@ -225,7 +225,7 @@ SH
   [ "$status" -eq 2 ]
 }
 
-@test "what a run takes is foretold from what the last one took" {
+@test "what a run takes is estimated from what the last one took" {
   reckoned() { "$FROND_BIN" info film.json --json "$@" | sed 's/.*"render_seconds": \([0-9.]*\).*/\1/'; }
   export XDG_CACHE_HOME=$BATS_TEST_TMPDIR/another
   run "$FROND_BIN" info film.json
@@ -236,8 +236,8 @@ SH
   echo "machine 2 6" >another/frond/pace  # three times as slow
   [ "$(awk -v a="$first" -v b="$(reckoned)" 'BEGIN { print (b > 2.8 * a && b < 3.2 * a) }')" = 1 ]
   run "$RENDER" film.json
-  [[ $output == *"foretold: "*" of disk, "*" of processor to render (reckoned on other runs of this machine)"* ]]
-  # The fake povray takes no more than a moment, whatever is foretold of the real one; the next foretelling knows.
+  [[ $output == *"estimate: "*" of disk, "*" of processor to render (reckoned on other runs of this machine)"* ]]
+  # The fake povray takes no more than a moment, whatever is estimated of the real one; the next estimate knows.
   local taken
   taken=$(awk '{ all += $2 } END { print all / 1000 }' out/film/.times)
   echo "$taken $(reckoned)"

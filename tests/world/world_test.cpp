@@ -84,7 +84,7 @@ TEST(Put, ScalesAllThatAModelHas) {
   model.skeleton = candelabrum(3, Seed{1});
   model.girth = model.skeleton.radius;
   Model moved = model;
-  put(moved, Vec3(1, 0, 0), Quat(1, 0, 0, 0), 2);
+  transform(moved, Vec3(1, 0, 0), Quat(1, 0, 0, 0), 2);
   EXPECT_EQ(moved.skeleton.position[2], Vec3(1, 0, 0) + 2.0f * model.skeleton.position[2]);
   EXPECT_EQ(moved.girth[2], 2 * model.girth[2]);
   EXPECT_EQ(moved.skeleton.radius[2], 2 * model.skeleton.radius[2]);

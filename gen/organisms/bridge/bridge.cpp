@@ -132,9 +132,9 @@ namespace {
 class BridgeGrower final : public Described<BridgeParams, BodyBuilder> {
  public:
   Errors check() const override { return {}; }
-  Result<Foresight> foresee(Seed) const override {
+  Result<SizeEstimate> estimate_size(Seed) const override {
     const BridgeShape& b = params.shape;
-    Foresight bridge;
+    SizeEstimate bridge;
     bridge.blocks = b.length / (b.plank + b.gap) + 4.0 * b.posts * (2 + b.balusters);
     bridge.triangles = b.style == BridgeStyle::stone ? 2.2e5 : 260 * bridge.blocks;
     return bridge;

@@ -74,13 +74,13 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
     Errors errors = check_colonized(params);
     return errors.empty() ? check_pictures(params.dress) : errors;
   }
-  Result<Foresight> foresee(Seed) const override {
+  Result<SizeEstimate> estimate_size(Seed) const override {
     // Of the points no more count than have room beside each other, and many are taken by the way.
     const Colonization& how = params.growth_into;
     const EnvelopeParams& e = params.envelope;
     double room = e.width * e.height * (e.depth > 0 ? e.depth : e.width) / std::pow(how.kill, 3);
     double nodes = std::min({0.8 * how.attractors, 0.8 * room, static_cast<double>(how.most_nodes)});
-    Foresight tree;
+    SizeEstimate tree;
     tree.nodes = (nodes + e.base / how.step) * params.smoothing;
     double length = tree.nodes * how.step / params.smoothing;
     if (params.leaf_reach > 0) tree.organs = tree.parts = 0.5 * length / params.leaf_spacing;

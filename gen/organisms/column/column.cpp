@@ -39,8 +39,8 @@ namespace {
 class ColumnGrower final : public Described<ColumnParams, BodyBuilder> {
  public:
   Errors check() const override { return {}; }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight column;
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate column;
     column.triangles = params.shape.broken > 0 ? 23e3 : 39e3;
     return column;
   }

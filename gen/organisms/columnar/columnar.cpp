@@ -56,9 +56,9 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.accretion.edge; });
   }
-  Result<Foresight> foresee(Seed) const override {
+  Result<SizeEstimate> estimate_size(Seed) const override {
     const Accretion& a = params.accretion;
-    return foreseen(a, 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger));
+    return estimate_surface(a, 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger));
   }
   double tallest() const override { return params.accretion.up; }
   bool branches() const override { return false; }

@@ -80,7 +80,7 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     Result<Grammar> grammar = coral_grammar(params);
     if (grammar)
       if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return errors;
-    Errors errors = grammar ? foreseen_trouble(*grammar) : grammar.errors();
+    Errors errors = grammar ? size_faults(*grammar) : grammar.errors();
     if (own) return pointed(params.grammar, std::move(errors));
     for (Error& error : errors) error.where.clear();  // its rules are ours
     return errors;
@@ -89,8 +89,8 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     Result<Grammar> grammar = coral_grammar(params);
     return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
   }
-  Result<Foresight> foresee(Seed seed) const override {
-    Result<Foresight> coral = foresee_word(coral_grammar(params), seed, params.smoothing);
+  Result<SizeEstimate> estimate_size(Seed seed) const override {
+    Result<SizeEstimate> coral = estimate_word(coral_grammar(params), seed, params.smoothing);
     if (coral) coral->riding = true;
     return coral;
   }

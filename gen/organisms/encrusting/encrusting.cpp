@@ -66,8 +66,8 @@ class EncrustingGrower final : public BodyColony<EncrustingParams> {
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight sight = foreseen(0.8 * params.across * params.across, params.edge);
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate sight = estimate_surface(0.8 * params.across * params.across, params.edge);
     sight.seconds *= 5;  // each row is laid on what is below it
     return sight;
   }

@@ -34,8 +34,8 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
       return {{"/mesh", "found meshes that are too wide for the fan; expected a fifth of its size at most"}};
     return {};
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight sight;
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate sight;
     double places = 0.85 * params.across * params.height / (0.866 * params.mesh * params.mesh);
     sight.nodes = places * (1 + params.links);
     sight.riding = true;

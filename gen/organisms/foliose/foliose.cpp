@@ -116,10 +116,10 @@ class FolioseGrower final : public BodyColony<FolioseParams> {
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
-  Result<Foresight> foresee(Seed) const override {
+  Result<SizeEstimate> estimate_size(Seed) const override {
     double area =
         0.5 * params.sheets * params.across * (params.across / 2 + params.height) * std::sqrt(params.excess);
-    return foreseen(area, params.edge);
+    return estimate_surface(area, params.edge);
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
     return grow_foliose(params, around, seed);

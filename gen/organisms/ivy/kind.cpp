@@ -146,11 +146,11 @@ class IvyGrower final : public Described<IvyParams, Grower> {
   Errors doubts() const override { return {}; }
   Errors check_together(std::span<const Organism* const>, double) const override { return {}; }
   /// How far ivy comes shows only on its host: here it always finds room.
-  Result<Foresight> foresee(Seed) const override {
+  Result<SizeEstimate> estimate_size(Seed) const override {
     const Crawl& crawl = params.crawl;
     double length = std::min(crawl.max_age * crawl.speed, crawl.max_length);
     double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
-    Foresight ivy;
+    SizeEstimate ivy;
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
     ivy.shapes = 9000;

@@ -88,8 +88,9 @@ class MassiveGrower final : public BodyColony<MassiveParams> {
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight sight = foreseen(law_of(params), kPi * params.across * (params.across / 4 + params.height));
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate sight =
+        estimate_surface(law_of(params), kPi * params.across * (params.across / 4 + params.height));
     if (params.relief == Wrought::plain) return sight;
     constexpr double kReacting = 2.2e-9;  // seconds of a triangle in one step
     sight.triangles *= 1 << 2 * kTimes;

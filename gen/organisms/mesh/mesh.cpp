@@ -47,8 +47,8 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
     if (params.file.empty()) return {Error{"/file", "is empty; expected the name of a file"}};
     return {};
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight mesh;
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate mesh;
     mesh.triangles = static_cast<double>(params.mesh.triangle.size());
     mesh.blocks = 1;
     return mesh;

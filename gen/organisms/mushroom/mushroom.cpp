@@ -104,8 +104,8 @@ namespace {
 class MushroomGrower final : public BodyColony<MushroomParams> {
  public:
   Errors check() const override { return {}; }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight sight;
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate sight;
     sight.triangles = 2.0 * 46 * params.septa * 12;
     sight.area = 2 * params.across * params.across * params.oval;
     sight.blocks = 1;

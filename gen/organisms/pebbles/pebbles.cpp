@@ -96,9 +96,9 @@ class PebblesGrower final : public Described<PebblesParams, BodyBuilder> {
  public:
   Errors check() const override { return check_pebbles(params); }
   bool stands_on_rock() const override { return false; }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight field;
-    field.triangles = params.shapes * foresee_triangles(params.shape);
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate field;
+    field.triangles = params.shapes * estimate_triangles(params.shape);
     field.blocks = params.number;
     return field;
   }

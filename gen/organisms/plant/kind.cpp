@@ -118,7 +118,7 @@ void describe(Visitor& v, PlantParams& p) {
 namespace {
 
 /// Adds what a grammar hangs on its branches: as counted where it is small, and on a smaller one otherwise.
-void count_organs(const PlantParams& params, Seed seed, Foresight& plant) {
+void count_organs(const PlantParams& params, Seed seed, SizeEstimate& plant) {
   Result<Grammar> grammar = plant_grammar(params);
   if (!grammar) return;
   int steps = std::max(plant.word.small_steps, std::min(1, grammar->text.steps));
@@ -172,7 +172,7 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return errors;
     if (grammar->asks && params.by_steps)
       return {{"/by_steps", "found true, but the grammar asks ?E, which is answered once; expected false"}};
-    return pointed(params.grammar, foreseen_trouble(*grammar));
+    return pointed(params.grammar, size_faults(*grammar));
   }
   /// What asks grows among what stands.
   GrowthStage stage() const override { return asks() ? GrowthStage::in_space : GrowthStage::free; }
@@ -180,8 +180,8 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     Result<Grammar> grammar = plant_grammar(params);
     return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
   }
-  Result<Foresight> foresee(Seed seed) const override {
-    Result<Foresight> plant = foresee_word(plant_grammar(params), seed, params.smoothing);
+  Result<SizeEstimate> estimate_size(Seed seed) const override {
+    Result<SizeEstimate> plant = estimate_word(plant_grammar(params), seed, params.smoothing);
     if (plant) count_organs(params, seed, *plant);
     return plant;
   }
@@ -204,10 +204,10 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
   bool develops(bool) const override { return params.by_steps || params.season; }
   std::optional<Result<Grammar>> grammar() const override { return plant_grammar(params); }
   Result<Model> grow_alone(Seed seed) const override { return grow_plant(params, seed); }
-  Result<Model> grow_standing(const World& world, const Planting& planting, const Stance& stance,
+  Result<Model> grow_standing(const World& world, const Planting& planting, const Placement& placement,
                               Seed seed) const override {
     if (!asks()) return grow_plant(params, seed);
-    Surroundings around(world, planting.claim, stance);
+    Surroundings around(world, planting.claim, placement);
     return grow_plant(params, seed, 1, environment_of(around, params.food, params.growth));
   }
   /// By steps it grows anew for each frame.

@@ -48,9 +48,9 @@ class RockGrower final : public Described<RockParams, BodyBuilder> {
     });
   }
   bool stands_on_rock() const override { return false; }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight rock;
-    rock.triangles = params.native ? 0 : foresee_triangles(params.shape);
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate rock;
+    rock.triangles = params.native ? 0 : estimate_triangles(params.shape);
     rock.blocks = 1;
     return rock;
   }

@@ -149,11 +149,11 @@ std::vector<Prototype> fish_prototypes(const FishParams& fish) {
   return list;
 }
 
-Organs school_organs(const SchoolParams& params, const Swum& swum, double time) {
+Organs school_organs(const SchoolParams& params, const Trajectory& trajectory, double time) {
   Organs organs;
-  organs.reserve(static_cast<std::size_t>(swum.count));
-  for (int i = 0; i < swum.count; ++i) {
-    FishPose pose = fish_at(swum, i, time);
+  organs.reserve(static_cast<std::size_t>(trajectory.count));
+  for (int i = 0; i < trajectory.count; ++i) {
+    FishPose pose = fish_at(trajectory, i, time);
     float beats = pose.stroke - std::floor(pose.stroke);
     int phase = static_cast<int>(beats * kTailPhases + 0.5f) % kTailPhases;
     int bend = pose.turn > 0.7f ? 2 : pose.turn < -0.7f ? 0 : 1;

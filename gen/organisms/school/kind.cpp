@@ -85,7 +85,7 @@ void describe(Visitor& v, SwimParams& s) {
   v.number("spacing", s.spacing, {.min = 0.005, .max = 50, .unit = "m"},
            "Distance that fish like to keep from each other");
   v.number("sight", s.sight, {.min = 0.01, .max = 100, .unit = "m"},
-           "Distance within which a fish heeds others");
+           "Distance within which a fish reads others");
   v.number("separation", s.separation, {.min = 0, .max = 10}, "How strongly fish keep apart");
   v.number("alignment", s.alignment, {.min = 0, .max = 10},
            "How strongly they take the direction of those round them");
@@ -133,8 +133,8 @@ class School final : public Described<SchoolParams, Grower> {
         return {{"/count", fmt::format("found {} fish; expected {} at most", one->count, kMostFish)}};
     return {};
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight fish;
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate fish;
     fish.organs = fish.parts = 1;
     fish.shapes = kTailPhases * kTailBends * 900.0;
     return fish;
@@ -186,7 +186,7 @@ class School final : public Described<SchoolParams, Grower> {
     task.home = Vec3(at.x, world.height(at) + place.raise, at.y);
     task.film = world.filmed() ? world.film_length() : 0;
     task.seed = bed.seed.child("swim");
-    auto swum = std::make_shared<const Swum>(
+    auto trajectory = std::make_shared<const Trajectory>(
         frond::swim(task, params.fish.beat, params.fish.size_variation, clearance_round(task.home, world)));
     Specimen specimen{{bed.organism->name, bed.entry}, {}};
     Dress worn = dress();
@@ -194,14 +194,14 @@ class School final : public Described<SchoolParams, Grower> {
     specimen.motion = worn.motion;
     specimen.motion.film_length = world.film_length();
     specimen.model.prototypes = fish_prototypes(params.fish);
-    specimen.model.organs = school_organs(params, *swum, 0);
+    specimen.model.organs = school_organs(params, *trajectory, 0);
     auto shapes = std::make_shared<const std::vector<Prototype>>(specimen.model.prototypes);
-    specimen.life.held = swum->bytes();
-    if (swum->repeats)
-      specimen.life.develop = [own = params, swum, shapes](double time) -> Result<Model> {
+    specimen.life.held = trajectory->bytes();
+    if (trajectory->repeats)
+      specimen.life.develop = [own = params, trajectory, shapes](double time) -> Result<Model> {
         Model model;
         model.prototypes = *shapes;
-        model.organs = school_organs(own, *swum, time);
+        model.organs = school_organs(own, *trajectory, time);
         return model;
       };
     return specimen;

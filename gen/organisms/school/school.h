@@ -32,6 +32,6 @@ Surface fish_surface(const FishForm& form, double phase, double bend);
 std::vector<Prototype> fish_prototypes(const FishParams& fish);
 
 /// The fish of a school at a time: the organs of a model.
-Organs school_organs(const SchoolParams& params, const Swum& swum, double time);
+Organs school_organs(const SchoolParams& params, const Trajectory& trajectory, double time);
 
 }  // namespace frond

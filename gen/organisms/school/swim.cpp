@@ -9,7 +9,7 @@
 
 namespace frond {
 
-std::size_t Swum::bytes() const {
+std::size_t Trajectory::bytes() const {
   return bytes_of(position) + bytes_of(velocity) + bytes_of(heading) + bytes_of(stroke) + bytes_of(size) +
          bytes_of(next);
 }
@@ -244,126 +244,131 @@ std::vector<int> match(const std::vector<Vec3>& from, const std::vector<Vec3>& t
 double ease(double t) { return t * t * t * (t * (6 * t - 15) + 10); }
 
 /// Directions, speeds and strokes of the tail from the places.
-void finish(Swum& swum, const SwimTask& task, double beat, double size_variation) {
-  int n = swum.count;
+void finish(Trajectory& trajectory, const SwimTask& task, double beat, double size_variation) {
+  int n = trajectory.count;
   auto place = [&](int s, int i) {
-    if (swum.repeats && s > swum.steps)
-      return swum.position[swum.at(s - swum.steps, swum.next[static_cast<std::size_t>(i)])];
-    return swum.position[swum.at(std::clamp(s, 0, swum.steps), i)];
+    if (trajectory.repeats && s > trajectory.steps)
+      return trajectory
+          .position[trajectory.at(s - trajectory.steps, trajectory.next[static_cast<std::size_t>(i)])];
+    return trajectory.position[trajectory.at(std::clamp(s, 0, trajectory.steps), i)];
   };
   std::vector<int> before(static_cast<std::size_t>(n));  // the inverse of `next`
-  for (int i = 0; i < n; ++i) before[static_cast<std::size_t>(swum.next[static_cast<std::size_t>(i)])] = i;
+  for (int i = 0; i < n; ++i)
+    before[static_cast<std::size_t>(trajectory.next[static_cast<std::size_t>(i)])] = i;
   auto place_back = [&](int s, int i) {
-    if (swum.repeats && s < 0)
-      return swum.position[swum.at(s + swum.steps, before[static_cast<std::size_t>(i)])];
+    if (trajectory.repeats && s < 0)
+      return trajectory.position[trajectory.at(s + trajectory.steps, before[static_cast<std::size_t>(i)])];
     return place(s, i);
   };
-  swum.velocity.resize(swum.position.size());
-  swum.heading.resize(swum.position.size());
-  swum.stroke.resize(swum.position.size());
+  trajectory.velocity.resize(trajectory.position.size());
+  trajectory.heading.resize(trajectory.position.size());
+  trajectory.stroke.resize(trajectory.position.size());
   for (int i = 0; i < n; ++i) {
     Seed own = task.seed.child("fish", static_cast<std::uint64_t>(i));
-    swum.size.push_back(static_cast<float>(1 + size_variation * own.child("size").range(-1, 1)));
+    trajectory.size.push_back(static_cast<float>(1 + size_variation * own.child("size").range(-1, 1)));
     double stroke = own.child("stroke").unit();
-    for (int s = 0; s <= swum.steps; ++s) {
-      auto step = static_cast<float>(swum.step);
+    for (int s = 0; s <= trajectory.steps; ++s) {
+      auto step = static_cast<float>(trajectory.step);
       Vec3 way = (place(s + 1, i) - place_back(s - 1, i)) / (2 * step);
-      if (!swum.repeats && (s == 0 || s == swum.steps)) way *= 2;
+      if (!trajectory.repeats && (s == 0 || s == trajectory.steps)) way *= 2;
       // Where it looks is smoother than how it goes.
       Vec3 wide = (place(s + 3, i) - place_back(s - 3, i)) / (6 * step);
-      if (!swum.repeats) wide = way;
+      if (!trajectory.repeats) wide = way;
       Vec3 through = wide - static_cast<float>(task.params.speed) * task.params.current;
       float fast = glm::length(through);
       Vec3 ahead = fast > 1e-4f ? through / fast : Vec3(1, 0, 0);
-      swum.velocity[swum.at(s, i)] = way;
-      swum.heading[swum.at(s, i)] = ahead;
-      swum.stroke[swum.at(s, i)] = static_cast<float>(stroke);
-      stroke += swum.step * (0.8 + fast / (beat * task.length));
+      trajectory.velocity[trajectory.at(s, i)] = way;
+      trajectory.heading[trajectory.at(s, i)] = ahead;
+      trajectory.stroke[trajectory.at(s, i)] = static_cast<float>(stroke);
+      stroke += trajectory.step * (0.8 + fast / (beat * task.length));
     }
   }
-  if (!swum.repeats) return;
+  if (!trajectory.repeats) return;
   // Each has beaten its tail by so much as the one whose place it takes.
   for (int i = 0; i < n; ++i) {
-    float gap =
-        swum.stroke[swum.at(0, swum.next[static_cast<std::size_t>(i)])] - swum.stroke[swum.at(swum.steps, i)];
+    float gap = trajectory.stroke[trajectory.at(0, trajectory.next[static_cast<std::size_t>(i)])] -
+                trajectory.stroke[trajectory.at(trajectory.steps, i)];
     gap -= std::round(gap);
-    for (int s = 0; s <= swum.steps; ++s)
-      swum.stroke[swum.at(s, i)] += gap * static_cast<float>(s) / static_cast<float>(swum.steps);
+    for (int s = 0; s <= trajectory.steps; ++s)
+      trajectory.stroke[trajectory.at(s, i)] +=
+          gap * static_cast<float>(s) / static_cast<float>(trajectory.steps);
   }
 }
 
 }  // namespace
 
-Swum swim(const SwimTask& task, double beat, double size_variation, const Clearance& clear) {
+Trajectory swim(const SwimTask& task, double beat, double size_variation, const Clearance& clear) {
   Swimmer swimmer(task, clear);
-  Swum swum;
-  swum.count = task.count;
-  swum.repeats = task.film > 0;
-  double length = swum.repeats ? task.film : kStep;
-  swum.steps = std::max(2, static_cast<int>(std::ceil(length / kStep - 1e-9)));
-  swum.step = length / swum.steps;
-  int blend =
-      swum.repeats ? std::max(1, static_cast<int>(std::min(kMostBlend, 0.6 * length) / swum.step)) : 0;
-  int settling = static_cast<int>(kSettling / swum.step);
+  Trajectory trajectory;
+  trajectory.count = task.count;
+  trajectory.repeats = task.film > 0;
+  double length = trajectory.repeats ? task.film : kStep;
+  trajectory.steps = std::max(2, static_cast<int>(std::ceil(length / kStep - 1e-9)));
+  trajectory.step = length / trajectory.steps;
+  int blend = trajectory.repeats
+                  ? std::max(1, static_cast<int>(std::min(kMostBlend, 0.6 * length) / trajectory.step))
+                  : 0;
+  int settling = static_cast<int>(kSettling / trajectory.step);
 
   int first = -settling - blend;
-  Shoal shoal = swimmer.begin(first * swum.step);
+  Shoal shoal = swimmer.begin(first * trajectory.step);
   std::vector<std::vector<Vec3>> lead;  // how they came to where they are at first
-  for (int s = first; s <= swum.steps; ++s) {
+  for (int s = first; s <= trajectory.steps; ++s) {
     if (s >= -blend && s <= 0) lead.push_back(shoal.at);
-    if (s >= 0) swum.position.insert(swum.position.end(), shoal.at.begin(), shoal.at.end());
-    if (s < swum.steps) swimmer.step(shoal, s * swum.step, swum.step);
+    if (s >= 0) trajectory.position.insert(trajectory.position.end(), shoal.at.begin(), shoal.at.end());
+    if (s < trajectory.steps) swimmer.step(shoal, s * trajectory.step, trajectory.step);
   }
-  swum.next.resize(static_cast<std::size_t>(swum.count));
-  std::iota(swum.next.begin(), swum.next.end(), 0);
-  if (swum.repeats && swum.count > 0) {
-    std::vector<Vec3> begin(swum.position.begin(), swum.position.begin() + swum.count);
-    std::vector<Vec3> end(swum.position.end() - swum.count, swum.position.end());
-    swum.next = match(end, begin);
+  trajectory.next.resize(static_cast<std::size_t>(trajectory.count));
+  std::iota(trajectory.next.begin(), trajectory.next.end(), 0);
+  if (trajectory.repeats && trajectory.count > 0) {
+    std::vector<Vec3> begin(trajectory.position.begin(), trajectory.position.begin() + trajectory.count);
+    std::vector<Vec3> end(trajectory.position.end() - trajectory.count, trajectory.position.end());
+    trajectory.next = match(end, begin);
     std::vector<Vec3> at(begin.size());
     for (int b = 0; b <= blend; ++b) {
-      int s = swum.steps - blend + b;
+      int s = trajectory.steps - blend + b;
       auto share = static_cast<float>(ease(static_cast<double>(b) / blend));
-      for (int i = 0; i < swum.count; ++i) {
+      for (int i = 0; i < trajectory.count; ++i) {
         auto k = static_cast<std::size_t>(i);
-        Vec3 goal = lead[static_cast<std::size_t>(b)][static_cast<std::size_t>(swum.next[k])];
-        at[k] = swum.position[swum.at(s, i)] * (1 - share) + goal * share;
+        Vec3 goal = lead[static_cast<std::size_t>(b)][static_cast<std::size_t>(trajectory.next[k])];
+        at[k] = trajectory.position[trajectory.at(s, i)] * (1 - share) + goal * share;
       }
       if (b > 0 && b < blend) swimmer.keep_apart(at, 0.5f), swimmer.keep_clear(at);
-      std::ranges::copy(at, swum.position.begin() + static_cast<std::ptrdiff_t>(swum.at(s, 0)));
+      std::ranges::copy(at, trajectory.position.begin() + static_cast<std::ptrdiff_t>(trajectory.at(s, 0)));
     }
   }
-  finish(swum, task, beat, size_variation);
-  return swum;
+  finish(trajectory, task, beat, size_variation);
+  return trajectory;
 }
 
-FishPose fish_at(const Swum& swum, int fish, double time) {
-  double where = std::clamp(time / swum.step, 0.0, static_cast<double>(swum.steps));
-  int s = std::min(static_cast<int>(where), swum.steps - 1);
-  auto t = static_cast<float>(where - s), step = static_cast<float>(swum.step);
-  std::size_t a = swum.at(s, fish), b = swum.at(s + 1, fish);
+FishPose fish_at(const Trajectory& trajectory, int fish, double time) {
+  double where = std::clamp(time / trajectory.step, 0.0, static_cast<double>(trajectory.steps));
+  int s = std::min(static_cast<int>(where), trajectory.steps - 1);
+  auto t = static_cast<float>(where - s), step = static_cast<float>(trajectory.step);
+  std::size_t a = trajectory.at(s, fish), b = trajectory.at(s + 1, fish);
   float t2 = t * t, t3 = t2 * t;
   FishPose pose;
-  pose.position = (2 * t3 - 3 * t2 + 1) * swum.position[a] + (t3 - 2 * t2 + t) * step * swum.velocity[a] +
-                  (3 * t2 - 2 * t3) * swum.position[b] + (t3 - t2) * step * swum.velocity[b];
-  Vec3 from = swum.heading[a], to = swum.heading[b], ahead = from + (to - from) * t;
+  pose.position = (2 * t3 - 3 * t2 + 1) * trajectory.position[a] +
+                  (t3 - 2 * t2 + t) * step * trajectory.velocity[a] +
+                  (3 * t2 - 2 * t3) * trajectory.position[b] + (t3 - t2) * step * trajectory.velocity[b];
+  Vec3 from = trajectory.heading[a], to = trajectory.heading[b], ahead = from + (to - from) * t;
   pose.heading = glm::length(ahead) > 1e-4f ? glm::normalize(ahead) : from;
-  pose.stroke = swum.stroke[a] + (swum.stroke[b] - swum.stroke[a]) * t;
+  pose.stroke = trajectory.stroke[a] + (trajectory.stroke[b] - trajectory.stroke[a]) * t;
   pose.turn = glm::cross(from, to).y / step;
-  pose.size = swum.size[static_cast<std::size_t>(fish)];
-  if (swum.repeats) {
+  pose.size = trajectory.size[static_cast<std::size_t>(fish)];
+  if (trajectory.repeats) {
     // Toward the end it becomes as large as the one whose place it takes.
-    double film = swum.steps * swum.step, share = smooth_step(0.3 * film, film, time);
-    float other = swum.size[static_cast<std::size_t>(swum.next[static_cast<std::size_t>(fish)])];
+    double film = trajectory.steps * trajectory.step, share = smooth_step(0.3 * film, film, time);
+    float other = trajectory.size[static_cast<std::size_t>(trajectory.next[static_cast<std::size_t>(fish)])];
     pose.size += (other - pose.size) * static_cast<float>(share);
   }
   return pose;
 }
 
-double polarization(const Swum& swum, int step) {
+double polarization(const Trajectory& trajectory, int step) {
   Vec3 sum(0);
-  for (int i = 0; i < swum.count; ++i) sum += swum.heading[swum.at(step, i)];
-  return swum.count > 0 ? glm::length(sum) / static_cast<float>(swum.count) : 0;
+  for (int i = 0; i < trajectory.count; ++i) sum += trajectory.heading[trajectory.at(step, i)];
+  return trajectory.count > 0 ? glm::length(sum) / static_cast<float>(trajectory.count) : 0;
 }
 
 }  // namespace frond

@@ -11,7 +11,7 @@ namespace frond {
 struct SwimParams {
   double speed = 0.35;    ///< metres a second through the water
   double spacing = 0.16;  ///< metres that each keeps from the next
-  double sight = 0.6;     ///< metres within which it heeds others
+  double sight = 0.6;     ///< metres within which it reads others
   double separation = 1;  ///< strengths of the three rules and of what else turns it
   double alignment = 1;
   double cohesion = 1;
@@ -36,7 +36,7 @@ struct SwimTask {
 
 /// How a school swam: a structure of arrays, step by step. Of a film, fish i is after the last step where
 /// fish next[i] was at first, so that the film can be repeated.
-struct Swum {
+struct Trajectory {
   int count = 0, steps = 0;  ///< steps + 1 are held
   double step = 0;           ///< seconds
   bool repeats = false;
@@ -55,7 +55,7 @@ struct Swum {
 
 /// Lets a school swim: boids (Reynolds 1987) in fixed steps, kept clear of what stands. Of a film the end is
 /// blended into the beginning.
-Swum swim(const SwimTask& task, double beat, double size_variation, const Clearance& clear);
+Trajectory swim(const SwimTask& task, double beat, double size_variation, const Clearance& clear);
 
 /// A fish at a time.
 struct FishPose {
@@ -64,9 +64,9 @@ struct FishPose {
   float turn = 0;    ///< radians a second to its left
   float size = 1;
 };
-FishPose fish_at(const Swum& swum, int fish, double time);
+FishPose fish_at(const Trajectory& trajectory, int fish, double time);
 
 /// How alike fish head at a step: 0 at random .. 1 all alike, as a share.
-double polarization(const Swum& swum, int step);
+double polarization(const Trajectory& trajectory, int step);
 
 }  // namespace frond

@@ -148,8 +148,8 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
     return changed(*this,
                    [&](ShellParams& p) { p.detail = std::max(share * p.detail, std::min(p.detail, 5e3)); });
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight sight;
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate sight;
     sight.triangles =
         params.detail * (params.form == ShellForm::bivalve ? 2 : 1) + (params.mantle ? 52000 : 0);
     sight.blocks = params.mantle ? 2 : 1;

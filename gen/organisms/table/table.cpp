@@ -173,8 +173,8 @@ class TableGrower final : public BodyColony<TableParams> {
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight sight = foreseen(0.8 * params.across * params.across, params.edge);
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate sight = estimate_surface(0.8 * params.across * params.across, params.edge);
     // Branchlets are added to what is seen of the plate.
     sight.triangles += 40 * params.across * params.across / (params.spacing * params.spacing);
     return sight;

@@ -180,7 +180,7 @@ constexpr double kToldBy = 60'000;
 /// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once it is large
 /// its nodes increase by a power of its cycles, which two or three goes tell. So it is grown until then, and
 /// the cycles that are left are reckoned.
-double foresee_tree(const TreeParams& params, Seed seed) {
+double estimate_tree_nodes(const TreeParams& params, Seed seed) {
   constexpr double kSteepest = 4;  // power, of large trees: the crown widens, and its leaves shade each other
   TreeParams young = params;
   young.species = in_cycles(params.species);
@@ -210,8 +210,8 @@ Filming filming_of(const Growth& growth, int cycles, double time) {
   return filming;
 }
 
-/// The same tree in fewer cycles of growth, each of which adds as much more: as tall and of the same habit, with about
-/// `share` of its twigs.
+/// The same tree in fewer cycles of growth, each of which adds as much more: as tall and of the same habit,
+/// with about `share` of its twigs.
 void hurry(TreeParams& tree, double share) {
   constexpr double kTwigsByCycles = 2.3;  // twigs grow as the cycles to this power
   double fewer = std::pow(std::clamp(share, 0.05, 1.), 1 / kTwigsByCycles);
@@ -252,13 +252,13 @@ class TreeGrower final : public Described<TreeParams, Grower> {
                          "{:.2g} m or more, or trees nearer to each other",
                          voxel, 2 * reach, high - low, voxel * std::cbrt(tiles / kMostLightCells) * 1.05)}};
   }
-  Result<Foresight> foresee(Seed seed) const override {
-    Foresight tree;
+  Result<SizeEstimate> estimate_size(Seed seed) const override {
+    SizeEstimate tree;
     // Once its life is over it bears no leaves, and its twigs drop within some years.
     TreeParams living = params;
     living.years = std::min(params.years, std::max(1, static_cast<int>(params.species.lifespan)));
     double bare = (params.years - living.years) / std::max(0.5, params.species.wood.deadwood);
-    double grown = foresee_tree(living, seed);
+    double grown = estimate_tree_nodes(living, seed);
     tree.nodes = grown * std::exp(-bare);
     tree.word.modules = tree.word.segments = tree.nodes;
     if (params.leaves.size > 0 && bare == 0) tree.organs = tree.parts = 1.1 * tree.nodes;

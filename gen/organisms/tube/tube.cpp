@@ -100,8 +100,8 @@ class TubeGrower final : public BodyColony<TubeParams> {
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
-  Result<Foresight> foresee(Seed) const override {
-    return foreseen(
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    return estimate_surface(
         2 * kPi * params.tubes * (params.radius + params.height * params.bulge / 3) * params.height,
         params.edge);
   }

@@ -131,8 +131,8 @@ class VaseGrower final : public Described<VaseParams, BodyBuilder> {
     Result<VesselProfile> profile = vessel_profile(params.shape);
     return profile ? Errors{} : profile.errors();
   }
-  Result<Foresight> foresee(Seed) const override {
-    Foresight vase;
+  Result<SizeEstimate> estimate_size(Seed) const override {
+    SizeEstimate vase;
     vase.triangles = 4.4 * params.shape.sides * params.shape.rings;
     vase.blocks = 1;
     return vase;

@@ -111,9 +111,9 @@ namespace {
 class WallGrower final : public Described<WallParams, BodyBuilder> {
  public:
   Errors check() const override { return {}; }
-  Result<Foresight> foresee(Seed) const override {
+  Result<SizeEstimate> estimate_size(Seed) const override {
     const WallShape& w = params.shape;
-    Foresight wall;
+    SizeEstimate wall;
     wall.blocks = w.width * w.height / ((w.brick.x + w.joint) * (w.brick.y + w.joint));
     wall.triangles = 18'000;
     return wall;

@@ -158,13 +158,13 @@ constexpr double kMostNodes = 8e6;
 class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
  public:
   Errors check() const override {
-    if (foresee_nodes(params.tree) < kMostNodes) return check_pictures(params.dress);
+    if (estimate_nodes(params.tree) < kMostNodes) return check_pictures(params.dress);
     return {{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}};
   }
-  Result<Foresight> foresee(Seed) const override {
+  Result<SizeEstimate> estimate_size(Seed) const override {
     const WeberPenn& form = params.tree;
-    Foresight tree;
-    tree.nodes = foresee_nodes(form);
+    SizeEstimate tree;
+    tree.nodes = estimate_nodes(form);
     tree.organs = 0.72 * tree.nodes * std::abs(form.leaves) * form.leaf_quality /
                   std::max(1, form.stem(form.levels - 1).curve_res * form.smoothing);
     tree.parts = tree.organs;

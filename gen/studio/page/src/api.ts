@@ -32,7 +32,7 @@ export interface Start {
   preset: Loaded | null;
   presets: Listed[];
 }
-export interface Foretold {
+export interface CostEstimate {
   nodes: number;
   seconds: number;
   memory: number;
@@ -41,7 +41,7 @@ export type SceneAnswer =
   | { is: "picture"; bytes: ArrayBuffer }
   | { is: "stale" }
   | { is: "wrong"; errors: Fault[]; notes: string[] }
-  | { is: "long"; foretold: Foretold };
+  | { is: "long"; estimate: CostEstimate };
 export interface Derived {
   word: string;
   length: number;
@@ -184,8 +184,8 @@ export async function scene(session: string, seq: number, request: SceneRequest,
   const answer = await call("POST", `/api/scene?session=${session}&seq=${seq}`, request, signal);
   if (answer.status === 200) return { is: "picture", bytes: await answer.arrayBuffer() };
   if (answer.status === 202) {
-    const said = (await answer.json()) as { foretold: Foretold } | { stale: true };
-    return "foretold" in said ? { is: "long", ...said } : { is: "stale" };
+    const said = (await answer.json()) as { estimate: CostEstimate } | { stale: true };
+    return "estimate" in said ? { is: "long", ...said } : { is: "stale" };
   }
   if (answer.status === 422) {
     const said = (await answer.json()) as { errors: Fault[]; notes?: string[] };

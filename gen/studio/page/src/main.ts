@@ -5,7 +5,7 @@
  *   top bar      to-gallery file unsaved undo redo save save-as-button seed variations render theme side
  *   outline      part:preset part:scene part:all organisms organism:N solo:N hide:N more:N add-organism
  *   properties   search group:PATH row:PATH (of organisms row:organism/PATH) scope:PATH animate:PATH seed-dice open-grammar species make-own
- *   view         view scene-status look-through set-camera view:NAME growing stop-growing grow-on foretold time play
+ *   view         view scene-status look-through set-camera view:NAME growing stop-growing grow-on estimate time play
  *   drawer       tab:problems tab:grammar tab:text tab:renders; problems text
  *   grammar      grammar-panel axiom rules:rules rules:interpretation rules:decomposition derive-steps derive-figures word
  *                turtle-svg derivation-tree

@@ -73,8 +73,8 @@ export class SceneLoop {
 
   /** The person agreed to wait: so long from now on. */
   agree(): void {
-    this.patience = Math.max(this.patience, 1.5 * (this.store.scene.foretold?.seconds ?? 0));
-    this.store.setScene({ foretold: null, stopped: false });
+    this.patience = Math.max(this.patience, 1.5 * (this.store.scene.estimate?.seconds ?? 0));
+    this.store.setScene({ estimate: null, stopped: false });
     this.want();
   }
 
@@ -164,7 +164,7 @@ export class SceneLoop {
     const answer = await api.scene(`${session}-so-far`, ++this.seqSoFar, { ...this.request(), only: [], ask: null });
     if (answer.is !== "picture" || over() || session !== this.session) return;
     const header = this.view.show(answer.bytes);
-    this.store.setScene({ header, foretold: null });
+    this.store.setScene({ header, estimate: null });
   }
   private request(): api.SceneRequest {
     const { store } = this;
@@ -202,11 +202,11 @@ export class SceneLoop {
       const share = header.coarse ? more.share ?? 1 : 1;
       for (const entry of header.regrown) this.took.set(entry, header.seconds.grow / share);
       const took = (performance.now() - begin) / 1000;
-      store.setScene({ header, errors: [], notes: header.notes, foretold: null, busy: more.only !== undefined && (header.missing.length > 0 || header.coarse), trouble: "", took });
+      store.setScene({ header, errors: [], notes: header.notes, estimate: null, busy: more.only !== undefined && (header.missing.length > 0 || header.coarse), trouble: "", took });
       return header;
     }
-    if (answer.is === "wrong") store.setScene({ errors: answer.errors, notes: answer.notes, foretold: null, busy: false, trouble: "" });
-    else store.setScene({ foretold: answer.foretold, errors: [], busy: false, trouble: "" });
+    if (answer.is === "wrong") store.setScene({ errors: answer.errors, notes: answer.notes, estimate: null, busy: false, trouble: "" });
+    else store.setScene({ estimate: answer.estimate, errors: [], busy: false, trouble: "" });
     return null;
   }
 

@@ -1,13 +1,13 @@
 /** What there is to say of the picture of the model. */
 
-import type { Fault, Foretold } from "./api";
+import type { Fault, CostEstimate } from "./api";
 import type { Header } from "./view/header";
 
 export interface SceneStatus {
   header: Header | null;
   errors: Fault[];
   notes: string[];
-  foretold: Foretold | null;
+  estimate: CostEstimate | null;
   busy: boolean;
   /** Organisms that have grown, of so many; null: it takes no time worth telling. */
   growing: { done: number; of: number } | null;
@@ -19,4 +19,4 @@ export interface SceneStatus {
   took: number;
 }
 
-export const NO_SCENE: SceneStatus = { header: null, errors: [], notes: [], foretold: null, busy: false, growing: null, stopped: false, trouble: "", took: 0 };
+export const NO_SCENE: SceneStatus = { header: null, errors: [], notes: [], estimate: null, busy: false, growing: null, stopped: false, trouble: "", took: 0 };

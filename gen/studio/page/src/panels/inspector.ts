@@ -112,7 +112,7 @@ function membersOf(store: Store): Member[] {
   return list.filter((m) => m.name !== "kind" && m.name !== "species");
 }
 
-/** What the chosen setting heeds, and what the preset says in vain, so that it can be taken out. */
+/** What the chosen setting reads, and what the preset says in vain, so that it can be taken out. */
 function sceneMembers(store: Store, all: Member[]): Member[] {
   const setting = all.find((m) => m.name === "setting");
   const chosen = settingOf(store);

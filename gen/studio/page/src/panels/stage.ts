@@ -42,7 +42,7 @@ export function stage(store: Store): Stage {
   const chosen = (): number | null => (store.picked && typeof store.selected === "number" ? store.selected : null);
   const looks: StageLooks = { frame: () => view.frame(chosen()), front: () => view.frame(chosen(), "front"), side: () => view.frame(chosen(), "side"), top: () => view.frame(chosen(), "top"), home: () => view.home() };
   const views = VIEWS.map(([name, label, tip]) => el("button.small", { type: "button", "data-tip": tip, "data-testid": `view:${name}`, click: looks[name] }, label));
-  const over = el("div.over", { hidden: true, "data-testid": "foretold" });
+  const over = el("div.over", { hidden: true, "data-testid": "estimate" });
   const bar = el<HTMLProgressElement>("progress", { max: 1, "aria-label": "Organisms that have grown" });
   const growing = el("div.growing", { hidden: true, "data-testid": "growing" }, bar, el("button.small", { type: "button", "data-testid": "stop-growing", click: () => loop.stop() }, "Stop"));
   const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, ...views, look, set), over, figures);
@@ -72,14 +72,14 @@ export function stage(store: Store): Stage {
     look.setAttribute("aria-pressed", String(on));
   }
   const showFigures = (): void => {
-    const { header, busy, took, foretold, stopped, growing: soFar } = store.scene;
+    const { header, busy, took, estimate, stopped, growing: soFar } = store.scene;
     const faults = store.faults.length;
     element.classList.toggle("busy", busy);
     element.classList.toggle("wrong", faults > 0);
     // Words that change with each picture would be read aloud without end.
     figures.setAttribute("aria-live", faults ? "polite" : "off");
     figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : soFar ? `Growing, ${soFar.done} of ${soFar.of} …` : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
-    over.hidden = foretold === null && !stopped;
+    over.hidden = estimate === null && !stopped;
     if (stopped) over.replaceChildren(el("span", {}, "Stopped: not all has grown."), el("button", { type: "button", "data-testid": "grow-on", click: () => loop.agree() }, "Grow it"));
     growing.hidden = soFar === null;
     if (soFar) bar.value = soFar.of ? soFar.done / soFar.of : 0;
@@ -89,10 +89,10 @@ export function stage(store: Store): Stage {
 
   let asking = false;
   const askIfLong = async (): Promise<void> => {
-    const { foretold } = store.scene;
-    if (!foretold || asking) return;
+    const { estimate } = store.scene;
+    if (!estimate || asking) return;
     asking = true;
-    const text = `${grouped(foretold.nodes)} nodes: about ${spoken(foretold.seconds)} and ${bytes(foretold.memory)} of memory.`;
+    const text = `${grouped(estimate.nodes)} nodes: about ${spoken(estimate.seconds)} and ${bytes(estimate.memory)} of memory.`;
     const answer = await ask("This would take long to grow", text, [{ value: "no", label: "Not now" }, { value: "grow", label: "Grow it", primary: true }], "long");
     asking = false;
     if (answer === "grow") return loop.agree();

@@ -1,6 +1,6 @@
 import type { Header, Part } from "./header";
 
-/** What stands for a part that is on the shelf: without its arrays, which lay in another answer. */
+/** What stands for a part that is in the cache: without its arrays, which lay in another answer. */
 const nameOf = ({ id, kind, entry }: Part, specimen: number): Part => ({ id, kind, entry, specimen }) as Part;
 
 /** A picture from which organisms are missing, with these as they were before. What looks at all of them, the camera, stays. */

@@ -12,7 +12,7 @@ import { Painter } from "./painter";
 import { decode } from "./packet";
 import { addressOf } from "./pixels";
 import { Pointer, type Planting, type PointerTarget } from "./pointer";
-import { Shelf } from "./shelf";
+import { PartCache } from "./part_cache";
 import type { Header, Part, Vec3 } from "./header";
 
 export type { Path } from "./guides";
@@ -44,7 +44,7 @@ export class View implements PointerTarget {
   private eyes: Eye;
   private guides = new Guides();
   private leaves: LeafPictures;
-  private shelf: Shelf;
+  private cache: PartCache;
   private pointer: Pointer;
   private header: Header | null = null;
   private shown: { part: Part; thing: Drawn | Stand }[] = [];
@@ -76,7 +76,7 @@ export class View implements PointerTarget {
     this.painter.over.add(this.guides);
     this.eyes = new Eye(this.canvas, this.changed, () => this.throughChanged());
     this.leaves = new LeafPictures(pictureAddress, this.changed);
-    this.shelf = new Shelf({ shared: this.painter.shared, leaves: this.leaves });
+    this.cache = new PartCache({ shared: this.painter.shared, leaves: this.leaves });
     this.pointer = new Pointer(this.canvas, this);
     this.listen();
     this.resize();
@@ -91,7 +91,7 @@ export class View implements PointerTarget {
     // The preset's camera may be known only when all has grown.
     const first = this.header === null || this.header.entries.length === 0 || (this.header.missing.length > 0 && !this.eyes.moved);
     if (this.header) packet.header = merged(this.header, packet.header);
-    const kept = this.shelf.take(packet);
+    const kept = this.cache.take(packet);
     this.header = packet.header;
     this.shown = packet.header.parts.flatMap((part, i) => (kept[i]!.thing ? [{ part, thing: kept[i]!.thing }] : []));
     for (const { part, thing } of this.shown) this.identify(part, thing);
@@ -108,7 +108,7 @@ export class View implements PointerTarget {
   }
 
   have(): string[] {
-    return this.shelf.names();
+    return this.cache.names();
   }
 
   /** Shows nothing, until there is another model. */
@@ -205,7 +205,7 @@ export class View implements PointerTarget {
     clearTimeout(this.rest);
     this.pointer.dispose();
     this.eyes.dispose();
-    this.shelf.clear();
+    this.cache.clear();
     this.leaves.dispose();
     this.guides.dispose();
     this.painter.dispose();
@@ -278,7 +278,7 @@ export class View implements PointerTarget {
       () => {
         this.shown = [];
         this.painter.forget();
-        this.shelf.clear();
+        this.cache.clear();
         this.events.forgotten?.();
       },
       options,

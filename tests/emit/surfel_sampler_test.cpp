@@ -1,4 +1,4 @@
-#include "emit/crumbling.h"
+#include "emit/surfel_sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ struct Areas {
   void add(Vec3, float area, Vec3, Facing, float) const { areas.push_back(area); }
 };
 
-TEST(Crumbling, ASinkGetsNoMoreBitsOfALeafThanItsStepAsksFor) {
+TEST(SurfelSampler, ASinkGetsNoMoreBitsOfALeafThanItsStepAsksFor) {
   OrganPart part;  // a leaf of one unit, in 800 triangles
   for (int i = 0; i < 400; ++i)
     for (const auto& t :
@@ -62,7 +62,7 @@ TEST(Crumbling, ASinkGetsNoMoreBitsOfALeafThanItsStepAsksFor) {
   model.organs.scale = {Vec3(1)};
   model.organs.color = {0};
   auto bits_of = [&](const Areas& sink) {
-    Crumbling<Areas>{sink}.organs(
+    SurfelSampler<Areas>{sink}.organs(
         model, [](std::size_t) { return Vec3(0); }, [](std::size_t) { return Quat(1, 0, 0, 0); },
         [](std::size_t) { return 1.0f; });
   };

@@ -3,18 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "core/shelf.h"
+#include "core/lru_cache.h"
 #include "world/specimen.h"
 
 namespace frond {
 
 /// Specimens that were grown for earlier scenes, so that a change of one organism grows that one alone. They
 /// are known by a hash of all that they grew from. May be asked from many threads.
-class Nursery : public Shelf<std::vector<Specimen>> {
+class SpecimenCache : public LruCache<std::vector<Specimen>> {
  public:
   /// Keeps up to so many bytes, about.
-  explicit Nursery(std::size_t bytes = std::size_t{2} << 30) : Shelf(bytes) {}
-  explicit Nursery(std::shared_ptr<Storeroom> room) : Shelf(std::move(room)) {}
+  explicit SpecimenCache(std::size_t bytes = std::size_t{2} << 30) : LruCache(bytes) {}
+  explicit SpecimenCache(std::shared_ptr<CacheBudget> room) : LruCache(std::move(room)) {}
 
   void keep(const std::string& key, std::vector<Specimen> grown);
 };

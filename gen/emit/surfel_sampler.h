@@ -53,7 +53,7 @@ float apart_area(const std::vector<std::array<Vec3, 3>>& triangles);
 /// What bits go to: `add(at, area, albedo, facing, bulk)` as to SoftLight, and `step(at)`, how fine they are
 /// to be there: a bit of a body or an organ is not much smaller than a step is wide.
 template <class Sink>
-struct Crumbling {
+struct SurfelSampler {
   const Sink& sink;
 
   void skeleton(const Skeleton& s, const std::vector<Vec3>& position, const std::vector<float>& radius,
@@ -180,8 +180,8 @@ struct Crumbling {
 inline Vec3 blade_color(const Look& look) { return mean(look.blades.colors); }
 
 template <class Sink>
-void crumble(const Sink& sink, const Specimen& b, double time) {
-  Crumbling<Sink> to{sink};
+void sample_surfels(const Sink& sink, const Specimen& b, double time) {
+  SurfelSampler<Sink> to{sink};
   Pose pose;
   pose_specimen(b, time, pose);
   const Model& m = b.model;
@@ -198,8 +198,8 @@ void crumble(const Sink& sink, const Specimen& b, double time) {
 }
 
 template <class Sink>
-void crumble(const Sink& sink, const Look& look, const Model& m) {
-  Crumbling<Sink> to{sink};
+void sample_surfels(const Sink& sink, const Look& look, const Model& m) {
+  SurfelSampler<Sink> to{sink};
   to.skeleton(m.skeleton, m.skeleton.position, m.skeleton.radius, wood_color(look));
   to.solids(m.solids);
   to.organs(

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "emit/foretell.h"
+#include "emit/estimate_cost.h"
 
 namespace frond {
 
 /// What a setting takes by itself, with nothing grown in it.
-struct GroundTold {
+struct GroundCostEstimate {
   double bytes = 0, memory = 0, seconds = 0;  ///< of its text; that it holds; to lay and write it
   /// Of soft light: bytes of its file, bytes held and seconds while it is worked out. None where lamps shine.
   double light_bytes = 0, light_memory = 0, light_seconds = 0;
@@ -15,9 +15,9 @@ struct GroundTold {
 };
 
 /// `tall`: metres to which things rise from it; `crowded`: whether what is sown fills the view. The ground is
-/// laid and its text written, unless that is foreseen to take more than a moment; how large the grids of
+/// laid and its text written, unless that is estimated to take more than a moment; how large the grids of
 /// light are follows from the camera.
-GroundTold foretell_ground(const Preset& preset, double tall, bool crowded);
+GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool crowded);
 
 /// About how tall things in the preset are: as its camera sees them, where they do not know it themselves.
 double tallest_of(const Preset& preset);

@@ -1,4 +1,4 @@
-#include "emit/crumbling.h"
+#include "emit/surfel_sampler.h"
 
 namespace frond {
 

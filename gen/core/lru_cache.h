@@ -10,17 +10,17 @@
 
 namespace frond {
 
-/// Room for what several shelves keep. Where that comes to more bytes than there is room for, those that
-/// were not asked for longest go, whichever shelf they are on; what was put there last stays. May be asked
+/// Room for what several caches keep. Where that comes to more bytes than there is room for, those that
+/// were not asked for longest go, whichever cache they are in; what was put there last stays. May be asked
 /// from many threads.
-class Storeroom {
+class CacheBudget {
  public:
   using Thing = std::shared_ptr<const void>;
-  using Name = std::pair<int, std::string>;  ///< a shelf, and what it is called there
+  using Name = std::pair<int, std::string>;  ///< a cache, and what it is called there
 
-  explicit Storeroom(std::size_t bytes) : room_(bytes) {}
+  explicit CacheBudget(std::size_t bytes) : room_(bytes) {}
 
-  int add_shelf();
+  int add_cache();
   Thing find(const Name& name);
   void put(Name name, Thing thing, std::size_t bytes);
 
@@ -41,7 +41,7 @@ class Storeroom {
   std::list<Kept> surplus();
 
   std::size_t room_, taken_ = 0, given_up_ = 0;
-  int shelves_ = 0;
+  int caches_ = 0;
   mutable std::mutex in_work_;
   std::list<Kept> kept_;  // what was asked for last, first
   std::map<Name, Place> places_;
@@ -49,11 +49,11 @@ class Storeroom {
 
 /// Things of one type that were made once and may be wanted again, by name.
 template <class T>
-class Shelf {
+class LruCache {
  public:
   /// With a room of its own.
-  explicit Shelf(std::size_t bytes) : Shelf(std::make_shared<Storeroom>(bytes)) {}
-  explicit Shelf(std::shared_ptr<Storeroom> room) : room_(std::move(room)), own_(room_->add_shelf()) {}
+  explicit LruCache(std::size_t bytes) : LruCache(std::make_shared<CacheBudget>(bytes)) {}
+  explicit LruCache(std::shared_ptr<CacheBudget> room) : room_(std::move(room)), own_(room_->add_cache()) {}
 
   /// Empty where there is none of that name.
   std::shared_ptr<const T> find(const std::string& name) {
@@ -66,7 +66,7 @@ class Shelf {
   }
 
  private:
-  std::shared_ptr<Storeroom> room_;
+  std::shared_ptr<CacheBudget> room_;
   int own_;
 };
 

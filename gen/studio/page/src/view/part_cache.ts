@@ -24,7 +24,7 @@ function sizeOf(value: unknown): number {
 
 /** The parts of the last answers, made ready; the server sends those that are here by their name alone. The one that was
  *  not asked for the longest goes first, what is shown never. */
-export class Shelf {
+export class PartCache {
   private kept = new Map<string, Kept>();
   private size = 0;
 

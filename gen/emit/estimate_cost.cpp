@@ -1,4 +1,4 @@
-#include "emit/foretell.h"
+#include "emit/estimate_cost.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/figures.h"
-#include "emit/foretell_ground.h"
+#include "emit/estimate_ground_cost.h"
 #include "emit/levels.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
@@ -54,7 +54,7 @@ constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3
 // Of a view in the studio, a second: what is put into packets.
 constexpr double kNodesPacked = 2e6, kOrgansPacked = 2e6, kTrianglesPacked = 1e6;
 
-double render_seconds(const Foretold& f, double text, double tracing, const Film& film) {
+double render_seconds(const CostEstimate& f, double text, double tracing, const Film& film) {
   double pixels = double(film.size[0]) * film.size[1];
   auto quality = static_cast<std::size_t>(film.quality);
   double traced =
@@ -64,7 +64,7 @@ double render_seconds(const Foretold& f, double text, double tracing, const Film
 }
 
 /// Bytes of text that a node takes.
-double node_bytes(const Foresight& size, const Dress& dress) {
+double node_bytes(const SizeEstimate& size, const Dress& dress) {
   const Look& look = dress.look;
   bool moves = dress.motion.wave.amplitude != 0 || dress.motion.growth.duration > 0;
   if (look.coat) return look.coat->twigs > 0 ? kTwigCoatNode : kCoatNode;
@@ -80,7 +80,7 @@ constexpr double kCrown = 0.25;  // the radius of a tree's crown, of its height
 
 /// The files of a model of what is sown, one at each level from where its copies come nearest to the camera
 /// to where they are farthest.
-double model_bytes(const Preset& preset, const Organism& organism, const Foresight& size) {
+double model_bytes(const Preset& preset, const Organism& organism, const SizeEstimate& size) {
   constexpr double kWoodNode = 100, kPart = 540;
   constexpr double kFarthest = 200;  // metres, where copies stand all over the land
   const SowRules& where = organism.sown->where;
@@ -106,22 +106,23 @@ double model_bytes(const Preset& preset, const Organism& organism, const Foresig
 }
 
 /// The branches of one organism as text: in each frame, once its pose is found.
-struct WoodTold {
+struct WoodCostEstimate {
   double bytes = 0, memory = 0, seconds = 0;
 };
 
-/// A body that is fused or built of cubes is foreseen by a small one that is grown; where that would take
+/// A body that is fused or built of cubes is estimated by a small one that is grown; where that would take
 /// long, by its nodes.
-WoodTold foretell_wood(const Organism& organism, const Foresight& size, const Dress& dress, Seed seed) {
+WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate& size, const Dress& dress,
+                                    Seed seed) {
   constexpr double kGrown = 0.2;  // seconds that growing one may take
   constexpr double kBlockBytes = 6800, kBlockSeconds = 2e-3, kBlockHeld = 9000, kOwnVoxelBlocks = 110;
   if (organism.style.build == Build::sweeps) return {node_bytes(size, dress) * size.nodes, 0, 0};
-  WoodTold wood{kBodyNode * size.nodes, kBodyNode * size.nodes, kBodyNode * size.nodes / 1e6};
+  WoodCostEstimate wood{kBodyNode * size.nodes, kBodyNode * size.nodes, kBodyNode * size.nodes / 1e6};
   if (size.nodes / size.nodes_a_second + size.seconds > kGrown) return wood;
   Result<Model> one = organism.grower->grow_copy(organism, seed);
   if (!one) return wood;
   Boughs boughs = boughs_of(one->skeleton, static_cast<float>(organism.style.blend));
-  double blocks = foresee_volume(boughs, settled(organism.style, one->skeleton).voxel).blocks;
+  double blocks = estimate_volume(boughs, settled(organism.style, one->skeleton).voxel).blocks;
   // A voxel that is a share of the size gives bodies of all sizes about as many.
   if (organism.style.voxel <= 0) blocks = std::min(blocks, kOwnVoxelBlocks);
   // Cubes are found without a level set.
@@ -130,7 +131,7 @@ WoodTold foretell_wood(const Organism& organism, const Foresight& size, const Dr
 }
 
 /// Triangles of a living skin that are written: no finer than the camera sees them.
-double drawn_triangles(const Preset& preset, const Organism& organism, const Foresight& size) {
+double drawn_triangles(const Preset& preset, const Organism& organism, const SizeEstimate& size) {
   if (size.area <= 0) return size.triangles;
   Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
   Spread spread = organism.grower->spread().value_or(Spread{});
@@ -161,8 +162,8 @@ double left_in_shade(const Preset& preset) {
 
 /// What the entries of a preset add up to.
 struct Sums {
-  Foretold f;
-  ViewTold view;
+  CostEstimate f;
+  ViewCostEstimate view;
   bool changing = false;
   double text = kLayout, materials = 0;  // bytes that each frame writes, that all share
   double still = 0;                      // of what stands and lies, the same in all frames
@@ -172,9 +173,9 @@ struct Sums {
   std::set<std::string> drawn, grown;
 
   void add_pictures(const Look& look);
-  void add_sown(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress, double made,
-                double grows);
-  void add_standing(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress,
+  void add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
+                double made, double grows);
+  void add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
                     double made, double held, double grows, Seed seed);
 };
 
@@ -189,7 +190,7 @@ void Sums::add_pictures(const Look& look) {
   growing = std::max(growing, memory);
 }
 
-void Sums::add_sown(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress,
+void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
                     double made, double grows) {
   const Organism& organism = preset.organisms[o];
   double models = 0, count = organism.count, model = model_bytes(preset, organism, size);
@@ -209,13 +210,13 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const Foresight& size, 
   if (lines + model > most) most = lines + model, f.largest = o;
 }
 
-void Sums::add_standing(const Preset& preset, std::size_t o, const Foresight& size, const Dress& dress,
+void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
                         double made, double held, double grows, Seed seed) {
   const Organism& organism = preset.organisms[o];
   const Grower& grower = *organism.grower;
   double count = number_of(organism);
   bool together = finds_its_way(grower.stage());
-  WoodTold wood = foretell_wood(organism, size, dress, seed);
+  WoodCostEstimate wood = estimate_wood_cost(organism, size, dress, seed);
   double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
   double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;
   f.organisms += count;
@@ -246,9 +247,9 @@ Result<Sums> sums_of(const Preset& preset) {
     if (organism.count == 0) continue;
     const Grower& grower = *organism.grower;
     Seed seed = Seed{preset.seed}.child("organism", o);
-    Result<Foresight> foreseen = grower.foresee(seed);
-    if (!foreseen) return foreseen.errors();
-    Foresight& size = *foreseen;
+    Result<SizeEstimate> sized = grower.estimate_size(seed);
+    if (!sized) return sized.errors();
+    SizeEstimate& size = *sized;
     if (!organism.sown && grower.stage() == GrowthStage::in_light) {
       size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
     }
@@ -279,23 +280,23 @@ Errors refuse_memory(double memory, std::size_t largest, const Machine& machine)
 
 }  // namespace
 
-int Foretold::at_once(const Machine& machine) const {
+int CostEstimate::at_once(const Machine& machine) const {
   double spare = 0.8 * machine.memory - scene_memory;
   double most = std::clamp(frames * exposures, 1, std::max(1, machine.threads));
   return static_cast<int>(std::clamp(spare / std::max(frame_memory, 1.0), 1.0, most));
 }
 
-double Foretold::memory(int at_once) const {
+double CostEstimate::memory(int at_once) const {
   return std::max(growth_memory, scene_memory + at_once * frame_memory);
 }
 
-double ViewTold::wait(int threads) const { return std::max(seconds / std::max(1, threads), longest); }
+double ViewCostEstimate::wait(int threads) const { return std::max(seconds / std::max(1, threads), longest); }
 
-Result<Foretold> foretell(const Preset& preset, int frames) {
+Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
   Result<Sums> sums = sums_of(preset);
   if (!sums) return sums.errors();
-  Foretold& f = sums->f;
-  GroundTold ground = foretell_ground(preset, tallest_of(preset), f.copies > kCrowdedLight);
+  CostEstimate& f = sums->f;
+  GroundCostEstimate ground = estimate_ground_cost(preset, tallest_of(preset), f.copies > kCrowdedLight);
   f.frames = frames;
   f.exposures = exposures(preset.film, preset.stage.camera);
   f.scene_memory += kProgram + ground.memory;
@@ -318,17 +319,17 @@ Result<Foretold> foretell(const Preset& preset, int frames) {
   return std::move(f);
 }
 
-Result<ViewTold> foretell_view(const Preset& preset) {
+Result<ViewCostEstimate> estimate_view_cost(const Preset& preset) {
   Result<Sums> sums = sums_of(preset);
   if (!sums) return sums.errors();
-  ViewTold& view = sums->view;
+  ViewCostEstimate& view = sums->view;
   view.nodes = sums->f.nodes;
   view.memory = kProgram + sums->f.scene_memory + sums->growing;
   view.largest = sums->f.largest;
   return view;
 }
 
-Errors refuse(const Foretold& f, const Machine& machine) {
+Errors refuse(const CostEstimate& f, const Machine& machine) {
   Errors errors = refuse_memory(f.memory(1), f.largest, machine);
   if (f.disk() > machine.disk)
     errors.push_back(
@@ -340,7 +341,7 @@ Errors refuse(const Foretold& f, const Machine& machine) {
   return errors;
 }
 
-Errors refuse(const ViewTold& view, const Machine& machine) {
+Errors refuse(const ViewCostEstimate& view, const Machine& machine) {
   return refuse_memory(view.memory, view.largest, machine);
 }
 

@@ -1,4 +1,4 @@
-#include "export/cast.h"
+#include "export/export_scene.h"
 
 #include <fmt/format.h>
 
@@ -40,10 +40,10 @@ Vec3 foot_of(const Model& model) {
 }
 
 /// Takes the meshes of one organism to a cast.
-class Caster {
+class SceneExporter {
  public:
   /// `swarm`: what it is at the keys but the last, where that is organs elsewhere or bodies in other shapes.
-  Caster(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm = {})
+  SceneExporter(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm = {})
       : maker_(maker), options_(maker.options), b_(b), swarm_(std::move(swarm)) {
     pose_specimen(b, time, pose_);
     if (swarm_.empty()) keys_.resize(std::max<std::size_t>(options_.keys.size(), 1) - 1);
@@ -68,7 +68,7 @@ class Caster {
     double most = maker_.level == 0 ? kWoodShare * options_.detail : maker_.share() * wood_;
     Result<std::vector<BranchPart>> made = branch_parts(maker_, b_, pose_, most);
     if (!made) return made.errors();
-    std::vector<CastPart> parts;
+    std::vector<ExportPart> parts;
     for (auto& [part, node] : *made) {
       for (const Pose& key : keys_)
         part.shifts.push_back(carried_on(b_.model.skeleton, pose_, key, part.surface, node));
@@ -79,7 +79,7 @@ class Caster {
     return {};
   }
 
-  void stand(const std::string& part, std::vector<CastPart> parts) {
+  void stand(const std::string& part, std::vector<ExportPart> parts) {
     leave_out_still(parts);
     maker_.stand(part, std::move(parts));
   }
@@ -94,7 +94,7 @@ class Caster {
     auto foliage = [&](const Model& model) {
       return by_name(maker_, b_.look, model, foliage_parts(b_.look, model, most));
     };
-    std::map<std::string, std::vector<CastPart>> meshes =
+    std::map<std::string, std::vector<ExportPart>> meshes =
         swarm_.empty() ? foliage(posed) : swarm_parts(maker_, b_.look, posed, swarm_, most);
     for (const Pose& key : keys_) {
       auto others = foliage(posed_organs(b_.model, key, unfold_time(b_.motion), pose_.front));
@@ -118,7 +118,7 @@ class Caster {
       std::size_t color = color_index(o.color[i], prototype.colors.size());
       auto [at, fresh] = meshes.try_emplace({o.prototype[i], color});
       if (fresh) {
-        std::vector<CastPart> parts;
+        std::vector<ExportPart> parts;
         std::string name = plain_name(prototype.name, "organ");
         for (std::size_t part = 0; part < prototype.parts.size(); ++part)
           if (const Surface& surface = prototype.parts[part].surface; !surface.triangle.empty())
@@ -146,7 +146,7 @@ class Caster {
 
   void add_blades() {
     const BladeLook& look = b_.look.blades;
-    std::vector<CastPart> parts;
+    std::vector<ExportPart> parts;
     for (std::size_t k = 0; b_.model.blades.size() > 0 && k < look.colors.size(); ++k) {
       auto posed = [&](const Pose& pose, float least) {
         return posed_blades(
@@ -160,7 +160,7 @@ class Caster {
       };
       Surface surface = posed(pose_, kUnfoldedLeast);
       if (surface.triangle.empty()) continue;
-      CastPart part{std::move(surface), maker_.palette.blade(look, k, maker_.name() + "_blades")};
+      ExportPart part{std::move(surface), maker_.palette.blade(look, k, maker_.name() + "_blades")};
       for (const Pose& key : keys_) part.shifts.push_back(shift_between(part.surface, posed(key, 0)));
       if (maker_.level > 0) make_fewer(part.surface);
       parts.push_back(std::move(part));
@@ -176,7 +176,7 @@ class Caster {
   }
 
   Maker& maker_;
-  const CastOptions& options_;
+  const ExportOptions& options_;
   const Specimen& b_;
   Pose pose_;
   std::vector<Pose> keys_;  // none of a swarm
@@ -215,37 +215,37 @@ double detail_seen(double pixels) {
   return level[0].leaves * std::pow(level[1].leaves / level[0].leaves, way) / (1 - kWoodShare);
 }
 
-Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options) {
-  Cast cast;
-  Maker maker{cast, options};
+Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOptions& options) {
+  ExportScene exported;
+  Maker maker{exported, options};
   for (const Specimen& b : scene.specimens) {
     Errors errors;
-    std::size_t before = cast.placements.size();
+    std::size_t before = exported.placements.size();
     if (b.life.changes()) {
       Result<Specimen> now = developed(b, time);
       if (!now) return now.errors();
       Result<std::vector<Model>> swarm = swarm_of(b, *now, options.keys);
       if (!swarm) return swarm.errors();
-      errors = Caster(maker, *now, time, std::move(*swarm)).add();
+      errors = SceneExporter(maker, *now, time, std::move(*swarm)).add();
     } else {
-      errors = Caster(maker, b, time).add();
+      errors = SceneExporter(maker, b, time).add();
     }
     if (!errors.empty()) return errors;
     std::string name = b.name.empty() ? fmt::format("organism {}", b.entry) : b.name;
-    if (cast.placements.size() == before && b.entry != Specimen::kNoEntry &&
-        std::ranges::find(cast.absent, name) == cast.absent.end())
-      cast.absent.push_back(name);
+    if (exported.placements.size() == before && b.entry != Specimen::kNoEntry &&
+        std::ranges::find(exported.absent, name) == exported.absent.end())
+      exported.absent.push_back(name);
   }
   if (Errors errors = add_sown(maker, scene); !errors.empty()) return errors;
-  if (cast.placements.empty())
+  if (exported.placements.empty())
     return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
-  if (!options.keys.empty() && std::ranges::none_of(cast.meshes, &CastMesh::moves))
+  if (!options.keys.empty() && std::ranges::none_of(exported.meshes, &ExportMesh::moves))
     return Error{"", "nothing moves from the first of those frames to the last"};
-  for (double time_of : options.keys) cast.keys.push_back(time_of - options.keys[0]);
-  return cast;
+  for (double time_of : options.keys) exported.keys.push_back(time_of - options.keys[0]);
+  return exported;
 }
 
-Surface placed(const CastPart& part, const CastPlacement& placement) {
+Surface placed(const ExportPart& part, const ExportPlacement& placement) {
   Surface surface;
   append_placed(surface, part.surface, placement.at, placement.turn, placement.scale);
   return surface;

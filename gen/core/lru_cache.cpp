@@ -1,4 +1,4 @@
-#include "core/shelf.h"
+#include "core/lru_cache.h"
 
 namespace frond {
 
@@ -9,12 +9,12 @@ constexpr std::size_t kBookkeeping = 400;
 
 }  // namespace
 
-int Storeroom::add_shelf() {
+int CacheBudget::add_cache() {
   std::lock_guard lock(in_work_);
-  return shelves_++;
+  return caches_++;
 }
 
-Storeroom::Thing Storeroom::find(const Name& name) {
+CacheBudget::Thing CacheBudget::find(const Name& name) {
   std::lock_guard lock(in_work_);
   auto found = places_.find(name);
   if (found == places_.end()) return nullptr;
@@ -22,7 +22,7 @@ Storeroom::Thing Storeroom::find(const Name& name) {
   return found->second->thing;
 }
 
-void Storeroom::put(Name name, Thing thing, std::size_t bytes) {
+void CacheBudget::put(Name name, Thing thing, std::size_t bytes) {
   std::list<Kept> gone;
   std::lock_guard lock(in_work_);
   if (places_.contains(name)) return;
@@ -32,17 +32,17 @@ void Storeroom::put(Name name, Thing thing, std::size_t bytes) {
   gone = surplus();
 }
 
-std::size_t Storeroom::taken() const {
+std::size_t CacheBudget::taken() const {
   std::lock_guard lock(in_work_);
   return taken_;
 }
 
-std::size_t Storeroom::given_up() const {
+std::size_t CacheBudget::given_up() const {
   std::lock_guard lock(in_work_);
   return given_up_;
 }
 
-std::list<Storeroom::Kept> Storeroom::surplus() {
+std::list<CacheBudget::Kept> CacheBudget::surplus() {
   std::list<Kept> gone;
   while (taken_ > room_ && kept_.size() > 1) {
     gone.splice(gone.begin(), kept_, std::prev(kept_.end()));

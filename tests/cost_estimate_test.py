@@ -4,11 +4,11 @@
 Usage: foretold_test.py FROND ROOT [--all | PRESET...]
 
 Prints a table: seconds of processor (user and system time of the whole run), the most memory that it held and bytes
-that it wrote, each with what was foretold as a multiple of it. Seconds and memory are held to a factor of 2, bytes to
+that it wrote, each with what was estimate as a multiple of it. Seconds and memory are held to a factor of 2, bytes to
 one of 1.5. The last frame is written, in which all has grown.
 
 Seconds differ from machine to machine and with what else it does. So a few presets whose work is of every kind are
-run first; the middle of their ratios is the pace of this machine, and all seconds foretold are corrected by it. A run
+run first; the middle of their ratios is the pace of this machine, and all seconds estimate are corrected by it. A run
 that is out of bounds is made again, and its least figures count. Exit codes: 0 within bounds, 1 not.
 """
 import json
@@ -26,7 +26,7 @@ PACE = ["bush", "garden/bush", "species/corals/honeycomb", "lsystems/trees-2.6"]
 SMALL = ["fan", "lsystems/koch-1.6", "lsystems/inflorescence-3", "garden/palm", "species/corals/brain", "species/corals/finger",
          "ivy/brick_wall", "forest/mushrooms"]
 # What is known to be worse, in bytes: furrows that are cut near the camera are not counted, nor are the cells of light
-# along what stands close before it; corals that crowd each other are smaller than foreseen.
+# along what stands close before it; corals that crowd each other are smaller than estimated.
 BYTES_OF = {"photographs/bark": 3.5, "reef_flight": 1.75, "garden/rocks": 1.8, "reef/kelp": 1.9}
 ATTEMPTS = 3
 
@@ -37,7 +37,7 @@ def presets(root):
     return [n for n in names if not n.startswith("grammars/")]
 
 
-def foretold(frond, path, frame):
+def estimate(frond, path, frame):
     out = subprocess.run([frond, "info", path, "--json", "--frames", str(frame)], check=True, capture_output=True, text=True).stdout
     said = json.loads(out)
     return said["seconds"], said["memory_bytes"], said["written_bytes"]
@@ -72,10 +72,10 @@ class Judge:
         self.frond, self.root, self.pace = frond, root, 1.0
 
     def measure(self, name):
-        """What was foretold and, of up to some runs, the least that was true."""
+        """What was estimate and, of up to some runs, the least that was true."""
         path = str(self.root / "presets" / f"{name}.json")
         frame = frames(self.frond, path)
-        said = foretold(self.frond, path, frame)
+        said = estimate(self.frond, path, frame)
         true = None
         for _ in range(ATTEMPTS):
             now = generated(self.frond, path, frame)

@@ -3,14 +3,14 @@
 #include <set>
 #include <string>
 
-#include "export/cast.h"
+#include "export/export_scene.h"
 #include "field/cubes.h"
 
 namespace frond {
 
 namespace {
 
-void count(CastSize& size, const Surface& surface, double times, bool fresh) {
+void count(ExportSize& size, const Surface& surface, double times, bool fresh) {
   auto vertices = static_cast<double>(surface.position.size());
   auto triangles = static_cast<double>(surface.triangle.size());
   if (fresh) size.vertices += vertices, size.triangles += triangles;
@@ -18,7 +18,7 @@ void count(CastSize& size, const Surface& surface, double times, bool fresh) {
 }
 
 /// Of the branches of one organism.
-void count_branches(CastSize& size, const Specimen& b, const CastOptions& options) {
+void count_branches(ExportSize& size, const Specimen& b, const ExportOptions& options) {
   double vertices = 0, triangles = 0;
   auto nodes = static_cast<double>(b.model.skeleton.size());
   if (b.style.build == Build::sweeps) {
@@ -29,7 +29,7 @@ void count_branches(CastSize& size, const Specimen& b, const CastOptions& option
     triangles = (nodes + 4 * ends) * options.sides * 2;
   } else {
     // A block that the surface passes has about a square of its side in it, and somewhat more aslant.
-    double blocks = foresee_volume(boughs_of(b.model.skeleton, 0), b.style.voxel).blocks;
+    double blocks = estimate_volume(boughs_of(b.model.skeleton, 0), b.style.voxel).blocks;
     vertices = blocks * 64, triangles = 2 * vertices;
   }
   size.vertices += vertices, size.triangles += triangles;
@@ -39,20 +39,21 @@ void count_branches(CastSize& size, const Specimen& b, const CastOptions& option
 
 }  // namespace
 
-CastSize size_of(const Cast& cast) {
-  CastSize size;
-  for (const CastMesh& mesh : cast.meshes) {
-    for (const CastPart& part : mesh.parts) {
+ExportSize size_of(const ExportScene& exported) {
+  ExportSize size;
+  for (const ExportMesh& mesh : exported.meshes) {
+    for (const ExportPart& part : mesh.parts) {
       count(size, part.surface, 0, true);
       size.shifts += static_cast<double>(part.shifts.size() * part.surface.position.size());
     }
     for (const auto& parts : mesh.coarser)
-      for (const CastPart& part : parts) count(size, part.surface, 0, true);
+      for (const ExportPart& part : parts) count(size, part.surface, 0, true);
   }
-  for (const CastPlacement& p : cast.placements)
-    for (const CastPart& part : cast.meshes[p.mesh].parts) count(size, part.surface, 1, false);
-  for (const CastPicture& picture : cast.pictures) size.pictures += static_cast<double>(picture.png.size());
-  size.placements = static_cast<double>(cast.placements.size());
+  for (const ExportPlacement& p : exported.placements)
+    for (const ExportPart& part : exported.meshes[p.mesh].parts) count(size, part.surface, 1, false);
+  for (const ExportPicture& picture : exported.pictures)
+    size.pictures += static_cast<double>(picture.png.size());
+  size.placements = static_cast<double>(exported.placements.size());
   return size;
 }
 
@@ -62,8 +63,8 @@ constexpr double kPixelBytes = 3.5;    // of three pictures, for one pixel of th
 constexpr double kLeafPictures = 0.3;  // what those of a leaf take of those of a bark
 
 /// What all of one organism take without --detail and merging; fused bodies aside.
-CastSize whole(const Specimen& b) {
-  CastSize size;
+ExportSize whole(const Specimen& b) {
+  ExportSize size;
   std::vector<bool> seen(b.model.prototypes.size());
   for (std::uint16_t which : b.model.organs.prototype) {
     for (const OrganPart& part : b.model.prototypes[which].parts) count(size, part.surface, 1, !seen[which]);
@@ -90,7 +91,7 @@ double pictures_of(const Specimen& b) {
   return times + static_cast<double>(matters.size());
 }
 
-void add(CastSize& size, const CastSize& more, double share) {
+void add(ExportSize& size, const ExportSize& more, double share) {
   size.vertices += share * more.vertices, size.triangles += share * more.triangles;
   size.all_vertices += share * more.all_vertices, size.all_triangles += share * more.all_triangles;
   size.placements += more.placements;
@@ -98,12 +99,12 @@ void add(CastSize& size, const CastSize& more, double share) {
 
 }  // namespace
 
-CastSize foresee_cast(const Scene& scene, const CastOptions& options) {
-  CastSize size;
+ExportSize estimate_export(const Scene& scene, const ExportOptions& options) {
+  ExportSize size;
   double pixels = options.texture * static_cast<double>(options.texture);
   std::set<std::size_t> entries;  // whose pictures are counted
   for (const Specimen& b : scene.specimens) {
-    CastSize own = whole(b);
+    ExportSize own = whole(b);
     if (!options.instances)
       own.vertices = own.all_vertices, own.triangles = own.all_triangles, own.placements = 2;
     bool simpler = b.style.build == Build::sweeps;

@@ -15,13 +15,13 @@ namespace frond {
 inline constexpr std::size_t kNoPicture = SIZE_MAX;
 
 /// A picture that materials show.
-struct CastPicture {
+struct ExportPicture {
   std::string name;  ///< as that of a material
   std::string png;   ///< the bytes of its file
 };
 
 /// What a mesh is made of, as far as other programs know of such things.
-struct CastMaterial {
+struct ExportMaterial {
   std::string name;  ///< letters, digits, - and _; no two alike
   Color color;       ///< sRGB; with a picture, about what that shows on average
   Color factor;      ///< sRGB, that a picture's colours are multiplied by
@@ -35,31 +35,31 @@ struct CastMaterial {
 };
 
 /// A linear factor of the colour at one vertex, 255 being 1.
-using CastTint = std::array<std::uint8_t, 4>;
+using ExportTint = std::array<std::uint8_t, 4>;
 
 /// By how much each vertex is elsewhere in another shape of a surface, and its normal another.
-struct CastShift {
+struct ExportShift {
   std::vector<Vec3> position, normal;
 };
 
 /// A part of a mesh, of one material.
-struct CastPart {
+struct ExportPart {
   Surface surface;
   std::size_t material = 0;
-  std::vector<CastTint> tint = {};     ///< of each vertex, or empty
-  std::vector<CastShift> shifts = {};  ///< for each of the cast's keys but the last; none: it stands still
+  std::vector<ExportTint> tint = {};     ///< of each vertex, or empty
+  std::vector<ExportShift> shifts = {};  ///< for each of the cast's keys but the last; none: it stands still
 };
 
-struct CastMesh {
+struct ExportMesh {
   std::string name;  ///< as that of a material
-  std::vector<CastPart> parts;
-  std::vector<std::vector<CastPart>> coarser = {};  ///< the same in fewer triangles, level by level
+  std::vector<ExportPart> parts;
+  std::vector<std::vector<ExportPart>> coarser = {};  ///< the same in fewer triangles, level by level
 
   bool moves() const { return !parts.empty() && !parts[0].shifts.empty(); }
 };
 
 /// A mesh put somewhere: scaled along its own axes, turned, moved.
-struct CastPlacement {
+struct ExportPlacement {
   std::size_t mesh = 0;
   Vec3 at{0};
   Quat turn{1, 0, 0, 0};
@@ -68,7 +68,7 @@ struct CastPlacement {
 };
 
 /// An organism or a body, or all that is sown of one kind.
-struct CastGroup {
+struct ExportGroup {
   std::string name;  ///< as that of a material
   Vec3 foot{0};
   bool sown = false;  ///< each of its placements is one plant
@@ -76,19 +76,19 @@ struct CastGroup {
 
 /// Everything that grows or stands in a scene at one time, as meshes; our world's axes, metres. The groups'
 /// placements follow each other.
-struct Cast {
-  std::vector<CastPicture> pictures;
-  std::vector<CastMaterial> materials;
-  std::vector<CastMesh> meshes;
-  std::vector<CastGroup> groups;
-  std::vector<CastPlacement> placements;
+struct ExportScene {
+  std::vector<ExportPicture> pictures;
+  std::vector<ExportMaterial> materials;
+  std::vector<ExportMesh> meshes;
+  std::vector<ExportGroup> groups;
+  std::vector<ExportPlacement> placements;
   std::vector<double> keys;         ///< seconds from the first on: when its shapes are reached, if it moves
   std::vector<std::string> absent;  ///< names of organisms of which nothing has grown yet, each once
 };
 
 inline constexpr double kCoarser = 0.25;  ///< share of the triangles of a level that the next has
 
-struct CastOptions {
+struct ExportOptions {
   int sides = 10;          ///< of the tubes that branches without a picture become
   double voxel = 0;        ///< metres, of a volume; 0: the least of the fused organisms, or 1/400 of all
   double detail = 2.5e5;   ///< triangles of one organism or model, about: what is finer is drawn more simply
@@ -104,7 +104,7 @@ struct CastOptions {
 double detail_seen(double pixels);
 
 /// How large a cast is or will be, placements counted as often as they occur in `all_`.
-struct CastSize {
+struct ExportSize {
   double vertices = 0, triangles = 0;          ///< of all meshes, each once
   double all_vertices = 0, all_triangles = 0;  ///< of all placements
   double placements = 0;
@@ -112,22 +112,22 @@ struct CastSize {
   double pictures = 0;  ///< bytes
 };
 
-CastSize size_of(const Cast& cast);
+ExportSize size_of(const ExportScene& exported);
 
 /// About how large the cast of a scene will be, by its fully grown organisms; what is sown not counted.
-CastSize foresee_cast(const Scene& scene, const CastOptions& options);
+ExportSize estimate_export(const Scene& scene, const ExportOptions& options);
 
 /// Makes the meshes of a scene at a time, in seconds. Specimen are tubes, or what their style makes of them;
 /// ground, stones and grass are left out. An error where nothing is left. With keys, the last of
 /// which is that time, vertices are also carried to where they are at the others: an error where
 /// something changes otherwise than by growing and swaying, or nothing moves.
-Result<Cast> cast_scene(const Scene& scene, double time, const CastOptions& options);
+Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOptions& options);
 
 /// Branches that are built of cubes or have grown into one, as their style says; corners that belong to one
 /// node each.
 Result<FusedMesh> body_mesh(const Specimen& specimen, const Pose& pose);
 
 /// All placements of a part as one surface where they stand.
-Surface placed(const CastPart& part, const CastPlacement& placement);
+Surface placed(const ExportPart& part, const ExportPlacement& placement);
 
 }  // namespace frond

@@ -14,7 +14,7 @@ const TEXT = `{
 
 let page;
 before(async () => {
-  const studio = await start(preset('haste.json', TEXT));
+  const studio = await start(preset('changes.json', TEXT));
   page = await visit(await browse(), studio.address);
   await shown(page);
   // Each picture: who is missing in the answer, and of whom something is drawn.

@@ -5,10 +5,10 @@
 
 namespace frond {
 
-/// What it will take to write a film's frames, foreseen from the preset: nothing is grown but small samples,
+/// What it will take to write a film's frames, estimated from the preset: nothing is grown but small samples,
 /// and the ground is laid where it is small. Seconds and memory within about a factor of two, bytes of 1.5.
 /// Seconds are of a processor as ours, user and system time over all threads.
-struct Foretold {
+struct CostEstimate {
   double organisms = 0, modules = 0, nodes = 0, organs = 0;  ///< of all that grows with the scene
   double copies = 0, models = 0;                             ///< of what is sown, and what they are copies of
   int frames = 0, exposures = 1;                             ///< of the film; scenes of each frame
@@ -33,7 +33,7 @@ struct Foretold {
 
 /// What it will take to grow a preset for a view in the studio: what stands, without its text, its light and
 /// its pictures, which a view has none of or asks for later. Within about a factor of two.
-struct ViewTold {
+struct ViewCostEstimate {
   double nodes = 0;
   double seconds = 0, longest = 0;  ///< of a processor as ours; of that, what one thread does alone
   double memory = 0;                ///< bytes
@@ -44,13 +44,13 @@ struct ViewTold {
 };
 
 /// Of so many frames of the preset. A derivation past its limits is refused.
-Result<Foretold> foretell(const Preset& preset, int frames);
+Result<CostEstimate> estimate_cost(const Preset& preset, int frames);
 
 /// The same for a view. Entries of which there are none to grow cost nothing.
-Result<ViewTold> foretell_view(const Preset& preset);
+Result<ViewCostEstimate> estimate_view_cost(const Preset& preset);
 
 /// Why the machine cannot bear it: the figures and what to change. Empty where it can.
-Errors refuse(const Foretold& foretold, const Machine& machine);
-Errors refuse(const ViewTold& foretold, const Machine& machine);
+Errors refuse(const CostEstimate& estimate, const Machine& machine);
+Errors refuse(const ViewCostEstimate& estimate, const Machine& machine);
 
 }  // namespace frond

@@ -1,4 +1,4 @@
-#include "emit/foretell_ground.h"
+#include "emit/estimate_ground_cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,15 +47,15 @@ double tallest_of(const Preset& preset) {
   return tall;
 }
 
-GroundTold foretell_ground(const Preset& preset, double tall, bool crowded) {
-  GroundTold told;
+GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool crowded) {
+  GroundCostEstimate cost;
   const SettingAnswers& setting = settings()[preset.stage.setting].answers;
-  GroundForesight laid = setting.foresee(preset.stage, preset.film);
-  told.pictures = kOwnPixelBytes * laid.pixels;
-  told.picture_seconds = kOwnPixelSeconds * laid.pixels;
-  if (has_pictures(preset.stage) && laid.pixels == 0) told.tracing = kPlainLight;
+  GroundSizeEstimate laid = setting.estimate_size(preset.stage, preset.film);
+  cost.pictures = kOwnPixelBytes * laid.pixels;
+  cost.picture_seconds = kOwnPixelSeconds * laid.pixels;
+  if (has_pictures(preset.stage) && laid.pixels == 0) cost.tracing = kPlainLight;
   double pieces = laid.triangles + laid.grass + laid.placed;
-  told.memory = kLaidTriangleHeld * (laid.triangles + laid.grass) + kLaidPlacementHeld * laid.placed;
+  cost.memory = kLaidTriangleHeld * (laid.triangles + laid.grass) + kLaidPlacementHeld * laid.placed;
 
   Scene scene;
   scene.film = preset.film;
@@ -70,20 +70,20 @@ GroundTold foretell_ground(const Preset& preset, double tall, bool crowded) {
     ground->lay_litter(scene.stage.camera);
   }
   scene.ground = std::move(ground);
-  told.bytes = moment ? static_cast<double>(ground_text(PovSpace{}, scene).size())
+  cost.bytes = moment ? static_cast<double>(ground_text(PovSpace{}, scene).size())
                       : kLaidTriangleText * laid.triangles + kGrassTriangleText * laid.grass +
                             kLaidPlacementText * laid.placed;
-  told.seconds = pieces / kGroundLaid + told.bytes / kGroundWritten;
-  if (!has_soft_light(preset.stage)) return told;
-  SoftLight::Size light = foresee_light(scene, tall);
+  cost.seconds = pieces / kGroundLaid + cost.bytes / kGroundWritten;
+  if (!has_soft_light(preset.stage)) return cost;
+  SoftLight::Size light = estimate_light(scene, tall);
   crowded = crowded || scene.ground->low_cover().area > kDenseCover;
   double probes = light.cover > 0 || crowded ? kProbesCovered * light.land + kProbesCover * light.cover
                                              : kProbesBare * light.land;
   if (crowded) probes *= kCrowdedProbes;
-  told.light_bytes = kProbeText * probes;
-  told.light_memory = kCellHeld * light.cells + kProbeHeld * probes;
-  told.light_seconds = kCellLit * light.cells + kProbeLit * probes;
-  return told;
+  cost.light_bytes = kProbeText * probes;
+  cost.light_memory = kCellHeld * light.cells + kProbeHeld * probes;
+  cost.light_seconds = kCellLit * light.cells + kProbeLit * probes;
+  return cost;
 }
 
 }  // namespace frond

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "organisms/grower.h"
-#include "scene/nursery.h"
 #include "scene/scene.h"
+#include "scene/specimen_cache.h"
 
 namespace frond {
 namespace {
@@ -29,8 +29,8 @@ Preset shore(double rock_size, double coral_height = 0.2) {
   return *preset;
 }
 
-Scene grown(const Preset& preset, Nursery& nursery, const Haste& haste = {}) {
-  Result<Scene> scene = build_scene(preset, {[](auto, auto) {}, [] {}}, &nursery, haste);
+Scene grown(const Preset& preset, SpecimenCache& cache, const EntryFilter& only = {}) {
+  Result<Scene> scene = build_scene(preset, {[](auto, auto) {}, [] {}}, &cache, only);
   EXPECT_TRUE(scene.ok()) << (scene ? "" : scene.errors()[0].text());
   return std::move(*scene);
 }
@@ -48,38 +48,38 @@ std::string places(const Scene& scene) {
   return text;
 }
 
-TEST(Haste, GrowsJustWhatIsWantedAmongWhatIsThere) {
-  Nursery nursery;
-  grown(shore(0.6), nursery);
-  Scene other_rock = grown(shore(0.8), nursery, std::set<std::size_t>{0});
+TEST(EntryFilter, GrowsJustWhatIsWantedAmongWhatIsThere) {
+  SpecimenCache cache;
+  grown(shore(0.6), cache);
+  Scene other_rock = grown(shore(0.8), cache, std::set<std::size_t>{0});
   EXPECT_EQ(other_rock.grown, Entries{0});
   EXPECT_EQ(other_rock.missing, Entries{1}) << "it stands on the rock";
-  Scene other_coral = grown(shore(0.6, 0.3), nursery, std::set<std::size_t>{1});
+  Scene other_coral = grown(shore(0.6, 0.3), cache, std::set<std::size_t>{1});
   EXPECT_EQ(other_coral.grown, Entries{1});
   EXPECT_TRUE(other_coral.missing.empty());
-  Nursery another;
+  SpecimenCache another;
   EXPECT_EQ(places(other_coral), places(grown(shore(0.6, 0.3), another))) << "it is the scene itself";
 }
 
-TEST(Haste, ShowsWhatHasGrownSoFar) {
-  Nursery nursery;
-  EXPECT_EQ(grown(shore(0.6), nursery, Haste(std::in_place)).missing, (Entries{0, 2, 1}));
-  grown(shore(0.6), nursery);
-  Scene all = grown(shore(0.6), nursery, Haste(std::in_place));
+TEST(EntryFilter, ShowsWhatHasGrownSoFar) {
+  SpecimenCache cache;
+  EXPECT_EQ(grown(shore(0.6), cache, EntryFilter(std::in_place)).missing, (Entries{0, 2, 1}));
+  grown(shore(0.6), cache);
+  Scene all = grown(shore(0.6), cache, EntryFilter(std::in_place));
   EXPECT_TRUE(all.missing.empty() && all.grown.empty());
   EXPECT_EQ(all.specimens.size(), 3u);
 }
 
-TEST(Haste, WhatGrewInHasteIsNotTakenForTheWhole) {
-  Nursery nursery, another;
+TEST(EntryFilter, WhatGrewFilteredIsNotTakenForTheWhole) {
+  SpecimenCache cache, another;
   // The coral is asked for where its rock is not there yet.
-  EXPECT_EQ(grown(shore(0.6), nursery, std::set<std::size_t>{1}).missing, (Entries{0, 2, 1}));
-  grown(shore(0.7), nursery, std::set<std::size_t>{0, 1});
+  EXPECT_EQ(grown(shore(0.6), cache, std::set<std::size_t>{1}).missing, (Entries{0, 2, 1}));
+  grown(shore(0.7), cache, std::set<std::size_t>{0, 1});
   for (double size : {0.6, 0.7})
-    EXPECT_EQ(places(grown(shore(size), nursery)), places(grown(shore(size), another))) << size;
+    EXPECT_EQ(places(grown(shore(size), cache)), places(grown(shore(size), another))) << size;
 }
 
-TEST(Haste, ARoughTreeIsAsTallAndHasFewerTwigs) {
+TEST(EntryFilter, ARoughTreeIsAsTallAndHasFewerTwigs) {
   Preset preset = *read_preset(R"({"film": {"frames": 1}, "scene": {"setting": "studio"},
       "organisms": [{"kind": "tree", "years": 12, "place": {"at": [[0, 0]]}}]})",
                                "tree", {});
@@ -96,7 +96,7 @@ TEST(Haste, ARoughTreeIsAsTallAndHasFewerTwigs) {
   EXPECT_NEAR(tall(coarse), tall(fine), 0.35 * tall(fine));
 }
 
-TEST(Haste, ARoughOneIsNoFaultAndHasFewerTriangles) {
+TEST(EntryFilter, ARoughOneIsNoFaultAndHasFewerTriangles) {
   Preset reef = *read_preset(R"({"scene": {"setting": "underwater"}, "organisms": [
       {"kind": "rock", "size": 1, "depth": 7, "tolerance": 0.0005}, {"kind": "massive"}, {"kind": "columnar"},
       {"kind": "shell", "detail": 100000}, {"kind": "table"}, {"kind": "foliose"}, {"kind": "tube"}]})",
@@ -105,7 +105,8 @@ TEST(Haste, ARoughOneIsNoFaultAndHasFewerTriangles) {
     std::shared_ptr<const Grower> coarse = o.grower->coarse(0.2);
     ASSERT_NE(coarse, nullptr) << o.text;
     EXPECT_TRUE(coarse->check().empty());
-    EXPECT_LT(coarse->foresee(Seed{1})->triangles, o.grower->foresee(Seed{1})->triangles) << o.text;
+    EXPECT_LT(coarse->estimate_size(Seed{1})->triangles, o.grower->estimate_size(Seed{1})->triangles)
+        << o.text;
     std::optional<Spread> was = o.grower->spread(), now = coarse->spread();
     ASSERT_EQ(was.has_value(), now.has_value());
     if (!was) continue;

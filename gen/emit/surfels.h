@@ -6,25 +6,25 @@
 
 namespace frond {
 
-/// How many decimals the numbers of a crumb have, and its area: what is finer does not count, and a file of
+/// How many decimals the numbers of a surfel have, and its area: what is finer does not count, and a file of
 /// them holds all that there is.
-inline constexpr int kCrumbDecimals = 3, kCrumbAreaDecimals = 6;
+inline constexpr int kSurfelDecimals = 3, kSurfelAreaDecimals = 6;
 
 /// A bit of what a model is made of, its foot at the origin. Metres.
-struct Crumb {
+struct Surfel {
   Vec3 at{0};
   float area = 0;  ///< m2, of leaves as if they lay apart
   float wide = 0;  ///< metres of the cube that it fills
   Vec3 albedo{0};  ///< linear
   float bulk = 0;  ///< metres across of the bodies it is of, about; 0 of leaves
 
-  bool operator==(const Crumb&) const = default;
+  bool operator==(const Surfel&) const = default;
 };
 
 /// What models of stands are made of, for each stand those of each model; some may be empty.
-using Crumbs = std::vector<std::vector<std::vector<Crumb>>>;
+using Surfels = std::vector<std::vector<std::vector<Surfel>>>;
 
-/// A model in crumbs of about a twenty-fourth of its height.
-std::vector<Crumb> crumbs_of(const Look& look, const Model& model);
+/// A model in surfels of about a twenty-fourth of its height.
+std::vector<Surfel> surfels_of(const Look& look, const Model& model);
 
 }  // namespace frond

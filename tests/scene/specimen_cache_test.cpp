@@ -1,4 +1,4 @@
-#include "scene/nursery.h"
+#include "scene/specimen_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ Preset preset_with(const std::string& path, const std::vector<std::string>& sets
   return preset ? *preset : Preset{};
 }
 
-Scene grown_with(const Preset& preset, Nursery* nursery) {
-  Result<Scene> scene = build_scene(preset, kUnwatched, nursery);
+Scene grown_with(const Preset& preset, SpecimenCache* cache) {
+  Result<Scene> scene = build_scene(preset, kUnwatched, cache);
   if (!scene) ADD_FAILURE() << scene.errors().front().text();
   return scene ? std::move(*scene) : Scene{};
 }
@@ -38,15 +38,15 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.notes, b.notes);
 }
 
-TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
+TEST(SpecimenCache, GivesTheSameSceneAsGrowingDoes) {
   for (const char* path :
        {"presets/thicket.json", "presets/ivy/column.json", "presets/trees/light_race.json"}) {
     std::vector<std::string> smaller;
     if (std::string_view(path).starts_with("presets/trees")) smaller = {"/defaults/years=4"};
     Preset preset = preset_with(path, smaller);
-    Nursery nursery;
-    Scene plain = grown_with(preset, nullptr), first = grown_with(preset, &nursery),
-          again = grown_with(preset, &nursery);
+    SpecimenCache cache;
+    Scene plain = grown_with(preset, nullptr), first = grown_with(preset, &cache),
+          again = grown_with(preset, &cache);
     EXPECT_FALSE(first.grown.empty()) << path;
     EXPECT_TRUE(again.grown.empty()) << path;
     expect_same(plain, first);
@@ -54,30 +54,30 @@ TEST(Nursery, GivesTheSameSceneAsGrowingDoes) {
   }
 }
 
-TEST(Nursery, GrowsOnlyWhatWasChanged) {
-  Nursery nursery;
-  grown_with(preset_with("presets/thicket.json"), &nursery);
+TEST(SpecimenCache, GrowsOnlyWhatWasChanged) {
+  SpecimenCache cache;
+  grown_with(preset_with("presets/thicket.json"), &cache);
   Preset other = preset_with("presets/thicket.json", {"/organisms/2/thickness/knob=2"});
-  Scene changed = grown_with(other, &nursery);
+  Scene changed = grown_with(other, &cache);
   EXPECT_EQ(changed.grown, std::vector<std::size_t>{2});
   expect_same(grown_with(other, nullptr), changed);
   // The camera and the light grow nothing.
   EXPECT_TRUE(
       grown_with(preset_with("presets/thicket.json", {"/scene/camera/angle=30", "/scene/water/caustics=0"}),
-                 &nursery)
+                 &cache)
           .grown.empty());
 }
 
-TEST(Nursery, IvyGrowsAnewWhereItsHostDoes) {
-  Nursery nursery;
-  grown_with(preset_with("presets/ivy/column.json"), &nursery);
+TEST(SpecimenCache, IvyGrowsAnewWhereItsHostDoes) {
+  SpecimenCache cache;
+  grown_with(preset_with("presets/ivy/column.json"), &cache);
   Preset other = preset_with("presets/ivy/column.json", {"/organisms/0/place/size_variation=0.5"});
-  Scene changed = grown_with(other, &nursery);
+  Scene changed = grown_with(other, &cache);
   EXPECT_EQ(changed.grown.size(), 2u);  // the column, and what creeps on it
   expect_same(grown_with(other, nullptr), changed);
 }
 
-TEST(Nursery, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
+TEST(SpecimenCache, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
   std::vector<std::string> sets{"/organisms/0/years=6", "/scene/camera/fit=[\"all\"]"};
   Preset preset = preset_with("presets/trees/oak.json", sets);
   sets.insert(sets.end(), {"/scene/camera/angle=2", "/organisms/0/years=6"});
@@ -99,14 +99,14 @@ TEST(Nursery, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
   expect_same(grown_with(there, nullptr), far_scene);
 }
 
-TEST(Nursery, ForgetsWhatWasNotUsedForLong) {
-  Nursery small(1);  // room for one bed
+TEST(SpecimenCache, ForgetsWhatWasNotUsedForLong) {
+  SpecimenCache small(1);  // room for one bed
   Preset preset = preset_with("presets/thicket.json");
   grown_with(preset, &small);
   EXPECT_GE(grown_with(preset, &small).grown.size(), preset.organisms.size() - 1);
 }
 
-TEST(Nursery, ASceneThatIsGivenUpIsAnError) {
+TEST(SpecimenCache, ASceneThatIsGivenUpIsAnError) {
   Watch gone{[](auto, auto) {}, [] {}, [] { return true; }};
   EXPECT_FALSE(build_scene(preset_with("presets/thicket.json"), gone).ok());
 }

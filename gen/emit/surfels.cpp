@@ -1,18 +1,18 @@
-#include "emit/crumbs.h"
+#include "emit/surfels.h"
 
 #include <cmath>
 #include <map>
 #include <mutex>
 
-#include "emit/crumbling.h"
+#include "emit/surfel_sampler.h"
 
 namespace frond {
 
 namespace {
 
-constexpr int kFine = 4;  // parts of a crumb's side, to see what lies before one another in it
+constexpr int kFine = 4;  // parts of a surfel's side, to see what lies before one another in it
 
-/// Of a crumb. Whole numbers: they do not depend on the order in which they are added.
+/// Of a surfel. Whole numbers: they do not depend on the order in which they are added.
 struct Sum {
   std::array<std::int64_t, 8> of{};                      // area; area times place, colour, bulk
   std::array<std::int64_t, kFine * kFine * kFine> in{};  // area in each part
@@ -64,17 +64,17 @@ float rounded(double value, int decimals) {
   return static_cast<float>(static_cast<double>(std::llround(value * power)) / power);
 }
 
-Crumb rounded(const Crumb& c) {
+Surfel rounded(const Surfel& c) {
   auto all = [](Vec3 v) {
-    return Vec3(rounded(v.x, kCrumbDecimals), rounded(v.y, kCrumbDecimals), rounded(v.z, kCrumbDecimals));
+    return Vec3(rounded(v.x, kSurfelDecimals), rounded(v.y, kSurfelDecimals), rounded(v.z, kSurfelDecimals));
   };
-  return {all(c.at), rounded(c.area, kCrumbAreaDecimals), rounded(c.wide, kCrumbDecimals), all(c.albedo),
-          rounded(c.bulk, kCrumbDecimals)};
+  return {all(c.at), rounded(c.area, kSurfelAreaDecimals), rounded(c.wide, kSurfelDecimals), all(c.albedo),
+          rounded(c.bulk, kSurfelDecimals)};
 }
 
 }  // namespace
 
-std::vector<Crumb> crumbs_of(const Look& look, const Model& model) {
+std::vector<Surfel> surfels_of(const Look& look, const Model& model) {
   float tall = 0;
   for (const Vec3& at : model.skeleton.position) tall = std::max(tall, glm::length(at));
   for (const Vec3& at : model.organs.position) tall = std::max(tall, glm::length(at));
@@ -83,8 +83,8 @@ std::vector<Crumb> crumbs_of(const Look& look, const Model& model) {
   float cell = std::max(tall / 24, 0.02f);
   std::map<std::array<int, 4>, Sum> sums;
   std::mutex in_work;
-  crumble(IntoMap{cell / kFine, sums, in_work}, look, model);
-  std::vector<Crumb> list;
+  sample_surfels(IntoMap{cell / kFine, sums, in_work}, look, model);
+  std::vector<Surfel> list;
   for (const auto& [key, sum] : sums) {
     if (sum.of[0] <= 0) continue;
     double total = static_cast<double>(sum.of[0]);

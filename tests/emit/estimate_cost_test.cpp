@@ -1,4 +1,4 @@
-#include "emit/foretell.h"
+#include "emit/estimate_cost.h"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ Preset preset_at(const std::string& path, const std::vector<std::string>& sets =
   return *read_preset(*read_file(FROND_ROOT "/" + path), path, sets);
 }
 
-Foretold foretold_of(const Preset& preset) { return *foretell(preset, preset.film.frames); }
+CostEstimate estimate_of(const Preset& preset) { return *estimate_cost(preset, preset.film.frames); }
 
-TEST(Foretell, IsWithinAFactorOfTwoOfWhatIsWritten) {
+TEST(CostEstimate, IsWithinAFactorOfTwoOfWhatIsWritten) {
   std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
   for (const char* path :
        {"presets/bush.json", "presets/fan.json", "presets/staghorn.json", "presets/tufted.json",
@@ -27,14 +27,14 @@ TEST(Foretell, IsWithinAFactorOfTwoOfWhatIsWritten) {
     SCOPED_TRACE(path);
     // The last frame, in which all is grown.
     Preset preset = preset_at(path);
-    Foretold f = foretold_of(preset);
+    CostEstimate f = estimate_of(preset);
     Scene scene = *build_scene(preset);
     FrameParts parts = prepare_frames(scene);
     auto nodes = static_cast<double>(scene.nodes());
     auto bytes = static_cast<double>(frame_text(scene, parts, layout, preset.film.frames)->size());
     if (ambience_of(scene) && light_changes(scene)) {
       double end = scene.film.time(preset.film.frames);
-      bytes += static_cast<double>(soft_light_text(parts.space, scene, parts.plan.crumbs, end)->size());
+      bytes += static_cast<double>(soft_light_text(parts.space, scene, parts.plan.surfels, end)->size());
     }
     EXPECT_GE(f.nodes, nodes / 2);
     EXPECT_LE(f.nodes, nodes * 2 + 50);
@@ -43,21 +43,21 @@ TEST(Foretell, IsWithinAFactorOfTwoOfWhatIsWritten) {
   }
 }
 
-TEST(Foretell, CountsModelsOfWhatIsSownAndNotTheirCopies) {
+TEST(CostEstimate, CountsModelsOfWhatIsSownAndNotTheirCopies) {
   auto with = [](const char* count) {
-    return foretold_of(preset_at("tests/presets/all_phases.json", {std::string("/organisms/2/count=") + count,
+    return estimate_of(preset_at("tests/presets/all_phases.json", {std::string("/organisms/2/count=") + count,
                                                                    "/organisms/2/sown/where/radius=0.3"}));
   };
-  Foretold few = with("30"), many = with("3000");
+  CostEstimate few = with("30"), many = with("3000");
   EXPECT_EQ(many.copies - few.copies, 2970);
   EXPECT_EQ(many.models, few.models);
   EXPECT_EQ(many.nodes, few.nodes);
   EXPECT_LT(many.scene_memory, 1.1 * few.scene_memory);
 }
 
-TEST(Foretell, RefusesAFilmThatTheDiskCannotHold) {
+TEST(CostEstimate, RefusesAFilmThatTheDiskCannotHold) {
   Preset preset = preset_at("presets/staghorn.json", {"/film/frames=100000"});
-  Foretold f = foretold_of(preset);
+  CostEstimate f = estimate_of(preset);
   Machine machine;
   EXPECT_TRUE(refuse(f, machine).empty());
   machine.disk = 80e9;
@@ -65,10 +65,10 @@ TEST(Foretell, RefusesAFilmThatTheDiskCannotHold) {
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_NE(errors[0].what.find("GB, 100000 frames"), std::string::npos) << errors[0].what;
   EXPECT_NE(errors[0].what.find("80 GB of the disk are free"), std::string::npos) << errors[0].what;
-  EXPECT_TRUE(refuse(*foretell(preset, 24), machine).empty());
+  EXPECT_TRUE(refuse(*estimate_cost(preset, 24), machine).empty());
 }
 
-TEST(Foretell, ReckonsRenderingByPixelsAndQuality) {
+TEST(CostEstimate, ReckonsRenderingByPixelsAndQuality) {
   // Seconds of a processor, measured at 160x90 when it was busy elsewhere, too.
   struct Row {
     const char* preset;
@@ -77,7 +77,7 @@ TEST(Foretell, ReckonsRenderingByPixelsAndQuality) {
   for (const Row& row : {Row{"reef", 4.1, 7.8}, Row{"bush", 1.7, 4.6}, Row{"lsystems/trees-2.6", 2.7, 5.5},
                          Row{"ivy/brick_wall", 2.3, 6.5}}) {
     auto seconds = [&](const char* size, const char* quality) {
-      return foretold_of(
+      return estimate_of(
                  preset_at(std::string("presets/") + row.preset + ".json",
                            {std::string("/film/size=") + size, std::string("/film/quality=") + quality}))
           .render_seconds;
@@ -92,9 +92,9 @@ TEST(Foretell, ReckonsRenderingByPixelsAndQuality) {
   }
 }
 
-TEST(Foretell, RefusesWhatTheMemoryCannotHold) {
+TEST(CostEstimate, RefusesWhatTheMemoryCannotHold) {
   Preset preset = preset_at("presets/lsystems/trees-2.8.json", {"/organisms/0/grammar/steps=14"});
-  Foretold f = foretold_of(preset);
+  CostEstimate f = estimate_of(preset);
   EXPECT_GT(f.nodes, 1e7);
   Machine machine;
   machine.memory = 1e9;
@@ -106,8 +106,8 @@ TEST(Foretell, RefusesWhatTheMemoryCannotHold) {
   EXPECT_TRUE(refuse(f, machine).empty());
 }
 
-TEST(Foretell, WritesFewerFramesAtATimeWhereMemoryIsShort) {
-  Foretold f;
+TEST(CostEstimate, WritesFewerFramesAtATimeWhereMemoryIsShort) {
+  CostEstimate f;
   f.frames = 24;
   f.scene_memory = 1e9;
   f.frame_memory = 2e9;
@@ -119,9 +119,9 @@ TEST(Foretell, WritesFewerFramesAtATimeWhereMemoryIsShort) {
   EXPECT_EQ(f.at_once(machine), 1);
 }
 
-TEST(Foretell, DoesNotGrowAnOldTreeToForeseeIt) {
+TEST(CostEstimate, DoesNotGrowAnOldTreeToEstimateIt) {
   auto nodes = [](const char* years) {
-    return foretold_of(preset_at("presets/trees/oak.json", {std::string("/organisms/0/years=") + years}))
+    return estimate_of(preset_at("presets/trees/oak.json", {std::string("/organisms/0/years=") + years}))
         .nodes;
   };
   double young = nodes("34"), old = nodes("400");
@@ -129,63 +129,63 @@ TEST(Foretell, DoesNotGrowAnOldTreeToForeseeIt) {
   EXPECT_LT(old, 40 * young);
 }
 
-TEST(Foretell, CountsThePixelsOfBark) {
+TEST(CostEstimate, CountsThePixelsOfBark) {
   auto with = [](const char* pixels) {
-    return foretold_of(
+    return estimate_of(
         preset_at("presets/trees/birch.json",
                   {std::string("/organisms/0/coat/pixels=") + pixels, "/organisms/0/years=6"}));
   };
-  Foretold small = with("64"), large = with("4096");
+  CostEstimate small = with("64"), large = with("4096");
   EXPECT_GT(large.seconds() - small.seconds(), 30);
   EXPECT_GT(large.memory(1), 2.5e8);
   EXPECT_GT(large.shared_bytes - small.shared_bytes, 1e7);
 }
 
-TEST(Foretell, CountsTheLayersOfACoralThatGrowsByThem) {
+TEST(CostEstimate, CountsTheLayersOfACoralThatGrowsByThem) {
   auto with = [](const char* up) {
-    return foretold_of(
+    return estimate_of(
         preset_at("presets/species/corals/finger.json", {std::string("/organisms/0/accretion/up=") + up}));
   };
-  Foretold low = with("0.2"), high = with("5");
+  CostEstimate low = with("0.2"), high = with("5");
   EXPECT_LT(low.seconds(), 6);
   EXPECT_GT(high.seconds(), 10 * low.seconds());
   EXPECT_GT(high.memory(1), low.memory(1) + 1e8);
 }
 
-TEST(Foretell, CountsTheVolumeOfFusedBranches) {
+TEST(CostEstimate, CountsTheVolumeOfFusedBranches) {
   auto with = [](const char* body) {
-    return foretold_of(
+    return estimate_of(
         preset_at("presets/fused.json", {std::string("/organisms/0/body={\"build\": ") + body + "}"}));
   };
-  Foretold sweeps = with(R"("sweeps")"), fused = with(R"("fused", "voxel": 0.004)"),
-           finer = with(R"("fused", "voxel": 0.002)");
+  CostEstimate sweeps = with(R"("sweeps")"), fused = with(R"("fused", "voxel": 0.004)"),
+               finer = with(R"("fused", "voxel": 0.002)");
   EXPECT_GT(fused.frame_seconds, sweeps.frame_seconds + 0.5);
   EXPECT_GT(finer.frame_seconds, 2 * fused.frame_seconds);
   EXPECT_GT(finer.frame_bytes, 2 * fused.frame_bytes);
 }
 
-TEST(Foretell, CountsThePictureOfCaustics) {
+TEST(CostEstimate, CountsThePictureOfCaustics) {
   auto with = [](const char* caustics) {
-    return foretold_of(preset_at("presets/reef/starfish.json",
+    return estimate_of(preset_at("presets/reef/starfish.json",
                                  {std::string("/scene/water/caustics=") + caustics, "/film/frames=10"}));
   };
-  Foretold none = with("0"), some = with("1");
+  CostEstimate none = with("0"), some = with("1");
   EXPECT_LT(none.frame_bytes, some.frame_bytes);
   EXPECT_LT(none.frame_seconds, some.frame_seconds);
   EXPECT_LT(none.render_seconds, some.render_seconds);
 }
 
-TEST(Foretell, AnswersOfAHundredThousandSteps) {
+TEST(CostEstimate, AnswersOfAHundredThousandSteps) {
   // The word grows by a module a step, so that all of them have five thousand million.
-  Foretold f = foretold_of(
+  CostEstimate f = estimate_of(
       preset_at("presets/lsystems/koch-1.6.json", {R"(/organisms/0/grammar={"axiom": "A", "steps": 100000,
                                        "rules": ["A -> FA"]})"}));
   EXPECT_EQ(f.modules, 100001);
   EXPECT_GT(f.seconds(), 60);
 }
 
-TEST(Foretell, CountsNoMoreFramesAtATimeThanThereAre) {
-  Foretold f;
+TEST(CostEstimate, CountsNoMoreFramesAtATimeThanThereAre) {
+  CostEstimate f;
   f.frame_memory = 1e6;
   f.frames = 2;
   Machine machine{1e12, 1e12, 16};
@@ -194,9 +194,9 @@ TEST(Foretell, CountsNoMoreFramesAtATimeThanThereAre) {
   EXPECT_EQ(f.at_once(machine), 10);
 }
 
-TEST(Foretell, AnOldTreeHasDroppedItsLeavesAndTwigs) {
+TEST(CostEstimate, AnOldTreeHasDroppedItsLeavesAndTwigs) {
   auto nodes = [](const char* lifespan) {
-    Foretold f = foretold_of(
+    CostEstimate f = estimate_of(
         preset_at("presets/trees/dead_tree.json", {std::string("/organisms/0/habit/lifespan=") + lifespan}));
     return std::pair{f.nodes, f.organs};
   };
@@ -204,19 +204,19 @@ TEST(Foretell, AnOldTreeHasDroppedItsLeavesAndTwigs) {
   EXPECT_LT(nodes("34").first, 0.3 * nodes("60").first);
 }
 
-TEST(Foretell, AViewHasNoLightAndNoText) {
+TEST(CostEstimate, AViewHasNoLightAndNoText) {
   // What takes longer than this opens with a question (PATIENCE of the page).
   constexpr double kPatience = 8;
   for (const char* path : {"presets/trees/oak.json", "presets/lsystems/plants-1.24.json", "presets/bush.json",
                            "presets/forest/sapling.json", "presets/trees/birch.json", "presets/aspen.json"}) {
-    ViewTold view = *foretell_view(preset_at(path));
+    ViewCostEstimate view = *estimate_view_cost(preset_at(path));
     EXPECT_LT(view.wait(2), kPatience) << path;
     EXPECT_TRUE(refuse(view, Machine{4e9, 1, 2}).empty()) << path;
   }
-  EXPECT_GT(foretell_view(preset_at("presets/forest.json"))->wait(1), kPatience);
+  EXPECT_GT(estimate_view_cost(preset_at("presets/forest.json"))->wait(1), kPatience);
   Machine small;
   small.memory = 1e7;
-  EXPECT_EQ(refuse(*foretell_view(preset_at("presets/bush.json")), small).size(), 1u);
+  EXPECT_EQ(refuse(*estimate_view_cost(preset_at("presets/bush.json")), small).size(), 1u);
 }
 
 }  // namespace

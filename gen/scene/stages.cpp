@@ -1,0 +1,205 @@
+#include "scene/stages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <utility>
+
+#include "core/content.h"
+#include "core/parallel.h"
+#include "organisms/kinds.h"
+#include "preset/json.h"
+#include "scene/settle.h"
+#include "scene/specimen_cache.h"
+
+namespace frond {
+
+namespace {
+
+/// Grows the beds of a scene stage by stage and adds them to the world.
+class SceneBuilder {
+ public:
+  SceneBuilder(const Preset& preset, const Watch& watch, SpecimenCache* cache, const EntryFilter& only,
+               const Surface& floor)
+      : preset_(preset), watch_(watch), cache_(cache), only_(only) {
+    if (!cache_) return;
+    std::string_view land(reinterpret_cast<const char*>(floor.position.data()),
+                          floor.position.size() * sizeof(Vec3));
+    land_ = content_id(land);
+    surroundings_ =
+        fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.stage.setting);
+  }
+
+  Errors grow_all(const std::vector<Bed>& beds, World& world) {
+    for (GrowthStage stage : {GrowthStage::free, GrowthStage::in_space, GrowthStage::in_light,
+                              GrowthStage::creeping, GrowthStage::swimming}) {
+      std::vector<Bed> growing;
+      std::ranges::copy_if(beds, std::back_inserter(growing),
+                           [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
+      if (leaves_out(stage, growing)) continue;
+      if (stage == GrowthStage::in_space) {
+        if (Errors errors = settle_colonies(growing, world, grown.notes); !errors.empty())
+          return placed(errors, "");
+        for (const Bed& bed : growing)  // those that found no room are done
+          for (std::size_t i = bed.plantings.size(); i < steps_of(bed); ++i) watch_.step();
+      }
+      if (Errors errors = grow_stage(stage, growing, world); !errors.empty()) return errors;
+    }
+    return {};
+  }
+
+  GrownStages grown;
+
+ private:
+  bool wants(const std::vector<Bed>& beds) const {
+    return !only_ || std::ranges::any_of(beds, [&](const Bed& bed) { return only_->contains(bed.entry); });
+  }
+
+  void leave_out(const std::vector<Bed>& beds) {
+    for (const Bed& bed : beds) grown.missing.push_back(bed.entry);
+  }
+
+  /// What stands for a stage that has grown among all that is there now.
+  std::string among(GrowthStage stage) const {
+    return content_id(fmt::format("{} stage {}", surroundings_, static_cast<int>(stage)));
+  }
+
+  /// With a filter, a stage of which nothing is wanted and nothing can have grown before. Where some of an
+  /// earlier one are missing, nobody knows what others would stand on.
+  bool leaves_out(GrowthStage stage, const std::vector<Bed>& beds) {
+    if (!only_ || !cache_ || beds.empty() || stage == GrowthStage::free) return false;
+    if (grown.missing.empty() && (wants(beds) || cache_->find(among(stage)))) return false;
+    leave_out(beds);
+    return true;
+  }
+
+  Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
+    std::vector<std::vector<Bed>> groups;
+    // Each by itself, whatever grows beside it, or by what its rivals claim.
+    if (cache_ && (stage == GrowthStage::free || stage == GrowthStage::in_space))
+      for (const Bed& bed : beds) groups.push_back({bed});
+    else
+      groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });
+    std::vector<std::string> keys(groups.size());
+    if (cache_)
+      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g], stage, world.territories());
+    if (cache_ && !only_ && !beds.empty()) cache_->keep(among(stage), {});
+    std::vector<std::vector<Specimen>> specimens(groups.size());
+    std::vector<Errors> errors(groups.size());
+    std::vector<char> fresh(groups.size()), left_out(groups.size());
+    parallel_for(groups.size(), [&](std::size_t g) {
+      fresh[g] = !take_grown(keys[g], world, specimens[g]);
+      left_out[g] = fresh[g] && !wants(groups[g]);
+      if (fresh[g] && !left_out[g]) errors[g] = grow(groups[g], world, keys[g], specimens[g]);
+    });
+    std::vector<Specimen> all;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (!errors[g].empty()) return errors[g];
+      if (left_out[g]) leave_out(groups[g]), fresh[g] = false;
+      std::ranges::move(specimens[g], std::back_inserter(all));
+      for (const Bed& bed : groups[g]) {
+        if (fresh[g]) grown.entries.push_back(bed.entry);
+        if (cache_) grown.origins[bed.entry] = keys[g] + land_;
+      }
+    }
+    if (cache_) grown.names.insert(grown.names.end(), keys.begin(), keys.end());
+    // What comes later grows among all of these.
+    for (const std::string& key : keys) surroundings_ += key;
+    std::ranges::stable_sort(all, {}, &Specimen::entry);
+    world.add(std::move(all));
+    return {};
+  }
+
+  /// What has grown on other land stands on this one: at the same feet, and only its leaves fall elsewhere.
+  bool take_grown(const std::string& key, const World& world, std::vector<Specimen>& specimens) {
+    auto kept = cache_ ? cache_->find(key) : nullptr;
+    if (!kept || std::ranges::any_of(*kept, [](const auto& s) { return s.model.solids.follow_ground; }))
+      return false;
+    specimens = *kept;
+    for (Specimen& s : specimens)
+      if (s.life.ground) s.life.ground = world.ground();
+    return true;
+  }
+
+  Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
+              std::vector<Specimen>& specimens) {
+    if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
+    std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i]) return placed(all[i].errors(), fmt::format("/organisms/{}", entry_of(beds, i)));
+      assert(all[i]->model.check().empty() && "before others build on it");
+      specimens.push_back(std::move(*all[i]));
+    }
+    if (cache_) cache_->keep(key, specimens);
+    return {};
+  }
+
+  /// The entry that the i-th of what some beds have grown belongs to.
+  static std::size_t entry_of(const std::vector<Bed>& beds, std::size_t i) {
+    for (const Bed& bed : beds) {
+      std::size_t count = finds_its_way(bed.organism->grower->stage()) ? 1 : bed.plantings.size();
+      if (i < count) return bed.entry;
+      i -= count;
+    }
+    return beds.back().entry;
+  }
+
+  /// Errors whose `where` is a pointer below another one, at their places in the preset. What names a file
+  /// keeps it.
+  Errors placed(Errors errors, const std::string& below) const {
+    for (Error& error : errors)
+      if (error.where.empty() || (error.where[0] == '/' && error.where.find(':') == error.where.npos))
+        error = fault_at(preset_, below + error.where, error.what);
+    return errors;
+  }
+
+  /// All that the specimens of some beds depend on. Of the land, what stands by itself takes the height of
+  /// its foot alone.
+  std::string key_of(const std::vector<Bed>& beds, GrowthStage stage, const Territories& territories) const {
+    std::string text = surroundings_;
+    if (stage == GrowthStage::creeping || stage == GrowthStage::in_space) text += land_;
+    const Value* written = preset_.written->find("organisms");
+    for (const Bed& bed : beds) {
+      text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, serialize(written->items[bed.entry]),
+                          bed.organism->text);
+      for (const Planting& p : bed.plantings) {
+        text += fmt::format(" {} {} {} {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z, p.normal.x,
+                            p.normal.y, p.normal.z);
+        if (p.claim >= territories.size()) continue;
+        for (std::size_t rival : territories.rivals(p.claim)) {
+          const Claim& c = territories.claim(rival);
+          text += fmt::format(" {} {} {} {} {}", c.foot.x, c.foot.y, c.foot.z, c.across, c.up);
+        }
+      }
+    }
+    return content_id(text);
+  }
+
+  const Preset& preset_;
+  const Watch& watch_;
+  SpecimenCache* cache_;
+  const EntryFilter& only_;
+  std::string land_;          // a hash of it
+  std::string surroundings_;  // all that organisms grow in so far, but for the land
+};
+
+}  // namespace
+
+std::size_t steps_of(const Bed& bed) {
+  const Organism& organism = *bed.organism;
+  if (finds_its_way(organism.grower->stage())) return 1;
+  std::size_t to_come = organism.place.on.empty() ? 0 : static_cast<std::size_t>(organism.count);
+  return std::max(bed.plantings.size(), to_come);
+}
+
+Result<GrownStages> grow_stages(const Preset& preset, const std::vector<Bed>& beds, const Surface& floor,
+                                const Watch& watch, SpecimenCache* cache, const EntryFilter& only,
+                                World& world) {
+  SceneBuilder builder(preset, watch, cache, only, floor);
+  if (Errors errors = builder.grow_all(beds, world); !errors.empty()) return errors;
+  return std::move(builder.grown);
+}
+
+}  // namespace frond
