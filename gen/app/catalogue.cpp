@@ -10,7 +10,7 @@
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/printable.h"
-#include "emit/estimate_cost.h"
+#include "estimate/estimate_cost.h"
 #include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"

@@ -6,8 +6,8 @@
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/parallel.h"
-#include "emit/estimate_cost.h"
-#include "emit/film_files.h"
+#include "estimate/estimate_cost.h"
+#include "film/film_files.h"
 #include "emit/include.h"
 #include "settings/settings.h"
 

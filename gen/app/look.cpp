@@ -7,7 +7,7 @@
 #include "app/messages.h"
 #include "app/streams.h"
 #include "core/files.h"
-#include "emit/quick_look.h"
+#include "preview/quick_look.h"
 #include "scene/sizes.h"
 
 // What a preset is going to look like: look.

@@ -10,7 +10,7 @@
 #include "core/parallel.h"
 #include "core/text.h"
 #include "emit/copy_models.h"
-#include "emit/eyes.h"
+#include "draw/eyes.h"
 #include "emit/solid.h"
 #include "motion/motion.h"
 

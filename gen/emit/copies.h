@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "emit/levels.h"
+#include "draw/levels.h"
 #include "emit/pov.h"
 
 namespace frond {

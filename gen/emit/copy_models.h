@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emit/levels.h"
+#include "draw/levels.h"
 #include "emit/pov.h"
 
 namespace frond {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/vec.h"
-#include "emit/sweep.h"
+#include "draw/sweep.h"
 #include "model/surface.h"
 
 namespace frond {

@@ -47,14 +47,6 @@ std::string setting_text(const Scene& scene, double time) {
 
 bool has_pictures(const Stage& stage) { return text_of(stage).pictures; }
 
-bool has_soft_light(const Stage& stage) { return drawn_daylight(stage).soft; }
-
-std::optional<Ambience> ambience_of(const Scene& scene) {
-  Daylight light = drawn_daylight(scene.stage);
-  if (!light.soft) return std::nullopt;
-  return Ambience{light.sun, light.sunlight, light.above, light.aside, light.below, light.thrown_back};
-}
-
 Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time) {
   const SettingText& text = text_of(scene.stage);
   return text.pictures ? text.pictures(scene, time) : std::vector<Picture>();

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "emit/pov.h"
-#include "light/light.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -29,10 +28,6 @@ std::string setting_text(const Scene& scene, double time);
 Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time);
 /// Whether its light may be a picture that each frame has of its own, as that through waves is.
 bool has_pictures(const Stage& stage);
-/// Whether light comes from all around there, and not from lamps alone.
-bool has_soft_light(const Stage& stage);
-/// What shines on a scene; none where there are lamps.
-std::optional<Ambience> ambience_of(const Scene& scene);
 std::string ground_text(const PovSpace& space, const Scene& scene);
 
 }  // namespace frond

@@ -17,7 +17,7 @@
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
-#include "emit/film_files.h"
+#include "film/film_files.h"
 #include "jobs/jobs.h"
 extern char** environ;
 

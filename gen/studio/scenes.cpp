@@ -9,8 +9,8 @@
 
 #include "core/content.h"
 #include "core/machine.h"
-#include "emit/estimate_cost.h"
-#include "emit/quick_look.h"
+#include "estimate/estimate_cost.h"
+#include "preview/quick_look.h"
 #include "grammar/forecast.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"

@@ -1,7 +1,7 @@
 #include <array>
 #include <map>
 
-#include "emit/sweep.h"
+#include "draw/sweep.h"
 #include "export/export_scene.h"
 #include "export/look.h"
 #include "geometry/far.h"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
-#include "emit/sweep.h"
+#include "draw/sweep.h"
 #include "export/look.h"
 #include "motion/unfold.h"
 #include "studio/view.h"

@@ -1,12 +1,12 @@
-#include "emit/focus.h"
+#include "draw/focus.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "emit/camera.h"
-#include "emit/texts.h"
 #include "scene/camera.h"
+#include "scene_at.h"
 
 namespace frond {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "draw/ambience.h"
 #include "emit/setting_parts.h"
 #include "emit/texts.h"
 #include "settings/settings.h"

@@ -4,12 +4,9 @@
 
 #include "core/files.h"
 #include "emit/frame.h"
+#include "scene_at.h"
 
 namespace frond {
-
-inline Scene scene_at(const std::string& path) {
-  return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {}));
-}
 
 /// The text of a frame in the layout of all.
 inline std::string text_of(const Scene& scene, int frame) {

@@ -1,4 +1,4 @@
-#include "emit/eyes.h"
+#include "draw/eyes.h"
 
 #include <cmath>
 

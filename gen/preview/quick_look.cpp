@@ -1,4 +1,4 @@
-#include "emit/quick_look.h"
+#include "preview/quick_look.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +10,7 @@
 #include "core/bounds.h"
 #include "core/linear.h"
 #include "core/parallel.h"
-#include "emit/surfel_sampler.h"
+#include "draw/surfel_sampler.h"
 #include "scene/camera.h"
 #include "settings/settings.h"
 

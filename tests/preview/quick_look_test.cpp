@@ -1,10 +1,10 @@
-#include "emit/quick_look.h"
+#include "preview/quick_look.h"
 
 #include <gtest/gtest.h>
 
-#include "emit/texts.h"
 #include "scene/camera.h"
 #include "scene/sizes.h"
+#include "scene_at.h"
 
 namespace frond {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "emit/surfels.h"
+#include "draw/surfels.h"
 
 namespace frond {
 

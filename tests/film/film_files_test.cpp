@@ -1,4 +1,4 @@
-#include "emit/film_files.h"
+#include "film/film_files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "emit/focus.h"
+#include "draw/focus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "emit/surfel_sampler.h"
+#include "draw/surfel_sampler.h"
 #include "scene/camera.h"
 
 namespace frond {

@@ -1,4 +1,4 @@
-#include "emit/film_files.h"
+#include "film/film_files.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,10 +11,11 @@
 #include "core/frame_name.h"
 #include "core/growing_file.h"
 #include "core/parallel.h"
-#include "emit/model_summary.h"
+#include "draw/ambience.h"
 #include "emit/setting.h"
-#include "emit/soft_light.h"
 #include "emit/solid.h"
+#include "film/model_summary.h"
+#include "film/soft_light.h"
 #include "images/whole.h"
 
 namespace frond {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "emit/surfels.h"
+#include "draw/surfels.h"
 #include "light/light.h"
 #include "scene/copies.h"
 

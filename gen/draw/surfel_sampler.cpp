@@ -1,4 +1,4 @@
-#include "emit/surfel_sampler.h"
+#include "draw/surfel_sampler.h"
 
 namespace frond {
 

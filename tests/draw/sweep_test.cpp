@@ -1,4 +1,4 @@
-#include "emit/sweep.h"
+#include "draw/sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "emit/levels.h"
+#include "draw/levels.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "core/bounds.h"
 #include "core/parallel.h"
-#include "emit/eyes.h"
-#include "emit/setting.h"
+#include "draw/ambience.h"
+#include "draw/eyes.h"
 
 namespace frond {
 

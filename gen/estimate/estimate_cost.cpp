@@ -1,4 +1,4 @@
-#include "emit/estimate_cost.h"
+#include "estimate/estimate_cost.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <string>
 
 #include "core/figures.h"
-#include "emit/estimate_ground_cost.h"
-#include "emit/levels.h"
+#include "draw/levels.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
+#include "estimate/estimate_ground_cost.h"
 #include "field/volume.h"
 #include "organisms/organism.h"
 #include "scene/bounds.h"

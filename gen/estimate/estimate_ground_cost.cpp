@@ -1,11 +1,12 @@
-#include "emit/estimate_ground_cost.h"
+#include "estimate/estimate_ground_cost.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "draw/ambience.h"
 #include "emit/pov.h"
 #include "emit/setting.h"
-#include "emit/soft_light.h"
+#include "film/soft_light.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
 #include "settings/settings.h"

@@ -4,7 +4,7 @@
 #include <regex>
 
 #include "emit/copies.h"
-#include "emit/film_files.h"
+#include "film/film_files.h"
 #include "scene/scene.h"
 
 namespace frond {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "draw/surfels.h"
 #include "emit/pov.h"
-#include "emit/surfels.h"
 #include "light/light.h"
 #include "scene/scene.h"
 

@@ -1,4 +1,4 @@
-#include "emit/soft_light.h"
+#include "film/soft_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "core/text.h"
-#include "emit/eyes.h"
-#include "emit/setting.h"
-#include "emit/surfel_sampler.h"
+#include "draw/ambience.h"
+#include "draw/eyes.h"
+#include "draw/surfel_sampler.h"
 
 namespace frond {
 

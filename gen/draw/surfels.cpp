@@ -1,10 +1,10 @@
-#include "emit/surfels.h"
+#include "draw/surfels.h"
 
 #include <cmath>
 #include <map>
 #include <mutex>
 
-#include "emit/surfel_sampler.h"
+#include "draw/surfel_sampler.h"
 
 namespace frond {
 

@@ -1,4 +1,4 @@
-#include "emit/model_summary.h"
+#include "film/model_summary.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,11 +1,12 @@
-#include "emit/estimate_cost.h"
+#include "estimate/estimate_cost.h"
 
 #include <gtest/gtest.h>
 
 #include "core/files.h"
+#include "draw/ambience.h"
 #include "emit/frame.h"
 #include "emit/setting.h"
-#include "emit/soft_light.h"
+#include "film/soft_light.h"
 
 namespace frond {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "emit/estimate_cost.h"
+#include "estimate/estimate_cost.h"
 
 namespace frond {
 

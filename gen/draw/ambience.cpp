@@ -1,0 +1,15 @@
+#include "draw/ambience.h"
+
+#include "settings/settings.h"
+
+namespace frond {
+
+bool has_soft_light(const Stage& stage) { return drawn_daylight(stage).soft; }
+
+std::optional<Ambience> ambience_of(const Scene& scene) {
+  Daylight light = drawn_daylight(scene.stage);
+  if (!light.soft) return std::nullopt;
+  return Ambience{light.sun, light.sunlight, light.above, light.aside, light.below, light.thrown_back};
+}
+
+}  // namespace frond
