@@ -6,9 +6,9 @@
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "emit/include.h"
 #include "estimate/estimate_cost.h"
 #include "film/film_files.h"
-#include "emit/include.h"
 #include "settings/settings.h"
 
 // A scene as an include for POV-Ray: export to an .inc.

@@ -9,8 +9,8 @@
 
 #include "core/parallel.h"
 #include "core/text.h"
-#include "emit/copy_models.h"
 #include "draw/eyes.h"
+#include "emit/copy_models.h"
 #include "emit/solid.h"
 #include "motion/motion.h"
 

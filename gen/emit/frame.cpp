@@ -10,11 +10,11 @@
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
+#include "draw/eyes.h"
+#include "draw/focus.h"
 #include "emit/body.h"
 #include "emit/camera.h"
 #include "emit/copies.h"
-#include "draw/eyes.h"
-#include "draw/focus.h"
 #include "emit/plant.h"
 #include "emit/polyps.h"
 #include "emit/setting.h"
@@ -205,7 +205,7 @@ Result<FrameCount> write_branches(const PovSpace& space, const Specimen& b, std:
   if (!wood) return wood.errors();
   FrameCount count{0, *wood + write_foliage(space, b, pose, time, under_name)};
   if (b.look.skin && b.look.skin->polyps.width > 0) {
-    ObjectText polyps = branch_polyps_text(space, b, pose, time, eye);
+    ObjectText polyps = polyps_text(space, drawn_branch_polyps(b, pose, eye), time);
     under_name(polyps.text);
     count.objects += polyps.objects;
   }
@@ -229,7 +229,8 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
   }
   const Specimen& now = changed ? *changed : b;
   ObjectText bodies = growing_solids_text(parts.space, solids, b.motion.growth, time);
-  bodies += polyps_text(parts.space, solids, parts.polyps[i], b.motion.growth, time, eye);
+  for (const DrawnPolyps& polyps : drawn_polyps(solids, parts.polyps[i], b.motion.growth, time, eye))
+    bodies += polyps_text(parts.space, polyps, time);
   if (b.life.develop) bodies += developed_solids_text(parts.space, now.model.solids, i);
   out(bodies.text);
   Result<FrameCount> count = write_branches(parts.space, now, parts.first_skin[i], eye, time, out);

@@ -8,15 +8,14 @@
 #include <span>
 
 #include "core/text.h"
+#include "draw/organs.h"
 #include "motion/unfold.h"
 
 namespace frond {
 
 namespace {
 
-constexpr std::size_t kLeafShades = 3;     // of each colour, so that leaves differ
 constexpr std::size_t kPiece = 1'000'000;  // bytes that are handed on at once
-constexpr std::size_t kSteps = 8;          // from the colour of a bud to that of the leaf
 
 constexpr const char* kTissueMacros[] = {"Plant_Leaf",  "Plant_Petal", "Plant_Heart",
                                          "Plant_Fruit", "Plant_Fruit", "Ivy_Leaf"};
@@ -51,110 +50,39 @@ void append_tissue(std::string& text, Tissue tissue, const Color& color, const C
   if (tissue == Tissue::ivy) text += "interior_texture{" + look("Ivy_Under", color, second, shade) + '}';
 }
 
-/// The colour of an organ that has come `step` of kSteps on its way from the bud.
-Color unfolding_color(const Prototype& prototype, std::size_t color, std::size_t step) {
-  const Color& last = prototype.colors[color];
-  if (!prototype.bud) return last;
-  float share = static_cast<float>(step + 1) / static_cast<float>(kSteps);
-  auto mix = [&](float from, float to) { return from + (to - from) * share; };
-  return {mix(prototype.bud->red, last.red), mix(prototype.bud->green, last.green),
-          mix(prototype.bud->blue, last.blue)};
-}
-
-std::size_t steps_of(const Prototype& prototype) { return prototype.bud ? kSteps : 1; }
-
 /// Of the picture of a leaf.
 std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
   return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
 }
 
-std::size_t shade_of(std::size_t i) { return Seed{i}.bits() % kLeafShades; }
-
-void append_placement(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
-                      std::size_t i, float size, double time) {
-  const Organs& o = b.model.organs;
-  Quat turn = organ_turn(pose, o, i);
-  float flutter = pose.flutter * (o.loose.empty() ? 1 : 1 - o.loose[i]);
-  if (flutter > 0) {
-    float phase = pose.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
-    turn = turn * glm::angleAxis(flutter * std::sin(phase), Vec3(1, 0, 0)) *
-           glm::angleAxis(0.7f * flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
-  }
-  if (!o.supple.empty())
-    turn =
-        turn * fluttering(b.motion.flutter, b.motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
-  glm::mat3 frame = glm::mat3_cast(turn);
-  for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * size;
-  if (append_matrix(text, space, frame, organ_place(b.model.skeleton, pose, o, i))) text += "}\n";
-}
-
-/// The organs in the order of their buckets: by prototype, colour, step of unfolding and shade.
-struct Buckets {
-  std::vector<std::size_t> first_of;  // bucket of each prototype
-  std::vector<std::size_t> begin;     // of each bucket in `organ`, and of one behind the last
-  std::vector<std::uint32_t> organ;
-};
-
-Buckets buckets_of(const Specimen& b, const Pose& pose) {
-  constexpr auto kNone = static_cast<std::uint32_t>(-1);
-  Buckets buckets;
-  std::size_t count = 0, n = b.model.organs.size();
-  for (const Prototype& p : b.model.prototypes) {
-    buckets.first_of.push_back(count);
-    count += p.colors.size() * steps_of(p) * kLeafShades;
-  }
-  std::vector<std::uint32_t> bucket(n, kNone);
-  buckets.begin.assign(count + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    float size = unfolded(b.model.organs.birth[i], pose.front, unfold_time(b.motion));
-    if (size < kUnfoldedLeast) continue;
-    std::size_t which = b.model.organs.prototype[i], steps = steps_of(b.model.prototypes[which]);
-    std::size_t color = color_index(b.model.organs.color[i], b.model.prototypes[which].colors.size());
-    // Colour lags behind size: a leaf is fully grown before it is dark.
-    auto step = std::min(static_cast<std::size_t>(size * size * static_cast<float>(steps)), steps - 1);
-    std::size_t at =
-        buckets.first_of[which] + (color * steps + step) * kLeafShades + shade_of(b.model.organs.id[i]);
-    bucket[i] = static_cast<std::uint32_t>(at);
-    ++buckets.begin[at + 1];
-  }
-  for (std::size_t k = 0; k < count; ++k) buckets.begin[k + 1] += buckets.begin[k];
-  buckets.organ.resize(buckets.begin[count]);
-  std::vector<std::size_t> next = buckets.begin;
-  for (std::size_t i = 0; i < n; ++i)
-    if (bucket[i] != kNone) buckets.organ[next[bucket[i]]++] = static_cast<std::uint32_t>(i);
-  return buckets;
-}
-
-/// Bucket k of a prototype: each line is made once and used by all its parts. Gives how many objects it is.
-std::size_t write_bucket(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
-                         std::size_t p, std::size_t k, std::span<const std::uint32_t> organs,
-                         const Out& out) {
-  const Prototype& prototype = b.model.prototypes[p];
-  std::size_t steps = steps_of(prototype);
+/// A group of organs: each line is made once and used by all parts. Gives how many objects it is.
+std::size_t write_group(const PovSpace& space, const Specimen& b, const DrawnOrgans& drawn,
+                        const OrganGroup& group, const Out& out) {
+  const Prototype& prototype = b.model.prototypes[group.prototype];
   std::string lines;
-  for (std::uint32_t i : organs) {
-    float size = unfolded(b.model.organs.birth[i], pose.front, unfold_time(b.motion));
-    append_placement(lines, space, b, pose, i, size, time);
+  for (std::uint32_t i : drawn.organs(group)) {
+    OrganPlace place = drawn.place(i);
+    glm::mat3 frame = glm::mat3_cast(place.turn);
+    for (int axis = 0; axis < 3; ++axis) frame[axis] *= place.scale[axis];
+    if (append_matrix(lines, space, frame, place.at)) lines += "}\n";
   }
   if (lines.empty()) return 0;
-  Color color = unfolding_color(prototype, k / kLeafShades / steps, k / kLeafShades % steps);
   std::string text;
   for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
     text += group_opening(lines);
     for (std::size_t from = 0; from < lines.size();) {
       std::size_t to = lines.find('\n', from) + 1;
       text += "object{";
-      append_organ_name(text, b.entry, p, part);
+      append_organ_name(text, b.entry, group.prototype, part);
       text += ' ';
       text.append(lines, from, to - from);
       from = to;
       if (text.size() > kPiece) out(text), text.clear();
     }
     if (!prototype.parts[part].pictures.empty())
-      text += picture_look(prototype.parts[part].pictures[k / kLeafShades / steps], k % kLeafShades,
-                           prototype.luster);
+      text += picture_look(prototype.parts[part].pictures[group.color], group.shade, prototype.luster);
     else
-      append_tissue(text, prototype.parts[part].tissue, color, prototype.second, k % kLeafShades,
+      append_tissue(text, prototype.parts[part].tissue, group.tint, prototype.second, group.shade,
                     prototype.luster);
     text += "}\n";
   }
@@ -164,15 +92,9 @@ std::size_t write_bucket(const PovSpace& space, const Specimen& b, const Pose& p
 
 std::size_t write_organs(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
                          const Out& out) {
+  DrawnOrgans drawn(b, pose, time);
   std::size_t objects = 0;
-  Buckets buckets = buckets_of(b, pose);
-  for (std::size_t p = 0; p < b.model.prototypes.size(); ++p)
-    for (std::size_t k = 0;
-         k < b.model.prototypes[p].colors.size() * steps_of(b.model.prototypes[p]) * kLeafShades; ++k) {
-      std::size_t at = buckets.first_of[p] + k, from = buckets.begin[at];
-      objects += write_bucket(space, b, pose, time, p, k,
-                              std::span(buckets.organ).subspan(from, buckets.begin[at + 1] - from), out);
-    }
+  for (const OrganGroup& group : drawn.groups) objects += write_group(space, b, drawn, group, out);
   return objects;
 }
 
@@ -184,7 +106,7 @@ std::size_t write_blades(const PovSpace& space, const Specimen& b, const Pose& p
     Surface surface =
         posed_blades(b.model.skeleton, pose, b.model.blades, b.motion.growth.ripen, [&](std::size_t i) {
           return color_index(b.model.blades.color[i], look.colors.size()) == k / kLeafShades &&
-                 shade_of(b.model.blades.id[i]) == k % kLeafShades;
+                 leaf_shade(b.model.blades.id[i]) == k % kLeafShades;
         });
     if (!has_faces(surface)) continue;
     std::string text = "object{";

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "core/bounds.h"
-#include "core/parallel.h"
 #include "core/text.h"
-#include "geometry/far.h"
 #include "motion/motion.h"
 
 namespace frond {
@@ -167,24 +164,6 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
   return append_matrix(text, space, frame, solids.position[i]);
 }
 
-/// Whether a film sees it grow.
-bool is_growing(const Solid& solid, const Growth& growth) {
-  return !solid.past.empty() && growth.duration > 0;
-}
-
-constexpr double kSidePixels[] = {2.2, 1.5, 1.0};  // that a triangle is long, at each quality
-
-/// How many pixels a metre is where the camera comes nearest to a place over the film.
-double nearest_pixels(const Film& film, const Camera& camera, Vec3 middle, float reach) {
-  double most = 0;
-  for (int frame = 1; frame <= film.frames; ++frame) {
-    double time = film.time(frame);
-    double away = std::max(0.05f, glm::distance(camera.location.at(time), middle) - reach);
-    most = std::max(most, film.size[0] / (2 * away * std::tan(radians(camera.angle.at(time)) / 2)));
-  }
-  return most;
-}
-
 void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, std::size_t organism,
                   std::size_t shape) {
   std::string lines, &text = all.text;
@@ -193,7 +172,7 @@ void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, 
   if (count == 0) return;
   const Solid& solid = solids.shapes[shape];
   bool own = count <= kOwnTextures;
-  if (lives(solid.material)) append_front(text, 1);
+  if (lives(solid.material.matter)) append_front(text, 1);
   text += "#declare ";
   append_solid_name(text, organism, shape);
   text += " = ";
@@ -229,38 +208,10 @@ void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, 
 
 }  // namespace
 
-bool lives(const Material& material) { return row_of(material.matter).include == "reef"; }
-
-double drawn_edge(const Film& film, const Camera& camera, Vec3 middle, float reach) {
-  return kSidePixels[static_cast<std::size_t>(film.quality)] / nearest_pixels(film, camera, middle, reach);
-}
-
-Solid with_edges(const Solid& solid, double edge) {
-  auto triangles = static_cast<std::size_t>(area(solid.surface) / (0.43 * edge * edge));
-  if (triangles >= solid.surface.triangle.size()) return solid;
-  std::vector<std::uint32_t> kept;
-  Solid less{reduced(solid.surface, std::max<std::size_t>(triangles, 400), &kept), solid.material};
-  if (kept.empty()) return solid;
-  for (const std::vector<Vec3>& step : solid.past) {
-    std::vector<Vec3>& places = less.past.emplace_back();
-    for (std::uint32_t v : kept) places.push_back(step[v]);
-  }
-  for (std::uint32_t v : solid.light.empty() ? std::vector<std::uint32_t>() : kept)
-    less.light.push_back(solid.light[v]);
-  return less;
-}
-
 void append_front(std::string& text, double front) {
   text += "#declare Reef_Front = ";
   append(text, std::min(front, 1.0), 4);
   text += ";\n";
-}
-
-Surface with_light_uv(Surface skin, const Solid& solid) {
-  Matter m = solid.material.matter;
-  for (std::size_t v = 0; lives(solid.material) && m != Matter::reef && v < skin.uv.size(); ++v)
-    skin.uv[v][m == Matter::meander ? 1 : 0] = solid.light.empty() ? 1 : solid.light[v];
-  return skin;
 }
 
 std::string material_text(const Material& material) {
@@ -281,31 +232,6 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
-}
-
-DrawnSolids drawn_solids(const Scene& scene) {
-  DrawnSolids drawn(scene.specimens.size());
-  parallel_for(drawn.size(), [&](std::size_t i) {
-    const Solids& solids = scene.specimens[i].model.solids;
-    for (std::size_t k = 0; k < solids.size(); ++k) {
-      const Solid& solid = solids.shapes[solids.shape[k]];
-      if (!lives(solid.material)) continue;
-      Bounds box;
-      for (const Vec3& p : solid.surface.position) box.take(solids.placed(k, p));
-      double edge = drawn_edge(scene.film, scene.stage.camera, box.middle(), glm::length(box.size()) / 2) /
-                    solids.scale[k].x;
-      Solid coarse = with_edges(solid, edge);
-      if (coarse.surface.triangle.size() == solid.surface.triangle.size()) continue;
-      if (!drawn[i]) drawn[i] = solids;
-      drawn[i]->shapes[solids.shape[k]] = std::move(coarse);
-    }
-  });
-  return drawn;
-}
-
-const Solids& solids_of(const DrawnSolids& drawn, const Scene& scene, std::size_t organism) {
-  return organism < drawn.size() && drawn[organism] ? *drawn[organism]
-                                                    : scene.specimens[organism].model.solids;
 }
 
 ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn) {
@@ -342,7 +268,7 @@ ObjectText growing_solids_text(const PovSpace& space, const Solids& solids, cons
     append_mesh(object, space, with_light_uv(std::move(now), solid));
     append_material(object, solid.material);
     if (!append_placement(object, space, solids, i)) continue;
-    if (lives(solid.material)) append_front(text.text, front);
+    if (lives(solid.material.matter)) append_front(text.text, front);
     text += {object + "}\n", 1};
   }
   return text;

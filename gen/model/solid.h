@@ -44,6 +44,12 @@ enum class Matter {
   mantle,  ///< soft tissue of a clam
 };
 
+/// Whether it is the skin of what lives on a reef, or the rock that such skins made.
+inline bool lives(Matter matter) {
+  return matter == Matter::polyps || matter == Matter::meander || matter == Matter::sponge ||
+         matter == Matter::reef;
+}
+
 /// What is painted in a band.
 enum class Motif { plain, zigzag, waves, dots, meander, petals, rings };
 

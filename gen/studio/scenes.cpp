@@ -10,12 +10,12 @@
 #include "core/content.h"
 #include "core/machine.h"
 #include "estimate/estimate_cost.h"
-#include "preview/quick_look.h"
 #include "grammar/forecast.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
 #include "images/raster.h"
 #include "preset/json.h"
+#include "preview/quick_look.h"
 
 namespace frond {
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <map>
 
+#include "draw/organs.h"
 #include "draw/sweep.h"
 #include "export/export_scene.h"
 #include "export/look.h"
@@ -50,22 +51,20 @@ struct PlacedMesh {
   std::vector<std::uint8_t> color;
 };
 
-void add_organs(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& parts) {
-  const Organs& organs = s.model.organs;
+void add_organs(const Specimen& s, const Pose& pose, double time, std::vector<DrawnPart>& parts) {
+  DrawnOrgans drawn(s, pose, time);
   // By prototype; where colours are pictures, by these too.
   std::map<std::pair<std::size_t, std::size_t>, PlacedMesh> groups;
-  for (std::size_t i = 0; i < organs.size(); ++i) {
-    float size = unfolded(organs.birth[i], pose.front, unfold_time(s.motion));
-    if (size < kUnfoldedLeast) continue;
-    std::size_t which = organs.prototype[i];
-    const Prototype& prototype = s.model.prototypes[which];
-    std::size_t color = color_index(organs.color[i], prototype.colors.size());
+  for (const OrganGroup& drawn_group : drawn.groups) {
+    const Prototype& prototype = s.model.prototypes[drawn_group.prototype];
     bool pictured =
         std::ranges::any_of(prototype.parts, [](const OrganPart& p) { return !p.pictures.empty(); });
-    PlacedMesh& group = groups[{which, pictured ? color : 0}];
-    push(group.at, organ_place(s.model.skeleton, pose, organs, i),
-         glm::normalize(organ_turn(pose, organs, i)), organs.scale[i] * size);
-    push(group.color, prototype.colors[color]);
+    PlacedMesh& group = groups[{drawn_group.prototype, pictured ? drawn_group.color : 0}];
+    for (std::uint32_t i : drawn.organs(drawn_group)) {
+      OrganPlace place = drawn.place(i);
+      push(group.at, place.at, glm::normalize(place.turn), place.scale);
+      push(group.color, drawn_group.tint);
+    }
   }
   for (const auto& [key, group] : groups) {
     const Prototype& prototype = s.model.prototypes[key.first];
@@ -157,7 +156,7 @@ Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double t
       parts.push_back(std::move(*body));
     }
   }
-  add_organs(specimen, pose, parts);
+  add_organs(specimen, pose, time, parts);
   add_blades(specimen, pose, parts);
   add_solids(specimen.model.solids, parts);
   return parts;

@@ -29,21 +29,26 @@ std::size_t count_of(const std::string& text) {
   return count;
 }
 
+std::string text_of(const Solids& solids, const Growth& growth, double time, const Eye& eye) {
+  std::string text;
+  for (const DrawnPolyps& polyps : drawn_polyps(solids, polyp_places(solids), growth, time, eye))
+    text += polyps_text({}, polyps, time).text;
+  return text;
+}
+
 TEST(Polyps, StandApartOnTheSideThatIsSeen) {
   Solids solids = skin_with_polyps();
   Growth grown{.start = -1, .duration = 0};
   Eye above = eye_toward({0, 2, 0.1f}, {0, 0, 0}, 1, 1, 0.001),
       below = eye_toward({0, -2, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
-  std::size_t seen = count_of(polyps_text({}, solids, polyp_places(solids), grown, 1, above).text);
+  std::size_t seen = count_of(text_of(solids, grown, 1, above));
   // At 0.85 of their width apart, no two nearer; about as dense as darts that find no room any more.
   EXPECT_GT(seen, 250u);
   EXPECT_LT(seen, 640u);
-  EXPECT_EQ(count_of(polyps_text({}, solids, polyp_places(solids), grown, 1, below).text), 0u);
+  EXPECT_EQ(count_of(text_of(solids, grown, 1, below)), 0u);
   Eye far = eye_toward({0, 200, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
-  EXPECT_EQ(count_of(polyps_text({}, solids, polyp_places(solids), grown, 1, far).text), 0u)
-      << "too small to be seen";
-  EXPECT_EQ(polyps_text({}, solids, polyp_places(solids), {.start = 5, .duration = 1}, 1, above).text, "")
-      << "it has not begun to grow";
+  EXPECT_EQ(count_of(text_of(solids, grown, 1, far)), 0u) << "too small to be seen";
+  EXPECT_EQ(text_of(solids, {.start = 5, .duration = 1}, 1, above), "") << "it has not begun to grow";
 }
 
 TEST(Polyps, OpenAndCloseByTheHour) {
@@ -51,8 +56,7 @@ TEST(Polyps, OpenAndCloseByTheHour) {
   solids.shapes[0].material.polyps.open = Animated<double>({{0, 0}, {4, 1}});
   Growth grown{.start = -1, .duration = 0};
   Eye eye = eye_toward({0, 2, 0.1f}, {0, 0, 0}, 1, 1, 0.001);
-  std::string closed = polyps_text({}, solids, polyp_places(solids), grown, 0, eye).text,
-              open = polyps_text({}, solids, polyp_places(solids), grown, 4, eye).text;
+  std::string closed = text_of(solids, grown, 0, eye), open = text_of(solids, grown, 4, eye);
   EXPECT_EQ(count_of(closed), count_of(open));
   // Where they stand is the same, their shape is not.
   EXPECT_EQ(closed.substr(closed.find("union{")), open.substr(open.find("union{")));
@@ -71,7 +75,7 @@ TEST(Polyps, StandRoundBranchesAndComeAsTheyGrow) {
     b.motion.growth = {.start = 0, .duration = 1};
     Pose pose;
     pose_specimen(b, time, pose);
-    return count_of(branch_polyps_text({}, b, pose, time, eye).text);
+    return count_of(polyps_text({}, drawn_branch_polyps(b, pose, eye), time).text);
   };
   // A little more than half of a tube of 0.4 m x 2 pi 0.02 m is seen, and each has a hexagon of 0.87 x 8.5 mm
   // squared.
