@@ -94,12 +94,12 @@ int write_textures(const TextureArguments& arguments) {
   bool any = false;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     Look look = preset->organisms[i].grower->dress().look;
-    if (!look.leaves && !look.coat) continue;
+    if (!look.leaves && !look.branches.coat) continue;
     any = true;
     const std::string& own = preset->organisms[i].name;
     bool fit = !own.empty() && own.find('/') == own.npos && printable(own) == own;
     std::string name = fit ? own : fmt::format("organism_{}", i);
-    if (look.coat) album.bark(name, *look.coat);
+    if (look.branches.coat) album.bark(name, *look.branches.coat);
     if (look.leaves) album.leaves(name, *look.leaves);
   }
   if (!any)

@@ -102,8 +102,8 @@ std::vector<DrawnPolyps> drawn_polyps(const Solids& solids, const PolypPlaces& p
 
 DrawnPolyps drawn_branch_polyps(const Specimen& b, const Pose& pose, const Eye& eye) {
   const Skeleton& rest = b.model.skeleton;
-  const Polyps& polyps = b.look.skin->polyps;
-  DrawnPolyps drawn{&polyps, b.look.skin->tint.base, eye};
+  const Polyps& polyps = *b.look.branches.polyps();
+  DrawnPolyps drawn{&polyps, b.look.branches.skin->tint.base, eye};
   auto apart = static_cast<float>(kApart * polyps.width);
   std::size_t n = 0;
   float along = 0;  // metres of the branch since the last one

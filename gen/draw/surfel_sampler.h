@@ -16,17 +16,6 @@
 
 namespace frond {
 
-inline Vec3 mean(const std::vector<Color>& colors) {
-  Vec3 sum(0);
-  for (const Color& color : colors) sum += linear(color);
-  return colors.empty() ? Vec3(0.2f) : sum / static_cast<float>(colors.size());
-}
-
-inline Vec3 wood_color(const Look& look) {
-  if (look.skin) return linear(look.skin->tint.base);
-  return look.bark ? mean(look.bark->colors) : Vec3(0.2f);
-}
-
 /// Calls `bit(at, area, facing)` for points all over a triangle, none more than `step` wide.
 template <class Bit>
 void each_bit(const std::array<Vec3, 3>& corner, float step, const Bit& bit) {
@@ -185,7 +174,7 @@ void sample_surfels(const Sink& sink, const Specimen& b, double time) {
   Pose pose;
   pose_specimen(b, time, pose);
   const Model& m = b.model;
-  to.skeleton(m.skeleton, pose.position, pose.radius, wood_color(b.look));
+  to.skeleton(m.skeleton, pose.position, pose.radius, b.look.branches.albedo());
   to.solids(m.solids);
   to.organs(
       m, [&](std::size_t i) { return organ_place(m.skeleton, pose, m.organs, i); },
@@ -200,7 +189,7 @@ void sample_surfels(const Sink& sink, const Specimen& b, double time) {
 template <class Sink>
 void sample_surfels(const Sink& sink, const Look& look, const Model& m) {
   SurfelSampler<Sink> to{sink};
-  to.skeleton(m.skeleton, m.skeleton.position, m.skeleton.radius, wood_color(look));
+  to.skeleton(m.skeleton, m.skeleton.position, m.skeleton.radius, look.branches.albedo());
   to.solids(m.solids);
   to.organs(
       m, [&](std::size_t i) { return m.organs.position[i]; }, [&](std::size_t i) { return m.organs.turn[i]; },

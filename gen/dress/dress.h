@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dress/bark.h"
@@ -9,6 +10,7 @@
 #include "dress/leaf_look.h"
 #include "dress/season.h"
 #include "dress/skin.h"
+#include "geometry/tubes.h"
 #include "model/model.h"
 #include "motion/motion.h"
 
@@ -21,13 +23,55 @@ struct BladeLook {
   Tissue tissue = Tissue::leaf;                      ///< leaf or petal
 };
 
-/// What the surface of an organism looks like. Branches have a skin or a bark; bodies bring their materials.
-struct Look {
-  std::optional<Skin> skin;      ///< of a coral
-  std::optional<Bark> bark;      ///< of a plant
-  std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
+/// What branches are made of: nothing, the skin of a coral, or the bark of a plant.
+struct BranchLook {
+  std::optional<Skin> skin = {};
+  std::optional<Bark> bark = {};
+  std::optional<BarkCoat> coat = {};  ///< where given, thick branches are meshes with this picture
   int lobes = 0;                 ///< of the trunk's cross-section, where there is a coat
-  double lobe_depth = 0;
+  double lobe_depth = 0;         ///< share of the radius
+
+  bool drawn() const { return skin || bark; }
+  /// Of a coral that light and shade tell on; sea fans take their food from the water alone.
+  bool living() const { return skin && skin->kind != SkinKind::fan; }
+  /// Null where there are none.
+  const Polyps* polyps() const;
+  /// How many colours the turtle chooses from, and which of them it means by a number.
+  std::size_t colors() const { return bark ? bark->colors.size() : 1; }
+  std::size_t color_at(const Model& model, std::int32_t node) const;
+  /// Metres below a tip in which branches are young; 0: tips are as the rest.
+  double young_length() const;
+  /// Whether there is a pattern, which moves with the branch; `ringed`: one that goes round it.
+  bool patterned() const;
+  bool ringed() const { return bark && bark->kind == BarkKind::palm; }
+  /// Metres of what the pattern repeats; 0: there is none.
+  double pattern_size() const;
+  double bark_scale() const { return bark ? bark->scale : 0; }
+  double gloss() const;  ///< 0 matt .. 1 polished
+  bool metal() const { return bark && bark->kind == BarkKind::metal; }
+  /// sRGB, as branches look from afar, by the turtle's colour: of old skin and of young.
+  Color plain(std::size_t color, double brightness) const;
+  Color young(std::size_t color, double brightness) const;
+  /// By how much more light growing tips give back than old skin, channel by channel, as povinc/ has it. 1
+  /// where tips are as the rest.
+  Vec3 young_light(std::size_t color) const;
+  /// Linear, what they throw back of white light, about.
+  Vec3 albedo() const;
+  /// Tubes for the picture, of branches as thick as they will come to be by `girth`. Without `twigs` those
+  /// that are too thin for a picture are left out.
+  TubeShape tube_shape(std::span<const float> girth = {}) const;
+};
+
+/// The colour of a coral as povinc/frond_coral.inc has it.
+Color tinted(const Tint& tint, double brightness);
+Color scaled(Color color, double factor);
+Color mixed(const Color& from, const Color& to, double share);
+/// The mean of some colours, linear.
+Vec3 mean(const std::vector<Color>& colors);
+
+/// What the surface of an organism looks like. Bodies bring their materials.
+struct Look {
+  BranchLook branches;
   BladeLook blades;
   std::optional<LeafLook> leaves;  ///< as pictures, where it bears such, with those of all seasons
   std::vector<LeafLook> organs;    ///< a plant's organs that are pictures

@@ -19,7 +19,7 @@ Color mix(const Color& a, const Color& b, double t) {
   return {a.red + (b.red - a.red) * f, a.green + (b.green - a.green) * f, a.blue + (b.blue - a.blue) * f};
 }
 
-Color scaled(const Color& c, double by) {
+Color shaded(const Color& c, double by) {
   auto f = static_cast<float>(by);
   return {c.red * f, c.green * f, c.blue * f};
 }
@@ -62,9 +62,9 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   color = marked(look, color, along, share, wobble);
   // The edge of the gill cover, and the mouth.
   double gill = std::abs(std::hypot((along - 0.10) / 0.8, up * 0.62) - 0.125);
-  if (along > 0.12) color = scaled(color, 1 - 0.28 * (1 - smooth_step(0.0, 0.008, gill)));
-  if (along > 0.2) color = scaled(color, 1 - 0.30 * look.scales * scale_shade(along, up));
-  if (along < 0.05) color = scaled(color, 1 - 0.5 * band(up, -0.012 - 0.1 * along, 0.004, 0.003));
+  if (along > 0.12) color = shaded(color, 1 - 0.28 * (1 - smooth_step(0.0, 0.008, gill)));
+  if (along > 0.2) color = shaded(color, 1 - 0.30 * look.scales * scale_shade(along, up));
+  if (along < 0.05) color = shaded(color, 1 - 0.5 * band(up, -0.012 - 0.1 * along, 0.004, 0.003));
   return color;
 }
 
@@ -73,13 +73,13 @@ Color fin_color(const FishLook& look, double along, double up, double share) {
   if (look.marked_fins && look.pattern == FishPattern::bars) color = marked(look, color, along, share, 0);
   // Rays: along the tail, up and back on the other fins.
   double across = along > 0.8 ? up / (0.25 + along - 0.8) * 46 : (along - 0.35 * std::abs(up)) * 95;
-  return scaled(color, 0.93 + 0.13 * std::sin(2 * kPi * across));
+  return shaded(color, 0.93 + 0.13 * std::sin(2 * kPi * across));
 }
 
 Color eye_over(const FishForm& form, const FishLook& look, Color color, double along, double up) {
   double middle = 0.105 + 0.04 * form.snout, raised = 0.32 * fish_depth(form, middle / kFishBody);
   double r = std::hypot(along - middle, up - raised) / (look.eye / 2);
-  color = mix(color, scaled(look.back, 0.5), 0.5 * (1 - smooth_step(1.0, 1.35, r)));
+  color = mix(color, shaded(look.back, 0.5), 0.5 * (1 - smooth_step(1.0, 1.35, r)));
   color = mix(color, look.iris, 1 - smooth_step(0.92, 1.06, r));
   color = mix(color, {0.015f, 0.015f, 0.02f}, 1 - smooth_step(0.58, 0.68, r));
   double glint = std::hypot(along - middle + 0.12 * look.eye, up - raised - 0.14 * look.eye) / look.eye;

@@ -5,8 +5,8 @@
 
 #include "core/seed.h"
 #include "core/text.h"
-#include "emit/plant.h"
-#include "emit/skin.h"
+#include "draw/branches.h"
+#include "emit/branch_materials.h"
 #include "field/cubes.h"
 #include "motion/unfold.h"
 
@@ -15,7 +15,6 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kPartTriangles = 10'000;  // POV-Ray reads many meshes faster than one large one
-constexpr int kCubeAges = 4, kCubeShades = 4;   // of cubes
 
 /// Appends `name{count` and the items of a list of a mesh2.
 template <class Items, class Append>
@@ -136,36 +135,16 @@ ObjectText fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkT
   return {all + "]}}\n", 1};
 }
 
-/// `texture{Voxel_Skin(...)}` of one age and shade.
-std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shade) {
-  std::string text = "texture{Voxel_Skin(";
-  auto add_colors = [&](const Color& base, const Color& second, const Color& young) {
-    for (const Color& color : {base, second, young}) append_color(text, color), text += ',';
-  };
-  double brightness = b.brightness, hue = 0, saturation = 1;
-  if (b.look.bark) {
-    add_colors(b.look.bark->colors[bark_color(b, node)], b.look.bark->second, b.look.bark->young);
-  } else {
-    const Tint& t = b.look.skin->tint;
-    auto pale = [&](float c) { return static_cast<float>(c + (0.96 - c) * 0.62 * t.young); };
-    add_colors(t.base, t.secondary, {pale(t.base.red), pale(t.base.green), pale(t.base.blue)});
-    brightness *= t.value, hue = degrees(t.hue), saturation = t.saturation;
-  }
-  append_list(text, 4, hue, saturation, brightness, age / (kCubeAges - 1.0), shade / (kCubeShades - 1.0),
-              b.style.voxel);
-  return text + ")}";
-}
-
 Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Pose& pose,
                               const Boughs& limbs) {
   Result<Cubes> cubes = cubes_of(limbs, options_of(b.style));
   if (!cubes) return cubes.errors();
   std::vector<std::uint32_t> cube;
   Surface surface = cubes_surface(*cubes, cube);
-  double young = b.look.bark ? b.look.bark->young_length : b.look.skin->tint.young_length;
+  double young = b.look.branches.young_length();
   float longest = b.model.skeleton.longest();
   // The looks of cubes: colour of the bark, age and shade.
-  std::size_t colors = b.look.bark ? b.look.bark->colors.size() : 1;
+  std::size_t colors = b.look.branches.colors();
   std::vector<std::uint32_t> look(cubes->size());
   std::vector<std::int32_t> example(colors * kCubeAges * kCubeShades, -1);
   for (std::size_t c = 0; c < cubes->size(); ++c) {
@@ -175,7 +154,7 @@ Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Po
     float age = youth(b.model.skeleton, pose, longest, static_cast<float>(young), node);
     // Between two ages lots are drawn, so that one runs into the other.
     float level = age * (kCubeAges - 1) + static_cast<float>(Seed{lot}.unit()) * 0.999f;
-    std::size_t color = b.look.bark ? bark_color(b, node) : 0;
+    std::size_t color = b.look.branches.color_at(b.model, node);
     look[c] = static_cast<std::uint32_t>((color * kCubeAges + static_cast<std::size_t>(level)) * kCubeShades +
                                          lot % kCubeShades);
     if (example[look[c]] < 0) example[look[c]] = node;

@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "core/text.h"
+#include "emit/branch_materials.h"
 #include "emit/plant.h"
 #include "emit/solid.h"
 
@@ -28,37 +29,6 @@ void append_colors(std::string& text, const std::vector<Color>& colors) {
   text += '}';
 }
 
-std::string wood_look(const Look& look) {
-  std::string text;
-  if (look.coat) {
-    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*look.coat), bark_height_name(*look.coat));
-    append(text, look.coat->relief, 4);
-    return text + ",T)";
-  }
-  if (look.skin) {
-    const Pores& pores = look.skin->pores;
-    const Tint& tint = look.skin->tint;
-    text = fmt::format("Copy_Coral({},", static_cast<int>(look.skin->kind));
-    append_color(text, tint.base);
-    text += ',';
-    append_color(text, tint.secondary);
-    text += ',';
-    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
-                tint.young);
-    return text + ",T)";
-  }
-  Bark plain;
-  plain.kind = BarkKind::stem;
-  const Bark& b = look.bark ? *look.bark : plain;
-  text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
-  append_color(text, b.colors[0]);
-  text += ',';
-  append_color(text, b.second);
-  text += ',';
-  append_list(text, 5, b.scale, b.depth);
-  return text + ",T)";
-}
-
 std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
                       const std::optional<Luster>& luster) {
   std::string text = "#local C = ";
@@ -72,7 +42,7 @@ std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tis
 std::string look_of(const CopyPart& part, const Look& look, const Model& model, bool plain) {
   switch (part.kind) {
     case CopyPart::Kind::wood:
-      return "texture{" + wood_look(look) + "}";
+      return "texture{" + copy_texture(look.branches) + "}";
     case CopyPart::Kind::blade:
       return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue, false, {});
     case CopyPart::Kind::organ: {
@@ -101,7 +71,7 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
   how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
   how.flat = kLevels[level].grain > 0.005 ? 0.7f : 0.9999f;
   bool pictured =
-      part.kind == CopyPart::Kind::wood ? look.coat || look.skin
+      part.kind == CopyPart::Kind::wood ? is_pictured(look.branches)
       : part.kind == CopyPart::Kind::organ
           ? !kLevels[level].plain || !model.prototypes[part.which].parts[part.part].pictures.empty()
           : true;
@@ -178,7 +148,7 @@ std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const So
     ModelText& text = texts[i];
     text.parts = append_parts(text.body, declared_name(files[i]), look, model, all, files[i]);
     std::set<std::string_view> includes{"copy"};
-    if (look.skin) includes.insert("coral");
+    if (std::string_view own = copy_include(look.branches); !own.empty()) includes.insert(own);
     for (int p : text.parts)
       if (const CopyPart& part = all[static_cast<std::size_t>(p)]; part.kind == CopyPart::Kind::solid)
         includes.insert(material_include(model.solids.shapes[part.which].material));

@@ -10,15 +10,16 @@
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
+#include "draw/branches.h"
 #include "draw/eyes.h"
 #include "draw/focus.h"
 #include "emit/body.h"
+#include "emit/branch_materials.h"
 #include "emit/camera.h"
 #include "emit/copies.h"
 #include "emit/plant.h"
 #include "emit/polyps.h"
 #include "emit/setting.h"
-#include "emit/skin.h"
 #include "emit/solid.h"
 #include "world/world.h"
 
@@ -145,38 +146,21 @@ std::size_t write_sweeps(const PovSpace& space, const Specimen& b, const Pose& p
   return group.close(whole ? skin_texture(index) + "}\n" : "}\n");
 }
 
-ChunkOptions chunk_options(const Specimen& b) {
-  ChunkOptions options;
-  if (b.look.skin) {
-    options.tolerance = static_cast<float>(0.15 * b.look.skin->pores.cell);
-    options.young_length = static_cast<float>(b.look.skin->tint.young_length);
-  }
-  if (b.look.bark) {
-    options.tolerance = patterned(*b.look.bark) ? static_cast<float>(0.15 * b.look.bark->scale)
-                                                : std::numeric_limits<float>::infinity();
-    options.young_length = static_cast<float>(b.look.bark->young_length);
-    options.color = b.model.color;
-    if (ringed(*b.look.bark)) options.nodes = 5;  // so that rings lie across also where it bends
-    // Of a swaying tree only what is thick has a bark that one could see slide.
-    if (b.motion.limbs && !one_texture(b)) options.thin = static_cast<float>(0.6 * b.look.bark->scale);
-  }
-  return options;
-}
-
 /// Gives how many objects it is.
 Result<std::size_t> write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, std::size_t index,
                                Vec3 eye, const Out& out) {
   ChunkOptions options = chunk_options(b);
-  if (b.look.coat && b.style.build == Build::sweeps) {
+  BranchForm form = branch_form(b);
+  if (form == BranchForm::coat) {
     ObjectText coat = coat_text(space, b, pose, eye);
     out(coat.text);
-    if (b.look.coat->twigs <= 0) return coat.objects;
+    if (b.look.branches.tube_shape().least <= 0) return coat.objects;
     options.tolerance = std::numeric_limits<float>::infinity();
     std::vector<bool> bare = coatless(b);
     auto is_twig = [&](std::int32_t i) { return static_cast<bool>(bare[static_cast<std::size_t>(i)]); };
     return coat.objects + write_twigs(space, b, pose, options, index, is_twig, out);
   }
-  if (b.style.build == Build::sweeps) {
+  if (form == BranchForm::sweeps) {
     auto is_twig = [&](std::int32_t i) { return b.model.skeleton.radius[i] < options.thin; };
     std::size_t twigs = options.thin > 0 ? write_twigs(space, b, pose, options, index, is_twig, out) : 0;
     return twigs + write_sweeps(space, b, pose, options, index, is_twig, out);
@@ -190,7 +174,7 @@ Result<std::size_t> write_wood(const PovSpace& space, const Specimen& b, const P
 /// Gives what there is of them by then.
 Result<FrameCount> write_branches(const PovSpace& space, const Specimen& b, std::size_t index, const Eye& eye,
                                   double time, const Out& out) {
-  if (!b.look.skin && !b.look.bark) return FrameCount{};
+  if (!b.look.branches.drawn()) return FrameCount{};
   Pose pose;
   pose_specimen(b, time, pose);
   bool named = false;
@@ -204,7 +188,7 @@ Result<FrameCount> write_branches(const PovSpace& space, const Specimen& b, std:
   Result<std::size_t> wood = write_wood(space, b, pose, index, eye.at, under_name);
   if (!wood) return wood.errors();
   FrameCount count{0, *wood + write_foliage(space, b, pose, time, under_name)};
-  if (b.look.skin && b.look.skin->polyps.width > 0) {
+  if (const Polyps* own = b.look.branches.polyps(); own && own->width > 0) {
     ObjectText polyps = polyps_text(space, drawn_branch_polyps(b, pose, eye), time);
     under_name(polyps.text);
     count.objects += polyps.objects;

@@ -9,6 +9,7 @@
 #include "core/content.h"
 #include "core/parallel.h"
 #include "core/text.h"
+#include "emit/branch_materials.h"
 #include "emit/copies.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
@@ -16,39 +17,6 @@
 namespace frond {
 
 namespace {
-
-/// The skin of each organism, at all its ages.
-void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first) {
-  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
-    const Specimen& b = scene.specimens[i];
-    if (b.look.bark) {
-      append_bark(text, b, first[i]);
-      continue;
-    }
-    if (!b.look.skin) continue;
-    const Pores& pores = b.look.skin->pores;
-    const Tint& tint = b.look.skin->tint;
-    std::string of = "(";
-    append_integer(of, static_cast<long long>(first[i]));
-    of += ',';
-    append_integer(of, static_cast<int>(b.look.skin->kind));
-    of += ',';
-    append_color(of, tint.base);
-    of += ',';
-    append_color(of, tint.secondary);
-    of += ',';
-    append_list(of, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
-                b.brightness, tint.young);
-    of += ") ";
-    text += "Coral_Skin" + of;
-    if (!b.model.light.empty()) text += "Coral_Starving" + of;
-    if (double glow = b.look.skin->polyps.glow; glow > 0) {
-      std::string skin = "Skin[" + number_text(static_cast<double>(first[i])) + "]";
-      text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
-    }
-    append_comment(text, b.name);
-  }
-}
 
 constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
 
@@ -71,7 +39,7 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool aside) {
   std::size_t skins = 0;
   for (const Specimen& b : scene.specimens) {
     parts.first_skin.push_back(skins);
-    skins += b.look.bark ? b.look.bark->colors.size() : b.look.skin ? 1 : 0;
+    skins += b.look.branches.drawn() ? b.look.branches.colors() : 0;
   }
   std::string count = number_text(static_cast<double>(std::max<std::size_t>(1, skins)));
   parts.materials =

@@ -136,52 +136,6 @@ std::string lustrous(const std::string& inside, const std::optional<Luster>& lus
                      rough, luster->through);
 }
 
-bool ringed(const Bark& bark) { return bark.kind == BarkKind::palm; }
-
-bool patterned(const Bark& bark) {
-  return bark.kind == BarkKind::bark || bark.kind == BarkKind::birch || ringed(bark);
-}
-
-bool slanted(const Specimen& b, const Chunk& chunk) {
-  if (!b.look.bark || !patterned(*b.look.bark) ||
-      b.model.skeleton.radius[chunk.first] < 0.6 * b.look.bark->scale)
-    return false;
-  Vec3 way =
-      b.model.skeleton.position[chunk.last] - b.model.skeleton.position[b.model.skeleton.parent[chunk.first]];
-  return std::abs(way.y) < 0.9f * glm::length(way);
-}
-
-bool one_texture(const Specimen& b) {
-  if (!b.look.bark || ringed(*b.look.bark) || b.look.bark->young_length > 0 ||
-      (!b.model.color.empty() && b.look.bark->colors.size() > 1))
-    return false;
-  return !patterned(*b.look.bark) || (b.motion.wave.amplitude == 0 && b.motion.growth.duration <= 0);
-}
-
-std::size_t bark_color(const Specimen& b, std::int32_t node) {
-  return b.model.color.empty() ? 0 : color_index(b.model.color[node], b.look.bark->colors.size());
-}
-
-void append_bark(std::string& text, const Specimen& b, std::size_t first) {
-  const Bark& bark = *b.look.bark;
-  for (std::size_t i = 0; i < bark.colors.size(); ++i) {
-    text += "Plant_Bark(";
-    append_index(text, first + i);
-    text += ',';
-    append_integer(text, static_cast<int>(bark.kind));
-    text += ',';
-    append_color(text, bark.colors[i]);
-    text += ',';
-    append_color(text, bark.second);
-    text += ',';
-    append_color(text, bark.young);
-    text += ',';
-    append_list(text, 5, bark.scale, bark.depth, b.brightness);
-    text += ") ";
-    append_comment(text, b.name);
-  }
-}
-
 std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   // The plants of an entry share shapes, but one that bears nothing need not have any. Those that none bears
   // are left out.
@@ -192,7 +146,7 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   std::vector<Shapes> entries;
   std::map<std::size_t, std::size_t> index;  // in `entries`, which are in the order of the scene
   for (const Specimen& b : scene.specimens) {
-    if (!b.look.bark) continue;
+    if (!b.look.branches.bark) continue;
     auto [at, fresh] = index.try_emplace(b.entry, entries.size());
     if (fresh) entries.push_back({b.entry, {}});
     std::vector<const Prototype*>& used = entries[at->second].used;

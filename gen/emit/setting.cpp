@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "emit/branch_materials.h"
 #include "emit/solid.h"
 #include "settings/settings.h"
 
@@ -26,9 +27,9 @@ std::string includes_text(const Scene& scene) {
   auto any = [&](auto has) { return std::ranges::any_of(scene.specimens, has); };
   std::vector<std::string_view> names = text_of(scene.stage).includes;
   bool water = std::ranges::find(names, "water") != names.end();  // food may drift there in any case
-  if (water || any([](const Specimen& s) { return s.look.skin.has_value(); }))
+  if (water || any([](const Specimen& s) { return include_of(s.look.branches) == "coral"; }))
     names.insert(names.end(), {"coral", "food"});
-  if (any([](const Specimen& s) { return s.look.bark.has_value(); })) names.push_back("plant");
+  if (any([](const Specimen& s) { return include_of(s.look.branches) == "plant"; })) names.push_back("plant");
   if (!scene.drawings.empty()) names.push_back("tree");
   if (any([](const Specimen& s) { return s.style.build == Build::voxels; })) names.push_back("voxel");
   if (any([](const Specimen& s) { return s.life.hanging.has_value(); })) names.push_back("ivy");

@@ -227,8 +227,7 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   for (const Specimen& b : scene.specimens)
     for (const Solid& solid : b.model.solids.shapes) names.push_back(material_include(solid.material));
   for (const Specimen& b : scene.specimens)
-    if (b.look.skin && (b.look.skin->polyps.width > 0 || b.look.skin->polyps.glow > 0))
-      names.push_back("reef");
+    if (b.look.branches.polyps()) names.push_back("reef");
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;

@@ -67,10 +67,11 @@ double render_seconds(const CostEstimate& f, double text, double tracing, const 
 double node_bytes(const SizeEstimate& size, const Dress& dress) {
   const Look& look = dress.look;
   bool moves = dress.motion.wave.amplitude != 0 || dress.motion.growth.duration > 0;
-  if (look.coat) return look.coat->twigs > 0 ? kTwigCoatNode : kCoatNode;
+  if (look.branches.coat) return look.branches.coat->twigs > 0 ? kTwigCoatNode : kCoatNode;
   if (size.riding) return kMovingNode;
   if (!size.chains) return moves ? kMovingNode : kStillNode;
-  bool plain = look.bark && look.bark->kind == BarkKind::stem && look.bark->young_length <= 0;
+  bool plain = look.branches.bark && look.branches.bark->kind == BarkKind::stem &&
+               look.branches.bark->young_length <= 0;
   double bytes = kPoint + kChain * *size.chains;
   if (moves && !plain) bytes += kChunkTexture * (*size.chains + 1.0 / 11);
   return bytes;

@@ -35,7 +35,7 @@ class Brancher {
 
   Result<std::vector<BranchPart>> parts() {
     if (b_.style.build == Build::sweeps) {
-      TubeMesh mesh = b_.look.coat ? coated() : tubes();
+      TubeMesh mesh = b_.look.branches.coat ? coated() : tubes();
       return finished(by_color(std::move(mesh.surface), mesh.node));
     }
     Result<FusedMesh> mesh = body_mesh(b_, pose_);
@@ -75,14 +75,13 @@ class Brancher {
     const std::vector<float>& light = b_.model.light;
     bool shaded = options_.tints && !light.empty();
     if (use.young == Vec3(1) && !cubes && !shaded) return;
-    double young = b_.look.bark ? b_.look.bark->young_length : b_.look.skin->tint.young_length;
+    double young = b_.look.branches.young_length();
     const Surface& s = branch.part.surface;
     float longest = b_.model.skeleton.longest();
     for (std::size_t v = 0; v < s.position.size(); ++v) {
       float age = youth(b_.model.skeleton, pose_, longest, static_cast<float>(young), branch.node[v]);
       Vec3 tint = use.tint_at(age);
-      if (shaded)
-        tint *= starved(light[static_cast<std::size_t>(branch.node[v])], linear(b_.look.skin->tint.base));
+      if (shaded) tint *= starved(light[static_cast<std::size_t>(branch.node[v])], b_.look.branches.albedo());
       // The middle of the cube tells its brightness: half a side below the face, less than that from a
       // corner.
       if (cubes)
@@ -123,19 +122,16 @@ class Brancher {
   }
 
   TubeMesh coated() {
-    const BarkCoat& coat = *b_.look.coat;
-    TubeShape shape{.wrap = coat.wrap,
-                    .aspect = coat.aspect,
-                    .side = coat.facet,
-                    .lobes = b_.look.lobes,
-                    .lobe_depth = b_.look.lobe_depth};
+    TubeShape shape = b_.look.branches.tube_shape();
+    shape.least = 0;
+    double facet = shape.side;
     return fitting([&](const Skeleton& posed, float grain, double) {
       if (grain == 0) {
         shape.girth = b_.model.girth;
         return tube_mesh(b_.model.skeleton, pose_.position, pose_.radius, pose_.turn, shape);
       }
       shape.girth = {};
-      shape.side = std::max(coat.facet, 4.0 * static_cast<double>(grain));
+      shape.side = std::max(facet, 4.0 * static_cast<double>(grain));
       return tube_mesh(posed, posed.position, posed.radius, {}, shape);
     });
   }
@@ -172,7 +168,7 @@ class Brancher {
 
   /// Branches of several colours are parted by the colour of each triangle's first vertex.
   std::vector<BranchPart> by_color(Surface&& surface, std::vector<std::int32_t>& node) {
-    std::size_t colors = b_.look.bark && !b_.look.coat ? b_.look.bark->colors.size() : 1;
+    std::size_t colors = b_.look.branches.coat ? 1 : b_.look.branches.colors();
     std::vector<BranchPart> parts(colors);
     if (b_.model.color.empty() || colors == 1) {
       parts[0] = {{std::move(surface)}, std::move(node)};

@@ -53,7 +53,7 @@ class SceneExporter {
 
   Errors add() {
     for (maker_.level = 0; maker_.level < options_.levels; ++maker_.level) {
-      if (b_.look.skin || b_.look.bark)
+      if (b_.look.branches.drawn())
         if (Errors errors = add_branches(); !errors.empty()) return errors;
       add_organs();
       add_blades();

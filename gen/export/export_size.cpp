@@ -81,7 +81,7 @@ ExportSize whole(const Specimen& b) {
 
 /// How many times the pictures of a bark those of an organism take; solids share theirs by their matter.
 double pictures_of(const Specimen& b) {
-  double times = (b.look.skin || b.look.bark) && b.model.skeleton.size() > 1 ? 1 : 0;
+  double times = b.look.branches.drawn() && b.model.skeleton.size() > 1 ? 1 : 0;
   std::set<std::uint16_t> used(b.model.organs.prototype.begin(), b.model.organs.prototype.end());
   std::set<std::size_t> colors;
   for (std::uint16_t which : used) colors.insert(b.model.prototypes[which].colors.size());
@@ -108,11 +108,9 @@ ExportSize estimate_export(const Scene& scene, const ExportOptions& options) {
     if (!options.instances)
       own.vertices = own.all_vertices, own.triangles = own.all_triangles, own.placements = 2;
     bool simpler = b.style.build == Build::sweeps;
-    if (simpler && (b.look.skin || b.look.bark) && b.model.skeleton.size() > 1)
-      count_branches(own, b, options);
+    if (simpler && b.look.branches.drawn() && b.model.skeleton.size() > 1) count_branches(own, b, options);
     add(size, own, options.instances ? 1 : std::min(1.0, options.detail / std::max(1.0, own.triangles)));
-    if (!simpler && (b.look.skin || b.look.bark) && b.model.skeleton.size() > 1)
-      count_branches(size, b, options);
+    if (!simpler && b.look.branches.drawn() && b.model.skeleton.size() > 1) count_branches(size, b, options);
     if (entries.insert(b.entry).second) size.pictures += kPixelBytes * pixels * pictures_of(b);
   }
   double levels = (1 - std::pow(kCoarser, options.levels)) / (1 - kCoarser);

@@ -159,12 +159,12 @@ Palette::Use Palette::keep(const std::string& key, ExportMaterial made, const st
 Palette::Use Palette::branches(const Look& look, double brightness, std::size_t color,
                                const std::string& name, bool ages) {
   int pixels = options_.texture;
-  Vec3 young = ages ? young_light(look, color) : Vec3(1), most = glm::max(young, Vec3(1));
+  Vec3 young = ages ? look.branches.young_light(color) : Vec3(1), most = glm::max(young, Vec3(1));
   auto aged = [&](Use use) { return use.young = young, use; };
   ExportMaterial made;
   made.factor = scaled({1, 1, 1}, brightness);
-  if (look.coat) {
-    const BarkCoat& coat = *look.coat;
+  if (look.branches.coat) {
+    const BarkCoat& coat = *look.branches.coat;
     made.color = scaled(coat.image.color, 0.85 * brightness);
     return keep("coat " + bark_color_name(coat), made, name, [&](ExportMaterial& m, Use&) {
       int wide = std::min(pixels, coat.pixels),
@@ -173,18 +173,18 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
                    [&] { return bark_pictures(coat.image, coat.relief, wide, high); });
     });
   }
-  if (look.skin) {
-    made.color = lighter(tinted(look.skin->tint, brightness), most), made.gloss = 0.1;
-    std::string key = key_of(*look.skin) + key_of(most);
+  if (look.branches.skin) {
+    made.color = lighter(tinted(look.branches.skin->tint, brightness), most), made.gloss = 0.1;
+    std::string key = key_of(*look.branches.skin) + key_of(most);
     return aged(keep(key, made, name, [&](ExportMaterial& m, Use& use) {
       add_pictures(m, key, m.name,
-                   [&] { return lighter(pictures_of(skin_tile(*look.skin, pixels), 0.75), most); });
+                   [&] { return lighter(pictures_of(skin_tile(*look.branches.skin, pixels), 0.75), most); });
       std::tie(use.wide, use.high) = picture_size(look);
     }));
   }
-  const Bark& bark = *look.bark;
+  const Bark& bark = *look.branches.bark;
   made.color = lighter(scaled(bark.colors[color], brightness), most);
-  made.gloss = bark_gloss(bark), made.metal = is_metal(bark);
+  made.gloss = look.branches.gloss(), made.metal = look.branches.metal();
   std::string key = key_of(bark, color) + key_of(most);
   return aged(keep(key, made, name, [&](ExportMaterial& m, Use& use) {
     if (bark.kind == BarkKind::palm) {
@@ -202,17 +202,19 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
 
 std::pair<double, double> Palette::picture_size(const Look& look) {
   constexpr double kRidge = 1.2;  // a ridge and the furrow beside it, in widths of a furrow
-  if (look.coat) return {1, 1};
-  if (look.skin) return {skin_metres(*look.skin), skin_metres(*look.skin)};
-  if (look.bark->kind == BarkKind::palm) return {palm_metres(*look.bark), palm_metres(*look.bark)};
-  double wide = kRidge * BarkImage{}.ridges * look.bark->scale;
+  if (look.branches.coat) return {1, 1};
+  if (look.branches.skin) return {skin_metres(*look.branches.skin), skin_metres(*look.branches.skin)};
+  if (look.branches.bark->kind == BarkKind::palm)
+    return {palm_metres(*look.branches.bark), palm_metres(*look.branches.bark)};
+  double wide = kRidge * BarkImage{}.ridges * look.branches.bark->scale;
   return {wide, 2 * wide};
 }
 
 Palette::Use Palette::cubes(const Look& look, double brightness, std::size_t color, const std::string& name) {
-  Vec3 young = options_.tints ? young_light(look, color) : Vec3(1);
+  Vec3 young = options_.tints ? look.branches.young_light(color) : Vec3(1);
   ExportMaterial made;
-  made.color = look.skin ? tinted(look.skin->tint, brightness) : scaled(look.bark->colors[color], brightness);
+  made.color = look.branches.skin ? tinted(look.branches.skin->tint, brightness)
+                                  : scaled(look.branches.bark->colors[color], brightness);
   made.color = lighter(made.color, glm::max(young, Vec3(1)));
   made.gloss = 0.2;
   Use use = keep("cube", made, name, [&](ExportMaterial& m, Use&) {

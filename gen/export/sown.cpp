@@ -111,7 +111,7 @@ std::vector<ExportPart> parts_of(Maker& maker, const Look& look, SownShape& shap
   for (CopyPart& part : shape.parts) {
     if (part.kind == CopyPart::Kind::wood) {
       Look worn = look;
-      if (!worn.bark && !worn.skin) worn.bark = Bark{};
+      if (!worn.branches.drawn()) worn.branches.bark = Bark{};
       std::size_t wood = maker.palette.branches(worn, 1, 0, maker.name() + "_branches").material;
       parts.push_back({std::move(part.surface), wood});
     } else if (part.kind == CopyPart::Kind::blade) {

@@ -77,7 +77,7 @@ Result<Volume> export_volume(const Scene& scene, double time, const ExportOption
       stage = std::move(*now);
     }
     const Specimen& b = organism.life.changes() ? stage : organism;
-    if (b.model.skeleton.size() < 2 || (!b.look.skin && !b.look.bark)) continue;
+    if (b.model.skeleton.size() < 2 || !b.look.branches.drawn()) continue;
     add_posed(all, b, time, options.voxel <= 0);
   }
   Result<std::vector<SownBranches>> sown = sown_branches(scene);

@@ -147,7 +147,7 @@ Surface ball() {
 
 Vec3 color_of(const Look& look) {
   if (look.leaves) return mean(look.leaves->colors);
-  return look.bark ? Vec3(0.10f, 0.16f, 0.05f) : Vec3(0.25f, 0.25f, 0.23f);
+  return look.branches.bark ? Vec3(0.10f, 0.16f, 0.05f) : Vec3(0.25f, 0.25f, 0.23f);
 }
 
 /// All that stands, in bits.
@@ -178,7 +178,7 @@ void sample_all_surfels(const Sink& sink, const Scene& scene, const std::vector<
       to.surface(round, color, true, foot + Vec3(0, scale * 0.5f * (tall + bare), 0), stand.copies.turn[i],
                  scale * Vec3(wide, 0.5f * (tall - bare), wide));
       if (bare > 0)
-        to.surface(trunk, wood_color(stand.dress.look), true, foot, Quat(1, 0, 0, 0), Vec3(scale));
+        to.surface(trunk, stand.dress.look.branches.albedo(), true, foot, Quat(1, 0, 0, 0), Vec3(scale));
     }
   }
 }

@@ -281,12 +281,13 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
   if (model.skeleton.size() > 1) {
     auto fine = static_cast<float>(detail.grain);
     TubeShape shape;
-    const std::optional<BarkCoat>& coat = look.coat;
+    const std::optional<BarkCoat>& coat = look.branches.coat;
     if (coat) shape.wrap = coat->wrap, shape.aspect = coat->aspect;
     shape.side = std::max(coat ? coat->facet : 0.02, 4 * detail.grain);
     Skeleton bones = thinned(model.skeleton, 0.4f * fine, 0.5f * fine);
     add(CopyPart::Kind::wood, 0, 0,
-        look.skin ? skin_tubes(std::move(bones), fine, *look.skin) : tube_surface(bones, shape));
+        look.branches.skin ? skin_tubes(std::move(bones), fine, *look.branches.skin)
+                           : tube_surface(bones, shape));
   }
   CopyDetail each = detail;
   std::size_t shapes = 0;

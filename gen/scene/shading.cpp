@@ -29,7 +29,8 @@ bool is_colony(const Specimen& s) {
   auto lives = [](const Solid& solid) {
     return lives_by_light(solid) || solid.material.matter == Matter::sponge;
   };
-  return std::ranges::any_of(s.model.solids.shapes, lives) || (s.look.skin && s.model.skeleton.size() > 0);
+  return std::ranges::any_of(s.model.solids.shapes, lives) ||
+         (s.look.branches.skin && s.model.skeleton.size() > 0);
 }
 
 /// Calls f(place) for places all over a triangle, at most `step` from each other.
@@ -179,8 +180,7 @@ struct SkinPatch {
 };
 
 bool has_living_branches(const Specimen& s) {
-  return s.look.skin && s.look.skin->kind != SkinKind::fan && s.model.skeleton.size() > 0 &&
-         !s.life.changes();
+  return s.look.branches.living() && s.model.skeleton.size() > 0 && !s.life.changes();
 }
 
 /// The light of each vertex of a solid, placed as the i-th of coral `own`; empty where nearly all is left.

@@ -48,14 +48,15 @@ Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double t
 /// Its branches as segments of 48 bytes each: both ends with radii, directions and colours.
 DrawnPart tubes_part(const Specimen& specimen, const Pose& pose);
 
-/// The colours of a specimen's branches.
+/// The colours of branches, for those who draw them plainly. Refers to the look.
 struct BranchColors {
-  explicit BranchColors(const Specimen& specimen);
+  BranchColors(const Look& look, double brightness);
   /// At a node that is `young`, 0..1.
-  Color at(const Specimen& specimen, std::int32_t node, float young) const;
+  Color at(const Model& model, std::int32_t node, float young) const;
   double young_length = 0;  ///< metres
 
  private:
+  const BranchLook& branches_;
   std::vector<Color> old_, young_;
 };
 

@@ -24,13 +24,10 @@ std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<C
 }
 
 void add_wood(DrawnPart& part, const std::string& below, const Look& look, const Surface& surface) {
-  Specimen bare;
-  bare.look = look;
-  bare.model.skeleton.position.resize(1);
   Surface plain = surface;
   plain.uv.clear();
   part.head[Json::json_pointer(below + "/material")] =
-      material_json(BranchColors(bare).at(bare, 0, 0), look.bark ? bark_gloss(*look.bark) : 0.1);
+      material_json(look.branches.plain(0, 1), look.branches.gloss());
   part.add_surface(below, plain);
 }
 

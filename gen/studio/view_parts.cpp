@@ -30,16 +30,17 @@ void push(std::vector<std::uint8_t>& to, const Color& c) {
 Result<DrawnPart> body_part(const Specimen& s, const Pose& pose) {
   Result<FusedMesh> mesh = body_mesh(s, pose);
   if (!mesh) return mesh.errors();
-  BranchColors colors(s);
+  BranchColors colors(s.look, s.brightness);
   float longest = s.model.skeleton.longest();
   std::vector<std::uint8_t> painted;
   painted.reserve(4 * mesh->node.size());
   for (std::int32_t i : mesh->node)
     push(painted,
-         colors.at(s, i, youth(s.model.skeleton, pose, longest, static_cast<float>(colors.young_length), i)));
+         colors.at(s.model, i,
+                   youth(s.model.skeleton, pose, longest, static_cast<float>(colors.young_length), i)));
   DrawnPart part;
   part.head["kind"] = "mesh";
-  part.head["material"] = material_json({}, s.look.bark ? bark_gloss(*s.look.bark) : 0.1);
+  part.head["material"] = material_json({}, s.look.branches.gloss());
   part.add_surface("", mesh->surface);
   part.add("/colors", painted);
   return part;
@@ -147,7 +148,7 @@ Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double t
   Pose pose;
   pose_specimen(specimen, time, pose);
   std::vector<DrawnPart> parts;
-  if ((specimen.look.skin || specimen.look.bark) && specimen.model.skeleton.size() > 1) {
+  if (specimen.look.branches.drawn() && specimen.model.skeleton.size() > 1) {
     if (specimen.style.build == Build::sweeps) {
       parts.push_back(tubes_part(specimen, pose));
     } else {

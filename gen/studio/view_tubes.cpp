@@ -41,11 +41,6 @@ Rgba packed(const Color& c) {
   return {byte(c.red), byte(c.green), byte(c.blue), 255};
 }
 
-Color mixed(const Color& a, const Color& b, double t) {
-  auto part = [&](float x, float y) { return static_cast<float>(x + (y - x) * t); };
-  return {part(a.red, b.red), part(a.green, b.green), part(a.blue, b.blue)};
-}
-
 Vec3 direction(Vec3 from, Vec3 to, Vec3 otherwise) {
   float length = glm::distance(from, to);
   return length > 1e-9f ? (to - from) / length : otherwise;
@@ -77,7 +72,7 @@ class Weaver {
       : specimen_(specimen),
         rest_(specimen.model.skeleton),
         pose_(pose),
-        colors_(specimen),
+        colors_(specimen.look, specimen.brightness),
         longest_(rest_.longest()) {
     segments_.reserve(rest_.size() + rest_.size() / 8);
   }
@@ -115,7 +110,7 @@ class Weaver {
 
   Rgba color(std::int32_t i, std::int32_t of) const {
     auto young = static_cast<float>(colors_.young_length);
-    return packed(colors_.at(specimen_, of, youth(rest_, pose_, longest_, young, i)));
+    return packed(colors_.at(specimen_.model, of, youth(rest_, pose_, longest_, young, i)));
   }
 
   /// Half a ball on the end of a branch, where it is thick enough for that to show.
@@ -144,40 +139,23 @@ class Weaver {
 
 }  // namespace
 
-BranchColors::BranchColors(const Specimen& specimen) {
-  const Look& look = specimen.look;
-  if (look.bark) {
-    young_length = look.bark->young_length;
-    for (const Color& c : look.bark->colors) {
-      double furrows = look.bark->kind == BarkKind::bark ? 0.25 : 0.0;
-      old_.push_back(scaled(mixed(c, look.bark->second, furrows), specimen.brightness));
-      young_.push_back(scaled(look.bark->young, specimen.brightness));
-    }
-  } else if (look.skin) {
-    // Walls and pores, as they run together from afar.
-    const Tint& tint = look.skin->tint;
-    young_length = tint.young_length;
-    Tint pores = tint;
-    pores.base = tint.secondary;
-    Color walls = tinted(tint, specimen.brightness);
-    old_ = {mixed(walls, tinted(pores, specimen.brightness), 0.3)};
-    young_ = {mixed(walls, Color{0.96f, 0.96f, 0.96f}, 0.62 * tint.young)};
-  } else {
-    old_ = young_ = {scaled(Bark{}.colors[0], specimen.brightness)};
+BranchColors::BranchColors(const Look& look, double brightness) : branches_(look.branches) {
+  young_length = branches_.young_length();
+  for (std::size_t k = 0; k < branches_.colors(); ++k) {
+    old_.push_back(branches_.plain(k, brightness));
+    young_.push_back(branches_.young(k, brightness));
   }
 }
 
-Color BranchColors::at(const Specimen& specimen, std::int32_t node, float young) const {
-  std::size_t k = old_.size() > 1 && !specimen.model.color.empty()
-                      ? color_index(specimen.model.color[static_cast<std::size_t>(node)], old_.size())
-                      : 0;
+Color BranchColors::at(const Model& model, std::int32_t node, float young) const {
+  std::size_t k = branches_.color_at(model, node);
   return young > 0 ? mixed(old_[k], young_[k], young) : old_[k];
 }
 
 DrawnPart tubes_part(const Specimen& specimen, const Pose& pose) {
   DrawnPart part;
   part.head["kind"] = "tubes";
-  part.head["gloss"] = specimen.look.bark ? bark_gloss(*specimen.look.bark) : 0.1;
+  part.head["gloss"] = specimen.look.branches.gloss();
   std::vector<WireSegment> segments = largest_first(Weaver(specimen, pose).weave());
   part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
                                   sizeof(WireSegment) * segments.size()));

@@ -96,7 +96,7 @@ std::string Specimen::check() const {
   if (std::string fault = model.check(); !fault.empty()) return fault;
   if (!std::isfinite(brightness) || brightness <= 0) return "its brightness is no factor";
   if (model.skeleton.size() > 1 && style.voxel <= 0) return "its style has no voxel";
-  if (look.skin && look.bark) return "its branches have both a skin and a bark";
+  if (look.branches.skin && look.branches.bark) return "its branches have both a skin and a bark";
   return {};
 }
 

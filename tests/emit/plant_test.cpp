@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "draw/branches.h"
 #include "emit/setting.h"
 #include "emit/texts.h"
 #include "motion/unfold.h"
@@ -121,7 +122,7 @@ TEST(Includes, AreThoseOfTheSetting) {
   EXPECT_EQ(includes_text(scene), "#include \"frond_meadow.inc\"\n#include \"frond_plant.inc\"");
   scene.stage.setting = row_of("studio");
   EXPECT_EQ(includes_text(scene), "#include \"frond_studio.inc\"\n#include \"frond_plant.inc\"");
-  scene.specimens[0].look.bark.reset();
+  scene.specimens[0].look.branches.bark.reset();
   scene.stage.setting = row_of("underwater");
   EXPECT_EQ(includes_text(scene),
             "#include \"frond_water.inc\"\n#include \"frond_sand.inc\"\n#include \"frond_coral.inc\"\n"
@@ -130,7 +131,7 @@ TEST(Includes, AreThoseOfTheSetting) {
 
 TEST(Slanted, AreThickLimbsThatAreNotUpright) {
   Specimen tree;
-  tree.look.bark = Bark{};
+  tree.look.branches.bark = Bark{};
   std::int32_t top =
       tree.model.skeleton.add(Vec3(0, 1, 0), 0.2f, tree.model.skeleton.add(Vec3(0), 0.2f, -1, 0), 0);
   tree.model.skeleton.add(Vec3(1, 1.3f, 0), 0.1f, top, 1);
@@ -143,7 +144,7 @@ TEST(Slanted, AreThickLimbsThatAreNotUpright) {
   EXPECT_FALSE(slanted(tree, chunk(1))) << "the trunk";
   EXPECT_TRUE(slanted(tree, chunk(2))) << "a limb";
   EXPECT_FALSE(slanted(tree, chunk(3))) << "a twig";
-  tree.look.bark->kind = BarkKind::stem;
+  tree.look.branches.bark->kind = BarkKind::stem;
   EXPECT_FALSE(slanted(tree, chunk(2))) << "no pattern";
 }
 

@@ -65,8 +65,8 @@ TEST(Polyps, OpenAndCloseByTheHour) {
 
 TEST(Polyps, StandRoundBranchesAndComeAsTheyGrow) {
   Specimen b;
-  b.look.skin = Skin{};
-  b.look.skin->polyps.width = 0.01;
+  b.look.branches.skin = Skin{};
+  b.look.branches.skin->polyps.width = 0.01;
   Skeleton& rod = b.model.skeleton;
   for (int i = 0; i <= 20; ++i) rod.add({0, 0.02f * static_cast<float>(i), 0}, 0.02f, i - 1, 0);
   set_births(rod), set_tip_distances(rod);

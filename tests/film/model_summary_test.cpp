@@ -15,7 +15,7 @@ ModelSummary summary_of(Seed seed) {
     model.skeleton.add({part(0), part(1), part(2)}, 0.01f, static_cast<std::int32_t>(i) - 1, 0);
   }
   Look look;
-  look.bark = Bark{};
+  look.branches.bark = Bark{};
   summary.surfels = surfels_of(look, model);
   summary.parts = {{{0, 3}, {}}, {{2, -1}, {0, 1, 12}}, {{2, 0}, {1}}};
   return summary;

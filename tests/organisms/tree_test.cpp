@@ -230,7 +230,7 @@ TEST(Tree, LeavesMayBePictures) {
   Model model = grow_tree(params, Seed{3});
   EXPECT_EQ(model.check(), "");
   Look look;
-  look.coat = params.coat;
+  look.branches.coat = params.coat;
   look.leaves = pictured_leaves(params);
   std::vector<Drawing> drawn = drawings(look);
   const auto& named = model.prototypes[0].parts[0].pictures;

@@ -84,14 +84,14 @@ TEST(Shading, ACoralUnderATableDiesWhereNoneStandsThereItLives) {
 TEST(Shading, FallsOnBranchesToo) {
   auto staghorn = [](float x) {
     Specimen s;
-    s.look.skin.emplace();
+    s.look.branches.skin.emplace();
     Skeleton& bones = s.model.skeleton;
     std::int32_t below = Skeleton::kRoot;
     for (int i = 0; i < 12; ++i) below = bones.add({x, 0.01f * static_cast<float>(i), 0}, 0.005f, below, 0);
     return s;
   };
   std::vector<Specimen> reef{staghorn(0), table(0), staghorn(1.3f), staghorn(0.1f)};
-  reef[3].look.skin->kind = SkinKind::fan;
+  reef[3].look.branches.skin->kind = SkinKind::fan;
   shade(reef);
   ASSERT_EQ(reef[0].model.light.size(), 12u);
   EXPECT_LT(std::ranges::max(reef[0].model.light), 0.3f);

@@ -45,7 +45,7 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
   bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
-    dress.look.skin = params.skin;
+    dress.look.branches = {.skin = params.skin};
     dress.motion = {params.growth, params.wave, params.food, 1};
     dress.variation = params.skin.tint.variation;
     return dress;

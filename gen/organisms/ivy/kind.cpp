@@ -162,7 +162,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
   bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
-    dress.look.bark = params.bark;
+    dress.look.branches = {.bark = params.bark};
     dress.motion = {params.growth, {}, {}, 1, false, params.flutter, params.leaves.unfold};
     dress.variation = params.bark.variation;
     return dress;

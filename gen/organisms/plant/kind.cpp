@@ -192,7 +192,7 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
   bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
-    dress.look.bark = params.bark;
+    dress.look.branches = {.bark = params.bark};
     dress.look.blades = params.blades;
     for (const OrganParams& organ : params.organs)
       if (organ.picture) dress.look.organs.push_back(*organ.picture);

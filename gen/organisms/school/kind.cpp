@@ -143,7 +143,7 @@ class School final : public Described<SchoolParams, Grower> {
   bool branches() const override { return false; }
   Dress dress() const override {
     Dress dress;
-    dress.look.bark = Bark{};  // none is seen: fish are organs
+    dress.look.branches = {.bark = Bark{}};  // none is seen: fish are organs
     dress.look.pictures.push_back(fish_drawing(params.fish.form, params.fish.look));
     return dress;
   }

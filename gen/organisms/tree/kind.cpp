@@ -270,8 +270,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
-    dress.look.bark = params.bark;
-    dress.look.coat = params.coat;
+    dress.look.branches = {.bark = params.bark, .coat = params.coat};
     if (params.leaves.size > 0 && params.leaves.picture) dress.look.leaves = pictured_leaves(params);
     dress.season = params.season;
     dress.motion = {params.growth, params.wave, {}, 1, true};

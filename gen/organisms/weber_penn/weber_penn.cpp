@@ -174,8 +174,8 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
   bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress = dress_of(params.dress, params.tree.leaves != 0);
-    dress.look.lobes = params.tree.lobes;
-    dress.look.lobe_depth = params.tree.lobe_depth;
+    dress.look.branches.lobes = params.tree.lobes;
+    dress.look.branches.lobe_depth = params.tree.lobe_depth;
     return dress;
   }
   bool develops(bool) const override { return params.dress.season.has_value(); }

@@ -1,0 +1,208 @@
+#include "emit/branch_materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.h"
+#include "draw/branches.h"
+#include "scene/bleaching.h"
+
+namespace frond {
+
+namespace {
+
+/// What is left of its light at both ends of a chunk; it is taken by neighbours that grow as it does.
+std::array<float, 2> light_along(const Specimen& b, const Pose& pose, const Chunk& chunk) {
+  const std::vector<float>& light = b.model.light;
+  float shaded = std::clamp((pose.front - 0.5f) / 0.4f, 0.0f, 1.0f);
+  if (light.empty() || shaded <= 0) return {1, 1};
+  auto from = static_cast<std::size_t>(b.model.skeleton.parent[static_cast<std::size_t>(chunk.first)]);
+  return {light[from] / shaded, light[static_cast<std::size_t>(chunk.last)] / shaded};
+}
+
+/// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
+/// chunk.
+void append_skin(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
+                 const Chunk& chunk, std::size_t index) {
+  const Skeleton& rest = b.model.skeleton;
+  index += b.look.branches.color_at(b.model, chunk.first);
+  Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
+  if (rest.birth[chunk.last] > pose.front) {
+    // Where the growing tip is on its way from the node below.
+    std::int32_t below = rest.parent[chunk.last];
+    float way = (pose.front - rest.birth[below]) / (rest.birth[chunk.last] - rest.birth[below]);
+    to = glm::mix(rest.position[below], to, way);
+  }
+  Vec3 way = to - from;
+  float length2 = glm::dot(way, way);
+  // What goes from one value to another along the chunk.
+  auto append_slope = [&](float start, float end) {
+    Vec3 slope = way * ((end - start) / length2);
+    double at_zero = start - glm::dot(slope, from), unit = space.unit;
+    text += ',';
+    append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);
+  };
+  auto append_macro = [&](std::string_view name) {
+    text += name;
+    append_integer(text, static_cast<long long>(index));
+  };
+  if (std::array<float, 2> light = light_along(b, pose, chunk);
+      std::min(light[0], light[1]) < kLivingLight && length2 >= 1e-10f) {
+    append_macro("Coral_Starved(");
+    append_slope(chunk.young_from, chunk.young_to);
+    append_slope(light[0], light[1]);
+    text += ')';
+  } else if (std::max(chunk.young_from, chunk.young_to) < 0.01f || length2 < 1e-10f) {
+    append_macro("Skin[");
+    text += ']';
+  } else {
+    append_macro(b.look.branches.bark ? "Plant_Tip(" : "Coral_Tip(");
+    append_slope(chunk.young_from, chunk.young_to);
+    text += ')';
+  }
+}
+
+/// The calls that declare the skins of a plant, one for each colour of its bark, from `first` on.
+void append_bark(std::string& text, const Specimen& b, std::size_t first) {
+  const Bark& bark = *b.look.branches.bark;
+  for (std::size_t i = 0; i < bark.colors.size(); ++i) {
+    text += "Plant_Bark(";
+    append_index(text, first + i);
+    text += ',';
+    append_integer(text, static_cast<int>(bark.kind));
+    text += ',';
+    append_color(text, bark.colors[i]);
+    text += ',';
+    append_color(text, bark.second);
+    text += ',';
+    append_color(text, bark.young);
+    text += ',';
+    append_list(text, 5, bark.scale, bark.depth, b.brightness);
+    text += ") ";
+    append_comment(text, b.name);
+  }
+}
+
+}  // namespace
+
+void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first) {
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
+    const Specimen& b = scene.specimens[i];
+    const BranchLook& look = b.look.branches;
+    if (look.bark) {
+      append_bark(text, b, first[i]);
+      continue;
+    }
+    if (!look.skin) continue;
+    const Pores& pores = look.skin->pores;
+    const Tint& tint = look.skin->tint;
+    std::string of = "(";
+    append_integer(of, static_cast<long long>(first[i]));
+    of += ',';
+    append_integer(of, static_cast<int>(look.skin->kind));
+    of += ',';
+    append_color(of, tint.base);
+    of += ',';
+    append_color(of, tint.secondary);
+    of += ',';
+    append_list(of, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
+                b.brightness, tint.young);
+    of += ") ";
+    text += "Coral_Skin" + of;
+    if (!b.model.light.empty()) text += "Coral_Starving" + of;
+    if (double glow = look.skin->polyps.glow; glow > 0) {
+      std::string skin = "Skin[" + number_text(static_cast<double>(first[i])) + "]";
+      text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
+    }
+    append_comment(text, b.name);
+  }
+}
+
+void append_chunk_texture(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
+                          Chunk chunk, std::size_t index) {
+  text += "texture{";
+  append_skin(text, space, b, pose, chunk, index);
+  if (b.look.branches.ringed() || slanted(b, chunk)) lay_along(b.model.skeleton, chunk);
+  // Where a branch is too thin for one there is no pattern to be seen.
+  if (chunk.moved() && b.look.branches.patterned())
+    static_cast<void>(append_matrix(text, space, chunk.matrix, chunk.shift));
+  text += '}';
+}
+
+ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye) {
+  const BarkCoat& coat = *tree.look.branches.coat;
+  Surface wood = coat_surface(tree, pose, eye);
+  if (!has_faces(wood)) return {};
+  std::string text = "object{\n";
+  append_mesh(text, space, wood);
+  text += "\ntexture{Tree_Bark(\"" + bark_color_name(coat) + "\",\"" + bark_height_name(coat) + "\",";
+  append_list(text, 4, coat.relief, tree.brightness);
+  text += ")}";
+  if (coat.moss > 0) {
+    text += "\ntexture{Tree_Moss(";
+    append_list(text, 4, coat.moss, coat.moss_height, pose.position[0].y);
+    text += ")}";
+  }
+  return {text + "}\n", 1};
+}
+
+std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shade) {
+  const BranchLook& look = b.look.branches;
+  std::string text = "texture{Voxel_Skin(";
+  auto add_colors = [&](const Color& base, const Color& second, const Color& young) {
+    for (const Color& color : {base, second, young}) append_color(text, color), text += ',';
+  };
+  double brightness = b.brightness, hue = 0, saturation = 1;
+  if (look.bark) {
+    add_colors(look.bark->colors[look.color_at(b.model, node)], look.bark->second, look.bark->young);
+  } else {
+    const Tint& t = look.skin->tint;
+    auto pale = [&](float c) { return static_cast<float>(c + (0.96 - c) * 0.62 * t.young); };
+    add_colors(t.base, t.secondary, {pale(t.base.red), pale(t.base.green), pale(t.base.blue)});
+    brightness *= t.value, hue = degrees(t.hue), saturation = t.saturation;
+  }
+  append_list(text, 4, hue, saturation, brightness, age / (kCubeAges - 1.0), shade / (kCubeShades - 1.0),
+              b.style.voxel);
+  return text + ")}";
+}
+
+std::string copy_texture(const BranchLook& look) {
+  std::string text;
+  if (look.coat) {
+    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*look.coat), bark_height_name(*look.coat));
+    append(text, look.coat->relief, 4);
+    return text + ",T)";
+  }
+  if (look.skin) {
+    const Pores& pores = look.skin->pores;
+    const Tint& tint = look.skin->tint;
+    text = fmt::format("Copy_Coral({},", static_cast<int>(look.skin->kind));
+    append_color(text, tint.base);
+    text += ',';
+    append_color(text, tint.secondary);
+    text += ',';
+    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
+                tint.young);
+    return text + ",T)";
+  }
+  Bark plain;
+  plain.kind = BarkKind::stem;
+  const Bark& b = look.bark ? *look.bark : plain;
+  text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
+  append_color(text, b.colors[0]);
+  text += ',';
+  append_color(text, b.second);
+  text += ',';
+  append_list(text, 5, b.scale, b.depth);
+  return text + ",T)";
+}
+
+bool is_pictured(const BranchLook& look) { return look.coat || look.skin; }
+
+std::string_view copy_include(const BranchLook& look) { return look.skin ? "coral" : ""; }
+
+std::string_view include_of(const BranchLook& look) { return look.skin ? "coral" : look.bark ? "plant" : ""; }
+
+}  // namespace frond

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "draw/sweep.h"
+#include "emit/pov.h"
+#include "scene/scene.h"
+
+// The textures of branches: which macro of povinc is called with what.
+
+namespace frond {
+
+/// Declares the skin of each organism, at all its ages; `first` has the number of each one's first.
+void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first);
+
+/// Appends `texture{...}` of a chunk: the skin of number `index`, younger toward a tip, carried to where the
+/// skin has moved.
+void append_chunk_texture(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
+                          Chunk chunk, std::size_t index);
+
+/// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
+/// has grown. Where the eye is near, its furrows are let in.
+ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye);
+
+inline constexpr int kCubeAges = 4, kCubeShades = 4;
+/// `texture{Voxel_Skin(...)}` of cubes of one age and shade; `node` has their colour.
+std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shade);
+
+/// What stands in the texture of a copy's branches, for a tint T.
+std::string copy_texture(const BranchLook& look);
+/// Whether that needs places on the mesh.
+bool is_pictured(const BranchLook& look);
+
+/// The povinc file that branches need, as `coral`; empty: none. For copies, besides that of all copies.
+std::string_view include_of(const BranchLook& look);
+std::string_view copy_include(const BranchLook& look);
+
+}  // namespace frond
