@@ -3,12 +3,12 @@
 # with the modules that the site loads. Queues run a copy of this file from elsewhere: its folder is told, not found.
 set -euo pipefail
 case ${1:-} in '' | -h | --help)
-  printf 'Usage: farm_task.sh FOLDER CPUS frames|bands|film|plan|status [NUMBER...]\n\nDoes one task of the job in FOLDER, which scripts/farm.sh has made; queues call it. See frond task --help.\n'
+  printf 'Usage: farm_task.sh FOLDER CPUS frames|bands|film [NUMBER...]\n\nDoes one task of the job in FOLDER, which frond farm has made; queues call it. See frond task --help.\n'
   exit 0 ;;
 esac
 folder=$1
 while IFS= read -r line; do export "${line?}"; done <"$folder/environment"
-if [[ -s $folder/modules && $3 != plan && $3 != status ]]; then
+if [[ -s $folder/modules ]]; then
   set +u  # what sites write does not hold to it
   for file in /etc/profile.d/{modules,lmod,z00_lmod}.sh; do
     # shellcheck disable=SC1090

@@ -2,6 +2,7 @@
 # What the scripts share, messages above all. Sourced, never run.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+frond=${FROND_BIN:-$root/build/frond}
 export root
 export LC_ALL=C.UTF-8  # so that what programs say can be read
 
@@ -45,10 +46,13 @@ clock() { printf '%d:%02d' $(($1 / 60)) $(($1 % 60)); }
 # tied PROGRAM...: in place of this process, a program that is ended when the one that started it is, however that ends.
 tied() { exec setpriv --pdeathsig TERM -- "$@"; }
 
-# no_link PATH...: fails where one of them is a link, and so something else would be written to.
-no_link() {
-  local path
-  for path in "$@"; do
-    if [[ -L $path ]]; then fail 1 "$path: is a link, and what it points to would be written to; expected none"; fi
-  done
+# call_frond COMMAND OPTION...: the program in place of this process, once what is missing is installed and built.
+call_frond() {
+  if [[ " $* " == *" --help "* && ! -x $frond ]]; then
+    printf 'Usage: %s [options]\n\nOnce it is built (scripts/build.sh), this names all options.\n' "$0"
+    exit 0
+  fi
+  if [[ -z ${FROND_BIN:-} || $1 == render ]]; then "$root/scripts/setup.sh" --quiet; fi
+  if [[ -z ${FROND_BIN:-} ]]; then (tied "$root/scripts/build.sh"); fi
+  FROND_HOME=${FROND_HOME:-$root} exec "$frond" "$@"
 }

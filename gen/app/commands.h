@@ -84,13 +84,16 @@ struct TextureArguments {
 };
 
 struct FarmArguments {
-  std::string format;               ///< a name of kFarmFormats
-  std::string folder;               ///< of the job, on the disk that all machines see
-  std::vector<std::string> work;    ///< what every task is told, its number apart
-  std::string name = "frond";       ///< of the job
-  std::string tasks = "1";          ///< their numbers: 1,3,7-9
-  std::optional<std::string> site;  ///< JSON file
-  std::optional<std::string> out;   ///< file to write; none: stdout
+  PresetArguments preset;
+  std::string out;                       ///< folder; empty: out/<preset name>
+  std::optional<std::string> frames;     ///< A-B
+  std::string chunk = "4", bands = "8";  ///< frames a task; tasks of a still
+  std::optional<std::string> site;       ///< JSON file
+  std::optional<std::string> partition;  ///< of Slurm
+  std::optional<std::string> hosts;      ///< names with commas between them: over ssh, by GNU parallel
+  std::optional<std::string> openjd;     ///< file to write instead
+  std::optional<std::string> opencue;    ///< the same
+  bool status = false, cancel = false, logs = false;  ///< instead, of what was handed over
 };
 
 struct ConfineArguments {
@@ -130,11 +133,10 @@ struct RenderArguments {
 };
 
 struct TaskArguments {
-  std::string folder;                 ///< of the farm's job
-  int cpus = 1;                       ///< processors to use; 0: all
-  std::string work;                   ///< frames, bands, film, plan or status
-  std::vector<std::string> words;     ///< what it is told besides
-  std::optional<std::string> frames;  ///< of plan: A-B
+  std::string folder;              ///< of the farm's job
+  int cpus = 1;                    ///< processors to use; 0: all
+  std::string work;                ///< frames, bands or film
+  std::vector<std::string> words;  ///< what it is told besides
 };
 
 struct NewArguments {

@@ -1,7 +1,6 @@
 #include "app/farm_plan.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -29,19 +28,6 @@ bool is_there(const fs::path& folder, const std::string& name) {
 }
 
 std::string band_name(int band, int bands) { return fmt::format("band_{}_of_{}", band, bands); }
-
-/// Numbers as 1,3,7-9.
-std::string ranges_text(const std::vector<int>& numbers) {
-  std::string text;
-  for (std::size_t i = 0; i < numbers.size();) {
-    std::size_t last = i;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
-    text += fmt::format("{}{}", i ? "," : "", numbers[i]);
-    if (last > i) text += fmt::format("-{}", numbers[last]);
-    i = last + 1;
-  }
-  return text;
-}
 
 Result<FarmPlan> plan_bands(const fs::path& folder, int bands) {
   Result<bool> noted = write_file(folder / "bands", fmt::format("{}\n", bands));
@@ -76,10 +62,21 @@ FarmPlan plan_frames(const fs::path& folder, int first, int last, const FarmLimi
 
 }  // namespace
 
+std::string FarmPlan::tasks_text() const {
+  std::string text;
+  for (std::size_t i = 0; i < tasks.size();) {
+    std::size_t last = i;
+    while (last + 1 < tasks.size() && tasks[last + 1] == tasks[last] + 1) ++last;
+    text += fmt::format("{}{}", i ? "," : "", tasks[i]);
+    if (last > i) text += fmt::format("-{}", tasks[last]);
+    i = last + 1;
+  }
+  return text;
+}
+
 std::string FarmPlan::text() const {
   std::string what = bands ? "bands" : fmt::format("chunks of {} frames", chunk);
-  return fmt::format("{}\n{}\n{}\n{} of {} {}\n", fmt::join(work, " "), ranges_text(tasks),
-                     fmt::join(tasks, " "), tasks.size(), all, what);
+  return fmt::format("{} of {} {}", tasks.size(), all, what);
 }
 
 Result<FarmPlan> plan_farm(const fs::path& folder, const FarmLimits& limits) {

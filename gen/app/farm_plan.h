@@ -24,7 +24,10 @@ struct FarmPlan {
   bool bands = false;
   std::string note;  ///< for people; empty where there is nothing to say
 
-  /// Four lines: the work; the tasks as 1,3,7-9; the same one by one; and in words.
+  /// The tasks as 1,3,7-9; empty where there is nothing to do.
+  std::string tasks_text() const;
+
+  /// How many of how many tasks have something to do, in words.
   std::string text() const;
 };
 

@@ -10,9 +10,8 @@
 
 #include "app/bar.h"
 #include "app/commands.h"
-#include "app/farm_plan.h"
+#include "app/farm_folder.h"
 #include "app/messages.h"
-#include "app/streams.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
@@ -78,12 +77,11 @@ class FarmTask {
   int frames(int first, int last, int chunk, int task);
   int band(int bands, int band);
   int film();
-  int plan(const FarmLimits& limits, const std::optional<std::string>& range);
 
  private:
   fs::path picture(const std::string& name) const { return folder_ / "frames" / (name + ".png"); }
   int fail_here(const std::string& what) const { return fail_run({{"", what}}, kCouldNot); }
-  int generate(const fs::path& out, const std::vector<std::string>& options, int err);
+  int generate(const std::vector<std::string>& options, int err);
   int prepare(const std::string& name, std::vector<std::string> options);
   void bring_models();
   std::size_t render(const std::vector<Wanted>& all);
@@ -100,21 +98,11 @@ class FarmTask {
 };
 
 /// Calls `frond generate` as the film was asked for.
-int FarmTask::generate(const fs::path& out, const std::vector<std::string>& options, int err) {
-  Result<std::string> call = read_file(folder_ / "call");
+int FarmTask::generate(const std::vector<std::string>& options, int err) {
+  Result<FarmCall> call = read_farm_call(folder_);
   if (!call) return fail_run(call.errors(), kCouldNot);
-  // The folder, the preset, the assets and what was asked for, each ended by a zero.
-  std::vector<std::string> words = split(*call, '\0');
-  if (words.size() < 3) return fail_here((folder_ / "call").string() + ": is damaged");
-  std::string files = (folder_ / "files").string();
-  Command command;
-  command.words = {own_program().string(), "generate", files + words[1], "--out=" + out.string(), "-q"};
-  if (!words[2].empty()) command.words.push_back("--assets=" + files + words[2]);
-  command.words.insert(command.words.end(), words.begin() + 3, words.end());
-  command.words.insert(command.words.end(), options.begin(), options.end());
-  command.folder = files + words[0];
+  Command command = generate_command(folder_, *call, local_.path(), options);
   command.err = err;
-  command.end_with = SIGTERM;
   Result<pid_t> process = start(command);
   if (!process) return fail_run(process.errors(), kCouldNot);
   std::optional<int> code = stop_.wait_for(*process);
@@ -135,7 +123,7 @@ int FarmTask::prepare(const std::string& name, std::vector<std::string> options)
       fs::copy_file(file, local_.path() / "frames" / file.filename(), error);
   Words said;
   options.push_back(fmt::format("--threads={}", cpus_));
-  int code = generate(local_.path(), options, said.descriptor());
+  int code = generate(options, said.descriptor());
   for (const std::string& line : lines_of(said.text())) say(line);
   if (code != kDone) {
     if (code != kStopped) note_failure(folder_, name, said.text());
@@ -337,17 +325,6 @@ int FarmTask::film() {
   return kDone;
 }
 
-int FarmTask::plan(const FarmLimits& limits, const std::optional<std::string>& range) {
-  std::vector<std::string> options{"--film-only"};
-  if (range) options.push_back("--frames=" + *range);
-  if (int code = generate(folder_, options, 2); code != kDone) return code;
-  Result<FarmPlan> plan = plan_farm(folder_, limits);
-  if (!plan) return fail_run(plan.errors(), kCouldNot);
-  if (!plan->note.empty()) say(plan->note);
-  put(plan->text());
-  return kDone;
-}
-
 /// Whole numbers from 1 on; empty where one of the words is none.
 std::vector<int> numbers_of(const std::vector<std::string>& words) {
   std::vector<int> numbers;
@@ -365,15 +342,6 @@ std::vector<int> numbers_of(const std::vector<std::string>& words) {
 int farm_task(const TaskArguments& arguments) {
   std::error_code error;
   FarmTask task(fs::absolute(arguments.folder, error), arguments.cpus);
-  if (arguments.work == "status") {
-    put(farm_status(fs::absolute(arguments.folder, error)));
-    return kDone;
-  }
-  if (arguments.work == "plan") {
-    std::vector<int> limits = numbers_of(arguments.words);
-    if (limits.size() != 3) return fail_run({{"", "expected plan CHUNK BANDS MOST"}}, kWrongInput);
-    return task.plan({limits[0], limits[1], limits[2]}, arguments.frames);
-  }
   if (arguments.work == "film") return task.film();
   std::vector<std::string> words = arguments.words;
   std::size_t wanted = arguments.work == "frames" ? 4 : 2;  // the last is the task
@@ -382,8 +350,7 @@ int farm_task(const TaskArguments& arguments) {
   if (numbers.size() == wanted && arguments.work == "frames")
     return task.frames(numbers[0], numbers[1], numbers[2], numbers[3]);
   if (numbers.size() == wanted && arguments.work == "bands") return task.band(numbers[0], numbers[1]);
-  return fail_run({{"", "expected frames FIRST LAST CHUNK [TASK], bands N [TASK], film, plan or status"}},
-                  kWrongInput);
+  return fail_run({{"", "expected frames FIRST LAST CHUNK [TASK], bands N [TASK] or film"}}, kWrongInput);
 }
 
 }  // namespace frond

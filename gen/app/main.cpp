@@ -15,7 +15,6 @@
 #include "app/words.h"
 #include "core/figures.h"
 #include "core/machine.h"
-#include "jobs/farm.h"
 
 using namespace frond;
 
@@ -161,24 +160,6 @@ void add_files(CLI::App& app, int& result) {
   add_preset(command, *preset);
   command->footer("Example:\n  frond files presets/ivy/any_mesh.json | xargs -0 tar cf any_mesh.tar");
   command->callback([&result, preset] { result = list_files(*preset); });
-}
-
-void add_farm(CLI::App& app, int& result) {
-  auto to = std::make_shared<FarmArguments>();
-  auto* command = app.add_subcommand("farm", "Writes what hands a film to a farm; called by scripts/farm.sh");
-  std::vector<std::string> formats;
-  for (const auto& format : farm_formats()) formats.emplace_back(format.name);
-  command->add_option("format", to->format, fmt::format("{}", fmt::join(formats, ", ")))
-      ->required()
-      ->check(CLI::IsMember(formats));
-  command->add_option("folder", to->folder, "Of the job, as every machine sees it")->required();
-  command->add_option("work", to->work, "What each task is told, before its number");
-  command->add_option("--name", to->name, "Of the job");
-  command->add_option("--tasks", to->tasks, "Numbers of the tasks, as in 1,3,7-9");
-  command->add_option("-o,--out", to->out, "FILE: writes it there, and its name to stdout");
-  command->add_option("--site", to->site, "JSON file: what this site's farm needs");
-  command->footer("Example:\n  frond farm openjd /shared/reef/farm/latest frames 1 240 8 --tasks 1-30");
-  command->callback([&result, to] { result = farm(*to); });
 }
 
 void add_derive(CLI::App& app, int& result) {

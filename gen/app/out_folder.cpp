@@ -77,6 +77,12 @@ Errors refuse_links(const fs::path& out) {
   return errors;
 }
 
+Errors refuse_link(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(fs::symlink_status(path, error))) return {};
+  return {{path.string(), "is a link, and what it points to would be written to; expected none"}};
+}
+
 Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange range, std::array<int, 2> size) {
   enum class State { good, damaged, other_size, folder };
   std::vector<fs::path> pictures = {out / "still.png", out / "contact.png"};

@@ -34,6 +34,9 @@ class FolderInUse {
 /// (.ninja_log, .times, lists), and all frames go through the folder `frames`: no link may stand there.
 Errors refuse_links(const std::filesystem::path& out);
 
+/// The same of one path that is to be written to.
+Errors refuse_link(const std::filesystem::path& path);
+
 /// Removes the pictures of earlier runs that do not count as done, so that they are made again: frames of the
 /// range that are not whole or not of that size, and a damaged still or contact sheet. Gives those that
 /// are damaged. An error where a folder stands in the place of a picture.

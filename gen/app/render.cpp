@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/messages.h"
+#include "app/out_folder.h"
 #include "app/pace.h"
 #include "app/render_notes.h"
 #include "app/render_run.h"
@@ -68,11 +69,8 @@ class RunLock {
       return;
     }
     fs::path path = out / ".lock";
-    if (fs::is_symlink(fs::symlink_status(path, error))) {
-      errors_ = {
-          {"", path.string() + ": is a link, and what it points to would be written to; expected none"}};
-      return;
-    }
+    errors_ = refuse_link(path);
+    if (!errors_.empty()) return;
     file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW, 0666);
     if (file_ < 0) {
       errors_ = {{"", out.string() + ": cannot be written to"}};

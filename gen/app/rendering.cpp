@@ -146,22 +146,55 @@ void add_task(CLI::App& app, int& result) {
   auto to = std::make_shared<TaskArguments>();
   auto* command =
       app.add_subcommand("task", "Does one task of a film on a farm; called by scripts/farm_task.sh");
-  command->add_option("folder", to->folder, "Of the job, which scripts/farm.sh has made")->required();
+  command->add_option("folder", to->folder, "Of the job, which frond farm has made")->required();
   command->add_option("cpus", to->cpus, "How many processors to use, 0 all")
       ->required()
       ->check(CLI::Range(0, 9999));
-  command->add_option("work", to->work, "frames, bands, film, plan or status")->required();
-  command->add_option("words", to->words, "FIRST LAST CHUNK [TASK], or N [TASK]; of plan CHUNK BANDS MOST");
-  command->add_option("--frames", to->frames, "A-B: of plan, only these frames");
+  command->add_option("work", to->work, "frames, bands or film")->required();
+  command->add_option("words", to->words, "FIRST LAST CHUNK [TASK], or N [TASK]");
   command->footer(
       "Renders the TASK-th CHUNK of frames FIRST to LAST, or the TASK-th of N bands of a still, or makes the "
       "film of\n"
       "what is rendered. Without TASK it is $SLURM_ARRAY_TASK_ID. It may be run again, anywhere, at any "
       "time, also\n"
-      "twice at once: what is finished is skipped. plan says which tasks have something to do, cut so that "
-      "there are no\n"
-      "more than MOST of them; status how many pictures there are.");
+      "twice at once: what is finished is skipped.");
   command->callback([&result, to] { result = farm_task(*to); });
+}
+
+void add_farm(CLI::App& app, int& result) {
+  auto to = std::make_shared<FarmArguments>();
+  auto* command = app.add_subcommand(
+      "farm", "Renders a film on many machines: by Slurm, over ssh, or on a farm that reads job files");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out,
+                      "DIR: where to (out/<preset name>), on a disk that all machines see");
+  command->add_option("--frames", to->frames, "A-B: only these frames");
+  command->add_option("--partition", to->partition, "P: where the jobs go");
+  command->add_option("--site", to->site,
+                      "FILE: what this site's farm needs, JSON: partition, account, qos, cpus, memory, "
+                      "minutes, modules, options");
+  command->add_option("--chunk", to->chunk, "N: frames a task (4)");
+  command->add_option("--bands", to->bands, "N: tasks of a still (8)");
+  command->add_option("--hosts", to->hosts,
+                      "A,B,...: renders over ssh on these machines instead, by GNU parallel, and waits");
+  command->add_option("--openjd", to->openjd,
+                      "FILE: writes an Open Job Description template instead (jobtemplate-2023-09)");
+  command->add_option("--opencue", to->opencue, "FILE: writes a job for OpenCue instead (CJSL 1.15)");
+  command->add_flag("--status", to->status, "Says how far the film is");
+  command->add_flag("--cancel", to->cancel, "Ends its jobs");
+  command->add_flag("--logs", to->logs, "Prints the ends of their logs");
+  command->footer(
+      "A job array of Slurm renders the frames, a job that waits for them leaves DIR/film.mp4 and "
+      "DIR/contact.png,\n"
+      "or DIR/still.png, which is rendered in bands. The same call again goes on where a farm was stopped: "
+      "what is\n"
+      "finished is not rendered again. FROND_BIN, FROND_POVRAY, FROND_FFMPEG and FROND_UNCONFINED are handed "
+      "on to the\n"
+      "tasks. See docs/farm.md.\n\n"
+      "Examples:\n  frond farm presets/reef.json --partition render --size 1920x1080 --quality good\n"
+      "  frond farm presets/reef.json --hosts anna,berta,clara --frames 1-48\n"
+      "  frond farm presets/reef.json --status");
+  command->callback([&result, to] { result = farm(*to); });
 }
 
 }  // namespace frond

@@ -27,5 +27,6 @@ void add_film(CLI::App& app, int& result);
 void add_render(CLI::App& app, int& result);
 void add_sheet(CLI::App& app, int& result);
 void add_task(CLI::App& app, int& result);
+void add_farm(CLI::App& app, int& result);
 
 }  // namespace frond

@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/messages.h"
+#include "app/out_folder.h"
 #include "app/rendering.h"
 #include "app/streams.h"
 #include "app/work_folder.h"
@@ -213,10 +214,7 @@ int sheet(const RenderArguments& a) {
                                : fs::path(a.out);
   out = fs::absolute(out, error).lexically_normal();
   fs::path pictures = out / "pictures";
-  if (fs::is_symlink(fs::symlink_status(pictures, error)))
-    return fail_run(
-        {{"", pictures.string() + ": is a link, and what it points to would be written to; expected none"}},
-        kCouldNot);
+  if (Errors link = refuse_link(pictures); !link.empty()) return fail_run(link, kCouldNot);
   fs::create_directories(pictures, error);
   if (error) return fail_run({{"", out.string() + ": the folder cannot be made"}}, kCouldNot);
   std::vector<Cell> cells = cells_of(*sweeps, pictures);

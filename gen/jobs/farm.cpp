@@ -2,21 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
-
 #include "core/printable.h"
 #include "jobs/escape.h"
 
 namespace frond {
 
 namespace {
-
-constexpr FarmFormat kFarmFormats[] = {{"sbatch", sbatch_words},
-                                       {"modules", module_lines},
-                                       {"cpus", cpus_line},
-                                       {"openjd", openjd_text},
-                                       {"opencue", opencue_text}};
 
 /// The beginning of what OpenCue runs by a shell.
 std::string shell_command(const FarmJob& job, const FarmSite& site) {
@@ -55,28 +46,10 @@ std::string job_name(std::string_view text) {
   return name.empty() ? "frond" : name;
 }
 
-bool is_task_list(std::string_view text) {
-  int last = 0;
-  const char *at = text.data(), *end = at + text.size();
-  auto number = [&] {
-    int found = 0;
-    auto [next, error] = std::from_chars(at, end, found);
-    bool good = error == std::errc{} && found > last;
-    at = next;
-    last = found;
-    return good;
-  };
-  do {
-    if (!number()) return false;
-    if (at != end && *at == '-' && (++at, !number())) return false;
-  } while (at != end && *at++ == ',');
-  return at == end && text.back() != ',';
-}
-
-std::string sbatch_words(const FarmJob& job, const FarmSite& site) {
-  std::string words;
+std::vector<std::string> sbatch_words(const FarmJob& job, const FarmSite& site) {
+  std::vector<std::string> words;
   auto add = [&](std::string_view option, std::string_view value) {
-    if (!value.empty() && value != "0") words += fmt::format("{}={}", option, value) + '\0';
+    if (!value.empty() && value != "0") words.push_back(fmt::format("{}={}", option, value));
   };
   add("--job-name", job_name(job.name));
   add("--partition", site.partition);
@@ -85,17 +58,9 @@ std::string sbatch_words(const FarmJob& job, const FarmSite& site) {
   add("--cpus-per-task", std::to_string(site.cpus));
   add("--mem", std::to_string(site.memory));
   add("--time", std::to_string(site.minutes));
-  for (const std::string& option : site.options) words += option + '\0';
+  words.insert(words.end(), site.options.begin(), site.options.end());
   return words;
 }
-
-std::string module_lines(const FarmJob&, const FarmSite& site) {
-  std::string lines;
-  for (const std::string& module : site.modules) lines += module + '\n';
-  return lines;
-}
-
-std::string cpus_line(const FarmJob&, const FarmSite& site) { return std::to_string(site.cpus) + '\n'; }
 
 std::string openjd_text(const FarmJob& job, const FarmSite& site) {
   // Values of parameters are taken as they are; elsewhere two braces begin an expression.
@@ -155,7 +120,5 @@ std::string opencue_text(const FarmJob& job, const FarmSite& site) {
 )",
                      name);
 }
-
-std::span<const FarmFormat> farm_formats() { return kFarmFormats; }
 
 }  // namespace frond

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,25 +25,11 @@ struct FarmJob {
 /// A text as the name of a job: letters, digits, dots, dashes and underscores, 64 at most.
 std::string job_name(std::string_view text);
 
-/// Whether the text is made of numbers from 1 on and ranges of them, ascending.
-bool is_task_list(std::string_view text);
-
-/// Words of the command line of sbatch, each ended by a zero byte.
-std::string sbatch_words(const FarmJob& job, const FarmSite& site);
-/// The modules that a task loads, one a line.
-std::string module_lines(const FarmJob& job, const FarmSite& site);
-/// How many processors a task has.
-std::string cpus_line(const FarmJob& job, const FarmSite& site);
+/// Words of the command line of sbatch.
+std::vector<std::string> sbatch_words(const FarmJob& job, const FarmSite& site);
 /// A template of Open Job Description, jobtemplate-2023-09.
 std::string openjd_text(const FarmJob& job, const FarmSite& site);
 /// A job of OpenCue in CJSL 1.15.
 std::string opencue_text(const FarmJob& job, const FarmSite& site);
-
-struct FarmFormat {
-  std::string_view name;
-  std::string (*text)(const FarmJob& job, const FarmSite& site);
-};
-
-std::span<const FarmFormat> farm_formats();
 
 }  // namespace frond

@@ -41,7 +41,7 @@ setup() {
 
 @test "an unknown option is told with the nearest" {
   local row
-  for row in "farm --partion|--partition" "build --test|--tests" "setup --studo|--studio"; do
+  for row in "build --test|--tests" "setup --studo|--studio"; do
     # shellcheck disable=SC2086
     run "$ROOT/scripts/${row%% *}.sh" $(cut -d' ' -f2 <<<"${row%|*}")
     echo "$row: $output"
@@ -54,6 +54,9 @@ setup() {
     [ "$status" -eq 2 ]
     [[ $output == "--"*": no such option of frond render; did you mean \"${row#*|}\"?"* ]]
   done
+  run "$ROOT/scripts/farm.sh" --partion
+  [ "$status" -eq 2 ]
+  [[ $output == "--partion: no such option of frond farm; did you mean \"--partition\"?"* ]]
   run "$RENDER" --nothing-like-it
   [[ $output == "--nothing-like-it: no such option of frond render"$'\n'* ]]
 }
