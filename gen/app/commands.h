@@ -139,6 +139,12 @@ struct TaskArguments {
   std::vector<std::string> words;  ///< what it is told besides
 };
 
+struct GalleryArguments {
+  std::string out = "out/gallery";  ///< folder of what pictures are made of
+  bool large = false;               ///< the best of them, large
+  std::vector<std::string> names;   ///< of pictures; none: all
+};
+
 struct NewArguments {
   std::string name;               ///< of the file to write, with or without its .json
   std::string from;               ///< a kind, the file of a preset, or the name of one that is shipped
@@ -179,6 +185,7 @@ int film(const FilmArguments& arguments);
 int render(const RenderArguments& arguments);
 int sheet(const RenderArguments& arguments);
 int farm_task(const TaskArguments& arguments);
+int gallery(const GalleryArguments& arguments);
 int compare(const std::vector<std::string>& paths);
 /// Returns only where the program could not be started.
 int run_confined(const ConfineArguments& arguments);

@@ -197,4 +197,23 @@ void add_farm(CLI::App& app, int& result) {
   command->callback([&result, to] { result = farm(*to); });
 }
 
+void add_gallery(CLI::App& app, int& result) {
+  auto to = std::make_shared<GalleryArguments>();
+  auto* command = app.add_subcommand(
+      "gallery",
+      "Renders the pictures of docs/gallery that have changed, in the folder of Frond, and lists them");
+  command->add_option("names", to->names, "Only these pictures");
+  command->add_option("-o,--out", to->out, "DIR: keeps what they are made of (out/gallery)");
+  command->add_flag("--large", to->large,
+                    "Renders the best of them 1280 pixels wide, into docs/gallery/large, and lists nothing");
+  command->footer(
+      "docs/gallery/pictures.txt says which there are, and which are large ones; further ones are "
+      "example-NAME, of each\n"
+      "scene in docs/examples, and grammars. Interrupted and run again it goes on where it stopped. "
+      "docs/gallery.md lists\n"
+      "them with the seconds of processor that POV-Ray took, here or where they were rendered last.\n\n"
+      "Example:\n  frond gallery reef tree-oak");
+  command->callback([&result, to] { result = gallery(*to); });
+}
+
 }  // namespace frond

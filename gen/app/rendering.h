@@ -28,5 +28,6 @@ void add_render(CLI::App& app, int& result);
 void add_sheet(CLI::App& app, int& result);
 void add_task(CLI::App& app, int& result);
 void add_farm(CLI::App& app, int& result);
+void add_gallery(CLI::App& app, int& result);
 
 }  // namespace frond

@@ -113,7 +113,7 @@ SH
   run "$ROOT/scripts/gallery.sh" --huge
   [ "$status" -eq 2 ]
   local name
-  for name in $(sed -n 's/^best="\(.*\)"$/\1/p' "$ROOT/scripts/gallery.sh"); do
+  for name in $(sed -n 's/^large: //p' "$ROOT/docs/gallery/pictures.txt"); do
     grep -q "^$name [0-9]*x[0-9]* 1 " "$ROOT/docs/gallery/pictures.txt"
   done
 }
