@@ -8,7 +8,8 @@ Writes docs/kinds/*.md and docs/settings/*.md from what `frond describe --json` 
   scripts/manual.py --strips     renders the strips that are missing, most telling first, then the pages
   scripts/manual.py --strips --again NAME...   renders those anew, as tree-habit-branching_angle
 
-A strip is three small pictures of one preset, which differ in one value. Stopped and run again it goes on where it was.
+A strip is three small pictures of one preset, which differ in one value, as docs/kinds/strips.json lists. Stopped and
+run again it goes on where it was.
 """
 import json
 import os
@@ -23,99 +24,11 @@ FROND = os.environ.get("FROND_BIN", str(ROOT / "build" / "frond"))
 os.environ.setdefault("FROND_HOME", str(ROOT))
 SIZE = "160x120"
 
-# Where a strip's preset comes from, and what is simpler in it than there.
-BARE = ["/scene/meadow/blade=0", "/scene/meadow/clouds=0"]
-BASES = {
-    "coral": ("templates/new/coral.json", ["/scene/water/particles=0"]),
-    "plant": ("templates/new/plant.json", BARE),
-    "rock": ("templates/new/rock.json", BARE),
-    "pebbles": ("templates/new/pebbles.json", BARE),
-    "wall": ("templates/new/wall.json", BARE),
-    "column": ("templates/new/column.json", BARE),
-    "mesh": ("templates/new/mesh.json", BARE),
-    "bridge": ("templates/new/bridge.json", BARE),
-    "vase": ("templates/new/vase.json", []),
-    "weber_penn": ("templates/new/weber_penn.json", BARE + ["/scene/camera/angle=50"]),
-    "colonized": ("templates/new/colonized.json", BARE),
-    "tree": ("templates/new/tree.json", BARE),
-    "ivy": ("templates/new/ivy.json", BARE),
-    "shell": ("templates/new/shell.json", []),
-    "school": ("templates/new/school.json", ["/scene/water/particles=0"]),
-}
-
-# What is nearer to the camera than in its preset.
-NEARER = {
-    "coral/skin/pores/cell": ["/scene/camera/angle=11"],
-    "coral/skin/kind": ["/scene/camera/angle=11"],
-    "coral/thickness/knob": ["/scene/camera/angle=20"],
-    "plant/organs/bend": ["/scene/camera/angle=14"],
-    "plant/bark/kind": ["/scene/camera/angle=8", "/scene/camera/look_at=[0,0.25,0]"],
-    "wall/wear": ["/scene/camera/angle=14"],
-    "wall/weathering": ["/scene/camera/angle=24"],
-    "column/broken": ["/scene/camera/angle=46"],
-    "column/flutes": ["/scene/camera/angle=12"],
-    "ivy/leaves/size": ["/scene/camera/angle=22"],
-}
-
-# The strips, most telling first: the property, and its three values. In organisms[0], of ivy in organisms[1].
-STRIPS = [
-    ("coral/pitch", [15, 30, 50]),
-    ("coral/steps", [2, 3, 5]),
-    ("tree/years", [8, 15, 24]),
-    ("tree/habit/branching_angle", [30, 55, 85]),
-    ("tree/habit/apical_control", [0.5, 0.66, 0.85]),
-    ("vase/profile", [[[0.1, 0], [0.1, 0.3]], [[0.06, 0], [0.2, 0.12], [0.05, 0.3]],
-                      [[0.03, 0], [0.05, 0.1], [0.06, 0.15], [0.2, 0.3]]]),
-    ("rock/weathering/facets", [0, 8, 24]),
-    ("rock/weathering/strata", [0, 0.4, 0.9]),
-    ("coral/thickness/knob", [0.5, 1, 1.8]),
-    ("coral/skin/pores/cell", [0.01, 0.02, 0.045]),
-    ("plant/grammar/steps", [3, 6, 9]),
-    ("plant/organs/bend", [0, 40, 120]),
-    ("tree/habit/tropism", [-0.3, 0.3, 1.2]),
-    ("tree/habit/shade_tolerance", [0.2, 0.5, 0.9]),
-    ("tree/leaves/size", [0.12, 0.28, 0.5]),
-    ("colonized/envelope/shape", ["ball", "cone", "cylinder"]),
-    ("colonized/colonize/attractors", [400, 1500, 5000]),
-    ("weber_penn/tree/shape", ["conical", "hemispherical", "inverse_conical"]),
-    ("weber_penn/tree/base_size", [0.05, 0.25, 0.5]),
-    ("wall/ruin", [0, 0.4, 0.8]),
-    ("wall/wear", [0, 0.4, 1]),
-    ("wall/weathering", [0, 0.5, 1]),
-    ("column/broken", [0, 0.35, 0.7]),
-    ("column/flutes", [0, 12, 24]),
-    ("ivy/crawl/max_age", [40, 90, 150]),
-    ("ivy/crawl/wander", [5, 25, 60]),
-    ("ivy/crawl/branch_every", [0.15, 0.4, 1]),
-    ("ivy/leaves/size", [0.03, 0.07, 0.12]),
-    ("bridge/height", [0.4, 1.1, 2]),
-    ("bridge/style", ["wood", "stone", None]),
-    ("vase/material", ["ceramic", "terracotta", "glass"]),
-    ("vase/gloss", [0, 0.5, 1]),
-    ("pebbles/number", [30, 120, 400]),
-    ("mesh/matter", ["limestone", "brick", "plaster"]),
-    ("rock/stone/kind", ["granite", "limestone", "basalt"]),
-    ("rock/stone/moss", [0, 0.4, 1]),
-    ("coral/lift", [-0.08, 0.05, 0.25]),
-    ("coral/distortion/strength", [0, 0.1, 0.3]),
-    ("coral/skin/kind", ["stony", "fan", "soft"]),
-    ("plant/bark/kind", ["stem", "bark", "wax"]),
-    ("tree/habit/wander", [0, 12, 35]),
-    ("tree/habit/droop", [0, 0.2, 0.8]),
-    ("tree/wood/exponent", [1.9, 2.4, 3]),
-    ("meadow/sun", [[-1, 0.15, 0.3], [-0.6, 0.8, 0.5], [0.2, 1, 0.1]]),
-    ("meadow/clouds", [0, 0.4, 0.9]),
-    ("meadow/blade", [0.04, 0.12, 0.35]),
-    ("meadow/haze", [30, 200, 4000]),
-    ("water/visibility", [3, 8, 25]),
-    ("water/shafts", [0, 0.5, 1]),
-    ("garden/hour", [6.5, 12, 20]),
-    ("forest/hour", [7, 12, 19.5]),
-    ("studio/softness", [0, 1, 3]),
-    ("studio/key", [[-1, 0.3, 0.6], [-0.8, 0.75, 0.7], [0.6, 1, -0.3]]),
-]
-# The scenes in which settings are shown.
-SCENES = {"meadow": "plant", "water": "coral", "garden": "bridge", "forest": "rock", "studio": "vase"}
+# bases: where a strip's preset comes from, and what is simpler in it than there; nearer: what is nearer to the camera
+# than in its preset; scenes: the bases in which settings are shown; strips: the property and its three values, most
+# telling first, in organisms[0], of ivy in organisms[1].
+LISTED = json.loads((ROOT / "docs/kinds/strips.json").read_text())
+BASES, NEARER, SCENES, STRIPS = (LISTED[name] for name in ("bases", "nearer", "scenes", "strips"))
 
 
 def describe():
