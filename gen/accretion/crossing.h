@@ -10,12 +10,12 @@ namespace frond {
 
 /// Whether a line from one place to another goes through a triangle (Moeller and Trumbore 1997).
 inline bool goes_through(Vec3 from, Vec3 to, const std::array<Vec3, 3>& triangle) {
-  DVec3 start(from), corner(triangle[0]), way = DVec3(to) - start, e1 = DVec3(triangle[1]) - corner,
-                                          e2 = DVec3(triangle[2]) - corner, h = glm::cross(way, e2);
+  DVec3 start(from), corner(triangle[0]), segment = DVec3(to) - start, e1 = DVec3(triangle[1]) - corner,
+                                          e2 = DVec3(triangle[2]) - corner, h = glm::cross(segment, e2);
   double volume = glm::dot(e1, h);
   if (std::abs(volume) < 1e-18) return false;
   DVec3 off = start - corner, k = glm::cross(off, e1);
-  double u = glm::dot(off, h) / volume, v = glm::dot(way, k) / volume, share = glm::dot(e2, k) / volume;
+  double u = glm::dot(off, h) / volume, v = glm::dot(segment, k) / volume, share = glm::dot(e2, k) / volume;
   return u >= 0 && v >= 0 && u + v <= 1 && share >= 0 && share <= 1;
 }
 

@@ -44,7 +44,7 @@ struct RimRow {
   struct Vertex {
     Vec3 at;
     std::array<std::uint32_t, 2> parents;
-    float way, u;
+    float distance, u;
   };
   std::vector<Vertex> vertex{};
   std::vector<std::array<std::uint32_t, 3>> triangle{};
@@ -72,7 +72,7 @@ class GrowingSheets {
   Sheet grow() &&;
 
  private:
-  std::uint32_t add(Vec3 at, std::array<std::uint32_t, 2> parents, float row, float way, float u,
+  std::uint32_t add(Vec3 at, std::array<std::uint32_t, 2> parents, float row, float distance, float u,
                     std::uint32_t sheet);
   void advance(GrowingRim& rim, int row);
   void set_paces(GrowingRim& rim);

@@ -9,13 +9,13 @@
 
 namespace frond {
 
-std::uint32_t GrowingSheets::add(Vec3 at, std::array<std::uint32_t, 2> parents, float row, float way, float u,
-                                 std::uint32_t sheet) {
+std::uint32_t GrowingSheets::add(Vec3 at, std::array<std::uint32_t, 2> parents, float row, float distance,
+                                 float u, std::uint32_t sheet) {
   auto v = static_cast<std::uint32_t>(sheet_.position.size());
   sheet_.position.push_back(at);
   sheet_.parents.push_back(parents[0] == kRimNobody ? std::array{v, v} : parents);
   sheet_.row.push_back(row);
-  sheet_.way.push_back(way);
+  sheet_.distance.push_back(distance);
   u_.push_back(u);
   owner_.push_back(sheet);
   seat_.push_back(kRimNobody);
@@ -124,8 +124,8 @@ void GrowingSheets::look_round(const GrowingRim& rim) {
   auto along = [&](std::size_t i, std::uint32_t who) {
     auto j = static_cast<std::size_t>(std::ranges::lower_bound(thread_, u_[who]) - thread_.begin());
     float from = j == 0 ? 0 : arc_[j - 1], to = j < count ? arc_[j] : whole;
-    float way = from > arc_[i] ? from - arc_[i] : to < arc_[i] ? arc_[i] - to : 0;
-    return rim.closed ? std::min(way, whole - way) : way;
+    float distance = from > arc_[i] ? from - arc_[i] : to < arc_[i] ? arc_[i] - to : 0;
+    return rim.closed ? std::min(distance, whole - distance) : distance;
   };
   for (std::size_t i = 0; i < count; ++i) {
     rivals_[i].clear();
@@ -135,10 +135,10 @@ void GrowingSheets::look_round(const GrowingRim& rim) {
       if (who == own || glm::distance(sheet_.position[who], from_[i]) > reach) return;
       float need = clearance_;
       if (owner_[who] == rim.sheet) {
-        float way = std::max(along(i, who), std::abs(sheet_.way[own] - sheet_.way[who]));
-        way = std::min(way, sheet_.way[own] + sheet_.way[who]);
-        if (way < 2.2f * edge_) return;
-        need = std::min(need, kRimBow * way);
+        float distance = std::max(along(i, who), std::abs(sheet_.distance[own] - sheet_.distance[who]));
+        distance = std::min(distance, sheet_.distance[own] + sheet_.distance[who]);
+        if (distance < 2.2f * edge_) return;
+        need = std::min(need, kRimBow * distance);
       }
       rivals_[i].push_back({who, need});
     });
@@ -200,14 +200,14 @@ void GrowingSheets::relax(const GrowingRim& rim) {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (rim.pace[i] == 0) continue;
-      Vec3 way = to_[i] + shift_[i] - from_[i];
+      Vec3 offset = to_[i] + shift_[i] - from_[i];
       // No sharper turn than a row can make.
-      float ahead = glm::dot(way, aim_[i]);
-      Vec3 aside = way - aim_[i] * ahead;
+      float ahead = glm::dot(offset, aim_[i]);
+      Vec3 aside = offset - aim_[i] * ahead;
       float wide = glm::length(aside), most = 0.5f * std::max(ahead, 0.3f * step_);
       if (wide > most) aside *= most / wide;
-      way = aim_[i] * std::max(ahead, 0.3f * step_) + aside;
-      to_[i] = from_[i] + way * (step_ * rim.pace[i] / glm::length(way));
+      offset = aim_[i] * std::max(ahead, 0.3f * step_) + aside;
+      to_[i] = from_[i] + offset * (step_ * rim.pace[i] / glm::length(offset));
       if (world_.cling) {
         Vec3 normal(0, 1, 0);
         if (round + 1 == kRimRounds) world_.cling(to_[i], normal);

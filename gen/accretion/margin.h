@@ -56,10 +56,10 @@ struct Sheet {
   std::vector<std::array<std::uint32_t, 3>> triangle;
   /// Of each vertex the ones that it grew from, itself for those of the start; they precede it.
   std::vector<std::array<std::uint32_t, 2>> parents;
-  std::vector<float> row;  ///< that it was laid in; those of the start when it began
-  std::vector<float> end;  ///< of each vertex, the last row that came of it
-  std::vector<float> way;  ///< from the middle, along the sheet
-  int rows = 1;            ///< in all
+  std::vector<float> row;       ///< that it was laid in; those of the start when it began
+  std::vector<float> end;       ///< of each vertex, the last row that came of it
+  std::vector<float> distance;  ///< from the middle, along the sheet
+  int rows = 1;                 ///< in all
 };
 
 /// Grows sheets together, none through another; a pure function.

@@ -44,14 +44,14 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
   auto put = [&](std::uint32_t v, Vec3 heading, float pace) {
     after.vertex.push_back(v), after.heading.push_back(heading), after.pace.push_back(pace);
   };
-  auto bear = [&](Vec3 at, std::array<std::uint32_t, 2> parents, float way, float u) {
-    row.vertex.push_back({at, parents, way, u});
+  auto bear = [&](Vec3 at, std::array<std::uint32_t, 2> parents, float distance, float u) {
+    row.vertex.push_back({at, parents, distance, u});
     return static_cast<std::uint32_t>(sheet_.position.size() + row.vertex.size() - 1);
   };
   auto raised = [&](std::size_t i) {
     if (rim.pace[i] == 0) return rim.vertex[i];
     std::uint32_t v = rim.vertex[i];
-    return bear(to_[i], {v, v}, sheet_.way[v] + glm::distance(from_[i], to_[i]), u_[v]);
+    return bear(to_[i], {v, v}, sheet_.distance[v] + glm::distance(from_[i], to_[i]), u_[v]);
   };
   auto heading = [&](std::size_t i) {
     if (rim.pace[i] == 0) return rim.heading[i];
@@ -67,12 +67,12 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
     std::size_t j = rim.next(i);
     std::uint32_t p = rim.vertex[i], q = rim.vertex[j];
     Vec3 between = (to_[i] + to_[j]) * 0.5f;
-    float way = (sheet_.way[p] + sheet_.way[q]) / 2 + step_ * rim.pace[i];
+    float distance = (sheet_.distance[p] + sheet_.distance[q]) / 2 + step_ * rim.pace[i];
     if (above[i] == kRimNobody) {
       bool near = j > i && rim.pace[i] > 0 && rim.pace[j] > 0 && left > 8 && i > 0 && j + 1 < count &&
                   glm::distance(to_[i], to_[j]) < 0.5f * edge_;
       if (near) {
-        above[i] = above[j] = bear(between, {p, q}, way, (u_[p] + u_[q]) / 2);
+        above[i] = above[j] = bear(between, {p, q}, distance, (u_[p] + u_[q]) / 2);
         put(above[i], heading_between(i, j), rim.pace[i]);
         --left;
       } else {
@@ -84,7 +84,7 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
     bool merges = j > i && above[j] != kRimNobody;
     bool moves = rim.pace[i] > 0 || rim.pace[j] > 0;
     if (merges || !moves || glm::distance(to_[i], to_[j]) < 1.45f * edge_) continue;
-    std::uint32_t m = bear(between, {p, q}, way, (u_[p] + (j > i ? u_[q] : 1)) / 2);
+    std::uint32_t m = bear(between, {p, q}, distance, (u_[p] + (j > i ? u_[q] : 1)) / 2);
     put(m, heading_between(i, j), std::max(rim.pace[i], rim.pace[j]));
   }
   fill(rim, row, above);
@@ -153,7 +153,7 @@ bool GrowingSheets::stop_what_crosses(GrowingRim& rim, const RimRow& plan) {
 
 void GrowingSheets::lay(GrowingRim& rim, RimRow&& plan, int row) {
   for (const RimRow::Vertex& v : plan.vertex)
-    add(v.at, v.parents, static_cast<float>(row + 1), v.way, v.u, rim.sheet);
+    add(v.at, v.parents, static_cast<float>(row + 1), v.distance, v.u, rim.sheet);
   sheet_.triangle.insert(sheet_.triangle.end(), plan.triangle.begin(), plan.triangle.end());
   for (std::uint32_t v : rim.vertex) seat_[v] = kRimNobody;
   rim = std::move(plan.after);

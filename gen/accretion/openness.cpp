@@ -13,7 +13,7 @@ constexpr float kWhole = 256;
 
 /// Directions round the pole z: one along it, and two rings.
 struct Cone {
-  Vec3 way;
+  Vec3 direction;
   float share;
 };
 
@@ -127,24 +127,25 @@ float Openness::openness(Vec3 at, Vec3 normal, float light) const {
   float cell = levels_[0].cell, come = 0, all = 0;
   // Where cones begin, and how far away their steps are, in cells of the level of each step.
   std::array<Vec3, kConeSteps> from;
-  std::array<float, kConeSteps> ways;
+  std::array<float, kConeSteps> distance;
   float away = 1.5f * cell;
   for (std::size_t step = 0; step < kConeSteps; ++step) {
     float size = levels_[step / 2].cell;
     from[step] = (at + normal * (0.9f * cell) - low_) / size - 0.5f;
-    ways[step] = away / size;
+    distance[step] = away / size;
     away += size * 1.2f;
   }
   for (const Cone& cone : kCones) {
-    Vec3 way = side * cone.way.x + other * cone.way.y + normal * cone.way.z;
-    float weight = cone.share * (0.5f + 0.5f * std::abs(cone.way.z));
+    Vec3 direction = side * cone.direction.x + other * cone.direction.y + normal * cone.direction.z;
+    float weight = cone.share * (0.5f + 0.5f * std::abs(cone.direction.z));
     all += weight;
     // Ground holds up what comes from below.
-    float source = 1.3f * light * std::max(0.0f, way.y) + (1 - light) * std::min(1.0f, 1.25f * (1 + way.y));
+    float source =
+        1.3f * light * std::max(0.0f, direction.y) + (1 - light) * std::min(1.0f, 1.25f * (1 + direction.y));
     if (source <= 0) continue;
     float through = 1;
     for (std::size_t step = 0; step < kConeSteps && through > 0.02f; ++step)
-      through *= 1 - std::min(1.0f, held_at(levels_[step / 2], from[step] + way * ways[step]));
+      through *= 1 - std::min(1.0f, held_at(levels_[step / 2], from[step] + direction * distance[step]));
     come += weight * source * through;
   }
   return come / all;

@@ -12,19 +12,20 @@ using Edge = std::array<std::uint32_t, 2>;
 /// Edges of one triangle alone, as it runs through them.
 std::vector<Edge> open_edges(const Sheet& sheet) {
   struct Side {
-    Edge ends, way;
+    Edge ends, directed;
   };
   std::vector<Side> sides;
   for (auto [a, b, c] : sheet.triangle)
     for (Edge e : {Edge{a, b}, Edge{b, c}, Edge{c, a}})
       sides.push_back({{std::min(e[0], e[1]), std::max(e[0], e[1])}, e});
-  std::ranges::sort(
-      sides, [](const Side& p, const Side& q) { return p.ends != q.ends ? p.ends < q.ends : p.way < q.way; });
+  std::ranges::sort(sides, [](const Side& p, const Side& q) {
+    return p.ends != q.ends ? p.ends < q.ends : p.directed < q.directed;
+  });
   std::vector<Edge> open;
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t j = i + 1;
     while (j < sides.size() && sides[j].ends == sides[i].ends) ++j;
-    if (j == i + 1) open.push_back(sides[i].way);
+    if (j == i + 1) open.push_back(sides[i].directed);
     i = j;
   }
   return open;
@@ -130,7 +131,7 @@ class Layers {
 
   /// 0 between growth lines .. 1 on one.
   float line(std::uint32_t v) const {
-    float phase = sheet_.way[v] / static_cast<float>(skin_.line);
+    float phase = sheet_.distance[v] / static_cast<float>(skin_.line);
     return 0.5f + 0.5f * std::sin(2 * static_cast<float>(kPi) * phase);
   }
 

@@ -231,8 +231,8 @@ void SkinMesh::remesh(float edge, bool whole) {
 void SkinMesh::relax(float along, float across) {
   std::vector<Vec3> middle = means_of_neighbours(triangle, position);
   for (std::size_t v = 0; v < position.size(); ++v) {
-    Vec3 way = middle[v] - position[v], out = normal[v] * glm::dot(way, normal[v]);
-    position[v] += along * (way - out) + across * out;
+    Vec3 offset = middle[v] - position[v], out = normal[v] * glm::dot(offset, normal[v]);
+    position[v] += along * (offset - out) + across * out;
   }
 }
 

@@ -44,7 +44,7 @@ inline Vec3 direction_or(Vec3 v, Vec3 otherwise, float least = 1e-9f) {
 
 /// The k-th of so many directions to the half of all that lies above level ground, each of which gives what
 /// is level as much light where the sky is of one brightness.
-inline Vec3 sky_way(int k, int count) {
+inline Vec3 sky_direction(int k, int count) {
   float up = std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count)),
         flat = std::sqrt(1 - up * up);
   float turn = static_cast<float>(kGoldenAngle) * static_cast<float>(k);

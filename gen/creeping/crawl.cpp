@@ -50,9 +50,9 @@ bool branch(Growing& g, std::int32_t from, const Tread& at, std::int32_t node) {
   assert(from >= 0 && from < static_cast<std::int32_t>(g.tips.size()) && node >= 0);
   Seed seed = g.tips[from].seed.child("branch", static_cast<std::uint64_t>(g.tips[from].branches++));
   double side = seed.child("side").unit() < 0.5 ? -1 : 1, spacing = g.crawl.spacing;
-  for (double way : {side, -side}) {
+  for (double sign : {side, -side}) {
     Tread t = at;
-    t.heading = turned(t.heading, t.normal, way * g.crawl.branch_angle);
+    t.heading = turned(t.heading, t.normal, sign * g.crawl.branch_angle);
     if (spacing > 0) {
       DVec3 ahead = t.place + t.heading * (0.8 * spacing);
       g.crowd.gather(ahead, t.normal, {-2, from, 0}, spacing, g.near);

@@ -140,12 +140,12 @@ void Crowd::gather(const DVec3& place, const DVec3& normal, const Own& own, doub
 Crowd::View Crowd::view(std::span<const DVec3> near, const DVec3& place) const {
   View view{spacing_, DVec3(0)};
   for (const DVec3& other : near) {
-    DVec3 way = place - other;
-    double d2 = glm::dot(way, way);
+    DVec3 offset = place - other;
+    double d2 = glm::dot(offset, offset);
     if (d2 >= spacing_ * spacing_) continue;
     double d = std::sqrt(d2);
     view.nearest = std::min(view.nearest, d);
-    view.away += way * ((1 - d / spacing_) / std::max(d, 1e-3 * spacing_));
+    view.away += offset * ((1 - d / spacing_) / std::max(d, 1e-3 * spacing_));
   }
   return view;
 }
@@ -153,8 +153,8 @@ Crowd::View Crowd::view(std::span<const DVec3> near, const DVec3& place) const {
 double Crowd::nearest(std::span<const DVec3> near, const DVec3& place) const {
   double least = spacing_ * spacing_;
   for (const DVec3& other : near) {
-    DVec3 way = place - other;
-    least = std::min(least, glm::dot(way, way));
+    DVec3 offset = place - other;
+    least = std::min(least, glm::dot(offset, offset));
   }
   return least < spacing_ * spacing_ ? std::sqrt(least) : spacing_;
 }

@@ -64,10 +64,10 @@ std::vector<float> radii(const Strands& out, const std::vector<std::int32_t>& pa
 /// The place of a node above the surface; in a cleft that is narrower than the stem, half-way across.
 DVec3 lifted(const Host& host, const Tread& t, double radius) {
   DVec3 place = t.contact + t.normal * radius;
-  DVec3 way = place - t.place;
-  if (glm::dot(way, t.normal) <= 0) return place;
+  DVec3 offset = place - t.place;
+  if (glm::dot(offset, t.normal) <= 0) return place;
   if (std::optional<Crossing> wall = host.crossing(t.place, place))
-    place = t.place + way * (0.5 * wall->share);
+    place = t.place + offset * (0.5 * wall->share);
   return place;
 }
 

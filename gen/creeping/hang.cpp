@@ -16,20 +16,20 @@ constexpr double kSlope = 0.5;  // the ground is no nearer than this share of th
 std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, const DVec3& at,
                                const DVec3& to) {
   assert(i < chain.room.size() && chain.link > 0);
-  DVec3 way = to - chain.clear[i];
-  double gone = glm::length(way), reach = 4 * chain.link;
+  DVec3 offset = to - chain.clear[i];
+  double gone = glm::length(offset), reach = 4 * chain.link;
   double room = chain.room[i] - gone;
   if (room < chain.lift) {
     double height = chain.ground ? to.y - (*chain.ground)(to.x, to.z) : reach / kSlope;
     if (height < 0.98 * chain.lift) return DVec3(0, chain.lift - height, 0);
     if (std::optional<Crossing> wall = host.crossing(chain.clear[i], to)) {
-      DVec3 face = glm::dot(wall->normal, way) > 0 ? -wall->normal : wall->normal;
-      return face * (chain.lift - (1 - wall->share) * glm::dot(way, face));
+      DVec3 face = glm::dot(wall->normal, offset) > 0 ? -wall->normal : wall->normal;
+      return face * (chain.lift - (1 - wall->share) * glm::dot(offset, face));
     }
     std::optional<Contact> near = host.closest(to, reach);
     room = near ? near->distance : reach;
     if (near && room < 0.98 * chain.lift) {
-      if (room < 1e-6 * chain.lift) return -way;
+      if (room < 1e-6 * chain.lift) return -offset;
       return (to - near->point) * (chain.lift / room - 1);
     }
     room = std::min(room, kSlope * height);

@@ -41,7 +41,7 @@ DVec3 nearest_on(const std::array<Vec3, 3>& t, const DVec3& p, int& feature) {
 }
 
 /// A way, and what it meets (Moeller and Trumbore 1997).
-struct Way : RTCIntersectContext {
+struct Segment : RTCIntersectContext {
   const Host* host = nullptr;
   DVec3 from{0}, along{0};
   bool all = false;     // count every crossing of a closed part instead of finding the first
@@ -84,8 +84,8 @@ struct Search {
   /// True where the triangle is nearer than what was known.
   bool look(std::uint32_t t) {
     int f;
-    DVec3 q = nearest_on((*corners)[t], place, f), way = place - q;
-    double d = glm::dot(way, way);
+    DVec3 q = nearest_on((*corners)[t], place, f), offset = place - q;
+    double d = glm::dot(offset, offset);
     if (d > best || (d == best && t >= triangle)) return false;
     bool nearer = d < best || triangle == Host::kNoTriangle;
     best = d;
@@ -133,8 +133,8 @@ struct Host::Tree {
 
   static void intersect(const RTCIntersectFunctionNArguments* args) {
     if (!args->valid[0]) return;
-    Way& way = *static_cast<Way*>(args->context);
-    way.meet(args->primID, way.host->corners_[args->primID], way.host->solid_[args->primID] != 0);
+    Segment& segment = *static_cast<Segment*>(args->context);
+    segment.meet(args->primID, segment.host->corners_[args->primID], segment.host->solid_[args->primID] != 0);
   }
 
   bool build(const Host& over) {
@@ -158,19 +158,19 @@ struct Host::Tree {
     return rtcGetDeviceError(device) == RTC_ERROR_NONE;
   }
 
-  void walk(Way& way) const {
-    rtcInitIntersectContext(&way);
+  void walk(Segment& segment) const {
+    rtcInitIntersectContext(&segment);
     RTCRayHit ray{};
-    ray.ray.org_x = static_cast<float>(way.from.x);
-    ray.ray.org_y = static_cast<float>(way.from.y);
-    ray.ray.org_z = static_cast<float>(way.from.z);
-    ray.ray.dir_x = static_cast<float>(way.along.x);
-    ray.ray.dir_y = static_cast<float>(way.along.y);
-    ray.ray.dir_z = static_cast<float>(way.along.z);
+    ray.ray.org_x = static_cast<float>(segment.from.x);
+    ray.ray.org_y = static_cast<float>(segment.from.y);
+    ray.ray.org_z = static_cast<float>(segment.from.z);
+    ray.ray.dir_x = static_cast<float>(segment.along.x);
+    ray.ray.dir_y = static_cast<float>(segment.along.y);
+    ray.ray.dir_z = static_cast<float>(segment.along.z);
     ray.ray.tfar = 1;
     ray.ray.mask = ~0u;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &way, &ray);
+    rtcIntersect1(scene, &segment, &ray);
   }
 };
 
@@ -292,10 +292,10 @@ std::optional<Contact> Host::closest(const DVec3& place, double within, std::uin
   if (search.triangle == kNoTriangle) return std::nullopt;
   Contact contact{search.point, feature_normal(search.triangle, search.feature), std::sqrt(search.best),
                   search.triangle};
-  DVec3 way = place - search.point;
-  contact.inside = glm::dot(way, contact.normal) < 0;
+  DVec3 offset = place - search.point;
+  contact.inside = glm::dot(offset, contact.normal) < 0;
   if (contact.distance > 1e-12 * size()) {
-    DVec3 out = way / (contact.inside ? -contact.distance : contact.distance);
+    DVec3 out = offset / (contact.inside ? -contact.distance : contact.distance);
     // On the surface itself there is no such direction; the feature's takes over.
     contact.normal = glm::normalize(out + (1e-7 * size() / contact.distance) * contact.normal);
   }
@@ -304,32 +304,32 @@ std::optional<Contact> Host::closest(const DVec3& place, double within, std::uin
 
 std::optional<Crossing> Host::crossing(const DVec3& from, const DVec3& to) const {
   assert(std::isfinite(glm::dot(from, from)) && std::isfinite(glm::dot(to, to)));
-  Way way;
-  way.host = this;
-  way.from = from;
-  way.along = to - from;
-  tree_->walk(way);
-  if (way.triangle == kNoTriangle) return std::nullopt;
-  return Crossing{way.share, face_normal(way.triangle), way.triangle};
+  Segment segment;
+  segment.host = this;
+  segment.from = from;
+  segment.along = to - from;
+  tree_->walk(segment);
+  if (segment.triangle == kNoTriangle) return std::nullopt;
+  return Crossing{segment.share, face_normal(segment.triangle), segment.triangle};
 }
 
 bool Host::inside(const DVec3& place) const {
   if (glm::any(glm::lessThan(place, low_)) || glm::any(glm::greaterThan(place, high_))) return false;
   // A ray that meets an edge counts two triangles; the majority of five does not.
-  static const DVec3 ways[] = {{0.5377, 0.7639, 0.3569},
-                               {-0.8611, 0.2274, 0.4549},
-                               {0.1321, -0.4783, 0.8682},
-                               {-0.3127, 0.6421, -0.7001},
-                               {0.7219, -0.5897, -0.3621}};
+  static const DVec3 directions[] = {{0.5377, 0.7639, 0.3569},
+                                     {-0.8611, 0.2274, 0.4549},
+                                     {0.1321, -0.4783, 0.8682},
+                                     {-0.3127, 0.6421, -0.7001},
+                                     {0.7219, -0.5897, -0.3621}};
   int votes = 0;
-  for (const DVec3& direction : ways) {
-    Way way;
-    way.host = this;
-    way.from = place;
-    way.along = direction * (2 * size());
-    way.all = true;
-    tree_->walk(way);
-    votes += way.winding > 0 ? 1 : -1;  // more ways out than in
+  for (const DVec3& direction : directions) {
+    Segment segment;
+    segment.host = this;
+    segment.from = place;
+    segment.along = direction * (2 * size());
+    segment.all = true;
+    tree_->walk(segment);
+    votes += segment.winding > 0 ? 1 : -1;  // more ways out than in
     if (std::abs(votes) == 3) break;
   }
   return votes > 0;

@@ -73,8 +73,8 @@ std::optional<Stride> attempt(const Host& host, const Tread& from, double length
   std::optional<Contact> under = host.closest(ahead, 2 * (length + lift), from.triangle);
   if (!under) return std::nullopt;
   Stride s{from, 0, Footing::held};
-  DVec3 way = ahead - under->point;
-  DVec3 normal = under->distance > 1e-3 * lift ? way / under->distance : from.normal;
+  DVec3 offset = ahead - under->point;
+  DVec3 normal = under->distance > 1e-3 * lift ? offset / under->distance : from.normal;
   double turn = glm::dot(normal, from.normal);
   s.tread.contact = under->point;
   s.tread.triangle = under->triangle;

@@ -125,10 +125,11 @@ class Colony {
     for (int i = 0; i < 4000; ++i) {
       for (std::size_t p = 0; p < points_.size(); ++p)
         if (nearest_[p] >= 0 && distance_[p] > 0) return;
-      Vec3 at = tree_.position[tip], way = goal - at;
-      if (glm::length(way) < step) return;
-      Vec3 up(0, std::max(way.y, 0.0f), 0);
-      Vec3 direction = glm::normalize(glm::length(up) > step ? glm::normalize(way) + Vec3(0, 1, 0) : way);
+      Vec3 at = tree_.position[tip], offset = goal - at;
+      if (glm::length(offset) < step) return;
+      Vec3 up(0, std::max(offset.y, 0.0f), 0);
+      Vec3 direction =
+          glm::normalize(glm::length(up) > step ? glm::normalize(offset) + Vec3(0, 1, 0) : offset);
       tip = add(at + direction * step, tip, direction);
     }
   }
@@ -189,10 +190,10 @@ std::vector<LeafSite> dress_tips(const Skeleton& s, double reach, double spacing
   for (std::size_t i = 0; i < s.size(); ++i) {
     std::int32_t p = s.parent[i];
     if (p == Skeleton::kRoot || s.to_tip[i] > reach) continue;
-    Vec3 from = s.position[p], way = s.position[i] - from;
-    float length = glm::length(way);
+    Vec3 from = s.position[p], offset = s.position[i] - from;
+    float length = glm::length(offset);
     if (length < 1e-6f) continue;
-    Vec3 axis = way / length;
+    Vec3 axis = offset / length;
     Vec3 side = glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
     Quat frame =
         glm::quat_cast(glm::mat3(glm::normalize(side), axis, glm::normalize(glm::cross(side, axis))));
@@ -206,8 +207,8 @@ std::vector<LeafSite> dress_tips(const Skeleton& s, double reach, double spacing
       Quat turn = frame * glm::angleAxis(static_cast<float>(round), Vec3(0, 1, 0)) *
                   glm::angleAxis(static_cast<float>(down * own.child(1).range(0.75, 1.25)), Vec3(1, 0, 0)) *
                   glm::angleAxis(static_cast<float>(kPi), Vec3(0, 1, 0));
-      leaves.push_back({from + way * t, glm::normalize(turn), static_cast<float>(own.child(2).range(0.75, 1)),
-                        static_cast<std::int32_t>(i)});
+      leaves.push_back({from + offset * t, glm::normalize(turn),
+                        static_cast<float>(own.child(2).range(0.75, 1)), static_cast<std::int32_t>(i)});
     }
   }
   return leaves;

@@ -160,12 +160,12 @@ class PathReader {
     double k = std::sqrt(std::max(0.0, (rx * rx * ry * ry - below) / below)) * (large != sweep ? 1 : -1);
     Vec2 q(k * rx * p.y / ry, -k * ry * p.x / rx);
     Vec2 radii(rx, ry), u = (p - q) / radii, v = (-p - q) / radii;
-    double from = std::atan2(u.y, u.x), way = std::atan2(cross2(u, v), glm::dot(u, v));
-    if (sweep && way < 0) way += 2 * kPi;
-    if (!sweep && way > 0) way -= 2 * kPi;
+    double from = std::atan2(u.y, u.x), span = std::atan2(cross2(u, v), glm::dot(u, v));
+    if (sweep && span < 0) span += 2 * kPi;
+    if (!sweep && span > 0) span -= 2 * kPi;
     Vec2 middle = (pen_ + to) * 0.5f + Vec2(c * q.x - s * q.y, s * q.x + c * q.y);
     for (int i = 1; i < kPieces; ++i) {
-      double angle = from + way * i / kPieces;
+      double angle = from + span * i / kPieces;
       Vec2 e = radii * Vec2(std::cos(angle), std::sin(angle));
       line_to(middle + Vec2(c * e.x - s * e.y, s * e.x + c * e.y));
     }

@@ -65,7 +65,7 @@ struct SurfelSampler {
         for (int k = 0; k < along; ++k) {
           Vec3 at = from + way * ((static_cast<float>(k) + 0.5f) / static_cast<float>(along));
           if (round == 1) {
-            sink.add(at, area, albedo, kAllWays, 2 * r);
+            sink.add(at, area, albedo, kAllFacings, 2 * r);
             continue;
           }
           for (int q = 0; q < round; ++q) {
@@ -91,7 +91,7 @@ struct SurfelSampler {
         for (std::size_t c = 0; c < 3; ++c)
           corner[c] = at + turn * (scale * surface.position[surface.triangle[i][c]]);
         each_bit(corner, sink.step(corner[0]), [&](Vec3 where, float area, Facing ways) {
-          sink.add(where, area, albedo, solid ? ways : kAllWays, bulk);
+          sink.add(where, area, albedo, solid ? ways : kAllFacings, bulk);
         });
       }
     });
@@ -147,7 +147,7 @@ struct SurfelSampler {
         Vec3 albedo = linear(prototype.colors[color_index(o.color[i], prototype.colors.size())]);
         float wide = std::cbrt(scale.x * scale.y * scale.z), area = std::pow(wide, 2.0f);
         if (wide < 1.5f * sink.step(at) || part.bits.size() < 2) {
-          sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllWays, 0);
+          sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllFacings, 0);
           continue;
         }
         // One bit of a run stands for all of it.
@@ -158,7 +158,7 @@ struct SurfelSampler {
           std::size_t last = std::min(k + each, part.bits.size()) - 1;
           float upto = part.bits[last].second;
           sink.add(at + turned * (scale * part.bits[(k + last) / 2].first), area * (upto - before), albedo,
-                   kAllWays, 0);
+                   kAllFacings, 0);
           before = upto;
         }
       }

@@ -34,14 +34,14 @@ LeafTint autumn_tint(const Color& c) {
 std::vector<LeafTint> season_tints(const std::vector<LeafTint>& own, const Seasons& seasons) {
   std::vector<LeafTint> list;
   if (seasons.evergreen || seasons.autumn.empty()) return list;
-  auto add_way = [&](const LeafTint& from, const LeafTint& to) {
+  auto add_blend = [&](const LeafTint& from, const LeafTint& to) {
     for (int i = 1; i <= kSteps; ++i) list.push_back(mix(from, to, static_cast<float>(i) / kSteps));
   };
   const Color& y = seasons.young;
-  for (const LeafTint& green : own) add_way(green, {y, mix(y, {1, 1, 0.8f}, 0.3f), y});
-  for (const LeafTint& green : own) add_way(green, autumn_tint(seasons.autumn[0]));
+  for (const LeafTint& green : own) add_blend(green, {y, mix(y, {1, 1, 0.8f}, 0.3f), y});
+  for (const LeafTint& green : own) add_blend(green, autumn_tint(seasons.autumn[0]));
   for (std::size_t a = 0; a + 1 < seasons.autumn.size(); ++a)
-    add_way(autumn_tint(seasons.autumn[a]), autumn_tint(seasons.autumn[a + 1]));
+    add_blend(autumn_tint(seasons.autumn[a]), autumn_tint(seasons.autumn[a + 1]));
   return list;
 }
 

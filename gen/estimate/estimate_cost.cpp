@@ -216,7 +216,7 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
   const Organism& organism = preset.organisms[o];
   const Grower& grower = *organism.grower;
   double count = number_of(organism);
-  bool together = finds_its_way(grower.stage());
+  bool together = finds_own_place(grower.stage());
   WoodCostEstimate wood = estimate_wood_cost(organism, size, dress, seed);
   double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
   double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;

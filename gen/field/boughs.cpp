@@ -51,16 +51,17 @@ class Joiner {
     Forks::Fork fork{static_cast<std::uint32_t>(boughs_.forks.arms.size()), 0};
     if (cone_[static_cast<std::size_t>(node)] >= 0) {
       begin_arm(radius_[static_cast<std::size_t>(node)]);
-      float way = 0;
-      for (std::int32_t i = node; way < reach && takes(i); i = forks(rest_.parent[i]) ? -1 : rest_.parent[i])
-        way += add_member(i);
+      float length = 0;
+      for (std::int32_t i = node; length < reach && takes(i);
+           i = forks(rest_.parent[i]) ? -1 : rest_.parent[i])
+        length += add_member(i);
       end_arm();
     }
     for (std::size_t k = 1; k < list.size() && boughs_.forks.arms.size() - fork.first < kMostArms; ++k) {
       begin_arm(radius_[static_cast<std::size_t>(list[k])]);
-      float way = 0;
-      for (std::int32_t i = list[k]; way < reach && takes(i); i = forks(i) ? -1 : next(i))
-        way += add_member(i);
+      float length = 0;
+      for (std::int32_t i = list[k]; length < reach && takes(i); i = forks(i) ? -1 : next(i))
+        length += add_member(i);
       end_arm();
     }
     fork.last = static_cast<std::uint32_t>(boughs_.forks.arms.size());

@@ -25,13 +25,13 @@ struct Cone {
 /// The hull of two spheres. Where one of them holds the other it is that one alone.
 inline Cone make_cone(Vec3 from, float from_radius, Vec3 to, float to_radius, std::int32_t node) {
   Cone cone{from, Vec3(0, 1, 0), 0, from_radius, 0, 0, node, 0};
-  Vec3 way = to - from;
-  float length = glm::length(way), drop = from_radius - to_radius;
+  Vec3 offset = to - from;
+  float length = glm::length(offset), drop = from_radius - to_radius;
   if (std::abs(drop) >= 0.98f * length) {
     if (drop < 0) cone.from = to, cone.radius = to_radius;
     return cone;
   }
-  cone.axis = way / length;
+  cone.axis = offset / length;
   cone.length = length;
   cone.taper = drop / length;
   cone.lean = cone.taper / std::sqrt(1 - cone.taper * cone.taper);

@@ -24,11 +24,11 @@ void walk(Vec3 from, Vec3 to, float side, const Visit& visit) {
   std::array<double, 3> next{}, width{};
   for (int a = 0; a < 3; ++a) {
     auto axis = static_cast<std::size_t>(a);
-    double way = to[a] - from[a];
+    double offset = to[a] - from[a];
     step[axis] = last[axis] > at[axis] ? 1 : -1;
-    width[axis] = way != 0 ? side / std::abs(way) : 0;
+    width[axis] = offset != 0 ? side / std::abs(offset) : 0;
     double wall = (at[axis] + 0.5 * step[axis]) * side;
-    next[axis] = way != 0 ? (wall - from[a]) / way : 0;
+    next[axis] = offset != 0 ? (wall - from[a]) / offset : 0;
   }
   visit(cell);
   // Each axis is stepped as often as its cells differ, whatever rounding says of where the walls are.

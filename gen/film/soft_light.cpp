@@ -79,7 +79,7 @@ void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels) {
       float scale = copies.scale[i];
       for (const Surfel& surfel : surfels[s][copies.model[i]])
         grid.add(copies.foot[i] + copies.turn[i] * (scale * surfel.at), scale * scale * surfel.area,
-                 kDiffuse * surfel.albedo, kAllWays, scale * surfel.bulk, scale * surfel.wide);
+                 kDiffuse * surfel.albedo, kAllFacings, scale * surfel.bulk, scale * surfel.wide);
     });
   }
 }

@@ -127,8 +127,9 @@ class Leaf {
     auto start = static_cast<std::uint32_t>(s_.position.size());
     for (int i = 0; i <= pieces; ++i) {
       float t = static_cast<float>(i) / static_cast<float>(pieces), o = 1 - t;
-      Vec3 at = 2 * o * t * bend + t * t * end, way = glm::normalize(2 * o * bend + 2 * t * (end - bend));
-      Vec3 across(1, 0, 0), up = glm::cross(across, way);
+      Vec3 at = 2 * o * t * bend + t * t * end,
+           direction = glm::normalize(2 * o * bend + 2 * t * (end - bend));
+      Vec3 across(1, 0, 0), up = glm::cross(across, direction);
       float radius = 0.018f + 0.008f * o * o * o + 0.006f * t * t * t;
       for (int k = 0; k <= sides; ++k) {
         float a = static_cast<float>(2 * kPi * k / sides);

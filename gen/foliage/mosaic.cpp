@@ -65,10 +65,10 @@ Disc placed(const Disc& disc, const MosaicSite& site, const Quat& turn) {
 float covered_area(const Disc& disc, std::span<const Disc> others, float depth) {
   float sum = 0, deep = depth * disc.radius;
   for (const Disc& other : others) {
-    Vec3 way = other.middle - disc.middle;
-    float touch = disc.radius + other.radius, far = glm::dot(way, way);
+    Vec3 offset = other.middle - disc.middle;
+    float touch = disc.radius + other.radius, far = glm::dot(offset, offset);
     if (far > touch * touch + deep * deep) continue;
-    float high = glm::dot(way, disc.normal), facing = glm::dot(other.normal, disc.normal);
+    float high = glm::dot(offset, disc.normal), facing = glm::dot(other.normal, disc.normal);
     if (std::abs(high) > deep || facing <= 0.2f) continue;
     float apart = std::sqrt(std::max(far - high * high, 0.0f));
     if (apart < touch) sum += facing * static_cast<float>(lens_area(disc.radius, other.radius, apart));

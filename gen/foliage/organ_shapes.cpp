@@ -83,11 +83,11 @@ Surface corolla_surface(const BladeShape& petal, int count, double open) {
     // A second whorl stands behind the first one, between its petals.
     bool behind = count > 8 && i % 2 == 1;
     double turn = 2 * kPi * i / count, lean = open + (behind ? 0.16 : 0.0) + 0.07 * std::sin(i * 5.3);
-    Quat way = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0)) *
-               glm::angleAxis(static_cast<float>(lean), Vec3(1, 0, 0));
+    Quat rotation = glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0)) *
+                    glm::angleAxis(static_cast<float>(lean), Vec3(1, 0, 0));
     // The upper side of a petal looks to the heart.
     Quat inward = glm::angleAxis(static_cast<float>(kPi), Vec3(0, 1, 0));
-    append_turned(flower, blade, glm::mat3_cast(way * inward), Vec3(0, behind ? -0.015f : 0.0f, 0));
+    append_turned(flower, blade, glm::mat3_cast(rotation * inward), Vec3(0, behind ? -0.015f : 0.0f, 0));
   }
   return flower;
 }

@@ -14,13 +14,13 @@ namespace {
 void keep_bends(const Skeleton& s, std::int32_t from, std::int32_t to, float tolerance,
                 std::vector<char>& keep) {
   if (to - from < 2) return;
-  Vec3 start = s.position[from], way = s.position[to] - start;
-  float length = glm::length(way), worst = tolerance;
+  Vec3 start = s.position[from], offset = s.position[to] - start;
+  float length = glm::length(offset), worst = tolerance;
   std::int32_t at = -1;
   for (std::int32_t i = from + 1; i < to; ++i) {
     float along =
-        length > 0 ? std::clamp(glm::dot(s.position[i] - start, way) / (length * length), 0.0f, 1.0f) : 0;
-    float off = glm::distance(s.position[i], start + way * along);
+        length > 0 ? std::clamp(glm::dot(s.position[i] - start, offset) / (length * length), 0.0f, 1.0f) : 0;
+    float off = glm::distance(s.position[i], start + offset * along);
     off += std::abs(s.radius[i] - glm::mix(s.radius[from], s.radius[to], along));
     if (off > worst) worst = off, at = i;
   }
@@ -82,10 +82,10 @@ void add_leaf(Surface& out, const Surface& s, const Piece& piece, FarLeaf as, fl
   std::uint32_t foot = farthest(s, piece, middle), tip = farthest(s, piece, s.position[foot]);
   // The foot is what is nearer to where the whole begins.
   if (glm::length(s.position[foot]) > glm::length(s.position[tip])) std::swap(foot, tip);
-  Vec3 way = s.position[tip] - s.position[foot];
-  float length = glm::length(way);
+  Vec3 offset = s.position[tip] - s.position[foot];
+  float length = glm::length(offset);
   if (length < 1e-7f) return;
-  Vec3 axis = way / length, facing = piece.facing - axis * glm::dot(piece.facing, axis);
+  Vec3 axis = offset / length, facing = piece.facing - axis * glm::dot(piece.facing, axis);
   float open = glm::length(piece.facing) / piece.area, covered = piece.area;
   if (open < 0.2f) {  // a closed body shows a quarter of its surface
     covered *= 0.25f;

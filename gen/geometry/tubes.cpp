@@ -80,10 +80,12 @@ class Tube {
     normals_.clear();
     axes_.clear();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      Vec3 way = rest_.position[nodes_[far_as_thick(k, 1)]] - rest_.position[nodes_[far_as_thick(k, -1)]];
+      Vec3 offset = rest_.position[nodes_[far_as_thick(k, 1)]] - rest_.position[nodes_[far_as_thick(k, -1)]];
       // A branch leaves its fork in its own direction.
-      if (fork_ && k == 0) way = rest_.position[nodes_[1]] - rest_.position[nodes_[0]];
-      axes_.push_back(glm::length(way) > 1e-9f ? glm::normalize(way) : k > 0 ? axes_.back() : Vec3(0, 1, 0));
+      if (fork_ && k == 0) offset = rest_.position[nodes_[1]] - rest_.position[nodes_[0]];
+      axes_.push_back(glm::length(offset) > 1e-9f ? glm::normalize(offset)
+                      : k > 0                     ? axes_.back()
+                                                  : Vec3(0, 1, 0));
     }
     normals_.push_back(any_normal(axes_[0]));
     for (std::size_t k = 1; k < nodes_.size(); ++k) {
@@ -119,8 +121,9 @@ class Tube {
     float r = radius_of(k);
     // How fast it thins tilts the normals.
     std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, nodes_.size() - 1);
-    float way = glm::distance(position_[nodes_[after]], position_[nodes_[before]]);
-    float thin = way > 1e-6f ? std::clamp((radius_of(before) - radius_of(after)) / way, -2.0f, 2.0f) : 0;
+    float length = glm::distance(position_[nodes_[after]], position_[nodes_[before]]);
+    float thin =
+        length > 1e-6f ? std::clamp((radius_of(before) - radius_of(after)) / length, -2.0f, 2.0f) : 0;
     for (int s = 0; s <= sides_; ++s) {
       double a = 2 * kPi * (s % sides_) / sides_, lobe = 1, swing = 0;
       if (lobed_) {
@@ -177,7 +180,7 @@ constexpr int kCapRings = 2;  // between the last ring of a branch and the pole 
 /// The middle line of one branch.
 struct Line {
   std::vector<Vec3> at, along;  // along: of length 1
-  std::vector<float> radius, way;
+  std::vector<float> radius, distance;
   std::vector<std::int32_t> node;
 };
 
@@ -245,7 +248,7 @@ class Closer {
     for (int k = 0; k <= sides_; ++k) {
       auto turn = static_cast<float>(2 * kPi * (k % sides_) / sides_);
       Vec3 out = side * std::cos(turn) + across * std::sin(turn);
-      Vec2 uv(static_cast<float>(k) / static_cast<float>(sides_), line.way[i] + beyond);
+      Vec2 uv(static_cast<float>(k) / static_cast<float>(sides_), line.distance[i] + beyond);
       vertex(at + out * radius, glm::normalize(out + along * slope), uv, line.node[i]);
     }
     for (int k = 0; k < sides_; ++k) {
@@ -265,7 +268,7 @@ class Closer {
   std::uint32_t pole(Vec3 at, Vec3 normal, const Line& line, std::size_t i) {
     auto start = static_cast<std::uint32_t>(mesh_.surface.position.size());
     for (int k = 0; k < sides_; ++k)
-      vertex(at, normal, Vec2((static_cast<float>(k) + 0.5f) / static_cast<float>(sides_), line.way[i]),
+      vertex(at, normal, Vec2((static_cast<float>(k) + 0.5f) / static_cast<float>(sides_), line.distance[i]),
              line.node[i]);
     return before_ = start;
   }
@@ -344,7 +347,7 @@ TubeMesh closed_tubes(const Skeleton& rest, std::span<const Vec3> position, std:
       if (!line.at.empty() && glm::distance(line.at.back(), at) < 1e-6f) return;
       line.at.push_back(at);
       line.radius.push_back(thick);
-      line.way.push_back(rest.distance[i]);
+      line.distance.push_back(rest.distance[i]);
       line.node.push_back(i == below ? start : i);
     };
     float foot = radius[static_cast<std::size_t>(below)];

@@ -34,19 +34,19 @@ void list_children(Guide& guide) {
 
 /// Whether every point hangs from a first one: walks up, marking what is known to.
 bool hangs_together(const std::vector<GuidePoint>& points) {
-  enum : char { unknown, on_the_way, good };
+  enum : char { unknown, visiting, good };
   std::vector<char> state(points.size(), unknown);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::vector<std::size_t> way;
+    std::vector<std::size_t> path;
     std::size_t at = i;
     while (state[at] == unknown) {
-      state[at] = on_the_way;
-      way.push_back(at);
+      state[at] = visiting;
+      path.push_back(at);
       if (points[at].parent == GuidePoint::kRoot) break;
       at = static_cast<std::size_t>(points[at].parent);
     }
-    if (state[at] == on_the_way && points[at].parent != GuidePoint::kRoot) return false;
-    for (std::size_t passed : way) state[passed] = good;
+    if (state[at] == visiting && points[at].parent != GuidePoint::kRoot) return false;
+    for (std::size_t passed : path) state[passed] = good;
   }
   return true;
 }
@@ -155,10 +155,10 @@ Result<Guide> guide_of(const GuideText& text) {
 
 void lead(const Guide& guide, TurtleState& turtle, std::int32_t target) {
   const GuidePoint& point = guide.points[static_cast<std::size_t>(target)];
-  DVec3 way = point.at - turtle.position;
-  double distance = glm::length(way);
+  DVec3 offset = point.at - turtle.position;
+  double distance = glm::length(offset);
   turtle.target = target;
-  head_for(turtle, way);
+  head_for(turtle, offset);
   turtle.length = guide.leniency * distance;
   if (point.radius) turtle.width += (2 * *point.radius - turtle.width) * std::min(1.0, guide.leniency);
 }

@@ -91,13 +91,13 @@ class Turtle {
     for (std::size_t i = 0, count = question ? 1 : flock_.size(); i < count; ++i) {
       wants_organ_ = organ, acted_ = acted;
       exchange(i);
-      std::span<const std::int32_t> ways;
+      std::span<const std::int32_t> targets;
       if (info.act == Act::guide && !organ)
-        ways = follow(grammar_.guide, now_);
+        targets = follow(grammar_.guide, now_);
       else
         act_alone(info, symbol, parameters);
       exchange(i);
-      if (!ways.empty()) fork(i, ways);
+      if (!targets.empty()) fork(i, targets);
     }
   }
 
@@ -109,14 +109,14 @@ class Turtle {
   }
 
   /// One turtle a way: the turtle itself goes the first one.
-  void fork(std::size_t i, std::span<const std::int32_t> ways) {
-    for (std::size_t k = 1; k < ways.size(); ++k) {
+  void fork(std::size_t i, std::span<const std::int32_t> targets) {
+    for (std::size_t k = 1; k < targets.size(); ++k) {
       Strand other = flock_[i];
-      other.seed = other.seed.child("fork", static_cast<std::uint64_t>(ways[k]));
-      lead(grammar_.guide, other.now, ways[k]);
+      other.seed = other.seed.child("fork", static_cast<std::uint64_t>(targets[k]));
+      lead(grammar_.guide, other.now, targets[k]);
       flock_.push_back(std::move(other));
     }
-    lead(grammar_.guide, flock_[i].now, ways[0]);
+    lead(grammar_.guide, flock_[i].now, targets[0]);
   }
 
   /// Turtles that forked off within a branch end with it.
@@ -210,12 +210,12 @@ class Turtle {
   double chance() { return seed_.child("jitter").child(acted_).range(-1, 1); }
 
   /// Turns `a` towards `b` (and `b` away from `a`); the angle of the last turn is remembered with its sine.
-  void turn(DVec3& a, DVec3& b, bool given, const double* parameters, double way) {
+  void turn(DVec3& a, DVec3& b, bool given, const double* parameters, double sign) {
     double angle = given ? parameters[0] : now_.angle;
     if (jitters_ && text_.angle_jitter != 0) angle += text_.angle_jitter * chance();
     if (growth_.age < 1) angle = growth_.from + (angle - growth_.from) * growth_.age;
     if (angle != turn_angle_) set_turn(angle);
-    double c = turn_cosine_, s = turn_sine_ * way;
+    double c = turn_cosine_, s = turn_sine_ * sign;
     DVec3 turned = a * c + b * s;
     b = b * c - a * s;
     a = turned;

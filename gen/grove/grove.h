@@ -31,7 +31,7 @@ struct GroveOptions {
 /// Where a bough came off.
 struct Scar {
   std::uint32_t on = 0;  ///< the internode at whose tip it stood
-  Vec3 way{0};           ///< that it grew in, of length 1
+  Vec3 direction{0};     ///< that it grew in, of length 1
   float radius = 0;      ///< metres, when it fell
   float girth = 0;       ///< the radius of what bore it, then
   float fell = 0;        ///< year

@@ -44,9 +44,9 @@ struct Metamers {
   /// Of its internode; the collar points up.
   Vec3 heading(std::size_t i) const {
     if (parent[i] == kRoot) return {0, 1, 0};
-    Vec3 way = tip[i] - tip[parent[i]];
-    float length = glm::length(way);
-    return length > 0 ? way / length : Vec3(0, 1, 0);
+    Vec3 offset = tip[i] - tip[parent[i]];
+    float length = glm::length(offset);
+    return length > 0 ? offset / length : Vec3(0, 1, 0);
   }
   float length(std::size_t i) const {
     return parent[i] == kRoot ? 0.0f : glm::distance(tip[i], tip[parent[i]]);

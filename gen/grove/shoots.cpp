@@ -62,9 +62,9 @@ bool trails(const Metamers& t, std::size_t i) {
 
 /// Near its full height a tree lifts water no further (Ryan and Yoder 1997).
 float reach(const Metamers& t, const Species& s, std::size_t i) {
-  Vec3 way = t.tip[i] - t.tip[0];
-  double out = s.dome * std::sqrt(way.x * way.x + way.z * way.z);
-  double far = std::sqrt(way.y * way.y + out * out) / std::max(s.height, 1e-6);
+  Vec3 offset = t.tip[i] - t.tip[0];
+  double out = s.dome * std::sqrt(offset.x * offset.x + offset.z * offset.z);
+  double far = std::sqrt(offset.y * offset.y + out * out) / std::max(s.height, 1e-6);
   return static_cast<float>(1 - smooth_step(0.72, 1.0, far));
 }
 
@@ -121,10 +121,10 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
   for (int k = 0; k < shoot.count; ++k) {
     std::size_t i = at + static_cast<std::size_t>(k);
     Seed own = season.seed.child(serial + static_cast<std::uint32_t>(k));
-    Vec3 way =
+    Vec3 aim =
         direction + pull * (k == 0 ? 1.0f : kLater) + random_vector(own) * static_cast<float>(s.wander);
-    way.y *= level;
-    direction = normalized(way, direction);
+    aim.y *= level;
+    direction = normalized(aim, direction);
     if (place.y + direction.y * shoot.length < t.tip[0].y + kAboveGround && direction.y < 0)
       direction = normalized(Vec3(direction.x, 0.02f, direction.z), Vec3(1, 0, 0));
     double turn = order == 0 ? s.phyllotaxis : s.branch_phyllotaxis;

@@ -92,8 +92,8 @@ class Stander {
     double time = (year_ - t_.fell[i]) * filming_.seconds_a_year + filming_.overtime;
     Piece piece;
     piece.pivot = t_.tip[p];
-    Vec3 way = t_.tip[i] - t_.tip[p];
-    Vec3 level(way.x, 0, way.z);
+    Vec3 offset = t_.tip[i] - t_.tip[p];
+    Vec3 level(offset.x, 0, offset.z);
     Vec3 out = glm::length(level) > 1e-5f ? glm::normalize(level) : Vec3(1, 0, 0);
     double high = std::max(0.0, static_cast<double>(t_.tip[p].y - t_.tip[0].y) - 0.05);
     double landing = std::sqrt(2 * high / kFallInAir), down = std::min(time, landing);

@@ -42,17 +42,17 @@ float wind_at(float height, float speed) {
 /// Of an internode; `height` is that of its middle above ground.
 Load load_of(Vec3 from, Vec3 to, float height, float radius, float leaf_area, const Wood& wood,
              const Weather& weather) {
-  Vec3 way = to - from, middle = (from + to) / 2.0f;
-  float length = glm::length(way);
+  Vec3 offset = to - from, middle = (from + to) / 2.0f;
+  float length = glm::length(offset);
   auto density = static_cast<float>(wood.density), pi = static_cast<float>(kPi);
   float mass = density * pi * radius * radius * length + static_cast<float>(wood.leaf_mass) * leaf_area;
-  float level = std::sqrt(way.x * way.x + way.z * way.z);
+  float level = std::sqrt(offset.x * offset.x + offset.z * offset.z);
   mass += static_cast<float>(weather.snow) * (2 * radius * level + kSunlit * leaf_area);
   Load load;
   load.add(Vec3(0, -mass * kGravity, 0), middle);
   float speed = glm::length(weather.wind);
   if (speed > 0) {
-    float across = glm::length(glm::cross(way, weather.wind)) / speed;
+    float across = glm::length(glm::cross(offset, weather.wind)) / speed;
     float here = wind_at(height, speed), give = std::pow(std::max(here / kCalm, 1.0f), -kGiving);
     float area = kBareDrag * 2 * radius * across + kLeafDrag * give * kSunlit * leaf_area;
     load.add(weather.wind * (0.5f * kAir * here * here / speed * area), middle);
@@ -109,16 +109,16 @@ void sag(Metamers& t, const Wood& wood, double leaf_area, std::size_t first) {
   std::size_t n = t.size() - first;
   std::vector<Load> load(n);
   std::vector<Quat> turn(n, Quat(1, 0, 0, 0));
-  std::vector<Vec3> way(n);
+  std::vector<Vec3> offset(n);
   for (std::size_t k = n; k-- > 0;) {
     std::size_t i = first + k;
     auto p = static_cast<std::size_t>(t.parent[i]);
     float r = pipe_radius(wood, t.pipe[i]);
-    way[k] = t.tip[i] - t.tip[p];
+    offset[k] = t.tip[i] - t.tip[p];
     load[k].add(load_of(t.tip[p], t.tip[i], 0, r, static_cast<float>(leaf_area), wood, {}));
     Vec3 moment = load[k].about(t.tip[p]);
     float inertia = static_cast<float>(kPi) / 4 * r * r * r * r, size = glm::length(moment);
-    float angle = size * glm::length(way[k]) / (static_cast<float>(wood.stiffness) * inertia);
+    float angle = size * glm::length(offset[k]) / (static_cast<float>(wood.stiffness) * inertia);
     if (size > 1e-9f) turn[k] = glm::angleAxis(std::min(angle, kMostBend), moment / size);
     if (p >= first) load[p - first].add(load[k]);
   }
@@ -126,7 +126,7 @@ void sag(Metamers& t, const Wood& wood, double leaf_area, std::size_t first) {
     std::size_t i = first + k;
     auto p = static_cast<std::size_t>(t.parent[i]);
     if (p >= first) turn[k] = glm::normalize(turn[p - first] * turn[k]);
-    Vec3 moved = turn[k] * way[k];
+    Vec3 moved = turn[k] * offset[k];
     // A shoot hangs down, it does not swing past that.
     if (t.tip[p].y + moved.y < t.tip[0].y + 0.05f) moved.y = std::max(moved.y, 0.0f);
     t.tip[i] = t.tip[p] + moved;

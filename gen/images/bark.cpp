@@ -58,14 +58,14 @@ class BarkPainter {
       if (own.child(0).unit() > share) continue;
       // Their size is that of a branch rather than of the bark's features.
       double radius = (0.055 + 0.075 * own.child(1).unit()) / std::sqrt(std::max(1.0, bark_.knots / 3));
-      glm::dvec2 way((x - column - 0.25 - 0.5 * own.child(2).unit()) / cells,
-                     (y - row - 0.25 - 0.5 * own.child(3).unit()) * tall() / rows);
-      way.y *= 0.85 + 0.3 * own.child(4).unit();
-      double away = glm::length(way) / radius;
+      glm::dvec2 offset((x - column - 0.25 - 0.5 * own.child(2).unit()) / cells,
+                        (y - row - 0.25 - 0.5 * own.child(3).unit()) * tall() / rows);
+      offset.y *= 0.85 + 0.3 * own.child(4).unit();
+      double away = glm::length(offset) / radius;
       if (away >= nearest) continue;
       nearest = away;
       double bend = 0.55 * radius * smooth_step(1.9, 0.7, away);
-      glm::dvec2 out = way / std::max(glm::length(way), 1e-9);
+      glm::dvec2 out = offset / std::max(glm::length(offset), 1e-9);
       best = {smooth_step(1.08, 0.92, away), away, own.child(5).unit(),
               glm::dvec2(-out.x, -out.y / tall()) * bend};
     }

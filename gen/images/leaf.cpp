@@ -183,9 +183,9 @@ double line(double away, double width, double pixel) {
 
 /// The same for a straight vein, which tapers toward its end.
 double vein(Vec2 p, Vec2 from, Vec2 to, double width, double pixel) {
-  Vec2 way = to - from, off = p - from;
-  double t = std::clamp<double>(glm::dot(off, way) / glm::dot(way, way), 0, 1);
-  return line(glm::length(off - way * static_cast<float>(t)), width * (1 - 0.8 * t), pixel);
+  Vec2 segment = to - from, off = p - from;
+  double t = std::clamp<double>(glm::dot(off, segment) / glm::dot(segment, segment), 0, 1);
+  return line(glm::length(off - segment * static_cast<float>(t)), width * (1 - 0.8 * t), pixel);
 }
 
 class Blade {
@@ -273,9 +273,9 @@ class Blade {
   double lobe_veins(Vec2 p, double pixel) const {
     Vec2 off = Vec2(std::abs(p.x), p.y) - foot_, main = Vec2(0, 1) - foot_;
     for (Vec2 lobe : lobes_)
-      if (Vec2 way = lobe - foot_;
-          glm::dot(off, way) * glm::length(main) > glm::dot(off, main) * glm::length(way))
-        main = way;
+      if (Vec2 other = lobe - foot_;
+          glm::dot(off, other) * glm::length(main) > glm::dot(off, main) * glm::length(other))
+        main = other;
     float length = glm::length(main), along = glm::dot(off, main) / length;
     double side = (off.x * main.y - off.y * main.x) / length, away = std::abs(side);
     if (along < 0.02f || along > length) return 0;

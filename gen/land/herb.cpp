@@ -180,8 +180,8 @@ void add_spindle(Surface& s, Vec3 foot, Vec3 tip, float radius, float v, float b
 }  // namespace
 
 void add_spike(Surface& s, const BladeOfGrass& stalk, float length) {
-  Vec3 tip = stalk.along(1), way = glm::normalize(tip - stalk.along(0.9f));
-  add_spindle(s, tip, tip + way * length, 0.17f * length, coded(Bloom::spike, stalk.own), 0.35f);
+  Vec3 tip = stalk.along(1), direction = glm::normalize(tip - stalk.along(0.9f));
+  add_spindle(s, tip, tip + direction * length, 0.17f * length, coded(Bloom::spike, stalk.own), 0.35f);
 }
 
 void add_panicle(Surface& s, const BladeOfGrass& stalk, float length) {
@@ -192,9 +192,9 @@ void add_panicle(Surface& s, const BladeOfGrass& stalk, float length) {
     double angle = 2.4 * i + 6 * stalk.own;
     Vec3 out = stalk.across * static_cast<float>(std::cos(angle)) +
                stalk.toward * static_cast<float>(std::sin(angle));
-    Vec3 foot = stalk.along(1 - share * (1 - t)), way = out * spread + kUp * (0.55f - 0.25f * spread);
+    Vec3 foot = stalk.along(1 - share * (1 - t)), direction = out * spread + kUp * (0.55f - 0.25f * spread);
     float size = length * (0.42f - 0.16f * t);
-    add_spindle(s, foot + way * (0.15f * size), foot + way * size, 0.11f * size,
+    add_spindle(s, foot + direction * (0.15f * size), foot + direction * size, 0.11f * size,
                 coded(Bloom::panicle, stalk.own), 0.6f);
   }
 }

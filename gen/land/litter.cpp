@@ -34,12 +34,12 @@ Lie lie(const Seed& seed, double side, double tilt) {
   Numbers number{seed};
   float turn = number(0, 0, 2 * kPi), half = static_cast<float>(side / 2);
   float pitch = number(1, -tilt, tilt), roll = number(2, -tilt, tilt);
-  Quat way = glm::angleAxis(turn, Vec3(0, 1, 0)) * glm::angleAxis(pitch, Vec3(1, 0, 0)) *
-             glm::angleAxis(roll, Vec3(0, 0, 1));
+  Quat rotation = glm::angleAxis(turn, Vec3(0, 1, 0)) * glm::angleAxis(pitch, Vec3(1, 0, 0)) *
+                  glm::angleAxis(roll, Vec3(0, 0, 1));
   // The upper side of what has fallen may be below.
   float face = number(3, 0, 1) < 0.4 ? -1.0f : 1.0f;
-  return {Vec3(number(4, -half, half), 0, number(5, -half, half)), way * Vec3(0, 0, 1),
-          way * Vec3(face, 0, 0), way * Vec3(0, face, 0), std::floor(number(6, 0, kOwnNumbers))};
+  return {Vec3(number(4, -half, half), 0, number(5, -half, half)), rotation * Vec3(0, 0, 1),
+          rotation * Vec3(face, 0, 0), rotation * Vec3(0, face, 0), std::floor(number(6, 0, kOwnNumbers))};
 }
 
 /// A dry leaf: pointed, bent along its midrib, its two halves rolled up or down, its rim wavy.

@@ -76,7 +76,7 @@ class Range {
         if (edge(i)) height_[i] = 0;
         continue;
       }
-      double cut = kWear * std::pow(drained_[i], kConcave) / way_;
+      double cut = kWear * std::pow(drained_[i], kConcave) / spacing_;
       height_[i] = (height_[i] + cut * height_[to]) / (1 + cut);
       height_[i] = std::min(height_[i], height_[to] + kSteepest * 1.2);
     }
@@ -99,7 +99,7 @@ class Range {
       }
   }
 
-  static constexpr double way_ = 1.1;  // cells from one to the next, about
+  static constexpr double spacing_ = 1.1;  // cells from one to the next, about
   std::vector<double> height_, rise_;
   std::vector<std::size_t> below_;
   std::vector<double> drained_;

@@ -15,7 +15,7 @@ constexpr double kFar = 1e6;
 constexpr int kPieces = 12;  // of the path from point to point
 
 /// A point of the Catmull-Rom curve through `points`, between i and i + 1.
-Vec2 way_point(const std::vector<Vec2>& points, std::size_t i, float t) {
+Vec2 path_point(const std::vector<Vec2>& points, std::size_t i, float t) {
   auto at = [&](std::ptrdiff_t k) {
     return points[static_cast<std::size_t>(
         std::clamp<std::ptrdiff_t>(k, 0, static_cast<std::ptrdiff_t>(points.size()) - 1))];
@@ -27,10 +27,10 @@ Vec2 way_point(const std::vector<Vec2>& points, std::size_t i, float t) {
 }
 
 double distance_to_piece(Vec2 at, Vec2 from, Vec2 to) {
-  Vec2 way = to - from;
-  float length2 = glm::dot(way, way);
-  float t = length2 > 0 ? std::clamp(glm::dot(at - from, way) / length2, 0.0f, 1.0f) : 0.0f;
-  return glm::distance(at, from + way * t);
+  Vec2 segment = to - from;
+  float length2 = glm::dot(segment, segment);
+  float t = length2 > 0 ? std::clamp(glm::dot(at - from, segment) / length2, 0.0f, 1.0f) : 0.0f;
+  return glm::distance(at, from + segment * t);
 }
 
 /// A round leaf with a notch, its rim a little raised; diameter 1.
@@ -61,8 +61,8 @@ Plot::Plot(const PondShape& pond, const PathShape& path, Seed seed)
   if (path.points.size() < 2) return;
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
     for (int k = 0; k < kPieces; ++k)
-      way_.push_back(way_point(path.points, i, static_cast<float>(k) / kPieces));
-  way_.push_back(path.points.back());
+      path_.push_back(path_point(path.points, i, static_cast<float>(k) / kPieces));
+  path_.push_back(path.points.back());
 }
 
 double Plot::pond_distance(Vec2 at) const {
@@ -79,15 +79,15 @@ double Plot::pond_distance(Vec2 at) const {
   return (share - shore) * ray;
 }
 
-double Plot::way_distance(Vec2 at) const {
+double Plot::path_middle_distance(Vec2 at) const {
   double best = kFar;
-  for (std::size_t i = 0; i + 1 < way_.size(); ++i)
-    best = std::min(best, distance_to_piece(at, way_[i], way_[i + 1]));
+  for (std::size_t i = 0; i + 1 < path_.size(); ++i)
+    best = std::min(best, distance_to_piece(at, path_[i], path_[i + 1]));
   return best;
 }
 
 double Plot::path_distance(Vec2 at) const {
-  double best = way_distance(at);
+  double best = path_middle_distance(at);
   if (best > 2 * half_width_ + 1) return best - half_width_;
   return best - half_width_ + 0.07 * noise(Vec3(at.x * 1.6f, 5, at.y * 1.6f)) +
          0.04 * noise(Vec3(at.x * 6, 9, at.y * 6));

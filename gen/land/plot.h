@@ -31,7 +31,7 @@ class Plot {
   /// Metres to the shore, about; below 0 in the pond.
   double pond_distance(Vec2 at) const;
   /// Metres to the middle of the path.
-  double way_distance(Vec2 at) const;
+  double path_middle_distance(Vec2 at) const;
   /// Metres to the edge of the path, which is uneven; below 0 on it.
   double path_distance(Vec2 at) const;
 
@@ -41,13 +41,13 @@ class Plot {
 
   const PondShape& pond() const { return pond_; }
   bool has_pond() const { return pond_.size.x > 0 && pond_.size.y > 0; }
-  bool has_path() const { return way_.size() > 1; }
-  const std::vector<Vec2>& way() const { return way_; }
+  bool has_path() const { return path_.size() > 1; }
+  const std::vector<Vec2>& path() const { return path_; }
 
  private:
   PondShape pond_;
   double half_width_ = 0;
-  std::vector<Vec2> way_;  // the path as short straight pieces
+  std::vector<Vec2> path_;  // the path as short straight pieces
   Seed seed_;
 };
 

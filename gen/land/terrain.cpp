@@ -112,11 +112,11 @@ struct PathBed {
         level(width / 2 + 1.5 * spacing + 0.15),
         shoulder(std::max(4.0, 2 * width)),
         blur(std::max(3.0, width)) {
-    const std::vector<Vec2>& way = plot.way();
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-      int pieces = std::max(1, static_cast<int>(glm::distance(way[i], way[i + 1])));
+    const std::vector<Vec2>& line = plot.path();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      int pieces = std::max(1, static_cast<int>(glm::distance(line[i], line[i + 1])));
       for (int k = 0; k < pieces; ++k) {
-        Vec2 at = way[i] + (way[i + 1] - way[i]) * (static_cast<float>(k) / static_cast<float>(pieces));
+        Vec2 at = line[i] + (line[i + 1] - line[i]) * (static_cast<float>(k) / static_cast<float>(pieces));
         bed.emplace_back(at.x, hills(at, std::max(spacing, 2.0)), at.y);
       }
     }
@@ -137,7 +137,7 @@ struct PathBed {
 
   double operator()(Vec2 at, double land) const {
     if (bed.empty()) return land;
-    double away = plot.way_distance(at);
+    double away = plot.path_middle_distance(at);
     if (away >= level + shoulder) return land;
     // The mean of what is near, rather than the nearest: inside a bend that jumps.
     double sum = 0, weights = 0;

@@ -70,7 +70,7 @@ SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels,
     level.half = 0.5f * Vec3(level.size) * level.cell;
     for (auto* sums : {&level.area, &level.thin, &level.body}) sums->assign(level.count(), 0);
     for (auto& sums : level.color) sums.assign(level.count(), 0);
-    level.ways.assign(level.count(), 0);
+    level.facings.assign(level.count(), 0);
   }
 }
 
@@ -160,7 +160,7 @@ void SoftLight::Level::add(Vec3 at, float share, Vec3 albedo, Facing facing, flo
   for (int c = 0; c < 3; ++c)
     sum_up(color[static_cast<std::size_t>(c)][i],
            static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c] + 0.5f));
-  std::atomic_ref<Facing> looks(ways[i]);
+  std::atomic_ref<Facing> looks(facings[i]);
   if ((looks.load(std::memory_order_relaxed) & facing) != facing)
     looks.fetch_or(facing, std::memory_order_relaxed);
 }
@@ -195,10 +195,10 @@ void SoftLight::add_land(const std::function<float(Vec2)>& height, Vec3 albedo, 
           for (int c = 0; c < 3; ++c)
             level.color[static_cast<std::size_t>(c)][i] +=
                 static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c]);
-          Facing ways = y <= solid ? kLand : 0;
-          if (y >= solid && y <= top) ways |= facing(normal);
-          if (y >= top && tall > 0) ways |= kAllWays;
-          level.ways[i] = static_cast<Facing>(level.ways[i] | ways);
+          Facing facings = y <= solid ? kLand : 0;
+          if (y >= solid && y <= top) facings |= facing(normal);
+          if (y >= top && tall > 0) facings |= kAllFacings;
+          level.facings[i] = static_cast<Facing>(level.facings[i] | facings);
         }
       }
     });

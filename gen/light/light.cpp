@@ -20,8 +20,8 @@ constexpr Vec3 axis_of(int bit) {
 }
 
 /// Directions all over the sphere, evenly: a spiral of golden angles.
-const std::vector<Vec3>& ways_all_round() {
-  static const std::vector<Vec3> ways = [] {
+const std::vector<Vec3>& directions_all_round() {
+  static const std::vector<Vec3> directions = [] {
     constexpr int kCount = 64;
     std::vector<Vec3> list;
     for (int i = 0; i < kCount; ++i) {
@@ -30,12 +30,12 @@ const std::vector<Vec3>& ways_all_round() {
     }
     return list;
   }();
-  return ways;
+  return directions;
 }
 
-Vec3 sky(const Ambience& ambience, Vec3 way) {
-  if (way.y >= 0) return glm::mix(ambience.horizon, ambience.zenith, way.y);
-  return glm::mix(ambience.horizon, ambience.below, std::min(1.0f, -6 * way.y));
+Vec3 sky(const Ambience& ambience, Vec3 direction) {
+  if (direction.y >= 0) return glm::mix(ambience.horizon, ambience.zenith, direction.y);
+  return glm::mix(ambience.horizon, ambience.below, std::min(1.0f, -6 * direction.y));
 }
 
 }  // namespace
@@ -47,9 +47,9 @@ Eye eye_toward(Vec3 at, Vec3 toward, double broad, double tall, double pixel) {
 }
 
 bool in_view(const Eye& eye, Vec3 at, double radius) {
-  Vec3 way = at - eye.at;
-  double deep = glm::dot(way, eye.ahead), high = std::abs(glm::dot(way, eye.up)),
-         aside = std::abs(glm::dot(way, glm::cross(eye.ahead, eye.up)));
+  Vec3 offset = at - eye.at;
+  double deep = glm::dot(offset, eye.ahead), high = std::abs(glm::dot(offset, eye.up)),
+         aside = std::abs(glm::dot(offset, glm::cross(eye.ahead, eye.up)));
   // How far outside of each of the planes that bound the view.
   return deep > -radius && aside - deep * eye.broad < radius * std::hypot(1, eye.broad) &&
          high - deep * eye.tall < radius * std::hypot(1, eye.tall);
@@ -62,14 +62,14 @@ Facing facing(Vec3 normal) {
   return bits;
 }
 
-Vec3 SoftLight::arriving(std::size_t k, Vec3 at, Vec3 way, float spread, const Ambience& ambience,
+Vec3 SoftLight::arriving(std::size_t k, Vec3 at, Vec3 direction, float spread, const Ambience& ambience,
                          float& open) const {
   Vec3 sum(0), origin(0), ahead(0), size(0);
-  float left = 1, upright = way.y * way.y;
+  float left = 1, upright = direction.y * direction.y;
   auto enter = [&] {  // the cells of a level
     const Level& level = levels_[k];
     origin = at / level.cell - Vec3(level.low);
-    ahead = way / level.cell;
+    ahead = direction / level.cell;
     size = Vec3(level.size);
   };
   enter();
@@ -98,7 +98,7 @@ Vec3 SoftLight::arriving(std::size_t k, Vec3 at, Vec3 way, float spread, const A
     left *= through;
   }
   open = left > kDark ? left : 0;
-  return sum + open * sky(ambience, way);
+  return sum + open * sky(ambience, direction);
 }
 
 void SoftLight::light(const Ambience& ambience) {
@@ -114,7 +114,7 @@ void SoftLight::light(const Ambience& ambience) {
         for (int x = 0; x < level.size.x; ++x, ++i) {
           if (level.depth(i) <= 0) continue;
           Vec3 at = level.middle({x, static_cast<int>(y), z});
-          bool flat = level.ways[i] & kLand;
+          bool flat = level.facings[i] & kLand;
           float sunny = 0, open = 0;
           arriving(k, at, ambience.sun, 0.15f, ambience, sunny);
           arriving(k, at, Vec3(0, 1, 0), 0.6f, ambience, open);
@@ -135,16 +135,16 @@ void SoftLight::gather(std::size_t k, Vec3 at, Facing facing, const Ambience& am
   if (facing == 0) return;
   // A half of all directions, each weighted by how it faces: 32 of them have that sum.
   constexpr float kShare = 1.0f / 16;
-  for (const Vec3& way : ways_all_round()) {
+  for (const Vec3& direction : directions_all_round()) {
     bool wanted = false;
     for (int axis = 0; axis < 6; ++axis)
-      wanted = wanted || (facing & 1 << axis && glm::dot(way, axis_of(axis)) > 0);
+      wanted = wanted || (facing & 1 << axis && glm::dot(direction, axis_of(axis)) > 0);
     if (!wanted) continue;
     float open = 0;
-    Vec3 light = kShare * arriving(k, at, way, 0.7f, ambience, open);
+    Vec3 light = kShare * arriving(k, at, direction, 0.7f, ambience, open);
     for (int axis = 0; axis < 6; ++axis)
       if (facing & 1 << axis)
-        sum[static_cast<std::size_t>(axis)] += std::max(0.0f, glm::dot(way, axis_of(axis))) * light;
+        sum[static_cast<std::size_t>(axis)] += std::max(0.0f, glm::dot(direction, axis_of(axis))) * light;
   }
 }
 
@@ -175,11 +175,11 @@ std::vector<Probe> SoftLight::probes_of(std::size_t k, const Ambience& ambience,
       for (int x = 1; x + 1 < level.size.x; ++x) {
         // Light is wanted where something stands, or stands next ahead, that looks the same way.
         std::size_t here = slab * plane + static_cast<std::size_t>(z) * row + static_cast<std::size_t>(x);
-        Facing need = level.ways[here] & kAllWays;
+        Facing need = level.facings[here] & kAllFacings;
         const std::size_t step[] = {1, plane, row};
         for (int axis = 0; axis < 6; ++axis) {
           std::size_t ahead = axis % 2 == 0 ? here + step[axis / 2] : here - step[axis / 2];
-          need = static_cast<Facing>(need | (level.ways[ahead] & 1 << axis));
+          need = static_cast<Facing>(need | (level.facings[ahead] & 1 << axis));
         }
         if (need == 0) continue;
         Vec3 at = level.middle({x, y, z});
@@ -193,7 +193,7 @@ std::vector<Probe> SoftLight::probes_of(std::size_t k, const Ambience& ambience,
           Vec3 normal = axis_of(axis), out = at;
           std::size_t i = 0;
           auto behind = [&](Vec3 there) {
-            return level.index(there, i) && level.depth(i) > kOpaque && (level.ways[i] & 1 << axis);
+            return level.index(there, i) && level.depth(i) > kOpaque && (level.facings[i] & 1 << axis);
           };
           if (!behind(out) && behind(out + normal * level.cell)) out += normal * level.cell;
           for (int steps = 0; steps < 3 && behind(out); ++steps) out += normal * level.cell;

@@ -36,7 +36,7 @@ struct Ambience {
 
 /// Which way a surface faces: a bit for each of +x, -x, +y, -y, +z, -z.
 using Facing = std::uint8_t;
-inline constexpr Facing kAllWays = 63;
+inline constexpr Facing kAllFacings = 63;
 Facing facing(Vec3 normal);
 
 /// The light that comes to a place from the half of all directions round one axis.
@@ -91,7 +91,7 @@ class SoftLight {
     // (`thin`) and of bodies; and radiance.
     std::vector<std::uint32_t> area, thin, body;
     std::array<std::vector<std::uint32_t>, 3> color;
-    std::vector<Facing> ways;
+    std::vector<Facing> facings;
 
     void add(Vec3 at, float share, Vec3 albedo, Facing facing, float bulk);
     std::size_t count() const;
@@ -120,7 +120,7 @@ class SoftLight {
   /// stands there has another.
   bool wanted(std::size_t level, Vec3 at, std::span<const Eye> seen_by) const;
   /// What comes to the middle of a cell from a direction.
-  Vec3 arriving(std::size_t level, Vec3 at, Vec3 way, float spread, const Ambience& ambience,
+  Vec3 arriving(std::size_t level, Vec3 at, Vec3 direction, float spread, const Ambience& ambience,
                 float& open) const;
   /// Adds to `sum` of each of the directions what comes from the half of all that is round it.
   void gather(std::size_t level, Vec3 at, Facing facing, const Ambience& ambience,

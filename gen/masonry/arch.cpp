@@ -35,20 +35,20 @@ Arch make_arch(double length, double height, double crown) {
   glm::dvec2 last = half_at(arch, 0).at;
   for (std::size_t i = 1; i <= kSteps; ++i) {
     glm::dvec2 next = half_at(arch, static_cast<double>(i) / kSteps).at;
-    arch.way.push_back(arch.way.back() + glm::distance(last, next));
+    arch.distance.push_back(arch.distance.back() + glm::distance(last, next));
     last = next;
   }
   return arch;
 }
 
-double half_way(const Arch& arch) { return arch.way.back(); }
+double half_length(const Arch& arch) { return arch.distance.back(); }
 
 ArchPoint arch_at(const Arch& arch, double s) {
-  double from_foot = half_way(arch) - std::abs(s), t = 0;
+  double from_foot = half_length(arch) - std::abs(s), t = 0;
   if (from_foot > 0) {
-    auto above = std::lower_bound(arch.way.begin() + 1, arch.way.end() - 1, from_foot);
+    auto above = std::lower_bound(arch.distance.begin() + 1, arch.distance.end() - 1, from_foot);
     double low = *(above - 1), share = (from_foot - low) / std::max(*above - low, 1e-300);
-    t = (static_cast<double>(above - 1 - arch.way.begin()) + std::min(share, 1.0)) / kSteps;
+    t = (static_cast<double>(above - 1 - arch.distance.begin()) + std::min(share, 1.0)) / kSteps;
   }
   ArchPoint p{half_at(arch, t).at, -heading_at(arch, t), {}};
   if (from_foot < 0) p.at -= p.along * from_foot;

@@ -10,8 +10,8 @@ namespace frond {
 /// (0, height). It is level at mid-span, so its slope has no jump there.
 struct Arch {
   double length = 10, height = 1.5;
-  double crown = 0.25;      ///< 0.1 nearly pointed .. 0.5 upright at its feet
-  std::vector<double> way;  ///< from the foot to t = i / (size - 1) of one half, along the curve
+  double crown = 0.25;           ///< 0.1 nearly pointed .. 0.5 upright at its feet
+  std::vector<double> distance;  ///< from the foot to t = i / (size - 1) of one half, along the curve
 };
 
 /// A place on the arch.
@@ -25,7 +25,7 @@ struct ArchPoint {
 Arch make_arch(double length, double height, double crown);
 
 /// How long one half is.
-double half_way(const Arch& arch);
+double half_length(const Arch& arch);
 
 /// The place `s` metres along the arch from mid-span, toward +x where positive. Beyond its feet it goes
 /// straight on.

@@ -11,7 +11,7 @@ namespace {
 
 /// Boards laid across. None is quite as long, as level or as square as the next.
 void lay_planks(const BridgeShape& shape, Bridge& bridge, double board, Seed seed) {
-  double half = half_way(bridge.arch);
+  double half = half_length(bridge.arch);
   int count = std::max(1, static_cast<int>(std::lround(2 * half / (shape.plank + shape.gap))));
   double pitch = 2 * half / count, wide = std::max(pitch - shape.gap, 0.3 * pitch);
   for (int i = 0; i < count; ++i) {
@@ -28,8 +28,8 @@ void lay_planks(const BridgeShape& shape, Bridge& bridge, double board, Seed see
     glm::dvec2 at = on.at - on.up * (board / 2 + lower);
     Quat slope = glm::angleAxis(real(std::atan2(on.along.y, on.along.x)), Vec3(0, 0, 1));
     // Along z, and now and then the other way round.
-    float way = own.child("way").unit() < 0.5 ? 1.0f : -1.0f;
-    Quat across = glm::angleAxis(way * real(kPi / 2), Vec3(0, 1, 0));
+    float sign = own.child("way").unit() < 0.5 ? 1.0f : -1.0f;
+    Quat across = glm::angleAxis(sign * real(kPi / 2), Vec3(0, 1, 0));
     bridge.pieces.push_back(
         {BridgePart::plank, std::move(surface), Vec3(real(at.x), real(at.y), real(aside)), slope * across});
   }
@@ -38,7 +38,7 @@ void lay_planks(const BridgeShape& shape, Bridge& bridge, double board, Seed see
 /// Two or three beams under the planks, in pieces that meet under posts, and a sill under each end.
 void lay_stringers(const BridgeShape& shape, Bridge& bridge, const std::vector<double>& stations,
                    double board, double edge) {
-  double half = half_way(bridge.arch), wide = std::clamp(0.5 * bridge.thickness, 0.04, 0.16 * shape.width);
+  double half = half_length(bridge.arch), wide = std::clamp(0.5 * bridge.thickness, 0.04, 0.16 * shape.width);
   std::vector<double> lines{-edge, edge}, joints{-half};
   if (shape.width > 1.4) lines.push_back(0);
   for (std::size_t i = 1; i + 1 < stations.size(); i += 2) joints.push_back(stations[i]);
@@ -100,7 +100,7 @@ void lay_balusters(const BridgeShape& shape, Bridge& bridge, const std::vector<d
 
 std::vector<double> post_stations(const Arch& arch, const BridgeShape& shape) {
   // The last gap of each half is half a gap, so that the spacing goes on across mid-span.
-  double margin = std::min(0.75 * shape.post, 0.25 * half_way(arch)), first = half_way(arch) - margin;
+  double margin = std::min(0.75 * shape.post, 0.25 * half_length(arch)), first = half_length(arch) - margin;
   double gap = first / (shape.posts - 0.5);
   std::vector<double> stations;
   for (int i = 0; i < shape.posts; ++i) stations.push_back(-first + i * gap);

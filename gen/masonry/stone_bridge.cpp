@@ -12,12 +12,12 @@ constexpr double kSet = 0.04;  // how far walls stand back behind the course at 
 
 /// The hole under a stone bridge: half an ellipse over its springing line, in a ring of voussoirs.
 struct Vault {
-  double half = 0;          ///< of its span
-  double spring = 0;        ///< height of the springing line
-  double rise = 0;          ///< from there to its crown
-  double ring = 0;          ///< depth of the voussoirs
-  double paving = 0.1;      ///< depth of what lies on top
-  std::vector<double> way;  ///< along the ellipse, from its left foot
+  double half = 0;               ///< of its span
+  double spring = 0;             ///< height of the springing line
+  double rise = 0;               ///< from there to its crown
+  double ring = 0;               ///< depth of the voussoirs
+  double paving = 0.1;           ///< depth of what lies on top
+  std::vector<double> distance;  ///< along the ellipse, from its left foot
   static constexpr int kSteps = 512;
   bool open() const { return rise > 0.15 && half > 0.15; }
 
@@ -28,16 +28,16 @@ struct Vault {
   }
   /// Measures the ellipse; to be called once its size is known.
   void measure() {
-    way = {0};
+    distance = {0};
     for (int i = 0; i < kSteps; ++i)
-      way.push_back(way.back() + glm::distance(at(kPi * i / kSteps - kPi / 2, 0),
-                                               at(kPi * (i + 1) / kSteps - kPi / 2, 0)));
+      distance.push_back(distance.back() + glm::distance(at(kPi * i / kSteps - kPi / 2, 0),
+                                                         at(kPi * (i + 1) / kSteps - kPi / 2, 0)));
   }
   /// The angle that lies `along` metres along the ellipse from its left foot.
   double angle_at(double along) const {
-    auto above = std::lower_bound(way.begin() + 1, way.end() - 1, along);
+    auto above = std::lower_bound(distance.begin() + 1, distance.end() - 1, along);
     double share = std::clamp((along - *(above - 1)) / (*above - *(above - 1)), 0.0, 1.0);
-    return kPi * ((static_cast<double>(above - 1 - way.begin()) + share) / kSteps - 0.5);
+    return kPi * ((static_cast<double>(above - 1 - distance.begin()) + share) / kSteps - 0.5);
   }
   /// How high the outside of the ring lies over x, or the foot of the wall beside it.
   double outside(double x, double foot) const {
@@ -123,7 +123,7 @@ void lay_voussoir(const BridgeMason& m, double from, double to, double near, dou
 /// feet the jambs.
 void build_vault(const BridgeMason& m, Seed seed) {
   if (!m.vault.open()) return;
-  double length = m.vault.way.back();
+  double length = m.vault.distance.back();
   int count = std::max(5, 2 * static_cast<int>(length / 0.56) + 1);
   auto course = [&](bool deep, Seed own, auto&& lay) {
     double head = std::min(deep ? 0.46 : 0.32, 0.3 * m.face);
@@ -216,7 +216,7 @@ void lay_row(const BridgeMason& m, BridgePart part, Bar bar, double size, bool s
 
 /// The course that shows the line of the deck, and between the two sides the paving.
 void build_deck(const BridgeMason& m, Seed seed) {
-  double half = half_way(m.bridge.arch), out = m.shape.width / 2, in = out - kSet - m.wall;
+  double half = half_length(m.bridge.arch), out = m.shape.width / 2, in = out - kSet - m.wall;
   for (double side : {-1.0, 1.0}) {
     double near = side < 0 ? -out : in, far = side < 0 ? -in : out;
     lay_row(m, BridgePart::lower_rail, {-half, half, -m.vault.paving, 0.03, near, far, 0.02f}, 0.7, false,

@@ -16,9 +16,9 @@ glm::dvec2 on_span(const std::array<glm::dvec2, 4>& s, double t) {
 }
 
 double off_line(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-  glm::dvec2 way = b - a;
-  double t = std::clamp(glm::dot(p - a, way) / std::max(glm::dot(way, way), 1e-300), 0.0, 1.0);
-  return glm::distance(p, a + way * t);
+  glm::dvec2 segment = b - a;
+  double t = std::clamp(glm::dot(p - a, segment) / std::max(glm::dot(segment, segment), 1e-300), 0.0, 1.0);
+  return glm::distance(p, a + segment * t);
 }
 
 /// Where the outline turns sharply, so that no curve may round it off.
@@ -44,12 +44,12 @@ glm::dvec2 heading(const std::vector<glm::dvec2>& line, std::size_t i, bool afte
 std::array<glm::dvec2, 4> fit(const std::vector<glm::dvec2>& line, std::size_t from, std::size_t to,
                               double& error) {
   glm::dvec2 a = line[from], b = line[to], out = heading(line, from, true), in = heading(line, to, false);
-  double way = 0;
-  for (std::size_t i = from; i < to; ++i) way += glm::distance(line[i], line[i + 1]);
+  double length = 0;
+  for (std::size_t i = from; i < to; ++i) length += glm::distance(line[i], line[i + 1]);
   std::array<glm::dvec2, 4> best{};
   error = 1e300;
   for (double handle : {0.30, 0.32, 1.0 / 3, 0.345, 0.36, 0.38}) {
-    std::array<glm::dvec2, 4> span{{a, a + out * (handle * way), b - in * (handle * way), b}};
+    std::array<glm::dvec2, 4> span{{a, a + out * (handle * length), b - in * (handle * length), b}};
     double worst = 0;
     for (int k = 1; k < 16; ++k) {
       glm::dvec2 p = on_span(span, k / 16.0);

@@ -178,12 +178,12 @@ Surface worn_block(Vec3 size, double wear, Seed seed) {
     auto [place, fresh] = known.try_emplace({i, j, k}, static_cast<std::uint32_t>(s.position.size()));
     if (fresh) {
       Vec3 p(xs[i], ys[j], zs[k]), core = glm::clamp(p, -(half - round), half - round), out = p - core;
-      Vec3 way = glm::normalize(out);
+      Vec3 direction = glm::normalize(out);
       // Edges and corners are rounded, more where something has struck them.
       float edge = (std::abs(out.x) > 0) + (std::abs(out.y) > 0) + (std::abs(out.z) > 0) > 1 ? 1.0f : 0.0f;
       float struck = static_cast<float>(std::max(0.0, fractal_noise(p * 38.0f + shift, 2)));
       float reach = round + dent * static_cast<float>(noise(p * 55.0f - shift)) - edge * chip * struck;
-      s.position.push_back((core + way * reach) / size);
+      s.position.push_back((core + direction * reach) / size);
     }
     return place->second;
   };

@@ -46,7 +46,7 @@ Quat LimbSway::turn(std::size_t i, const std::vector<Quat>& turns) {
   std::int32_t base = base_[i];
   Quat borne = base == Skeleton::kRoot ? Quat(1, 0, 0, 0) : turns[base];
   float below = base == Skeleton::kRoot ? 0.0f : rest_.distance[base];
-  float way = rest_.distance[i] - below, share = way / std::max(way + rest_.to_tip[i], 1e-6f);
+  float distance = rest_.distance[i] - below, share = distance / std::max(distance + rest_.to_tip[i], 1e-6f);
   if (share <= 0) return borne;
   int order = std::min<int>(rest_.order[i], kOrders - 1);
   Vec3 foot = base == Skeleton::kRoot ? Vec3(0) : rest_.position[base];

@@ -59,15 +59,15 @@ class Current {
 /// the way along its branch and `step` of the way long.
 Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float strength, float share,
                  float step) {
-  Vec3 way = food - base;
-  float distance2 = glm::dot(way, way), reach2 = static_cast<float>(pull.reach * pull.reach);
+  Vec3 to_food = food - base;
+  float distance2 = glm::dot(to_food, to_food), reach2 = static_cast<float>(pull.reach * pull.reach);
   if (distance2 < 1e-12f) return Quat(1, 0, 0, 0);
-  Vec3 axis = glm::cross(heading, way / std::sqrt(distance2));
+  Vec3 axis = glm::cross(heading, to_food / std::sqrt(distance2));
   float sine = glm::length(axis);
   if (sine < 1e-6f) return Quat(1, 0, 0, 0);
   float supple = smooth_step(0.0f, 0.35f, share);
   // Food right behind pulls nowhere: else the least step of it would swing the branch from side to side.
-  float before = 0.5f + 0.5f * glm::dot(heading, way) / std::sqrt(distance2);
+  float before = 0.5f + 0.5f * glm::dot(heading, to_food) / std::sqrt(distance2);
   float angle = strength * supple * step * sine * before * distance2 / (distance2 + reach2);
   return glm::angleAxis(std::min(angle, std::asin(std::min(sine, 1.0f))), axis / sine);
 }
@@ -87,8 +87,8 @@ class Pull {
   Quat turn(Vec3 heading, Vec3 base, float share, float step) const {
     if (meals_.size() == 1) return to(heading, base, 0, 1, share, step);
     auto nearness = [&](std::size_t i) {
-      Vec3 way = meals_[i].at - base;
-      float distance2 = glm::dot(way, way);
+      Vec3 to_food = meals_[i].at - base;
+      float distance2 = glm::dot(to_food, to_food);
       return meals_[i].left / std::max(distance2 * distance2, 1e-12f);
     };
     float all = 0;

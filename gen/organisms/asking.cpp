@@ -16,7 +16,7 @@ enum class Question { light, surface, food };
 
 struct Answer {
   float distance = 0;
-  Vec3 way{0};
+  Vec3 direction{0};
 };
 
 Answer nearest_surface(const Surroundings& around, Vec3 at) {
@@ -31,7 +31,7 @@ Answer nearest_surface(const Surroundings& around, Vec3 at) {
     slope[axis] = around.border(at + aside) - around.border(at - aside);
   }
   float length = glm::length(slope);
-  return {border, length > 0 ? slope / length : answer.way};
+  return {border, length > 0 ? slope / length : answer.direction};
 }
 
 }  // namespace
@@ -48,11 +48,11 @@ Environment environment_of(const Surroundings& around, const Food& food, const G
       answer = nearest_surface(around, at);
     } else if (parameters[0] == static_cast<double>(Question::food) && fed) {
       answer.distance = glm::distance(at, meal);
-      if (answer.distance > 0) answer.way = (meal - at) / answer.distance;
+      if (answer.distance > 0) answer.direction = (meal - at) / answer.distance;
     } else {
       return;
     }
-    std::array<float, 4> said{answer.distance, answer.way.x, answer.way.y, answer.way.z};
+    std::array<float, 4> said{answer.distance, answer.direction.x, answer.direction.y, answer.direction.z};
     std::size_t asked = std::min(parameters.size(), parameters[0] == 0 ? std::size_t{2} : said.size() + 1);
     for (std::size_t i = 1; i < asked; ++i) parameters[i] = static_cast<double>(said[i - 1]);
   };

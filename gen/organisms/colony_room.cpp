@@ -11,7 +11,7 @@ constexpr float kTurn = 0.35f;  // radians that a segment turns at most
 constexpr float kBerth = 4;     // radii from which on a branch gives way
 
 /// Where room grows fastest.
-Vec3 way_out(const Surroundings& around, Vec3 at, float step, float within) {
+Vec3 roomiest_direction(const Surroundings& around, Vec3 at, float step, float within) {
   Vec3 slope(0);
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 aside(0);
@@ -23,11 +23,11 @@ Vec3 way_out(const Surroundings& around, Vec3 at, float step, float within) {
 }
 
 /// The turn of a direction toward another by an angle at most.
-Quat turn_toward(Vec3 way, Vec3 goal, float angle) {
-  Vec3 axis = glm::cross(way, goal);
+Quat turn_toward(Vec3 direction, Vec3 goal, float angle) {
+  Vec3 axis = glm::cross(direction, goal);
   float sine = glm::length(axis);
   if (sine < 1e-5f) return Quat(1, 0, 0, 0);
-  return glm::angleAxis(std::min(angle, std::atan2(sine, glm::dot(way, goal))), axis / sine);
+  return glm::angleAxis(std::min(angle, std::atan2(sine, glm::dot(direction, goal))), axis / sine);
 }
 
 /// The skeleton without some of its nodes; with a node go all above it.
@@ -67,7 +67,7 @@ void keep_to_room(Skeleton& s, const Surroundings& around) {
     // The foot stands in its rock.
     bool foot = s.distance[i] < 3 * s.radius[0];
     if (room < berth && length > 0 && !foot) {
-      Vec3 out = way_out(around, s.position[p] + segment, 0.5f * s.radius[i] + 1e-3f, 2 * berth);
+      Vec3 out = roomiest_direction(around, s.position[p] + segment, 0.5f * s.radius[i] + 1e-3f, 2 * berth);
       float share = std::clamp(1 - (room - s.radius[i]) / (berth - s.radius[i]), 0.0f, 1.0f);
       Quat aside = turn_toward(segment / length, out, kTurn * share);
       segment = aside * segment;

@@ -43,7 +43,7 @@ enum class GrowthStage {
 };
 
 /// Whether what grows then has no place that is found for it: all of an entry grow as one.
-inline bool finds_its_way(GrowthStage stage) { return stage >= GrowthStage::creeping; }
+inline bool finds_own_place(GrowthStage stage) { return stage >= GrowthStage::creeping; }
 
 /// A place for one organism.
 struct Planting {

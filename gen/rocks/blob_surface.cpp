@@ -76,13 +76,13 @@ struct Tracer {
       return;
     }
     // Each axis that is not split yet is cut in a lower half, an upper half and the plane between them.
-    static constexpr int kWays[4] = {1, 3, 9, 27};
+    static constexpr int kCases[4] = {1, 3, 9, 27};
     unsigned free[3], count = 0;
     for (unsigned axis = 0; axis < 3; ++axis)
       if ((split >> axis & 1) == 0) free[count++] = axis;
-    for (int way = 0; way < kWays[count]; ++way) {
+    for (int choice = 0; choice < kCases[count]; ++choice) {
       unsigned upper = 0, now = split;
-      for (int k = 0, rest = way; k < static_cast<int>(count); ++k, rest /= 3) {
+      for (int k = 0, rest = choice; k < static_cast<int>(count); ++k, rest /= 3) {
         if (rest % 3 == 1) upper |= 1u << free[k];
         if (rest % 3 == 2) now |= 1u << free[k];
       }

@@ -54,7 +54,7 @@ Errors without_room(const Preset& preset) {
   Extent extent = extent_of(preset);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     const Organism& o = preset.organisms[i];
-    if (finds_its_way(o.grower->stage())) continue;
+    if (finds_own_place(o.grower->stage())) continue;
     // Discs of their room that do not overlap, on all the ground that they may reach.
     double room = 0, ground = 0;
     if (o.sown) {

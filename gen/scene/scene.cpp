@@ -44,7 +44,7 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
     if (organism.count == 0 || organism.sown) continue;
     PlacedEntry& plot = plots.emplace_back();
     plot.bed = {&organism, o, Seed{preset.seed}.child("organism", o), {}};
-    if (finds_its_way(organism.grower->stage())) continue;
+    if (finds_own_place(organism.grower->stage())) continue;
     auto room = static_cast<float>(room_of(place, extent));
     for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.take(plot.spots.back());
     if (!place.on.empty()) continue;  // bodies are not there yet
@@ -81,7 +81,7 @@ std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
 std::vector<Specimen> in_order(std::vector<Specimen> all, const Preset& preset) {
   std::ranges::stable_sort(all, {}, [&](const Specimen& s) {
     if (s.entry == Specimen::kNoEntry) return std::size_t{0};
-    bool creeps = finds_its_way(preset.organisms[s.entry].grower->stage());
+    bool creeps = finds_own_place(preset.organisms[s.entry].grower->stage());
     return 1 + s.entry + (creeps ? preset.organisms.size() : 0);
   });
   return all;

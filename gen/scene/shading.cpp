@@ -114,7 +114,7 @@ class CrowdedSpace {
     bool branch = normal == Vec3(0);
     Vec3 from = at + (branch ? Vec3(0, 1.5f, 0) : 1.6f * normal) * grid_.cell;
     for (int k = 0; k < kWays; ++k) {
-      Vec3 way = sky_way(k, kWays);
+      Vec3 way = sky_direction(k, kWays);
       if (!branch && glm::dot(way, normal) < 0.05f) continue;
       float through = 1, step = 0.7f * grid_.cell;
       bool blocked = false;

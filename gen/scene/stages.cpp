@@ -139,7 +139,7 @@ class SceneBuilder {
   /// The entry that the i-th of what some beds have grown belongs to.
   static std::size_t entry_of(const std::vector<Bed>& beds, std::size_t i) {
     for (const Bed& bed : beds) {
-      std::size_t count = finds_its_way(bed.organism->grower->stage()) ? 1 : bed.plantings.size();
+      std::size_t count = finds_own_place(bed.organism->grower->stage()) ? 1 : bed.plantings.size();
       if (i < count) return bed.entry;
       i -= count;
     }
@@ -189,7 +189,7 @@ class SceneBuilder {
 
 std::size_t steps_of(const Bed& bed) {
   const Organism& organism = *bed.organism;
-  if (finds_its_way(organism.grower->stage())) return 1;
+  if (finds_own_place(organism.grower->stage())) return 1;
   std::size_t to_come = organism.place.on.empty() ? 0 : static_cast<std::size_t>(organism.count);
   return std::max(bed.plantings.size(), to_come);
 }

@@ -75,21 +75,21 @@ Land ForestGround::land(std::vector<Spot> taken) const {
 
 namespace {
 
-constexpr double kLongestWay = 10'000;  // metres that a camera goes
+constexpr double kLongestCameraPath = 10'000;  // metres that a camera goes
 
 /// Leaves and moss lie wherever the camera comes near.
 void check_litter(Errors& list, const Stage& stage, const Film& film) {
-  double way = 0;
+  double length = 0;
   Vec3 last = stage.camera.location.at(film.time(1));
   for (int frame = 2; frame <= film.frames; ++frame) {
     Vec3 at = stage.camera.location.at(film.time(frame));
-    way += glm::distance(last, at);
+    length += glm::distance(last, at);
     last = at;
   }
-  if (way > kLongestWay)
+  if (length > kLongestCameraPath)
     list.push_back({"/camera/location",
-                    fmt::format("the camera goes {:.3g} m through the forest; expected {:g} m at most", way,
-                                kLongestWay)});
+                    fmt::format("the camera goes {:.3g} m through the forest; expected {:g} m at most",
+                                length, kLongestCameraPath)});
 }
 
 }  // namespace
@@ -112,13 +112,13 @@ SettingRow forest_setting() {
       },
       [](const Stage& stage, const Film& film) {
         // Litter lies wherever the camera passes by.
-        double way = 0;
+        double length = 0;
         for (int frame = 2, step = std::max(1, film.frames / 200); frame <= film.frames; frame += step) {
           Vec3 moved = stage.camera.location.at(film.time(frame)) -
                        stage.camera.location.at(film.time(std::max(1, frame - step)));
-          way += std::hypot(moved.x, moved.z);
+          length += std::hypot(moved.x, moved.z);
         }
-        return GroundSizeEstimate{39'200, 13'700, 3000 + 170 * way};
+        return GroundSizeEstimate{39'200, 13'700, 3000 + 170 * length};
       },
       [](const Stage& stage, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed);

@@ -210,8 +210,8 @@ void Lawn::lay_gravel(Seed seed) {
   for (int i = 0; i < kTurfShapes * (kHalvings + 1); ++i)
     gravel.push_back(gravel_surface(1.06 * side / (1 << i / kTurfShapes), stone_,
                                     seed.child("shape").child(static_cast<std::uint64_t>(i))));
-  Vec2 low = plot_.way()[0], high = low;
-  for (Vec2 at : plot_.way()) low = glm::min(low, at), high = glm::max(high, at);
+  Vec2 low = plot_.path()[0], high = low;
+  for (Vec2 at : plot_.path()) low = glm::min(low, at), high = glm::max(high, at);
   double margin = path_width_;
   // A path that leads across the pond, over a bridge, ends at the shores.
   auto edge = [&](Vec2 at) { return std::max(plot_.path_distance(at), 0.1 - plot_.pond_distance(at)); };

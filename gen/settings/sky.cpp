@@ -107,29 +107,29 @@ Vec3 through_air(double height, double turbidity) {
 
 double diffuse_light(double height) { return 0.8 + 15.5 * std::sqrt(std::max(0.0, std::sin(height))); }
 
-Vec3 Sky::day(Vec3 way) const {
+Vec3 Sky::day(Vec3 direction) const {
   // At the horizon itself Perez's law has a pole.
-  double theta = std::min(std::acos(std::clamp(static_cast<double>(way.y), 0.0, 1.0)), radians(88.5));
+  double theta = std::min(std::acos(std::clamp(static_cast<double>(direction.y), 0.0, 1.0)), radians(88.5));
   double above = std::max(height_, 0.0);
   Vec3 flat = glm::normalize(Vec3(sun.x, 0, sun.z) + Vec3(0, 0, 1e-6f));
   Vec3 toward = flat * static_cast<float>(std::cos(above)) + Vec3(0, std::sin(above), 0);
-  double gamma = std::acos(std::clamp(static_cast<double>(glm::dot(way, toward)), -1.0, 1.0));
+  double gamma = std::acos(std::clamp(static_cast<double>(glm::dot(direction, toward)), -1.0, 1.0));
   // What comes past a low sun is redder than Preetham has it.
-  float a = 0.5f + 0.5f * glm::dot(Vec3(way.x, 0, way.z), flat);
+  float a = 0.5f + 0.5f * glm::dot(Vec3(direction.x, 0, direction.z), flat);
   auto low = static_cast<float>(1 - smooth_step(4.0, 22.0, degrees(above)));
   Vec3 warm = glm::mix(Vec3(1), Vec3(1.24f, 0.90f, 0.55f),
-                       low * (0.3f + 0.7f * a * a) * std::exp(-4 * std::max(way.y, 0.0f)));
+                       low * (0.3f + 0.7f * a * a) * std::exp(-4 * std::max(direction.y, 0.0f)));
   Vec3 light = warm * kBalance * rgb_of(preetham(theta, gamma, kPi / 2 - above, turbidity_));
   light.g = std::max(light.g, 0.98f * std::min(light.r, light.b));  // no daylight is magenta
   return light;
 }
 
-Vec3 Sky::dusk(Vec3 way) const {
+Vec3 Sky::dusk(Vec3 direction) const {
   // Blue above by the ozone, the afterglow over the sun, the earth's shadow opposite with the belt of Venus
   // on it.
-  Vec3 flat(way.x, 0, way.z), west(sun.x, 0, sun.z);
+  Vec3 flat(direction.x, 0, direction.z), west(sun.x, 0, sun.z);
   float along = glm::dot(flat, west) / std::max(glm::length(flat) * glm::length(west), 1e-6f);
-  float a = 0.5f + 0.5f * along, y = std::max(way.y, 0.0f);
+  float a = 0.5f + 0.5f * along, y = std::max(direction.y, 0.0f);
   auto low = static_cast<float>(std::clamp(-degrees(height_) / 8, 0.0, 1.0));
   Vec3 blue = glm::mix(Vec3(0.13f, 0.24f, 0.56f), Vec3(0.07f, 0.15f, 0.44f), low);
   Vec3 pale(0.60f, 0.48f, 0.44f), fire = glm::mix(Vec3(1.20f, 0.50f, 0.17f), Vec3(0.95f, 0.36f, 0.16f), low);
@@ -154,10 +154,10 @@ Vec3 exposed(Vec3 light) {
 
 }  // namespace
 
-Vec3 Sky::from(Vec3 way) const {
-  Vec3 tint = stops_ * glm::mix(tint_low_, tint_high_, std::sqrt(std::max(way.y, 0.0f)));
-  Vec3 by_day = twilight_ < 1 ? exposed(metered_ * tint * day(way)) : Vec3(0);
-  return glm::mix(by_day, exposed(tint * dusk(way)), twilight_);
+Vec3 Sky::from(Vec3 direction) const {
+  Vec3 tint = stops_ * glm::mix(tint_low_, tint_high_, std::sqrt(std::max(direction.y, 0.0f)));
+  Vec3 by_day = twilight_ < 1 ? exposed(metered_ * tint * day(direction)) : Vec3(0);
+  return glm::mix(by_day, exposed(tint * dusk(direction)), twilight_);
 }
 
 namespace {
@@ -179,13 +179,13 @@ double lit_from(const Light& light) {
 
 /// The mean of a sky all round, at a height.
 Vec3 mean(const Sky& sky, float height) {
-  constexpr int kWays = 12;
+  constexpr int kDirections = 12;
   Vec3 sum(0);
-  for (int i = 0; i < kWays; ++i) {
-    double turn = 2 * kPi * (i + 0.5) / kWays;
+  for (int i = 0; i < kDirections; ++i) {
+    double turn = 2 * kPi * (i + 0.5) / kDirections;
     sum += sky.from(glm::normalize(Vec3(std::cos(turn), height, std::sin(turn))));
   }
-  return sum / static_cast<float>(kWays);
+  return sum / static_cast<float>(kDirections);
 }
 
 }  // namespace
@@ -202,7 +202,7 @@ Sky::Sky(const SkyShape& shape)
   auto risen = static_cast<float>(smooth_step(-0.8, 0.6, up));
   Vec3 sunny = risen * kSunKcd * kSunColor * kBalance * through_air(height_, turbidity_);
   // Preetham's sky is too bright, most of all at a low sun: we take what it gives as measured (IES handbook).
-  double given = lit_from([&](Vec3 way) { return brightness(day(way)); });
+  double given = lit_from([&](Vec3 direction) { return brightness(day(direction)); });
   auto share = static_cast<float>(diffuse_light(height_) / given);
   auto level = static_cast<float>(diffuse_light(height_) / kPi);
   metered_ = 2.8f / (0.5f * brightness(sunny) + 2.5f * level);

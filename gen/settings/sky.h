@@ -54,7 +54,7 @@ struct Sky {
   explicit Sky(const SkyShape& shape);
 
   /// What comes from a direction of length 1; below the horizon, what comes from just above it.
-  Vec3 from(Vec3 way) const;
+  Vec3 from(Vec3 direction) const;
 
   Vec3 sun;                 ///< toward it as it stands, of length 1
   Vec3 lamp;                ///< toward what casts shadows: sun, afterglow or moon; above the horizon
@@ -65,8 +65,8 @@ struct Sky {
   Vec3 cloudy_zenith, cloudy_horizon;  ///< as zenith and horizon, with the clouds before them
 
  private:
-  Vec3 day(Vec3 way) const;   // kcd/m2
-  Vec3 dusk(Vec3 way) const;  // as exposed
+  Vec3 day(Vec3 direction) const;   // kcd/m2
+  Vec3 dusk(Vec3 direction) const;  // as exposed
   void light_clouds(double clouds);
 
   double turbidity_, height_;  // of the sun, radians

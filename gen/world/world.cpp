@@ -54,8 +54,8 @@ double World::open_sky(const DVec3& at) const {
     double up = std::sqrt((ring + 0.5) / kSkyRings), flat = std::sqrt(1 - up * up);
     for (int k = 0; k < kSkyRays; ++k) {
       double turn = 2 * kPi * (k + 0.5 * (ring % 2)) / kSkyRays;
-      DVec3 way(flat * std::cos(turn), up, flat * std::sin(turn));
-      if (!(*bodies)->crossing(at + 1e-3 * way, at + kSkyFar * way)) ++open;
+      DVec3 direction(flat * std::cos(turn), up, flat * std::sin(turn));
+      if (!(*bodies)->crossing(at + 1e-3 * direction, at + kSkyFar * direction)) ++open;
     }
   }
   return open / (kSkyRings * kSkyRays);

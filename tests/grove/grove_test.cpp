@@ -145,7 +145,7 @@ TEST(Grove, BoughsThatFallLeaveScars) {
   EXPECT_EQ(film.scars.size(), boughs);
   ASSERT_GT(still.scars.size(), 5u);
   for (const Scar& scar : film.scars) {
-    ASSERT_NEAR(glm::length(scar.way), 1, 1e-4f);
+    ASSERT_NEAR(glm::length(scar.direction), 1, 1e-4f);
     ASSERT_GE(scar.fell, film.born[scar.on]);
     ASSERT_LE(scar.girth, film.radius[scar.on] * 1.001f) << "what bore it has grown on";
   }

@@ -113,17 +113,17 @@ TEST(Terrain, ThePathIsLevelAcrossAndGentleAlong) {
     TerrainShape shape = shape_of(0.5);
     shape.hills = 14;
     Terrain land(shape, Seed{seed});
-    const std::vector<Vec2>& way = land.plot().way();
-    for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-      if (std::max(std::abs(way[i].x), std::abs(way[i].y)) > 78) continue;
-      Vec2 along = glm::normalize(way[i + 1] - way[i - 1]), across(-along.y, along.x);
-      EXPECT_LT(land.path_distance(way[i]), -0.7);
-      double middle = land.height(way[i].x, way[i].y);
+    const std::vector<Vec2>& path = land.plot().path();
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      if (std::max(std::abs(path[i].x), std::abs(path[i].y)) > 78) continue;
+      Vec2 along = glm::normalize(path[i + 1] - path[i - 1]), across(-along.y, along.x);
+      EXPECT_LT(land.path_distance(path[i]), -0.7);
+      double middle = land.height(path[i].x, path[i].y);
       for (float side : {-0.95f, -0.5f, 0.5f, 0.95f}) {
-        Vec2 at = way[i] + across * side;
+        Vec2 at = path[i] + across * side;
         EXPECT_NEAR(land.height(at.x, at.y), middle, 0.05) << seed << ' ' << i << ' ' << side;
       }
-      Vec2 on = way[i] + along;
+      Vec2 on = path[i] + along;
       EXPECT_LT(std::abs(land.height(on.x, on.y) - middle), 0.6);
     }
   }

@@ -82,7 +82,7 @@ SoftLight under_leaves(float area, float clump, float bulk) {
           clump == 0 || (static_cast<int>((x + 6) / clump) + static_cast<int>((z + 6) / clump)) % 2 == 0;
       if (!taken) continue;
       float all = area * kStep * kStep * (clump == 0 ? 1 : 2);
-      grid.add(Vec3(x + 0.5f * kStep, 1.1f, z + 0.5f * kStep), all, Vec3(0), kAllWays, bulk);
+      grid.add(Vec3(x + 0.5f * kStep, 1.1f, z + 0.5f * kStep), all, Vec3(0), kAllFacings, bulk);
     }
   }
   return grid;
@@ -152,7 +152,7 @@ TEST(SoftLight, IsTheSameHoweverManyThreadsAddToIt) {
       auto turn = static_cast<float>(i);
       for (int k = 0; k < 200; ++k)
         grid.add(Vec3(std::cos(turn), 0.01f * static_cast<float>(k), std::sin(turn)), 0.003f,
-                 Vec3(0.1f, 0.4f, 0.1f), kAllWays, 0);
+                 Vec3(0.1f, 0.4f, 0.1f), kAllFacings, 0);
     });
     Ambience day = even_sky();
     day.sunlight = Vec3(2, 1.8f, 1.5f);

@@ -181,15 +181,15 @@ TEST(Bridge, TheSameSeedGivesTheSameBridge) {
 TEST(Arch, BothHalvesMirrorEachOther) {
   for (double crown : {0.1, 0.3, 0.5}) {
     Arch arch = make_arch(10, 1.5, crown);
-    for (double s = 0; s <= half_way(arch) + 0.5; s += 0.13) {
+    for (double s = 0; s <= half_length(arch) + 0.5; s += 0.13) {
       ArchPoint right = arch_at(arch, s), left = arch_at(arch, -s);
       EXPECT_NEAR(right.at.x, -left.at.x, 1e-12);
       EXPECT_NEAR(right.at.y, left.at.y, 1e-12);
       EXPECT_NEAR(right.along.x, left.along.x, 1e-12);
       EXPECT_NEAR(right.along.y, -left.along.y, 1e-12);
     }
-    EXPECT_NEAR(arch_at(arch, half_way(arch)).at.x, 5, 1e-9);
-    EXPECT_NEAR(arch_at(arch, half_way(arch)).at.y, 0, 1e-9);
+    EXPECT_NEAR(arch_at(arch, half_length(arch)).at.x, 5, 1e-9);
+    EXPECT_NEAR(arch_at(arch, half_length(arch)).at.y, 0, 1e-9);
   }
 }
 
@@ -206,7 +206,7 @@ TEST(Arch, IsSmoothAtMidSpan) {
 TEST(Arch, WaysAreLengthsAndHeightsLieOnIt) {
   for (double crown : {0.1, 0.25, 0.5}) {
     Arch arch = make_arch(10, 1.5, crown);
-    double half = half_way(arch);
+    double half = half_length(arch);
     for (double s = -half; s < half - 0.01; s += 0.01)
       EXPECT_NEAR(glm::distance(arch_at(arch, s).at, arch_at(arch, s + 0.01).at), 0.01, 2e-5);
     for (double s = -half; s <= half; s += 0.05) {

@@ -24,9 +24,9 @@ bool is_in_outline(const FanParams& params, Vec2 p, Vec3 lot) {
   float x = p.x / half, y = (p.y - 0.54f * high) / (0.46f * high);
   // Wider above than below, as a fan.
   x *= 1.12f - 0.22f * y;
-  Vec3 way(4 * x, 4 * y, 0);
-  float rough = static_cast<float>(params.ragged) * (0.30f * static_cast<float>(noise(way * 0.35f + lot)) +
-                                                     0.16f * static_cast<float>(noise(way + lot)));
+  Vec3 sample(4 * x, 4 * y, 0);
+  float rough = static_cast<float>(params.ragged) * (0.30f * static_cast<float>(noise(sample * 0.35f + lot)) +
+                                                     0.16f * static_cast<float>(noise(sample + lot)));
   // Clefts run toward the foot.
   float angle = std::atan2(p.x, p.y + 0.1f * high);
   float cleft = static_cast<float>(noise(Vec3(7 * angle, 0.6f * y, 3) + lot));
@@ -73,41 +73,41 @@ FanNet weave(const FanParams& params, Seed seed) {
 }
 
 /// The way to the foot that is shortest, as edges differ at random (Dijkstra 1959).
-struct FanWays {
-  std::vector<float> way;
+struct FanPaths {
+  std::vector<float> distance;
   std::vector<std::uint32_t> below, order;  // nearer ones first
 };
 
-FanWays find_ways(const FanNet& net, Seed seed) {
-  FanWays ways{
+FanPaths find_paths(const FanNet& net, Seed seed) {
+  FanPaths paths{
       std::vector<float>(net.place.size(), 1e9f), std::vector<std::uint32_t>(net.place.size(), kNoPlace), {}};
   using Entry = std::pair<float, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  ways.way[net.foot] = 0;
+  paths.distance[net.foot] = 0;
   open.push({0, net.foot});
   while (!open.empty()) {
     auto [far, v] = open.top();
     open.pop();
-    if (far > ways.way[v]) continue;
-    ways.order.push_back(v);
+    if (far > paths.distance[v]) continue;
+    paths.order.push_back(v);
     for (std::uint32_t w : net.near[v]) {
       if (w == kNoPlace) continue;
       std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
       float length = glm::distance(net.place[v], net.place[w]);
       float to = far + length * static_cast<float>(seed.child(edge).range(0.8, 1.3));
-      if (to < ways.way[w]) ways.way[w] = to, ways.below[w] = v, open.push({to, w});
+      if (to < paths.distance[w]) paths.distance[w] = to, paths.below[w] = v, open.push({to, w});
     }
   }
-  return ways;
+  return paths;
 }
 
 /// Threads are smoother than the net that they run in.
-void straighten(FanNet& net, const FanWays& ways, const std::vector<std::uint32_t>& next) {
+void straighten(FanNet& net, const FanPaths& paths, const std::vector<std::uint32_t>& next) {
   for (int round = 0; round < 3; ++round) {
     std::vector<Vec2> last = net.place;
-    for (std::uint32_t v : ways.order)
-      if (ways.below[v] != kNoPlace && next[v] != kNoPlace)
-        net.place[v] = 0.5f * last[v] + 0.25f * (last[ways.below[v]] + last[next[v]]);
+    for (std::uint32_t v : paths.order)
+      if (paths.below[v] != kNoPlace && next[v] != kNoPlace)
+        net.place[v] = 0.5f * last[v] + 0.25f * (last[paths.below[v]] + last[next[v]]);
   }
 }
 
@@ -115,17 +115,17 @@ void straighten(FanNet& net, const FanWays& ways, const std::vector<std::uint32_
 
 Skeleton grow_fan(const FanParams& params, Seed seed) {
   FanNet net = weave(params, seed.child("net"));
-  FanWays ways = find_ways(net, seed.child("ways"));
+  FanPaths paths = find_paths(net, seed.child("ways"));
   std::size_t count = net.place.size();
   // What flows through each thread, and where it comes from mainly.
   std::vector<float> load(count, 1);
   std::vector<std::uint32_t> next(count, kNoPlace);
-  for (std::size_t k = ways.order.size(); k-- > 1;) {
-    std::uint32_t v = ways.order[k], b = ways.below[v];
+  for (std::size_t k = paths.order.size(); k-- > 1;) {
+    std::uint32_t v = paths.order[k], b = paths.below[v];
     load[b] += load[v];
     if (next[b] == kNoPlace || load[v] > load[next[b]]) next[b] = v;
   }
-  straighten(net, ways, next);
+  straighten(net, paths, next);
   float most = load[net.foot];
   auto thin = static_cast<float>(params.thread), foot = static_cast<float>(params.foot);
   auto radius_of = [&](float flow) {
@@ -146,8 +146,8 @@ Skeleton grow_fan(const FanParams& params, Seed seed) {
   std::int32_t root = s.add(Vec3(0, -0.02f, 0), 1.5f * foot, Skeleton::kRoot, 0);
   std::vector<std::int32_t> node(count, Skeleton::kRoot);
   std::vector<std::vector<std::uint32_t>> sides(count);
-  for (std::uint32_t v : ways.order)
-    if (ways.below[v] != kNoPlace && next[ways.below[v]] != v) sides[ways.below[v]].push_back(v);
+  for (std::uint32_t v : paths.order)
+    if (paths.below[v] != kNoPlace && next[paths.below[v]] != v) sides[paths.below[v]].push_back(v);
   struct Task {
     std::uint32_t place;
     std::int32_t below;
@@ -170,10 +170,12 @@ Skeleton grow_fan(const FanParams& params, Seed seed) {
         open.push_back({w, node[v], static_cast<std::uint16_t>(task.depth + 1)});
   }
   // Threads that meet side by side grow together.
-  for (std::uint32_t v : ways.order)
+  for (std::uint32_t v : paths.order)
     for (std::uint32_t w : net.near[v]) {
-      if (w == kNoPlace || ways.below[w] == v || ways.below[v] == w || ways.way[w] < ways.way[v]) continue;
-      if (w == v || ways.way[w] - ways.way[v] > 0.75f * static_cast<float>(params.mesh)) continue;
+      if (w == kNoPlace || paths.below[w] == v || paths.below[v] == w ||
+          paths.distance[w] < paths.distance[v])
+        continue;
+      if (w == v || paths.distance[w] - paths.distance[v] > 0.75f * static_cast<float>(params.mesh)) continue;
       std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
       if (links.child(edge).unit() >= params.links) continue;
       auto depth = static_cast<std::uint16_t>(s.order[static_cast<std::size_t>(node[v])] + 1);

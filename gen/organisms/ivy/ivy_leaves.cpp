@@ -61,10 +61,10 @@ struct Bud {
 Vec3 heading_at(const Skeleton& s, std::int32_t i) {
   std::int32_t p = s.parent[i];
   bool goes_on = i + 1 < static_cast<std::int32_t>(s.size()) && s.parent[i + 1] == i;
-  Vec3 way = goes_on ? s.position[i + 1] - s.position[i] : Vec3(0);
-  if (p != Skeleton::kRoot) way += s.position[i] - s.position[p];
-  float length = glm::length(way);
-  return length > 0 ? way / length : Vec3(0, 1, 0);
+  Vec3 direction = goes_on ? s.position[i + 1] - s.position[i] : Vec3(0);
+  if (p != Skeleton::kRoot) direction += s.position[i] - s.position[p];
+  float length = glm::length(direction);
+  return length > 0 ? direction / length : Vec3(0, 1, 0);
 }
 
 /// Away from the wall, or round a strand that hangs.

@@ -12,7 +12,7 @@ constexpr int kRounds = 8;
 
 /// A feeler that is too near: from where it is seen, and how far it must go which way, in units.
 struct Touch {
-  DVec3 arm, way;
+  DVec3 arm, direction;
   double need;
 };
 
@@ -43,11 +43,12 @@ void touches_of(const Support& under, std::span<const Vec3> feelers, float size,
   touches.clear();
   double deepest = kClear;
   std::uint32_t likely = Host::kNoTriangle;
-  auto feel = [&](const Vec3& at, double clear, const DVec3& way) {
+  auto feel = [&](const Vec3& at, double clear, const DVec3& direction) {
     clear /= size;
     deepest = std::min(deepest, clear);
     if (clear < kClear)
-      touches.push_back({DVec3(at - rest.foot) / double(size), way, std::min(kClear - clear, kDeepest)});
+      touches.push_back(
+          {DVec3(at - rest.foot) / double(size), direction, std::min(kClear - clear, kDeepest)});
   };
   for (const Vec3& feeler : feelers) {
     Vec3 at = rest.foot + rest.turn * (feeler * size);
@@ -111,7 +112,7 @@ bool lie_on(const Support& under, std::span<const Vec3> feelers, float size, flo
     squares[3][3] = slid < slide ? 0.1 : 1e6;
     glm::dvec4 pull(0);
     for (const Touch& t : touches) {
-      glm::dvec4 row(glm::cross(t.arm, t.way), glm::dot(off, t.way));
+      glm::dvec4 row(glm::cross(t.arm, t.direction), glm::dot(off, t.direction));
       squares += glm::outerProduct(row, row);
       pull += row * t.need;
     }

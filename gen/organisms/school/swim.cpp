@@ -24,7 +24,7 @@ constexpr double kBodyShare = 0.5;   // of its length that it keeps clear, as it
 
 /// The state of all fish.
 struct Shoal {
-  std::vector<Vec3> at, way;  // metres, metres a second over the ground
+  std::vector<Vec3> at, velocity;  // metres, metres a second over the ground
 };
 
 class Swimmer {
@@ -45,19 +45,19 @@ class Swimmer {
     double turn = 2 * kPi * time / period_ + phase_;
     return task_.home + round_ * Vec3(std::cos(turn), 0.15 * std::sin(2 * turn), 0.7 * std::sin(turn));
   }
-  Vec3 guide_way(double time) const { return (guide(time + 0.01) - guide(time - 0.01)) / 0.02f; }
+  Vec3 guide_velocity(double time) const { return (guide(time + 0.01) - guide(time - 0.01)) / 0.02f; }
 
   Shoal begin(double time) {
     Shoal shoal;
-    Vec3 ahead = guide_way(time) - current_;
+    Vec3 ahead = guide_velocity(time) - current_;
     for (int i = 0; i < task_.count; ++i) {
       Seed own = task_.seed.child("fish", static_cast<std::uint64_t>(i));
       double r = std::cbrt(own.child("far").unit()), up = own.child("up").range(-1, 1),
              turn = own.child("turn").range(0, 2 * kPi), flat = std::sqrt(1 - up * up);
       Vec3 off(p_.home * r * flat * std::cos(turn), p_.layer * r * up, p_.home * r * flat * std::sin(turn));
       shoal.at.push_back(guide(time) + off);
-      Vec3 way = glm::length(ahead) > 1e-4f ? glm::normalize(ahead) : Vec3(1, 0, 0);
-      shoal.way.push_back(way * static_cast<float>(p_.speed) + current_);
+      Vec3 direction = glm::length(ahead) > 1e-4f ? glm::normalize(ahead) : Vec3(1, 0, 0);
+      shoal.velocity.push_back(direction * static_cast<float>(p_.speed) + current_);
     }
     for (int k = 0; k < 30; ++k) keep_apart(shoal.at, 0.5f), keep_clear(shoal.at);
     return shoal;
@@ -120,7 +120,7 @@ class Swimmer {
   void heed_others(const Shoal& shoal, std::size_t k) {
     std::size_t i = order_[k];
     auto sight = static_cast<float>(p_.sight), room = static_cast<float>(p_.spacing);
-    Vec3 apart(0), way(0), middle(0);
+    Vec3 apart(0), velocity(0), middle(0);
     float heeded = 0;
     auto heed = [&](std::size_t j) {
       Vec3 off = shoal.at[j] - shoal.at[i];
@@ -128,7 +128,7 @@ class Swimmer {
       if (d2 >= sight * sight || d2 < 1e-10f) return;
       float d = std::sqrt(d2), weight = 1 - d / sight;
       if (d < room) apart -= off / d * (room / d - 1);
-      way += weight * shoal.way[j];
+      velocity += weight * shoal.velocity[j];
       middle += weight * shoal.at[j];
       heeded += weight;
     };
@@ -138,7 +138,7 @@ class Swimmer {
     auto speed = static_cast<float>(p_.speed);
     Vec3 pull = static_cast<float>(p_.separation) * 1.6f * speed * apart;
     if (heeded > 0) {
-      pull += static_cast<float>(p_.alignment) * 2.2f * (way / heeded - shoal.way[i]);
+      pull += static_cast<float>(p_.alignment) * 2.2f * (velocity / heeded - shoal.velocity[i]);
       pull += static_cast<float>(p_.cohesion) * 1.1f * speed * (middle / heeded - shoal.at[i]) / sight;
     }
     pull_[i] = pull;
@@ -150,11 +150,11 @@ class Swimmer {
     Vec3 at = shoal.at[i], off = at - guide(time);
     Vec3 share = off / Vec3(p_.home, p_.layer, p_.home);
     float out = glm::length(share);
-    Vec3 pull = 1.2f * (guide_way(time) - shoal.way[i]);
+    Vec3 pull = 1.2f * (guide_velocity(time) - shoal.velocity[i]);
     if (out > 0.6f) pull -= speed * 2.5f * (out - 0.6f) * share / out;
     // Ahead of it and beside it.
     float margin = body_ + 0.35f * speed + 0.1f;
-    for (Vec3 look : {at, at + 0.4f * shoal.way[i]}) {
+    for (Vec3 look : {at, at + 0.4f * shoal.velocity[i]}) {
       float room = clear_(look);
       if (room >= margin) continue;
       float near = 1 - std::max(0.0f, room - body_) / (margin - body_);
@@ -183,15 +183,15 @@ class Swimmer {
     Vec3 pull = pull_[i] + drawn(shoal, i, time);
     float strength = glm::length(pull), most = 5 * speed;
     if (strength > most) pull *= most / strength;
-    Vec3 through = shoal.way[i] + pull * dt - current_;
+    Vec3 through = shoal.velocity[i] + pull * dt - current_;
     through.y *= 1 - 1.5f * dt;  // fish swim level
     float fast = glm::length(through);
     if (fast > 1e-5f) through *= std::clamp(fast, 0.55f * speed, 1.5f * speed) / fast;
     // No steeper than they like to.
     float flat = std::hypot(through.x, through.z), steep = 0.6f * flat;
     through.y = std::clamp(through.y, -steep - 0.02f, steep + 0.02f);
-    shoal.way[i] = through + current_;
-    shoal.at[i] += shoal.way[i] * dt;
+    shoal.velocity[i] = through + current_;
+    shoal.at[i] += shoal.velocity[i] * dt;
   }
 
   const SwimTask& task_;
@@ -269,15 +269,15 @@ void finish(Trajectory& trajectory, const SwimTask& task, double beat, double si
     double stroke = own.child("stroke").unit();
     for (int s = 0; s <= trajectory.steps; ++s) {
       auto step = static_cast<float>(trajectory.step);
-      Vec3 way = (place(s + 1, i) - place_back(s - 1, i)) / (2 * step);
-      if (!trajectory.repeats && (s == 0 || s == trajectory.steps)) way *= 2;
+      Vec3 velocity = (place(s + 1, i) - place_back(s - 1, i)) / (2 * step);
+      if (!trajectory.repeats && (s == 0 || s == trajectory.steps)) velocity *= 2;
       // Where it looks is smoother than how it goes.
       Vec3 wide = (place(s + 3, i) - place_back(s - 3, i)) / (6 * step);
-      if (!trajectory.repeats) wide = way;
+      if (!trajectory.repeats) wide = velocity;
       Vec3 through = wide - static_cast<float>(task.params.speed) * task.params.current;
       float fast = glm::length(through);
       Vec3 ahead = fast > 1e-4f ? through / fast : Vec3(1, 0, 0);
-      trajectory.velocity[trajectory.at(s, i)] = way;
+      trajectory.velocity[trajectory.at(s, i)] = velocity;
       trajectory.heading[trajectory.at(s, i)] = ahead;
       trajectory.stroke[trajectory.at(s, i)] = static_cast<float>(stroke);
       stroke += trajectory.step * (0.8 + fast / (beat * task.length));

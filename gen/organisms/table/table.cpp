@@ -21,7 +21,7 @@ SheetBody table_top(const Sheet& sheet, const TableParams& params) {
   skin.sprout = 0.4;
   skin.upper = [=](std::uint32_t, float) { return thick; };
   skin.lower = [&sheet, thick, wide, high](std::uint32_t v, float age) {
-    float share = 2 * sheet.way[v] / wide;
+    float share = 2 * sheet.distance[v] / wide;
     float stalk = (high + 0.02f) * std::min(1.0f, 1.3f / (1 + share * share * share));
     return thick + stalk * smooth_step(0.0f, 0.12f, age);
   };

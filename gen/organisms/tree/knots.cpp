@@ -53,8 +53,8 @@ std::vector<Knot> add_knots(Skeleton& skeleton, const Standing& now, const Grown
     Vec3 then = tree.tip[scar.on] - tree.tip[tree.parent[scar.on]], along = now.tip[i] - now.foot[i];
     if (glm::length(along) < 1e-6f || glm::length(then) < 1e-6f) continue;
     along = glm::normalize(along);
-    Vec3 way = glm::normalize(Quat(glm::normalize(then), along) * scar.way);
-    float sine = std::max(glm::length(glm::cross(way, along)), kSteepest), r = scar.radius;
+    Vec3 direction = glm::normalize(Quat(glm::normalize(then), along) * scar.direction);
+    float sine = std::max(glm::length(glm::cross(direction, along)), kSteepest), r = scar.radius;
     float bark = skeleton.radius[node[i]] / sine;
     double left = seed.child(scar.id).range(0.4, 2.6) * length * std::exp2((scar.fell - year) / kRots);
     float wood = scar.girth / sine + r * static_cast<float>(left), over = (bark - wood) / r;
@@ -63,11 +63,11 @@ std::vector<Knot> add_knots(Skeleton& skeleton, const Standing& now, const Grown
     float end = std::max(wood, bark + r * (0.1f - kDeep / sine * sunk)),
           closed = std::clamp(over / kCloses, 0.0f, 1.0f);
     Vec3 foot = now.tip[i];
-    std::int32_t lip = skeleton.add(foot + way * std::min(bark, end - 0.05f * r), kLip * r, node[i],
+    std::int32_t lip = skeleton.add(foot + direction * std::min(bark, end - 0.05f * r), kLip * r, node[i],
                                     static_cast<std::uint16_t>(skeleton.order[node[i]] + 1));
     std::int32_t tip =
-        skeleton.add(foot + way * end, r * glm::mix(0.85f, 1.1f, closed), lip, skeleton.order[lip]);
-    knots.push_back({tip, way, 0.85f * r * (1 - closed), scar.id});
+        skeleton.add(foot + direction * end, r * glm::mix(0.85f, 1.1f, closed), lip, skeleton.order[lip]);
+    knots.push_back({tip, direction, 0.85f * r * (1 - closed), scar.id});
   }
   return knots;
 }
@@ -81,7 +81,7 @@ void add_wounds(Model& model, std::span<const Knot> knots) {
     if (knot.wound <= 0) continue;
     o.prototype.push_back(prototype);
     o.position.push_back(model.skeleton.position[static_cast<std::size_t>(knot.node)]);
-    o.turn.push_back(glm::normalize(Quat(Vec3(0, 1, 0), knot.way)));
+    o.turn.push_back(glm::normalize(Quat(Vec3(0, 1, 0), knot.direction)));
     o.scale.push_back(Vec3(knot.wound));
     o.node.push_back(knot.node);
     o.birth.push_back(0);

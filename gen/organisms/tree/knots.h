@@ -12,7 +12,7 @@ namespace frond {
 /// The stub of a bough that fell.
 struct Knot {
   std::int32_t node = 0;  ///< of the skeleton: its end
-  Vec3 way{0};            ///< that it points in, of length 1
+  Vec3 direction{0};      ///< that it points in, of length 1
   float wound = 0;        ///< metres, radius of the bare wood at its end; 0: the bark has closed over it
   std::uint32_t id = 0;
 };

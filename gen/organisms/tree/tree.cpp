@@ -119,9 +119,9 @@ void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.leaves[i] < kSmallestSprig || now.parent[i] == GrownTree::kRoot) continue;
     std::uint32_t source = now.source[i];
-    Vec3 way = now.tip[i] - now.foot[i];
-    float length = glm::length(way);
-    Vec3 heading = length > 1e-6f ? way / length : Vec3(0, 1, 0);
+    Vec3 offset = now.tip[i] - now.foot[i];
+    float length = glm::length(offset);
+    Vec3 heading = length > 1e-6f ? offset / length : Vec3(0, 1, 0);
     for (bool leads : {false, true}) {
       if (leads && !tree.leads[source]) continue;
       Seed own = seed.child(2 * std::uint64_t{source} + (leads ? 1 : 0));
