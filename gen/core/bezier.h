@@ -7,15 +7,15 @@
 
 namespace frond {
 
-/// A place on a Bézier curve: where it is, its first and its second derivative.
+/// A point on a Bézier curve: position, first and second derivative.
 template <class V>
 struct BezierJet {
   V at{0}, slope{0}, bend{0};
 };
 
-/// The curve of the given control points at `t` in 0..1 by repeated halfway points (de Casteljau 1959), which
-/// is as stable at degree 20 as at degree 1. The degree is one less than the points, of which there is at
-/// least one. `V` is glm::dvec2 or glm::dvec3.
+/// The curve of the given control points at `t` in 0..1 by repeated midpoints (de Casteljau 1959), which is
+/// as stable at degree 20 as at degree 1. The degree is one less than the number of points, at least one. `V`
+/// is glm::dvec2 or glm::dvec3.
 template <class V>
 BezierJet<V> bezier_jet(std::span<const V> control, double t);
 

@@ -7,7 +7,7 @@
 
 namespace frond {
 
-/// The box round places, its sides along the axes; empty at first.
+/// An axis-aligned bounding box; empty at first.
 struct Bounds {
   Vec3 low{1e30f}, high{-1e30f};
 
@@ -22,9 +22,9 @@ struct Bounds {
   bool empty() const { return low.x > high.x; }
   Vec3 size() const { return high - low; }
   Vec3 middle() const { return (low + high) * 0.5f; }
-  /// The middle of its lower side.
+  /// The middle of its bottom face.
   Vec3 foot() const { return Vec3((low.x + high.x) * 0.5f, low.y, (low.z + high.z) * 0.5f); }
-  /// The k-th of its eight corners.
+  /// Corner k of its eight corners.
   Vec3 corner(int k) const {
     return {(k & 1) ? high.x : low.x, (k & 2) ? high.y : low.y, (k & 4) ? high.z : low.z};
   }

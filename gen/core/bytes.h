@@ -5,7 +5,7 @@
 
 namespace frond {
 
-// What things hold in memory beyond themselves, in bytes, about: by this is bounded what is kept for later.
+// Approximate heap memory of objects, in bytes, beyond their own size; used to limit caches.
 
 template <class T>
 std::size_t bytes_of(const std::vector<T>& list) {
@@ -13,7 +13,7 @@ std::size_t bytes_of(const std::vector<T>& list) {
 }
 
 inline std::size_t bytes_of(const std::string& text) {
-  constexpr std::size_t kWithin = 15;  // a short one lies in the string itself
+  constexpr std::size_t kWithin = 15;  // a short string is stored inside the object itself
   return text.capacity() > kWithin ? text.capacity() + 1 : 0;
 }
 

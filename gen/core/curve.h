@@ -7,18 +7,18 @@
 
 namespace frond {
 
-/// Weights of a cubic Hermite segment at `t` in 0..1 for: start value, start slope, end value, end slope.
+/// Weights of a cubic Hermite segment at `t` in 0..1 for start value, start slope, end value and end slope.
 struct Hermite {
   double start, start_slope, end, end_slope;
 };
 Hermite hermite(double t);
 
-/// Slopes for a cubic through (x, y) that neither overshoots nor rings (Fritsch and Butland 1984): zero at
-/// every local extreme and, with `flat_ends`, at both ends. `x` strictly increasing, as long as `y`.
+/// Slopes for a cubic through (x, y) without overshoot or ringing (Fritsch and Butland 1984): zero at every
+/// local extreme and, with `flat_ends`, at both ends. `x` is strictly increasing and as long as `y`.
 std::vector<double> monotone_slopes(std::span<const double> x, std::span<const double> y, bool flat_ends);
 
-/// An editable curve: a smooth function through control points, constant beyond the first and the last. It
-/// stays between neighbouring points. Points have strictly increasing x; none at all is the constant 1.
+/// An editable curve: a smooth function through control points, constant beyond the first and the last,
+/// always between neighbouring points. Points have strictly increasing x; no points mean the constant 1.
 class Curve {
  public:
   Curve() = default;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-// Figures as a person writes them.
+// Numbers formatted for people.
 
 namespace frond {
 

@@ -10,24 +10,24 @@
 
 namespace frond {
 
-/// The whole of a file.
+/// The whole content of a file.
 Result<std::string> read_file(const std::filesystem::path& path);
 
-/// Writes a file so that it is seen whole or not at all, even after a crash of the machine (a temporary
-/// beside it that lies on the disk before it is renamed), making the folders above it. A file that already
-/// holds just this text is left alone with its time stamp. True where the file was written.
+/// Writes a file atomically: readers see all of it or nothing, even after a crash of the machine (a temporary
+/// file beside it is flushed to disk, then renamed). Makes missing folders. A file that already has this
+/// content is left untouched with its time stamp. True where the file was written.
 Result<bool> write_file(const std::filesystem::path& path, std::string_view text);
 
-/// Writes a file that lies on the disk when this returns. It is a new one: what stands in its place goes, and
-/// a link there is not followed.
+/// Writes a file that is flushed to disk when this returns. Always a new file: an existing one is removed
+/// first, and a link there is not followed.
 std::error_code write_new(const std::filesystem::path& path, std::string_view text);
 
-/// A file beside another that nobody else writes, no thread of ours either, to be renamed to it when it is
-/// whole: its name goes on with ".tmp" and digits.
+/// The name of a temporary file beside another, unique among processes and threads, to be renamed to it when
+/// complete: the name followed by ".tmp" and digits.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
-/// Holds a folder, made where it is not there, against all others who ask for it like this, in this process
-/// or another, as long as it lives. Where the disk knows no locks it holds nothing.
+/// Locks a folder (made if missing) against all others who lock it so, in this process or another, for the
+/// lifetime of this object. Does nothing on file systems without locks.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);
@@ -39,13 +39,13 @@ class FolderLock {
   int file_ = -1;
 };
 
-/// What lies in a folder, sorted; nothing of a folder that is not there, and what there was of one that goes
-/// away meanwhile. (The increment of std::filesystem's iterators throws.)
+/// The sorted entries of a folder; empty for a missing folder, incomplete for one that is removed meanwhile.
+/// (The increment of std::filesystem's iterators throws.)
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
-/// The same of a folder and all folders below it.
+/// The same with all folders below it.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
 
-/// What the system says of an error, but "no room on the disk" of a full one.
+/// The system's message for an error, but "no room on the disk" for a full one.
 std::string reason_of(std::error_code error);
 
 }  // namespace frond

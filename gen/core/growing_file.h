@@ -9,8 +9,8 @@
 
 namespace frond {
 
-/// Writes a file as write_file() does, piece by piece, so that a long one need not be held in memory. What is
-/// not closed leaves nothing behind.
+/// Writes a file as write_file() does, but piece by piece, so that a long one need not be held in memory. If
+/// it is never closed, nothing is left behind.
 class GrowingFile {
  public:
   explicit GrowingFile(std::filesystem::path path);
@@ -20,12 +20,12 @@ class GrowingFile {
 
   void add(std::string_view text);
 
-  /// Puts the file in its place; true where it was not there just so.
+  /// Renames the file into place; true where its content is new.
   Result<bool> close();
 
  private:
   std::filesystem::path path_, temporary_;
-  std::string held_;  // what is not in the temporary yet
+  std::string held_;  // not written to the temporary file yet
   std::ofstream out_;
   int error_ = 0;  // errno of the first write that failed
 };

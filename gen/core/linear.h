@@ -4,13 +4,13 @@
 
 namespace frond {
 
-/// The brightness that a channel of sRGB stands for, 0 to 1 (IEC 61966-2-1).
+/// The linear brightness of a channel value in sRGB, both 0 to 1 (IEC 61966-2-1).
 double linear(double channel);
 
-/// The channel of sRGB that stands for a brightness.
+/// The sRGB channel value of a linear brightness.
 double encoded(double light);
 
-/// A colour as light is reckoned with.
+/// A colour as linear light.
 Vec3 linear(const Color& color);
 
 }  // namespace frond

@@ -10,13 +10,12 @@
 
 namespace frond {
 
-/// Room for what several caches keep. Where that comes to more bytes than there is room for, those that
-/// were not asked for longest go, whichever cache they are in; what was put there last stays. May be asked
-/// from many threads.
+/// A memory limit shared by several caches. When they exceed it, the least recently used entries of any cache
+/// are dropped; the newest always stays. Thread-safe.
 class CacheBudget {
  public:
   using Thing = std::shared_ptr<const void>;
-  using Name = std::pair<int, std::string>;  ///< a cache, and what it is called there
+  using Name = std::pair<int, std::string>;  ///< the cache, and the key in it
 
   explicit CacheBudget(std::size_t bytes) : room_(bytes) {}
 
@@ -26,7 +25,7 @@ class CacheBudget {
 
   std::size_t room() const { return room_; }
   std::size_t taken() const;
-  /// Bytes that were given up so far.
+  /// Bytes dropped so far.
   std::size_t given_up() const;
 
  private:
@@ -37,21 +36,21 @@ class CacheBudget {
   };
   using Place = std::list<Kept>::iterator;
 
-  /// Takes out what must go, to be destroyed when nobody waits for the lock.
+  /// Takes out the entries to drop; they are destroyed after the lock is released.
   std::list<Kept> surplus();
 
   std::size_t room_, taken_ = 0, given_up_ = 0;
   int caches_ = 0;
   mutable std::mutex in_work_;
-  std::list<Kept> kept_;  // what was asked for last, first
+  std::list<Kept> kept_;  // most recently used first
   std::map<Name, Place> places_;
 };
 
-/// Things of one type that were made once and may be wanted again, by name.
+/// A cache of objects of one type by name.
 template <class T>
 class LruCache {
  public:
-  /// With a room of its own.
+  /// With a memory limit of its own.
   explicit LruCache(std::size_t bytes) : LruCache(std::make_shared<CacheBudget>(bytes)) {}
   explicit LruCache(std::shared_ptr<CacheBudget> room) : room_(std::move(room)), own_(room_->add_cache()) {}
 
@@ -60,7 +59,7 @@ class LruCache {
     return std::static_pointer_cast<const T>(room_->find({own_, name}));
   }
 
-  /// Where there is one of that name already, it stays.
+  /// An existing entry of that name is kept.
   void put(const std::string& name, std::shared_ptr<const T> thing, std::size_t bytes) {
     room_->put({own_, name}, std::move(thing), bytes);
   }

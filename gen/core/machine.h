@@ -5,21 +5,21 @@
 
 namespace frond {
 
-/// What a machine has left for a run: a plain value, so that one can be made up.
+/// The resources of a machine that are available to a run: a plain value, so that tests can make one up.
 struct Machine {
   static constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
-  double memory = kNoEnd;  ///< bytes that this process may still take
+  double memory = kNoEnd;  ///< bytes that this process may still allocate
   double disk = kNoEnd;    ///< bytes free where the output goes
-  int threads = 1;         ///< that parallel_for runs on
+  int threads = 1;         ///< number of threads of parallel_for
 };
 
-/// That of this process: the least of the memory that is available, that its cgroups leave it and that its
-/// address space may still grow by (ulimit -v); the disk that holds `out` or is to. `root` is that of /proc
-/// and /sys.
+/// The resources of this process: memory is the least of what is available, what its cgroups allow and what
+/// its address space allows (ulimit -v); disk is that of `out`, which need not exist yet. /proc and /sys are
+/// read below `root`.
 Machine this_machine(const std::filesystem::path& out, const std::filesystem::path& root = "/");
 
-/// Memory that the process takes now, bytes; 0 where the system does not tell.
+/// Memory in use by the process, bytes; 0 where unknown.
 double memory_in_use();
 
 }  // namespace frond

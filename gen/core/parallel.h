@@ -5,15 +5,15 @@
 
 namespace frond {
 
-/// Calls `body(i)` for each i in 0..count-1, on as many threads as the machine has or `limit_threads` allows.
-/// The calls must not depend on one another; what they return must go to places of their own. May be nested.
-/// An exception of one call comes out here, once the calls that have begun are over; others are left out.
+/// Calls `body(i)` for each i in 0..count-1 on all threads of the machine, or as many as `limit_threads`
+/// allows. The calls must not depend on each other and must write to separate places. May be nested. An
+/// exception of one call is rethrown here once all running calls have ended; the remaining calls are skipped.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// Holds parallel_for to so many threads for the rest of the process; 0 = as many as the machine has.
+/// Limits parallel_for to that number of threads for the rest of the process; 0 = as many as the machine has.
 void limit_threads(int threads);
 
-/// How many threads that is.
+/// The number of threads that parallel_for uses.
 int thread_count();
 
 }  // namespace frond

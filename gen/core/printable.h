@@ -8,21 +8,20 @@
 
 namespace frond {
 
-/// A text that may come from anywhere, fit to be shown to a person: on one line, without anything that steers
-/// a terminal or turns the direction of writing (such characters are escaped, as \x1b or \u202e), and no
-/// longer than about `most` bytes, the middle left out. At least 16 bytes are shown.
+/// An untrusted text made safe to show: one line, with control characters and changes of writing direction
+/// escaped (as \x1b or \u202e), cut in the middle to about `most` bytes. At least 16 bytes are shown.
 std::string printable(std::string_view text, std::size_t most = 1500);
 
-/// An error as it is shown: its place, its pointer and its words, each cut for itself, so that the line and
-/// the column stay.
+/// An error as it is shown: place, pointer and message are cut separately, so that line and column always
+/// stay.
 std::string printable(const Error& error);
 
-/// Whether it is a letter, digit, dot, dash or underscore: what shells, file systems and queues take as it
-/// is.
+/// Whether it is a letter, digit, dot, dash or underscore, which shells, file systems and queues never need
+/// to quote.
 bool is_plain(char c);
 
-/// A text as it stands between tags of XML or in quotes there; control characters, which XML cannot write,
-/// are blanks.
+/// A text escaped for XML, between tags or in quotes; control characters, which XML cannot contain, become
+/// blanks.
 std::string xml_quoted(std::string_view text);
 
 }  // namespace frond

@@ -8,8 +8,8 @@
 
 namespace frond {
 
-/// The user's mistake, or the machine's: where it is (`file:line:col: /json/pointer`, or empty) and what was
-/// found and expected. Our own mistakes are asserts.
+/// A mistake of the user or a failure of the machine: where it is (`file:line:col: /json/pointer`, or empty),
+/// and what was found and expected. Our own mistakes are asserts.
 struct Error {
   std::string where;
   std::string what;
@@ -20,7 +20,7 @@ struct Error {
 
 using Errors = std::vector<Error>;
 
-/// A value, or the reasons why there is none (at least one).
+/// A value, or the reasons for its absence (at least one).
 template <class T>
 class [[nodiscard]] Result {
  public:

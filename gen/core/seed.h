@@ -5,22 +5,22 @@
 
 namespace frond {
 
-/// A place in a tree of random numbers. There is no stream and no state: the number at a place depends only
-/// on the path that leads there, so that adding a branch, a thread or a frame changes no other number.
+/// A node in a tree of random numbers. There is no stream and no state: a number depends only on the path to
+/// its node, so that adding a branch, a thread or a frame changes no other number.
 ///
 ///     Seed coral = scene.child("organism", 3);
 ///     double lean = coral.child("lean").range(-0.1, 0.1);
 struct Seed {
   std::uint64_t key = 0;
 
-  /// The place of the given purpose and index below this one.
+  /// The child node of the given purpose and index.
   constexpr Seed child(std::string_view purpose, std::uint64_t index = 0) const {
     std::uint64_t name = 0xcbf29ce484222325ull;  // FNV-1a
     for (char c : purpose) name = (name ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
     return Seed{mix(mix(key ^ name) + index)};
   }
 
-  /// The place of the given index below this one; cheaper than a name, for inner loops.
+  /// The child node of the given index; cheaper than a name, for inner loops.
   constexpr Seed child(std::uint64_t index) const {
     return Seed{mix(key + 0x9e3779b97f4a7c15ull * (index + 1))};
   }

@@ -7,12 +7,12 @@
 
 namespace frond {
 
-/// Appends a number as every text we write has it: at most `decimals` (0 to 9) decimals, rounded half away
-/// from zero, no trailing zeros, no exponent, never "-0", no locale. Beyond 9e18 / 10^decimals that bound is
-/// written, and 0 for what is no number: models hold neither.
+/// Appends a number in the common format of all texts we write: at most `decimals` (0 to 9) decimals, rounded
+/// half away from zero, no trailing zeros, no exponent, never "-0", no locale. Values beyond 9e18 /
+/// 10^decimals are clamped to it, and NaN becomes 0; models contain neither.
 void append(std::string& text, double value, int decimals = 5);
 
-/// The same as a text of its own.
+/// The same as a new string.
 std::string number_text(double value, int decimals = 5);
 
 /// Appends a whole number.
@@ -28,14 +28,14 @@ void append_list(std::string& text, int decimals, double first, Numbers... rest)
   ((text += ',', append(text, static_cast<double>(rest), decimals)), ...);
 }
 
-/// The parts of a text that a character ends or separates.
+/// The parts of a text between separators, or ended by them.
 std::vector<std::string> split(std::string_view text, char separator);
 
-/// Where a long text goes, piece by piece.
+/// A receiver of a long text in pieces.
 using Out = std::function<void(std::string_view)>;
 
-/// Writes a template, with `hole(name)` called to write what stands in its place at each `{{name}}`. What is
-/// filled in is not searched for holes.
+/// Writes a template; at each `{{name}}` it calls `hole(name)` to write the replacement. Replacements are not
+/// searched for holes.
 template <class Hole>
 void fill(std::string_view layout, const Out& out, const Hole& hole) {
   for (;;) {
@@ -48,12 +48,11 @@ void fill(std::string_view layout, const Out& out, const Hole& hole) {
   }
 }
 
-/// The candidate that is nearest to a misspelt `name` (Damerau-Levenshtein), or empty where none is near
-/// enough to be meant.
+/// The candidate nearest to a misspelt `name` (Damerau-Levenshtein), or empty where none is near enough.
 template <class Names>
 std::string_view nearest_name(std::string_view name, const Names& candidates);
 
-/// Edits (insert, delete, replace, swap neighbours) that turn one name into the other, letter case ignored.
+/// Number of edits (insert, delete, replace, swap neighbours) between two names; case is ignored.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 template <class Names>

@@ -15,7 +15,7 @@ using Vec3 = glm::vec3;
 using DVec3 = glm::dvec3;
 using Quat = glm::quat;
 
-/// A colour as people pick it: sRGB, each channel 0 to 1.
+/// An sRGB colour, each channel 0 to 1.
 struct Color {
   float red = 1, green = 1, blue = 1;
   bool operator==(const Color&) const = default;
@@ -23,7 +23,7 @@ struct Color {
 
 inline constexpr double kPi = std::numbers::pi;
 
-/// Radians from one to the next of what is spread evenly by a spiral: 2 pi (2 - golden ratio).
+/// The golden angle in radians, for even spirals: 2 pi (2 - golden ratio).
 inline constexpr double kGoldenAngle = 2.39996322972865332;
 
 template <class T>
@@ -36,14 +36,13 @@ constexpr T degrees(T radians) {
   return radians * static_cast<T>(180.0 / kPi);
 }
 
-/// The direction of a vector, of length 1; `otherwise` where it has none: where it is no longer than `least`,
-/// or no number.
+/// The direction of a vector, of length 1; `otherwise` where its length is at most `least` or not a number.
 inline Vec3 direction_or(Vec3 v, Vec3 otherwise, float least = 1e-9f) {
   return glm::length(v) > least ? glm::normalize(v) : otherwise;
 }
 
-/// The k-th of so many directions to the half of all that lies above level ground, each of which gives what
-/// is level as much light where the sky is of one brightness.
+/// Direction k of `count` in the upper half of all directions, spread so that under a uniform sky each gives
+/// a level surface the same amount of light.
 inline Vec3 sky_direction(int k, int count) {
   float up = std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count)),
         flat = std::sqrt(1 - up * up);
@@ -51,7 +50,7 @@ inline Vec3 sky_direction(int k, int count) {
   return {flat * std::cos(turn), up, flat * std::sin(turn)};
 }
 
-/// 0 below `low`, 1 above `high`, smooth in value and slope between.
+/// 0 below `low`, 1 above `high`, smooth in value and slope between them.
 template <class T>
 constexpr T smooth_step(T low, T high, T x) {
   if (x <= low) return 0;

@@ -13,13 +13,13 @@ inline constexpr std::size_t kMostArms = 8;      ///< of one fork
 inline constexpr std::uint32_t kMostCones = 32;  ///< of one arm
 inline constexpr std::size_t kMostMembers = kMostArms * kMostCones;
 
-/// One way that leads away from a fork: the cones that are met on it first.
+/// One branch that leaves a fork: its cones up to a limit, nearest first.
 struct Arm {
   std::uint32_t first, last;  ///< in Forks::member, last not included
-  float width;                ///< metres, how far it flows into others at most
+  float width;                ///< metres, largest width of its blend into other arms
 };
 
-/// Forks, and the arms that are blended into each other at each.
+/// Forks, and the arms that are blended together at each.
 struct Forks {
   struct Fork {
     std::uint32_t first, last;  ///< in `arms`, last not included
@@ -32,67 +32,66 @@ struct Forks {
   void clear() { forks.clear(), arms.clear(), member.clear(); }
 };
 
-/// The branches of one or several skeletons as a solid body: cones, and forks at which they flow into each
-/// other. Branches that only pass each other by do not: they are joined, but with a crease.
+/// The branches of one or more skeletons as a solid body: cones, and forks where they blend. Branches that
+/// only touch are united too, but with a crease.
 struct Boughs {
   std::vector<Cone> cones;
   Forks forks;
 };
 
-/// What of the boughs counts in some ball: cones by index, and forks that are held to what is near.
+/// The part of the boughs that matters in a ball: indices of cones, and forks reduced to what is near.
 struct Nearby {
   std::vector<std::uint32_t> cones;
   Forks forks;
-  float middle = 0;  ///< the distance of the nearest cone from the middle of the ball
+  float middle = 0;  ///< distance of the nearest cone from the middle of the ball
 };
 
-/// Adds the branches of a skeleton, as they stand at a pose. `position` and `radius` have an entry a node;
-/// segments whose lower node is born at `front` or later are not there yet. The `node` of the cones counts
-/// from `first_node` on.
+/// Adds the branches of a skeleton in a pose. `position` and `radius` have one entry per node; segments whose
+/// lower node is born at `front` or later are skipped. The `node` of the cones starts at `first_node`.
 ///
-/// `blend` says how far fillets at forks reach, as a share of the radius of the thinner arm: 0 leaves a
-/// crease, 1 rounds it about as wide as that arm is thick.
+/// `blend` is the extent of fillets at forks, as a share of the radius of the thinner arm: 0 leaves a crease,
+/// 1 makes a fillet about as wide as that arm is thick.
 void add_boughs(Boughs& boughs, const Skeleton& rest, std::span<const Vec3> position,
                 std::span<const float> radius, float front, float blend, std::int32_t first_node = 0);
 
-/// The same with no branch thinner than that; metres.
+/// The same with a minimum radius, metres.
 Boughs at_least_as_thick(const Boughs& boughs, float radius);
 
-/// The same for a skeleton as it rests, fully grown.
+/// The same for a fully grown skeleton at rest.
 Boughs boughs_of(const Skeleton& rest, float blend);
 
-/// Where the body is, near one place.
+/// The surface near a point.
 struct FieldSample {
-  float distance;     ///< metres from the surface, negative inside; exact but for the fillets
-  Vec3 normal;        ///< the direction in which the distance grows, of length 1
+  float distance;     ///< metres from the surface, negative inside; exact except in fillets
+  Vec3 normal;        ///< gradient of the distance, of length 1
   std::int32_t cone;  ///< the nearest
 };
 
-/// Everything, as if it were all near.
+/// All cones and forks, as if they were near.
 Nearby all_of(const Boughs& boughs);
 
-/// Of what is near in a larger ball, what makes a difference to the distance in a ball of radius `half` round
-/// `at`, as far as that distance is within `band`. `to` is overwritten.
+/// From the items near a larger ball, those that affect the distance in a ball of radius `half` round `at`,
+/// as far as that distance is within `band`. `to` is overwritten.
 void choose_near(const Boughs& boughs, const Nearby& from, Vec3 at, float half, float band, Nearby& to);
 
-/// Whether a fork makes such a difference; adds it to `to` where one is given.
+/// Whether a fork has such an effect; adds it to `to` if given.
 bool choose_fork(const Boughs& boughs, const Forks& from, std::size_t fork, Vec3 at, float half, float band,
                  Forks* to);
 
-/// Where the body is, by what is near.
+/// The surface near a point, from the items near it.
 FieldSample sample_boughs(const Boughs& boughs, const Nearby& near, Vec3 at);
 
-/// How far the fillets of a fork push the surface out at most; metres.
+/// The farthest that the fillets of a fork push the surface out; metres.
 float fillet_reach(const Forks& forks, std::size_t fork);
 
-/// The nearest cone of an arm at some place.
+/// The nearest cone of an arm at a point.
 struct Nearest {
   float distance;
   std::uint32_t cone;
 };
 
-/// The distance at a fork, of whose arms, in their order, the nearest cones are known there. The normal is
-/// only set where it is asked for.
+/// The distance at a fork, given the nearest cones of its arms in their order. The normal is only set where
+/// it is asked for.
 FieldSample blend_arms(const Boughs& boughs, const Forks& forks, std::size_t fork,
                        std::span<const Nearest> arms, Vec3 at, bool with_normal);
 

@@ -8,7 +8,7 @@
 
 namespace frond {
 
-/// A set of cells of the grid. Not to be asked by several threads at once.
+/// A set of grid cells. Not thread-safe.
 class CellSet {
  public:
   void add(Cell cell);
@@ -19,18 +19,18 @@ class CellSet {
   void visit(const Visit& visit) const;
 
  private:
-  /// Which voxels of a block are in.
+  /// Which voxels of a block are in the set.
   using Mask = std::array<std::uint64_t, kBlockVoxels / 64>;
 
   const Mask* block(std::uint64_t key) const;
 
   std::map<std::uint64_t, Mask> blocks_;
-  mutable std::uint64_t last_key_ = UINT64_MAX;  // cells are asked for near each other
+  mutable std::uint64_t last_key_ = UINT64_MAX;  // consecutive queries are mostly near each other
   mutable const Mask* last_ = nullptr;
 };
 
-/// Adds cells where some touch along an edge or at a corner alone, until none do and the surface of all is
-/// a manifold: every edge between two faces (well-composed, Latecki 1997).
+/// Adds cells where some touch only at an edge or corner, until none do and the surface of all is a manifold:
+/// every edge between two faces (well-composed, Latecki 1997).
 void mend_contacts(CellSet& cells);
 
 template <class Visit>

@@ -7,22 +7,22 @@
 
 namespace frond {
 
-/// A stretch of a branch: the hull of two spheres, and how far places are from it. Metres.
+/// A segment of a branch: the hull of two spheres, with its distance function. Metres.
 struct Cone {
   Vec3 from{0};
   Vec3 axis{0, 1, 0};  ///< of length 1, toward the other end
   float length = 0;    ///< between the middles of the two spheres
   float radius = 0;    ///< of the sphere at `from`
-  float taper = 0;     ///< by how much the radius shrinks on a metre of the axis; within -0.98..0.98
-  float lean = 0;      ///< how far along the axis the foot of a perpendicular slides for a metre away from it
+  float taper = 0;     ///< decrease of the radius per metre of the axis; within -0.98..0.98
+  float lean = 0;  ///< shift along the axis of the nearest axis point, per metre of distance from the axis
   std::int32_t node = 0;  ///< of the skeleton, at its end
-  std::int32_t root = 0;  ///< that it grew from: cones of one root hang together
+  std::int32_t root = 0;  ///< root node of its skeleton: cones of one root are connected
 
   float end_radius() const { return radius - taper * length; }
   Vec3 to() const { return from + axis * length; }
 };
 
-/// The hull of two spheres. Where one of them holds the other it is that one alone.
+/// The hull of two spheres. Where one contains the other it is that one alone.
 inline Cone make_cone(Vec3 from, float from_radius, Vec3 to, float to_radius, std::int32_t node) {
   Cone cone{from, Vec3(0, 1, 0), 0, from_radius, 0, 0, node, 0};
   Vec3 offset = to - from;
@@ -38,7 +38,7 @@ inline Cone make_cone(Vec3 from, float from_radius, Vec3 to, float to_radius, st
   return cone;
 }
 
-/// How far along the axis the nearest point of the cone has its foot.
+/// Position along the axis of the point that belongs to the nearest surface point.
 inline float foot_along(const Cone& cone, Vec3 away) {
   float along = glm::dot(away, cone.axis);
   float across = std::sqrt(std::max(glm::dot(away, away) - along * along, 0.0f));
@@ -52,7 +52,7 @@ inline float distance(const Cone& cone, Vec3 at) {
   return glm::length(away - cone.axis * foot) - (cone.radius - cone.taper * foot);
 }
 
-/// The direction in which that distance grows; of length 1.
+/// The gradient of that distance; of length 1.
 inline Vec3 outward(const Cone& cone, Vec3 at) {
   Vec3 away = at - cone.from;
   away -= cone.axis * foot_along(cone, away);

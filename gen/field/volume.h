@@ -13,22 +13,22 @@ namespace frond {
 struct VolumeOptions {
   double voxel = 0.01;      ///< metres, side of a voxel
   double adaptivity = 0.1;  ///< 0: triangles of a voxel's size everywhere .. 1: as few as curvature allows
-  double limit = 4e9;       ///< bytes of memory; what is estimated to need more is refused
+  double limit = 4e9;       ///< bytes of memory; estimates above it are refused
 };
 
-/// How large a volume will be, mesh included.
+/// Estimated size of a volume with its mesh.
 struct VolumeForecast {
-  double blocks = 0;  ///< of 512 voxels, that the surface passes
+  double blocks = 0;  ///< number of blocks of 512 voxels that the surface crosses
   double bytes = 0;   ///< of memory, with the mesh
 };
 
 VolumeForecast estimate_volume(const Boughs& boughs, double voxel);
 
-/// Empty, or why the volume is not made: it would pass the limit (with the figure and a voxel that would do),
-/// or its voxels are too small for where it lies. Nothing large is allocated to find out.
+/// Empty, or why the volume is refused: it exceeds the limit (with the figure and a voxel size that would
+/// fit), or its voxels are too small for its distance from the origin. Allocates nothing large.
 Errors refuse_volume(const Boughs& boughs, const VolumeOptions& options);
 
-/// A level set: distances from a surface in a narrow band of three voxels to both sides. Holds an OpenVDB
+/// A level set: distances from a surface in a narrow band of three voxels on both sides. Holds an OpenVDB
 /// grid.
 class Volume {
  public:
@@ -37,9 +37,9 @@ class Volume {
 
   double voxel() const;
   std::uint64_t active_voxels() const;
-  /// Bytes of the tree.
+  /// Memory of the tree, bytes.
   std::uint64_t bytes() const;
-  /// The distance at a voxel, held to the band.
+  /// The distance at a voxel, clamped to the band.
   float at(Cell cell) const;
 
   const Grid& grid() const { return *grid_; }
@@ -48,24 +48,24 @@ class Volume {
   std::shared_ptr<const Grid> grid_;
 };
 
-/// The body of the boughs as a level set, its voxels in world space. The same bytes at any number of threads.
+/// The boughs as a level set, voxels in world space. The same bytes at any number of threads.
 Result<Volume> volume_of(const Boughs& boughs, const VolumeOptions& options);
 
-/// A mesh of branches that have grown together.
+/// A mesh of fused branches.
 struct FusedMesh {
   Surface surface;  ///< closed; every edge between two triangles; normals of the body itself
   std::vector<std::int32_t>
       node;  ///< of each vertex: the node of the skeleton at the end of the nearest segment
 };
 
-/// The body of the boughs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as
-/// OpenVDB's VolumeToMesh does it), the vertices then moved onto the exact surface of the boughs.
+/// The boughs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as in OpenVDB's
+/// VolumeToMesh), the vertices then moved onto the exact surface of the boughs.
 Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options);
 
 /// The zero surface of a volume as a mesh, normals from its triangles.
 Result<Surface> mesh_of(const Volume& volume, double adaptivity);
 
-/// Writes the volume as a .vdb file with one grid, "surface", of class level set; whole or not at all.
+/// Writes the volume as a .vdb file with one level set grid, "surface"; atomically.
 Result<bool> write_vdb(const std::filesystem::path& path, const Volume& volume);
 
 /// Reads the grid "surface" of such a file.

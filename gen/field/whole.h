@@ -9,9 +9,9 @@
 
 namespace frond {
 
-/// Which triangles of a closed mesh are the outsides of bodies: those of one connected piece a root, the
-/// largest that it has. The others are voids, whose walls are turned inside out, and specks that lie apart.
-/// Pieces are told by the vertices that triangles share; `node` is, of each vertex, that of the nearest cone.
+/// Marks the triangles of a closed mesh that are outer surfaces of bodies: of each root the largest connected
+/// piece. The others are inner voids, which are inside out, and detached specks. Triangles that share
+/// vertices are connected; `node` is, of each vertex, that of the nearest cone.
 std::vector<bool> outsides(const Surface& surface, std::span<const std::int32_t> node, const Boughs& boughs);
 
 }  // namespace frond

@@ -4,9 +4,9 @@
 
 namespace frond {
 
-/// The same mesh with vertices parted along sharp edges: faces that meet at less than `angle` (radians) share
-/// smooth normals, others keep their own. Vertices must be shared by the faces that meet there; those that
-/// stand at one place twice part the mesh already. `uv` is carried along.
+/// The same mesh with vertices split along sharp edges: faces that meet at less than `angle` (radians) share
+/// smooth normals, others get their own. Vertices must be shared by adjacent faces; duplicate positions
+/// already act as sharp edges. `uv` is kept.
 Surface creased(const Surface& surface, double angle);
 
 }  // namespace frond

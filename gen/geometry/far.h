@@ -5,40 +5,39 @@
 
 namespace frond {
 
-/// Branches as they are seen from afar: without those that begin thinner than `least` metres (the stem
-/// stays), and without nodes that lie within `tolerance` metres of the line that would join their neighbours
-/// (Douglas and Peucker 1973) and are as thick as that. Forks that are left stay where they are. `kept` is
-/// told which nodes these are.
+/// Branches simplified for a far view: without those that begin thinner than `least` metres (the stem stays),
+/// and without nodes within `tolerance` metres of the line between their neighbours (Douglas and Peucker
+/// 1973) and of about the same thickness. Remaining forks stay in place. `kept` receives the indices of the
+/// remaining nodes.
 Skeleton thinned(const Skeleton& skeleton, float least, float tolerance,
                  std::vector<std::int32_t>* kept = nullptr);
 
-/// Which connected piece of a surface each vertex belongs to, counted from 0 in the order of the vertices;
-/// one of no triangle goes with the piece before it.
+/// The connected piece of a surface that each vertex belongs to, numbered from 0 in order of the vertices; a
+/// vertex without triangles belongs to the piece before it.
 struct Pieces {
   std::vector<std::uint32_t> of;
   std::uint32_t count = 0;
 };
 Pieces pieces_of(const Surface& surface);
 
-/// What stands for a leaf from afar: a diamond of two triangles, or one triangle on its tip.
+/// The shape that replaces a leaf in a far view: a diamond of two triangles, or one triangle on its tip.
 enum class FarLeaf { diamond, triangle };
 
-/// Each connected piece as such a leaf: as long, of the same area, facing the same way. A round body becomes
-/// one that covers what the body covers. `uv` are those of the corners' places. With `stride` one of so many
-/// pieces stands for all of them, grown about its foot to their area.
+/// Each connected piece as such a leaf: of the same length, area and orientation. A round body becomes a leaf
+/// of the same projected area. `uv` are taken at the corners. With `stride` n, one of n pieces represents all
+/// of them, scaled about its foot to their area.
 Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride = 1,
                    FarLeaf as = FarLeaf::diamond);
 
-/// The whole surface as one of them, all of which has the `uv` of the middle of its largest piece.
+/// The whole surface as one such leaf, with the `uv` of the middle of its largest piece.
 Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as = FarLeaf::diamond);
 
-/// About so many of a body's triangles, at least 4 where it has them: its corners with their normals and
-/// `uv`, those of each cell of a grid drawn together (meshoptimizer's sloppy simplification).
+/// A mesh of about `triangles` triangles, at least 4 if it has them: the corners in each cell of a grid are
+/// merged, with normals and `uv` (meshoptimizer's sloppy simplification).
 Surface simplified(const Surface& surface, std::size_t triangles);
 
-/// The same by drawing edges together where that changes the shape least (Garland and Heckbert 1997), so that
-/// it stays one body; for what is seen from near.
-/// `kept` is told which vertices are left, where not all are.
+/// The same by collapsing the edges that change the shape least (Garland and Heckbert 1997), which keeps it
+/// one body; for near views. `kept` receives the remaining vertices, where some are gone.
 Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::uint32_t>* kept = nullptr);
 
 }  // namespace frond

@@ -9,13 +9,14 @@
 
 namespace frond {
 
-/// The area of a closed outline as a vector: as long as the area, along the side from which the outline runs
-/// counter-clockwise (Newell's method). An outline that is not flat counts as its shadow on its mean plane.
+/// The area vector of a closed outline: its length is the area, its direction the side from which the outline
+/// runs counter-clockwise (Newell's method). An outline that is not flat counts by its projection on its mean
+/// plane.
 Vec3 outline_area(std::span<const Vec3> points);
 
-/// Cuts an outline, which may be concave, into triangles that run as it does (ear clipping, Meisters 1975).
-/// Outlines that cross themselves give triangles too, but not predictable ones. Appends to
-/// `triangles`, with `offset` added to each index.
+/// Triangulates an outline, which may be concave, keeping its orientation (ear clipping, Meisters 1975).
+/// Outlines that cross themselves give triangles too, but unpredictable ones. Appends to `triangles`, with
+/// `offset` added to each index.
 void triangulate(std::span<const Vec3> points, std::uint32_t offset,
                  std::vector<std::array<std::uint32_t, 3>>& triangles);
 

@@ -4,26 +4,24 @@
 
 namespace frond {
 
-/// The last step of a derivation in the making: both words, and how far each module of the later one has
-/// grown.
+/// An interpolated last derivation step: both words, and how far each module of the later word has grown.
 struct Between {
   Word word;                        ///< the later one
   std::vector<Unfolding> growth;    ///< of each of its modules
-  std::vector<std::uint64_t> name;  ///< of each module, the same in all steps that it lives; see between()
+  std::vector<std::uint64_t> name;  ///< of each module, constant over the steps that it lives; see between()
 };
 
-/// The shape after `steps` steps, a number that need not be whole. What a module becomes takes its place at
-/// first: the segments of the outcome share the length that was there, turns are straight and branches are
-/// empty; then they grow to what they will be. A module that became one of its own kind keeps its place, and
-/// its parameters change from the old ones to the new. So the shape passes each whole step without a jump,
-/// and with speed zero. Only what a rule removes is gone at once. Random jitter is drawn anew with each step,
-/// or, with `named`, by names that modules keep as long as they live, which costs time: all steps are
-/// followed then.
+/// The shape after `steps` steps, which may be fractional. At first the result of a module occupies the place
+/// of the module: its segments share the old length, turns are straight and branches empty; then they grow to
+/// their final values. A module rewritten to one of its own kind keeps its place, and its parameters change
+/// from the old to the new ones. So the shape passes each whole step smoothly, with zero speed. Only what a
+/// rule removes disappears at once. Random jitter is drawn anew at each step, or with `named` by names that
+/// modules keep while they live; that is slower, because all steps are followed.
 Result<Between> between(const Grammar& grammar, double steps, Seed seed, const Limits& limits,
                         bool named = false);
 
-/// Derives and walks to a number of steps that need not be whole. The state at the end. With `named`, a sink
-/// that has `void module(std::uint64_t name)` is told of each module before it is walked.
+/// Derives and walks to a step number that may be fractional. Returns the final state. With `named`, the
+/// sink's `void module(std::uint64_t name)`, if any, is called before each module.
 template <class Sink>
 Result<TurtleState> draw_between(const Grammar& grammar, double steps, Seed seed, Sink& sink,
                                  const Limits& limits = {}, bool named = false) {

@@ -24,20 +24,20 @@ enum class Op : std::uint8_t {
 };
 // clang-format on
 
-/// How many values an operation takes off the stack.
+/// Number of values that an operation takes off the stack.
 constexpr std::size_t operands(Op op) { return op < Op::element ? 0 : op < Op::add ? 1 : 2; }
 
-/// The most values that a formula may need at a time.
+/// Maximum stack size of a formula.
 inline constexpr std::size_t kHighestStack = 64;
 
 struct Instruction {
   Op op = Op::constant;
-  std::uint16_t index = 0;  ///< which variable or table, or where to jump
+  std::uint16_t index = 0;  ///< index of a variable or table, or jump target
   double value = 0;         ///< of a constant
 };
 
-/// A compiled formula. Most formulas of a grammar are a number, a parameter or their product: these are kept
-/// apart, so that evaluating them runs no machine.
+/// A compiled formula. Most formulas are a number, a parameter or their product; these are stored separately
+/// and evaluated without the stack machine.
 struct Expression {
   enum class Form : std::uint8_t { constant, variable, scaled, code };
 
@@ -47,23 +47,23 @@ struct Expression {
   std::vector<Instruction> code;
 };
 
-/// What a formula is evaluated against.
+/// The context in which a formula is evaluated.
 struct Evaluation {
   const double* frame = nullptr;  ///< the parameters of the rule, in the order of their variables
   std::span<const std::vector<double>> tables;  ///< the arrays among the constants
   Seed seed;                                    ///< place of the module in the derivation
   double step = 0;                              ///< number of the step being made, from 1
   std::uint32_t draws = 0;                      ///< random numbers taken so far
-  bool fault = false;                           ///< set by a division by zero or an element that is not there
+  bool fault = false;                           ///< set by a division by zero or an index out of range
 };
 
-/// Sine of degrees, exact where it is a whole number.
+/// Sine of an angle in degrees, exact where the result is a whole number.
 double sine(double degrees);
 
 /// Runs the code of a formula; the general case of evaluate().
 double run(const Expression& formula, Evaluation& at);
 
-/// The value of a formula. Never stops: what went wrong is in `at.fault`, or the value is not finite.
+/// The value of a formula. Never fails: errors are in `at.fault`, or the value is not finite.
 inline double evaluate(const Expression& formula, Evaluation& at) {
   switch (formula.form) {
     case Expression::Form::constant:
@@ -86,14 +86,13 @@ struct Constant {
   std::uint16_t table = 0;  ///< which of the tables, for an array
 };
 
-/// The names that a formula may use.
+/// The names known to a formula.
 struct Scope {
   std::span<const std::string> variables;
   std::span<const Constant> constants;
 };
 
-/// A place in a text being read, and the first mistake met there. Once there is a mistake nothing more is
-/// read.
+/// A position in a text being read, and the first mistake found. After a mistake nothing more is read.
 struct Cursor {
   std::string_view text;
   std::size_t at = 0;
@@ -102,17 +101,17 @@ struct Cursor {
 
   bool failed() const { return !mistake.empty(); }
   void skip_blanks();
-  /// Steps over `word` after blanks, where it stands next.
+  /// Skips blanks and then `word`, if it is next.
   bool take(std::string_view word);
   bool at_end() { return skip_blanks(), at >= text.size(); }
-  /// Keeps the first mistake.
+  /// Stores the first mistake only.
   void fail(std::string what, std::size_t where);
 };
 
-/// Reads one formula and stops behind it. `=` and `==` both compare.
+/// Reads one formula and stops after it. `=` and `==` both compare.
 Expression read_expression(Cursor& reader, const Scope& scope);
 
-/// Whether a name may be given to a parameter or a constant: letters, digits and `_`, no digit first.
+/// Whether a text is a valid name of a parameter or constant: letters, digits and `_`, no digit first.
 bool is_identifier(std::string_view name);
 
 /// Reads an identifier after blanks; empty where there is none.

@@ -18,7 +18,7 @@
 
 namespace frond {
 
-/// How large a word may grow before deriving is given up.
+/// Limits on the size of a word, after which a derivation stops.
 struct Limits {
   std::size_t modules = 200'000'000;
   std::size_t bytes = std::size_t{4} << 30;
@@ -44,28 +44,27 @@ struct GrammarText {
   double width = 0.1;         ///< diameter to begin with
   double width_scale = 0.7;   ///< what a bare `!` multiplies the width by
   double length_scale = 1.1;  ///< what a bare `"` multiplies the length by
-  double angle_jitter = 0;    ///< degrees: every turn is off by up to so much either way
-  double length_jitter = 0;   ///< share: every segment is longer or shorter by up to so much
+  double angle_jitter = 0;    ///< degrees: largest random change of each turn, plus or minus
+  double length_jitter = 0;   ///< share: largest random change of each segment's length, plus or minus
   DVec3 tropism{0, -1, 0};    ///< the pull on every segment, used as it is given
-  double elasticity = 0;      ///< how much a segment gives way to the pull: turned by e|H x T| radians
+  double elasticity = 0;      ///< bending of a segment toward the tropism: turned by e|H x T| radians
   std::vector<std::pair<std::string, std::string>> constants;  ///< name, formula or `[a, b, …]`
   std::vector<std::pair<std::string, double>> numbers;         ///< constants whose values are known
   std::vector<Rule> rules, decomposition, interpretation;
-  int interpretation_depth = 1;  ///< how deep interpretation rules are applied to their own outcome
+  int interpretation_depth = 1;  ///< recursion depth of interpretation rules
   Mode mode = Mode::parallel;
-  std::string ignore;                ///< symbols that contexts look past
+  std::string ignore;                ///< symbols that contexts skip
   std::string consider;              ///< if not empty: the only symbols that contexts see
   std::vector<std::string> symbols;  ///< names of more than one letter
-  bool ring = false;                 ///< the word is a circle: its ends are neighbours
+  bool ring = false;                 ///< the word is circular: its ends are neighbours
   std::uint64_t seed = 1;
   Limits limits;  ///< of what may be derived
   Dialect dialect = Dialect::abop;
   DVec3 start{0};  ///< where the turtle starts
   DVec3 start_heading{0, 1, 0};
-  GuideText guide;  ///< what `?` follows
-  std::vector<std::string> organs =
-      {};                  ///< names that stand for shapes although the turtle does not know them
-  std::string where = {};  ///< for messages: where the grammar stands
+  GuideText guide;                       ///< what `?` follows
+  std::vector<std::string> organs = {};  ///< names of shapes that are not turtle symbols
+  std::string where = {};                ///< for messages: position of the grammar
 };
 
 /// A name with its number of parameters: F and F(l) are two symbols.
@@ -76,7 +75,7 @@ struct Symbol {
   bool context = true;  ///< whether contexts see it
 };
 
-/// Where a symbol is first made: a rule or the axiom, its text and the place in it.
+/// Where a symbol is first produced: a rule or the axiom, its text and the position in it.
 struct Making {
   std::string where, text;
   std::size_t at = 0;
@@ -87,13 +86,13 @@ struct Making {
 struct Production {
   SymbolId predecessor = 0;
   std::vector<SymbolId> left, right;  ///< right may hold brackets
-  int left_variables = 0;             ///< parameters of the left context
-  int variables = 0;                  ///< parameters in all
+  int left_variables = 0;             ///< number of parameters of the left context
+  int variables = 0;                  ///< number of parameters in all
   bool conditional = false, weighted = false;
   Expression condition, weight;
   int limit = GrammarText::kUnlimited;
   std::vector<SymbolId> successor;
-  std::vector<Expression> arguments;  ///< of all modules of the successor, one after the other
+  std::vector<Expression> arguments;  ///< of all modules of the successor in order
   std::string where, text;            ///< for messages
 
   bool context_free() const { return left.empty() && right.empty(); }
@@ -102,7 +101,7 @@ struct Production {
   }
 };
 
-/// Rules in the order written, and for each symbol which of them have it as predecessor.
+/// Rules in the order written, and for each symbol the rules that have it as predecessor.
 struct RuleSet {
   std::vector<Production> rules;
   std::array<std::vector<std::uint16_t>, 256> of;
@@ -112,8 +111,8 @@ struct RuleSet {
 
 struct TurtleState;
 
-/// What surrounds a plant: answers a question `?E(what, …)` asked from where the turtle is, by writing into
-/// its parameters. Light, the distance of a surface, food and guides come to a grammar in this way.
+/// The surroundings of a plant: answers a question `?E(what, …)` at the turtle's position by writing into its
+/// parameters. Light, distances to surfaces, food and guides reach a grammar through it.
 using Environment = std::function<void(const TurtleState&, std::span<double> parameters)>;
 
 /// A grammar ready to derive. Plain data; made by compile().
@@ -128,27 +127,28 @@ struct Grammar {
   Environment environment;  ///< may be empty: `?E` then keeps its parameters
 
   bool context_free = true;  ///< no rule has a context
-  bool single = true;        ///< at most one rule a symbol, and it always applies
+  bool single = true;        ///< at most one rule per symbol, and it always applies
   bool stochastic = false;   ///< random numbers are drawn while deriving
   bool parametric = false;
   bool limited = false;  ///< some rule may be used a limited number of times
   bool cuts = false;     ///< `%` occurs
-  bool queries = false;  ///< the turtle answers questions between steps
-  bool asks = false;     ///< some of them are asked of the environment
+  bool queries = false;  ///< there are questions that the turtle answers between steps
+  bool asks = false;     ///< some questions are for the environment
 
   SymbolId open = 0, close = 0;  ///< the brackets
 
   std::vector<std::optional<Making>> making;  ///< of each symbol
 };
 
-/// Checks and compiles a grammar. All mistakes are reported, each naming the rule, the place in it and what
+/// Checks and compiles a grammar. All mistakes are reported, each with the rule, the position in it and what
 /// to do.
 Result<Grammar> compile(const GrammarText& text);
 
 /// `name(p1,p2)name…`, numbers with ten significant digits.
 std::string text(const Grammar& grammar, const Word& word);
 
-/// How often each name occurs, in the order of the symbols; names that differ in parameters only are one.
+/// Number of occurrences of each name, in the order of the symbols; names that differ only in parameters are
+/// one.
 std::vector<std::pair<std::string, std::size_t>> counts(const Grammar& grammar, const Word& word);
 
 }  // namespace frond

@@ -14,15 +14,16 @@ namespace frond {
 
 struct TurtleState;
 
-/// A place that a guided turtle is led to, in the turtle's units and axes, and what it takes on there.
+/// A target point of a guided turtle, in the turtle's units and axes, and the values that the turtle takes on
+/// there.
 struct GuidePoint {
   static constexpr std::int32_t kRoot = -1;
 
   DVec3 at{0};
   std::int32_t parent = kRoot;  ///< the point before it
-  /// What the turtle draws with from here on. The radius is approached on the way.
+  /// The turtle's drawing values from here on. The radius is approached gradually.
   std::optional<double> radius = {};
-  std::optional<double> angle = {};  ///< degrees, of bare turns
+  std::optional<double> angle = {};  ///< degrees, of turns without a parameter
   std::optional<double> elasticity = {};
   std::optional<DVec3> tropism = {};
 };
@@ -36,19 +37,19 @@ struct GuideLines {
 /// A guide as its author writes it: points, a curve, or a file of lines.
 struct GuideText {
   std::vector<GuidePoint> points;
-  std::vector<int> parent;    ///< where not empty: the point before each point, -1 for a first one
+  std::vector<int> parent;    ///< if not empty: the predecessor of each point, -1 for a first one
   std::vector<DVec3> bezier;  ///< control points of a curve of any degree
   int samples = 24;           ///< pieces that the curve is cut into
-  std::string file;           ///< of lines; who reads it fills `lines`
+  std::string file;           ///< of lines; the caller reads it into `lines`
   GuideLines lines;
-  double tolerance = 0.1;   ///< how near to a point counts as there
-  double leniency = 0.5;    ///< a step is this share of the way to the point
-  bool reach_ends = false;  ///< whether a point without children must be come to as well
+  double tolerance = 0.1;   ///< distance within which a point counts as reached
+  double leniency = 0.5;    ///< length of a step as a share of the distance to the point
+  bool reach_ends = false;  ///< whether points without children must be reached as well
 
   bool empty() const { return points.empty() && bezier.empty() && file.empty() && lines.line.empty(); }
 };
 
-/// A guide ready to be followed: trees of points, parents before children.
+/// A guide ready to use: trees of points, parents before children.
 struct Guide {
   std::vector<GuidePoint> points;
   std::vector<std::uint32_t> first_child;  ///< of each point in `child`, and one more
@@ -64,24 +65,24 @@ struct Guide {
   std::size_t leaves() const;
 };
 
-/// Sorts the points of a guide, samples its curve, strings its lines together. What cannot be followed (a
-/// parent that is not there, points in a circle, a curve of one point) is an error.
+/// Sorts the points of a guide, samples its curve, connects its lines. Missing parents, cycles of points and
+/// curves of one point are errors.
 Result<Guide> guide_of(const GuideText& text);
 
 /// The point of a Bézier curve of any degree at t in 0..1, by de Casteljau's halving of its polygon.
 DVec3 bezier_point(std::span<const DVec3> control, double t);
 
-/// The trees of points that lines make: each connected part hangs from the first place of the first line in
-/// it. Places that coincide are one; a line that would close a circle is left out.
+/// The trees of points made from lines: each connected part has the first point of its first line as root.
+/// Equal positions are one point; a line that would close a cycle is dropped.
 std::vector<GuidePoint> points_of(const GuideLines& lines);
 
-/// What a turtle does at `?`: it turns to its target
-/// and makes its step `leniency` of the way to it. Within `tolerance` of the target the result is the
-/// target's children: a turtle is to go on to each of them, see lead(). Where there are no children it goes
-/// on as usual, with the step that it had before it was led; with `reach_ends` only once it is there.
+/// The action of `?`: the turtle turns to its target and steps by `leniency` of the distance to it. Within
+/// `tolerance` of the target it returns the target's children; the turtle continues to each of them, see
+/// lead(). Without children it goes on with the step length that it had before it was led; with `reach_ends`
+/// only once it is there.
 std::span<const std::int32_t> follow(const Guide& guide, TurtleState& turtle);
 
-/// Gives a turtle a target, and turns it there.
+/// Sets the target of a turtle and turns it there.
 void lead(const Guide& guide, TurtleState& turtle, std::int32_t target);
 
 }  // namespace frond

@@ -6,7 +6,7 @@
 
 namespace frond {
 
-/// A grammar read from the form of another tool, and what of it means nothing here.
+/// A grammar converted from the format of another tool, and which of its parts have no meaning here.
 struct Import {
   GrammarText grammar;
   std::vector<std::string> notes;
@@ -19,11 +19,11 @@ Result<Import> import_cpfg(std::string_view text);
 /// LParser, `.ls`: depth, angle, thickness, axiom, rules `A=…` up to `@`.
 Result<Import> import_lparser(std::string_view text);
 
-/// A rule list as typed into Houdini, one a line: `name: value` lines (`premise`, `angle`, `generations`,
+/// A rule list as in Houdini, one per line: `name: value` lines (`premise`, `angle`, `generations`,
 /// `stepsize`, `thickness`, `ignore`, constants) and rules `left<A(i)>right:condition=successor:probability`.
 Result<Import> import_houdini(std::string_view text);
 
-/// By the ending of the file name: `.l`, `.ls`, anything else a Houdini list.
+/// By the file extension: `.l`, `.ls`, any other is a Houdini list.
 Result<Import> import_grammar(std::string_view file_name, std::string_view text);
 
 }  // namespace frond

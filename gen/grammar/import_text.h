@@ -7,7 +7,7 @@
 
 #include "core/result.h"
 
-/// What readers of other tools' grammars share.
+/// Functions shared by the readers of other tools' grammars.
 namespace frond::import_text {
 
 struct Line {
@@ -15,7 +15,7 @@ struct Line {
   int number = 0;
 };
 
-/// Without blanks at its ends.
+/// Without blanks at both ends.
 std::string_view trim(std::string_view text);
 
 /// The lines that are not empty, trimmed, with their numbers.
@@ -27,10 +27,10 @@ std::string without_comments(std::string_view text);
 /// A finite number, nothing else.
 std::optional<double> number(std::string_view text);
 
-/// That the line's value is none from 0 to `most`.
+/// The error that the line's value is not a number from 0 to `most`.
 Error not_a_count(const Line& line, double most);
 
-/// A number as a setting that counts: cut to a whole one, from 0 to `most`. Notes what it cannot be.
+/// A setting as a whole number: truncated, from 0 to `most`. Notes an error if it is none.
 template <class T>
 void take_count(T& out, std::optional<double> value, double most, const Line& line, Errors& errors) {
   if (value && *value >= 0 && *value < most + 1)
@@ -41,10 +41,10 @@ void take_count(T& out, std::optional<double> value, double most, const Line& li
 
 inline constexpr double kMostSteps = 1e6, kMostSeed = 9e15, kMostDepth = 100;
 
-/// The last place of a sign outside parentheses, or npos.
+/// Position of the last `sign` outside parentheses, or npos.
 std::size_t last_outside(std::string_view text, char sign);
 
-/// Every `name` that is not the end of a longer word, replaced.
+/// Replaces every `name` that is not the end of a longer word.
 std::string replaced(std::string text, std::string_view name, std::string_view by);
 
 }  // namespace frond::import_text

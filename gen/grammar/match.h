@@ -4,20 +4,20 @@
 
 namespace frond {
 
-/// For each module of a word who is next to it, as contexts see it: past what they look past, on the path to
-/// the root on the left, on the module's own axis on the right.
+/// The neighbours of each module of a word as contexts see them, skipping ignored symbols: on the left the
+/// next module toward the root, on the right the next one on the module's own axis.
 struct Neighbours {
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   Buffer<std::uint32_t> left, right;  ///< index of the neighbour, or kNone
-  Buffer<std::uint32_t> parameters;   ///< where the parameters of each module begin; empty without parameters
+  Buffer<std::uint32_t> parameters;   ///< first parameter of each module; empty without parameters
 
-  /// Finds them for the word; the buffers are used again.
+  /// Finds them for a word; buffers are reused.
   void find(const Grammar& grammar, const Word& word);
 };
 
-/// Whether the contexts of a rule fit the module at `place`. Where the rule has parameters in its contexts,
-/// `frame` receives all of its variables.
+/// Whether the contexts of a rule match at `place`. If its contexts have parameters, `frame` receives all
+/// variables of the rule.
 bool match_contexts(const Grammar& grammar, const Word& word, const Neighbours& near, const Production& rule,
                     std::uint32_t place, std::vector<double>& frame);
 

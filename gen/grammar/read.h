@@ -9,36 +9,35 @@
 
 namespace frond {
 
-/// Turns the text of rules and axioms into modules, giving every name with its number of parameters an id.
+/// Parses rules and axioms into modules and gives every name with its number of parameters an id.
 class ModuleReader {
  public:
   explicit ModuleReader(Grammar& grammar) : grammar_(grammar) {}
 
-  /// The constants as far as they are known.
+  /// The constants known so far.
   std::vector<Constant> constants;
 
-  /// Where in its text each of the modules read last begins.
+  /// Start of each module read last, in its text.
   std::vector<std::size_t> places;
 
-  /// Id of a name with so many parameters; a new one where it is not known yet. Fails when there are 256 of
-  /// them.
+  /// Id of a name with that number of parameters; new if unknown. Fails beyond 256 ids.
   SymbolId id(std::string_view name, int arity, Cursor& reader);
 
-  /// Modules with formulas as parameters, to the end of the text: an axiom or a successor.
+  /// Modules with formulas as parameters, up to the end of the text: an axiom or a successor.
   void read_modules(Cursor& reader, std::span<const std::string> variables, std::vector<SymbolId>& modules,
                     std::vector<Expression>& arguments);
 
-  /// Modules with names as parameters, to the end of the text: a predecessor or a context.
+  /// Modules with names as parameters, up to the end of the text: a predecessor or a context.
   void read_pattern(Cursor& reader, std::vector<std::string>& variables, std::vector<SymbolId>& modules);
 
-  /// The name of the module that stands next; empty at the end.
+  /// The name of the next module; empty at the end.
   std::string_view take_name(Cursor& reader) const;
 
  private:
   Grammar& grammar_;
 };
 
-/// A rule cut into its parts; each keeps its place in the whole text.
+/// A rule split into parts; each keeps its position in the whole text.
 struct RuleParts {
   struct Part {
     std::size_t begin = 0, end = 0;
@@ -49,7 +48,7 @@ struct RuleParts {
 /// Finds the arrow, the context signs, the condition and the weight of a rule.
 std::optional<RuleParts> split_rule(Cursor& reader);
 
-/// The mistake that a reader met, as a message that shows the place.
+/// A reader's mistake as a message that shows the position.
 Error complaint(const Cursor& reader, std::string_view where);
 
 }  // namespace frond

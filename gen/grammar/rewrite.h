@@ -7,9 +7,9 @@
 
 namespace frond {
 
-/// The rule that rewrites a module: the first that matches or, where that one carries a weight, one drawn
-/// from all that match and carry one. `match(rule, index)` tells whether contexts and limits allow a rule and
-/// sets `at.frame`. Index into the set, or -1 where the module stays as it is.
+/// The rule that rewrites a module: the first that matches or, if that one has a weight, one drawn from all
+/// matching rules with weights. `match(rule, index)` tells whether contexts and limits allow a rule and sets
+/// `at.frame`. Returns the index in the set, or -1 if the module stays.
 template <class Match>
 int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& match) {
   auto applies = [&](int index) {
@@ -25,7 +25,7 @@ int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& mat
     if (!applies(of[i])) continue;
     if (!set.rules[of[i]].weighted) return of[i];
     double total = 0;
-    std::array<double, 64> sums;  // more rules than this for one symbol do not draw
+    std::array<double, 64> sums;  // further weighted rules of one symbol are ignored
     std::size_t last = std::min(of.size(), i + sums.size());
     for (std::size_t j = i; j < last; ++j) {
       bool drawn = set.rules[of[j]].weighted && (j == i || applies(of[j]));
@@ -44,26 +44,26 @@ int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& mat
   return -1;
 }
 
-/// What is said of a rule that divides by zero or makes a number that is not finite.
+/// The message for a rule that divides by zero or produces a number that is not finite.
 std::string fault_in(const Production& rule);
 
-/// Most parameters that a module may have.
+/// Maximum number of parameters of a module.
 inline constexpr int kMostParameters = 32;
 
-/// Rewrites modules depth first with context-free rules, the outcome of a rule again. Only the path to the
-/// module at hand is kept, on the heap, and without what has no other successor to come back to.
+/// Rewrites modules recursively, depth first, with context-free rules. Only the path to the current module is
+/// stored, on the heap, without levels whose last successor is being processed.
 class Expander {
  public:
-  /// Why an expansion stopped before its end.
+  /// Why an expansion stopped early.
   enum class Stop { none, size, fault, depth };
 
-  /// With `most`, an expansion has to come to its end: a rule that would apply beyond the depth stops it, and
-  /// so do more applications than that.
+  /// With `most`, an expansion must end by itself: a rule that would apply beyond the depth stops it, and so
+  /// do more than `most` applications.
   Expander(const Grammar& grammar, const RuleSet& set, std::size_t most = 0)
       : grammar_(grammar), set_(set), most_(most) {}
 
-  /// Applies rules up to `depth` levels. Every module that is left goes to `emit(symbol, parameters)`, which
-  /// stops the whole by false; so does a number that is not finite. `at` tells the place: seed, step and
+  /// Applies rules up to `depth` levels. Every final module goes to `emit(symbol, parameters)`, which stops
+  /// the expansion by returning false; a number that is not finite stops it too. `at` holds seed, step and
   /// tables.
   template <class Emit>
   bool run(SymbolId symbol, const double* parameters, int depth, Evaluation at, Emit& emit) {
@@ -91,23 +91,24 @@ class Expander {
     }
   }
 
-  /// After run() gave false: why (`size`: emit() or `most` stopped it), and otherwise the rule at work.
+  /// After run() returned false: the reason (`size`: emit() or `most` stopped it), and otherwise the rule
+  /// involved.
   Stop stop() const { return stop_; }
   const Production& rule() const { return *rule_; }
 
  private:
-  /// A rule whose successor is being gone through.
+  /// A rule whose successor is being processed.
   struct Level {
     const Production* rule;
     const Expression* argument;  // of the next module
-    std::size_t next;            // module of the successor
+    std::size_t next;            // index of the next module in the successor
     std::size_t frame;           // where the parameters of its predecessor begin
     Seed seed;
     std::uint32_t draws, draws_below;
     int depth;
   };
 
-  /// Rewrites a module whose parameters stand at `frame`, the last of all, or lets it go.
+  /// Rewrites or emits the module whose parameters start at `frame`, at the end of the values.
   template <class Emit>
   bool visit(SymbolId symbol, std::size_t frame, int depth, Evaluation& at, Emit& emit) {
     int index = -1;

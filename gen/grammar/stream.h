@@ -7,13 +7,13 @@
 
 namespace frond {
 
-/// Whether a derivation can go to the turtle module by module without its words being stored: rules without
-/// contexts or limits, made in parallel, and no cuts, questions or decomposition. Many steps would need a
-/// deep stack of the machine and are stored.
+/// Whether a derivation can be sent to the turtle module by module without storing its words: rules without
+/// contexts or limits, applied in parallel, and no cuts, questions or decomposition. Derivations of many
+/// steps would need a deep call stack and are stored.
 bool can_stream(const Grammar& grammar, int steps);
 
-/// A derivation made depth first: the first module of the axiom grows to its end before the second one
-/// starts. Keeps a path of one module a step; gives the turtle the very modules that derive() stores.
+/// A derivation made depth first: the first module of the axiom is expanded completely before the second one.
+/// Stores one module per step; gives the turtle the same modules as derive().
 template <class Sink>
 class Stream {
  public:
@@ -26,8 +26,8 @@ class Stream {
     for (int i = 1; i <= steps; ++i) seeds_.push_back(seed.child("step", static_cast<std::uint64_t>(i)));
   }
 
-  /// Lets one module of the word after `level` steps grow to the last step. False when a number is not finite
-  /// or there are more modules than the limit allows.
+  /// Expands one module of the word after `level` steps to the last step. False if a number is not finite or
+  /// there are more modules than the limit allows.
   bool grow(SymbolId symbol, const double* parameters, std::size_t level) {
     if (level < seeds_.size() && grammar_.rules.of[symbol].empty()) {
       if (grammar_.stochastic)
@@ -41,7 +41,7 @@ class Stream {
     return false;
   }
 
-  /// What went wrong where grow() gave false.
+  /// The error after grow() returned false.
   const Error& trouble() const { return trouble_; }
 
  private:
@@ -77,12 +77,12 @@ class Stream {
   const Grammar& grammar_;
   Turtle<Sink>& turtle_;
   std::vector<Seed> seeds_;            // of each step
-  std::vector<std::uint64_t> places_;  // modules so far of the word before each step
-  std::size_t left_, limit_;           // modules that may still come, and in all
+  std::vector<std::uint64_t> places_;  // number of modules so far of the word before each step
+  std::size_t left_, limit_;           // number of modules still allowed, and allowed in all
   Error trouble_;
 };
 
-/// Derives and walks; streams where that is possible, and stores the word otherwise. The state at the end.
+/// Derives and walks; streams if possible, otherwise stores the word. Returns the final state.
 template <class Sink>
 Result<TurtleState> draw(const Grammar& grammar, int steps, Seed seed, Sink& sink,
                          const Limits& limits = {}) {

@@ -6,11 +6,11 @@
 
 namespace frond {
 
-/// Where tools of the field read a symbol differently: as *The Algorithmic Beauty of Plants* and cpfg do, or
-/// as Houdini does (turns mirrored; `!` `"` `;` scale width, length and angle).
+/// Where tools disagree on a symbol: as in *The Algorithmic Beauty of Plants* and cpfg, or as in Houdini
+/// (turns mirrored; `!` `"` `;` scale width, length and angle).
 enum class Dialect { abop, houdini };
 
-/// What the turtle does at a symbol.
+/// The turtle's action for a symbol.
 // clang-format off
 enum class Act : std::uint8_t {
   none, draw, move, draw_free, move_free, yaw_left, yaw_right, pitch_down, pitch_up, roll_left, roll_right, push, pop,
@@ -27,21 +27,21 @@ enum class Act : std::uint8_t {
 
 constexpr bool changes_style(Act act) { return act >= Act::narrow && act <= Act::set_elasticity; }
 
-/// A symbol that means something to the turtle; every other symbol is silent.
+/// A symbol with a meaning for the turtle; every other symbol does nothing.
 struct TurtleSymbol {
   std::string_view name;
   Act abop, houdini;
   std::string_view doc;
 };
 
-/// The alphabet of the turtle: adding a symbol is adding a row.
+/// The alphabet of the turtle: to add a symbol, add a row.
 std::span<const TurtleSymbol> turtle_symbols();
 
-/// What the turtle does at the symbol of that name.
+/// The turtle's action for the symbol of that name.
 Act act_of(std::string_view name, Dialect dialect);
 
-/// Whether the name is one of several letters that the alphabet itself has, such as `@Gc`. Those that start
-/// with `?` count only where a `(` follows.
+/// Whether the name is a symbol of several letters from the alphabet, such as `@Gc`. Those that start with
+/// `?` count only before a `(`.
 std::string_view long_symbol_at(std::string_view text, Dialect dialect);
 
 }  // namespace frond

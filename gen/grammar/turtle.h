@@ -10,8 +10,8 @@
 
 namespace frond {
 
-/// A turtle that is fed modules one by one and tells a sink what it does. Of these members of the sink those
-/// are called that it has:
+/// A turtle that receives modules one by one and reports its actions to a sink. Any of these members of the
+/// sink may be missing:
 ///
 ///     void segment(const Segment&, TurtleState&);       // the state is that at the start but for `mark`
 ///     void push(TurtleState&);  void pop(TurtleState&); // the state that is kept; the state it is back in
@@ -21,8 +21,8 @@ namespace frond {
 ///     void sign(Act, std::span<const double> parameters, const TurtleState&);   // spheres, tubes, questions
 ///     void end(const TurtleState&);                     // at the end of the word
 ///
-/// Where a guide forks there are several turtles from there to the end of the branch. Each does what the
-/// module says before the next module comes; questions are answered by the first.
+/// Where a guide forks there are several turtles until the end of the branch. Each processes a module before
+/// the next one comes; questions are answered by the first turtle.
 template <class Sink>
 class Turtle {
  public:
@@ -43,22 +43,22 @@ class Turtle {
     if (!expander_.run(symbol, parameters, text_.interpretation_depth, at_, emit)) wrong_ = &expander_.rule();
   }
 
-  /// What is wrong with an interpretation rule that was met; the rest of its outcome was left out.
+  /// The error of an interpretation rule; the rest of its result was dropped.
   Errors trouble() const { return wrong_ ? Errors{{wrong_->where, fault_in(*wrong_)}} : Errors{}; }
 
-  /// How far the modules fed from now on have grown.
+  /// How far the next modules have grown.
   void set_growth(const Unfolding& growth) {
     growth_ = growth, now_.grown = growth.age;
     for (Strand& strand : flock_) strand.now.grown = growth.age;
   }
 
-  /// What the randomness of the module fed next goes by, instead of its place in the word.
+  /// The name that replaces the position in the word as source of randomness for the next module.
   void set_name(std::uint64_t name) { fed_ = name, acted_ = Seed::mix(name); }
 
-  /// Of the first turtle, where there are several.
+  /// Of the first turtle, if there are several.
   const TurtleState& state() const { return flock_.empty() ? now_ : flock_[0].now; }
 
-  /// The word is at its end. The state there.
+  /// Ends the word; returns the final state.
   const TurtleState& finish() {
     if constexpr (requires { sink_.end(now_); }) {
       if (flock_.empty()) sink_.end(now_);
@@ -68,7 +68,7 @@ class Turtle {
   }
 
  private:
-  /// What each of several turtles has of its own.
+  /// The state that each of several turtles has of its own.
   struct Strand {
     TurtleState now;
     std::vector<DVec3> vertices = {};
@@ -101,14 +101,14 @@ class Turtle {
     }
   }
 
-  /// Makes turtle `i` of the flock the one at hand, or puts it back.
+  /// Swaps turtle `i` of the flock with the current one.
   void exchange(std::size_t i) {
     Strand& strand = flock_[i];
     std::swap(now_, strand.now), std::swap(seed_, strand.seed);
     vertices_.swap(strand.vertices), polygons_.swap(strand.polygons);
   }
 
-  /// One turtle a way: the turtle itself goes the first one.
+  /// One turtle per target: the turtle itself takes the first one.
   void fork(std::size_t i, std::span<const std::int32_t> targets) {
     for (std::size_t k = 1; k < targets.size(); ++k) {
       Strand other = flock_[i];
@@ -200,7 +200,7 @@ class Turtle {
     }
   }
 
-  /// Behind a `%` nothing is done until the branch ends.
+  /// After a `%` everything is skipped until the branch ends.
   bool leave_cut(Act act) {
     if (act == Act::push) ++skipped_;
     if (act == Act::pop && skipped_-- == 0) return true;
@@ -303,7 +303,7 @@ class Turtle {
     double length = glm::length(left);
     if (length < 1e-9) return;
     left /= length;
-    if (growth_.age < 1) {  // the part of the roll that is done
+    if (growth_.age < 1) {  // only a part of the roll is done yet
       double roll = std::atan2(glm::dot(left, now_.up), glm::dot(left, now_.left)) * growth_.age;
       left = now_.left * std::cos(roll) + now_.up * std::sin(roll);
     }
@@ -363,21 +363,21 @@ class Turtle {
   const Production* wrong_ = nullptr;
   TurtleState now_;
   std::vector<TurtleState> stack_;
-  std::vector<DVec3> vertices_;           // of all polygons open
+  std::vector<DVec3> vertices_;           // of all open polygons
   std::vector<std::size_t> polygons_;     // the first vertex of each
-  std::vector<Strand> flock_;             // all turtles, where there is a guide
-  std::vector<std::size_t> flock_sizes_;  // at each bracket open
+  std::vector<Strand> flock_;             // all turtles, if there is a guide
+  std::vector<std::size_t> flock_sizes_;  // size of the flock at each open bracket
   std::uint64_t fed_ = 0, acted_ = 0;
   Unfolding growth_;
   double turn_angle_ = 0, turn_sine_ = 0, turn_cosine_ = 1;
-  int skipped_ = -1;  // brackets open since a cut; -1: not behind one
+  int skipped_ = -1;  // number of brackets opened since a cut; -1: not after a cut
   bool wants_organ_ = false, jitters_ = false;
 };
 
-/// The turtle as a grammar sets it up: at the origin, heading up.
+/// The turtle as set up by a grammar: at the origin, heading up.
 TurtleState start_of(const Grammar& grammar);
 
-/// Walks a whole word. The state at its end; what was wrong on the way goes to `errors`.
+/// Walks a whole word. Returns the final state; mistakes are appended to `errors`.
 template <class Sink>
 TurtleState walk(const Grammar& grammar, const Word& word, Seed seed, Sink& sink, Errors* errors = nullptr) {
   Turtle<Sink> turtle(grammar, seed, sink, start_of(grammar));
@@ -390,8 +390,8 @@ TurtleState walk(const Grammar& grammar, const Word& word, Seed seed, Sink& sink
   return turtle.finish();
 }
 
-/// Fills the parameters of the questions `?P` `?H` `?U` `?L` of a word with what the turtle finds there, and
-/// those of `?E` with what the environment answers.
+/// Fills the parameters of the questions `?P` `?H` `?U` `?L` of a word with the turtle's values there, and
+/// those of `?E` with the answers of the environment.
 void answer_queries(const Grammar& grammar, Word& word, Seed seed, const Environment& environment);
 
 }  // namespace frond

@@ -8,21 +8,21 @@
 
 namespace frond {
 
-/// Where the turtle is and how it draws. Right-handed: heading x left = up.
+/// Position and drawing values of the turtle. Right-handed: heading x left = up.
 struct TurtleState {
-  /// What `target` is where there is no guide point to go to: not led yet, or led to the end.
+  /// Value of `target` without a guide point: not led yet, or led to the end.
   static constexpr std::int32_t kNotLed = -1, kFree = -2;
 
   DVec3 position{0, 0, 0};
   DVec3 heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, 1};
   double length = 1, width = 0.1, angle = 45, elasticity = 0;
   int color = 0;
-  int depth = 0;           ///< brackets open
-  double grown = 1;        ///< 0..1: how far the module at hand has grown, in between two steps
-  std::int32_t mark = -1;  ///< the sink's own: a bracket keeps and restores it; -1 after a move
-  std::int32_t tube = -1;  ///< the sink's own: the last point of a generalized cylinder, -1 outside of one
-  std::int32_t base = -1;  ///< the sink's own: as mark, but a move leaves it alone
-  std::int32_t target = kNotLed;  ///< guide point that it goes to
+  int depth = 0;           ///< number of open brackets
+  double grown = 1;        ///< 0..1: growth of the current module between two steps
+  std::int32_t mark = -1;  ///< used by the sink: saved and restored by brackets; -1 after a move
+  std::int32_t tube = -1;  ///< used by the sink: the last point of a generalized cylinder, -1 outside of one
+  std::int32_t base = -1;  ///< used by the sink: as mark, but unchanged by a move
+  std::int32_t target = kNotLed;  ///< the guide point it goes to
   std::int32_t pull = -1;         ///< guide point whose tropism counts; -1: the grammar's
   double own_length = 1;          ///< its step before it was led
 };
@@ -33,16 +33,16 @@ struct Segment {
   double width_from, width_to;
 };
 
-/// A module in between two steps, on its way from what its parent was to what it will be.
+/// A module between two steps, changing from its parent's form to its own.
 struct Unfolding {
-  double age = 1;      ///< 0..1: turns, widths and organs have grown so far
-  double stretch = 1;  ///< what lengths are multiplied by
-  double from = 0;     ///< where its first parameter comes from, if `has_from`
+  double age = 1;      ///< 0..1: growth of turns, widths and organs
+  double stretch = 1;  ///< factor of lengths
+  double from = 0;     ///< initial value of its first parameter, if `has_from`
   bool has_from = false;
 };
 
-/// The colour index that a parameter gives. They are picked round and round, so it matters little which one
-/// stands for what is beyond an int.
+/// The colour index given by a parameter. Colours are used modulo their number, so the index used beyond the
+/// range of int hardly matters.
 inline int color_index(double value) {
   return std::isfinite(value) ? static_cast<int>(std::clamp(value, -1e9, 1e9)) : 0;
 }
@@ -58,7 +58,7 @@ inline void bend(TurtleState& turtle, DVec3 pull) {
     *v = *v * c + glm::cross(axis, *v) * s + axis * (glm::dot(axis, *v) * (1 - c));
 }
 
-/// Swings the heading onto a direction by the shortest way.
+/// Turns the heading to a direction by the shortest rotation.
 inline void head_for(TurtleState& turtle, DVec3 direction) {
   double length = glm::length(direction);
   if (!(length > 0)) return;

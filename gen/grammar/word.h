@@ -8,12 +8,12 @@
 
 namespace frond {
 
-/// Memory for long words. Much of it comes in large pages where the system has them: getting small ones costs
-/// more than writing the words.
+/// Memory for long words. Large blocks use huge pages where the system has them: mapping small pages costs
+/// more time than writing the words.
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory);
 
-/// An allocator whose vectors do not clear what resize() adds: a word is written once, right after.
+/// An allocator whose vectors do not initialize new elements in resize(): a word is written right afterwards.
 template <class T>
 struct Uncleared {
   using value_type = T;
@@ -36,11 +36,11 @@ struct Uncleared {
 template <class T>
 using Buffer = std::vector<T, Uncleared<T>>;
 
-/// Stands for a name together with its number of parameters; an index into Grammar::symbols.
+/// A name together with its number of parameters, as an index into Grammar::symbols.
 using SymbolId = std::uint8_t;
 
-/// A word of modules: one byte each, and their parameters one after the other in a pool of their own. How
-/// many belong to a module is a matter of its symbol.
+/// A word of modules: one byte each, with all parameters in a separate array. The symbol determines the
+/// number of parameters.
 struct Word {
   Buffer<SymbolId> symbols;
   Buffer<double> parameters;

@@ -9,7 +9,7 @@
 
 namespace frond {
 
-/// A picture of 8 bits a channel, rows from the top down; sRGB where it is a colour.
+/// A picture of 8 bits per channel, rows from the top down; sRGB if it is a colour picture.
 struct Raster {
   int width = 0, height = 0;
   int channels = 3;  ///< 1 grey, 3 colour, 4 colour and opacity
@@ -26,13 +26,13 @@ struct Raster {
   std::uint8_t at(int x, int y, int c = 0) const { return data[index(x, y, c)]; }
 };
 
-/// A colour picture of 16 bits a channel; brightness is linear.
+/// A colour picture of 16 bits per channel; brightness is linear.
 struct LinearRaster {
   int width = 0, height = 0;
   std::vector<std::uint16_t> data;
 };
 
-/// A number at each pixel, mostly 0 to 1; rows from the top down.
+/// A number per pixel, mostly 0 to 1; rows from the top down.
 struct Grid {
   int width = 0, height = 0;
   std::vector<float> data;
@@ -43,16 +43,16 @@ struct Grid {
   }
   float& at(int x, int y) { return data[static_cast<std::size_t>(y * width + x)]; }
   float at(int x, int y) const { return data[static_cast<std::size_t>(y * width + x)]; }
-  /// Beyond an edge it goes on at the other.
+  /// Wraps round at the edges.
   float wrapped(int x, int y) const {
     return at((x % width + width) % width, (y % height + height) % height);
   }
 };
 
-/// A number as a byte: 0 to 1 as 0 to 255, what lies beyond held to that.
+/// A number as a byte: 0 to 1 becomes 0 to 255, clamped.
 std::uint8_t to_byte(double value);
 
-/// The bytes of a PNG file. The same picture gives the same bytes.
+/// The bytes of a PNG file. Equal pictures give equal bytes.
 Result<std::string> png_text(const Raster& raster);
 
 /// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels a side.

@@ -4,15 +4,15 @@
 
 namespace frond {
 
-/// Perlin noise of the plane (Perlin 2002), about -1..1, that repeats after `across` and `along` units, whole
-/// numbers > 0.
+/// Perlin noise of the plane (Perlin 2002), about -1..1, that repeats after `across` and `along` units,
+/// integers > 0.
 double tiling_noise(double x, double y, int across, int along, Seed seed);
 
-/// `octaves` of it, each of twice the frequency and `gain` times the strength; about -1..1.
+/// `octaves` of it, each of twice the frequency and `gain` times the amplitude; about -1..1.
 double tiling_fractal(double x, double y, int across, int along, int octaves, double gain, Seed seed);
 
-/// The nearest and the second nearest of points strewn one a unit square (Worley 1996), and a number 0..1 of
-/// the nearest point's own. Repeats as above.
+/// Distances to the nearest and second nearest of random points, one per unit square (Worley 1996), and a
+/// random number 0..1 of the nearest point. Repeats as above.
 struct Cells {
   double nearest, second, own;
 };

@@ -8,7 +8,7 @@
 
 #include "core/result.h"
 
-/// The text of the job files of a film: what `ninja` is to do, and what the film is made of. Text only;
+/// The text of the job files of a film: what `ninja` is to build, and what the film is made of. Text only;
 /// gen/render runs the processes.
 ///
 ///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     frond frame
@@ -20,13 +20,12 @@
 ///     write_file(dir / "manifest.json", manifest_text(manifest));
 namespace frond {
 
-/// How POV-Ray renders a quality. Jitter is off in all, so that equal scenes are equal pixels at any number
-/// of threads, and so that a picture may be taken up again where it was left.
+/// POV-Ray settings of a quality. Jitter is always off, so that equal scenes give equal pixels at any number
+/// of threads, and an interrupted picture can be continued.
 struct Rendering {
   std::string_view quality;
   std::string_view flags;
-  std::string_view
-      through_lens;  ///< the flags where the camera has a lens, each of whose samples is many rays
+  std::string_view through_lens;  ///< the flags if the camera has a lens, where each sample is many rays
 };
 
 inline constexpr Rendering kRenderings[] = {
@@ -35,60 +34,59 @@ inline constexpr Rendering kRenderings[] = {
     {"best", "+A0.0 +AM1 +R5 -J", "+A0.0 +AM1 +R3 -J"},
 };
 
-/// POV-Ray's flags for a quality; empty where there is none of that name.
+/// POV-Ray's flags for a quality; empty for an unknown name.
 std::string_view povray_flags(std::string_view quality, bool lens);
 
-/// What is to be rendered. Two lists that differ in size or quality render all frames again, as both stand in
-/// the commands; a frame is rendered again, too, when its scene or one of the includes is newer than its
-/// picture.
+/// What to render. A change of size or quality renders all frames again, as both are in the commands; a frame
+/// is also rendered again if its scene or one of the includes is newer than its picture.
 struct JobList {
-  std::vector<int> frames;             ///< the numbers, ascending, at least one
+  std::vector<int> frames;             ///< frame numbers, ascending, at least one
   std::array<int, 2> size{480, 270};   ///< width and height, pixels
   std::string_view quality = "draft";  ///< a name of kRenderings
-  bool lens = false;                   ///< whether the camera has one, see Rendering
-  int exposures = 1;                   ///< scenes that make a frame
+  bool lens = false;                   ///< whether the camera has a lens, see Rendering
+  int exposures = 1;                   ///< number of scenes that make a frame
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film
-  bool rendered = false;               ///< the pictures come from elsewhere: only the film is to be made
+  bool rendered = false;               ///< the pictures already exist: only the film is to be made
   std::string title;                   ///< goes into the film's metadata
-  std::uint64_t seed = 0;              ///< too
+  std::uint64_t seed = 0;              ///< the same
   std::string povinc = "../povinc";    ///< folder of the includes, as seen from DIR; no line break in it
   std::vector<std::string> includes;   ///< names of the files there that a frame may read: "frond_water.inc"
   std::string program = "../build/frond";  ///< this program, as seen from DIR; no line break in it
 };
 
-/// build.ninja. What it makes unasked is film.mp4 and contact.png, or still.png. Paths and title may hold any
-/// character but a line break (one in a title becomes a blank).
+/// build.ninja. Its default targets are film.mp4 and contact.png, or still.png. Paths and title may contain
+/// any character but a line break (one in a title becomes a blank).
 std::string ninja_text(const JobList& jobs);
 
-/// The value of a variable at the top of a build.ninja; empty where there is none of that name.
+/// The value of a variable at the top of a build.ninja; empty if there is none of that name.
 std::string ninja_variable(std::string_view ninja, std::string_view name);
 
-/// What the film is made of, for people and machines that come later. It holds no clock and no absolute path:
-/// the same film has the same manifest everywhere.
+/// A record of what the film is made of. It contains no clock time and no absolute path: the same film has
+/// the same manifest everywhere.
 struct Manifest {
   struct Frame {
     int number = 1;
     double time = 0;        ///< seconds from the first frame of the preset
-    std::size_t nodes = 0;  ///< of skeletons, that growth has reached
+    std::size_t nodes = 0;  ///< number of skeleton nodes reached by growth
   };
   std::string version;  ///< of frond
   std::string preset;   ///< the preset's file name without .json
   std::string title;
-  std::string preset_hash;  ///< of the preset with all that was set on the command line, hexadecimal
+  std::string preset_hash;  ///< of the preset with all command line settings, hexadecimal
   std::uint64_t seed = 0;
   double fps = 24;
   std::array<int, 2> size{480, 270};
   std::string_view quality = "draft";
   bool still = false;
-  double render_seconds = 0;  ///< of a frame, as estimated for a processor as ours
+  double render_seconds = 0;  ///< per frame, estimated for a processor as ours
   std::vector<Frame> frames;
 };
 
-/// manifest.json, one frame a line.
+/// manifest.json, one frame per line.
 std::string manifest_text(const Manifest& manifest);
 
-/// Reads it again, but for seed and quality.
+/// Reads it again, without seed and quality.
 Result<Manifest> read_manifest(std::string_view text, const std::string& file_name);
 
 }  // namespace frond

@@ -15,31 +15,31 @@
 
 namespace frond {
 
-/// What a solid is made of; gen/emit/solid.cpp has the macro of each.
+/// Materials of solids; gen/emit/solid.cpp has the macro of each.
 enum class Matter {
   plain,      ///< one matt colour
-  brick,      ///< fired clay, no two alike
+  brick,      ///< fired clay, each slightly different
   mortar,     ///< sandy, between bricks
   limestone,  ///< dressed, weathered
   plaster,    ///< lime, flaking
   paint,      ///< on wood
   pane,       ///< a window before a dark room
-  timber,     ///< sawn wood, its grain along x, the pith on the x axis
+  timber,     ///< sawn wood, grain along x, the pith on the x axis
   ashlar,     ///< dressed stone
-  bed,        ///< the mortar that it lies in
-  ceramic,    ///< glazed; `scale` is the vessel's height, as for all that is turned
+  bed,        ///< the mortar around it
+  ceramic,    ///< glazed; `scale` is the vessel's height, as of everything turned
   terracotta,
   glass,
   soil,
   granite,  ///< speckled, massive
-  karst,    ///< limestone as it grew: pale, banded and pitted
+  karst,    ///< natural limestone: pale, banded and pitted
   basalt,   ///< dark, fine and cracked
   // What lives; u of its `uv` is 0 in hollows .. 1 on ridges, v the share of growth after which it was there.
   polyps,   ///< stony coral with a cup for each polyp; `scale` is that of a cup
   meander,  ///< brain coral: valleys between ridges, by u
   sponge,   ///< soft, pitted
   reef,     ///< old coral rock, overgrown with crusts and turf of algae
-  // What wears a picture, by its `uv`; `second` is a factor of it.
+  // Materials with a picture by `uv`; `second` is multiplied with it.
   shell,
   mantle,  ///< soft tissue of a clam
 };
@@ -50,59 +50,59 @@ inline bool lives(Matter matter) {
          matter == Matter::reef;
 }
 
-/// What is painted in a band.
+/// The pattern painted in a band.
 enum class Motif { plain, zigzag, waves, dots, meander, petals, rings };
 
 /// A band painted round a vessel, on its `uv`: u once round, v from 0 at the foot to 1 at the lip.
 struct Band {
-  double at = 0.6;      ///< its middle, as a share of the height
+  double at = 0.6;      ///< of its middle, as a share of the height
   double width = 0.06;  ///< as a share of the height
   Color color{0.12f, 0.18f, 0.42f};
   Motif motif = Motif::plain;
-  int repeats = 24;  ///< once round
+  int repeats = 24;  ///< number round the vessel
 };
 
 /// The polyps on living tissue.
 struct Polyps {
-  double width = 0;            ///< metres that one spreads its tentacles over; 0: none are seen
-  Animated<double> open{1.0};  ///< 0 drawn in .. 1 spread, by seconds
-  double glow = 0;             ///< how much blue light makes them, and the skin, shine by themselves
+  double width = 0;            ///< metres, spread of a polyp's tentacles; 0: invisible
+  Animated<double> open{1.0};  ///< 0 retracted .. 1 spread, by seconds
+  double glow = 0;             ///< fluorescence of polyps and skin in blue light
 };
 
 /// The surface of a solid.
 struct Material {
   Matter matter = Matter::plain;
   Color color{0.55f, 0.53f, 0.50f};
-  Color second{0.35f, 0.33f, 0.30f};  ///< of what differs from the rest: veins, joints, bands
+  Color second{0.35f, 0.33f, 0.30f};  ///< of the second part: veins, joints, bands
   double scale = 0.2;                 ///< metres, size of the pattern, > 0
   double relief = 0.5;                ///< depth of the pattern
-  double moss = 0;                    ///< 0 none .. 1: how much moss, and lichen, grows on what faces upward
+  double moss = 0;                    ///< 0 none .. 1: amount of moss and lichen on surfaces that face upward
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
   Polyps polyps{};        ///< of living tissue
-  std::string picture{};  ///< a PNG file that it wears, of its look's
+  std::string picture{};  ///< a PNG file that it uses, one of its look
 };
 
 /// A body of one material. Metres.
 struct Solid {
   Surface surface;
   Material material;
-  /// The same body as cubic Bézier spans (radius, y) turned about the y axis, for a renderer that can; else
-  /// empty.
+  /// The same body as cubic Bézier spans (radius, y) turned about the y axis, for renderers that support it;
+  /// else empty.
   std::vector<std::array<glm::dvec2, 4>> turned{};
-  std::optional<Isosurface> native{};  ///< drawn in place of `surface`, which is still what it looks like
-  /// Where its vertices were at equal steps of its growth, from the first moment to the last but one, that of
-  /// `surface` being the last; empty: it was always as it is.
+  std::optional<Isosurface> native{};  ///< drawn in place of `surface`, which still has its shape
+  /// Positions of its vertices at equal steps of growth, from the first to the last but one; `surface` is the
+  /// last step. Empty: it does not change.
   std::vector<std::vector<Vec3>> past{};
-  /// What neighbours leave each vertex of the light that it lives by when all have grown, 0..1; empty: all.
+  /// Share of light, 0..1, that reaches each vertex past its neighbours when all are fully grown; empty: 1.
   std::vector<float> light{};
 };
 
-/// The surface of a solid at a share of its growth, 0..1, smooth from step to step.
+/// The surface of a solid at a share of its growth, 0..1, interpolated smoothly between the steps.
 Surface surface_at(const Solid& solid, float share);
 
-/// Bodies without branches: rocks, walls, vases. Each shape is held once and may be placed often. The
-/// placements are a structure of arrays.
+/// Bodies without branches: rocks, walls, vases. Each shape is stored once and may be placed many times.
+/// Placements are a structure of arrays.
 struct Solids {
   std::vector<Solid> shapes;
   std::vector<std::uint16_t> shape;  ///< of each placement, index into `shapes`
@@ -112,7 +112,7 @@ struct Solids {
   bool follow_ground =
       false;  ///< each keeps its height above the ground below it, not above that of the foot
 
-  /// Where placement `i` has a place of its shape.
+  /// Transforms a point of its shape by placement `i`.
   Vec3 placed(std::size_t i, Vec3 at) const { return position[i] + turn[i] * (scale[i] * at); }
 
   std::size_t size() const { return position.size(); }
@@ -121,19 +121,19 @@ struct Solids {
   std::uint16_t add_shape(Solid solid);
   void place(std::uint16_t which, Vec3 at = Vec3(0), Quat turned = Quat(1, 0, 0, 0), Vec3 sized = Vec3(1));
 
-  /// Where it is not what it promises: one line for the first fault, empty when all is well.
+  /// Checks all invariants: one line for the first violation, empty if there is none.
   std::string check() const;
 };
 
-/// The box round all placements.
+/// The bounding box of all placements.
 Bounds bounds_of(const Solids& solids);
-/// One that holds it and is found faster: round the boxes of the shapes as they are placed.
+/// A larger box that is faster to compute: the transformed boxes of the shapes.
 Bounds rough_bounds_of(const Solids& solids);
 
-/// The same as they are at a share of their growth, with no past of their own.
+/// The solids at a share of their growth, without a past.
 Solids grown_to(const Solids& solids, float share);
 
-/// All placements as one mesh, without `uv`: what ivy creeps on, what is measured.
+/// All placements as one mesh without `uv`: the surface for ivy and for measuring.
 Surface merged(const Solids& solids);
 
 }  // namespace frond

@@ -6,14 +6,14 @@
 
 namespace frond {
 
-/// How the limbs of a tree swing in the wind: each about its own base, on top of what bears it, so that
-/// nothing comes apart; smaller ones (of a higher order) farther and faster. In a loop each frequency is a
-/// whole number of swings.
+/// Swinging of a tree's limbs in the wind: each about its own base, in addition to the motion of its parent,
+/// so that they stay connected; limbs of higher order swing farther and faster. In a loop each frequency is
+/// an integer number of swings.
 class LimbSway {
  public:
   LimbSway(const Skeleton& rest, const Wave& wave, double time, double film_length);
 
-  /// The turn of node `i`, given the turns of all nodes before it.
+  /// The rotation of node `i`, given those of all nodes before it.
   Quat turn(std::size_t i, const std::vector<Quat>& turns);
 
  private:
@@ -22,11 +22,11 @@ class LimbSway {
   const Skeleton& rest_;
   Vec3 along_, across_;
   float amplitude_, wave_number_;
-  float push_[kOrders], side_[kOrders];  ///< phases of the two swings of each order now
-  std::vector<std::int32_t> base_;       ///< the node that bears each node's limb
+  float push_[kOrders], side_[kOrders];  ///< current phases of the two swings of each order
+  std::vector<std::int32_t> base_;       ///< node to which each node's limb is attached
 };
 
-/// How far leaves flutter, radians, and where in their flutter they are: see Pose.
+/// Amplitude and phase of the flutter of leaves, radians: see Pose.
 void set_flutter(const Wave& wave, double time, double film_length, Pose& pose);
 
 }  // namespace frond

@@ -12,8 +12,8 @@ namespace frond {
 struct Growth {
   double start = 0;     ///< seconds
   double duration = 0;  ///< seconds; 0: fully grown from the start
-  double stagger = 0;   ///< seconds: single organisms begin up to so much later, at random
-  double ripen = 0.35;  ///< share of the growth that a place needs to reach its full thickness, > 0
+  double stagger = 0;   ///< seconds: individuals start later by a random delay of at most this
+  double ripen = 0.35;  ///< share of the growth after which a new node has its full thickness, > 0
 };
 
 /// Swaying in a current: a bend that grows toward the tips and travels through the water.
@@ -23,7 +23,7 @@ struct Wave {
   double phase = 0;            ///< radians
   double length = 3;           ///< metres from crest to crest along the current
   Vec3 direction{1, 0, 0.3f};  ///< of the current; its vertical part is ignored
-  bool loop = true;            ///< whole swings over the film, so that its end meets its start
+  bool loop = true;            ///< whole swings over the film, so that it can be repeated
 };
 
 struct FoodPlace {
@@ -32,25 +32,25 @@ struct FoodPlace {
 
 /// A pull toward food.
 struct Food {
-  double strength = 0;  ///< about the angle in radians by which a whole branch may bend
-  double reach = 0.25;  ///< metres; the pull fades nearer than this, so that tips do not whirl round the food
+  double strength = 0;  ///< about the largest bend of a whole branch, radians
+  double reach = 0.25;  ///< metres; the pull fades nearer than this, so that tips do not spin round the food
   Animated<Vec3> position{Vec3(0, 1, 0)};
-  std::vector<FoodPlace> others;  ///< more of it; each part of a branch bends most to what is nearest
-  bool eaten = false;             ///< whether what a tip has reached is eaten up, by whoever comes first
-  std::vector<double> reached;  ///< seconds, of position and of the others: when a tip is there; empty: never
+  std::vector<FoodPlace> others;  ///< further food; each part of a branch bends mostly to the nearest
+  bool eaten = false;             ///< whether food that a tip has reached is eaten
+  std::vector<double> reached;    ///< seconds at which a tip reaches position and the others; empty: never
 
   std::size_t places() const { return 1 + others.size(); }
   const Animated<Vec3>& place(std::size_t i) const { return i == 0 ? position : others[i - 1].position; }
-  /// The share of it that is not eaten yet, 0..1.
+  /// The share of it that is left, 0..1.
   float left(std::size_t i, double time) const;
 };
 
-inline constexpr double kMeal = 1.5;  ///< seconds in which food is eaten up
+inline constexpr double kMeal = 1.5;  ///< seconds that eating takes
 
 /// Leaves that tremble on their stalks in gusts of wind.
 struct Flutter {
   double amplitude = 0;        ///< radians, of a leaf with a stalk of 5 cm in a gust
-  double speed = 1.6;          ///< swings a second, about; single leaves differ
+  double speed = 1.6;          ///< swings a second, about; varies between leaves
   double gust = 2.5;           ///< metres from gust to gust
   Vec3 direction{1, 0, 0.3f};  ///< in which gusts travel; its vertical part is ignored
 };
@@ -62,32 +62,31 @@ struct Motion {
   double film_length = 1;  ///< seconds; what `loop` refers to
   bool limbs = false;      ///< each limb swings about its own base, as trees do, and leaves flutter
   Flutter flutter = {};
-  double unfold = 0;  ///< share of the growth in which a leaf unfolds; 0: as long as a place ripens
+  double unfold = 0;  ///< share of the growth in which a leaf unfolds; 0: as for ripening
 };
 
-/// A skeleton at one time, node by node. Nodes that growth has not reached lie where the growing tip of their
-/// branch is: they move along with it, and nothing ever appears from nowhere.
+/// A skeleton at one time, node by node. Nodes not reached by growth yet are at the growing tip of their
+/// branch and move with it, so that nothing appears suddenly.
 struct Pose {
   std::vector<Vec3> position;
   std::vector<float> radius;
-  /// What turns the rest shape round a node into the posed shape: skin point x of the rest shape near node i
-  /// is at position[i] + turn[i] * (x - rest.position[i]). Textures follow it.
+  /// Rotates the rest shape round a node to the posed shape: skin point x of the rest shape near node i is at
+  /// position[i] + turn[i] * (x - rest.position[i]). Textures follow it.
   std::vector<Quat> turn;
-  float flutter = 0;        ///< radians that organs tremble either way
+  float flutter = 0;        ///< radians, amplitude of the organs' flutter
   float flutter_phase = 0;  ///< radians; each organ adds its own
   float front = 0;          ///< nodes born before this have been reached; above 1 all of them
 };
 
-/// A radius at one end of a branch's stretch, kept from differing from that at the other end by so much that
-/// one sphere would hold the other: between such there is no cone, and a sphere_sweep has specks. Metres.
+/// Limits a radius at one end of a branch segment so that neither end sphere contains the other: otherwise
+/// there is no cone between them, and a sphere_sweep has artefacts. Metres.
 float cone_radius(float radius, float other, float length);
 
-/// The share of growth that is reached at a time: 0 before the start, 1 + ripen in the end, smooth in
-/// between.
+/// The share of growth at a time: 0 before the start, 1 + ripen at the end, smooth in between.
 double growth_front(const Growth& growth, double time);
 
-/// Poses a skeleton; a pure function of its arguments. Segments keep their lengths and the root stays where
-/// it is. `pose` is overwritten; handing the same one in again saves its allocations.
+/// Poses a skeleton; a pure function. Segments keep their lengths and the root stays in place. `pose` is
+/// overwritten; reusing it saves allocations.
 void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose);
 
 }  // namespace frond

@@ -9,8 +9,8 @@ namespace frond {
 
 // How a parameter struct is described
 // ===================================
-// One free function template beside the struct says all: it is used to read the struct from JSON (Reader), to
-// print the schema (SchemaWriter) and so the documentation. The struct's own initial values are the defaults.
+// One function template beside the struct is enough: it is used to read the struct from JSON (Reader) and to
+// print the schema (SchemaWriter), and so the documentation. The struct's initial values are the defaults.
 //
 //     struct Wave {
 //       double speed = 1;
@@ -25,8 +25,8 @@ namespace frond {
 //       v.boolean("loop", w.loop, "Whether the film can be repeated without a jump");
 //     }
 //
-// It is called with a fresh struct to read into, or with the defaults to print; it does nothing else with
-// them. Names and docs are string literals. Every visitor has:
+// It is called with a new struct to fill, or with the defaults to print, and must do nothing else with them.
+// Names and docs are string literals. Every visitor has:
 //
 //     number(name, x, range, doc)          double, float
 //     angle(name, x, range, doc)           the same; degrees in JSON and in the range, radians in the struct
@@ -61,8 +61,8 @@ namespace frond {
 // Each that reads a property also takes a std::optional of its type, which stays empty where it is not given.
 // The doc says what a property is, range.unit in which unit; both stand in the schema.
 
-/// The numbers that are allowed, ends included. The unit is for the reader of the documentation only, the
-/// sense (what single numbers mean) for who wrote something else.
+/// The allowed numbers, ends included. The unit is for the documentation, the sense (meaning of single
+/// numbers) for error messages about values of another type.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -73,19 +73,19 @@ struct Range {
   bool holds(double x) const { return (above_min ? x > min : x >= min) && x <= max; }
 };
 
-/// What of a direction counts.
+/// Which components of a direction are used.
 enum class Across { all, xz };
 
-/// What a component of a direction may be: its square is still a number to reckon with.
+/// The range of a component of a direction: its square must be finite.
 inline constexpr Range kDirections{.min = -1e6, .max = 1e6};
 
-/// How many elements a list may have.
+/// The allowed number of elements of a list.
 struct Count {
   std::size_t min = 0;
   std::size_t max = std::numeric_limits<std::size_t>::max();
 };
 
-/// A row of the table behind an enum:
+/// A row of the table of an enum:
 ///     inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "quick"}, ...};
 template <class Enum>
 struct Choice {
@@ -97,9 +97,8 @@ struct Choice {
 class Reader;
 class SchemaWriter;
 
-/// A row of the table of the kinds that a T may be of. `describe(v, T&)` says what all kinds have in common
-/// (it may be empty), the row what its kind has besides; the same name must not stand in both. The name
-/// "kind" is taken.
+/// A row of the table of kinds of a T. `describe(v, T&)` gives the properties common to all kinds (it may be
+/// empty), the row those of its kind; no name may be in both. The name "kind" is reserved.
 template <class T>
 struct Kind {
   std::string_view name;
@@ -109,16 +108,16 @@ struct Kind {
 };
 
 /// The names of the three properties of a list with defaults: each element is merged with the object
-/// `defaults` (merge(): its own wins) except for the properties that `force` lists. `defaults` may hold the
-/// properties of any kind; an element passes over those that its kind does not have.
+/// `defaults` (merge(): the element wins) except for the properties listed in `force`. `defaults` may have
+/// properties of any kind; an element ignores those that its kind does not have.
 struct Inheritance {
   std::string_view list = "organisms";
   std::string_view defaults = "defaults";
   std::string_view force = "force";
-  std::string_view instead = "species";  ///< an element that gives it need not say its kind
+  std::string_view instead = "species";  ///< an element with this property may omit its kind
 };
 
-/// The type that a property is read as: T itself, or what is in the std::optional.
+/// The type of a property: T itself, or the content type of the std::optional.
 template <class T>
 struct HeldType {
   using type = T;

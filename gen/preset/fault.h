@@ -11,24 +11,24 @@
 
 namespace frond {
 
-/// Something wrong in a preset.
+/// An error in a preset.
 struct Fault {
   Origin origin;
   std::string pointer;                       ///< JSON pointer of the value, "" for the whole
   std::string what;                          ///< `found ...; expected ...`
-  std::optional<std::string> unknown = {};   ///< of an unknown property: its name; `what` is empty then
-  std::vector<std::string_view> names = {};  ///< and the names that would have been known
+  std::optional<std::string> unknown = {};   ///< for an unknown property: its name; `what` is then empty
+  std::vector<std::string_view> names = {};  ///< and the known names
 
   /// `file:line:column: /json/pointer` and what is wrong.
   Error error() const;
 };
 
-/// All that is wrong, in the order found. The same words about the same place are kept once.
+/// All errors in the order found. Equal messages about the same place are stored once.
 class Faults {
  public:
   void add(Fault fault);
   const std::vector<Fault>& list() const { return list_; }
-  /// In the order of the file, those of no file last.
+  /// In the order of the file; those without a file come last.
   Errors errors() const;
 
  private:
@@ -36,8 +36,8 @@ class Faults {
   std::set<std::pair<std::string, std::string>> seen_;
 };
 
-/// What is wrong with a value that several descriptions may read: the faults which every one of them finds,
-/// at the same place or at one that holds it. A name is unknown only where none knows it.
+/// The errors of a value that may match several descriptions: those found by every one of them, at the same
+/// place or at one that contains it. A name is unknown only if no description knows it.
 std::vector<Fault> common_faults(const std::vector<std::vector<Fault>>& readings);
 
 }  // namespace frond

@@ -20,20 +20,20 @@
 
 namespace frond {
 
-/// The visitor that reads described structs (describe.h) from JSON values. All faults are collected, none
-/// stops the others; where something is wrong the struct keeps what it had. Use read_preset() below.
+/// The visitor that reads described structs (describe.h) from JSON values. All errors are collected; a member
+/// with an error keeps its old value. Use read_preset() below.
 class Reader {
  public:
-  /// With `partial`, missing properties are no fault: what is read are defaults for something else.
+  /// With `partial`, missing properties are allowed: the values read are defaults for another object.
   explicit Reader(bool partial = false) : partial_(partial) {}
 
-  /// Files that properties name are read from there; without it their names are all that is read.
+  /// Reads the files that properties name; without this call only their names are read.
   void read_files(const Assets& assets) { assets_ = &assets; }
-  /// The pointers of the properties that named files, and what stands for what those hold.
+  /// The pointers of the properties that named files, and a hash of the content of each.
   const std::vector<std::pair<std::string, std::string>>& files() const { return files_; }
 
   const Faults& faults() const { return faults_; }
-  /// What is no fault, but most likely not meant.
+  /// Warnings: valid, but probably not intended.
   const Faults& doubts() const { return doubts_; }
 
   /// Reads a whole document; "$schema" is allowed there.
@@ -172,18 +172,18 @@ class Reader {
       if (read(*this, v, held)) out = std::move(held);
     });
   }
-  /// Where the object that is being read stands, or that property of it, as messages say it.
+  /// Position of the object being read, or of that property of it, as in messages.
   void origin(std::string& out, std::string_view name = {}) const;
-  /// Whether the object gives the property itself, not some defaults behind it.
+  /// Whether the object itself gives the property, not the defaults behind it.
   void given(std::string_view name, bool& out) const;
   void required(std::string_view name);
   void shorthand(std::string_view name);
 
-  // For custom properties: the parts of the above. Each notes its faults.
+  // For custom properties: building blocks of the above. Each notes its errors.
 
   /// Notes `found <value>; expected <expected>` at the value being read.
   void fault(const Value& value, std::string_view expected);
-  /// Does `work` one step deeper: at the element or member of that name.
+  /// Runs `work` one level deeper: at the element or member of that name.
   template <class Work>
   auto inside(std::string_view step, Work work) {
     std::size_t parent = pointer_.size();
@@ -198,13 +198,13 @@ class Reader {
   std::optional<double> number_at(const Value& value, const Range& range);
   std::optional<bool> boolean_at(const Value& value);
   std::optional<std::string> text_at(const Value& value);
-  /// Which of the names the text is.
+  /// Index of the text among the names.
   std::optional<std::size_t> name_at(const Value& value, std::span<const std::string_view> names);
   std::optional<std::array<int, 2>> size_at(const Value& value, const Range& range);
   std::optional<Color> color_at(const Value& value);
   std::optional<Curve> curve_at(const Value& value);
   std::optional<std::vector<std::pair<std::string, std::string>>> pairs_at(const Value& value);
-  /// The last argument only chooses the type.
+  /// The last argument only selects the type.
   std::optional<Animated<double>> animated_at(const Value& value, const Range& range,
                                               const Animated<double>&);
   std::optional<Animated<Vec3>> animated_at(const Value& value, const Range& range, const Animated<Vec3>&);
@@ -229,7 +229,7 @@ class Reader {
     for (int i = 0; i < V::length(); ++i) vector[i] = static_cast<typename V::value_type>(numbers[i]);
     return vector;
   }
-  /// A described struct; true where there was no fault.
+  /// A described struct; true if there was no error.
   template <class T>
   bool object_at(const Value& value, T& out) {
     return with_object(value, [&] { describe(*this, out); });
@@ -250,9 +250,9 @@ class Reader {
     if (range.unit.empty()) range.unit = "degrees";
     return range;
   }
-  /// Notes an angle that would be usual in radians, where degrees are expected and `usual`.
+  /// Notes an angle that looks like radians (`usual` in radians) where degrees are expected.
   void doubt_radians(const Value& value, double found, double usual);
-  /// Notes a direction that is none.
+  /// Notes a direction without length.
   bool has_length(const Value& value, const DVec3& direction, Across across);
   /// The file that a text names; an empty text names none.
   std::optional<NamedFile> file_at(const Value& value);
@@ -262,7 +262,7 @@ class Reader {
   template <class T, class Read>
   std::optional<Animated<T>> keys_at(const Value& value, bool constant, Read read);
 
-  /// The member of the object being read, now a known name; nullptr where it is not given.
+  /// The member of the object being read, recorded as a known name; nullptr if it is missing.
   const Value* take(std::string_view name);
   void enter(const Value& value) { frames_.push_back(Frame{&value}); }
   void leave();
@@ -315,8 +315,8 @@ class Reader {
   std::vector<std::pair<std::string, std::string>> files_;
 };
 
-/// Reads a document into a described struct, or tells everything that is wrong with it. What is only doubtful
-/// goes to `doubts`. The files that it names are read from `assets`; `files` gets those of Reader.
+/// Reads a document into a described struct, or returns everything that is wrong with it. Warnings go to
+/// `doubts`. Named files are read from `assets`; `files` gets those of Reader.
 template <class T>
 Result<T> read_preset(const Document& document, Faults* doubts = nullptr, const Assets* assets = nullptr,
                       std::vector<std::pair<std::string, std::string>>* files = nullptr) {

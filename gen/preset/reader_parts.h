@@ -10,7 +10,7 @@ namespace frond {
 
 template <class T>
 Range Reader::within(Range range) {
-  constexpr double kExact = 9007199254740992.0;  // whole numbers beyond 2^53 are not all doubles
+  constexpr double kExact = 9007199254740992.0;  // not all integers beyond 2^53 are doubles
   double low = static_cast<double>(std::numeric_limits<T>::lowest());
   double high = static_cast<double>(std::numeric_limits<T>::max());
   if (std::is_integral_v<T>) {
@@ -73,7 +73,7 @@ bool Reader::tagged_at(const Value& value, T& out, const Kinds& kinds) {
 template <class T, class Kinds>
 void Reader::inheriting_list(const Inheritance& names, std::vector<T>& out, const Kinds& kinds,
                              std::string_view) {
-  // Defaults may hold what any kind has, so each kind reads them.
+  // Defaults may have properties of any kind, so each kind reads them.
   Value nothing = make_object();
   const Value* defaults = &nothing;
   member(names.defaults, [&](const Value& value) {

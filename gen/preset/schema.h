@@ -15,8 +15,8 @@
 
 namespace frond {
 
-/// The visitor that makes the JSON Schema (draft-07) of described structs (describe.h). It can say all that
-/// Reader asks for but the order of keyframes. Use schema_text() below.
+/// The visitor that makes the JSON Schema (draft-07) of described structs (describe.h). It expresses all
+/// checks of Reader except the order of keyframes. Use schema_text() below.
 class SchemaWriter {
  public:
   /// The schema of a described struct.
@@ -28,7 +28,7 @@ class SchemaWriter {
     return writer.object_schema();
   }
 
-  /// The schema of the defaults behind a list of these kinds: whatever any kind has, nothing required.
+  /// The schema of the defaults behind a list of these kinds: properties of any kind, none required.
   template <class T, class Kinds>
   static Value defaults_of(const Kinds& kinds);
 
@@ -162,7 +162,7 @@ class SchemaWriter {
   void required(std::string_view name) { required_.push_back(name); }
   void shorthand(std::string_view name) { bare_ = name; }
 
-  /// What was described so far.
+  /// The description so far.
   Value object_schema() const;
 
  private:
@@ -180,7 +180,7 @@ class SchemaWriter {
                                   const std::vector<std::string_view>& docs);
   static Value forced_schema(const Value& defaults);
   static Value written_schema(std::string_view json);
-  /// `common` (of all kinds) with the properties that each kind adds where "kind" says so.
+  /// `common` (of all kinds) with the properties of each kind added where "kind" has its name.
   struct KindSchema {
     std::string_view name;
     std::string_view doc;
@@ -282,7 +282,7 @@ Value SchemaWriter::defaults_of(const Kinds& kinds) {
   return without_required(std::move(all));
 }
 
-/// The JSON Schema of the presets that a described struct is read from, as a file.
+/// The JSON Schema of presets for a described struct, as a file.
 template <class T>
 std::string schema_text(std::string_view title, std::string_view doc) {
   Value schema = SchemaWriter::of<T>();

@@ -12,7 +12,7 @@
 
 namespace frond {
 
-// The schemas (JSON Schema draft-07) of the single properties, for SchemaWriter.
+// Schemas (JSON Schema draft-07) of single properties, for SchemaWriter.
 
 Value number_schema(const Range& range);
 Value integer_schema(const Range& range);
@@ -26,19 +26,18 @@ Value list_schema(const Value& element, const Count& count);
 Value pairs_schema();
 Value choice_schema(std::span<const std::string_view> names);
 
-/// A number as a default: in the fewest digits that a float, or six digits, tell apart.
+/// A number as a default: with the fewest digits that identify a float, or six digits.
 Value tidy_number(float number);
 Value tidy_number(double number);
 Value tidy_angle(double radians);
 Value curve_default(const Curve& curve);
 Value color_default(const Color& color);
 
-/// What an object with defaults behind it may leave out: everything. Elements of lists are no longer such
-/// objects.
+/// An object with defaults behind it requires nothing. Does not apply to elements of its lists.
 Value without_required(Value schema);
 
-/// The schema of a property that may be either; objects are joined member by member. Titles and defaults
-/// differ from kind to kind and are left out.
+/// The schema of a property that matches either of two; objects are merged member by member. Titles and
+/// defaults that differ between kinds are omitted.
 Value either(const Value& a, const Value& b);
 
 /// The paths of all properties: "wave", "wave/amplitude", ...

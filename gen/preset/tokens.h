@@ -7,11 +7,11 @@
 
 namespace frond {
 
-// The tokens of a JSON text with comments (RFC 8259, and `//` and `/* */` wherever blanks may stand). What a
-// token is worth where it stands is judged by parse_json().
+// Tokens of a JSON text with comments (RFC 8259, with `//` and `/* */` wherever blanks are allowed).
+// parse_json() checks whether a token is valid at its position.
 
-/// The first offset from `offset` on that is neither blank nor within a comment: where the next token begins,
-/// or the end of the text. At a comment without end, where that begins.
+/// The first offset from `offset` on that is neither blank nor in a comment: the start of the next token, or
+/// the end of the text. For an unclosed comment, its start.
 std::size_t skip_blanks(std::string_view text, std::size_t offset);
 
 /// What is wrong within a token: `found; expected ...`
@@ -20,8 +20,8 @@ struct TokenFault {
   std::string what;
 };
 
-/// Reads the text in double quotes that begins at `offset`, which comes to stand behind it, and appends what
-/// it means to `into`. The text around is UTF-8.
+/// Reads the quoted text that begins at `offset`, sets `offset` behind it, and appends the decoded text to
+/// `into`. The source is valid UTF-8.
 std::optional<TokenFault> read_quoted(std::string_view text, std::size_t& offset, std::string& into);
 
 struct NumberToken {
@@ -29,11 +29,11 @@ struct NumberToken {
   bool integer = false;  ///< written without fraction and exponent
 };
 
-/// Reads the number that begins at `offset` with a digit or '-', as read_quoted() does. Numbers too small for
-/// double precision are 0.
+/// Reads the number that begins at `offset` with a digit or '-', like read_quoted(). Numbers too small for
+/// double precision become 0.
 std::optional<TokenFault> read_number(std::string_view text, std::size_t& offset, NumberToken& into);
 
-/// What begins at `offset`, as a message names it: `'x'`, `the end of the text`, `a control character`.
+/// The character at `offset` as named in messages: `'x'`, `the end of the text`, `a control character`.
 std::string found_at(std::string_view text, std::size_t offset);
 
 }  // namespace frond

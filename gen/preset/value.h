@@ -10,8 +10,8 @@
 
 namespace frond {
 
-/// Where a value was written: a place in a file (line and column count from 1, columns in characters), or a
-/// source without lines, such as `--set /film/fps`.
+/// Where a value was written: a position in a file (line and column count from 1, columns in characters), or
+/// a source without lines, such as `--set /film/fps`.
 struct Origin {
   std::shared_ptr<const std::string> source;
   int line = 0;
@@ -23,7 +23,7 @@ struct Origin {
 
 struct Member;
 
-/// A JSON value as it was written: members keep their order, and each value knows where it comes from.
+/// A JSON value as written: members keep their order, and each value has its origin.
 struct Value {
   enum class Type { null, boolean, number, text, list, object };
 
@@ -33,20 +33,20 @@ struct Value {
   bool inherited = false;       ///< merge() took it from the defaults
   double number = 0;            ///< always finite
   std::string text;             ///< UTF-8
-  std::vector<Value> items;     ///< of a list
-  std::vector<Member> members;  ///< of an object; no name twice
+  std::vector<Value> items;     ///< elements of a list
+  std::vector<Member> members;  ///< of an object; names are unique
   Origin origin;
 
   bool is(Type other) const { return type == other; }
 
-  /// The member of that name, or nullptr; also where this is no object.
+  /// The member of that name, or nullptr; also if this is no object.
   const Value* find(std::string_view name) const;
   Value* find(std::string_view name);
 
-  /// Gives the object a member, in the place of an earlier one of that name. Returns this.
+  /// Sets a member of the object, replacing an earlier one of that name. Returns this.
   Value& set(std::string_view name, Value value);
 
-  /// Takes the member of that name out, if there is one.
+  /// Removes the member of that name, if there is one.
   void remove(std::string_view name);
 };
 
@@ -63,7 +63,7 @@ Value make_text(std::string_view text);
 Value make_list(std::vector<Value> items = {});
 Value make_object(std::vector<Member> members = {});
 
-/// A list of texts: of anything that a string_view is made from.
+/// A list of texts from anything convertible to string_view.
 template <class Names>
 Value make_texts(const Names& names) {
   Value list = make_list();
@@ -71,18 +71,18 @@ Value make_texts(const Names& names) {
   return list;
 }
 
-/// A value as a message names it: `12.5`, `the text "abc"`, `a list of 3`, `an object`.
+/// A value as named in messages: `12.5`, `the text "abc"`, `a list of 3`, `an object`.
 std::string found_text(const Value& value);
 
 /// `pointer` with one more step, escaped as in RFC 6901 (`~` becomes `~0`, `/` becomes `~1`).
 std::string pointer_step(std::string_view pointer, std::string_view name);
 
-/// Where the value at the pointer was written; where there is none, the innermost that would hold it. For
-/// faults that are found only after reading.
+/// Origin of the value at the pointer; if there is none, of the innermost existing parent. For errors found
+/// after reading.
 Origin origin_at(const Value& root, std::string_view pointer);
 
-/// The part of a message that follows what was found: `; expected one of a, b, c; did you mean "b"?`. Of a
-/// long list the names that are nearest come first, and the farthest are only counted.
+/// The second part of a message: `; expected one of a, b, c; did you mean "b"?`. In a long list the nearest
+/// names come first, and the rest is only counted.
 std::string expected_names(std::string_view found, std::span<const std::string_view> names);
 
 }  // namespace frond

@@ -15,61 +15,61 @@
 
 namespace frond {
 
-/// Strands of a creeper that hang in the wind: what its skeleton is, and where it holds on.
+/// Strands of a creeper that hang in the wind: its skeleton with the points where it holds on.
 struct Hanging {
   Strands strands;
   Breeze breeze;
 };
 
-/// How a specimen becomes another shape over the film, beyond being revealed and swaying.
+/// How the shape of a specimen changes over the film, besides growth and swaying.
 struct Life {
-  /// The model at a time in seconds, where it stands, fully revealed: a pure function. Empty: it stays the
-  /// model that it has.
+  /// The model at a time in seconds, at its place, fully revealed: a pure function. Empty: the model does not
+  /// change.
   std::function<Result<Model>(double)> develop;
-  std::optional<Seasons> season;  ///< where given, its organs are in full leaf
+  std::optional<Seasons> season;  ///< if given, its organs are in full summer leaf
   Seed season_seed;
   std::shared_ptr<const Heights> ground;  ///< on which its leaves fall
   std::optional<Hanging> hanging;
-  std::size_t held = 0;  ///< bytes of memory that `develop` holds, where that is much
+  std::size_t held = 0;  ///< bytes of memory of `develop`, if significant
 
-  /// Whether it is another shape in each frame; see developed().
+  /// Whether its shape differs in each frame; see developed().
   bool changes() const { return develop || season; }
 };
 
-/// What one individual is, but for its shape.
+/// The properties of an individual, except its shape.
 struct Traits {
   static constexpr std::size_t kNoEntry = SIZE_MAX;
 
   std::string name;
-  std::size_t entry = kNoEntry;  ///< which of the preset's organisms it is one of; none: of the setting
+  std::size_t entry = kNoEntry;  ///< index of its entry in the preset's organisms; none: part of the setting
   Look look{};
-  double brightness = 1;  ///< factor, its own
+  double brightness = 1;  ///< its individual factor
   Motion motion{};
   Style style{};  ///< its voxel is never 0
   Life life{};
 };
 
-/// One grown organism, or built body, where it stands. Moved whole, never field by field.
+/// One grown organism or built body at its place. Always moved as a whole, never field by field.
 struct Specimen : Traits {
-  Model model;  ///< at its place in the world, fully grown, unmoved
+  Model model;  ///< at its place in the world, fully grown, at rest
 
-  /// Where it is not what it promises: one line for the first fault, empty when all is well.
+  /// Checks all invariants: one line for the first violation, empty if there is none.
   std::string check() const;
 };
 
-/// What it holds in memory, bytes, about; what it shares with others counts as its own.
+/// Approximate memory, bytes; shared parts count fully.
 std::size_t bytes_of(const Specimen& specimen);
 
-/// Turns, sizes and moves a model from the origin to its place.
+/// Rotates, scales and moves a model from the origin to its place.
 void transform(Model& model, Vec3 foot, Quat turn, float size);
 
-/// The outside of the bodies that it is, without `uv`; empty where it is none.
+/// The outer surface of its bodies, without `uv`; empty if it has none.
 Surface skin_of(const Model& model);
 
-/// The specimen as it is at a time, life and season taken in.
+/// The specimen at a time, with life and season applied.
 Result<Specimen> developed(const Specimen& specimen, double time);
 
-/// Its branches as they are at a time.
+/// Its branches at a time.
 void pose_specimen(const Specimen& specimen, double time, Pose& pose);
 
 }  // namespace frond

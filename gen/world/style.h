@@ -2,9 +2,9 @@
 
 namespace frond {
 
-/// What branches are drawn as.
+/// How branches are drawn.
 enum class Build {
-  sweeps,  ///< each branch by itself, round
+  sweeps,  ///< each branch separately, round
   fused,   ///< one body, rounded where branches meet
   voxels   ///< cubes
 };
@@ -12,7 +12,7 @@ enum class Build {
 /// How the branches of an organism become a body.
 struct Style {
   Build build = Build::sweeps;
-  double voxel = 0;          ///< metres; 0: by the size of the organism
+  double voxel = 0;          ///< metres; 0: chosen by the size of the organism
   double blend = 1;          ///< fillets at forks, as a share of the thinner branch's radius; 0: creases
   double adaptivity = 0.05;  ///< of a fused mesh: 0 triangles of a voxel's size .. 1 few
   double limit = 4e9;        ///< bytes of memory that the volume may take

@@ -14,8 +14,8 @@
 
 namespace frond {
 
-/// What organisms grow in: the ground, all that stands already, the film's times. Kinds grow in stages, so
-/// what stands is what earlier stages have made. Metres; may be asked from many threads.
+/// The environment of organisms: the ground, everything that exists already, the times of the film. Kinds
+/// grow in stages and see the results of earlier stages. Metres; thread-safe.
 class World {
  public:
   World(Seed seed, Heights ground, double film_length, bool filmed, TakenSpots taken = {})
@@ -29,35 +29,35 @@ class World {
   double film_length() const { return film_length_; }  ///< seconds
   bool filmed() const { return filmed_; }              ///< whether there is more than one frame
 
-  /// How high the ground lies at x, z.
+  /// Height of the ground at x, z.
   double height(Vec2 at) const { return (*ground_)(at.x, at.y); }
   const std::shared_ptr<const Heights>& ground() const { return ground_; }
 
-  /// All that stands, in the order of the preset within each stage.
+  /// All existing specimens, in the order of the preset within each stage.
   std::span<const Specimen> standing() const { return standing_; }
-  /// One more stage has grown; what was asked before may have another answer now. Not while others ask.
+  /// Adds the results of one more stage, which may change later answers. Not thread-safe.
   void add(std::vector<Specimen> grown);
   std::vector<Specimen> take_all() && { return std::move(standing_); }
 
-  /// What lies on the ground and is no specimen: loose stones, rocks under corals.
+  /// Objects on the ground that are no specimens: loose stones, rocks under corals.
   void lay(Surface stones) { stones_ = std::move(stones); }
   const Surface& stones() const { return stones_; }
 
-  /// The outsides of the bodies, each by itself; without what belongs to the setting.
+  /// The outer surfaces of the bodies, each separately; without those of the setting.
   std::vector<Surface> bodies() const;
 
-  /// The bodies of those names, of all where there are none, as one host: it answers for closest points and
-  /// rays. Made once for each list of names. An error, which says `asker`, where no body is left.
+  /// The bodies of those names (empty: all) as one host for closest points and rays. Built once per list of
+  /// names. An error that names `asker` if there is no body.
   Result<std::shared_ptr<const Host>> host(const std::vector<std::string>& names,
                                            std::string_view asker) const;
 
-  /// The share of the sky that bodies leave open above a place, 0..1, each direction weighted by its height.
+  /// The share of the sky that bodies leave open above a point, 0..1, each direction weighted by its height.
   double open_sky(const DVec3& at) const;
 
-  /// Whether something has taken the room within `radius` of a place already.
+  /// Whether a spot within `radius` of a point is already taken.
   bool taken(Vec2 at, float radius) const { return !taken_.free(at, radius); }
 
-  /// The space that colonies fight for; empty until they are settled.
+  /// The territories of colonies; empty until they are settled.
   const Territories& territories() const { return territories_; }
   void settle(Territories territories) { territories_ = std::move(territories); }
 
@@ -74,14 +74,14 @@ class World {
   mutable std::map<std::vector<std::string>, std::shared_ptr<const Host>> hosts_;
 };
 
-/// Food at a time, and the share of it that is not eaten yet, > 0.
+/// Food at a time, with the share that is not eaten yet, > 0.
 struct FoodLeft {
   Vec3 at{0};
   float left = 1;
   bool operator==(const FoodLeft&) const = default;
 };
 
-/// Where food is at a time in seconds, for all that is drawn to some; each place once.
+/// Positions of food at a time in seconds, for all specimens that are drawn to food; each position once.
 std::vector<FoodLeft> food_places(std::span<const Specimen> specimens, double time);
 
 }  // namespace frond
