@@ -8,7 +8,7 @@
 
 namespace frond {
 
-/// Whether a line from one place to another goes through a triangle (Moeller and Trumbore 1997).
+/// Whether the segment between two points crosses a triangle (Moeller and Trumbore 1997).
 inline bool goes_through(Vec3 from, Vec3 to, const std::array<Vec3, 3>& triangle) {
   DVec3 start(from), corner(triangle[0]), segment = DVec3(to) - start, e1 = DVec3(triangle[1]) - corner,
                                           e2 = DVec3(triangle[2]) - corner, h = glm::cross(segment, e2);
@@ -19,7 +19,7 @@ inline bool goes_through(Vec3 from, Vec3 to, const std::array<Vec3, 3>& triangle
   return u >= 0 && v >= 0 && u + v <= 1 && share >= 0 && share <= 1;
 }
 
-/// The box round a triangle, low and high.
+/// The bounding box of a triangle, low and high.
 template <class Place>
 std::array<Vec3, 2> box_of(const std::array<std::uint32_t, 3>& t, const Place& place) {
   Vec3 a = place(t[0]), b = place(t[1]), c = place(t[2]);
@@ -31,8 +31,7 @@ inline bool boxes_meet(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& 
          b[0].z <= a[1].z;
 }
 
-/// Whether two triangles go through each other otherwise than at corners that they share. `place(v)` is where
-/// a vertex lies.
+/// Whether two triangles intersect anywhere but at shared corners. `place(v)` is the position of a vertex.
 template <class Place>
 bool triangles_cross(const std::array<std::uint32_t, 3>& one, const std::array<std::uint32_t, 3>& other,
                      const Place& place) {

@@ -7,24 +7,24 @@
 #include "accretion/margin.h"
 #include "accretion/rim_grid.h"
 
-// Inside of margin.h.
+// Private to margin.h.
 
 namespace frond {
 
-inline constexpr float kRimPace = 0.8f;  // edges that a row is wide
-inline constexpr int kRimRounds = 8;     // of relaxation
+inline constexpr float kRimPace = 0.8f;  // width of a row, in edges
+inline constexpr int kRimRounds = 8;     // rounds of relaxation
 inline constexpr float kRimBow =
-    0.55f;  // a sheet bends to a half circle at most: chord by arc, somewhat less
-inline constexpr float kRimStill = 0.25f;  // of the pace: what is slower has stopped for good
+    0.55f;  // a sheet bends to a half circle at most: chord by arc, slightly less
+inline constexpr float kRimStill = 0.25f;  // share of the full pace; a slower vertex has stopped for good
 inline constexpr std::uint32_t kRimNobody = ~0u;
 
 /// One rim while it grows.
 struct GrowingRim {
   std::vector<std::uint32_t> vertex{};
   std::vector<Vec3> heading{};
-  std::vector<float> pace{};  // 1 full speed, 0 dead
+  std::vector<float> pace{};  // 1 full speed, 0 stopped
   bool closed = false;
-  bool tube = false;  // closed, and nothing within
+  bool tube = false;  // closed, with nothing inside
   std::uint32_t sheet = 0;
   int first = 0, last = 0;  // rows
 
@@ -33,13 +33,13 @@ struct GrowingRim {
   std::size_t prior(std::size_t i) const { return i > 0 ? i - 1 : closed ? size() - 1 : i; }
 };
 
-/// What keeps one vertex of the rim away.
+/// A vertex that keeps a vertex of the rim away.
 struct RimRival {
   std::uint32_t who;
-  float distance;  // that it is to be away at least
+  float distance;  // metres, the least distance to keep from it
 };
 
-/// A row before it is laid. Its vertices are numbered on from those that there are.
+/// A row before it is added to the sheet. Its vertices are numbered after the existing ones.
 struct RimRow {
   struct Vertex {
     Vec3 at;
@@ -48,8 +48,8 @@ struct RimRow {
   };
   std::vector<Vertex> vertex{};
   std::vector<std::array<std::uint32_t, 3>> triangle{};
-  std::vector<std::size_t> gap{};  // of each triangle, the place of the rim that it stands on, up to the next
-  GrowingRim after{};              // the rim that it ends at
+  std::vector<std::size_t> gap{};  // of each triangle, the rim position that it stands on, up to the next
+  GrowingRim after{};              // the rim after this row
 };
 
 /// Sheets while they grow.
@@ -94,7 +94,7 @@ class GrowingSheets {
   Sheet sheet_;
   std::vector<float> u_;              // of each vertex, along the rim
   std::vector<std::uint32_t> owner_;  // the sheet of each vertex
-  std::vector<std::uint32_t> seat_;   // of each vertex, its number on the rim that grows now
+  std::vector<std::uint32_t> seat_;   // of each vertex, its index on the rim that grows now
   std::vector<GrowingRim> rims_;
   RimGrid grid_;  // of vertices
   RimGrid skin_;  // of triangles

@@ -7,20 +7,20 @@
 
 namespace frond {
 
-/// How much of what comes from outside is held up in a box: cells of one size and coarser ones over them, by
-/// which wide cones are followed in few steps (Crassin et al. 2011). Sums of whole numbers, so that the order
-/// in which it is filled makes no difference.
+/// How much of the light and food from outside is blocked in a box: cells of one size and coarser levels over
+/// them, through which wide cones are traced in few steps (Crassin et al. 2011). Sums are integers, so that
+/// the order of filling makes no difference.
 class Openness {
  public:
   Openness(Vec3 low, Vec3 high, float cell);
 
   void clear();
-  /// `area` of a skin at a place, square metres.
+  /// Adds `area` square metres of skin at a point.
   void add(Vec3 at, float area);
-  /// After all was added.
+  /// To be called once everything is added.
   void build();
 
-  /// What share of it comes to a place of the skin with that normal: of all that comes in the open to what
+  /// The share of it that reaches a point of the skin with that normal, relative to an open surface that
   /// faces up. `light` is the share that comes from above, see Accretion.
   float openness(Vec3 at, Vec3 normal, float light) const;
 
@@ -29,7 +29,7 @@ class Openness {
     std::array<int, 3> count;
     float cell;
     std::vector<float> held;     // 0 nothing .. 1 all
-    std::vector<char> anything;  // whether one of the eight cells from each on holds something
+    std::vector<char> anything;  // whether any of the eight cells from each one on is not empty
   };
   static void mark(Level& level);
   static float held_at(const Level& level, Vec3 at);

@@ -6,10 +6,11 @@
 
 namespace frond {
 
-/// Cuts each triangle into four, `times` over, and rounds what comes of it; its past likewise.
+/// Cuts each triangle into four, `times` times, and rounds the result; its past likewise.
 void refine(Accreted& skin, int times);
 
-/// Moves each vertex outward by `height` of it, metres, as much less before as the skin was smaller.
+/// Moves each vertex outward by `height` metres, and at earlier steps by less, in proportion to the skin's
+/// size.
 void raise(Accreted& skin, const std::vector<float>& height);
 
 }  // namespace frond

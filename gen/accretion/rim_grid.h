@@ -8,29 +8,29 @@
 
 namespace frond {
 
-/// Places in cells of one size, to find those that are near; hashed, so that there is no border.
+/// Points in hashed cells of one size, for finding neighbours; the space has no border.
 class RimGrid {
  public:
   explicit RimGrid(float cell) : cell_(cell), head_(kSlots, kEmpty) {}
 
   void add(Vec3 at, std::uint32_t who) { put(slot(cell_of(at.x), cell_of(at.y), cell_of(at.z)), who); }
-  /// What fills a box.
+  /// Adds an object by its bounding box.
   void add(Vec3 low, Vec3 high, std::uint32_t who) {
     each_slot(low, high, [&](std::size_t slot) { put(slot, who); });
   }
 
   std::size_t size() const { return entry_.size(); }
-  /// Takes away what was added since it had that size.
+  /// Removes everything added since it had that size.
   void shrink(std::size_t size) {
     for (; entry_.size() > size; entry_.pop_back()) head_[entry_.back().slot] = entry_.back().next;
   }
 
-  /// Calls `found(who)` for all that may be nearer than a cell's size, and others.
+  /// Calls `found(who)` for everything that may be nearer than a cell's size, and for some others.
   template <class Found>
   void each(Vec3 at, const Found& found) const {
     each(at - cell_, at + cell_, found);
   }
-  /// The same for what may reach into a box; some more than once.
+  /// The same for everything that may reach into a box; some are reported more than once.
   template <class Found>
   void each(Vec3 low, Vec3 high, const Found& found) const {
     each_slot(low, high, [&](std::size_t slot) {

@@ -8,30 +8,31 @@
 
 namespace frond {
 
-/// A closed triangle mesh that is stretched, and keeps its triangles of one size. Vertices are never
-/// renumbered and know the two that they came up between, so that where one was before it was there is known,
-/// too.
+/// A closed triangle mesh that can be stretched and keeps its triangles of about one size. Vertices are never
+/// renumbered and know the two vertices that they were inserted between, so that their earlier positions are
+/// known.
 class SkinMesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t kNone = ~0u;
 
   std::vector<Vec3> position;
-  std::vector<Vec3> normal;                           // of the living; see set_normals()
-  std::vector<std::array<std::uint32_t, 2>> parents;  // kNone for the first ones
+  std::vector<Vec3> normal;                           // of the living vertices; see set_normals()
+  std::vector<std::array<std::uint32_t, 2>> parents;  // kNone for the initial vertices
   std::vector<Triangle> triangle;
 
-  /// A ball of so many metres about a middle; triangles about `edge` long.
+  /// A ball with a radius in metres about a middle; edges about `edge` long.
   void start(Vec3 middle, float radius, float edge);
 
   void set_normals();
-  /// Makes edges shorter than 4/3 of `edge` and, where the `whole` is wanted, longer than 1/2 of it, and
-  /// turns those that cross a better one.
+  /// Splits edges longer than 4/3 of `edge`; with `whole` also collapses those shorter than 1/2 of it and
+  /// flips edges that improve the triangles.
   void remesh(float edge, bool whole);
-  /// Moves each vertex by a share of the way to the middle of its neighbours, along the skin and across it.
+  /// Moves each vertex toward the mean of its neighbours by a share of the offset: `along` the skin, `across`
+  /// it.
   void relax(float along, float across);
 
-  /// Vertices that are left, in the order of their numbers, and the number in that order of each.
+  /// The remaining vertices in order of their numbers, and the index of each in that order.
   std::vector<std::uint32_t> living(std::vector<std::uint32_t>& order) const;
 
  private:

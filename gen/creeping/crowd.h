@@ -9,8 +9,8 @@
 
 namespace frond {
 
-/// Who is near: the nodes of all strands in cells, so that looking round costs the same however many there
-/// are.
+/// The nodes of all strands in a grid of cells, so that a search for neighbours takes the same time however
+/// many nodes there are.
 class Crowd {
  public:
   struct Member {
@@ -19,41 +19,41 @@ class Crowd {
     float since = 0;  ///< metres along its strand
   };
 
-  /// Who does not count for the one that looks: the last metres of its own strand, and, while it is young,
-  /// the strand that it leaves.
+  /// The nodes that a search ignores: the last metres of the searching strand itself and, while it is young,
+  /// the strand that it branches off.
   struct Own {
     std::int32_t strand = -1, parent = -1;
     double since = 0;  ///< metres along the own strand
   };
 
   struct View {
-    double nearest;  ///< metres to the next neighbour; the spacing where none is within it
-    DVec3 away{0};   ///< from the neighbours, the nearer the more
+    double nearest;  ///< metres to the nearest neighbour; the spacing where none is within it
+    DVec3 away{0};   ///< direction away from the neighbours, weighted by nearness
   };
 
-  /// `spacing` is what strands keep apart, metres, > 0.
+  /// `spacing`: metres that strands keep apart, > 0.
   explicit Crowd(double spacing);
   void add(const Member& member);
 
-  /// Sets `near` to the places within `reach` (metres) of a place, without those on the other side of a wall.
+  /// Sets `near` to the nodes within `reach` metres of a point, without those on the other side of a wall.
   void gather(const DVec3& place, const DVec3& normal, const Own& own, double reach,
               std::vector<DVec3>& near) const;
 
-  /// What of such places is seen from one among them.
+  /// The neighbours as seen from a point, given what gather() found.
   View view(std::span<const DVec3> near, const DVec3& place) const;
 
-  /// The same, but only how near the next one is.
+  /// The same, but only the distance of the nearest one.
   double nearest(std::span<const DVec3> near, const DVec3& place) const;
 
   double spacing() const { return spacing_; }
 
  private:
-  /// 4 x 4 x 4 cells: who looks round finds those beside one another in one place.
+  /// 4 x 4 x 4 cells, stored together because a search reads cells beside each other.
   struct Block {
-    std::int32_t x = 0, y = 0, z = 0, cells = -1;  // where they begin
-    std::uint64_t taken = 0;                       // the cells in which somebody is, a bit each
+    std::int32_t x = 0, y = 0, z = 0, cells = -1;  // position of its first cell
+    std::uint64_t taken = 0;                       // the cells that are not empty, one bit each
   };
-  /// Places apart from the rest, so that most are refused by a few lines of memory and several at once.
+  /// Positions stored apart from the rest, so that most are rejected quickly, several at once.
   struct alignas(64) Chunk {
     static constexpr std::int32_t kMost = 7;
     struct Rest {
@@ -61,7 +61,7 @@ class Crowd {
       float since;
       Vec3 normal;
     };
-    std::array<std::array<float, 8>, 3> place{};  // x, y and z, endlessly far where nobody is
+    std::array<std::array<float, 8>, 3> place{};  // x, y and z, infinitely far where unused
     std::int32_t count = 0, before = -1;
     std::array<Rest, kMost> rest{};
   };

@@ -4,7 +4,7 @@
 
 namespace frond {
 
-/// Nodes in the order in which they were laid down.
+/// Nodes in the order in which they were laid.
 struct Nodes {
   std::vector<Laid> laid;
   std::vector<std::int32_t> below;  ///< the node before it, or -1
@@ -18,8 +18,8 @@ struct Nodes {
   }
 };
 
-/// Orders the nodes strand by strand, gives them their radii (I5 and the pipe model of Shinozaki et al. 1964)
-/// and lifts them off the surface by these. Strands without a segment are left out.
+/// Orders the nodes strand by strand, sets their radii (I5 and the pipe model of Shinozaki et al. 1964) and
+/// lifts them off the surface by these. Strands without a segment are dropped.
 Strands gather(const Host& host, const GroundHeight& ground, const Nodes& nodes,
                const std::vector<Strand>& strands, const std::vector<int>& depths, const Crawl& crawl);
 

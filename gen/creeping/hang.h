@@ -4,36 +4,36 @@
 
 namespace frond {
 
-/// A strand that has lost its hold: links of one length, held at their upper end only.
+/// A hanging strand: links of equal length, held only at the upper end.
 struct Chain {
-  DVec3 root{0};                         ///< the last place that holds
-  DVec3 heading{0, 1, 0};                ///< of length 1: how the strand comes out of it
+  DVec3 root{0};                         ///< the last point that is held
+  DVec3 heading{0, 1, 0};                ///< of length 1: direction of the strand there
   double link = 0.02;                    ///< metres
-  double stiffness = 0.1;                ///< metres that it stands out before its own weight bends it down
-  double lift = 0.003;                   ///< metres that it keeps off the host
-  const GroundHeight* ground = nullptr;  ///< off which it keeps as well
+  double stiffness = 0.1;                ///< metres that it stands out before it bends under its own weight
+  double lift = 0.003;                   ///< metres that it keeps from the host
+  const GroundHeight* ground = nullptr;  ///< from which it keeps the same distance
   std::vector<DVec3> place;              ///< ends of the links
-  std::vector<DVec3> curl;   ///< by which each link turns from the one before where it bears no weight
-  std::vector<DVec3> load;   ///< what the host pushes each link's end with, in metres of strand
-  std::vector<DVec3> clear;  ///< where room was measured last, for each
-  std::vector<double> room;  ///< metres from there to the host and the ground, or less
+  std::vector<DVec3> curl;               ///< turn of each link against the one before when it bears no weight
+  std::vector<DVec3> load;               ///< push of the host on each link's end, in metres of strand
+  std::vector<DVec3> clear;              ///< where free space was last measured, for each
+  std::vector<double> room;              ///< metres from there to the host and the ground, or less
 
   double length() const { return link * static_cast<double>(place.size()); }
 };
 
-/// Appends a link in a direction (of length 1), or beside it where the host is in the way. False, and nothing
-/// is appended, where there is no room.
+/// Appends a link in a direction (of length 1), or beside it where the host is in the way. False, with
+/// nothing appended, where there is no room.
 bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec3& curl = DVec3(0));
 
-/// Lets weight and stiffness bend the chain, `sweeps` times over, and keeps it out of the host. Links keep
-/// their length. Returns the farthest that any joint moved in the last sweep, as a share of a link. `calm`, 0
-/// to 1, damps it: 0 is the fastest, toward 1 it comes to rest where it lies on edges.
+/// Lets weight and stiffness bend the chain in `sweeps` passes and keeps it out of the host. Links keep their
+/// length. Returns the farthest move of any joint in the last pass, as a share of a link. `calm`, 0 to 1,
+/// damps it: 0 is fastest; values near 1 let it come to rest where it lies on edges.
 ///
 /// The bending energy of a chain of equal links is a sum over neighbouring directions, its weight a sum over
-/// single ones; so the best direction of a link between its neighbours is known, and taking it never raises
-/// the energy: sweeps settle from any state, with any stiffness. What the host pushes out is remembered as a
-/// load, as the multipliers of Uzawa's method are, so that a length that lies on a ledge is drawn by what
-/// hangs over it.
+/// single directions. So the best direction of a link between its neighbours is known, and taking it never
+/// raises the energy: the passes converge from any state with any stiffness. Pushes of the host are kept as
+/// loads, like the multipliers of Uzawa's method, so that a part that lies on a ledge is pulled by the part
+/// that hangs over it.
 double settle(Chain& chain, const Host& host, int sweeps, double calm = 0);
 
 }  // namespace frond

@@ -6,17 +6,17 @@ namespace frond {
 
 /// Wind in which hanging strands swing.
 struct Breeze {
-  double amplitude = 0.15;     ///< radians that a free end turns aside
+  double amplitude = 0.15;     ///< radians that a free end is turned aside
   Vec3 direction{1, 0, 0.3f};  ///< of the wind; its vertical part is ignored
   double phase = 0;            ///< radians
-  double film_length = 0;      ///< seconds after which it all repeats; 0: it never does
+  double film_length = 0;      ///< seconds after which the motion repeats; 0: it never does
 };
 
-/// Where the strands are in the wind at a time, and by what each node is turned from its rest: a pure
-/// function of its arguments, so that any moment can be made alone. Segments keep their lengths; nodes that
-/// hold the surface stay where they are. A free end swings as a heavy chain does, by its two slowest modes
-/// (Bernoulli 1738), a length that took hold again turns about the line between its ends; neither farther
-/// than it has room before the host. `position` and `turn` are overwritten.
+/// The strands in the wind at a time, and the rotation of each node from its rest: a pure function, so that
+/// any moment can be computed alone. Segments keep their lengths; nodes that hold the surface stay in place.
+/// A free end swings as a heavy chain by its two slowest modes (Bernoulli 1738); a part held at both ends
+/// turns about the line between them; neither moves farther than its free space before the host. `position`
+/// and `turn` are overwritten.
 void swing_strands(const Strands& strands, const Breeze& breeze, double time, std::vector<Vec3>& position,
                    std::vector<Quat>& turn);
 

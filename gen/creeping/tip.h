@@ -7,10 +7,10 @@
 
 namespace frond {
 
-/// A node as it is laid down.
+/// A node when it is laid.
 struct Laid {
   Tread tread;
-  double time = 0;   ///< steps since all began
+  double time = 0;   ///< steps since the start of all growth
   double along = 0;  ///< metres along the strand
   bool hanging = false;
   bool bud = false;  ///< a branch starts here
@@ -23,35 +23,34 @@ struct Tip {
   Seed seed;
   Tread tread;
   double along = 0;     ///< metres grown
-  double next_bud = 0;  ///< metres along at which the next branch is due
+  double next_bud = 0;  ///< metres along the strand where the next branch is due
   double calm = 0;      ///< metres since the last edge
-  bool under = false;   ///< an overhang
-  int buds = 0;         ///< that were due so far
-  int branches = 0;     ///< that were tried so far
-  int blocked = 0;      ///< steps without room, on end
+  bool under = false;   ///< on an overhang
+  int buds = 0;         ///< number of branches due so far
+  int branches = 0;     ///< number of branches tried so far
+  int blocked = 0;      ///< consecutive steps without room
   bool alive = true;
   bool hangs = false;
   End end = End::age;
   Chain chain;
-  std::vector<std::int32_t> own;   ///< nodes that hold, where strands heed each other
+  std::vector<std::int32_t> own;   ///< nodes that hold, where strands keep apart
   std::vector<std::int32_t> hung;  ///< nodes of the chain
   std::vector<Laid> laid;          ///< in the last step
-  std::vector<DVec3> near;         ///< whom it saw in the last step
-  bool gripped = false;            ///< in the last step, after hanging
+  std::vector<DVec3> near;         ///< neighbours found in the last step
+  bool gripped = false;            ///< took hold again in the last step, after hanging
 };
 
-/// How far off the surface strands creep: the radius of the youngest, the thinnest that there is.
+/// How far off the surface strands creep: the smallest radius, that of the youngest node.
 inline double lift_of(const Crawl& crawl) { return 0.1 * crawl.radius; }
 
 /// A tip that begins at a tread.
 Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed);
 
-/// One step of a tip, the `step`th (from 0) of all. The ground must outlive the tip.
+/// Step number `step` (from 0) of a tip. The ground must outlive the tip.
 void advance(Tip& tip, const Host& host, const GroundHeight& ground, const Crowd* crowd, const Crawl& crawl,
              int step);
 
-/// A heading near the one that is asked for in which there is room; nothing where there is none. `near` is
-/// overwritten.
+/// A heading with room, near the wanted one; nothing where there is none. `near` is overwritten.
 std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,
                                        const Crowd::Own& own, double step, std::vector<DVec3>& near);
 

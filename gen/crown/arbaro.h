@@ -9,19 +9,19 @@
 
 namespace frond {
 
-/// A species as the tree generator Arbaro stores it.
+/// A species as the file format of the tree generator Arbaro stores it.
 struct ArbaroSpecies {
   std::string name;
   WeberPenn tree;
-  std::string leaf_shape = "disc";  ///< its name for it
+  std::string leaf_shape = "disc";  ///< Arbaro's name of the shape
 };
 
-/// Reads `<arbaro><species><param name='Shape' value='7'/>...`. Parameters that are missing keep Arbaro's
-/// defaults. Unknown ones, and values that are none, are errors, each with its line and the nearest name.
-/// What says how Arbaro meshes a tree (Smooth) is read and has no effect.
+/// Reads `<arbaro><species><param name='Shape' value='7'/>...`. Missing parameters keep Arbaro's defaults.
+/// Unknown names and invalid values are errors with their line and the nearest name. Parameters of Arbaro's
+/// meshes (Smooth) are read and ignored.
 Result<ArbaroSpecies> read_arbaro(std::string_view xml, const std::string& file_name);
 
-/// Every name of a parameter that it knows.
+/// All known parameter names.
 std::vector<std::string> arbaro_names();
 
 }  // namespace frond

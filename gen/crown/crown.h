@@ -7,13 +7,13 @@
 
 namespace frond {
 
-/// Where a leaf or a sprig stands on a tree: its foot, and how it is turned from growing along +y with its
-/// upper side toward +z.
+/// Position of a leaf or sprig on a tree: its foot, and its rotation from growing along +y with the upper
+/// side toward +z.
 struct LeafSite {
   Vec3 position{0};
   Quat turn{1, 0, 0, 0};
   float size = 1;         ///< share of a full-grown leaf
-  std::int32_t node = 0;  ///< of the skeleton that it rides on
+  std::int32_t node = 0;  ///< skeleton node that it is attached to
 };
 
 /// Branches with their leaves; metres, the foot at the origin.

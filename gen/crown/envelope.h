@@ -9,31 +9,31 @@
 
 namespace frond {
 
-/// A ball pressed to half-axes, metres.
+/// An ellipsoid, by its half-axes, metres.
 struct EllipsoidCrown {
   Vec3 middle{0, 4, 0}, half{2};
 };
-/// A cone or a frustum that stands upright.
+/// An upright cone or frustum.
 struct ConeCrown {
   Vec3 foot{0, 1, 0};
-  double height = 4, low = 2, high = 0;  ///< metres; radius at the foot and at the top
+  double height = 4, low = 2, high = 0;  ///< metres; radii at the foot and at the top
 };
-/// The inside of a closed mesh, by how often a ray upward crosses it.
+/// The inside of a closed mesh, by the number of crossings of an upward ray.
 struct MeshCrown {
   Surface surface;
 };
-/// A silhouette, put up with its lowest point at `foot`, `height` metres high; turned about the vertical
-/// through its middle (its right half counts), or with a thickness from front to back.
+/// A silhouette with its lowest point at `foot`, `height` metres high; either turned about the vertical
+/// through its middle (using its right half) or given a thickness from front to back.
 struct SilhouetteCrown {
   Silhouette outline;
   Vec3 foot{0, 1, 0};
   double height = 4;
-  double depth = 0;  ///< metres; 0: turned
+  double depth = 0;  ///< metres; 0: turned about the vertical
 };
 
 using EnvelopeShape = std::variant<EllipsoidCrown, ConeCrown, MeshCrown, SilhouetteCrown>;
 
-/// A room that branches fill, ready to be asked.
+/// A volume that branches fill, prepared for queries.
 class Envelope {
  public:
   explicit Envelope(EnvelopeShape shape);
@@ -42,7 +42,7 @@ class Envelope {
   Vec3 low() const { return low_; }
   Vec3 high() const { return high_; }
 
-  /// Up to `count` places inside, evenly at random; fewer where the room is a tiny part of its box.
+  /// Up to `count` uniformly random points inside; fewer where the volume is a tiny part of its box.
   std::vector<Vec3> sample(int count, Seed seed) const;
 
  private:

@@ -4,7 +4,7 @@
 #include "geometry/girth.h"
 #include "preset/reader.h"
 
-// The properties of what organisms wear and how they move, as presets spell them; see preset/describe.h.
+// The properties of the appearance and motion of organisms as presets spell them; see preset/describe.h.
 
 namespace frond {
 

@@ -16,9 +16,9 @@
 
 namespace frond {
 
-/// What the filled outlines of the turtle are made of.
+/// Material of the filled outlines of the turtle.
 struct BladeLook {
-  std::vector<Color> colors{{0.27f, 0.48f, 0.15f}};  ///< the turtle's colour index picks one, round and round
+  std::vector<Color> colors{{0.27f, 0.48f, 0.15f}};  ///< selected cyclically by the turtle's colour index
   Color second{0.62f, 0.72f, 0.36f};                 ///< veins
   Tissue tissue = Tissue::leaf;                      ///< leaf or petal
 };
@@ -69,24 +69,24 @@ Color mixed(const Color& from, const Color& to, double share);
 /// The mean of some colours, linear.
 Vec3 mean(const std::vector<Color>& colors);
 
-/// What the surface of an organism looks like. Bodies bring their materials.
+/// Appearance of an organism's surface. Bodies have their own materials.
 struct Look {
   BranchLook branches;
   BladeLook blades;
-  std::optional<LeafLook> leaves;  ///< as pictures, where it bears such, with those of all seasons
+  std::optional<LeafLook> leaves;  ///< as pictures, where it has any, including all seasons
   std::vector<LeafLook> organs;    ///< a plant's organs that are pictures
   std::vector<Drawing> pictures;   ///< of a fish, of a shell
 };
 
-/// All that the parameters of an organism say of its look and its motion.
+/// Everything that an organism's parameters say about its appearance and motion.
 struct Dress {
   Look look;
   Motion motion;
   std::optional<Seasons> season;  ///< of its leaves
-  double variation = 0;           ///< how much single ones differ in brightness, as a share
+  double variation = 0;           ///< variation of brightness between individuals, as a share
 };
 
-/// What a tree with leaves as pictures wears and how it moves.
+/// Appearance and motion of a tree whose leaves are pictures.
 struct TreeDress {
   Bark bark;                     ///< of branches drawn as sweeps
   std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
@@ -101,7 +101,7 @@ LeafLook leaves_of(const TreeDress& dress);
 
 Dress dress_of(const TreeDress& dress, bool leafy);
 
-/// The pictures that what wears it needs.
+/// The pictures that an organism of this look needs.
 std::vector<Drawing> drawings(const Look& look);
 
 }  // namespace frond

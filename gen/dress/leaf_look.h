@@ -10,18 +10,18 @@
 
 namespace frond {
 
-/// A PNG file that frames use; its name says what is in it.
+/// A PNG file that frames use; its name identifies its content.
 struct Picture {
   std::string name;
   std::string bytes;
 };
 
-/// Pictures that are drawn in one go. Where files of their names are, there is no need to.
+/// Pictures that are drawn together. Not drawn again where files of their names exist.
 struct Drawing {
   std::vector<std::string> names;
   std::function<Result<std::vector<Picture>>()> draw;  ///< in the same order
-  double pixels = 0;                                   ///< of all of them together, about
-  double seconds = 0;                                  ///< of a processor as ours, to draw them
+  double pixels = 0;                                   ///< total of all of them, about
+  double seconds = 0;                                  ///< processor time to draw them, on a machine as ours
 };
 
 enum class LeafShape { birch, beech, oak, maple, ivy, aspen, willow, linden, cherry, ginkgo, own };
@@ -31,7 +31,7 @@ struct LeafTint {
   Color color, veins, rim;
 };
 
-/// Leaves of a tree: a picture, and a mesh cut along the same outline.
+/// Leaves of a tree: a picture, and a mesh cut along its outline.
 struct LeafLook {
   LeafShape shape = LeafShape::birch;
   std::vector<double> outline;  ///< of the shape `own`: radii from the tip to the stalk, as in LeafOutline
@@ -51,7 +51,7 @@ struct LeafLook {
   int pixels = 256;             ///< height of the picture
   double size_variation = 0.2;
   double turn_variation = radians(14.0);  ///< random tilt, either way
-  std::vector<LeafTint> turned;           ///< other looks of the leaf, after those of `colors`
+  std::vector<LeafTint> turned;           ///< other colours of the leaf, after those of `colors`
 
   std::size_t looks() const { return colors.size() + turned.size(); }
 };
@@ -59,10 +59,10 @@ struct LeafLook {
 /// The leaf in one of its colours.
 LeafImage leaf_image(const LeafLook& look, std::size_t color);
 
-/// A leaf as an organ of a model, with the names of its pictures; one that curls does so by `phase`, radians.
+/// A leaf as an organ of a model, with the names of its pictures; `phase`, radians, varies the curl.
 Prototype leaf_prototype(const LeafLook& look, double phase = 0);
 
-/// The pictures that its prototype names, in the same order, each a drawing of its own.
+/// The pictures of its prototype in the same order, each drawn separately.
 std::vector<Drawing> leaf_drawings(const LeafLook& look);
 
 }  // namespace frond

@@ -7,7 +7,7 @@
 
 namespace frond {
 
-/// Pictures of bark and leaves of more pixels than one file is to have. Errors stand at the pointer within
+/// Errors for pictures of bark and leaves that have too many pixels for one file. Pointers are relative to
 /// the organism; `leaves_pointer` is that of the leaves' pixels.
 Errors check_pictures(const std::optional<BarkCoat>& coat, const std::optional<LeafLook>& leaves,
                       const char* leaves_pointer);

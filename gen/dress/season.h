@@ -11,9 +11,9 @@
 
 namespace frond {
 
-/// Flowers that come where leaves stand.
+/// Flowers that grow in place of leaves.
 struct Blossom {
-  double share = 0.5;   ///< of the leaves' places that bear them
+  double share = 0.5;   ///< share of the leaf positions that bear flowers
   int cluster = 3;      ///< flowers at one place
   double size = 0.035;  ///< metres across
   int petals = 5;
@@ -23,43 +23,43 @@ struct Blossom {
   double lasts = 0.05;  ///< years until the petals fall
 };
 
-/// The year of a tree or an herb. Times of the year: 0 new year, 0.25 the first of April, 0.5 midsummer; from
-/// one leaf to the next they differ. In the south all are half a year later.
+/// The year of a tree or herb. Times of the year: 0 new year, 0.25 the first of April, 0.5 midsummer; they
+/// vary between leaves. In the south everything is half a year later.
 struct Seasons {
-  Animated<double> at{0.5};  ///< years; the whole part says which year it is
+  Animated<double> at{0.5};  ///< years; the integer part is the year
   double opening = 0.29;     ///< when leaves unfold
   double turning = 0.77;     ///< when they begin to turn
   double fall = 0.85;        ///< when they fall
   double spread = 0.08;      ///< years from the first leaf to the last
-  double drift = 0.02;       ///< years that a leaf is in the air
-  double litter = 0.6;       ///< share of the fallen that lie on the ground until spring
+  double drift = 0.02;       ///< years that a leaf falls through the air
+  double litter = 0.6;       ///< share of fallen leaves that stay on the ground until spring
   bool evergreen = false;    ///< leaves stay as they are
   Color young{0.66f, 0.76f, 0.30f};
   std::vector<Color> autumn{{0.85f, 0.66f, 0.14f}, {0.80f, 0.42f, 0.10f}, {0.50f, 0.30f, 0.16f}};
   std::optional<Blossom> blossom;
 };
 
-/// Gives a leaf the colours of its other seasons behind its own; does nothing where it is no leaf.
+/// Appends the colours of other seasons to a leaf's own; does nothing for other organs.
 void add_seasons(Prototype& leaf, const Seasons& seasons);
 LeafLook with_seasons(LeafLook look, const Seasons& seasons);
 
-/// Adds the shape of the flowers, where there are any, as the last prototype.
+/// Appends the prototype of the flowers, if there are any.
 void add_blossom(std::vector<Prototype>& prototypes, const Seasons& seasons);
 
 /// A leaf at one moment of its life.
 struct LeafState {
-  float size = 0;    ///< share of its own
+  float size = 0;    ///< share of its full size
   float hue = 0;     ///< -1 young .. 0 summer .. n the n-th colour of autumn
   float fallen = 0;  ///< 0 on its twig .. 1 on the ground
 };
 LeafState leaf_state(const Seasons& seasons, double year, Seed leaf);
 
-/// How high the ground is at x, z; none: nothing lies on it.
+/// Height of the ground at x, z; empty: leaves do not lie on it.
 using GroundAt = std::function<double(double, double)>;
 
-/// Changes leaves in full leaf, with the prototypes that the functions above have made, to what they are at a
-/// time in seconds: opened, turned, on their way down, lying, gone; and adds the flowers. Smooth in time. Any
-/// moment is made alone.
+/// Changes leaves in full summer state, with the prototypes made by the functions above, to their state at a
+/// time in seconds: unfolded, coloured, falling, lying or gone; adds the flowers. Smooth in time; each moment
+/// is computed alone.
 void in_season(Organs& organs, const std::vector<Prototype>& prototypes, const Seasons& seasons, double time,
                Seed seed, const GroundAt& ground = {});
 

@@ -8,19 +8,19 @@ namespace frond {
 /// Pores in the skin of a coral.
 struct Pores {
   double cell = 0.018;  ///< metres from pore to pore
-  double warp = 0.25;   ///< 0 regular .. 1 how far the cells are warped
-  double depth = 0.8;   ///< how deep they look, 0 none
+  double warp = 0.25;   ///< 0 regular .. 1 strongly warped cells
+  double depth = 0.8;   ///< apparent depth, 0 none
 };
 
 /// Colours of a coral.
 struct Tint {
   Color base{0.85f, 0.45f, 0.35f};       ///< of the walls between the pores
   Color secondary{0.45f, 0.14f, 0.14f};  ///< in the pores
-  double hue = 0;                        ///< radians by which both are turned
+  double hue = 0;                        ///< radians, hue rotation of both
   double saturation = 1;                 ///< factor
   double value = 1;                      ///< factor
-  double variation = 0.15;               ///< how much the brightness of single corals differs
-  double young = 0.6;                    ///< how much paler the growing tips are, 0..1
+  double variation = 0.15;               ///< variation of brightness between corals
+  double young = 0.6;                    ///< how much paler growing tips are, 0..1
   double young_length = 0.08;            ///< metres from a tip over which the paleness fades
 };
 

@@ -6,15 +6,15 @@
 
 namespace frond {
 
-/// A feathered leaf, as a palm or a fern has: leaflets in two rows along a rachis one unit long.
+/// A feathered leaf, as of a palm or fern: two rows of leaflets along a rachis one unit long.
 struct FrondShape {
   int pairs = 40;                ///< of leaflets
   double width = 0.45;           ///< between the tips of the longest leaflets, as a share of the length
   double stalk = 0.14;           ///< share of the length below the first leaflets
-  double fold = radians(25.0);   ///< by which leaflets are raised from the flat: a V
+  double fold = radians(25.0);   ///< angle by which leaflets are raised from the flat: a V
   double bend = radians(70.0);   ///< of the rachis from foot to tip, downward, most toward the tip
   double droop = radians(45.0);  ///< of each leaflet from foot to tip
-  int lobes = 0;                 ///< on either side of a leaflet, as a fern has them; 0: leaflets are whole
+  int lobes = 0;                 ///< on each side of a leaflet, as on ferns; 0: leaflets are whole
 };
 
 /// A twig one unit long with leaves in two rows and one at its end.
@@ -25,12 +25,12 @@ struct TwigShape {
   double bend = radians(25.0);  ///< of the twig from foot to tip, downward
 };
 
-/// A leaf of many parts: what is green of it, and what carries that.
+/// A compound leaf: its green parts, and the stalks that carry them.
 struct TwigParts {
   Surface blades, stem;
 };
 
-/// The meshes of a frond; `seed` makes each a little irregular. Leaflets have `uv` as a leaf has.
+/// The meshes of a frond; `seed` adds small irregularities. Leaflets have `uv` as a leaf has.
 TwigParts frond_foliage(const FrondShape& shape, Seed seed);
 
 /// The meshes of a sprig.

@@ -10,27 +10,25 @@ namespace frond {
 struct BladeShape {
   double width = 0.45;          ///< as a share of the length
   double widest = 0.4;          ///< where along the blade, 0 foot .. 1 tip
-  double fold = radians(22.0);  ///< by which each half is raised from the flat
+  double fold = radians(22.0);  ///< angle by which each half is raised from the flat
   double bend = radians(40.0);  ///< from foot to tip, downward
   double stalk = 0.08;          ///< share of the length that is stalk
   double wave = 0;              ///< how much the rim is waved, 0..1
   int detail = 3;               ///< 1: 10 triangles, for masses of small leaves; 2: 52; 3: 126
-  double round = 0;             ///< 0 drawn out to a tip .. 1 round at its end
+  double round = 0;             ///< 0 pointed .. 1 round at its end
 };
 
 /// The blade as a mesh with `uv`: u from foot to tip, v from rim to rim with the midrib at 0.5.
 Surface blade_surface(const BladeShape& shape);
 
-/// `count` petals of that shape round the heading, in two whorls where there are more than eight; `open` is
-/// the angle between a petal's foot and the heading.
+/// `count` petals of that shape round the heading, in two whorls if more than eight; `open` is the angle
+/// between petal and heading.
 Surface corolla_surface(const BladeShape& petal, int count, double open);
 
-/// The heart of a flower: a dome set with florets by the golden angle (Vogel 1979), `radius` wide and as flat
-/// as asked.
+/// The heart of a flower: a dome with florets by the golden angle (Vogel 1979), of that radius and flatness.
 Surface heart_surface(double radius, double flatness, int florets);
 
-/// A body turned about the heading, one unit long: radius along it from a table of `profile` (0 foot .. 1
-/// tip).
+/// A body of revolution about the heading, one unit long: radii from the table `profile` (0 foot .. 1 tip).
 Surface turned_surface(std::span<const float> profile, int sides);
 
 /// A ball of diameter 1 about the origin.

@@ -12,14 +12,14 @@ enum class SprigKind {
   feather   ///< one leaf of many leaflets, as on acacias
 };
 
-/// A twig's leaves as one mesh of few triangles.
+/// The leaves of a twig as one mesh of few triangles.
 struct SprigShape {
   SprigKind kind = SprigKind::oval;
   int leaves = 7;               ///< or needles, or pairs of leaflets
   double leaf = 0.4;            ///< length of one, as a share of the sprig's
   double width = 0.6;           ///< of a leaf, as a share of its length
   double open = radians(55.0);  ///< between leaf and twig
-  double hang = 0;              ///< 0: leaves turn their upper sides up .. 1: they hang
+  double hang = 0;              ///< 0: upper sides turned up .. 1: leaves hang down
 };
 
 /// The sprig, one unit long from its foot along +y, upper side toward +z; `uv` as on a blade, leaf by leaf.

@@ -4,14 +4,14 @@
 
 namespace frond {
 
-/// The growth cycles that a tree of some years has gone through, at least one. A grove grows in cycles: one
-/// makes the shoots of a good year of a young tree. While a tree is young it goes through `pace` of them a
-/// year. Later it takes the more years for each the older it is: its cycles go by the logarithm of its age,
-/// the organic time of Backman (1943), for an old tree pays for its size with its growth (Ryan and Yoder 1997
-/// on height; White 1998 on rings). From its death on a year is a cycle, as wood rots by the calendar.
+/// The number of growth cycles of a tree of that age, at least one. A cycle makes the shoots of a good year
+/// of a young tree. A young tree has `pace` cycles per year. Later a cycle takes more and more years: the
+/// number of cycles follows the logarithm of the age, the organic time of Backman (1943), because larger
+/// trees grow more slowly (Ryan and Yoder 1997 on height; White 1998 on rings). After its death a cycle is
+/// one year, as wood rots in calendar time.
 int growth_cycles(const Species& species, double years);
 
-/// The same species counted in cycles: a year of its life is one.
+/// The same species with its times in cycles instead of years.
 Species in_cycles(const Species& species);
 
 }  // namespace frond

@@ -8,12 +8,12 @@
 
 namespace frond {
 
-/// How shade fades below what casts it.
+/// How shade decreases below its source.
 enum class Fading {
   diffuse,  ///< layer by layer: what a cell loses is shared by the nine cells below it, and 1 / b of it goes
             ///< on
-  geometric,  ///< by b^-q, q layers down (Palubicki et al. 2009); what shades is the area of leaves
-  even  ///< linearly to nothing at the foot of the pyramid; what shades is the volume of wood and leaves
+  geometric,  ///< by b^-q, q layers down (Palubicki et al. 2009); by the area of leaves
+  even        ///< linearly to 0 at the bottom of the pyramid; by the volume of wood and leaves
 };
 
 struct LightLaw {
@@ -24,35 +24,34 @@ struct LightLaw {
   double absorb = 0.5;  ///< light lost in a layer of leaves as wide as the cell (k of Beer and Lambert)
 };
 
-/// What casts shade: leaves, or anything that stands there.
+/// A source of shade: leaves, or any solid.
 struct Shade {
   Vec3 at;
-  float amount;  ///< of the light lost right below, see shade_amount
+  float amount;  ///< share of the light lost right below, see shade_amount
 };
 
-/// What an internode takes of the light: leaves of so many square metres and so many cubic metres of wood.
+/// The shade of an internode with that area of leaves, m2, and volume of wood, m3.
 float shade_amount(const LightLaw& law, double leaf_area, double wood_volume);
 
-/// What a pyramid has left of the shade of its cell, q layers below it.
+/// The share of a cell's shade that remains q layers below it.
 float fading_weight(const LightLaw& law, int q);
 
-/// Shadow propagation on a sparse grid: each cell that holds leaves darkens a square pyramid of cells below
-/// it (Palubicki et al. 2009, section 4.1.2). Diffuse shade reaches the ground, and under a wide roof of
-/// leaves it is that of Beer and Lambert; the pyramids are cut off at their depth. The field is a function of
-/// what casts shade now, made anew when that changes. Memory is for tiles of 16 x 16 cells that are shaded,
-/// however wide the land between trees.
+/// Shadow propagation on a sparse grid: each cell with leaves darkens a square pyramid of cells below it
+/// (Palubicki et al. 2009, section 4.1.2). Diffuse shade reaches the ground and agrees with Beer and Lambert
+/// under a wide canopy; pyramids end at their depth. The field depends only on the current sources and is
+/// rebuilt when they change. Memory is used only for shaded tiles of 16 x 16 cells, however wide the land.
 class LightField {
  public:
   explicit LightField(const LightLaw& law) : law_(law) {}
 
-  /// Makes the field. Nothing is kept below `floor`. `offset` shifts the grid by a part of a cell, so that
-  /// its axes leave no mark on what grows for many years. Same bytes at any number of threads.
+  /// Builds the field, down to the height `floor`. `offset` shifts the grid by a part of a cell, so that its
+  /// axes leave no pattern in growth over many years. The same bytes at any number of threads.
   void cast(const std::vector<Shade>& shades, float floor, Vec3 offset = Vec3(0));
 
-  /// Light lost at a place, 0 in the open; interpolated between the middles of cells.
+  /// Light lost at a point, 0 in the open; interpolated between the middles of cells.
   float shadow(Vec3 at) const;
 
-  /// How the shadow grows, for each metre along the axes; differences over two cells.
+  /// Gradient of the shadow per metre; differences over two cells.
   Vec3 gradient(Vec3 at) const;
 
   const LightLaw& law() const { return law_; }
@@ -79,11 +78,11 @@ class LightField {
 
   LightLaw law_;
   Vec3 offset_{0};
-  glm::ivec3 first_{0};  ///< the cell at which the directory begins
+  glm::ivec3 first_{0};  ///< the first cell of the directory
   int layers_ = 0, rows_ = 0, columns_ = 0;
-  std::vector<std::int32_t> directory_;  ///< tile of each 16 x 16 cells of a layer, or -1
+  std::vector<std::int32_t> directory_;  ///< index of the tile of each 16 x 16 cells of a layer, or -1
   std::vector<Tile> tiles_;
-  std::vector<float> shadow_;  ///< of the cells, tile by tile
+  std::vector<float> shadow_;  ///< shadow of the cells, tile by tile
 };
 
 }  // namespace frond

@@ -7,8 +7,8 @@
 
 namespace frond {
 
-/// The living state of one tree: an entry a metamer, which is an internode, the bud beside its upper end and,
-/// at the end of an axis, the bud that goes on. Structure of arrays; parents precede children. Entry 0 is the
+/// The state of one tree: one entry per metamer, which is an internode, the bud beside its upper end and, at
+/// the end of an axis, the terminal bud. Structure of arrays; parents precede children. Entry 0 is the
 /// collar: no length, at the foot.
 struct Metamers {
   static constexpr std::int32_t kRoot = -1;
@@ -23,17 +23,17 @@ struct Metamers {
   std::vector<Vec3> tip;   ///< its upper end, metres
   std::vector<Vec3> side;  ///< of length 1, toward its lateral bud
   std::vector<std::int32_t> parent;
-  std::vector<std::uint32_t> serial;  ///< counts the tree's metamers as they are born
+  std::vector<std::uint32_t> serial;  ///< serial number in order of birth in the tree
   std::vector<float> born;            ///< years, a share of the year included
   std::vector<float> died;            ///< years, or kNever
-  std::vector<float> pipe;            ///< its radius to the power n, in units of a twig's; never shrinks
+  std::vector<float> pipe;            ///< its radius to the power n, in units of a twig's; never decreases
   std::vector<float> light;           ///< 0..1 at its buds, this year
   std::vector<std::uint8_t> flags;
   std::vector<std::uint8_t> order;  ///< 0 on the stem
 
-  // What the passes of a year leave behind: first light from above, then resource from below.
+  // Results of the passes of a year: first light from above, then resource from below.
   std::vector<float> to_leader, to_side;
-  std::vector<float> count;  ///< internodes at and above it that live
+  std::vector<float> count;  ///< number of living internodes at and above it
 
   std::size_t size() const { return tip.size(); }
   void resize(std::size_t n);
@@ -41,7 +41,7 @@ struct Metamers {
   void set(std::size_t i, Flag flag) { flags[i] = static_cast<std::uint8_t>(flags[i] | flag); }
   void clear(std::size_t i, Flag flag) { flags[i] = static_cast<std::uint8_t>(flags[i] & ~flag); }
 
-  /// Of its internode; the collar points up.
+  /// Direction of its internode; the collar points up.
   Vec3 heading(std::size_t i) const {
     if (parent[i] == kRoot) return {0, 1, 0};
     Vec3 offset = tip[i] - tip[parent[i]];
@@ -52,7 +52,7 @@ struct Metamers {
     return parent[i] == kRoot ? 0.0f : glm::distance(tip[i], tip[parent[i]]);
   }
 
-  /// Keeps the entries of which `stay` is true; a parent that goes takes its children along.
+  /// Keeps the entries for which `stay` is true; children of a removed parent are removed too.
   void keep(const std::vector<std::uint8_t>& stay);
 };
 

@@ -7,7 +7,7 @@
 
 namespace frond {
 
-/// What the shoots of one year are grown by.
+/// The conditions of one year's shoots.
 struct Season {
   const Species& species;
   const LightField& field;
@@ -15,17 +15,17 @@ struct Season {
   int year = 0;
 };
 
-/// Measures the light at every living bud, exp(-shadow) of Beer and Lambert, without what its own leaves take
-/// (`own`). Palubicki et al. have 1 - shadow, which leaves nothing for what grows inside a crown.
+/// Measures the light at every living bud, exp(-shadow) by Beer and Lambert, without the shade of its own
+/// leaves (`own`). Palubicki et al. use 1 - shadow, which leaves no light inside a crown.
 void measure_light(Metamers& tree, const Season& season, float own);
 
 /// Whether a metamer bears leaves at the beginning of a year.
 bool bears_leaves(const Metamers& tree, const Species& species, std::size_t i, int year);
 
-/// Each bud that was given a resource v >= 1 makes floor(v) internodes; `to_leader` and `to_side` hold v.
-/// Their direction is the sum of the bud's own, of that of the most light, and of tropisms (Palubicki et al.
-/// 2009, section 4.4). New metamers are appended. `serial` counts them and is moved on. Returns the index of
-/// the first.
+/// Each bud with a resource v >= 1 makes floor(v) internodes; `to_leader` and `to_side` hold v. Their
+/// direction is the sum of the bud's own, that of the most light, and tropisms (Palubicki et al. 2009,
+/// section 4.4). New metamers are appended. `serial` is the next serial number and is advanced. Returns the
+/// index of the first new one.
 std::size_t grow_shoots(Metamers& tree, const Season& season, std::uint32_t& serial);
 
 }  // namespace frond

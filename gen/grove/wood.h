@@ -9,8 +9,8 @@
 
 namespace frond {
 
-/// Branches as the mechanics see them: parents precede children, an internode runs from its parent's end to
-/// its own. Metres.
+/// Branches as a mechanical structure: parents precede children, an internode runs from its parent's end to
+/// its own end. Metres.
 struct Limbs {
   std::span<const Vec3> tip;
   std::span<const std::int32_t> parent;
@@ -18,29 +18,29 @@ struct Limbs {
   std::span<const float> leaf_area;  ///< square metres on each internode
 };
 
-/// What loads the branches besides their own weight.
+/// The loads on branches besides their own weight.
 struct Weather {
   Vec3 wind{0};     ///< metres a second, ten metres above the ground; weaker below
-  double snow = 0;  ///< kg a square metre of the ground below leaves and wood
+  double snow = 0;  ///< kg per square metre of ground below leaves and wood
 };
 
 /// The bending stress at the lower end of each internode, Pa: sigma = M r / I = 4 M / (pi r^3), from the
-/// weight of wood, leaves and snow and the drag of the wind above it. The first internode has its own.
+/// weight of wood, leaves and snow and the wind drag above it; 0 for entries without a parent.
 std::vector<float> bending_stress(const Limbs& limbs, const Wood& wood, const Weather& weather);
 
-/// Makes the pipes of each internode again, in units of a twig's: r^n = sum of r_i^n at forks and the pipes
-/// of its own leaf along an axis (Shinozaki 1964, with Leonardo's n). Pipes that shed branches used stay:
-/// radii never shrink.
+/// Recomputes the pipes of each internode, in units of a twig's: r^n = sum of r_i^n at forks, plus the pipes
+/// of its own leaf along an axis (Shinozaki 1964, with Leonardo's n). Pipes of shed branches stay: radii
+/// never decrease.
 void thicken(Metamers& tree);
 
 /// The pipes of one internode's own leaf, in units of a twig's.
 inline constexpr float kLeafPipe = 0.15f;
 
-/// The radius that goes with so many pipes, metres.
+/// The radius for that number of pipes, metres.
 float pipe_radius(const Wood& wood, float pipe);
 
-/// Bends the shoots that grew this year, metamers `first` and after, under their weight: each internode by
-/// M l / (E I). Older wood has set.
+/// Bends this year's shoots, metamers `first` and after, under their weight: each internode by M l / (E I).
+/// Older wood does not bend any more.
 void sag(Metamers& tree, const Wood& wood, double leaf_area, std::size_t first);
 
 }  // namespace frond

@@ -7,25 +7,25 @@
 
 namespace frond {
 
-/// How well a place suits a kind of plant, crowns of higher layers being where they are.
+/// How well places suit a kind of plant, given the crowns of higher layers.
 class Likings {
  public:
-  /// What it is given must outlive it.
+  /// The arguments must outlive it.
   Likings(const SowRules& rules, const Land& land, std::span<const PlantGrid> above, Seed seed);
 
-  /// 0: not at all, to 1.
+  /// 0: not at all .. 1.
   double operator()(Vec2 at) const;
 
-  /// A place to try.
+  /// A candidate position.
   struct Dart {
     Vec2 at{0};
-    double likely = 0;  ///< how well the places about it suit at best
+    double likely = 0;  ///< upper bound of how well its surroundings suit
   };
-  /// At random, more where it is liked more: with those kept that are liked more than a random share of
-  /// `likely`, they lie as densely as places are liked.
+  /// A random candidate, more likely where places suit better. If a candidate is kept only when its own value
+  /// exceeds a random share of `likely`, the density of plants is proportional to how well places suit.
   Dart dart(Seed seed) const;
 
-  /// Whether there is any place to try.
+  /// Whether there are no candidates at all.
   bool none() const { return until_.empty() || until_.back() <= 0; }
 
  private:
@@ -38,12 +38,12 @@ class Likings {
   const Land& land_;
   std::span<const PlantGrid> above_;
   Seed seed_;
-  double relief_ = 0;      // metres, from the lowest to the highest of the land
-  double clump_edge_ = 0;  // the noise at the edge of a clump
-  Vec2 low_{0};            // of the rectangle that darts are thrown at
+  double relief_ = 0;      // metres, height range of the land
+  double clump_edge_ = 0;  // value of the noise at the edge of a clump
+  Vec2 low_{0};            // of the rectangle that candidates are drawn from
   Vec2 step_{0};
-  std::vector<double> until_;  // sums over its cells of how well they suit
-  std::vector<double> best_;   // of each cell
+  std::vector<double> until_;  // cumulative sums over its cells of how well they suit
+  std::vector<double> best_;   // highest value of each cell
 };
 
 }  // namespace frond

@@ -10,7 +10,8 @@
 
 namespace frond {
 
-/// Plants of one layer, found by place: a grid for each octave of crown radii, so that none looks far.
+/// Plants of one layer, indexed by position: a grid for each octave of crown radii, so that every search is
+/// short.
 class PlantGrid {
  public:
   struct Plant {
@@ -19,7 +20,7 @@ class PlantGrid {
     std::int32_t next = -1;      ///< in its cell
   };
 
-  /// About the origin; plants beyond `size` metres across may be added, too.
+  /// About the origin; plants beyond `size` metres may be added, too.
   explicit PlantGrid(double size) : size_(size) {}
 
   void add(Vec2 at, double radius, double stem) {
@@ -33,7 +34,7 @@ class PlantGrid {
 
   bool empty() const { return plants_.empty(); }
 
-  /// Whether a crown, or a stem, of that radius there would touch one of those here.
+  /// Whether a crown, or a stem, of that radius there would touch an existing one.
   bool crown_touches(Vec2 at, double radius) const {
     return any(
         at, [&](const Octave& octave) { return radius + octave.widest; },
@@ -45,7 +46,7 @@ class PlantGrid {
         [&](const Plant& p) { return glm::distance(at, p.at) < stem + p.stem; });
   }
 
-  /// Calls `visit(plant)` for at least all plants whose crown is not more than `times` its radius away.
+  /// Calls `visit(plant)` for at least all plants whose crown is not farther than `times` its radius.
   template <class Visit>
   void each_within(Vec2 at, double times, const Visit& visit) const {
     any(
@@ -56,8 +57,8 @@ class PlantGrid {
  private:
   struct Octave {
     double cell = 0;                       // metres
-    int rows = 0;                          // and columns
-    double widest = 0, stoutest = 0;       // radius and stem of its plants
+    int rows = 0;                          // also number of columns
+    double widest = 0, stoutest = 0;       // largest radius and stem of its plants
     std::vector<std::int32_t> first = {};  // plant of each cell, -1: none
   };
   static constexpr int kLowest = -8, kOctaves = 16, kMostRows = 1024;
@@ -73,7 +74,7 @@ class PlantGrid {
     return octave;
   }
 
-  /// Beyond the edge it is the outermost.
+  /// Clamped to the outermost cells.
   int row(const Octave& octave, double at) const {
     return static_cast<int>(std::clamp((at + size_ / 2) / octave.cell, 0.0, octave.rows - 1.0));
   }

@@ -16,7 +16,7 @@ struct PondShape {
   double level = -0.07;  ///< of the water, metres above the lawn
 };
 
-/// A way through the garden: a smooth curve through points, with uneven edges.
+/// A path through the garden: a smooth curve through points, with uneven edges.
 struct PathShape {
   std::vector<Vec2> points;  ///< x, z in metres; fewer than two: no path
   double width = 1.2;        ///< metres
@@ -28,15 +28,15 @@ class Plot {
   Plot() = default;
   Plot(const PondShape& pond, const PathShape& path, Seed seed);
 
-  /// Metres to the shore, about; below 0 in the pond.
+  /// Approximate distance to the shore, metres; negative in the pond.
   double pond_distance(Vec2 at) const;
-  /// Metres to the middle of the path.
+  /// Metres to the middle line of the path.
   double path_middle_distance(Vec2 at) const;
-  /// Metres to the edge of the path, which is uneven; below 0 on it.
+  /// Metres to the edge of the path, which is uneven; negative on it.
   double path_distance(Vec2 at) const;
 
-  /// What becomes of the ground of height `lawn` there: level round the pond and under the path, a basin in
-  /// the pond.
+  /// The height of ground that was at height `lawn`: level round the pond and under the path, a basin in the
+  /// pond.
   double height(Vec2 at, double lawn) const;
 
   const PondShape& pond() const { return pond_; }
@@ -47,15 +47,15 @@ class Plot {
  private:
   PondShape pond_;
   double half_width_ = 0;
-  std::vector<Vec2> path_;  // the path as short straight pieces
+  std::vector<Vec2> path_;  // the middle line as short segments
   Seed seed_;
 };
 
-/// Up to `count` leaves of water lilies, a flower by some, afloat on the pond in a few groups.
+/// Up to `count` leaves of water lilies, some with a flower, floating on the pond in a few groups.
 Solids water_lilies(const Plot& plot, int count, Seed seed);
 
-/// Gravel on a square of `side` metres about the origin: stones of about `size` metres, half in the ground.
-/// `uv`: v is a number of the stone's own.
+/// Gravel on a square of `side` metres about the origin: stones of about `size` metres, half buried. `uv`: v
+/// is a random number per stone.
 Surface gravel_surface(double side, double size, Seed seed);
 
 }  // namespace frond

@@ -15,68 +15,68 @@
 
 namespace frond {
 
-/// Which of the plants that stand above each other keep apart by their crowns.
+/// Layers of plants: only crowns of the same layer keep apart.
 enum class Layer { canopy, shrubs, herbs };
 
-/// Where plants of one kind come up. Edges of altitude, slope, shade and clumps are soft: toward them there
-/// are fewer, beyond them none.
+/// Where plants of one kind grow. Limits of altitude, slope, shade and clumps are soft: plants become fewer
+/// toward them, with none beyond.
 struct SowRules {
   Layer layer = Layer::canopy;
   double radius = 2;         ///< metres, of the crown at size 1: crowns of one layer keep apart by both radii
-  double stem = 0.3;         ///< metres that plants of other layers keep free round it, at size 1
+  double stem = 0.3;         ///< metres that plants of other layers keep from it, at size 1
   Vec2 altitude{-1e4, 1e4};  ///< metres above the lowest of the land, lowest and highest
   double slope = 0.7;        ///< radians, steepest
   double patch = 0;          ///< metres from clump to clump; 0: evenly
   double cover = 1;          ///< share of the land that its clumps cover
-  Vec2 shade{0, 1};          ///< least and most share of the sky that crowns of higher layers hide
-  double clear = 0.5;        ///< metres that its foot keeps from the edge of a path
+  Vec2 shade{0, 1};          ///< share of the sky hidden by crowns of higher layers, least and most
+  double clear = 0.5;        ///< metres from its foot to the edge of a path, at least
   Vec2 center{0};            ///< x, z in metres
   double reach = 0;          ///< metres round `center`; 0: all of the land
-  std::string map;           ///< a PNG whose brightness is the density, laid over the land; empty: none
-  Grid density;              ///< what the map holds; -x at its left, -z on top
+  std::string map;           ///< a PNG whose brightness is the density over the land; empty: none
+  Grid density;              ///< content of the map; -x at its left, -z at its top
 };
 
-/// How bright a picture is, 0 to 1; what is transparent is dark.
+/// Brightness of a picture, 0 to 1; transparent pixels are dark.
 Grid density_of(const Raster& picture);
 
-/// Takes the density that a PNG file holds, for properties that name one.
+/// Loads the density from a PNG file, for properties that name one.
 Errors load_density(const NamedFile& file, SowRules& rules);
 
-/// The ground as sowing asks of it. Functions that are empty: level, nothing to keep clear of.
+/// The ground for sowing. Empty functions: level, nothing to keep clear.
 struct Land {
-  double size = 100;                     ///< metres, side of the square about the origin that is sown
+  double size = 100;                     ///< metres, side of the sown square about the origin
   std::function<double(Vec2)> altitude;  ///< metres above the lowest
   std::function<double(Vec2)> slope;     ///< radians
-  std::function<double(Vec2)> path;      ///< metres to the edge of what is kept clear, below 0 on it
+  std::function<double(Vec2)> path;      ///< metres to the edge of the area to keep clear, negative inside
   std::vector<Spot> taken;               ///< stems keep out of these
 };
 
-/// So many plants of one kind.
+/// The plants of one kind to sow.
 struct SowOrder {
   SowRules rules;
-  int count = 0;              ///< those at given places included
-  double size_variation = 0;  ///< sizes are 1 by as much more or less
+  int count = 0;              ///< including those at given positions
+  double size_variation = 0;  ///< random change of the size 1, plus or minus
   int models = 1;             ///< at least 1
-  std::vector<Vec2> at;       ///< where the first ones stand, whatever the rules say
+  std::vector<Vec2> at;       ///< positions of the first ones, regardless of the rules
   Seed seed;
 };
 
-/// A plant that came up.
+/// A plant that was sown.
 struct Sprout {
   Vec2 at{0};
   float size = 1;
-  std::uint16_t model = 0;  ///< another than that of the nearest of its kind, where there are two models
+  std::uint16_t model = 0;  ///< differs from that of the nearest of its kind, if there are two models
   Seed seed;                ///< its own
 };
 
-/// How much of the sky a crown of `radius` hides from a place on the ground so far from its stem, 0 to 1: all
-/// from within, none from beyond 2.2 radii. Crowns together hide 1 - (1 - a)(1 - b)...
+/// Share of the sky hidden by a crown of `radius` from a ground point at that distance from its stem, 0 to 1:
+/// all within the radius, none beyond 2.2 radii. Several crowns hide 1 - (1 - a)(1 - b)...
 double hidden_sky(double distance, double radius);
 
-/// Sows all orders together and returns what came up of each; fewer than its count where the room runs out.
-/// Poisson disks by throwing darts, the canopy first, and in each layer the largest first (Lagae and Dutre
-/// 2005, with a grid for each octave of radii); kinds of about one size take turns at random, so that none
-/// takes the room of one that stands later in the list.
+/// Sows all orders together and returns the plants of each; fewer than the count if there is no room. Poisson
+/// disks by dart throwing, the canopy first, and in each layer the largest first (Lagae and Dutre 2005, with
+/// a grid per octave of radii); kinds of similar size alternate at random, so that none is favoured by the
+/// order of the list.
 std::vector<std::vector<Sprout>> sow(std::span<const SowOrder> orders, const Land& land);
 
 }  // namespace frond

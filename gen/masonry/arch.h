@@ -5,16 +5,16 @@
 
 namespace frond {
 
-/// The line of a humped bridge in the plane of x (along) and y (up), metres: two quadratic Bézier curves that
-/// mirror each other at mid-span, each with the control points (length / 2, 0), (crown * length, height) and
-/// (0, height). It is level at mid-span, so its slope has no jump there.
+/// The line of a humped bridge in the plane of x (along) and y (up), metres: two quadratic Bézier curves,
+/// mirrored at mid-span, each with the control points (length / 2, 0), (crown * length, height) and (0,
+/// height). It is level at mid-span, so its slope is continuous.
 struct Arch {
   double length = 10, height = 1.5;
-  double crown = 0.25;           ///< 0.1 nearly pointed .. 0.5 upright at its feet
-  std::vector<double> distance;  ///< from the foot to t = i / (size - 1) of one half, along the curve
+  double crown = 0.25;           ///< 0.1 nearly pointed .. 0.5 vertical at its feet
+  std::vector<double> distance;  ///< along the curve, from the foot to t = i / (size - 1) of one half
 };
 
-/// A place on the arch.
+/// A point on the arch with its local axes.
 struct ArchPoint {
   glm::dvec2 at{0};
   glm::dvec2 along{1, 0};  ///< of length 1, toward +x
@@ -24,17 +24,17 @@ struct ArchPoint {
 /// Measures the arch. `length` > 0, `height` >= 0.
 Arch make_arch(double length, double height, double crown);
 
-/// How long one half is.
+/// Length of one half along the curve.
 double half_length(const Arch& arch);
 
-/// The place `s` metres along the arch from mid-span, toward +x where positive. Beyond its feet it goes
-/// straight on.
+/// The point `s` metres along the arch from mid-span, toward +x if positive. Straight beyond its feet.
 ArchPoint arch_at(const Arch& arch, double s);
 
-/// How high it is at x, which is held to -length / 2 .. length / 2.
+/// Height at x, which is clamped to -length / 2 .. length / 2.
 double arch_height(const Arch& arch, double x);
 
-/// The least radius of curvature: what lies under the arch at less than this distance does not cross itself.
+/// The smallest radius of curvature: an offset curve below the arch at less than this distance does not cross
+/// itself.
 double least_radius(const Arch& arch);
 
 }  // namespace frond

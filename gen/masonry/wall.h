@@ -10,14 +10,14 @@ namespace frond {
 enum class WallHole {
   window,  ///< with frame and panes
   door,    ///< down to the ground, with a leaf of planks
-  gap      ///< nothing stands in it
+  gap      ///< empty
 };
 
-/// A hole in a wall. Metres; snapped to the courses.
+/// An opening in a wall. Metres; snapped to the courses.
 struct WallOpening {
   WallHole kind = WallHole::window;
   double at = 0;        ///< of its middle along the wall, from the wall's middle
-  double sill = 0.9;    ///< height of its lower edge; a door has none
+  double sill = 0.9;    ///< height of its lower edge; ignored for a door
   double width = 1.0;   ///< >= 0.2
   double height = 1.3;  ///< >= 0.2
 };
@@ -27,14 +27,14 @@ struct WallShape {
   double width = 4, height = 2.6, thickness = 0.24;
   Vec3 brick{0.24f, 0.065f, 0.115f};  ///< length, height, depth
   double joint = 0.010;               ///< of mortar between them
-  double recess = 0.005;              ///< of the mortar behind their faces
-  double wear = 0.5;                  ///< 0 as new .. 1: bricks stand askew and are chipped
-  double ruin = 0;                    ///< 0 whole .. 0.95: share of the height that has fallen down at most
-  bool coping = true;                 ///< a top course of bricks on edge, where nothing has fallen down
+  double recess = 0.005;              ///< depth of the mortar behind their faces
+  double wear = 0.5;                  ///< 0 new .. 1: bricks are tilted and chipped
+  double ruin = 0;                    ///< 0 whole .. 0.95: largest share of the height that has fallen down
+  bool coping = true;                 ///< a top course of bricks on edge, where the wall is whole
   std::vector<WallOpening> openings;
 };
 
-/// What a block of a wall is.
+/// The type of a block of a wall.
 enum class WallPart { brick, stone, wood, pane };
 
 /// One brick, sill, lintel, bar or pane: a box.
@@ -46,16 +46,16 @@ struct WallBlock {
 
 /// A wall along x: the middle of its foot at the origin, its front toward +z.
 struct Wall {
-  Surface hull;  ///< closed, in the plane of the bricks' faces, with sills and lintels: what ivy holds on to
-  Surface mortar;  ///< closed, `recess` within the hull
+  Surface hull;    ///< closed, in the plane of the bricks' faces, with sills and lintels: the host of ivy
+  Surface mortar;  ///< closed, `recess` inside the hull
   std::vector<WallBlock> blocks;
 };
 
-/// Openings that overlap or stand outside of the wall are cut to what is left of it.
+/// Overlapping openings, and those that reach outside the wall, are clipped.
 Wall build_wall(const WallShape& shape, Seed seed);
 
-/// A brick or dressed stone as a box of size 1 about the origin, edges rounded and chipped as they would be
-/// at `size` metres; `wear` 0 sharp .. 1 chipped.
+/// A brick or dressed stone as a box of size 1 about the origin, with edges rounded and chipped as if it had
+/// `size` metres; `wear` 0 sharp .. 1 chipped.
 Surface worn_block(Vec3 size, double wear, Seed seed);
 
 }  // namespace frond

@@ -6,34 +6,33 @@
 #include "organisms/grower.h"
 #include "world/territory.h"
 
-// Colonies: what grows for space
-// ==============================
-// Corals, sponges and their like grow one beside another, and on rocks. A kind of them is a ColonyGrower: it
-// says how far one of its kind would spread, and grows one where it stands, asking its Surroundings how much
-// room is left. All of them grow at once, since room depends on claims alone (world/territory.h).
+// Colonies: organisms that compete for space
+// ==========================================
+// Corals, sponges and the like grow beside each other and on rocks. A kind of colony is a ColonyGrower: it
+// tells how far it would spread, and grows one colony at its place, asking its Surroundings how much room is
+// left. All colonies grow at once, since room depends on claims only (world/territory.h).
 
 namespace frond {
 
-/// Where a colony grows, asked in the colony's own space: its foot at the origin, upright, not yet sized.
+/// The surroundings of a colony, in the colony's own space: its foot at the origin, upright, before scaling.
 class Surroundings {
  public:
   Surroundings() = default;  ///< nothing near
   Surroundings(const World& world, std::size_t claim, const Placement& placement);
 
-  /// Metres to the border of its territory and to the bodies that stand, the nearer of them, at least; less
-  /// than 0 beyond. `within`: farther bodies do not count.
+  /// A lower bound of the distance to the border of its territory and to existing bodies, metres; negative
+  /// beyond. Bodies farther than `within` are ignored.
   float room(Vec3 at, float within) const;
-  /// The same to the border of its territory alone.
+  /// The same for the border of its territory alone.
   float border(Vec3 at) const;
-  /// The nearest place on a body or, where there is none within reach, on the ground, and what is outward
-  /// there.
+  /// The nearest point and outward normal on a body or, if none is within reach, on the ground.
   struct Hold {
     Vec3 at{0}, normal{0, 1, 0};
   };
   Hold hold(Vec3 at, float within) const;
-  /// The share of the sky that bodies, and neighbours when they are grown, leave open, 0..1.
+  /// The share of the sky, 0..1, left open by bodies and by fully grown neighbours.
   float light(Vec3 at) const;
-  /// A place of the world, as it is measured here.
+  /// A point of the world in the colony's space.
   Vec3 inside(Vec3 at) const {
     return (glm::conjugate(placement_.turn) * (at - placement_.foot)) / placement_.size;
   }
@@ -47,7 +46,7 @@ class Surroundings {
   Placement placement_;
 };
 
-/// What fights for space with its like.
+/// A grower of organisms that compete for space.
 class ColonyGrower : public LoneGrower {
  public:
   /// Grows one, upright, its foot at the origin.
@@ -80,10 +79,10 @@ class BodyColony : public Described<Params, ColonyGrower> {
   }
 };
 
-/// What a skin that grows by layers has round it.
+/// The surroundings for a skin that grows by layers.
 AccretionWorld accretion_world(const Surroundings& around);
 
-/// A body of one living skin, with where its vertices were before, see Solid::past.
+/// A body of one living skin, with its past, see Solid::past.
 Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material);
 
 }  // namespace frond

@@ -5,8 +5,8 @@
 
 namespace frond {
 
-/// Turns branches from what stands near, neighbours' territories and bodies, and ends those that would come
-/// into it. Segments keep their lengths. Nothing changes where there is room.
+/// Bends branches away from neighbours' territories and existing bodies, and ends those that would enter
+/// them. Segments keep their lengths. Nothing changes where there is room.
 void keep_to_room(Skeleton& skeleton, const Surroundings& around);
 
 }  // namespace frond

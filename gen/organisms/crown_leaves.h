@@ -7,7 +7,7 @@
 
 namespace frond {
 
-/// Puts a leaf, or a sprig, of `size` metres across, along and above on each site.
+/// Places a leaf or sprig of `size` metres (across, along and above) at each site.
 void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeDress& dress, Vec3 size,
                 Seed seed);
 

@@ -58,7 +58,7 @@ void describe(Visitor& v, Limits& l) {
   v.integer("bytes", l.bytes, {.min = 1, .max = 1e15}, "Greatest memory for a word");
 }
 
-/// What lies at a guide point besides its place and its children.
+/// The values of a guide point besides its position and its children.
 template <class Visitor>
 void describe(Visitor& v, GuidePoint& p) {
   v.vector("at", p.at, "Where the point is");
@@ -74,8 +74,8 @@ void describe(Visitor& v, GuidePoint& p) {
 /// Reads the lines of a guide's file.
 Errors load_guide(const NamedFile& file, GuideText& guide);
 
-/// Reads a line of points: each is [x, y, z], or an object with what lies there and with `children`, the side
-/// lines that start there. Points are appended; each hangs from the one before it in its line.
+/// Reads a line of points: each is [x, y, z], or an object with further values and `children`, the side lines
+/// that start there. Points are appended; the parent of each is the one before it in its line.
 bool read_guide_line(Reader& reader, const Value& value, std::vector<GuidePoint>& points);
 
 inline constexpr std::string_view kGuideLineSchema = R"json({

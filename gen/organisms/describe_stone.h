@@ -4,7 +4,7 @@
 #include "preset/reader.h"
 #include "rocks/rock.h"
 
-// The properties of all that is stone, as presets spell them; see preset/describe.h.
+// The properties of everything made of stone, as presets spell them; see preset/describe.h.
 
 namespace frond {
 
@@ -56,7 +56,7 @@ void describe(Visitor& v, StoneLook& s) {
            "How much single stones differ in brightness, as a share");
 }
 
-/// All of a shape but its size.
+/// All properties of a shape except its size.
 template <class Visitor>
 void describe_shape(Visitor& v, RockShape& s) {
   v.list("ellipsoids", s.own, "The blobs that it is made of; without them random ones are taken");

@@ -6,14 +6,15 @@
 
 namespace frond {
 
-/// Errors of compile() with the property that each is about as a JSON pointer below the organism:
-/// "/grammar/rules/2", "/grammar/axiom", or "/grammar" where it does not say.
+/// Errors of compile() with a JSON pointer below the organism to the property concerned: "/grammar/rules/2",
+/// "/grammar/axiom", or "/grammar" if unknown.
 Errors pointed(const GrammarText& grammar, Errors errors);
 
-/// Why a derivation is sure not to come to its end. What is only extrapolated is tried when it grows.
+/// The reason why a derivation certainly cannot finish. Extrapolated predictions do not count; the derivation
+/// is then tried.
 Errors size_faults(const Grammar& grammar);
 
-/// What a grammar's word and skeleton will be, with `smoothing` nodes for each segment.
+/// Predicted size of a grammar's word and skeleton, with `smoothing` nodes per segment.
 Result<SizeEstimate> estimate_word(const Result<Grammar>& grammar, Seed seed, int smoothing);
 
 }  // namespace frond

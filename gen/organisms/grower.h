@@ -19,8 +19,8 @@
 // Kinds of organisms
 // ==================
 // A kind is a folder below gen/organisms and a row in organisms/kinds.h. In the folder its parameters are
-// described (preset/describe.h) and a Grower answers all that others ask of them; what it does not answer
-// does not compile. Nobody outside of the folder knows the parameters.
+// described (preset/describe.h) and a Grower implements everything that other modules need; a missing
+// function does not compile. No code outside the folder knows the parameters.
 //
 //     class Toy final : public Described<ToyParams, LoneGrower> {
 //      public:
@@ -33,128 +33,128 @@ namespace frond {
 
 struct Organism;
 
-/// Kinds grow in this order; those of one stage see what earlier ones have made, and not each other.
+/// Kinds grow in this order; those of one stage see the results of earlier stages, but not each other.
 enum class GrowthStage {
-  free,      ///< bodies, and what needs nothing but a place
-  in_space,  ///< what fights for space with its like, beside and on bodies
-  in_light,  ///< what fights for light with its like and is shaded by bodies
-  creeping,  ///< what finds its own place on bodies
-  swimming   ///< what moves about among all that stands
+  free,      ///< bodies, and organisms that need only a place
+  in_space,  ///< organisms that compete for space, beside and on bodies
+  in_light,  ///< organisms that compete for light and are shaded by bodies
+  creeping,  ///< organisms that find their own place on bodies
+  swimming   ///< animals that move among everything else
 };
 
-/// Whether what grows then has no place that is found for it: all of an entry grow as one.
+/// Whether organisms of a stage find their own places: all of an entry then grow as one.
 inline bool finds_own_place(GrowthStage stage) { return stage >= GrowthStage::creeping; }
 
 /// A place for one organism.
 struct Planting {
   Seed seed;
-  Vec3 foot{0};                  ///< on the ground or on its rock, raised as the preset says
-  Vec3 normal{0, 1, 0};          ///< of what it stands on, where that is a body
-  std::size_t claim = SIZE_MAX;  ///< its own in the territories of the world, where it has one
+  Vec3 foot{0};                  ///< on the ground or on its rock, including the preset's `raise`
+  Vec3 normal{0, 1, 0};          ///< of the surface below it, if that is a body
+  std::size_t claim = SIZE_MAX;  ///< index of its claim in the world's territories, if it has one
 };
 
-/// Where one is put, how it is turned and its size as a factor.
+/// Position, rotation and size factor of an organism.
 struct Placement {
   Vec3 foot{0};
   Quat turn{1, 0, 0, 0};
   float size = 1;
 };
 
-/// How far one would spread from its foot if it were alone, metres.
+/// How far an organism would spread from its foot without neighbours, metres.
 struct Spread {
   float across = 0.2f, up = 0.2f;
 };
 
-/// An entry of a preset, about to grow.
+/// An entry of a preset that is about to grow.
 struct Bed {
   const Organism* organism = nullptr;
   std::size_t entry = 0;
   Seed seed;
-  std::vector<Planting> plantings;  ///< none where it finds its own place
+  std::vector<Planting> plantings;  ///< empty if it finds its own place
 };
 
-/// How large one of them will be, within about a factor of two.
+/// Predicted size of one organism, within about a factor of two.
 struct SizeEstimate {
-  Forecast word;     ///< of its grammar
-  double nodes = 0;  ///< of its skeleton
-  std::optional<double>
-      chains;  ///< runs of nodes for each node, where that is known; short ones take more text
+  Forecast word;                 ///< of its grammar
+  double nodes = 0;              ///< of its skeleton
+  std::optional<double> chains;  ///< chains per node of the skeleton, if known; short chains need more text
   double organs = 0;
-  double parts = 0;             ///< placements of all parts of its organs
-  double corners = 0;           ///< of what the turtle outlined
-  double shapes = 0;            ///< triangles of its organs' shapes, once for an entry
+  double parts = 0;             ///< number of placements of all parts of its organs
+  double corners = 0;           ///< of the turtle's outlines
+  double shapes = 0;            ///< triangles of its organs' shapes, once per entry
   double triangles = 0;         ///< of a body
-  double area = 0;              ///< m2 of a living skin, which is written no finer than it is seen; 0: none
-  double blocks = 0;            ///< how many placements a body is made of
-  bool riding = false;          ///< whether its textures ride on it even while it does not move
-  double nodes_a_second = 5e5;  ///< that grow
-  double seconds = 0;           ///< of a processor, to grow one, beyond what its nodes, organs and word take
-  double held = 0;              ///< bytes that are held of one while it grows, and later a half of it
+  double area = 0;              ///< m2 of a living skin, which is written no finer than visible; 0: none
+  double blocks = 0;            ///< number of placements that a body consists of
+  bool riding = false;          ///< whether its textures are attached to it even without motion
+  double nodes_a_second = 5e5;  ///< nodes grown per second
+  double seconds = 0;           ///< processor time to grow one, besides that of its nodes, organs and word
+  double held = 0;              ///< bytes in use while one grows; half of it remains in use
 };
 
-/// Of what searches for its way: nodes that grow a second, as a SizeEstimate has them.
+/// Nodes per second of organisms that search for space, for SizeEstimate.
 inline constexpr double kTreeNodesASecond = 5e4;
 
-/// Called after each organism that has grown, from several threads.
+/// Called after each grown organism, from several threads.
 using Step = std::function<void()>;
 
-/// The parameters of an organism and all that others ask of them. Pure functions.
+/// The parameters of an organism and the functions of its kind. Pure functions.
 class Grower {
  public:
   virtual ~Grower() = default;
 
-  /// The parameters themselves, for those who know their type: the kind, and tests.
+  /// The parameters, for callers that know their type: the kind, and tests.
   virtual std::any parameters() const = 0;
 
   virtual GrowthStage stage() const = 0;
-  /// Whether a rock may be laid under it; not where it is stone itself.
+  /// Whether a rock may be placed under it; not for organisms of stone.
   virtual bool stands_on_rock() const = 0;
-  /// Faults that only show when all is read; each `where` is a JSON pointer below the organism.
+  /// Errors that show only after reading everything; each `where` is a JSON pointer below the organism.
   virtual Errors check() const = 0;
-  /// What is no fault, but most likely not meant.
+  /// Warnings: valid, but probably not intended.
   virtual Errors doubts() const = 0;
-  /// The same as check() for all of this kind that stand in a scene, whose land rises by `relief` metres; the
-  /// pointers are below the first of them, whose grower this is.
+  /// The same as check() for all of this kind in a scene whose land rises by `relief` metres; pointers are
+  /// below the first of them, which is this grower's.
   virtual Errors check_together(std::span<const Organism* const> all, double relief) const = 0;
-  /// Its size, without growing; a derivation past its limits is refused with the figure and the step.
+  /// Predicted size; a derivation beyond its limits is an error with the figure and the step.
   virtual Result<SizeEstimate> estimate_size(Seed seed) const = 0;
-  /// About how tall one may be, metres, rather too much; 0: unknown.
+  /// Upper estimate of the height of one, metres; 0: unknown.
   virtual double tallest() const = 0;
   virtual Dress dress() const = 0;
-  /// Whether it has branches, which an organism's `body` says how to draw.
+  /// Whether it has branches; an organism's `body` says how to draw them.
   virtual bool branches() const = 0;
-  /// Whether it is another shape in each frame of a film, made anew.
+  /// Whether its shape is rebuilt for each frame of a film.
   virtual bool develops(bool filmed) const = 0;
-  /// Its grammar, ready to derive, where it has one.
+  /// Its grammar, ready to derive, if it has one.
   virtual std::optional<Result<Grammar>> grammar() const = 0;
-  /// The names of the organisms that it grows on; nullptr where it stands by itself.
+  /// The names of the organisms that it grows on; nullptr if it does not grow on others.
   virtual const std::vector<std::string>* hosts() const = 0;
-  /// What one claims of the space that colonies fight for; none: it takes no part.
+  /// Its claim in the space that colonies compete for; none: it does not compete.
   virtual std::optional<Spread> spread() const = 0;
 
-  /// The same, rougher and grown in about `share`, 0..1, of the time, to look at while it is being changed;
-  /// none where that is not needed.
+  /// A coarser version that grows in about `share`, 0..1, of the time, for previews while it is edited; none
+  /// if not needed.
   virtual std::shared_ptr<const Grower> coarse(double /*share*/) const { return nullptr; }
 
-  /// Grows all plantings of all beds, in their order. All are of this kind, the first is its own.
+  /// Grows all plantings of all beds, in their order. All beds are of this kind, the first belongs to this
+  /// grower.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                              const Step& step) const = 0;
-  /// Grows one to be copied, upright, its foot at the origin: like no other of its entry in age or size.
+  /// Grows one model for copies, upright, its foot at the origin, with an age and size of its own.
   virtual Result<Model> grow_copy(const Organism& organism, Seed seed) const = 0;
-  /// How deep such a one stands in the ground, metres.
+  /// How deep such a copy stands in the ground, metres.
   virtual float copy_depth(const Model& model) const = 0;
 };
 
-/// What stands by itself, whatever grows beside it.
+/// An organism that does not depend on what grows beside it.
 class LoneGrower : public Grower {
  public:
   /// Grows one, upright, its foot at the origin.
   virtual Result<Model> grow_alone(Seed seed) const = 0;
-  /// The same where it stands: another shape only for those that heed what is round them.
+  /// The same at its place; the shape differs only if the kind takes its surroundings into account.
   virtual Result<Model> grow_standing(const World&, const Planting&, const Placement&, Seed seed) const {
     return grow_alone(seed);
   }
-  /// What gives the same at a time of a film, fully revealed, see Life; empty: it is merely revealed.
+  /// The shape at a time of a film, fully revealed, see Life; empty: growth is only revealed.
   virtual std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const = 0;
 
   GrowthStage stage() const override { return GrowthStage::free; }
@@ -169,7 +169,7 @@ class LoneGrower : public Grower {
   float copy_depth(const Model& model) const override;
 };
 
-/// A kind of the described parameters `Params`, which answers as `Base` does where it says nothing itself.
+/// A kind with the described parameters `Params`; functions that it does not define come from `Base`.
 template <class Params, class Base>
 class Described : public Base {
  public:
@@ -177,7 +177,7 @@ class Described : public Base {
   std::any parameters() const final { return params; }
 };
 
-/// A grower with some of its parameters changed, for Grower::coarse(); none where those would be at fault.
+/// A copy of a grower with changed parameters, for Grower::coarse(); none if these are invalid.
 template <class Mine, class Change>
 std::shared_ptr<const Grower> changed(const Mine& grower, Change change) {
   auto other = std::make_shared<Mine>(grower);
@@ -185,15 +185,14 @@ std::shared_ptr<const Grower> changed(const Mine& grower, Change change) {
   return other->check().empty() ? other : nullptr;
 }
 
-/// The same with edges of triangles so much longer that about `share` of the triangles are left, 1/16 at
-/// least.
+/// The same with triangle edges longer so that about `share` of the triangles are left, at least 1/16.
 template <class Mine>
 std::shared_ptr<const Grower> longer_edges(const Mine& grower, double share,
                                            double& (*edge)(decltype(grower.params)&)) {
   return changed(grower, [&](auto& params) { edge(params) /= std::sqrt(std::clamp(share, 1. / 16, 1.)); });
 }
 
-/// The same after fewer derivation steps, with no more than `share` of the nodes where that can be.
+/// The same with fewer derivation steps, and at most `share` of the nodes if possible.
 template <class Mine>
 std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share,
                                           int& (*steps)(decltype(grower.params)&)) {
@@ -208,8 +207,7 @@ std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share,
   return other->check().empty() ? other : nullptr;
 }
 
-/// What is built: how large it is only it knows; it has no branches, no motion, and no look but its
-/// materials.
+/// Built objects: they have no branches, no motion, and no look except their materials.
 class BodyBuilder : public LoneGrower {
  public:
   double tallest() const override { return 0; }
@@ -220,13 +218,13 @@ class BodyBuilder : public LoneGrower {
   std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 
-/// How far from the middle one of them may stand, metres.
+/// The largest distance of one of them from the middle, metres.
 double reach_of(const Organism& organism);
 
-/// Gives a specimen that stands in its place what it wears, with what differs from one to the next.
+/// Sets the appearance of a specimen at its place, including individual variation.
 void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed);
 
-/// The lean that `place` asks of a planting, and its size as a factor.
+/// The lean that `place` sets for a planting, and its size factor.
 Quat lean_of(const Organism& organism, Seed planting);
 float size_of(const Organism& organism, Seed planting);
 

@@ -10,8 +10,8 @@
 
 namespace frond {
 
-/// All kinds of organisms, one row each, in the order in which they are listed. Row `x` is the folder x,
-/// which defines `Kind<Organism> x_kind()`.
+/// All kinds of organisms, one row each, in the order of listings. Row `x` is the folder x, which defines
+/// `Kind<Organism> x_kind()`.
 #define FROND_KINDS(row)                                                                                \
   row(coral) row(massive) row(columnar) row(foliose) row(table) row(encrusting) row(tube) row(mushroom) \
       row(fan) row(shell) row(plant) row(rock) row(pebbles) row(wall) row(column) row(mesh) row(bridge) \
@@ -21,10 +21,10 @@ namespace frond {
 FROND_KINDS(FROND_DECLARE)
 #undef FROND_DECLARE
 
-/// The table of them.
+/// Their table.
 std::span<const Kind<Organism>> organism_kinds();
 
-/// The row of a kind from the struct of its parameters and answers, see organisms/grower.h.
+/// The row of a kind, from its grower class with described parameters, see organisms/grower.h.
 template <class G>
 Kind<Organism> make_grower(std::string_view name, std::string_view doc) {
   return {name, doc,
@@ -39,8 +39,8 @@ Kind<Organism> make_grower(std::string_view name, std::string_view doc) {
           }};
 }
 
-/// Things of organisms, those of a kind together, in the order of their first; `organism_of` is that of a
-/// thing.
+/// Groups things of organisms by kind, in the order of first occurrence; `organism_of` returns the organism
+/// of a thing.
 template <class Thing, class OrganismOf>
 std::vector<std::vector<Thing>> by_kind(const std::vector<Thing>& things, const OrganismOf& organism_of) {
   std::vector<std::type_index> kinds;

@@ -5,21 +5,21 @@
 
 namespace frond {
 
-/// How colours differ from copy to copy, either way.
+/// Random colour differences between copies, plus or minus.
 struct CopyTint {
   double hue = radians(4.0);  ///< radians
   double saturation = 0.1;    ///< share
   double value = 0.15;        ///< share
 };
 
-/// A few models that are grown once and placed often over the land: what makes a forest.
+/// A few models that are grown once and placed many times over the land, as in a forest.
 struct Sowing {
-  int models = 6;          ///< each by a seed of its own
-  std::vector<int> seeds;  ///< of the models, from the first on; beyond them 1, 2, 3, ...
-  double crowd = 0;        ///< metres: trees grow up among neighbours at this distance; 0: in the open
+  int models = 6;          ///< each with its own seed
+  std::vector<int> seeds;  ///< of the first models; the others get 1, 2, 3, ...
+  double crowd = 0;        ///< metres: trees grow among neighbours at this distance; 0: without neighbours
   SowRules where;
   CopyTint tint;
-  double upright = 1;  ///< 1: as plumb as `place.lean` lets it; 0: across the slope
+  double upright = 1;  ///< 1: as vertical as `place.lean` allows; 0: at right angles to the slope
 };
 
 }  // namespace frond

@@ -22,14 +22,14 @@ constexpr Interval operator*(Interval a, Interval b) {
   return {std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s))};
 }
 
-/// The squares of all numbers of an interval; tighter than the product of it with itself.
+/// The squares of all numbers of an interval; tighter than multiplying it by itself.
 constexpr Interval squared(Interval a) {
   double p = a.low * a.low, q = a.high * a.high;
   if (a.low <= 0 && a.high >= 0) return {0, std::max(p, q)};
   return {std::min(p, q), std::max(p, q)};
 }
 
-/// Wider by `share` of its magnitude on both sides, for what rounding may have taken.
+/// Widened by `share` of its magnitude on both sides, to cover rounding.
 constexpr Interval widened(Interval a, double share) {
   double by = share * (std::max(-a.low, a.high) + 1);
   return {a.low - by, a.high + by};

@@ -5,14 +5,13 @@
 
 namespace frond {
 
-/// What time has done to a rock. All of it moves the vertices of the mesh; nothing of it changes what hangs
-/// together.
+/// Weathering of a rock. It only moves vertices of the mesh and never changes its connectivity.
 struct Weathering {
-  int facets = 9;             ///< planes along which pieces have broken off
-  double facet_depth = 0.3;   ///< 0 none .. 1: how much has broken off
-  double edge = 0.25;         ///< 0 sharp .. 1: how far the edges between facets are rounded
+  int facets = 9;             ///< number of planes along which pieces have broken off
+  double facet_depth = 0.3;   ///< 0 none .. 1: amount broken off
+  double edge = 0.25;         ///< 0 sharp .. 1: rounding of the edges between facets
   double roughness = 0.35;    ///< 0 smooth .. 1: lumps, dents and grain by noise
-  double strata = 0;          ///< 0 none .. 1: how far soft layers lie back behind hard ones
+  double strata = 0;          ///< 0 none .. 1: depth of soft layers behind hard ones
   double layer = 0.1;         ///< thickness of a layer, as a share of the size
   double dip = radians(8.0);  ///< of the layers, from the horizontal
   double underside = 0.3;     ///< share of the height below which it is cut flat
@@ -20,32 +19,31 @@ struct Weathering {
 
 /// A rock of one piece.
 struct RockShape {
-  std::vector<Blob> own;  ///< its blobs; empty: random ones
+  std::vector<Blob> own;  ///< its own blobs; empty: random ones
   BlobChance chance;
   Falloff falloff = Falloff::gaussian;
   double level = 1;   ///< of the field at the surface, > 0
-  bool lying = true;  ///< turned so that its shortest side is the upright one
+  bool lying = true;  ///< rotated so that its shortest side is vertical
   CellOptions cells{7, 0.0003};
   double size = 0.6;  ///< metres, the longest side before weathering, > 0
   Weathering weathering;
 };
 
-/// The blobs of a rock: its own, or random ones, drawn until they make one piece (the first of them where
-/// they never do), and turned as it lies.
+/// The blobs of a rock: its own, or random ones, redrawn until they form one piece (the first try if they
+/// never do), rotated as it lies.
 Blobs rock_blobs(const RockShape& shape, Seed seed);
 
 /// The implicit surface of its blobs in metres, without weathering: its foot, the middle of its lowest level,
-/// at the origin. Empty where nothing is inside.
+/// is at the origin. Empty if there is no inside.
 Surface bare_rock(const RockShape& shape, const Blobs& blobs);
 
-/// The same for a renderer that knows implicit surfaces.
+/// The same for renderers that support implicit surfaces.
 Isosurface native_rock(const RockShape& shape, const Blobs& blobs);
 
-/// The whole rock: bare, broken, layered, worn and cut flat below. It stands on y = 0, its foot at the
-/// origin.
+/// The finished rock: broken, layered, worn and cut flat below. It stands on y = 0, its foot at the origin.
 Surface rock_surface(const RockShape& shape, Seed seed);
 
-/// How many pieces a mesh is in.
+/// Number of connected pieces of a mesh.
 int count_pieces(const Surface& surface);
 
 }  // namespace frond

@@ -5,11 +5,11 @@
 
 namespace frond {
 
-/// A weathered stone about one metre wide round the origin: a sphere, pressed flatter and displaced by noise.
-/// Star-shaped, so that its surface in each direction is known.
+/// A weathered stone about one metre wide round the origin: a flattened sphere displaced by noise.
+/// Star-shaped, so that there is one surface point in each direction.
 struct Stone {
   Seed seed;
-  double roughness = 0.35;  ///< 0 a smooth egg .. 1 craggy
+  double roughness = 0.35;  ///< 0 a smooth egg .. 1 very rough
   double flatness = 0.35;   ///< 0 as high as wide .. 0.9 a slab
 };
 

@@ -11,7 +11,7 @@ namespace frond {
 /// The hours of a day.
 inline constexpr Range kHours{.min = 0, .max = 24, .unit = "h", .sense = "dawn is 6, noon 12, dusk 19"};
 
-/// What places the sun beside the hour.
+/// The properties besides the hour that determine the sun's position.
 template <class Visitor>
 void describe_place(Visitor& v, Moment& m) {
   v.angle("south", m.south, {.min = -360, .max = 360},

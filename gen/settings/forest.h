@@ -8,17 +8,17 @@
 
 namespace frond {
 
-/// A wood on hilly land; sky and haze are the meadow's, with the sun of the hour.
+/// A wood on hilly land; sky and haze are those of the meadow, with the sun of the hour.
 struct Forest {
   Moment when;
-  double mist = 0;  ///< metres above the valleys that morning mist reaches; 0: none
+  double mist = 0;  ///< metres above the valleys, top of the morning mist; 0: none
   TerrainShape terrain;
   Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
   Color green{0.37f, 0.42f, 0.13f};   ///< of moss
-  double moss = 0.4;                  ///< share of the ground that is green, 0..1
+  double moss = 0.4;                  ///< share of the ground that is mossy, 0..1
 };
 
-/// Hilly land with what lies on it where the camera comes near over the film.
+/// Hilly land, with litter wherever the camera comes near during the film.
 class ForestGround final : public Grounds {
  public:
   ForestGround(const Forest& forest, const Film& film, Seed seed);
@@ -39,7 +39,7 @@ class ForestGround final : public Grounds {
   const Plot& plot() const { return plot_; }
 
   ForestCover cover;
-  float valley = 0;  ///< metres, the lowest of the land that is sown, and not above 0
+  float valley = 0;  ///< metres, the lowest height of the sown land, at most 0
 
  private:
   ForestLand floor_land() const;

@@ -5,12 +5,12 @@
 
 namespace frond {
 
-/// What a garden has beside the lawn and the sky of a meadow, with the sun of the hour.
+/// The additions of a garden to the lawn and the sky of a meadow, with the sun of the hour.
 struct Garden {
   Moment when;
   PondShape pond;
   PathShape path;
-  int lilies = 0;        ///< leaves of water lilies on the pond
+  int lilies = 0;        ///< number of water lily leaves on the pond
   double gravel = 0.05;  ///< metres, the stones of the path
   Color gravel_color{0.62f, 0.57f, 0.49f};
 };

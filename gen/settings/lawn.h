@@ -8,11 +8,11 @@
 
 namespace frond {
 
-inline constexpr int kTurfShapes = 4;  ///< patches of one size and mixture
-/// Mixtures of what grows in a lawn, each with more of some kinds and less of others, the last thin.
+inline constexpr int kTurfShapes = 4;  ///< number of patches per size and mixture
+/// Number of plant mixtures of a lawn, each with more of some kinds and less of others; the last is sparse.
 inline constexpr int kTurfStands = 4;
 
-/// A patch of grass, gravel or litter put somewhere on the ground.
+/// A placed patch of grass, gravel or litter.
 struct Patch {
   int shape = 0;  ///< index of the patch's surface
   Vec3 at{0};
@@ -21,13 +21,13 @@ struct Patch {
 };
 
 inline constexpr double kLawnSown = 200;         ///< metres, the square of a lawn that is sown
-inline constexpr double kMostPatches = 400'000;  ///< of grass or gravel; each is an object of POV-Ray's
+inline constexpr double kMostPatches = 400'000;  ///< of grass or gravel; each is one POV-Ray object
 
-/// Grass as a preset asks for it.
+/// The grass properties of a preset.
 struct LawnShape {
-  double blade = 0.10;     ///< metres, length of the grass; 0: none stands
-  double blades = 900;     ///< of grass on a square metre
-  double extent = 9;       ///< metres round the middle in which single blades stand
+  double blade = 0.10;     ///< metres, length of the grass; 0: no blades
+  double blades = 900;     ///< per square metre
+  double extent = 9;       ///< metres from the middle within which there are single blades
   double flowers = 0.004;  ///< share of blades that bear a flower
   std::vector<Sward> plants{{MeadowPlant::grass, 0.5},
                             {MeadowPlant::fescue, 0.26},
@@ -37,15 +37,15 @@ struct LawnShape {
   double bare = 0;  ///< share of patches with a spot of bare earth
 };
 
-/// Grass that neither the memory nor POV-Ray could hold, at pointers below the scene.
+/// Errors for more grass than memory or POV-Ray can hold, at pointers below the scene.
 Errors check_grass(const LawnShape& shape);
 /// Adds the grass to the estimate.
 void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate& ground);
 
-/// A lawn, level or in low hills, with the pond and the path of a plot where there are such.
+/// A lawn, level or in low hills, with the pond and the path of a plot if it has them.
 class Lawn final : public Grounds {
  public:
-  /// With a plot the ground is level far off; a plot's path is laid with stones of `gravel` metres.
+  /// With a plot the distant ground is level; its path gets stones of `gravel` metres.
   Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed);
   Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
        double gravel, double path_width, Seed seed);

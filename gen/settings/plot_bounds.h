@@ -7,8 +7,8 @@
 
 namespace frond {
 
-/// Paths that are too long, have too many points or leave the land, which reaches `reach` metres from the
-/// middle. Errors stand at `pointer`, which names the points.
+/// Errors for paths that are too long, have too many points or leave the land, which reaches `reach` metres
+/// from the middle. They are at `pointer`, that of the points.
 void check_path(Errors& list, const PathShape& path, const std::string& pointer, double reach);
 
 }  // namespace frond

@@ -4,22 +4,22 @@
 
 #include "core/vec.h"
 
-// The sky by day and night: where the sun stands, what it gives, and what comes from everywhere else.
+// The sky by day and night: position and light of the sun, and light from all other directions.
 
 namespace frond {
 
-/// A moment on Earth, by the sun.
+/// A moment on Earth, for the position of the sun.
 struct Moment {
-  double hour = 10;                  ///< by the clock of summer: the sun stands highest at 13
+  double hour = 10;                  ///< summer time: the sun is highest at 13
   double day = 172;                  ///< of the year, 1 to 366; 172 is midsummer
   double latitude = 50 * kPi / 180;  ///< radians, north is positive
-  double south = 0;                  ///< radians; where south is: 0 toward +z, to the right from there
+  double south = 0;  ///< radians; direction of south: 0 toward +z, positive to the right of it
 };
 
-/// Radians that the sun stands north of the equator on a day of the year (Spencer 1971).
+/// Declination of the sun on a day of the year, radians (Spencer 1971).
 double declination(double day);
 
-/// Toward the sun, of length 1; below the horizon at night.
+/// Direction toward the sun, of length 1; below the horizon at night.
 Vec3 sun_at(const Moment& when);
 
 /// A colour as CIE x and y with the luminance Y.
@@ -28,41 +28,41 @@ struct Luminance {
   double x = 0, y = 0;
 };
 
-/// A clear sky in a direction `theta` from the zenith and `gamma` from the sun, which stands `sun` from the
-/// zenith, all radians, none but gamma above a right angle (Preetham, Shirley and Smits 1999). Turbidity 2 is
-/// clear mountain air, 6 a haze.
+/// Colour of a clear sky in a direction `theta` from the zenith and `gamma` from the sun, with the sun at
+/// `sun` from the zenith, all radians, only gamma above a right angle (Preetham, Shirley and Smits 1999).
+/// Turbidity 2 is clear mountain air, 6 is haze.
 Luminance preetham(double theta, double gamma, double sun, double turbidity);
 
-/// What of red, green and blue sunlight comes through the air when the sun stands so high, radians.
+/// Transmission of sunlight through the air, per colour channel, for that height of the sun, radians.
 Vec3 through_air(double height, double turbidity);
 
-/// What a clear sky without its sun gives to level ground, klx (IES Lighting Handbook).
+/// Light of a clear sky without its sun on level ground, klx (IES Lighting Handbook).
 double diffuse_light(double height);
 
-/// What a sky is made from.
+/// Parameters of a sky.
 struct SkyShape {
-  Vec3 sun{0, 1, 0};       ///< toward it, of any length
+  Vec3 sun{0, 1, 0};       ///< direction toward it, of any length
   double turbidity = 2.5;  ///< 1.7 to 10
   double clouds = 0;       ///< 0 none .. 1 overcast
-  double exposure = 0;     ///< stops more than a meter says
-  /// Colours that the sky above and far off has instead of its own; linear.
+  double exposure = 0;     ///< stops above the metered exposure
+  /// Colours that replace the computed sky overhead and at the horizon; linear.
   std::optional<Vec3> zenith = {}, horizon = {};
 };
 
-/// A sky as a camera exposes it: linear colours, of light as a white matt surface shows it.
+/// A sky as a camera exposes it: linear colours, as the brightness of a white matt surface.
 struct Sky {
   explicit Sky(const SkyShape& shape);
 
-  /// What comes from a direction of length 1; below the horizon, what comes from just above it.
+  /// Light from a direction of length 1; below the horizon, that from just above it.
   Vec3 from(Vec3 direction) const;
 
-  Vec3 sun;                 ///< toward it as it stands, of length 1
-  Vec3 lamp;                ///< toward what casts shadows: sun, afterglow or moon; above the horizon
-  Vec3 lamplight{0};        ///< what it gives
-  Vec3 zenith, horizon;     ///< means of the sky above and all round
-  Vec3 glow{0};             ///< what the sun adds to the sky close round it
-  Vec3 cloud{0}, shade{0};  ///< of clouds: where the lamp lights them, and underneath
-  Vec3 cloudy_zenith, cloudy_horizon;  ///< as zenith and horizon, with the clouds before them
+  Vec3 sun;           ///< true direction toward it, of length 1
+  Vec3 lamp;          ///< direction toward the source of shadows: sun, afterglow or moon; above the horizon
+  Vec3 lamplight{0};  ///< light of that source
+  Vec3 zenith, horizon;                ///< mean colours of the sky overhead and at the horizon
+  Vec3 glow{0};                        ///< additional light of the sky close to the sun
+  Vec3 cloud{0}, shade{0};             ///< of clouds: lit by the lamp, and in shadow underneath
+  Vec3 cloudy_zenith, cloudy_horizon;  ///< as zenith and horizon, with clouds
 
  private:
   Vec3 day(Vec3 direction) const;   // kcd/m2

@@ -24,45 +24,45 @@ struct Film {
   double aspect() const { return static_cast<double>(size[1]) / size[0]; }  ///< height by width
 };
 
-inline constexpr std::string_view kFitAll = "all";  ///< in place of names: every organism
+inline constexpr std::string_view kFitAll = "all";  ///< instead of names: every organism
 
-/// What is sharp: a point, or the organism of a name where the camera sees it.
+/// The focus: a point, or the organism of a name where the camera sees it.
 struct Focus {
   Animated<Vec3> point{Vec3(0)};
-  std::string organism;  ///< empty: the point counts
+  std::string organism;  ///< empty: the point is used
 };
 
 struct Camera {
   Animated<Vec3> location{Vec3(0, 1.0f, 5)};
   Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
   Animated<double> angle{45.0};  ///< degrees, the width of the view
-  bool follow = false;           ///< heights count from the ground below, not from y = 0
-  std::vector<std::string> fit;  ///< names of organisms that it is moved to have in the picture, whole
-  double margin = 0.06;          ///< of the picture's sides, that stay free at each edge of it
-  double exposure = 0;           ///< stops more light than a meter says
-  double highlights = 0;         ///< stops above white that are kept, see Tone
+  bool follow = false;           ///< heights are relative to the ground below, not to y = 0
+  std::vector<std::string> fit;  ///< names of organisms that the camera is moved to show completely
+  double margin = 0.06;          ///< free margin at each edge, as a share of the picture's sides
+  double exposure = 0;           ///< stops above the metered exposure
+  double highlights = 0;         ///< stops above white that keep their detail, see Tone
   double contrast = 1;           ///< of the picture, see Tone
-  /// The f-number of a lens before film 36 mm wide; none: all is sharp.
+  /// The f-number of a lens for film 36 mm wide; none: everything is sharp.
   std::optional<double> aperture;
-  std::optional<Focus> focus;  ///< what is sharp; else what it looks at
-  double shutter = 0;          ///< share of a frame's time for which it is open, from the frame's moment on
-  std::optional<int> shutter_samples;  ///< exposures that make a frame; else by quality
+  std::optional<Focus> focus;  ///< none: the point that it looks at
+  double shutter = 0;  ///< share of a frame's time for which it is open, beginning at the frame's moment
+  std::optional<int> shutter_samples;  ///< number of exposures per frame; none: by quality
 
-  /// Stops more light than a meter says, as POV-Ray draws it.
+  /// Stops above the metered exposure, as POV-Ray draws it.
   double stops() const { return exposure - highlights; }
-  /// Whether what POV-Ray draws still has to be developed.
+  /// Whether POV-Ray's picture still has to be tone mapped.
   bool toned() const { return highlights != 0 || contrast != 1; }
 };
 
-/// So many exposures make a frame of a film; 1: no motion is blurred, nor is it in a still.
+/// Number of exposures per frame of a film; 1: no motion blur, and always for a still.
 inline int exposures(const Film& film, const Camera& camera) {
   constexpr int kExposures[] = {1, 4, 8};
   if (camera.shutter <= 0 || film.frames == 1) return 1;
   return camera.shutter_samples.value_or(kExposures[static_cast<std::size_t>(film.quality)]);
 }
 
-/// Seconds at which an exposure of a frame is taken, the first being 1: in the middle of its share of the
-/// time for which the shutter is open. Where there is but one it is the frame's own time.
+/// Time in seconds at which an exposure of a frame is taken, the first being 1: the middle of its share of
+/// the open shutter time. For a single exposure it is the frame's own time.
 inline double exposure_time(const Film& film, const Camera& camera, int frame, int exposure) {
   int count = exposures(film, camera);
   if (count == 1) return film.time(frame);
@@ -77,17 +77,17 @@ struct Floor {
   double extent = 7;                  ///< metres round the origin in which they lie
 };
 
-/// Everything but the organisms. Each setting has a block of parameters that only it knows, and that those
-/// which build on it read.
+/// Everything but the organisms. Each setting has a block of parameters that is read only by it and by
+/// settings based on it.
 struct Stage {
-  Stage();  ///< all blocks as they are where a preset does not say
+  Stage();  ///< all blocks have their default values
 
-  std::size_t setting = 0;  ///< row of settings()
+  std::size_t setting = 0;  ///< index of a row of settings()
   Camera camera;
   Floor floor;
-  std::vector<std::any> blocks;  ///< one a setting
+  std::vector<std::any> blocks;  ///< one per setting
 
-  /// The block of a type, which one of the settings has.
+  /// The block of that type, which belongs to one of the settings.
   template <class Block>
   const Block& block() const {
     for (const std::any& held : blocks)

@@ -9,26 +9,26 @@ namespace frond {
 
 /// The water round a reef.
 struct Water {
-  Color near{0.06f, 0.46f, 0.62f};  ///< what distance fades to
-  Color deep{0.02f, 0.22f, 0.38f};  ///< looking down into the depth
+  Color near{0.06f, 0.46f, 0.62f};  ///< colour of distant objects
+  Color deep{0.02f, 0.22f, 0.38f};  ///< colour seen when looking down
   double visibility = 11;           ///< metres in which two thirds of the light are lost
-  double depth = 0;                 ///< metres of water above that take red from the light
+  double depth = 0;                 ///< metres of water above, which absorb red light
   Vec3 sun{0.35f, 1, 0.35f};        ///< towards the sun
-  double caustics = 1;              ///< strength of the light's dance, 0 none
-  double shafts = 0.8;              ///< strength of the beams of light, 0 none
-  int particles = 60;               ///< specks that drift before the camera
+  double caustics = 1;              ///< strength of the caustics, 0 none
+  double shafts = 0.8;              ///< strength of the light beams, 0 none
+  int particles = 60;               ///< number of floating specks before the camera
 };
 
-/// The width of the picture of caustics, which is square.
+/// Width and height of the picture of caustics.
 inline int caustic_pixels(Quality quality) { return 224 + 64 * static_cast<int>(quality); }
 
-/// A stone shape put somewhere in the world.
+/// A placed stone.
 struct StoneInstance {
   int shape = 0;  ///< index into SeaFloor::stones
   Vec3 at{0};
   Vec3 size{1};     ///< factors along the stone's own axes, metres
   double turn = 0;  ///< radians about the vertical
-  int look = 0;     ///< which of the rock textures
+  int look = 0;     ///< index of the rock texture
 };
 
 /// Sand with loose stones, and rocks under corals.

@@ -9,8 +9,8 @@
 
 namespace frond {
 
-/// A coral that grows by layers where light and food come to, so that fingers, knobs or pillars rise by
-/// themselves.
+/// A coral that grows by layers where light and food arrive, so that fingers, knobs or pillars form without a
+/// rule.
 struct ColumnarParams {
   Accretion accretion;
   TissueLook tissue;

@@ -17,8 +17,8 @@ enum class CoralForm {
   own         ///< the preset's own `grammar`
 };
 
-/// How thick the branches are: the share of the way that is left to the farthest tip, through a curve,
-/// times the radius at the base.
+/// Thickness of branches: the distance to the farthest tip, as a share, through a curve, times the radius at
+/// the base.
 struct Thickness {
   double radius = 0.035;                                           ///< metres, at the base
   Curve curve{{{0, 0.36f}, {0.35f, 0.5f}, {0.8f, 0.8f}, {1, 1}}};  ///< 0 at the farthest tip .. 1 at the base
@@ -26,7 +26,7 @@ struct Thickness {
   double flare = 0.6;                                              ///< how much wider the foot is
 };
 
-/// Noise that bends the straight shape, nothing at the base.
+/// Noise that bends the straight shape, 0 at the base.
 struct Distortion {
   double strength = 0.04;  ///< metres at the tips
   double scale = 0.35;     ///< metres from bend to bend
@@ -35,19 +35,19 @@ struct Distortion {
 /// A branching coral: an L-system, walked by a turtle, thickened and bent.
 struct CoralParams {
   CoralForm form = CoralForm::branching;
-  int steps = 6;                       ///< derivation steps
+  int steps = 6;                       ///< number of derivation steps
   double pitch = radians(25.0);        ///< of a new branch (&)
-  double roll = radians(45.0);         ///< of one /
-  double angle_jitter = radians(9.0);  ///< random change of each turn, up to so much either way
+  double roll = radians(45.0);         ///< of one / symbol
+  double angle_jitter = radians(9.0);  ///< random change of each turn, plus or minus
   double length_jitter = 0.25;         ///< random change of each internode, as a share of its length
-  double internode = 0.05;             ///< metres; what one F draws
-  double length_scale = 1.0;           ///< what " multiplies lengths by
-  double width_scale = 0.93;           ///< what ! multiplies thickness by
-  double lift = 0.06;                  ///< how much each internode turns upward (elasticity of the tropism)
-  double height = 0;       ///< metres; the whole is scaled to be so high; 0: as the turtle leaves it
-  int smoothing = 3;       ///< nodes for each internode
-  GrammarText grammar;     ///< for CoralForm::own
-  bool own_rules = false;  ///< whether the preset gives a grammar to just this coral
+  double internode = 0.05;             ///< metres; length of one F
+  double length_scale = 1.0;           ///< factor of " for lengths
+  double width_scale = 0.93;           ///< factor of ! for thickness
+  double lift = 0.06;                  ///< upward bend per internode (elasticity of the tropism)
+  double height = 0;                   ///< metres; the whole is scaled to this height; 0: not scaled
+  int smoothing = 3;                   ///< nodes for each internode
+  GrammarText grammar;                 ///< for CoralForm::own
+  bool own_rules = false;              ///< whether the preset gives this coral its own grammar
   Thickness thickness;
   Distortion distortion;
   Skin skin;
@@ -56,10 +56,10 @@ struct CoralParams {
   Growth growth;
 };
 
-/// The grammar that the parameters stand for, ready to derive; errors are those of an own grammar.
+/// The grammar for the parameters, ready to derive; errors are those of an own grammar.
 Result<Grammar> coral_grammar(const CoralParams& params);
 
-/// Grows one coral with its foot at the origin, upright. Every node has its distance, birth and radius.
+/// Grows one coral, upright, its foot at the origin. Every node has its distance, birth and radius.
 /// `environment` answers the questions of its grammar.
 Result<Skeleton> grow_coral(const CoralParams& params, Seed seed, const Environment& environment = {});
 

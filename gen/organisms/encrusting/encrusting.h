@@ -8,7 +8,7 @@
 
 namespace frond {
 
-/// A coral that covers what it stands on, with a lobed, raised edge.
+/// A coral that covers the surface below it, with a lobed, raised edge.
 struct EncrustingParams {
   double across = 0.4;       ///< metres
   double height = 0.06;      ///< metres, of the space that it claims
@@ -16,7 +16,7 @@ struct EncrustingParams {
   double lobe_size = 0.09;   ///< metres
   double thickness = 0.007;  ///< metres
   double rim = 0.004;        ///< metres by which its edge is raised
-  double lumps = 0.3;        ///< how uneven its upper side is
+  double lumps = 0.3;        ///< unevenness of its upper side
   double edge = 0.006;       ///< metres, of triangles
   TissueLook tissue;
   Growth growth;

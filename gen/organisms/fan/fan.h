@@ -7,16 +7,16 @@
 
 namespace frond {
 
-/// A sea fan: a net in one plane, whose threads flow together to the foot.
+/// A sea fan: a net in one plane, whose threads join toward the foot.
 struct FanParams {
   double across = 0.7;     ///< metres
   double height = 0.65;    ///< metres
-  double mesh = 0.013;     ///< metres, about the width of a mesh
-  double ragged = 0.4;     ///< how uneven its outline is
-  double links = 0.65;     ///< share of the meshes that are closed
+  double mesh = 0.013;     ///< metres, about the width of an opening in the net
+  double ragged = 0.4;     ///< unevenness of its outline
+  double links = 0.65;     ///< share of the cross links that exist
   double thread = 0.0018;  ///< metres, radius of the thinnest
   double foot = 0.011;     ///< metres, radius at the foot
-  double gather = 2.4;     ///< as da Vinci's rule: the power of radii that is kept where threads meet
+  double gather = 2.4;     ///< exponent of da Vinci's rule: r^n is conserved where threads join
   double curl = 0.03;      ///< metres that it bends out of its plane
   Skin skin;
   Wave wave;

@@ -9,10 +9,10 @@
 
 namespace frond {
 
-/// How the sheets of a leafy coral stand.
+/// Arrangement of the sheets of a leafy coral.
 enum class FolioseForm {
-  whorl,  ///< one round another, rising, as the leaves of a lettuce
-  plate   ///< level, one above another
+  whorl,  ///< one round another, rising, like a lettuce
+  plate   ///< horizontal, one above another
 };
 
 /// A leafy coral: ruffled sheets that grow at their rims.
@@ -24,15 +24,15 @@ struct FolioseParams {
   double excess = 1.9;       ///< see Margin
   double ruffle = 0.05;      ///< metres
   double lobes = 0.35;       ///< see Margin
-  double thickness = 0.006;  ///< metres, where it is old
-  double rim = 0.0025;       ///< metres, where it is young
+  double thickness = 0.006;  ///< metres, old parts
+  double rim = 0.0025;       ///< metres, young parts
   double lines = 0.0008;     ///< metres, height of growth lines
   double edge = 0.0045;      ///< metres, of triangles
   TissueLook tissue;
   Growth growth;
 };
 
-/// Its sheets, before they have a thickness.
+/// Its sheets, before they get a thickness.
 Sheet foliose_sheets(const FolioseParams& params, const Surroundings& around, Seed seed);
 
 Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& around, Seed seed);

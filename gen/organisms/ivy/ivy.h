@@ -17,8 +17,8 @@ struct Support;
 
 enum class IvyDetail {
   fitting,  ///< single leaves up to kMostSingleLeaves, sprigs for more
-  leaves,   ///< each leaf by itself, on its own petiole
-  sprigs    ///< several leaves at once, for ivy far away
+  leaves,   ///< single leaves, each on its own petiole
+  sprigs    ///< several leaves together, for distant ivy
 };
 inline constexpr std::size_t kMostSingleLeaves = 25'000;
 
@@ -27,8 +27,8 @@ struct IvyLeaves {
   double size = 0.062;           ///< metres, length of a grown blade
   double size_variation = 0.22;  ///< random change of it, as a share
   double spacing = 0.035;        ///< metres along a strand from leaf to leaf
-  double bare = 0.25;            ///< metres above the root in which stems have lost their leaves
-  double overlap = 0.35;         ///< share of a leaf that others may cover; a shoot drops it otherwise
+  double bare = 0.25;            ///< metres above the root without leaves
+  double overlap = 0.35;         ///< share of a leaf that others may cover; a leaf covered more is dropped
   Vec3 light{0.25f, 1, 0.6f};    ///< toward the light
   double turn = 0.4;             ///< 0 flat on the surface .. 1 square to the light
   double adult = 0.15;           ///< share of the oldest shoots that bear heart-shaped leaves
@@ -37,16 +37,16 @@ struct IvyLeaves {
   std::vector<Color> colors{
       {0.20f, 0.31f, 0.09f}, {0.26f, 0.37f, 0.11f}, {0.16f, 0.27f, 0.09f}, {0.31f, 0.40f, 0.13f}};
   Color young{0.42f, 0.54f, 0.20f};  ///< of leaves near the tips
-  Color bud{0.58f, 0.62f, 0.34f};    ///< that leaves unfold from
+  Color bud{0.58f, 0.62f, 0.34f};    ///< initial colour of leaves while they unfold
   Color veins{0.66f, 0.72f, 0.50f};
   double unfold = 0.18;  ///< share of the growth in which a leaf unfolds
 };
 
 /// Ivy on other bodies.
 struct IvyParams {
-  std::vector<std::string> on;  ///< names of the organisms that it grows on; none: all bodies there are
-  Vec3 facing{0};               ///< roots that have no place of their own stand where the host looks this way
-  double above = 0.02;          ///< metres above the host's lowest point at which those stand
+  std::vector<std::string> on;  ///< names of the organisms that it grows on; none: all bodies
+  Vec3 facing{0};               ///< direction of the host's surface at roots without a given place
+  double above = 0.02;          ///< metres above the host's lowest point of such roots
   Crawl crawl;
   IvyLeaves leaves;
   Bark bark{BarkKind::bark, {{0.31f, 0.25f, 0.18f}, {0.29f, 0.27f, 0.16f}, {0.33f, 0.31f, 0.15f}}};
@@ -55,23 +55,23 @@ struct IvyParams {
   Growth growth;
 };
 
-/// Where the foot of an ivy is: x, z, and the height of the ground there.
+/// The foot of each ivy: x, z, and the height of the ground there.
 using IvyRoots = std::vector<Vec3>;
 
-/// What an ivy has grown into, in the world of its host.
+/// A grown ivy, in the world of its host.
 struct Ivy {
   Model model;
   Strands strands;
 };
 
-/// Grows over a host: `count` plants, the first from the points of the host nearest to `roots`, the others
-/// from its foot. Nothing of it sinks into the ground.
+/// Grows over a host: `count` plants, the first ones from the points of the host nearest to `roots`, the
+/// others from its foot. No part is below the ground.
 Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
                      const GroundHeight& ground, Seed seed);
 
-/// Puts leaves on strands: sites along them, laid out as a mosaic (foliage/mosaic.h), and each turned until
-/// it lies on what is under it. Prototypes and organs of the model are set. The number of single leaves,
-/// sprigs taken apart.
+/// Adds leaves to strands: sites along them, arranged as a mosaic (foliage/mosaic.h), each leaf turned until
+/// it lies on the surface below. Sets prototypes and organs of the model. Returns the number of single
+/// leaves, counting each leaf of a sprig.
 std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves,
                            const Support& under, Seed seed);
 

@@ -9,18 +9,19 @@
 
 namespace frond {
 
-/// What a massive coral's surface is wrought into.
+/// Surface pattern of a massive coral.
 enum class Wrought {
   meander,  ///< valleys that wind between ridges, as on brain corals
-  cups,     ///< a cup for each polyp, its wall shared with those beside it, as on star corals
+  cups,     ///< a cup per polyp with walls shared by neighbours, as on star corals
   plain     ///< fine pores, as on Porites
 };
 
-/// A massive coral: a dome, or a heap of domes, wrought by a reaction of two substances in its skin.
+/// A massive coral: a dome, or a heap of domes, with a surface pattern from a reaction of two substances in
+/// its skin.
 struct MassiveParams {
   double across = 0.36;  ///< metres
   double height = 0.22;  ///< metres
-  double lumps = 0.25;   ///< how uneven it is
+  double lumps = 0.25;   ///< unevenness
   double lump_size = 0.2;
   Wrought relief = Wrought::meander;
   double valley = 0.016;  ///< metres from ridge to ridge

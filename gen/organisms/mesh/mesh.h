@@ -9,8 +9,8 @@ namespace frond {
 
 /// A body from an OBJ file.
 struct MeshParams {
-  std::string file;  ///< as seen from the preset's folder, or from where the program runs
-  Surface mesh;      ///< what that file holds, standing on the origin, its longest side one unit long
+  std::string file;  ///< relative to the preset's folder, or to the working folder
+  Surface mesh;      ///< content of the file, standing on the origin, its longest side one unit long
   double size = 1;   ///< metres, of its longest side
   Matter matter = Matter::limestone;
   Color color{0.74f, 0.71f, 0.64f};
@@ -19,7 +19,7 @@ struct MeshParams {
   double weathering = 0.4;
 };
 
-/// It stands with the middle of its foot at the origin; its hull is the mesh as the file has it.
+/// Stands with the middle of its foot at the origin; its hull is the mesh of the file.
 Result<Model> build_mesh_model(const MeshParams& params);
 
 }  // namespace frond

@@ -8,11 +8,11 @@
 
 namespace frond {
 
-/// A mushroom coral: one large polyp, an oval dome of radial septa that lies loose.
+/// A mushroom coral: one large polyp, an oval dome of radial septa that lies loose on the ground.
 struct MushroomParams {
-  double across = 0.16;   ///< metres, along it
+  double across = 0.16;   ///< metres, its length
   double height = 0.036;  ///< metres
-  double oval = 0.75;     ///< its width by its length
+  double oval = 0.75;     ///< width relative to the length
   int septa = 36;         ///< of the first order
   double depth = 0.006;   ///< metres, of the valleys between septa
   TissueLook tissue;

@@ -13,66 +13,66 @@ namespace frond {
 
 enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond, picture };
 
-/// What stands where the grammar names an organ.
+/// The shape of an organ that the grammar names.
 struct OrganParams {
   std::string symbol;  ///< its name in the grammar
-  std::string file;    ///< of an `obj`: as seen from the preset's folder
-  Surface mesh;        ///< what that file holds, one unit long
+  std::string file;    ///< of an `obj`: relative to the preset's folder
+  Surface mesh;        ///< content of the file, one unit long
   OrganShape shape = OrganShape::leaf;
-  double size = 0.1;  ///< metres long; the organ's parameter in the grammar multiplies it
-  std::vector<Color> colors{{0.30f, 0.50f, 0.14f}};  ///< the turtle's colour index picks one, round and round
+  double size = 0.1;  ///< metres long; multiplied by the organ's parameter in the grammar
+  std::vector<Color> colors{{0.30f, 0.50f, 0.14f}};  ///< selected cyclically by the turtle's colour index
   Color second{0.95f, 0.75f, 0.15f};                 ///< heart of a flower, veins of a leaf, calyx of a bud
   double width = 0.45;           ///< of a leaf or petal, a bud or berry, as a share of its length
-  std::optional<double> widest;  ///< of a leaf or petal, where along it, 0..1; none: as usual for the shape
-  std::optional<double> round;   ///< 0 drawn out to a tip .. 1 round at its end; the same
+  std::optional<double> widest;  ///< of a leaf or petal, position along it, 0..1; none: default of the shape
+  std::optional<double> round;   ///< 0 pointed .. 1 round at its end; none: default of the shape
   int detail = 3;                ///< of leaves and petals: 1, few triangles .. 3
   double fold = radians(22.0);   ///< of a leaf along its midrib
   double bend = radians(40.0);   ///< of a leaf or petal along its length
   double wave = 0.3;             ///< of a leaf's rim
   int petals = 5;
-  int leaflets = 0;  ///< leaves of a sprig, pairs of leaflets of a frond; 0: as usual for the shape
-  int lobes = 0;     ///< on either side of a frond's leaflets, as a fern has them
-  double droop = radians(45.0);           ///< of a frond's leaflets from foot to tip
-  int variants = 3;                       ///< of a sprig, frond or curled picture: how many shapes there are
-  double open = radians(65.0);            ///< between petals and heading
-  double heart = 0.16;                    ///< radius of a flower's heart as a share of its size
-  double size_variation = 0.12;           ///< random change of the size, as a share
-  double turn_variation = radians(12.0);  ///< random tilt, up to so much
-  std::optional<LeafLook> picture;        ///< of the shape `picture`, but for its size and variations
+  int leaflets = 0;              ///< leaves of a sprig, pairs of leaflets of a frond; 0: default of the shape
+  int lobes = 0;                 ///< on each side of a frond's leaflets, as on ferns
+  double droop = radians(45.0);  ///< of a frond's leaflets from foot to tip
+  int variants = 3;              ///< of a sprig, frond or curled picture: number of different shapes
+  double open = radians(65.0);   ///< angle between petals and heading
+  double heart = 0.16;           ///< radius of a flower's heart as a share of its size
+  double size_variation = 0.12;  ///< random change of the size, as a share
+  double turn_variation = radians(12.0);  ///< largest random tilt
+  std::optional<LeafLook> picture;        ///< of the shape `picture`, except its size and variations
   std::optional<Luster> luster;
-  double dew = 0;  ///< drops on a square centimetre
+  double dew = 0;  ///< drops per square centimetre
 };
 
-/// Where a plant has its origin.
+/// The origin of a plant.
 enum class Stand {
   turtle,  ///< where the turtle starts
   middle   ///< below the middle of its box, the lowest point on the ground
 };
 
-/// Anything that an L-system draws: herbs, trees, curves.
+/// Anything drawn by an L-system: herbs, trees, curves.
 struct PlantParams {
   GrammarText grammar;
-  double height = 0;  ///< metres; the whole is scaled to be so high; 0: as the turtle draws it
+  double height = 0;  ///< metres; the whole is scaled to this height; 0: not scaled
   Stand stand = Stand::turtle;
-  int smoothing = 3;  ///< nodes for each segment; 1 leaves corners as they are
+  int smoothing = 3;  ///< nodes per segment; 1 keeps corners
   Girth thickness;
   Bark bark;
   std::vector<OrganParams> organs;
   BladeLook blades;
-  std::optional<Seasons> season;  ///< of its organs that are leaves
+  std::optional<Seasons> season;  ///< of those organs that are leaves
   Wave wave;
   Food food;
   Growth growth;
-  bool by_steps = false;  ///< growth runs through the derivation steps, not along the finished branches
+  bool by_steps = false;  ///< growth follows the derivation steps instead of the finished branches
 };
 
-/// The grammar, ready to derive. Organs whose symbol the grammar does not have are errors, and so is each `~`
-/// in a rule before the name of an organ that is not there.
+/// The grammar, ready to derive. Organs whose symbol is not in the grammar are errors, and so is `~` in a
+/// rule before the name of a missing organ.
 Result<Grammar> plant_grammar(const PlantParams& params);
 
-/// Grows one plant upright, its foot at the origin. `share` of its derivation steps, 0..1, gives it on its
-/// way to what it will be: smooth in `share`, and nothing at all where the axiom draws nothing. `environment`
-/// answers the questions of its grammar.
+/// Grows one plant upright, its foot at the origin. `share` of its derivation steps, 0..1, gives an
+/// intermediate state: smooth in `share`, and empty if the axiom draws nothing. `environment` answers the
+/// questions of its grammar.
 Result<Model> grow_plant(const PlantParams& params, Seed seed, double share = 1,
                          const Environment& environment = {});
 

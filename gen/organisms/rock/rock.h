@@ -8,8 +8,8 @@ namespace frond {
 struct RockParams {
   RockShape shape;
   StoneLook stone;
-  double buried = 0.06;  ///< share of its height that is in the ground
-  bool native = false;   ///< drawn as an isosurface: the blobs alone, exact and without weathering
+  double buried = 0.06;  ///< share of its height below the ground
+  bool native = false;   ///< drawn as an isosurface: only the blobs, exact and without weathering
 };
 
 /// Builds a rock, its foot at the origin. Blobs without an inside are an error.

@@ -7,26 +7,26 @@
 
 namespace frond {
 
-/// How far it is to what stands, at any place in a box. A grid of exact distances between its cells
-/// (Felzenszwalb and Huttenlocher 2012), so it costs nothing to ask.
+/// The distance to existing objects, at any point in a box. A grid of exact distances between its cells
+/// (Felzenszwalb and Huttenlocher 2012), so a query is cheap.
 class Clearance {
  public:
-  /// An open box, with cells of that size.
+  /// An empty box with cells of that size.
   Clearance(Vec3 low, Vec3 high, float cell);
 
-  /// Takes in a ball; what is outside of the box is passed over.
+  /// Adds a ball; parts outside the box are ignored.
   void take(Vec3 middle, float radius);
-  /// The same of a cone between two balls, and of a mesh.
+  /// The same for a cone between two balls, and for a mesh.
   void take(Vec3 a, Vec3 b, float radius_a, float radius_b);
   void take(const Surface& surface);
-  /// All that is below the ground.
+  /// Adds everything below the ground.
   void take_ground(const World& world);
-  /// Works the distances out; needed before they are asked for, once all is taken in.
+  /// Computes the distances; call it after all objects are added, before any query.
   void measure();
 
-  /// Metres to what stands, at most about the size of the box; beyond the box as at its edge.
+  /// Metres to the nearest object, at most about the size of the box; beyond the box as at its edge.
   float operator()(Vec3 at) const;
-  /// The direction away from it, not of length 1; 0 where there is none.
+  /// The direction away from it, not normalized; 0 if there is none.
   Vec3 away(Vec3 at) const;
 
   Vec3 low() const { return low_; }
@@ -45,7 +45,7 @@ class Clearance {
   std::vector<float> distance_;  // cells, squared until they are measured
 };
 
-/// The clearance of all that stands in a world, throughout the film, round a home.
+/// The clearance of everything in a world, throughout the film, round a home.
 Clearance clearance_of(const World& world, Vec3 low, Vec3 high, float cell);
 
 }  // namespace frond

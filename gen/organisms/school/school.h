@@ -11,7 +11,7 @@ namespace frond {
 struct FishParams {
   double length = 0.08;  ///< metres, the tail included
   double size_variation = 0.12;
-  double beat = 2.2;  ///< lengths that a beat of its tail carries it
+  double beat = 2.2;  ///< distance per beat of its tail, in lengths
   FishForm form;
   FishLook look;
 };
@@ -21,17 +21,17 @@ struct SchoolParams {
   SwimParams swim;
 };
 
-/// Positions of the tail and bends of the body that a fish is held in.
+/// Number of precomputed positions of the tail and bends of the body.
 inline constexpr int kTailPhases = 8, kTailBends = 3;
 
 /// The shape of a fish, one unit long, its nose toward +y, its back toward +z, at a phase of its beat (0..1)
-/// and bent aside by `bend` (-1 right .. 1 left).
+/// and bent sideways by `bend` (-1 right .. 1 left).
 Surface fish_surface(const FishForm& form, double phase, double bend);
 
 /// All its shapes: kTailPhases for each of kTailBends.
 std::vector<Prototype> fish_prototypes(const FishParams& fish);
 
-/// The fish of a school at a time: the organs of a model.
+/// The fish of a school at a time, as the organs of a model.
 Organs school_organs(const SchoolParams& params, const Trajectory& trajectory, double time);
 
 }  // namespace frond

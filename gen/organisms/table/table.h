@@ -9,11 +9,11 @@
 
 namespace frond {
 
-/// A table coral: a level disc on a short stalk, on it a lawn of short branches.
+/// A table coral: a level disc on a short stalk, covered with short branches.
 struct TableParams {
   double across = 0.7;       ///< metres
   double height = 0.24;      ///< metres
-  double stalk = 0.16;       ///< metres, how wide its stalk is
+  double stalk = 0.16;       ///< metres, width of its stalk
   double lobes = 0.55;       ///< see Margin
   double thickness = 0.010;  ///< metres, of the table at its rim
   double branchlet = 0.03;   ///< metres, length of branchlets
@@ -23,7 +23,7 @@ struct TableParams {
   Growth growth;
 };
 
-/// Its disc, before it has a thickness.
+/// Its disc, before it gets a thickness.
 Sheet table_sheet(const TableParams& params, const Surroundings& around, Seed seed);
 
 Result<Model> grow_table(const TableParams& params, const Surroundings& around, Seed seed);

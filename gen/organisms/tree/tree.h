@@ -13,28 +13,28 @@
 
 namespace frond {
 
-/// What a tree's leaves look like: sprigs at its young internodes.
+/// Appearance of a tree's leaves: sprigs at its young internodes.
 struct Foliage {
   SprigShape sprig;
-  std::optional<LeafLook> picture;  ///< in place of the sprig: cut along the outline of its picture
+  std::optional<LeafLook> picture;  ///< replaces the sprig: cut along the outline of its picture
   double size = 0.28;               ///< metres, of a sprig; 0: none
   double size_variation = 0.2;      ///< random change of it, as a share
   double spread = radians(55.0);    ///< between a sprig and the shoot that bears it
-  double hang = 0;                  ///< 0 held up to the light .. 1 hanging straight down
+  double hang = 0;                  ///< 0 held up to the light .. 1 hanging down
   std::vector<Color> colors{{0.20f, 0.34f, 0.10f}, {0.24f, 0.38f, 0.11f}, {0.28f, 0.41f, 0.13f}};
   Color second{0.45f, 0.55f, 0.25f};  ///< of the veins
 };
 
-/// A tree that grows by light, among all others of the scene.
+/// A tree that grows by light among all other trees of the scene.
 struct TreeParams {
-  int years = 32;  ///< its age in the end
+  int years = 32;  ///< its final age
   Species species;
   LightLaw light;
   double wind = 22;    ///< metres a second, the strongest gust of a year
   double snow = 0;     ///< kg a square metre
   double flare = 0.7;  ///< how much wider the foot of the stem is
-  int roots = 5;       ///< that run out from it above the ground
-  double knots = 1;    ///< how far stubs of shed boughs stand out; 0: none are seen
+  int roots = 5;       ///< number of roots visible at its foot
+  double knots = 1;    ///< how far stubs of shed boughs stand out; 0: none
   Foliage leaves;
   Bark bark;                     ///< of branches drawn as sweeps
   std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
@@ -52,26 +52,26 @@ struct TreeSite {
   Seed seed;
 };
 
-/// A grove as it grew: one tree a site.
+/// A grown grove: one tree per site.
 struct Grove {
-  int cycles = 0;  ///< of growth, see grove/age.h: those of the tree that has gone through most
+  int cycles = 0;  ///< number of growth cycles, see grove/age.h: those of the tree with most
   std::vector<GrownTree> trees;
 };
 
-/// Grows all trees in one field of light, which the bodies take a part of. Its law and the weather are those
-/// of the first site. With `history` for films.
+/// Grows all trees in one field of light, shaded also by the bodies. Light law and weather are those of the
+/// first site. `history`: for films.
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
                  std::span<const Surface> bodies = {});
 
-/// A tree at a time in cycles of the grove, where it stands: branches, sprigs of leaves. Past the last cycle
-/// it is the summer after.
+/// A tree at a time in cycles of the grove, at its place: branches and sprigs of leaves. After the last cycle
+/// it is in the summer that follows.
 Model tree_model(const TreeParams& params, const GrownTree& tree, double cycle, const Filming& filming,
                  Seed seed);
 
 /// The growth cycles that a tree of these parameters goes through.
 int cycles_of(const TreeParams& params);
 
-/// The cycle of a grove that a film has reached; the last summer where the tree does not grow in the film.
+/// The cycle of a grove at a time of a film; the last summer if the tree does not grow in the film.
 double cycle_at(const Growth& growth, int cycles, double time);
 
 /// Its leaves as pictures, in all seasons; they must be pictures.

@@ -8,21 +8,21 @@
 
 namespace frond {
 
-/// What tubes are made of.
+/// Materials of tubes.
 enum class TubeForm { sponge, pipes };
 
 /// Tubes that grow at their rims, open at the top.
 struct TubeParams {
   TubeForm form = TubeForm::sponge;
-  double across = 0.3;  ///< metres, of all tubes
+  double across = 0.3;  ///< metres, of the whole group
   double height = 0.4;  ///< metres
   int tubes = 6;
   double radius = 0.03;     ///< metres, of a tube
   double wall = 0.009;      ///< metres
   double bulge = 0.2;       ///< radians by which a tube widens from its foot
-  double lumps = 0.3;       ///< how uneven they are outside
+  double lumps = 0.3;       ///< unevenness of the outside
   double lump_size = 0.03;  ///< metres
-  int ribs = 0;             ///< along a tube, outside
+  int ribs = 0;             ///< along the outside of a tube
   double edge = 0.007;      ///< metres, of triangles
   TissueLook tissue;
   Growth growth;

@@ -11,13 +11,13 @@ namespace frond {
 /// A tree by the parameters of Weber and Penn.
 struct WeberPennParams {
   WeberPenn tree;
-  std::string arbaro;  ///< an Arbaro file whose values stand for `tree`, as seen from the preset's folder
+  std::string arbaro;  ///< an Arbaro file whose values replace `tree`, relative to the preset's folder
   TreeDress dress;
 };
 
 Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed);
 
-/// Takes the parameters of an Arbaro file in place of a tree's own.
+/// Loads the parameters of an Arbaro file in place of a tree's own.
 Errors load_species(const NamedFile& file, WeberPenn& tree);
 
 }  // namespace frond
