@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSlope = 0.5;  // the ground is no nearer than this share of the height above it
 
-/// What hinders the end of link `i`, which begins at `at`, from being at `to`: the way to push it, or
+/// What hinders the end of link `i`, which begins at `at`, from being at `to`: the offset to push it by, or
 /// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
 /// from now on.
 std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, const DVec3& at,

@@ -40,7 +40,7 @@ DVec3 nearest_on(const std::array<Vec3, 3>& t, const DVec3& p, int& feature) {
   return feature = kFace, a + ab * (vb * sum) + ac * (vc * sum);
 }
 
-/// A way, and what it meets (Moeller and Trumbore 1997).
+/// A segment, and what it meets (Moeller and Trumbore 1997).
 struct Segment : RTCIntersectContext {
   const Host* host = nullptr;
   DVec3 from{0}, along{0};
@@ -218,7 +218,7 @@ void Host::take(Soup&& soup) {
   high_ = high;
 }
 
-/// How many of four ways lead from one side (1 or -1) of a triangle into the open.
+/// How many of four rays lead from one side (1 or -1) of a triangle into the open.
 double Host::openness(std::uint32_t triangle, double side) const {
   const auto& c = corners_[triangle];
   DVec3 normal = side * face_normal(triangle), along = glm::normalize(DVec3(c[1]) - DVec3(c[0]));
@@ -329,7 +329,7 @@ bool Host::inside(const DVec3& place) const {
     segment.along = direction * (2 * size());
     segment.all = true;
     tree_->walk(segment);
-    votes += segment.winding > 0 ? 1 : -1;  // more ways out than in
+    votes += segment.winding > 0 ? 1 : -1;  // more faces left than entered
     if (std::abs(votes) == 3) break;
   }
   return votes > 0;

@@ -15,7 +15,7 @@ constexpr double kMuchTooNear = 0.35;
 constexpr double kOverhang = -0.5;    // the height of the normal below which a surface is one,
 constexpr double kNoOverhang = -0.1;  // and above which it is none any more
 
-/// Which way the lure is, and how much of the bias it deserves here.
+/// The direction of the lure, and how much of the bias applies here.
 DVec3 lured(const Crawl& crawl, const Tread& tread, double& share) {
   DVec3 toward(crawl.toward);
   share = crawl.bias;

@@ -27,7 +27,7 @@ DVec3 carried_along(const DVec3& heading, const DVec3& from, const DVec3& to) {
   return tangent(turned, to);
 }
 
-/// Whether the straight way between two treads cuts through the surface deeper than may be.
+/// Whether the straight line between two treads cuts through the surface deeper than may be.
 bool cuts(const Host& host, const DVec3& from, const DVec3& to, double turn, double lift) {
   std::optional<Crossing> in = host.crossing(from, to);
   if (!in) return false;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kReach = 6;  // radii from a fork to the end of what is blended there
 
-/// Follows the ways from the forks of one skeleton.
+/// Follows the branches from the forks of one skeleton.
 class Joiner {
  public:
   Joiner(Boughs& boughs, const Skeleton& rest, std::span<const float> radius, float blend)

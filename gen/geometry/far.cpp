@@ -218,7 +218,7 @@ Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint
   return out;
 }
 
-/// Either way of meshoptimizer, to so many triangles.
+/// Either method of meshoptimizer, to that number of triangles.
 template <class Simplify>
 Surface fewer(const Surface& surface, std::size_t triangles, const Simplify& simplify,
               std::vector<std::uint32_t>* kept = nullptr) {

@@ -117,7 +117,7 @@ Errors advance_leftmost(const Grammar& grammar, Derivation& state, int steps, Se
   LeftmostRewriter cursor(grammar, state, seed);
   for (int i = 0; i < steps; ++i) {
     if (!cursor.step()) {
-      // The general way makes the same steps and finds the words for what went wrong.
+      // The general algorithm makes the same steps and finds the message for the error.
       state = std::move(before);
       return advance_plainly(grammar, state, steps, seed, limits);
     }

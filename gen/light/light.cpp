@@ -78,7 +78,7 @@ Vec3 SoftLight::arriving(std::size_t k, Vec3 at, Vec3 direction, float spread, c
     left = std::exp(-0.5f * levels_[k].loose(i, upright));
     sum = (1 - left) * levels_[k].radiance(i);
   }
-  // Each bit of the way counts once, whatever the cells before it were.
+  // Each part of the ray counts once, whatever the cells before it were.
   for (float t = 0.5f * levels_[k].cell; left > kDark; t += levels_[k].cell) {
     while (k + 1 < levels_.size() && levels_[k + 1].cell < spread * t) ++k, enter();
     auto middle = [&] { return origin + (t + 0.5f * levels_[k].cell) * ahead; };
@@ -103,7 +103,7 @@ Vec3 SoftLight::arriving(std::size_t k, Vec3 at, Vec3 direction, float spread, c
 
 void SoftLight::light(const Ambience& ambience) {
   set_depths();
-  // Only how open the ways to sun and sky are is asked here, not what cells show; so their order is of no
+  // Only how open the rays to sun and sky are is asked here, not what cells show; so their order does not
   // matter.
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     Level& level = levels_[k];

@@ -106,7 +106,7 @@ std::vector<double> joints(double from, double to, double size, bool shift, Seed
   return cuts;
 }
 
-/// One wedge of the vault, between two ways along it and two depths.
+/// One wedge of the vault, between two distances along it and two depths.
 void lay_voussoir(const BridgeMason& m, double from, double to, double near, double far, Seed seed) {
   double joint = m.shape.gap / 2;
   Vec3 size(real(to - from - 2 * joint), real(m.vault.ring), real(far - near - 2 * joint));

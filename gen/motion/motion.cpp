@@ -56,7 +56,7 @@ class Current {
 };
 
 /// The turn that brings a segment of direction `heading` that starts at `base` toward the food, `share` of
-/// the way along its branch and `step` of the way long.
+/// the way along its branch and `step` of it long.
 Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float strength, float share,
                  float step) {
   Vec3 to_food = food - base;

@@ -72,7 +72,7 @@ FanNet weave(const FanParams& params, Seed seed) {
   return net;
 }
 
-/// The way to the foot that is shortest, as edges differ at random (Dijkstra 1959).
+/// The shortest paths to the foot, with random edge weights (Dijkstra 1959).
 struct FanPaths {
   std::vector<float> distance;
   std::vector<std::uint32_t> below, order;  // nearer ones first

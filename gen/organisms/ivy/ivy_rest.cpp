@@ -10,7 +10,7 @@ constexpr double kClear = 0.03;   // units that a leaf keeps off where it had to
 constexpr double kDeepest = 0.4;  // units that it is moved at once
 constexpr int kRounds = 8;
 
-/// A feeler that is too near: from where it is seen, and how far it must go which way, in units.
+/// A feeler that is too near: its offset from the foot, and how far to move it in which direction, in units.
 struct Touch {
   DVec3 arm, direction;
   double need;

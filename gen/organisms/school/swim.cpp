@@ -225,7 +225,7 @@ std::vector<int> match(const std::vector<Vec3>& from, const std::vector<Vec3>& t
   std::vector<char> taken(n, 0);
   for (const Pair& pair : pairs)
     if (next[pair.i] < 0 && !taken[pair.j]) next[pair.i] = static_cast<int>(pair.j), taken[pair.j] = 1;
-  // The last ones got what was left: exchanges shorten their ways.
+  // The last ones got what was left: exchanges shorten their paths.
   auto far = [&](std::size_t i, int j) {
     Vec3 off = from[i] - to[static_cast<std::size_t>(j)];
     return glm::dot(off, off);
