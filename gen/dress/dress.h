@@ -28,8 +28,8 @@ struct BranchLook {
   std::optional<Skin> skin = {};
   std::optional<Bark> bark = {};
   std::optional<BarkCoat> coat = {};  ///< where given, thick branches are meshes with this picture
-  int lobes = 0;                 ///< of the trunk's cross-section, where there is a coat
-  double lobe_depth = 0;         ///< share of the radius
+  int lobes = 0;                      ///< of the trunk's cross-section, where there is a coat
+  double lobe_depth = 0;              ///< share of the radius
 
   bool drawn() const { return skin || bark; }
   /// Of a coral that light and shade tell on; sea fans take their food from the water alone.
