@@ -157,6 +157,17 @@ void SkinMesh::flip() {
 }
 
 /// Draws the ends of short edges together, where the mesh stays one without folds (link condition).
+bool SkinMesh::folds(const Triangle& t, std::uint32_t from, std::uint32_t to) const {
+  if (std::ranges::find(t, to) != t.end()) return false;  // it goes
+  Triangle moved = t;
+  std::ranges::replace(moved, from, to);
+  auto area = [&](const Triangle& x) {
+    return glm::cross(position[x[1]] - position[x[0]], position[x[2]] - position[x[0]]);
+  };
+  Vec3 before = area(t), after = area(moved);
+  return glm::dot(before, after) <= 0.2f * glm::length(before) * glm::length(after);
+}
+
 void SkinMesh::collapse(float shortest) {
   std::vector<Side> sides = sides_of(triangle, position.size(), [&](std::uint32_t a, std::uint32_t b) {
     return length2(position[a] - position[b]) <= shortest * shortest;
@@ -195,19 +206,9 @@ void SkinMesh::collapse(float shortest) {
         std::ranges::any_of(near_b, is_touched))
       continue;
     // b goes to the older a; no triangle of b may turn over.
-    bool folds = false;
-    for (std::uint32_t k = first[b]; k < first[b + 1] && !folds; ++k) {
-      const Triangle& t = triangle[around[k]];
-      if (std::ranges::find(t, a) != t.end()) continue;
-      Triangle moved = t;
-      std::ranges::replace(moved, b, a);
-      auto area = [&](const Triangle& x) {
-        return glm::cross(position[x[1]] - position[x[0]], position[x[2]] - position[x[0]]);
-      };
-      Vec3 before = area(t), after = area(moved);
-      folds = glm::dot(before, after) <= 0.2f * glm::length(before) * glm::length(after);
-    }
-    if (folds) continue;
+    if (std::any_of(around.begin() + first[b], around.begin() + first[b + 1],
+                    [&](std::uint32_t t) { return folds(triangle[t], b, a); }))
+      continue;
     becomes[b] = a;
     touched[a] = touched[b] = 1;
     for (std::uint32_t v : near_a) touched[v] = 1;

@@ -39,6 +39,8 @@ class SkinMesh {
   void split(float longest);
   void flip();
   void collapse(float shortest);
+  /// Whether a triangle at `from` turns over where that vertex goes to `to`.
+  bool folds(const Triangle& t, std::uint32_t from, std::uint32_t to) const;
 };
 
 }  // namespace frond

@@ -177,6 +177,22 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   tree.sizes.push_back(size_of(m, s.wood));
 }
 
+/// The radii of each metamer, year by year; `index` is where in the tree the one of a serial number is.
+void add_rings(GrownTree& g, const std::vector<YearRings>& rings, const std::vector<std::int32_t>& index,
+               const Wood& wood) {
+  assert(g.born.size() == g.size() && g.died.size() == g.size() && g.fell.size() == g.size());
+  assert(g.light.size() == g.size() && g.order.size() == g.size() && g.leads.size() == g.size());
+  g.first_ring.assign(g.size() + 1, 0);
+  for (const YearRings& year : rings)
+    for (std::uint32_t serial : year.serial) ++g.first_ring[index[serial] + 1];
+  for (std::size_t i = 0; i < g.size(); ++i) g.first_ring[i + 1] += g.first_ring[i];
+  g.ring.resize(g.first_ring.back());
+  std::vector<std::uint32_t> next = g.first_ring;
+  for (const YearRings& year : rings)
+    for (std::size_t k = 0; k < year.serial.size(); ++k)
+      g.ring[next[index[year.serial[k]]]++] = pipe_radius(wood, year.pipe[k]);
+}
+
 /// The living and the fallen in the order in which they were born, so that parents precede children.
 GrownTree grown_tree(Tree& tree) {
   const Wood& wood = tree.seedling->species.wood;
@@ -234,17 +250,7 @@ GrownTree grown_tree(Tree& tree) {
   }
 
   if (tree.rings.empty()) return g;
-  assert(g.born.size() == g.size() && g.died.size() == g.size() && g.fell.size() == g.size());
-  assert(g.light.size() == g.size() && g.order.size() == g.size() && g.leads.size() == g.size());
-  g.first_ring.assign(g.size() + 1, 0);
-  for (const YearRings& year : tree.rings)
-    for (std::uint32_t serial : year.serial) ++g.first_ring[index[serial] + 1];
-  for (std::size_t i = 0; i < g.size(); ++i) g.first_ring[i + 1] += g.first_ring[i];
-  g.ring.resize(g.first_ring.back());
-  std::vector<std::uint32_t> next = g.first_ring;
-  for (const YearRings& year : tree.rings)
-    for (std::size_t k = 0; k < year.serial.size(); ++k)
-      g.ring[next[index[year.serial[k]]]++] = pipe_radius(wood, year.pipe[k]);
+  add_rings(g, tree.rings, index, wood);
   return g;
 }
 

@@ -136,6 +136,18 @@ double growth_front(const Growth& growth, double time) {
   return end * (0.45 * eased + 0.55 * (1 - (1 - eased) * (1 - eased)));
 }
 
+namespace {
+
+/// The share of its segment that growth has reached at node `i` above `p`; `born` is put off until it begins.
+float reached_share(const Skeleton& rest, std::size_t i, std::int32_t p, float front, float& born) {
+  if (rest.birth[i] <= front) return 1;
+  float span = rest.birth[i] - rest.birth[p];
+  born = std::max(born, rest.birth[p]);
+  return span > 0 ? std::clamp((front - rest.birth[p]) / span, 0.0f, 1.0f) : 0.0f;
+}
+
+}  // namespace
+
 void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose) {
   assert(rest.radius.size() == rest.size() && rest.parent.size() == rest.size());
   assert(rest.distance.size() == rest.size() && rest.birth.size() == rest.size());
@@ -183,12 +195,7 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
         swing = pull[i] * swing;
       }
       pose.turn[i] = swing;
-      float reached = 1;
-      if (rest.birth[i] > pose.front) {
-        float span = rest.birth[i] - rest.birth[p];
-        reached = span > 0 ? std::clamp((pose.front - rest.birth[p]) / span, 0.0f, 1.0f) : 0.0f;
-        born = std::max(born, rest.birth[p]);
-      }
+      float reached = reached_share(rest, i, p, pose.front, born);
       pose.position[i] = pose.position[p] + reached * (swing * segment);
     }
     float age = std::max(pose.front - born, 0.0f);

@@ -113,18 +113,49 @@ void straighten(FanNet& net, const FanPaths& paths, const std::vector<std::uint3
 
 }  // namespace
 
+namespace {
+
+/// What flows through each thread, and which it comes from mainly.
+struct FanFlow {
+  std::vector<float> load;
+  std::vector<std::uint32_t> next;
+};
+
+FanFlow flow_of(const FanPaths& paths, std::size_t count) {
+  FanFlow flow{std::vector<float>(count, 1), std::vector<std::uint32_t>(count, kNoPlace)};
+  for (std::size_t k = paths.order.size(); k-- > 1;) {
+    std::uint32_t v = paths.order[k], b = paths.below[v];
+    flow.load[b] += flow.load[v];
+    if (flow.next[b] == kNoPlace || flow.load[v] > flow.load[flow.next[b]]) flow.next[b] = v;
+  }
+  return flow;
+}
+
+/// Threads that meet side by side grow together.
+template <class Place>
+void link_threads(Skeleton& s, const FanNet& net, const FanPaths& paths,
+                  const std::vector<std::int32_t>& node, const Place& place, const FanParams& params,
+                  Seed links) {
+  for (std::uint32_t v : paths.order)
+    for (std::uint32_t w : net.near[v]) {
+      if (w == kNoPlace || paths.below[w] == v || paths.below[v] == w ||
+          paths.distance[w] < paths.distance[v])
+        continue;
+      if (w == v || paths.distance[w] - paths.distance[v] > 0.75f * static_cast<float>(params.mesh)) continue;
+      std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
+      if (links.child(edge).unit() >= params.links) continue;
+      auto depth = static_cast<std::uint16_t>(s.order[static_cast<std::size_t>(node[v])] + 1);
+      s.add(place(w), static_cast<float>(params.thread), node[v], depth);
+    }
+}
+
+}  // namespace
+
 Skeleton grow_fan(const FanParams& params, Seed seed) {
   FanNet net = weave(params, seed.child("net"));
   FanPaths paths = find_paths(net, seed.child("ways"));
   std::size_t count = net.place.size();
-  // What flows through each thread, and where it comes from mainly.
-  std::vector<float> load(count, 1);
-  std::vector<std::uint32_t> next(count, kNoPlace);
-  for (std::size_t k = paths.order.size(); k-- > 1;) {
-    std::uint32_t v = paths.order[k], b = paths.below[v];
-    load[b] += load[v];
-    if (next[b] == kNoPlace || load[v] > load[next[b]]) next[b] = v;
-  }
+  const auto [load, next] = flow_of(paths, count);
   straighten(net, paths, next);
   float most = load[net.foot];
   auto thin = static_cast<float>(params.thread), foot = static_cast<float>(params.foot);
@@ -155,7 +186,6 @@ Skeleton grow_fan(const FanParams& params, Seed seed) {
   };
   std::vector<Task> open{{net.foot, root, 0}};
   std::vector<std::uint32_t> thread;
-  Seed links = seed.child("links");
   while (!open.empty()) {
     Task task = open.back();
     open.pop_back();
@@ -169,18 +199,7 @@ Skeleton grow_fan(const FanParams& params, Seed seed) {
       for (std::uint32_t w : sides[v])
         open.push_back({w, node[v], static_cast<std::uint16_t>(task.depth + 1)});
   }
-  // Threads that meet side by side grow together.
-  for (std::uint32_t v : paths.order)
-    for (std::uint32_t w : net.near[v]) {
-      if (w == kNoPlace || paths.below[w] == v || paths.below[v] == w ||
-          paths.distance[w] < paths.distance[v])
-        continue;
-      if (w == v || paths.distance[w] - paths.distance[v] > 0.75f * static_cast<float>(params.mesh)) continue;
-      std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
-      if (links.child(edge).unit() >= params.links) continue;
-      auto depth = static_cast<std::uint16_t>(s.order[static_cast<std::size_t>(node[v])] + 1);
-      s.add(place(w), thin, node[v], depth);
-    }
+  link_threads(s, net, paths, node, place, params, seed.child("links"));
   set_tip_distances(s);
   set_births(s);
   return s;

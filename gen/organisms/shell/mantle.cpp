@@ -26,6 +26,33 @@ double swelling(const MantleParams& mantle, double along, double across, bool fa
          mantle.ruffle * 2 * waves * smooth_step(0.25, 0.9, across);
 }
 
+/// Gives a sheet of kMantleAlong + 1 rows its lower side, and closes it round the border.
+void close_mantle(Surface& top, const std::vector<Vec3>& under) {
+  constexpr std::uint32_t kRow = kMantleAcross + 1;
+  auto count = static_cast<std::uint32_t>(under.size());
+  top.position.insert(top.position.end(), under.begin(), under.end());
+  std::vector<Vec2> uv = top.uv;
+  top.uv.insert(top.uv.end(), uv.begin(), uv.end());
+  std::vector<std::uint32_t> border;  // round the upper side
+  for (std::uint32_t b = 0; b + 1 < kRow; ++b) border.push_back(b);
+  for (std::uint32_t a = 0; a < kMantleAlong; ++a) border.push_back(a * kRow + kRow - 1);
+  for (std::uint32_t b = kRow; b-- > 1;) border.push_back(kMantleAlong * kRow + b);
+  for (std::uint32_t a = kMantleAlong; a > 0; --a) border.push_back(a * kRow);
+  auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    top.triangle.push_back({a, b, c}), top.triangle.push_back({a, c, d});
+  };
+  for (std::uint32_t a = 0; a < kMantleAlong; ++a)
+    for (std::uint32_t b = 0; b + 1 < kRow; ++b) {
+      std::uint32_t i = a * kRow + b;
+      quad(i, i + 1, i + 1 + kRow, i + kRow);
+      quad(count + i, count + i + kRow, count + i + kRow + 1, count + i + 1);
+    }
+  for (std::size_t k = 0; k < border.size(); ++k) {
+    std::uint32_t a = border[k], b = border[(k + 1) % border.size()];
+    quad(b, a, a + count, b + count);
+  }
+}
+
 }  // namespace
 
 Surface shell_mantle(const ShellParams& params, const ShellEdge& edge, double grown, double gape,
@@ -69,29 +96,7 @@ Surface shell_mantle(const ShellParams& params, const ShellEdge& edge, double gr
                       aside * static_cast<float>((side < 0 ? -1 : 1) * 0.3 * thick * lip));
     }
   }
-  constexpr std::uint32_t kRow = kMantleAcross + 1;
-  auto count = static_cast<std::uint32_t>(under.size());
-  top.position.insert(top.position.end(), under.begin(), under.end());
-  std::vector<Vec2> uv = top.uv;
-  top.uv.insert(top.uv.end(), uv.begin(), uv.end());
-  std::vector<std::uint32_t> border;  // round the upper side
-  for (std::uint32_t b = 0; b + 1 < kRow; ++b) border.push_back(b);
-  for (std::uint32_t a = 0; a < kMantleAlong; ++a) border.push_back(a * kRow + kRow - 1);
-  for (std::uint32_t b = kRow; b-- > 1;) border.push_back(kMantleAlong * kRow + b);
-  for (std::uint32_t a = kMantleAlong; a > 0; --a) border.push_back(a * kRow);
-  auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    top.triangle.push_back({a, b, c}), top.triangle.push_back({a, c, d});
-  };
-  for (std::uint32_t a = 0; a < kMantleAlong; ++a)
-    for (std::uint32_t b = 0; b + 1 < kRow; ++b) {
-      std::uint32_t i = a * kRow + b;
-      quad(i, i + 1, i + 1 + kRow, i + kRow);
-      quad(count + i, count + i + kRow, count + i + kRow + 1, count + i + 1);
-    }
-  for (std::size_t k = 0; k < border.size(); ++k) {
-    std::uint32_t a = border[k], b = border[(k + 1) % border.size()];
-    quad(b, a, a + count, b + count);
-  }
+  close_mantle(top, under);
   set_normals(top);
   return top;
 }

@@ -58,11 +58,46 @@ std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) 
   return sockets;
 }
 
-/// The lawn of branchlets on the table, each with its past.
-SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& params, Seed seed) {
-  constexpr int kSides = 6, kLawnRings = 4;
+constexpr int kBranchletSides = 6, kLawnRings = 4;
+
+/// Appends a branchlet: rings about an axis of `up`, closed at its tip and in its foot. Gives its first
+/// vertex.
+std::uint32_t add_branchlet(Surface& lawn, Vec3 foot, Vec3 up, float length, float thick, float birth) {
   static constexpr float kProfile[kLawnRings] = {1.0f, 0.95f, 0.8f, 0.5f},
                          kRise[kLawnRings] = {0, 0.4f, 0.75f, 0.94f};
+  Vec3 x = glm::normalize(glm::cross(up, Vec3(0.3f, 0.1f, 1)));
+  Vec3 z = glm::cross(up, x);
+  auto first = static_cast<std::uint32_t>(lawn.position.size());
+  auto add = [&](Vec3 at, float share) {
+    lawn.position.push_back(at);
+    lawn.uv.push_back({0.3f + 0.7f * share, std::max(birth, 0.98f * share * share)});
+  };
+  for (int j = 0; j < kLawnRings; ++j)
+    for (int i = 0; i < kBranchletSides; ++i) {
+      auto angle = static_cast<float>(2 * kPi * i / kBranchletSides);
+      add(foot + up * (length * kRise[j]) +
+              (x * std::cos(angle) + z * std::sin(angle)) * (thick * kProfile[j]),
+          kRise[j]);
+    }
+  add(foot + up * length, 1);
+  add(foot - up * 0.002f, 0);
+  auto id = [&](int j, int i) {
+    return first + static_cast<std::uint32_t>(j * kBranchletSides + i % kBranchletSides);
+  };
+  std::uint32_t tip = first + kLawnRings * kBranchletSides;
+  for (int i = 0; i < kBranchletSides; ++i) {
+    for (int j = 0; j + 1 < kLawnRings; ++j) {
+      lawn.triangle.push_back({id(j, i), id(j + 1, i), id(j, i + 1)});
+      lawn.triangle.push_back({id(j, i + 1), id(j + 1, i), id(j + 1, i + 1)});
+    }
+    lawn.triangle.push_back({id(kLawnRings - 1, i), tip, id(kLawnRings - 1, i + 1)});
+    lawn.triangle.push_back({id(0, i + 1), tip + 1, id(0, i)});
+  }
+  return first;
+}
+
+/// The lawn of branchlets on the table, each with its past.
+SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& params, Seed seed) {
   SheetBody lawn;
   lawn.past.resize(kSheetSteps);
   std::vector<Socket> sockets = draw_sockets(sheet, params.spacing, seed);
@@ -83,41 +118,15 @@ SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& p
               static_cast<float>(own.child("z").range(-0.25, 0.25)));
     Vec3 up =
         glm::normalize(Vec3(0, 1, 0) + lean + out / reach * (0.15f + 0.9f * smooth_step(0.75f, 0.95f, away)));
-    Vec3 x = glm::normalize(glm::cross(up, Vec3(0.3f, 0.1f, 1)));
-    Vec3 z = glm::cross(up, x);
     auto length = static_cast<float>(params.branchlet * own.child("length").range(0.65, 1.05));
     auto thick = static_cast<float>(params.spacing * own.child("thick").range(0.27, 0.36));
-    auto first = static_cast<std::uint32_t>(lawn.surface.position.size());
-    float birth = std::min(row / rows, 0.8f);
-    auto put = [&](Vec3 at, float share) {
-      lawn.surface.position.push_back(at);
-      lawn.surface.uv.push_back({0.3f + 0.7f * share, std::max(birth, 0.98f * share * share)});
-    };
-    for (int j = 0; j < kLawnRings; ++j)
-      for (int i = 0; i < kSides; ++i) {
-        auto angle = static_cast<float>(2 * kPi * i / kSides);
-        put(foot + up * (length * kRise[j]) +
-                (x * std::cos(angle) + z * std::sin(angle)) * (thick * kProfile[j]),
-            kRise[j]);
-      }
-    put(foot + up * length, 1);
-    put(foot - up * 0.002f, 0);
-    auto id = [&](int j, int i) { return first + static_cast<std::uint32_t>(j * kSides + i % kSides); };
-    std::uint32_t tip = first + kLawnRings * kSides;
-    for (int i = 0; i < kSides; ++i) {
-      for (int j = 0; j + 1 < kLawnRings; ++j) {
-        lawn.surface.triangle.push_back({id(j, i), id(j + 1, i), id(j, i + 1)});
-        lawn.surface.triangle.push_back({id(j, i + 1), id(j + 1, i), id(j + 1, i + 1)});
-      }
-      lawn.surface.triangle.push_back({id(kLawnRings - 1, i), tip, id(kLawnRings - 1, i + 1)});
-      lawn.surface.triangle.push_back({id(0, i + 1), tip + 1, id(0, i)});
-    }
+    std::uint32_t first = add_branchlet(lawn.surface, foot, up, length, thick, std::min(row / rows, 0.8f));
     for (int k = 0; k < kSheetSteps; ++k) {
       Vec3 now = place(top.past[static_cast<std::size_t>(k)]);
       float share = static_cast<float>(k) / kSheetSteps;
       float size =
           std::max(0.02f, smooth_step(row / rows, row / rows + 0.25f * (1.02f - row / rows) + 0.1f, share));
-      for (std::uint32_t v = first; v < tip + 2; ++v)
+      for (std::uint32_t v = first; v < lawn.surface.position.size(); ++v)
         lawn.past[static_cast<std::size_t>(k)].push_back(now + (lawn.surface.position[v] - foot) * size);
     }
   }
