@@ -96,6 +96,22 @@ TEST(EntryFilter, ARoughTreeIsAsTallAndHasFewerTwigs) {
   EXPECT_NEAR(tall(coarse), tall(fine), 0.35 * tall(fine));
 }
 
+TEST(EntryFilter, ARoughCoralOrPlantHasNoMoreThanItsShareOfTheNodes) {
+  Preset preset = *read_preset(R"({"scene": {"setting": "studio"}, "organisms": [
+      {"kind": "coral", "steps": 7}, {"kind": "plant", "height": 1,
+       "grammar": {"axiom": "F", "steps": 5, "angle": 25, "rules": ["F -> F[+F]F[-F]F"]}}]})",
+                               "rough", {});
+  for (const Organism& o : preset.organisms) {
+    double whole = o.grower->estimate_size(Seed{1})->nodes;
+    for (double share : {0.5, 0.1, 0.02}) {
+      std::shared_ptr<const Grower> rough = o.grower->coarse(share);
+      ASSERT_NE(rough, nullptr) << o.text;
+      EXPECT_LE(rough->estimate_size(Seed{1})->nodes, share * whole) << o.text;
+      EXPECT_GT(rough->estimate_size(Seed{1})->nodes, 0) << o.text;
+    }
+  }
+}
+
 TEST(EntryFilter, ARoughOneIsNoFaultAndHasFewerTriangles) {
   Preset reef = *read_preset(R"({"scene": {"setting": "underwater"}, "organisms": [
       {"kind": "rock", "size": 1, "depth": 7, "tolerance": 0.0005}, {"kind": "massive"}, {"kind": "columnar"},
