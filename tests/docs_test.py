@@ -42,6 +42,8 @@ def known(words):
     if not words[0].startswith("scripts/"):
         return
     text = script.read_text()
+    if called := re.search(r"^call_frond (\w+)", text, re.M):  # it has the options of that
+        text = subprocess.run([FROND, called[1], "--help"], text=True, stdout=subprocess.PIPE, check=True).stdout
     for word in words[1:]:
         if word.startswith("--"):
             assert word.split("=")[0] in text, f"{words[0]} knows no {word}"
