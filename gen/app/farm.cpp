@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "app/bar.h"
@@ -31,10 +30,8 @@ namespace {
 /// A number from 1 to 99999; 0 where the text is none.
 int count_of(const std::string& text) {
   constexpr int kMost = 99'999;
-  int number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  bool whole = error == std::errc{} && end == text.data() + text.size() && !text.starts_with('0');
-  return whole && number > 0 && number <= kMost ? number : 0;
+  int number = text.starts_with('0') ? 0 : counting_number(text);
+  return number <= kMost ? number : 0;
 }
 
 bool are_hosts(const std::string& text) {

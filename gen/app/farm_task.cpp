@@ -329,9 +329,8 @@ int FarmTask::film() {
 std::vector<int> numbers_of(const std::vector<std::string>& words) {
   std::vector<int> numbers;
   for (const std::string& word : words) {
-    int number = 0;
-    auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size() || number < 1) return {};
+    int number = counting_number(word);
+    if (number == 0) return {};
     numbers.push_back(number);
   }
   return numbers;

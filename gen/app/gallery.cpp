@@ -139,14 +139,6 @@ Errors Gallery::picture(const GalleryPicture& picture, bool large) {
   return large ? Errors{} : note_row(picture);
 }
 
-/// The digits behind a text; empty where it is not there.
-std::string digits_behind(const std::string& text, std::string_view before) {
-  std::size_t at = text.find(before);
-  if (at == text.npos) return {};
-  at += before.size();
-  return text.substr(at, text.find_first_not_of("0123456789", at) - at);
-}
-
 /// Notes what the page will say of a picture.
 Errors Gallery::note_row(const GalleryPicture& picture) const {
   GalleryRow row;
@@ -156,7 +148,7 @@ Errors Gallery::note_row(const GalleryPicture& picture) const {
     Result<std::string> text = read_file(folder / "manifest.json");
     Result<Manifest> manifest = text ? read_manifest(*text, "manifest.json") : text.errors();
     if (!manifest) return manifest.errors();
-    row.seed = digits_behind(*text, "\"seed\": ");
+    row.seed = manifest->seed;
     row.nodes += manifest->frames.back().nodes;
     std::vector<FrameTime> times = read_times(folder);
     if (times.empty()) row.seconds.reset();  // a run that was killed could not say what it took

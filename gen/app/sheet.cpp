@@ -18,6 +18,7 @@
 #include "core/content.h"
 #include "core/files.h"
 #include "core/frame_name.h"
+#include "core/text.h"
 #include "jobs/jobs.h"
 #include "render/film.h"
 #include "render/label.h"
@@ -88,9 +89,8 @@ Result<std::vector<Sweep>> read_sweeps(const RenderArguments& a) {
     sweeps.push_back(std::move(*sweep));
   }
   if (a.seeds) {
-    int seeds = 0;
-    auto [end, error] = std::from_chars(a.seeds->data(), a.seeds->data() + a.seeds->size(), seeds);
-    if (error != std::errc{} || end != a.seeds->data() + a.seeds->size() || seeds < 1 || seeds > kMost)
+    int seeds = counting_number(*a.seeds);
+    if (seeds < 1 || seeds > kMost)
       return Error{"", fmt::format("--contact-seeds needs a number from 1 to 99, not '{}'", *a.seeds)};
     sweeps.insert(sweeps.begin(), sweep_of("/seed", 1, seeds, seeds));
   }

@@ -31,6 +31,9 @@ void append_list(std::string& text, int decimals, double first, Numbers... rest)
 /// The parts of a text between separators, or ended by them.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// The text as a whole number from 1 on; 0 if it is none or too large.
+int counting_number(std::string_view text);
+
 /// A receiver of a long text in pieces.
 using Out = std::function<void(std::string_view)>;
 

@@ -21,6 +21,11 @@ struct Color {
   bool operator==(const Color&) const = default;
 };
 
+inline Color mixed(const Color& from, const Color& to, float share) {
+  auto mix = [&](float a, float b) { return a + (b - a) * share; };
+  return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue)};
+}
+
 inline constexpr double kPi = std::numbers::pi;
 
 /// The golden angle in radians, for even spirals: 2 pi (2 - golden ratio).

@@ -16,10 +16,7 @@ constexpr std::size_t kSteps = 8;  // from the colour of a bud to that of the le
 Color unfolding_color(const Prototype& prototype, std::size_t color, std::size_t step) {
   const Color& last = prototype.colors[color];
   if (!prototype.bud) return last;
-  float share = static_cast<float>(step + 1) / static_cast<float>(kSteps);
-  auto mix = [&](float from, float to) { return from + (to - from) * share; };
-  return {mix(prototype.bud->red, last.red), mix(prototype.bud->green, last.green),
-          mix(prototype.bud->blue, last.blue)};
+  return mixed(*prototype.bud, last, static_cast<float>(step + 1) / static_cast<float>(kSteps));
 }
 
 std::size_t steps_of(const Prototype& prototype) { return prototype.bud ? kSteps : 1; }

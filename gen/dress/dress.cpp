@@ -38,15 +38,17 @@ Color BranchLook::plain(std::size_t color, double brightness) const {
     // Walls and pores, as they run together from afar.
     Tint pores = skin->tint;
     pores.base = pores.secondary;
-    return mixed(tinted(skin->tint, brightness), tinted(pores, brightness), 0.3);
+    return mixed(tinted(skin->tint, brightness), tinted(pores, brightness), 0.3f);
   }
   const Bark& wood = bark ? *bark : Bark{};
-  double furrows = bark && wood.kind == BarkKind::bark ? 0.25 : 0.0;
+  float furrows = bark && wood.kind == BarkKind::bark ? 0.25f : 0.0f;
   return scaled(mixed(wood.colors[color], wood.second, furrows), brightness);
 }
 
 Color BranchLook::young(std::size_t color, double brightness) const {
-  if (skin) return mixed(tinted(skin->tint, brightness), {0.96f, 0.96f, 0.96f}, 0.62 * skin->tint.young);
+  if (skin)
+    return mixed(tinted(skin->tint, brightness), {0.96f, 0.96f, 0.96f},
+                 static_cast<float>(0.62 * skin->tint.young));
   return bark ? scaled(bark->young, brightness) : plain(color, brightness);
 }
 
@@ -92,11 +94,6 @@ TubeShape BranchLook::tube_shape(std::span<const float> girth) const {
 Color scaled(Color c, double factor) {
   auto part = [&](float x) { return static_cast<float>(std::clamp(x * factor, 0.0, 1.0)); };
   return {part(c.red), part(c.green), part(c.blue)};
-}
-
-Color mixed(const Color& from, const Color& to, double share) {
-  auto part = [&](float x, float y) { return static_cast<float>(x + (y - x) * share); };
-  return {part(from.red, to.red), part(from.green, to.green), part(from.blue, to.blue)};
 }
 
 Color tinted(const Tint& tint, double brightness) {

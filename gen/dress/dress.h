@@ -65,7 +65,7 @@ struct BranchLook {
 /// The colour of a coral as povinc/frond_coral.inc has it.
 Color tinted(const Tint& tint, double brightness);
 Color scaled(Color color, double factor);
-Color mixed(const Color& from, const Color& to, double share);
+
 /// The mean of some colours, linear.
 Vec3 mean(const std::vector<Color>& colors);
 

@@ -15,8 +15,7 @@ namespace {
 constexpr double kSpan = 1.1;  // height of the picture, in lengths of the fish
 
 Color mix(const Color& a, const Color& b, double t) {
-  auto f = static_cast<float>(std::clamp(t, 0.0, 1.0));
-  return {a.red + (b.red - a.red) * f, a.green + (b.green - a.green) * f, a.blue + (b.blue - a.blue) * f};
+  return mixed(a, b, static_cast<float>(std::clamp(t, 0.0, 1.0)));
 }
 
 Color shaded(const Color& c, double by) {

@@ -17,16 +17,12 @@ constexpr double kDarken = 0.11;  // years until it is dark
 constexpr double kWither = 0.12;  // years in which what lies takes the last colour
 constexpr std::string_view kBlossom = "blossom";
 
-Color mix(const Color& a, const Color& b, float t) {
-  return {a.red + (b.red - a.red) * t, a.green + (b.green - a.green) * t, a.blue + (b.blue - a.blue) * t};
-}
-
 LeafTint mix(const LeafTint& a, const LeafTint& b, float t) {
-  return {mix(a.color, b.color, t), mix(a.veins, b.veins, t), mix(a.rim, b.rim, t)};
+  return {mixed(a.color, b.color, t), mixed(a.veins, b.veins, t), mixed(a.rim, b.rim, t)};
 }
 
 LeafTint autumn_tint(const Color& c) {
-  return {c, mix(c, {1, 0.95f, 0.8f}, 0.3f), mix(c, {0.4f, 0.2f, 0.08f}, 0.25f)};
+  return {c, mixed(c, {1, 0.95f, 0.8f}, 0.3f), mixed(c, {0.4f, 0.2f, 0.08f}, 0.25f)};
 }
 
 /// The colours of other seasons in the order in which color_at() finds them: for each own colour from that of
@@ -38,7 +34,7 @@ std::vector<LeafTint> season_tints(const std::vector<LeafTint>& own, const Seaso
     for (int i = 1; i <= kSteps; ++i) list.push_back(mix(from, to, static_cast<float>(i) / kSteps));
   };
   const Color& y = seasons.young;
-  for (const LeafTint& green : own) add_blend(green, {y, mix(y, {1, 1, 0.8f}, 0.3f), y});
+  for (const LeafTint& green : own) add_blend(green, {y, mixed(y, {1, 1, 0.8f}, 0.3f), y});
   for (const LeafTint& green : own) add_blend(green, autumn_tint(seasons.autumn[0]));
   for (std::size_t a = 0; a + 1 < seasons.autumn.size(); ++a)
     add_blend(autumn_tint(seasons.autumn[a]), autumn_tint(seasons.autumn[a + 1]));

@@ -41,8 +41,8 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& file_na
   bool whole =
       take_text(root, "version", manifest.version) && take_text(root, "preset", manifest.preset) &&
       take_text(root, "title", manifest.title) && take_text(root, "preset_hash", manifest.preset_hash) &&
-      take_number(root, "fps", manifest.fps) && take_size(root, manifest.size) &&
-      take_number(root, "render_seconds", manifest.render_seconds) &&
+      take_number(root, "seed", manifest.seed) && take_number(root, "fps", manifest.fps) &&
+      take_size(root, manifest.size) && take_number(root, "render_seconds", manifest.render_seconds) &&
       take(root, "still", Value::Type::boolean, [&](const Value& value) { manifest.still = value.boolean; });
   const Value* frames = root.find("frames");
   if (!whole || !frames || !frames->is(Value::Type::list) || frames->items.empty())

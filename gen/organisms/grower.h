@@ -192,19 +192,20 @@ std::shared_ptr<const Grower> longer_edges(const Mine& grower, double share,
   return changed(grower, [&](auto& params) { edge(params) /= std::sqrt(std::clamp(share, 1. / 16, 1.)); });
 }
 
-/// The same with fewer derivation steps, and at most `share` of the nodes if possible.
-template <class Mine>
-std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share,
-                                          int& (*steps)(decltype(grower.params)&)) {
-  auto other = std::make_shared<Mine>(grower);
-  auto nodes = [&] {
-    Result<SizeEstimate> sight = other->estimate_size(Seed{1});
-    return sight ? sight->nodes : 0;
-  };
-  double most = share * nodes();
-  other->params.smoothing = 1;
-  for (int& left = steps(other->params); left > 1 && nodes() > most;) --left;
-  return other->check().empty() ? other : nullptr;
+/// The same with fewer derivation steps, and at most `share` of the nodes if possible. `word_size` estimates
+/// a plant with some parameters by its grammar's word alone.
+template <class Mine, class Params>
+std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share, int& (*steps)(Params&),
+                                          Result<SizeEstimate> (*word_size)(const Params&, Seed)) {
+  return changed(grower, [&](Params& params) {
+    auto nodes = [&] {
+      Result<SizeEstimate> size = word_size(params, Seed{1});
+      return size ? size->nodes : 0;
+    };
+    double most = share * nodes();
+    params.smoothing = 1;
+    for (int& left = steps(params); left > 1 && nodes() > most;) --left;
+  });
 }
 
 /// Built objects: they have no branches, no motion, and no look except their materials.

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/text.h"
@@ -23,19 +22,12 @@ std::vector<std::string> words_in(std::string_view line) {
   return words;
 }
 
-/// A number from 1 on; 0 where the text is none.
-int number_in(std::string_view text) {
-  int number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() ? std::max(number, 0) : 0;
-}
-
 GalleryPart read_part(const std::string& word) {
   std::vector<std::string> fields = split(word, ',');
   GalleryPart part{fields[0], 1, {fields.begin() + 1, fields.end()}};
   std::size_t at = part.preset.find('@');
   if (at == part.preset.npos) return part;
-  part.frame = number_in(std::string_view(part.preset).substr(at + 1));
+  part.frame = counting_number(std::string_view(part.preset).substr(at + 1));
   part.preset.resize(at);
   return part;
 }
@@ -44,7 +36,7 @@ GalleryPart read_part(const std::string& word) {
 std::optional<GalleryPicture> read_picture(const std::vector<std::string>& words) {
   constexpr std::size_t kFirstPart = 3;
   if (words.size() <= kFirstPart) return std::nullopt;
-  GalleryPicture picture{words[0], size_of(words[1]), number_in(words[2]), {}};
+  GalleryPicture picture{words[0], size_of(words[1]), counting_number(words[2]), {}};
   for (std::size_t i = kFirstPart; i < words.size(); ++i) picture.parts.push_back(read_part(words[i]));
   bool good = picture.size[0] > 0 && picture.columns > 0 &&
               std::ranges::all_of(picture.parts, [](const GalleryPart& part) { return part.frame > 0; });
@@ -131,8 +123,8 @@ ExampleScene read_example(std::string_view scene) {
     if (line.starts_with(kCall)) example.calls.push_back(words_in(line.substr(kCall.size())));
     if (!line.starts_with(kRender)) continue;
     for (const std::string& word : words_in(line)) {
-      if (word.starts_with("+W")) example.size[0] = number_in(std::string_view(word).substr(2));
-      if (word.starts_with("+H")) example.size[1] = number_in(std::string_view(word).substr(2));
+      if (word.starts_with("+W")) example.size[0] = counting_number(std::string_view(word).substr(2));
+      if (word.starts_with("+H")) example.size[1] = counting_number(std::string_view(word).substr(2));
     }
   }
   return example;

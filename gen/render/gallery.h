@@ -38,7 +38,7 @@ std::array<int, 2> large_size(std::array<int, 2> size);
 
 /// What the page says of a picture.
 struct GalleryRow {
-  std::string seed;
+  std::uint64_t seed = 0;
   std::size_t nodes = 0;          ///< of all parts
   std::optional<double> seconds;  ///< of processor; none where there is no telling
 };

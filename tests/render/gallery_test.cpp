@@ -60,14 +60,14 @@ TEST(GalleryList, LargePicturesAreOfTheSameShape) {
 TEST(GalleryPage, ARowNamesEachPresetOnceAndRoundsSeconds) {
   GalleryPicture picture{
       "ages", {320, 300}, 3, {{"trees/oak", 1, {}}, {"trees/oak", 9, {}}, {"reef", 1, {}}}};
-  EXPECT_EQ(gallery_row(picture, {"7", 120, 12.5}, ""),
+  EXPECT_EQ(gallery_row(picture, {7, 120, 12.5}, ""),
             R"(| <img src="gallery/ages.jpg" width="200"> | presets/trees/oak.json, presets/reef.json )"
             "| 320x300 | 7 | 120 | 13 |");
 }
 
 TEST(GalleryPage, ARowKeepsTheSecondsThatItHad) {
   GalleryPicture picture{"bush-1.25", {4, 3}, 1, {{"bush", 1, {}}}};
-  GalleryRow row{"1", 5, 42.0};
+  GalleryRow row{1, 5, 42.0};
   std::string page = gallery_page({gallery_row(picture, row, "")});
   row.seconds.reset();
   EXPECT_TRUE(gallery_row(picture, row, page).ends_with("| 5 | 42 |"));
@@ -77,7 +77,7 @@ TEST(GalleryPage, ARowKeepsTheSecondsThatItHad) {
 
 TEST(GalleryPage, APictureLeadsToItsLargeOneOnce) {
   GalleryPicture picture{"reef", {4, 3}, 1, {{"reef", 1, {}}}};
-  std::string row = row_with_large(gallery_row(picture, {"1", 5, 42.0}, ""), "reef");
+  std::string row = row_with_large(gallery_row(picture, {1, 5, 42.0}, ""), "reef");
   EXPECT_TRUE(row.starts_with(
       R"(| <a href="gallery/large/reef.jpg"><img src="gallery/reef.jpg" width="200"></a> | )"))
       << row;

@@ -68,6 +68,10 @@ void describe(Visitor& v, CoralParams& c) {
 
 namespace {
 
+Result<SizeEstimate> word_size(const CoralParams& params, Seed seed) {
+  return estimate_word(coral_grammar(params), seed, params.smoothing);
+}
+
 class CoralGrower final : public Described<CoralParams, ColonyGrower> {
  public:
   Errors check() const override {
@@ -90,13 +94,13 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
   }
   Result<SizeEstimate> estimate_size(Seed seed) const override {
-    Result<SizeEstimate> coral = estimate_word(coral_grammar(params), seed, params.smoothing);
+    Result<SizeEstimate> coral = word_size(params, seed);
     if (coral) coral->riding = true;
     return coral;
   }
   std::shared_ptr<const Grower> coarse(double share) const override {
-    return fewer_steps(*this, share,
-                       [](CoralParams& p) -> int& { return p.own_rules ? p.grammar.steps : p.steps; });
+    constexpr auto steps = [](CoralParams& p) -> int& { return p.own_rules ? p.grammar.steps : p.steps; };
+    return fewer_steps<CoralGrower, CoralParams>(*this, share, steps, word_size);
   }
   double tallest() const override { return 0; }
   bool branches() const override { return true; }

@@ -155,6 +155,10 @@ void count_organs(const PlantParams& params, Seed seed, SizeEstimate& plant) {
       if (used[p]) plant.shapes += static_cast<double>(part.surface.triangle.size());
 }
 
+Result<SizeEstimate> word_size(const PlantParams& params, Seed seed) {
+  return estimate_word(plant_grammar(params), seed, params.smoothing);
+}
+
 class PlantGrower final : public Described<PlantParams, LoneGrower> {
  public:
   Errors check() const override {
@@ -181,12 +185,13 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
   }
   Result<SizeEstimate> estimate_size(Seed seed) const override {
-    Result<SizeEstimate> plant = estimate_word(plant_grammar(params), seed, params.smoothing);
+    Result<SizeEstimate> plant = word_size(params, seed);
     if (plant) count_organs(params, seed, *plant);
     return plant;
   }
   std::shared_ptr<const Grower> coarse(double share) const override {
-    return fewer_steps(*this, share, [](PlantParams& p) -> int& { return p.grammar.steps; });
+    constexpr auto steps = [](PlantParams& p) -> int& { return p.grammar.steps; };
+    return fewer_steps<PlantGrower, PlantParams>(*this, share, steps, word_size);
   }
   double tallest() const override { return params.height; }
   bool branches() const override { return true; }
