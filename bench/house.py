@@ -14,7 +14,7 @@ from pathlib import Path
 LONG = 60  # lines of a function from which on it is named
 LOOK = re.compile(r"\b(?:look|branches)\.(?:skin|bark|coat)\b")
 # What paints in C++ what a macro of povinc/ draws for POV-Ray.
-MIRRORS = ["matter_tile", "tile", "look", "palette", "pattern"]
+MIRRORS = ["matter_tile", "tile", "look", "palette", "pattern", "materials"]
 
 
 def lines(paths):

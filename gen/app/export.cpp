@@ -84,6 +84,8 @@ int export_scene(const ExportArguments& arguments) {
     return fail(
         {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
         kWrongInput);
+  if (Result<std::filesystem::path> folder = home())
+    options.bake = {.home = *folder, .cache = cache_folder() / "materials"};
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);

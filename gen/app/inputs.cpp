@@ -85,6 +85,13 @@ Result<fs::path> home() {
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
 }
 
+std::filesystem::path cache_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* user = std::getenv("HOME");
+  if (cache && *cache) return std::filesystem::path(cache) / "frond";
+  return std::filesystem::path(user ? user : "/") / ".cache" / "frond";
+}
+
 std::string render_command() {
   Result<fs::path> root = home();
   std::error_code error;

@@ -13,6 +13,9 @@ namespace frond {
 /// The folder that holds templates/, povinc/ and presets/: $FROND_HOME, or the one above the program's own.
 Result<std::filesystem::path> home();
 
+/// Where what may be made again is kept for this user: below $XDG_CACHE_HOME or ~/.cache.
+std::filesystem::path cache_folder();
+
 /// What turns a preset into a picture or a film, as it is typed here: scripts/render.sh in the folder of
 /// Frond, its whole path elsewhere; empty where it is not there.
 std::string render_command();

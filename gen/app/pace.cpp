@@ -11,6 +11,7 @@
 #include <sstream>
 #include <vector>
 
+#include "app/inputs.h"
 #include "core/files.h"
 #include "core/printable.h"
 #include "render/process.h"
@@ -19,12 +20,7 @@ namespace frond {
 
 namespace {
 
-std::filesystem::path pace_file() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  const char* user = std::getenv("HOME");
-  if (cache && *cache) return std::filesystem::path(cache) / "frond" / "pace";
-  return std::filesystem::path(user ? user : "/") / ".cache" / "frond" / "pace";
-}
+std::filesystem::path pace_file() { return cache_folder() / "pace"; }
 
 /// As it is noted: one word.
 std::string key_of(std::string_view preset) {

@@ -10,7 +10,8 @@ double linear(double channel);
 /// The sRGB channel value of a linear brightness.
 double encoded(double light);
 
-/// A colour as linear light.
+/// A colour as linear light, and back.
 Vec3 linear(const Color& color);
+Color srgb(Vec3 light);
 
 }  // namespace frond

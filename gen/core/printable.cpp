@@ -79,6 +79,13 @@ bool is_plain(char c) {
          c == '-';
 }
 
+std::string plain_name(const std::string& name, std::string_view otherwise) {
+  std::string text = name;
+  std::ranges::replace_if(
+      text, [](char c) { return !is_plain(c) || c == '.'; }, '_');
+  return text.empty() ? std::string(otherwise) : text;
+}
+
 std::string xml_quoted(std::string_view text) {
   std::string quoted;
   for (char c : text) {

@@ -20,6 +20,9 @@ std::string printable(const Error& error);
 /// to quote.
 bool is_plain(char c);
 
+/// A name of letters, digits, - and _ alone; `otherwise` where nothing is left of it.
+std::string plain_name(const std::string& name, std::string_view otherwise);
+
 /// A text escaped for XML, between tags or in quotes; control characters, which XML cannot contain, become
 /// blanks.
 std::string xml_quoted(std::string_view text);

@@ -146,7 +146,7 @@ Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Po
   // The looks of cubes: colour of the bark, age and shade.
   std::size_t colors = b.look.branches.colors();
   std::vector<std::uint32_t> look(cubes->size());
-  std::vector<std::int32_t> example(colors * kCubeAges * kCubeShades, -1);
+  std::vector<bool> used(colors * kCubeAges * kCubeShades);
   for (std::size_t c = 0; c < cubes->size(); ++c) {
     std::int32_t node = cubes->node[c];
     Cell cell = cubes->cell[c];
@@ -157,14 +157,15 @@ Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Po
     std::size_t color = b.look.branches.color_at(b.model, node);
     look[c] = static_cast<std::uint32_t>((color * kCubeAges + static_cast<std::size_t>(level)) * kCubeShades +
                                          lot % kCubeShades);
-    if (example[look[c]] < 0) example[look[c]] = node;
+    used[look[c]] = true;
   }
-  std::vector<std::uint32_t> number(example.size());
+  std::vector<std::uint32_t> number(used.size());
   Part all;
-  for (std::size_t l = 0; l < example.size(); ++l) {
-    if (example[l] < 0) continue;
+  for (std::size_t l = 0; l < used.size(); ++l) {
+    if (!used[l]) continue;
     number[l] = static_cast<std::uint32_t>(all.list.size());
-    all.list.push_back(cube_texture(b, example[l], static_cast<int>(l / kCubeShades % kCubeAges),
+    all.list.push_back(cube_texture(b.look.branches, l / (kCubeAges * kCubeShades), b.brightness,
+                                    b.style.voxel, static_cast<int>(l / kCubeShades % kCubeAges),
                                     static_cast<int>(l % kCubeShades)));
   }
   ObjectText text;

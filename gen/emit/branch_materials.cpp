@@ -65,8 +65,8 @@ void append_skin(std::string& text, const PovSpace& space, const Specimen& b, co
 }
 
 /// The calls that declare the skins of a plant, one for each colour of its bark, from `first` on.
-void append_bark(std::string& text, const Specimen& b, std::size_t first) {
-  const Bark& bark = *b.look.branches.bark;
+void append_bark(std::string& text, const Bark& bark, double brightness, std::size_t first,
+                 std::string_view name) {
   for (std::size_t i = 0; i < bark.colors.size(); ++i) {
     text += "Plant_Bark(";
     append_index(text, first + i);
@@ -79,44 +79,45 @@ void append_bark(std::string& text, const Specimen& b, std::size_t first) {
     text += ',';
     append_color(text, bark.young);
     text += ',';
-    append_list(text, 5, bark.scale, bark.depth, b.brightness);
+    append_list(text, 5, bark.scale, bark.depth, brightness);
     text += ") ";
-    append_comment(text, b.name);
+    append_comment(text, name);
   }
 }
 
 }  // namespace
 
+void append_skin_declarations(std::string& text, const BranchLook& look, double brightness, std::size_t first,
+                              bool starving, std::string_view name) {
+  if (look.bark) return append_bark(text, *look.bark, brightness, first, name);
+  if (!look.skin) return;
+  const Pores& pores = look.skin->pores;
+  const Tint& tint = look.skin->tint;
+  std::string of = "(";
+  append_integer(of, static_cast<long long>(first));
+  of += ',';
+  append_integer(of, static_cast<int>(look.skin->kind));
+  of += ',';
+  append_color(of, tint.base);
+  of += ',';
+  append_color(of, tint.secondary);
+  of += ',';
+  append_list(of, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
+              brightness, tint.young);
+  of += ") ";
+  text += "Coral_Skin" + of;
+  if (starving) text += "Coral_Starving" + of;
+  if (double glow = look.skin->polyps.glow; glow > 0) {
+    std::string skin = "Skin[" + number_text(static_cast<double>(first)) + "]";
+    text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
+  }
+  append_comment(text, name);
+}
+
 void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first) {
   for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
     const Specimen& b = scene.specimens[i];
-    const BranchLook& look = b.look.branches;
-    if (look.bark) {
-      append_bark(text, b, first[i]);
-      continue;
-    }
-    if (!look.skin) continue;
-    const Pores& pores = look.skin->pores;
-    const Tint& tint = look.skin->tint;
-    std::string of = "(";
-    append_integer(of, static_cast<long long>(first[i]));
-    of += ',';
-    append_integer(of, static_cast<int>(look.skin->kind));
-    of += ',';
-    append_color(of, tint.base);
-    of += ',';
-    append_color(of, tint.secondary);
-    of += ',';
-    append_list(of, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
-                b.brightness, tint.young);
-    of += ") ";
-    text += "Coral_Skin" + of;
-    if (!b.model.light.empty()) text += "Coral_Starving" + of;
-    if (double glow = look.skin->polyps.glow; glow > 0) {
-      std::string skin = "Skin[" + number_text(static_cast<double>(first[i])) + "]";
-      text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
-    }
-    append_comment(text, b.name);
+    append_skin_declarations(text, b.look.branches, b.brightness, first[i], !b.model.light.empty(), b.name);
   }
 }
 
@@ -148,15 +149,15 @@ ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& po
   return {text + "}\n", 1};
 }
 
-std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shade) {
-  const BranchLook& look = b.look.branches;
+std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,
+                         int shade) {
   std::string text = "texture{Voxel_Skin(";
   auto add_colors = [&](const Color& base, const Color& second, const Color& young) {
-    for (const Color& color : {base, second, young}) append_color(text, color), text += ',';
+    for (const Color& c : {base, second, young}) append_color(text, c), text += ',';
   };
-  double brightness = b.brightness, hue = 0, saturation = 1;
+  double hue = 0, saturation = 1;
   if (look.bark) {
-    add_colors(look.bark->colors[look.color_at(b.model, node)], look.bark->second, look.bark->young);
+    add_colors(look.bark->colors[color], look.bark->second, look.bark->young);
   } else {
     const Tint& t = look.skin->tint;
     auto pale = [&](float c) { return static_cast<float>(c + (0.96 - c) * 0.62 * t.young); };
@@ -164,7 +165,7 @@ std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shad
     brightness *= t.value, hue = degrees(t.hue), saturation = t.saturation;
   }
   append_list(text, 4, hue, saturation, brightness, age / (kCubeAges - 1.0), shade / (kCubeShades - 1.0),
-              b.style.voxel);
+              side);
   return text + ")}";
 }
 

@@ -12,6 +12,10 @@
 
 namespace frond {
 
+/// Declares the skins of a look from `first` on, one for each colour; `starving`: also what becomes of one in
+/// the shade. The arrays Skin and Skin_Pigment must have room for them.
+void append_skin_declarations(std::string& text, const BranchLook& look, double brightness, std::size_t first,
+                              bool starving, std::string_view name);
 /// Declares the skin of each organism, at all its ages; `first` has the number of each one's first.
 void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first);
 
@@ -25,8 +29,9 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const Specim
 ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye);
 
 inline constexpr int kCubeAges = 4, kCubeShades = 4;
-/// `texture{Voxel_Skin(...)}` of cubes of one age and shade; `node` has their colour.
-std::string cube_texture(const Specimen& b, std::int32_t node, int age, int shade);
+/// `texture{Voxel_Skin(...)}` of cubes of one colour, age and shade, and a side in metres.
+std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,
+                         int shade);
 
 /// What stands in the texture of a copy's branches, for a tint T.
 std::string copy_texture(const BranchLook& look);

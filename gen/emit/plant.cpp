@@ -42,14 +42,6 @@ std::string look(std::string_view macro, const Color& color, const Color& second
   return text + ')';
 }
 
-void append_tissue(std::string& text, Tissue tissue, const Color& color, const Color& second,
-                   std::size_t shade, const std::optional<Luster>& luster) {
-  if (tissue == Tissue::dew) return void(text += "texture{Plant_Dew()}interior{ior 1.33}");
-  std::string_view macro = kTissueMacros[static_cast<std::size_t>(tissue)];
-  text += lustrous(look(macro, color, second, shade), luster, relief_macro(tissue), {});
-  if (tissue == Tissue::ivy) text += "interior_texture{" + look("Ivy_Under", color, second, shade) + '}';
-}
-
 /// Of the picture of a leaf.
 std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
   return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
@@ -82,8 +74,8 @@ std::size_t write_group(const PovSpace& space, const Specimen& b, const DrawnOrg
     if (!prototype.parts[part].pictures.empty())
       text += picture_look(prototype.parts[part].pictures[group.color], group.shade, prototype.luster);
     else
-      append_tissue(text, prototype.parts[part].tissue, group.tint, prototype.second, group.shade,
-                    prototype.luster);
+      text += tissue_text(prototype.parts[part].tissue, group.tint, prototype.second, group.shade,
+                          prototype.luster);
     text += "}\n";
   }
   out(text);
@@ -111,7 +103,7 @@ std::size_t write_blades(const PovSpace& space, const Specimen& b, const Pose& p
     if (!has_faces(surface)) continue;
     std::string text = "object{";
     append_mesh(text, space, surface);
-    append_tissue(text, look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades, {});
+    text += tissue_text(look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades, {});
     text += "}\n";
     out(text);
     ++objects;
@@ -120,6 +112,15 @@ std::size_t write_blades(const PovSpace& space, const Specimen& b, const Pose& p
 }
 
 }  // namespace
+
+std::string tissue_text(Tissue tissue, const Color& color, const Color& second, std::size_t shade,
+                        const std::optional<Luster>& luster) {
+  if (tissue == Tissue::dew) return "texture{Plant_Dew()}interior{ior 1.33}";
+  std::string_view macro = kTissueMacros[static_cast<std::size_t>(tissue)];
+  std::string text = lustrous(look(macro, color, second, shade), luster, relief_macro(tissue), {});
+  if (tissue == Tissue::ivy) text += "interior_texture{" + look("Ivy_Under", color, second, shade) + '}';
+  return text;
+}
 
 std::string_view relief_macro(Tissue tissue) {
   return tissue == Tissue::leaf ? "Plant_Veined" : tissue == Tissue::petal ? "Plant_Pleated" : "";

@@ -16,6 +16,11 @@ std::string_view relief_macro(Tissue tissue);
 std::string lustrous(const std::string& inside, const std::optional<Luster>& luster, std::string_view relief,
                      std::string_view file);
 
+/// What stands in an object of a tissue: `texture{...}`, and where it has one that of its other side. `shade`
+/// tells single organs apart, 0 to 2.
+std::string tissue_text(Tissue tissue, const Color& color, const Color& second, std::size_t shade,
+                        const std::optional<Luster>& luster);
+
 /// Declares the organs of all plants, once for each entry of the preset, and what they are made of.
 std::string prototypes_text(const PovSpace& space, const Scene& scene);
 

@@ -7,7 +7,7 @@
 #include "core/noise.h"
 #include "export/box_map.h"
 #include "export/carry.h"
-#include "export/tile.h"
+#include "export/materials.h"
 
 namespace frond {
 
@@ -26,7 +26,7 @@ Simplified laid_out(const Surface& body, double share) {
 
 Simplified as_turned(const Surface& vessel) {
   Simplified whole = drawn_with(vessel, kAllTriangles);
-  for (Vec2& at : whole.surface.uv) at.y = on_vessel(at.y);
+  whole.surface.uv = on_vessel(std::move(whole.surface.uv));
   return whole;
 }
 
@@ -73,9 +73,7 @@ Kinds kinds_of(const Solids& solids) {
     kinds.kin[at].light = glm::max(kinds.kin[at].light, linear(m.color));
     kinds.of.push_back(at);
   }
-  for (Kin& kin : kinds.kin)
-    kin.material.color = {static_cast<float>(encoded(kin.light.x)), static_cast<float>(encoded(kin.light.y)),
-                          static_cast<float>(encoded(kin.light.z))};
+  for (Kin& kin : kinds.kin) kin.material.color = srgb(kin.light);
   return kinds;
 }
 
@@ -115,8 +113,9 @@ std::vector<ExportPart> body_parts(Maker& maker, const Look& look, const Solids&
   std::vector<Palette::Use> uses;
   for (std::size_t k = 0; k < kinds.kin.size(); ++k) {
     auto first = static_cast<std::size_t>(std::find(kinds.of.begin(), kinds.of.end(), k) - kinds.of.begin());
-    uses.push_back(used[k] ? maker.palette.body(look, kinds.kin[k].material, is_vessel(solids.shapes[first]),
-                                                maker.name() + "_body")
+    const Solid& solid = solids.shapes[first];
+    uses.push_back(used[k] ? maker.palette.body(look, kinds.kin[k].material,
+                                                is_vessel(solid) ? &solid : nullptr, maker.name() + "_body")
                            : Palette::Use{});
     parts[k].material = uses[k].material;
   }

@@ -51,8 +51,9 @@ class Brancher {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       auto& [part, node] = parts[k];
       if (part.surface.triangle.empty()) continue;
-      Palette::Use use = cubes ? maker_.palette.cubes(b_.look, b_.brightness, k, name)
-                               : maker_.palette.branches(b_.look, b_.brightness, k, name, options_.tints);
+      Palette::Use use = cubes
+                             ? maker_.palette.cubes(b_.look.branches, b_.brightness, k, b_.style.voxel, name)
+                             : maker_.palette.branches(b_.look, b_.brightness, k, name, options_.tints);
       part.material = use.material;
       if (b_.style.build != Build::sweeps) {
         std::vector<std::uint32_t> from;
@@ -150,7 +151,7 @@ class Brancher {
   TubeMesh wrapped(const Skeleton& rest, const std::vector<Vec3>& position, const std::vector<float>& radius,
                    float front, int sides) {
     TubeMesh mesh = closed_tubes(rest, position, radius, front, sides);
-    auto [wide, high] = Palette::picture_size(b_.look);
+    auto [wide, high] = Palette::picture_size(b_.look.branches);
     std::vector<float> wraps(rest.size(), 1);
     for (std::size_t i = 1; i < rest.size(); ++i) {
       bool goes_on =

@@ -8,10 +8,10 @@
 #include <map>
 
 #include "core/bounds.h"
+#include "core/printable.h"
 #include "export/bodies.h"
 #include "export/branches.h"
 #include "export/carry.h"
-#include "export/look.h"
 #include "export/maker.h"
 #include "export/sown.h"
 #include "export/swarm.h"
@@ -241,6 +241,7 @@ Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOp
     return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
   if (!options.keys.empty() && std::ranges::none_of(exported.meshes, &ExportMesh::moves))
     return Error{"", "nothing moves from the first of those frames to the last"};
+  if (Errors errors = maker.palette.draw(); !errors.empty()) return errors;
   for (double time_of : options.keys) exported.keys.push_back(time_of - options.keys[0]);
   return exported;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/bake.h"
 #include "core/result.h"
 #include "field/volume.h"
 #include "model/surface.h"
@@ -97,6 +98,7 @@ struct ExportOptions {
   double pixels = 0;       ///< where not 0, how high an organism is seen: what would be finer is left out
   int levels = 1;          ///< of detail: each mesh also in kCoarser of its triangles, and so on
   std::vector<double> keys = {};  ///< seconds, rising: the times whose shapes are wanted
+  BakeOptions bake = {};          ///< how materials become pictures
   bool tints = true;              ///< young skin is paler, by colours at the vertices
 };
 

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "core/linear.h"
+#include "core/printable.h"
 #include "export/bodies.h"
-#include "export/look.h"
-#include "export/pattern.h"
 #include "geometry/far.h"
 #include "scene/bleaching.h"
 

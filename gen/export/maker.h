@@ -5,7 +5,7 @@
 #include <span>
 
 #include "export/foliage.h"
-#include "export/palette.h"
+#include "export/materials.h"
 
 namespace frond {
 

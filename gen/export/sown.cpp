@@ -7,8 +7,8 @@
 
 #include "core/bounds.h"
 #include "core/parallel.h"
+#include "core/printable.h"
 #include "export/bodies.h"
-#include "export/look.h"
 #include "scene/copies.h"
 
 namespace frond {

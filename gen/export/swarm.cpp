@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/printable.h"
 #include "export/carry.h"
-#include "export/look.h"
 
 namespace frond {
 

@@ -11,6 +11,11 @@ namespace frond {
 /// What a part of an organ is made of.
 enum class Tissue { leaf, petal, heart, fruit, skin, ivy, dew };
 
+/// Whether a tissue is a thin sheet, seen from both sides.
+inline bool is_leaf(Tissue tissue) {
+  return tissue == Tissue::leaf || tissue == Tissue::petal || tissue == Tissue::ivy;
+}
+
 /// A part of an organ with one texture.
 struct OrganPart {
   Tissue tissue = Tissue::leaf;

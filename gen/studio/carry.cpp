@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/files.h"
-#include "export/look.h"
+#include "core/printable.h"
 #include "preset/json.h"
 
 namespace frond {

@@ -1,4 +1,3 @@
-#include "export/look.h"
 #include "scene/copies.h"
 #include "studio/view.h"
 

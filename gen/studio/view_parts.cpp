@@ -4,7 +4,6 @@
 #include "draw/organs.h"
 #include "draw/sweep.h"
 #include "export/export_scene.h"
-#include "export/look.h"
 #include "geometry/far.h"
 #include "motion/unfold.h"
 #include "studio/view.h"

@@ -7,7 +7,6 @@
 
 #include "core/parallel.h"
 #include "draw/sweep.h"
-#include "export/look.h"
 #include "motion/unfold.h"
 #include "studio/view.h"
 

@@ -15,7 +15,7 @@
 #include "core/files.h"
 #include "core/linear.h"
 #include "export/formats.h"
-#include "export/tile.h"
+#include "export/materials.h"
 
 namespace frond {
 namespace {
@@ -36,7 +36,7 @@ Scene garden(const std::string& style = R"("sweeps")") {
   return *build_scene(*preset);
 }
 
-const ExportOptions kSmallPictures{.texture = 64};
+const ExportOptions kSmallPictures{.texture = 64, .bake = {.home = FROND_ROOT}};
 
 ExportScene export_scene_of(const Scene& scene, double time = 2) {
   Result<ExportScene> exported = export_scene(scene, time, kSmallPictures);
@@ -59,7 +59,7 @@ std::size_t all_triangles(const ExportScene& exported) {
 
 TEST(ExportScene, holds_sound_meshes_a_few_for_each_organism) {
   for (bool instances : {false, true}) {
-    Result<ExportScene> made = export_scene(garden(), 2, {.texture = 64, .instances = instances});
+    Result<ExportScene> made = export_scene(garden(), 2, {.texture = 0, .instances = instances});
     ASSERT_TRUE(made);
     const ExportScene& exported = *made;
     std::set<std::string> names;
@@ -85,7 +85,7 @@ TEST(ExportScene, holds_sound_meshes_a_few_for_each_organism) {
 TEST(ExportScene, has_no_more_triangles_than_it_may) {
   Scene scene = garden();
   std::size_t all = all_triangles(export_scene_of(scene));
-  Result<ExportScene> less = export_scene(scene, 2, {.detail = 400, .texture = 64});
+  Result<ExportScene> less = export_scene(scene, 2, {.detail = 400, .texture = 0});
   ASSERT_TRUE(less);
   EXPECT_LT(all_triangles(*less), all / 2);
   for (const ExportMesh& mesh : less->meshes)
@@ -103,22 +103,6 @@ TEST(ExportScene, paints_what_patterns_draw) {
   Result<ExportScene> bare = export_scene(garden(), 2, {.texture = 0});
   ASSERT_TRUE(bare);
   EXPECT_TRUE(bare->pictures.empty());
-}
-
-TEST(ExportScene, pictures_of_bodies_fit_on_themselves) {
-  for (Matter matter :
-       {Matter::brick, Matter::mortar, Matter::limestone, Matter::plaster, Matter::paint, Matter::timber,
-        Matter::ashlar, Matter::bed, Matter::soil, Matter::granite, Matter::karst, Matter::basalt}) {
-    Tile tile = matter_tile({.matter = matter, .moss = 0.3}, 128);
-    ASSERT_EQ(tile.height.width, 128);
-    // From edge to edge it changes no more than in between.
-    double over_edge = 0, within = 0;
-    for (int y = 0; y < 128; ++y) {
-      over_edge += std::abs(tile.height.at(0, y) - tile.height.at(127, y));
-      within += std::abs(tile.height.at(64, y) - tile.height.at(63, y));
-    }
-    EXPECT_LT(over_edge, 2 * within + 2) << static_cast<int>(matter);
-  }
 }
 
 TEST(ExportScene, grows_with_time_and_is_near_what_was_foreseen) {
@@ -402,7 +386,7 @@ TEST(Formats, leave_nothing_where_the_disk_is_full) {
     fs::path path = folder / ("garden" + std::string(format.extension));
     {
       SmallDisk disk(8192);  // the .mtl would find room
-      auto written = write_scene(format, scene, 2, kSmallPictures, path, [](double) {});
+      auto written = write_scene(format, scene, 2, {.texture = 0}, path, [](double) {});
       ASSERT_FALSE(written) << format.extension;
       EXPECT_NE(written.errors()[0].where, "") << format.extension;
     }

@@ -1,12 +1,21 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "bake/bake.h"
+#include "dress/dress.h"
 #include "export/export_scene.h"
-#include "export/tile.h"
+#include "organisms/organism.h"
 
 namespace frond {
+
+/// Where on the picture of a vessel places on it lie, v being 0 at the foot .. 1 at the lip .. 2 at the
+/// bottom inside.
+std::vector<Vec2> on_vessel(std::vector<Vec2> uv);
 
 /// Gives names that no two things share.
 class Names {
@@ -17,7 +26,8 @@ class Names {
   std::map<std::string, int> times_;
 };
 
-/// Makes the materials of a cast with their pictures, each once.
+/// Makes the materials of an exported scene, each once. Their pictures are noted and drawn at the end, side
+/// by side: by POV-Ray from the macros of povinc/, but for those that the film itself shows as pictures.
 class Palette {
  public:
   Palette(ExportScene& exported, const ExportOptions& options) : scene_(exported), options_(options) {}
@@ -36,9 +46,11 @@ class Palette {
   /// differ.
   Use branches(const Look& look, double brightness, std::size_t color, const std::string& name,
                bool ages = false);
-  Use cubes(const Look& look, double brightness, std::size_t color, const std::string& name);
+  /// Of cubes of a side in metres.
+  Use cubes(const BranchLook& look, double brightness, std::size_t color, double side,
+            const std::string& name);
   /// Metres that the picture of branches is wide and high; of coats, 1 and 1.
-  static std::pair<double, double> picture_size(const Look& look);
+  static std::pair<double, double> picture_size(const BranchLook& look);
   /// How a part of an organ lies on its picture: not at all, as a mesh of its own, or as a card that is cut
   /// out of it.
   enum class Lies { nowhere, mesh, card };
@@ -46,22 +58,30 @@ class Palette {
   std::size_t organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color, Lies lies,
                     const std::string& name);
   std::size_t blade(const BladeLook& look, std::size_t color, const std::string& name);
-  /// Of a body, on its own `uv` where that is a vessel's or it wears a picture of the look's.
-  Use body(const Look& look, const Material& material, bool vessel, const std::string& name);
+  /// Of a body of this material, on its own `uv` where it is a `vessel` or wears a picture of the look's.
+  Use body(const Look& look, const Material& material, const Solid* vessel, const std::string& name);
+
+  /// Draws the pictures of all materials.
+  Errors draw();
 
  private:
-  /// The material of that key; a new one is `made` with pictures that `draw` makes.
-  template <class Draw>
-  Use keep(const std::string& key, ExportMaterial made, const std::string& name, const Draw& draw);
-  void add_pictures(ExportMaterial& material, const std::string& key, const std::string& name,
-                    const std::function<Pictures()>& draw);
-  /// The picture of that name, of those that the look wears.
-  void add_drawn(ExportMaterial& material, const Look& look, const std::string& picture);
+  /// Makes the files of a material's pictures.
+  using Draw = std::function<Result<BakedPictures>()>;
+  struct Drawn {
+    std::string name;  // of the first material that shows it
+    Draw draw;
+    std::vector<std::size_t> materials;
+  };
+  /// The material of that key; a new one is `made`, and shows what `draw` makes, once for each `picture`.
+  Use keep(const std::string& key, ExportMaterial made, const std::string& name, const std::string& picture,
+           const Draw& draw, double wide = 1, double high = 1);
+  Use keep_swatch(Swatch swatch, ExportMaterial made, const std::string& name, double rough);
 
   ExportScene& scene_;
   const ExportOptions& options_;
   std::map<std::string, Use> used_;
-  std::map<std::string, std::array<std::size_t, 3>> drawn_;
+  std::map<std::string, std::size_t> drawn_by_;  // key of a picture -> index in drawn_
+  std::vector<Drawn> drawn_;
   Names names_;
 };
 

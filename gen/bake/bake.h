@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "core/vec.h"
+#include "images/raster.h"
+#include "model/surface.h"
+
+/// Materials as pictures for other programs: POV-Ray itself draws them, from the macros of povinc/.
+///
+/// A flat piece of the material is drawn in ambient light alone, which gives its colours, and lit from three
+/// sides, which gives the normals of its relief whatever its colours are (photometric stereo, Woodham 1980).
+/// So no macro needs to know of this, and nothing else describes what a material looks like.
+namespace frond {
+
+/// A piece of a material.
+struct Swatch {
+  std::vector<std::string_view> includes;  ///< files of povinc/, as `stone` for frond_stone.inc
+  std::string before;                      ///< declarations that the texture needs
+  std::string texture;                     ///< `texture{...}`
+  std::array<int, 2> pixels{512, 512};     ///< even numbers
+  double wide = 1;                         ///< metres; its height follows from the pixels
+  Vec3 corner{0};       ///< metres, POV-Ray's axes: where its lower left corner is in the texture
+  Vec3 light{1};        ///< linear factor of the colours
+  bool repeats = true;  ///< its edges are blended so that it goes on over them
+  bool relief = true;   ///< whether its normals are wanted
+  bool spread = false;  ///< texture coordinates go from 0 to 1 over it; otherwise they are `uv` everywhere
+  Vec2 uv{1, 0};
+  Surface body = {};  ///< where given, drawn instead of a flat piece, as its uv spread it; without normals
+  std::vector<Vec2> place;  ///< of the body's vertices on the picture; without, their uv
+};
+
+/// PNG files; those of normals and of roughness are empty where they are not wanted.
+struct BakedPictures {
+  std::string colors;              ///< sRGB
+  std::string normals;             ///< tangent space: x to the right, y up
+  std::string roughness;           ///< in green, of half as many pixels
+  std::optional<Color> mean = {};  ///< of the colours of a swatch
+};
+
+struct BakeOptions {
+  std::filesystem::path home = {};   ///< the folder that holds povinc/ and scripts/povray.ini
+  std::filesystem::path cache = {};  ///< where pictures are kept by what they are made of; empty: nowhere
+  std::string povray = "povray";
+};
+
+/// The scene that a swatch is drawn by.
+std::string swatch_scene(const Swatch& swatch);
+
+/// Draws a swatch; `rough` is the roughness of what is smooth, 0..1. An error where POV-Ray is missing or
+/// fails.
+Result<BakedPictures> bake(const Swatch& swatch, double rough, const BakeOptions& options);
+
+}  // namespace frond
