@@ -66,9 +66,9 @@ void describe(Visitor& v, Toyshop& t) {
 
 namespace {
 
-class LruCache final : public Grounds {
+class Shelf final : public Grounds {
  public:
-  explicit LruCache(double height) : height_(static_cast<float>(height)) {}
+  explicit Shelf(double height) : height_(static_cast<float>(height)) {}
   void strew(TakenSpots&) override {}
   float seat(Vec2, double, Seed) override { return height_; }
   Land land(std::vector<Spot>) const override { return {}; }
@@ -90,7 +90,7 @@ SettingRow toyshop_setting() {
       [](const Stage&) { return Extent{}; }, [](const Stage&, const Film&) { return Errors{}; },
       [](const Stage&, const Film&) { return GroundSizeEstimate{}; },
       [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
-        return std::make_unique<LruCache>(stage.block<Toyshop>().shelf);
+        return std::make_unique<Shelf>(stage.block<Toyshop>().shelf);
       },
       [](const Stage&) { return Daylight{}; });
 }

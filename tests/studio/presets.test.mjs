@@ -103,6 +103,7 @@ const seen = () =>
       return of(pen.getImageData(0, 0, image.width, image.height).data);
     };
     const {view} = window.frond;
+    await view.settled();
     const picture = document.querySelector('[data-testid="view"] canvas').toDataURL();
     return {
       nodes: view.header.nodes,
