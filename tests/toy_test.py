@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""A new kind is a folder and a row, a new setting a pair of files and a row: in a copy of the tree both are added so,
-built, and are then in the schema, in `frond list`, and understood by check, info, generate and export.
+"""A new kind is a folder and a row, a new setting a pair of files and a row, a new material a row and a macro, a new
+format of export a file and a row: in a copy of the tree all are added so, built, and are then in the schema, in
+`frond list`, and understood by check, info, generate and export.
 
     tests/toy_test.py ROOT
 """
@@ -37,7 +38,7 @@ class Toy final : public Described<ToyParams, BodyBuilder> {
   Result<SizeEstimate> estimate_size(Seed) const override { return SizeEstimate{}; }
   Result<Model> grow_alone(Seed seed) const override {
     Model model;
-    std::uint16_t stone = model.solids.add_shape({stone_surface({seed}, 2), {}});
+    std::uint16_t stone = model.solids.add_shape({stone_surface({seed}, 2), {.matter = Matter::candy}});
     model.solids.place(stone, Vec3(0), Quat(1, 0, 0, 0), Vec3(static_cast<float>(params.size)));
     return model;
   }
@@ -112,6 +113,31 @@ SettingText toyshop_text() {
 }  // namespace frond
 '''
 
+MACRO = r'''
+#ifndef (Frond_Candy_Inc)
+#declare Frond_Candy_Inc = version;
+#version 3.7;
+#include "frond_light.inc"
+#macro Candy_Stripes(Color, Second, Scale, Relief, Moss, Gloss)
+  pigment { gradient x color_map { [0.5 rgb <0.9, 0.05, 0.05>] [0.5 rgb <0.05, 0.05, 0.9>] } scale Scale*Frond_Unit }
+  finish { ambient Frond_Ambient diffuse 0.8 }
+#end
+#version Frond_Candy_Inc;
+#end
+'''
+
+FORMAT = r'''
+#include "export/formats.h"
+
+namespace frond {
+
+Result<bool> write_count(const ExportScene& exported, const ExportOptions&, const std::filesystem::path& path) {
+  return write_file(path, std::to_string(exported.meshes.size()) + " meshes\n");
+}
+
+}  // namespace frond
+'''.replace('#include "export/formats.h"', '#include "core/files.h"\n#include "export/formats.h"')
+
 PRESET = {
     "film": {"frames": 1},
     "scene": {"setting": "toyshop", "toyshop": {"shelf": 0.25}},
@@ -127,6 +153,13 @@ def add_row(path, macro, name):
     end = next(i for i in range(start, len(lines)) if not lines[i].endswith("\\"))
     lines[end:end + 1] = [lines[end] + " \\", f"  row({name})"]
     path.write_text("\n".join(lines))
+
+
+def put_before(path, mark, text):
+    """Adds text before the first place of a mark."""
+    whole = path.read_text()
+    assert mark in whole, f"{path}: {mark}"
+    path.write_text(whole.replace(mark, text + mark, 1))
 
 
 def main():
@@ -146,8 +179,17 @@ def main():
         (tree / "gen/settings/toyshop.cpp").write_text(SETTING.lstrip())
         (tree / "gen/emit/setting_toyshop.cpp").write_text(SETTING_TEXT.lstrip())
         add_row(tree / "gen/settings/settings.h", "FROND_SETTINGS", "toyshop")
+        put_before(tree / "gen/model/matter.h", "};\n\n/// What a material is,", "  candy,\n")
+        put_before(tree / "gen/model/matter.h", "};\n\nconstexpr const MatterRow& row_of",
+                   ', {Matter::candy, "candy", "Candy_Stripes", 2}')
+        (tree / "povinc/frond_candy.inc").write_text(MACRO.lstrip())
+        (tree / "gen/export/count.cpp").write_text(FORMAT.lstrip())
+        put_before(tree / "gen/export/formats.h", "// The texts of the formats",
+                   "Result<bool> write_count(const ExportScene&, const ExportOptions&, const std::filesystem::path&);\n")
+        put_before(tree / "gen/export/formats.cpp", '    {".obj",',
+                   '{".count", "how many meshes there are", [](const ExportSize&) { return 10.0; }, kAny, write_count},\n')
         # What was compiled in the tree itself need not be compiled again.
-        env = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}
+        env = {**os.environ, "XDG_CACHE_HOME": str(tree / "cache"), "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}
 
         def run(*command, **options):
             done = subprocess.run(command, cwd=tree, env=env, capture_output=True, text=True, **options)
@@ -170,15 +212,20 @@ def main():
         run(frond, "generate", preset, "-o", tree / "out", "--quiet")
         text = (tree / "out/frames/frame_0001.pov").read_text()
         assert "// a shelf of toys" in text and "mesh2" in text, "the frame has no toy"
+        assert '#include "frond_candy.inc"' in text and "Candy_Stripes(" in text, "the toy is not of candy"
         run(frond, "export", preset, "-o", tree / "toy.obj")
         heights = [float(line.split()[2]) for line in (tree / "toy.obj").read_text().splitlines()
                    if line.startswith("v ")]
         assert heights and min(heights) > -0.2 and max(heights) > 0.3, "the toy does not stand on its shelf"
+        run(frond, "export", preset, "-o", tree / "toy.count")
+        assert (tree / "toy.count").read_text() == "1 meshes\n", "the format is not written"
+        pictures = [path.stat().st_size for path in tree.glob("toy_*_color.png")]
+        assert len(pictures) == 1, "the export shows no candy"
         wrong = dict(PRESET, organisms=[{"kind": "toy", "size": 100}])
         preset.write_text(json.dumps(wrong))
         done = subprocess.run([frond, "check", preset], capture_output=True, text=True)
         assert done.returncode == 2 and "/organisms/0/size" in done.stderr, done.stderr
-    print("a toy kind and a toy setting were added, a folder or a pair of files and a row each")
+    print("a kind, a setting, a material and a format were added, each by what CONTRIBUTING.md says")
 
 
 if __name__ == "__main__":

@@ -51,7 +51,7 @@ Solid with_edges(const Solid& solid, double edge) {
 
 Surface with_light_uv(Surface skin, const Solid& solid) {
   Matter m = solid.material.matter;
-  for (std::size_t v = 0; lives(m) && m != Matter::reef && v < skin.uv.size(); ++v)
+  for (std::size_t v = 0; is_tissue(m) && v < skin.uv.size(); ++v)
     skin.uv[v][m == Matter::meander ? 1 : 0] = solid.light.empty() ? 1 : solid.light[v];
   return skin;
 }
@@ -62,7 +62,7 @@ DrawnSolids drawn_solids(const Scene& scene) {
     const Solids& solids = scene.specimens[i].model.solids;
     for (std::size_t k = 0; k < solids.size(); ++k) {
       const Solid& solid = solids.shapes[solids.shape[k]];
-      if (!lives(solid.material.matter)) continue;
+      if (!is_of_reef(solid.material.matter)) continue;
       Bounds box;
       for (const Vec3& p : solid.surface.position) box.take(solids.placed(k, p));
       double edge = drawn_edge(scene.film, scene.stage.camera, box.middle(), glm::length(box.size()) / 2) /

@@ -13,43 +13,6 @@ namespace {
 /// each texture of its own costs memory.
 constexpr std::size_t kOwnTextures = 32;
 
-/// Where the texture of a matter stands: a macro, called inside texture { } as
-/// Macro(Color, Second, Scale, Relief, Moss, Gloss); what wears a picture has its file's name before these.
-struct MatterRow {
-  Matter matter;
-  std::string_view include, macro;
-  std::string_view inside = {};  ///< the macro of what stands in interior { }, of what light goes through
-};
-
-constexpr MatterRow kMatters[] = {{Matter::plain, "matter", "Matter_Plain"},
-                                  {Matter::brick, "masonry", "Masonry_Brick"},
-                                  {Matter::mortar, "masonry", "Masonry_Mortar"},
-                                  {Matter::limestone, "masonry", "Masonry_Limestone"},
-                                  {Matter::plaster, "masonry", "Masonry_Plaster"},
-                                  {Matter::paint, "masonry", "Masonry_Paint"},
-                                  {Matter::pane, "masonry", "Masonry_Pane"},
-                                  {Matter::timber, "wood", "Wood_Timber"},
-                                  {Matter::ashlar, "ashlar", "Ashlar_Stone"},
-                                  {Matter::bed, "ashlar", "Ashlar_Bed"},
-                                  {Matter::ceramic, "vessel", "Vessel_Ceramic"},
-                                  {Matter::terracotta, "vessel", "Vessel_Terracotta"},
-                                  {Matter::glass, "vessel", "Vessel_Glass", "Vessel_Glass_Inside"},
-                                  {Matter::soil, "vessel", "Vessel_Soil"},
-                                  {Matter::granite, "stone", "Stone_Granite"},
-                                  {Matter::karst, "stone", "Stone_Limestone"},
-                                  {Matter::basalt, "stone", "Stone_Basalt"},
-                                  {Matter::polyps, "reef", "Reef_Polyps"},
-                                  {Matter::meander, "reef", "Reef_Meander"},
-                                  {Matter::sponge, "reef", "Reef_Sponge"},
-                                  {Matter::reef, "reef", "Reef_Rock"},
-                                  {Matter::shell, "shell", "Shell_Porcelain"},
-                                  {Matter::mantle, "shell", "Shell_Mantle"}};
-
-const MatterRow& row_of(Matter matter) {
-  return *std::find_if(std::begin(kMatters), std::end(kMatters),
-                       [&](const MatterRow& row) { return row.matter == matter; });
-}
-
 void append_macro(std::string& text, std::string_view macro, const Material& material) {
   text += macro;
   text += '(';
@@ -172,7 +135,7 @@ void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, 
   if (count == 0) return;
   const Solid& solid = solids.shapes[shape];
   bool own = count <= kOwnTextures;
-  if (lives(solid.material.matter)) append_front(text, 1);
+  if (is_of_reef(solid.material.matter)) append_front(text, 1);
   text += "#declare ";
   append_solid_name(text, organism, shape);
   text += " = ";
@@ -267,7 +230,7 @@ ObjectText growing_solids_text(const PovSpace& space, const Solids& solids, cons
     append_mesh(object, space, with_light_uv(std::move(now), solid));
     append_material(object, solid.material);
     if (!append_placement(object, space, solids, i)) continue;
-    if (lives(solid.material.matter)) append_front(text.text, front);
+    if (is_of_reef(solid.material.matter)) append_front(text.text, front);
     text += {object + "}\n", 1};
   }
   return text;

@@ -30,15 +30,9 @@ Simplified as_turned(const Surface& vessel) {
   return whole;
 }
 
-bool is_stone(Matter m) {
-  return m == Matter::granite || m == Matter::karst || m == Matter::basalt || m == Matter::ashlar ||
-         m == Matter::bed || m == Matter::reef;
-}
-
 /// Turned about its axis, with places on what is painted on it.
 bool is_vessel(const Solid& solid) {
-  Matter m = solid.material.matter;
-  return !solid.surface.uv.empty() && (m == Matter::ceramic || m == Matter::terracotta || m == Matter::glass);
+  return !solid.surface.uv.empty() && row_of(solid.material.matter).nature == Nature::vessel;
 }
 
 /// Laid out on its picture by itself.
@@ -79,7 +73,7 @@ Kinds kinds_of(const Solids& solids) {
 
 /// How much moss is on a place that faces so: a factor of the colour.
 Vec3 mossy(const Material& m, Vec3 at, Vec3 normal, Vec3 light) {
-  if (m.moss <= 0 || !is_stone(m.matter)) return Vec3(1);
+  if (m.moss <= 0 || !is_rock(m.matter)) return Vec3(1);
   auto scale = static_cast<float>(1 / (2.4 * std::max(m.scale, 0.05)));
   double cover = 0.5 * normal.y + 0.25 + 0.22 * fractal_noise(at * scale, 3);
   double grown = smooth_step(0.80 - 0.45 * m.moss, 0.95 - 0.45 * m.moss, cover);

@@ -25,36 +25,6 @@ constexpr int kRings = 4;              // of a palm, on its picture
 constexpr double kPatterns = 8;        // how many times what a skin's pattern repeats, on its picture
 constexpr float kAboveGround = 1.07f;  // metres: where walls are drawn, as what is below is damp
 
-/// How many times its `scale` the picture of a matter is wide; 0: it has no pattern.
-double pattern_widths(Matter matter) {
-  switch (matter) {
-    case Matter::plain:
-    case Matter::pane:
-    case Matter::glass:
-    case Matter::shell:
-    case Matter::mantle:
-      return 0;
-    case Matter::ashlar:
-    case Matter::bed:
-      return 3;
-    case Matter::granite:
-    case Matter::karst:
-    case Matter::basalt:
-      return 8.4;
-    case Matter::reef:
-      return 5;
-    case Matter::mortar:
-    case Matter::limestone:
-      return 8;
-    case Matter::brick:
-      return 14;
-    case Matter::soil:
-      return 40;
-    default:
-      return 24;
-  }
-}
-
 std::string key_of(const Color& c) { return fmt::format("{:.4f},{:.4f},{:.4f};", c.red, c.green, c.blue); }
 
 Color lighter(const Color& color, Vec3 factor) { return srgb(glm::min(linear(color) * factor, Vec3(1))); }
@@ -131,7 +101,7 @@ Swatch matter_swatch(const Material& material, int pixels) {
   swatch.includes = {material_include(material)};
   swatch.texture = material_text(material);
   swatch.pixels = {pixels, pixels};
-  swatch.wide = pattern_widths(material.matter) * material.scale;
+  swatch.wide = row_of(material.matter).widths * material.scale;
   auto half = static_cast<float>(swatch.wide / 2);
   // Off the planes where noise is even; wood's rings go round the x axis.
   bool wood = material.matter == Matter::timber;
@@ -311,7 +281,7 @@ Palette::Use Palette::body(const Look& look, const Material& material, const Sol
     return keep(material.picture, made, name, material.picture,
                 [=, picture = material.picture] { return worn(look, picture); });
   double rough = std::clamp(0.95 - 0.75 * made.gloss, 0.05, 1.0);
-  bool patterned = pattern_widths(material.matter) > 0;
+  bool patterned = row_of(material.matter).widths > 0;
   if (!patterned && !(vessel && !material.bands.empty())) {
     made.factor = made.color;
     return keep(fmt::format("body {} {}", made.gloss, made.transmission), made, name, {}, {});

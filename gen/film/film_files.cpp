@@ -28,7 +28,7 @@ namespace {
 /// What lives, with no more triangles than show at a level.
 Model for_level(Model model, int level) {
   for (Solid& solid : model.solids.shapes)
-    if (lives(solid.material.matter)) solid = with_edges(solid, 2 * kLevels[level].grain);
+    if (is_of_reef(solid.material.matter)) solid = with_edges(solid, 2 * kLevels[level].grain);
   return model;
 }
 
@@ -126,8 +126,8 @@ class ModelWriter {
       if (Errors errors = write_summary(one); !errors.empty()) return errors;
       plan(one);
     }
-    bool living =
-        std::ranges::any_of(model->solids.shapes, [](const Solid& s) { return lives(s.material.matter); });
+    bool living = std::ranges::any_of(model->solids.shapes,
+                                      [](const Solid& s) { return is_of_reef(s.material.matter); });
     for (const std::vector<ModelFile>& files : one.missing) {
       if (files.empty()) continue;
       Errors errors = write_level(one, files, living ? for_level(*model, files[0].level) : *model);

@@ -11,44 +11,10 @@
 #include "core/curve.h"
 #include "core/vec.h"
 #include "model/implicit.h"
+#include "model/matter.h"
 #include "model/surface.h"
 
 namespace frond {
-
-/// Materials of solids; gen/emit/solid.cpp has the macro of each.
-enum class Matter {
-  plain,      ///< one matt colour
-  brick,      ///< fired clay, each slightly different
-  mortar,     ///< sandy, between bricks
-  limestone,  ///< dressed, weathered
-  plaster,    ///< lime, flaking
-  paint,      ///< on wood
-  pane,       ///< a window before a dark room
-  timber,     ///< sawn wood, grain along x, the pith on the x axis
-  ashlar,     ///< dressed stone
-  bed,        ///< the mortar around it
-  ceramic,    ///< glazed; `scale` is the vessel's height, as of everything turned
-  terracotta,
-  glass,
-  soil,
-  granite,  ///< speckled, massive
-  karst,    ///< natural limestone: pale, banded and pitted
-  basalt,   ///< dark, fine and cracked
-  // What lives; u of its `uv` is 0 in hollows .. 1 on ridges, v the share of growth after which it was there.
-  polyps,   ///< stony coral with a cup for each polyp; `scale` is that of a cup
-  meander,  ///< brain coral: valleys between ridges, by u
-  sponge,   ///< soft, pitted
-  reef,     ///< old coral rock, overgrown with crusts and turf of algae
-  // Materials with a picture by `uv`; `second` is multiplied with it.
-  shell,
-  mantle,  ///< soft tissue of a clam
-};
-
-/// Whether it is the skin of what lives on a reef, or the rock that such skins made.
-inline bool lives(Matter matter) {
-  return matter == Matter::polyps || matter == Matter::meander || matter == Matter::sponge ||
-         matter == Matter::reef;
-}
 
 /// The pattern painted in a band.
 enum class Motif { plain, zigzag, waves, dots, meander, petals, rings };

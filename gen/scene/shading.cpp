@@ -21,14 +21,10 @@ constexpr int kWays = 32;
 constexpr float kHardlyShaded = 0.9f;  // what has more everywhere is told nothing
 constexpr std::uint32_t kOpaque = 255;
 
-bool lives_by_light(const Solid& solid) {
-  return solid.material.matter == Matter::polyps || solid.material.matter == Matter::meander;
-}
+bool lives_by_light(const Solid& solid) { return row_of(solid.material.matter).nature == Nature::coral; }
 
 bool is_colony(const Specimen& s) {
-  auto lives = [](const Solid& solid) {
-    return lives_by_light(solid) || solid.material.matter == Matter::sponge;
-  };
+  auto lives = [](const Solid& solid) { return is_tissue(solid.material.matter); };
   return std::ranges::any_of(s.model.solids.shapes, lives) ||
          (s.look.branches.skin && s.model.skeleton.size() > 0);
 }
