@@ -90,11 +90,11 @@ Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
   double depth = coat.furrow * coat.wrap / coat.image.ridges;
   auto reach = static_cast<float>(kNearDepths * depth);
   auto share = [&](Vec3 at, Vec3 normal) {
-    Vec3 way = eye - at;
-    float away = glm::length(way);
+    Vec3 offset = eye - at;
+    float away = glm::length(offset);
     if (away > reach || away < 1e-6f) return 0.0f;
     auto fade = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
-    return fade(3 * (1 - away / reach)) * fade(3 * (glm::dot(way, normal) / away + 0.6f));
+    return fade(3 * (1 - away / reach)) * fade(3 * (glm::dot(offset, normal) / away + 0.6f));
   };
   bool near = false;
   for (std::size_t i = 0; i < wood.position.size() && !near; ++i)

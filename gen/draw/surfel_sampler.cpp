@@ -5,9 +5,9 @@ namespace frond {
 namespace {
 
 /// What is hidden, seen from far away in a direction.
-double shade_of(const std::vector<std::array<Vec3, 3>>& triangles, Vec3 way) {
+double shade_of(const std::vector<std::array<Vec3, 3>>& triangles, Vec3 direction) {
   constexpr int kSide = 96;
-  Eye eye = eye_toward(Vec3(0), way, 1, 1, 1);
+  Eye eye = eye_toward(Vec3(0), direction, 1, 1, 1);
   Vec3 aside = glm::cross(eye.ahead, eye.up);
   auto flat = [&](Vec3 p) { return Vec2(glm::dot(p, aside), glm::dot(p, eye.up)); };
   Vec2 low(1e30f), high(-1e30f);

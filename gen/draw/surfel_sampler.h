@@ -51,19 +51,19 @@ struct SurfelSampler {
       for (std::size_t i = part * 1024; i < std::min(s.size(), (part + 1) * 1024); ++i) {
         std::int32_t parent = s.parent[i];
         if (parent < 0) continue;
-        Vec3 from = position[static_cast<std::size_t>(parent)], way = position[i] - from;
-        float length = glm::length(way), r = radius[i];
+        Vec3 from = position[static_cast<std::size_t>(parent)], offset = position[i] - from;
+        float length = glm::length(offset), r = radius[i];
         if (!(length > 0) || !(r > 0)) continue;
         float step = sink.step(from);
         int along = static_cast<int>(std::clamp(std::ceil(length / step), 1.0f, 1e4f));
         int round = r > 0.7f * step ? static_cast<int>(std::min(std::ceil(6.2832f * r / step), 256.0f)) : 1;
-        Vec3 ahead = way / length;
+        Vec3 ahead = offset / length;
         Vec3 side =
             glm::normalize(glm::cross(ahead, std::abs(ahead.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
         Vec3 other = glm::cross(ahead, side);
         float area = 6.2832f * r * length / static_cast<float>(along * round);
         for (int k = 0; k < along; ++k) {
-          Vec3 at = from + way * ((static_cast<float>(k) + 0.5f) / static_cast<float>(along));
+          Vec3 at = from + offset * ((static_cast<float>(k) + 0.5f) / static_cast<float>(along));
           if (round == 1) {
             sink.add(at, area, albedo, kAllFacings, 2 * r);
             continue;

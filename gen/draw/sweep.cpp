@@ -99,17 +99,17 @@ float foot_radius(const Skeleton& rest, const Pose& pose, std::int32_t first) {
 }
 
 void lay_along(const Skeleton& rest, Chunk& chunk) {
-  Vec3 way = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
-  float length = glm::length(way);
+  Vec3 direction = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
+  float length = glm::length(direction);
   if (!(length > 0)) return;
-  way /= length;
-  Vec3 up(0, 1, 0), axis = glm::cross(up, way);
+  direction /= length;
+  Vec3 up(0, 1, 0), axis = glm::cross(up, direction);
   float s = glm::length(axis);
-  Quat turn = s > 1e-6f   ? glm::angleAxis(std::atan2(s, way.y), axis / s)
-              : way.y > 0 ? Quat(1, 0, 0, 0)
-                          : glm::angleAxis(static_cast<float>(kPi), Vec3(1, 0, 0));
+  Quat turn = s > 1e-6f         ? glm::angleAxis(std::atan2(s, direction.y), axis / s)
+              : direction.y > 0 ? Quat(1, 0, 0, 0)
+                                : glm::angleAxis(static_cast<float>(kPi), Vec3(1, 0, 0));
   glm::mat3 laid = glm::mat3_cast(turn);
-  Vec3 at = rest.position[chunk.anchor] - way * rest.distance[chunk.anchor];
+  Vec3 at = rest.position[chunk.anchor] - direction * rest.distance[chunk.anchor];
   chunk.shift += chunk.matrix * at;
   chunk.matrix = chunk.matrix * laid;
 }

@@ -32,14 +32,14 @@ void append_skin(std::string& text, const PovSpace& space, const Specimen& b, co
   if (rest.birth[chunk.last] > pose.front) {
     // Where the growing tip is on its way from the node below.
     std::int32_t below = rest.parent[chunk.last];
-    float way = (pose.front - rest.birth[below]) / (rest.birth[chunk.last] - rest.birth[below]);
-    to = glm::mix(rest.position[below], to, way);
+    float share = (pose.front - rest.birth[below]) / (rest.birth[chunk.last] - rest.birth[below]);
+    to = glm::mix(rest.position[below], to, share);
   }
-  Vec3 way = to - from;
-  float length2 = glm::dot(way, way);
+  Vec3 offset = to - from;
+  float length2 = glm::dot(offset, offset);
   // What goes from one value to another along the chunk.
   auto append_slope = [&](float start, float end) {
-    Vec3 slope = way * ((end - start) / length2);
+    Vec3 slope = offset * ((end - start) / length2);
     double at_zero = start - glm::dot(slope, from), unit = space.unit;
     text += ',';
     append_list(text, 5, slope.x / unit, slope.y / unit, -slope.z / unit, at_zero);

@@ -25,7 +25,8 @@ Surface polyp_surface(double open) {
     for (int k = 0; k <= kBends; ++k) {
       float along = static_cast<float>(k) / kBends;
       float lean = glm::mix(-0.5f, (inner ? 0.2f : 0.5f) + 0.9f * along, o);
-      Vec3 way = std::sin(lean) * out + std::cos(lean) * Vec3(0, 1, 0), up = glm::cross(side, way);
+      Vec3 direction = std::sin(lean) * out + std::cos(lean) * Vec3(0, 1, 0),
+           up = glm::cross(side, direction);
       float thick = 0.05f * (1 - 0.6f * along) * glm::mix(0.7f, 1.0f, o);
       for (int r = 0; r < kRound; ++r) {
         float a = 2 * static_cast<float>(kPi) * static_cast<float>(r) / kRound;
@@ -33,7 +34,7 @@ Surface polyp_surface(double open) {
         polyp.position.push_back(at + thick * normal);
         polyp.normal.push_back(normal);
       }
-      at += step * way;
+      at += step * direction;
     }
     auto id = [&](int k, int r) { return first + static_cast<std::uint32_t>(k * kRound + r % kRound); };
     for (int k = 0; k < kBends; ++k)

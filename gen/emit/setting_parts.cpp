@@ -72,11 +72,11 @@ std::string sky_text(const Sky& sky, double clouds) {
     double level = std::sqrt(1 - height * height);
     for (int i = 0; i <= kTurns; ++i) {
       double turn = kPi * i / kTurns;
-      Vec3 way = flat * static_cast<float>(level * std::cos(turn)) +
-                 aside * static_cast<float>(level * std::sin(turn));
+      Vec3 direction = flat * static_cast<float>(level * std::cos(turn)) +
+                       aside * static_cast<float>(level * std::sin(turn));
       text += '[';
       append(text, static_cast<double>(i) / kTurns, 4);
-      text += " rgb" + vectors_text({sky.from(way + Vec3(0, height, 0))}) + "]";
+      text += " rgb" + vectors_text({sky.from(direction + Vec3(0, height, 0))}) + "]";
     }
     text += "}]\n";
   }

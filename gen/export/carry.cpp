@@ -20,15 +20,15 @@ ExportShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, c
   ExportShift shift;
   for (std::size_t v = 0; v < node.size(); ++v) {
     std::int32_t n = node[v], below = rest.parent[n] == Skeleton::kRoot ? n : rest.parent[n];
-    Vec3 foot = from.position[below], way = from.position[n] - foot, at = surface.position[v];
-    float length2 = glm::dot(way, way);
-    float along = length2 > 1e-14f ? std::clamp(glm::dot(at - foot, way) / length2, 0.0f, 1.0f) : 1;
+    Vec3 foot = from.position[below], offset = from.position[n] - foot, at = surface.position[v];
+    float length2 = glm::dot(offset, offset);
+    float along = length2 > 1e-14f ? std::clamp(glm::dot(at - foot, offset) / length2, 0.0f, 1.0f) : 1;
     // Where a branch leaves a fork it is as thick as it goes on.
     float thin = below == n - 1 ? along : 1;
     float before = glm::mix(from.radius[below], from.radius[n], thin),
           after = glm::mix(to.radius[below], to.radius[n], thin);
     Quat turn = to.turn[n] * glm::conjugate(from.turn[n]);
-    Vec3 aside = turn * (at - (foot + along * way)) * (before > 0 ? after / before : 0);
+    Vec3 aside = turn * (at - (foot + along * offset)) * (before > 0 ? after / before : 0);
     shift.position.push_back(glm::mix(to.position[below], to.position[n], along) + aside - at);
     shift.normal.push_back(turn * surface.normal[v] - surface.normal[v]);
   }

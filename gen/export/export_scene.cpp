@@ -211,8 +211,8 @@ double detail_seen(double pixels) {
   // Beyond the coarsest as many as there are pixels along it.
   if (grain >= last->grain) return last->leaves * last->grain / grain / (1 - kWoodShare);
   const CopyDetail* level = kLevels + level_for(grain);
-  double way = std::log(grain / level[0].grain) / std::log(level[1].grain / level[0].grain);
-  return level[0].leaves * std::pow(level[1].leaves / level[0].leaves, way) / (1 - kWoodShare);
+  double share = std::log(grain / level[0].grain) / std::log(level[1].grain / level[0].grain);
+  return level[0].leaves * std::pow(level[1].leaves / level[0].leaves, share) / (1 - kWoodShare);
 }
 
 Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOptions& options) {

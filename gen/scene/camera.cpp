@@ -20,13 +20,13 @@ float ground_about(const Heights& heights, Vec3 at) {
   return static_cast<float>(sum / 9);
 }
 
-Animated<Vec3> raised(const Animated<Vec3>& way, const Heights& heights) {
-  double first = way.keys().front().time, last = way.keys().back().time;
+Animated<Vec3> raised(const Animated<Vec3>& path, const Heights& heights) {
+  double first = path.keys().front().time, last = path.keys().back().time;
   int steps = std::clamp(static_cast<int>(std::ceil((last - first) / kStep)), 0, kMostSteps);
   std::vector<Animated<Vec3>::Key> keys;
   for (int i = 0; i <= steps; ++i) {
     double time = first + (steps > 0 ? (last - first) * i / steps : 0);
-    Vec3 at = way.at(time);
+    Vec3 at = path.at(time);
     keys.push_back({time, at + Vec3(0, ground_about(heights, at), 0)});
   }
   return Animated<Vec3>(std::move(keys));

@@ -239,8 +239,8 @@ int ModelBlocks::of(Vec3 at) const {
   float least = 1e30f;
   for (int i = 0; i < count(); ++i) {
     // By the largest of the three ways: its own cell comes before all others.
-    Vec3 way = glm::abs(at - middle(i));
-    float far = std::max({way.x, way.y, way.z});
+    Vec3 offset = glm::abs(at - middle(i));
+    float far = std::max({offset.x, offset.y, offset.z});
     if (far < least) least = far, best = i;
   }
   return best;

@@ -17,7 +17,7 @@ constexpr double kUneaten = 1e9;
 
 /// One food, and who eats of it: specimens and which of their foods it is.
 struct Meal {
-  const Animated<Vec3>* way;
+  const Animated<Vec3>* path;
   std::vector<std::pair<std::size_t, std::size_t>> eaters;
 };
 
@@ -27,7 +27,7 @@ std::vector<Meal> meals_of(std::span<const Specimen> specimens) {
     const Food& food = specimens[s].motion.food;
     if (!food.eaten || food.strength == 0 || specimens[s].model.skeleton.size() == 0) continue;
     for (std::size_t i = 0; i < food.places(); ++i) {
-      auto same = std::ranges::find_if(meals, [&](const Meal& meal) { return *meal.way == food.place(i); });
+      auto same = std::ranges::find_if(meals, [&](const Meal& meal) { return *meal.path == food.place(i); });
       if (same == meals.end()) same = meals.insert(meals.end(), {&food.place(i), {}});
       same->eaters.emplace_back(s, i);
     }
@@ -62,7 +62,7 @@ void feed(std::span<Specimen> specimens, double film) {
     std::erase_if(meals, [&](const Meal& meal) {
       bool caught = std::ranges::any_of(meal.eaters, [&](const auto& eater) {
         auto h = static_cast<std::size_t>(std::ranges::find(hungry, eater.first) - hungry.begin());
-        return reaches(specimens[eater.first].model.skeleton, pose[h], meal.way->at(time));
+        return reaches(specimens[eater.first].model.skeleton, pose[h], meal.path->at(time));
       });
       for (const auto& [s, i] : meal.eaters)
         if (caught) specimens[s].motion.food.reached[i] = time;

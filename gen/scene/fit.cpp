@@ -162,8 +162,8 @@ std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>&
 Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspect, const Heights& heights) {
   if (points.empty()) return camera;
   std::set<double> times;
-  for (const auto* way : {&camera.location, &camera.look_at})
-    for (const auto& key : way->keys()) times.insert(key.time);
+  for (const auto* path : {&camera.location, &camera.look_at})
+    for (const auto& key : path->keys()) times.insert(key.time);
   for (const auto& key : camera.angle.keys()) times.insert(key.time);
   std::vector<Animated<Vec3>::Key> location, look_at;
   for (double time : times) {

@@ -39,11 +39,11 @@ bool in_branch(const Skeleton& s, Vec3 at) {
   for (std::size_t i = 0; i < s.size(); ++i) {
     std::int32_t p = s.parent[i];
     if (p == Skeleton::kRoot) continue;
-    Vec3 from = s.position[static_cast<std::size_t>(p)], way = s.position[i] - from;
-    float along = glm::dot(at - from, way) / std::max(glm::dot(way, way), 1e-12f);
+    Vec3 from = s.position[static_cast<std::size_t>(p)], offset = s.position[i] - from;
+    float along = glm::dot(at - from, offset) / std::max(glm::dot(offset, offset), 1e-12f);
     float radius =
         glm::mix(s.radius[static_cast<std::size_t>(p)], s.radius[i], glm::clamp(along, 0.0f, 1.0f));
-    if (along >= 0 && along <= 1 && glm::distance(at, from + way * along) < radius) return true;
+    if (along >= 0 && along <= 1 && glm::distance(at, from + offset * along) < radius) return true;
   }
   return false;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr float kCell = 0.015f;     // metres, at least
 constexpr double kMostCells = 1e7;  // beyond, cells are larger
 constexpr float kFar = 0.7f;        // metres; what is beyond shades nobody
-constexpr int kWays = 32;
+constexpr int kSkyDirections = 32;
 constexpr float kHardlyShaded = 0.9f;  // what has more everywhere is told nothing
 constexpr std::uint32_t kOpaque = 255;
 
@@ -109,13 +109,13 @@ class CrowdedSpace {
     float come = 0, all = 0;
     bool branch = normal == Vec3(0);
     Vec3 from = at + (branch ? Vec3(0, 1.5f, 0) : 1.6f * normal) * grid_.cell;
-    for (int k = 0; k < kWays; ++k) {
-      Vec3 way = sky_direction(k, kWays);
-      if (!branch && glm::dot(way, normal) < 0.05f) continue;
+    for (int k = 0; k < kSkyDirections; ++k) {
+      Vec3 direction = sky_direction(k, kSkyDirections);
+      if (!branch && glm::dot(direction, normal) < 0.05f) continue;
       float through = 1, step = 0.7f * grid_.cell;
       bool blocked = false;
       for (float away = 0; away < kFar && !blocked && through > 0.02f; away += step) {
-        std::optional<std::size_t> i = grid_.find(from + way * away);
+        std::optional<std::size_t> i = grid_.find(from + direction * away);
         if (!i) break;
         std::uint32_t held = held_[*i] & 0xff;
         if (held == 0) continue;

@@ -23,16 +23,16 @@ struct WireSegment {
   float from_radius = 0;
   Vec3 to{0};
   float to_radius = 0;
-  Bytes4 from_way{}, to_way{};
+  Bytes4 from_heading{}, to_heading{};
   Rgba from_color{}, to_color{};
 };
 static_assert(sizeof(WireSegment) == 48);
 
-constexpr float kRound = 0.004f;  // share of the longest way: thinner tips are not rounded
+constexpr float kRound = 0.004f;  // share of the longest path: thinner tips are not rounded
 
-Bytes4 packed(Vec3 way) {
+Bytes4 packed(Vec3 heading) {
   auto byte = [](float x) { return static_cast<std::int8_t>(std::lround(127 * x)); };
-  return {byte(way.x), byte(way.y), byte(way.z), 0};
+  return {byte(heading.x), byte(heading.y), byte(heading.z), 0};
 }
 
 Rgba packed(const Color& c) {
@@ -93,18 +93,20 @@ class Weaver {
     s.from_radius = pose_.radius[below], s.to_radius = pose_.radius[i];
     float length = glm::distance(s.from, s.to);
     if (!(length > 1e-7f)) return;
-    Vec3 way = (s.to - s.from) / length, from_way = way;
+    Vec3 heading = (s.to - s.from) / length, from_heading = heading;
     if (below == i - 1 && !segments_.empty() && last_ == below) {
-      from_way = last_way_;
+      from_heading = last_heading_;
     } else if (below != i - 1) {
       s.from_radius = foot_radius(rest_, pose_, i);
     }
-    Vec3 to_way = goes_on ? direction(Vec3(0), way + direction(s.to, pose_.position[i + 1], way), way) : way;
-    s.from_way = packed(from_way), s.to_way = packed(to_way);
+    Vec3 to_heading =
+        goes_on ? direction(Vec3(0), heading + direction(s.to, pose_.position[i + 1], heading), heading)
+                : heading;
+    s.from_heading = packed(from_heading), s.to_heading = packed(to_heading);
     s.from_color = color(below, i), s.to_color = color(i, i);
     segments_.push_back(s);
-    last_ = i, last_way_ = to_way;
-    if (!goes_on) round_off(s, way);
+    last_ = i, last_heading_ = to_heading;
+    if (!goes_on) round_off(s, heading);
   }
 
   Rgba color(std::int32_t i, std::int32_t of) const {
@@ -113,13 +115,13 @@ class Weaver {
   }
 
   /// Half a ball on the end of a branch, where it is thick enough for that to show.
-  void round_off(WireSegment s, Vec3 way) {
+  void round_off(WireSegment s, Vec3 heading) {
     float r = s.to_radius;
     Vec3 end = s.to;
-    s.from_way = s.to_way = packed(way), s.from_color = s.to_color;
+    s.from_heading = s.to_heading = packed(heading), s.from_color = s.to_color;
     auto cap = [&](float to, float radius) {
       s.from = s.to, s.from_radius = s.to_radius;
-      s.to = end + way * (to * r), s.to_radius = radius * r;
+      s.to = end + heading * (to * r), s.to_radius = radius * r;
       segments_.push_back(s);
     };
     if (r > kRound * longest_) cap(0.5f, 0.866f), cap(0.87f, 0.5f);
@@ -133,7 +135,7 @@ class Weaver {
   float longest_;
   std::vector<WireSegment> segments_;
   std::int32_t last_ = -1;
-  Vec3 last_way_{0};
+  Vec3 last_heading_{0};
 };
 
 }  // namespace
