@@ -6,14 +6,17 @@
 
 Each tests/presets/tiny_*.json has tests/golden/<name>/ with manifest.json, build.ninja and some of the frames: those
 that are there already, at first the first, a middle and the last one. Of a very long line (a mesh) its beginning,
-length and checksum stand there. FROND_BIN names another program than build/frond.
+length and checksum stand there, and so of a long run of lines that begin alike. FROND_BIN names another program than
+build/frond.
 """
 import argparse
 import difflib
 import hashlib
+import itertools
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -23,19 +26,35 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 GOLDEN = ROOT / "tests/golden"
 LONG_LINE = 600
 LONG_LINE_START = 120
+LONG_RUN = 20
+RUN_START = 10
 SHOWN_LINES = 20
 SHOWN_WIDTH = 160
 
 
 def abridged(text):
-    """The text with each very long line cut short, in a way that tells any two apart."""
+    """The text with each very long line and each long run of lines that begin alike cut short, in a way that tells any
+    two apart."""
+    def checksum(whole):
+        return hashlib.sha256(whole.encode()).hexdigest()[:16]
+
     def line(whole):
         if len(whole) <= LONG_LINE:
             return whole
-        checksum = hashlib.sha256(whole.encode()).hexdigest()[:16]
-        return f"{whole[:LONG_LINE_START]}... ({len(whole)} characters, {checksum})"
+        return f"{whole[:LONG_LINE_START]}... ({len(whole)} characters, {checksum(whole)})"
 
-    return "\n".join(line(whole) for whole in text.split("\n"))
+    lines = []
+    for _, run in itertools.groupby(text.split("\n"), key=lambda whole: whole[:RUN_START]):
+        run = list(run)
+        lines += [line(whole) for whole in run[:LONG_RUN]]
+        if rest := run[LONG_RUN:]:
+            lines.append(f"... ({len(rest)} lines more, {checksum(chr(10).join(rest))})")
+    return "\n".join(lines)
+
+
+def unnamed(text):
+    """The text without the hashes in names of files, which change with the program."""
+    return re.sub(r"(?<=_)[0-9a-f]{16}(?=[_.])", "HASH", text)
 
 
 def generate(frond, preset, out):
@@ -44,8 +63,8 @@ def generate(frond, preset, out):
                          env={**os.environ, "FROND_HOME": str(ROOT)}, check=False)
     if run.returncode:
         sys.exit(f"{preset}: frond ended with exit code {run.returncode}\n{run.stderr}")
-    files = {path.name: abridged(path.read_text(encoding="utf-8")) for path in (out / "frames").glob("*.pov")}
-    files["manifest.json"] = (out / "manifest.json").read_text(encoding="utf-8")
+    files = {path.name: abridged(unnamed(path.read_text(encoding="utf-8"))) for path in (out / "frames").glob("*.pov")}
+    files["manifest.json"] = unnamed((out / "manifest.json").read_text(encoding="utf-8"))
     ninja = (out / "build.ninja").read_text(encoding="utf-8")
     program = os.path.relpath(pathlib.Path(frond).resolve(), out.resolve())
     files["build.ninja"] = ninja.replace(program, "PROGRAM").replace(os.path.relpath(ROOT, out.resolve()), "ROOT")

@@ -1,4 +1,4 @@
-// Frame 1 of 1. Render with: povray +Lpovinc +RFI +RFlight_e257a35e0fd1c91e.rca +W64 +H48 frame_0001.pov
+// Frame 1 of 1. Render with: povray +Lpovinc +RFI +RFlight_HASH.rca +W64 +H48 frame_0001.pov
 #version 3.7;
 #declare Frond_Unit = 10;        // POV-Ray units a metre
 #declare Frond_Quality = 0;      // 0 draft, 1 good, 2 best
