@@ -28,6 +28,8 @@ void describe(Visitor& v, Forest& f) {
   describe_place(v, f.when);
   v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"},
            "Height to which mist fills the valleys; 0 is none");
+  v.number("brighten", f.brighten, {.min = -4, .max = 6},
+           "Stops by which the picture is brighter than of open land, as little light falls below crowns");
   v.object("terrain", f.terrain, "The shape of the land");
   v.color("litter", f.litter, "Colour of fallen leaves and earth");
   v.color("green", f.green, "Colour of moss");
@@ -98,7 +100,8 @@ SettingRow forest_setting() {
   return setting_row<Forest>(
       "forest", "wooded hills at any hour of the day", "forest",
       "Hour and land, for forest; clouds and haze are the meadow's",
-      {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/zenith", "/meadow/horizon"},
+      {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/moon", "/meadow/zenith",
+       "/meadow/horizon"},
       [](const Stage& stage) {
         const TerrainShape& land = stage.block<Forest>().terrain;
         return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};
@@ -134,8 +137,8 @@ SettingRow forest_setting() {
 }
 
 Sky forest_sky(const Stage& stage) {
-  // Under trees one opens the lens wider.
-  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Forest>().when), stage.camera.stops() + 0.75);
+  const auto& forest = stage.block<Forest>();
+  return sky_over(stage.block<Meadow>(), sun_at(forest.when), stage.camera.stops() + forest.brighten);
 }
 
 }  // namespace frond

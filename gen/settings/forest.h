@@ -11,7 +11,8 @@ namespace frond {
 /// A wood on hilly land; sky and haze are those of the meadow, with the sun of the hour.
 struct Forest {
   Moment when;
-  double mist = 0;  ///< metres above the valleys, top of the morning mist; 0: none
+  double mist = 0;         ///< metres above the valleys, top of the morning mist; 0: none
+  double brighten = 0.75;  ///< stops above the exposure of the open land: little light falls below crowns
   TerrainShape terrain;
   Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
   Color green{0.37f, 0.42f, 0.13f};   ///< of moss

@@ -51,6 +51,7 @@ void describe(Visitor& v, Meadow& m) {
   v.color("horizon", m.horizon, "Colour of the sky far off, and of the haze; not given: as the sun makes it");
   v.color("grass", m.grass, "Colour of the grass");
   v.direction("sun", m.sun, "Direction toward the sun, where no hour is given");
+  v.direction("moon", m.moon, "Direction toward the moon, which casts the shadows of nights");
   v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"},
            "Distance at which two thirds of a colour are lost in the haze");
   v.number("clouds", m.clouds, {.min = 0, .max = 1}, "Share of the sky that clouds cover");
@@ -91,7 +92,8 @@ SettingRow meadow_setting() {
 
 Sky sky_over(const Meadow& meadow, Vec3 sun, double exposure) {
   auto light = [](const std::optional<Color>& c) { return c ? std::optional(linear(*c)) : std::nullopt; };
-  return Sky({sun, meadow.turbidity, meadow.clouds, exposure, light(meadow.zenith), light(meadow.horizon)});
+  return Sky({sun, meadow.turbidity, meadow.clouds, exposure, light(meadow.zenith), light(meadow.horizon),
+              meadow.moon});
 }
 
 Sky meadow_sky(const Stage& stage) {

@@ -11,8 +11,9 @@ namespace frond {
 
 /// An outdoor scene by day, in summer by default.
 struct Meadow {
-  Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun, if there is no hour
-  std::optional<double> hour;   ///< replaces the hour of the moment below
+  Vec3 sun{0.5f, 0.75f, 0.6f};   ///< toward the sun, if there is no hour
+  Vec3 moon{0.4f, 0.6f, -0.5f};  ///< toward the moon
+  std::optional<double> hour;    ///< replaces the hour of the moment below
   Moment when;
   double turbidity = 2.5;                ///< see SkyShape
   std::optional<Color> zenith, horizon;  ///< of the sky overhead and at the horizon; none: computed

@@ -213,7 +213,8 @@ Sky::Sky(const SkyShape& shape)
   if (up < -0.8) {
     // Shadows are cast by the afterglow, and at night by the moon.
     auto night = static_cast<float>(2 * smooth_step(8.0, 12.0, -up) - 1);
-    lamp = night > 0 ? glm::normalize(Vec3(0.4f, 0.6f, -0.5f)) : glm::normalize(Vec3(sun.x, 0.18f, sun.z));
+    Vec3 moon(shape.moon.x, std::max(shape.moon.y, 0.02f), shape.moon.z);
+    lamp = night > 0 ? glm::normalize(moon) : glm::normalize(Vec3(sun.x, 0.18f, sun.z));
     lamplight = stops_ * veil *
                 (night > 0 ? night * Vec3(0.10f, 0.13f, 0.20f) : -night * dim_ * Vec3(0.50f, 0.30f, 0.22f));
   }

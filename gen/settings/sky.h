@@ -47,6 +47,7 @@ struct SkyShape {
   double exposure = 0;     ///< stops above the metered exposure
   /// Colours that replace the computed sky overhead and at the horizon; linear.
   std::optional<Vec3> zenith = {}, horizon = {};
+  Vec3 moon{0.4f, 0.6f, -0.5f};  ///< direction toward it, of any length
 };
 
 /// A sky as a camera exposes it: linear colours, as the brightness of a white matt surface.

@@ -104,6 +104,17 @@ TEST(SkyOfTheDay, HasNoDaytimeAfterSunset) {
   EXPECT_GT(after.r, 1.3f * after.b) << "the afterglow";
 }
 
+TEST(SkyOfTheDay, ShadowsOfANightFallFromTheMoon) {
+  SkyShape night{.sun = {0.3f, -0.8f, 0.5f}};
+  night.moon = {2, 2, 0};
+  EXPECT_NEAR(glm::distance(Sky(night).lamp, glm::normalize(Vec3(1, 1, 0))), 0, 1e-5);
+  night.moon = {0, -1, 1};  // below the horizon: just above it
+  EXPECT_GT(Sky(night).lamp.y, 0);
+  SkyShape day{.sun = {0.3f, 0.8f, 0.5f}};
+  day.moon = night.moon;
+  EXPECT_NEAR(glm::distance(Sky(day).lamp, Sky(day).sun), 0, 1e-5);
+}
+
 TEST(SkyOfTheDay, ChangesWithoutJumps) {
   for (double up = -25; up < 89; up += 0.5) {
     Sky a = at_height(up), b = at_height(up + 0.5);
