@@ -12,7 +12,8 @@ std::string wood_text(const Scene& scene, double time) {
   return "Meadow_Globals()\n" + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) +
          "," + air_text(sky) + "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," +
          number_text(forest.mist) + "," +
-         number_text(static_cast<const ForestGround&>(*scene.ground).valley) + ")";
+         number_text(static_cast<const ForestGround&>(*scene.ground).valley) + "," + color_text(forest.air) +
+         ")";
 }
 
 std::string forest_floor_text(const PovSpace& space, const Scene& scene) {

@@ -33,6 +33,7 @@ void describe(Visitor& v, Forest& f) {
   v.object("terrain", f.terrain, "The shape of the land");
   v.color("litter", f.litter, "Colour of fallen leaves and earth");
   v.color("green", f.green, "Colour of moss");
+  v.color("air", f.air, "Colour that light takes in the crowns: that of the air between the trunks");
   v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
 }
 

@@ -16,6 +16,7 @@ struct Forest {
   TerrainShape terrain;
   Color litter{0.43f, 0.35f, 0.26f};  ///< of fallen leaves and earth
   Color green{0.37f, 0.42f, 0.13f};   ///< of moss
+  Color air{0.83f, 0.906f, 0.762f};   ///< of what hangs between the trunks, lit through the crowns
   double moss = 0.4;                  ///< share of the ground that is mossy, 0..1
 };
 
