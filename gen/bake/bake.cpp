@@ -108,6 +108,9 @@ Result<LinearRaster> drawn(const std::string& scene, int wide, int high, const B
   if (!program) return failed("no such program; without pictures: --texture 0");
   Scratch folder;
   if (auto error = write_new(folder.path / "swatch.pov", scene)) return failed(reason_of(error));
+  // POV-Ray parses its options by itself and stumbles over quotes in a path.
+  std::error_code error;
+  fs::create_directory_symlink(fs::absolute(options.home) / "povinc", folder.path / "povinc", error);
   Words said;
   Command command;
   command.folder = folder.path;
@@ -123,7 +126,7 @@ Result<LinearRaster> drawn(const std::string& scene, int wide, int high, const B
                    "+WT1",
                    fmt::format("+W{}", wide),
                    fmt::format("+H{}", high),
-                   "+L" + (fs::absolute(options.home) / "povinc").string()};
+                   "+Lpovinc"};
   Result<int> status = run(command);
   if (!status) return failed(status.errors()[0].text());
   Result<std::string> bytes = read_file(folder.path / "swatch.png");

@@ -140,6 +140,7 @@ Palette::Use Palette::keep(const std::string& key, ExportMaterial made, const st
 
 Palette::Use Palette::keep_swatch(Swatch swatch, ExportMaterial made, const std::string& name, double rough) {
   if (options_.texture == 0) return keep(swatch.before + swatch.texture, std::move(made), name, {}, {});
+  for (int& pixels : swatch.pixels) pixels += pixels % 2;  // normals have half as many
   double wide = swatch.wide, high = wide * swatch.pixels[1] / swatch.pixels[0];
   std::string key = fmt::format("{} {} {} {}\n", swatch.light.x, swatch.light.y, swatch.light.z, rough) +
                     swatch_scene(swatch);
