@@ -169,18 +169,8 @@ Result<BakedPictures> draw(const Swatch& swatch, double rough, const std::string
     normals =
         normal_raster(fitted(normals_of(quarter(0, 1), {quarter(1, 1), quarter(0, 0), quarter(1, 0)}), 2));
   }
-  BakedPictures made;
-  made.mean = mean_color(colors);
-  for (auto [from, to] : {std::pair(&colors, &made.colors), {&normals, &made.normals}}) {
-    if (from->data.empty()) continue;
-    Result<std::string> text = png_text(*from);
-    if (!text) return text.errors();
-    *to = std::move(*text);
-  }
-  if (!relief) return made;
-  Result<std::string> text = png_text(roughness_of(normals, rough));
-  if (!text) return text.errors();
-  made.roughness = std::move(*text);
+  Result<BakedPictures> made = picture_files(colors, normals, rough);
+  if (made) made->mean = mean_color(colors);
   return made;
 }
 
@@ -201,6 +191,20 @@ void trim(const fs::path& folder) {
 }
 
 }  // namespace
+
+Result<BakedPictures> picture_files(const Raster& colors, const Raster& normals, double rough) {
+  Raster roughness = normals.data.empty() ? Raster() : roughness_of(normals, rough);
+  BakedPictures made;
+  for (auto [raster, file] : {std::pair(&colors, &made.colors),
+                              {&normals, &made.normals},
+                              {static_cast<const Raster*>(&roughness), &made.roughness}}) {
+    if (raster->data.empty()) continue;
+    Result<std::string> text = png_text(*raster);
+    if (!text) return text.errors();
+    *file = std::move(*text);
+  }
+  return made;
+}
 
 std::string swatch_scene(const Swatch& swatch) {
   std::string text = fmt::format(

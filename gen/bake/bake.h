@@ -50,6 +50,10 @@ struct BakeOptions {
   std::string povray = "povray";
 };
 
+/// The files of pictures that are there, with the roughness that follows from the normals; `rough` is that of
+/// what is smooth, 0..1. The mean is not told.
+Result<BakedPictures> picture_files(const Raster& colors, const Raster& normals, double rough);
+
 /// The scene that a swatch is drawn by.
 std::string swatch_scene(const Swatch& swatch);
 

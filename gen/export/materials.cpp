@@ -6,7 +6,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "bake/photometry.h"
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "emit/branch_materials.h"
@@ -29,25 +28,12 @@ std::string key_of(const Color& c) { return fmt::format("{:.4f},{:.4f},{:.4f};",
 
 Color lighter(const Color& color, Vec3 factor) { return srgb(glm::min(linear(color) * factor, Vec3(1))); }
 
-/// The files of pictures that are there.
-Result<BakedPictures> files_of(const Raster& colors, const Grid& height, double strength, double rough) {
-  Raster normals = normal_picture(height, strength);
-  BakedPictures made;
-  for (auto [raster, file] : {std::pair(colors, &made.colors),
-                              {normals, &made.normals},
-                              {roughness_of(normals, rough), &made.roughness}}) {
-    Result<std::string> text = png_text(raster);
-    if (!text) return text.errors();
-    *file = std::move(*text);
-  }
-  return made;
-}
-
 Result<BakedPictures> coat_pictures(const BarkCoat& coat, int wide) {
   int high = std::max(1, static_cast<int>(std::lround(wide * coat.aspect)));
   Seed seed{11};
   BarkMaps maps = bark_maps(coat.image, wide, high, seed);
-  return files_of(bark_colors(coat.image, maps, seed), maps.height, 0.02 * wide * coat.relief, 0.8);
+  return picture_files(bark_colors(coat.image, maps, seed),
+                       normal_picture(maps.height, 0.02 * wide * coat.relief), 0.8);
 }
 
 /// A leaf's picture: where it is open it has the colour of the rim, or its edge would be seen dark.
@@ -63,7 +49,7 @@ Result<BakedPictures> leaf_pictures(const LeafLook& look, std::size_t color, int
     // Veins are paler than what lies between, and sunk in.
     height.data[i] = static_cast<float>(1 - (0.3 * pixel[0] + 0.6 * pixel[1] + 0.1 * pixel[2]) / 255);
   }
-  return files_of(colors, height, 0.012 * pixels, 0.6);
+  return picture_files(colors, normal_picture(height, 0.012 * pixels), 0.6);
 }
 
 /// The picture of that name, of those that the look wears.
