@@ -117,18 +117,18 @@ Result<int> frame_shown(const RenderArguments& a) {
 }
 
 /// A picture of a sheet.
-struct Cell {
+struct SheetCell {
   std::vector<std::string> sets;
   std::string text;
   fs::path folder;
 };
 
-std::vector<Cell> cells_of(const std::vector<Sweep>& sweeps, const fs::path& pictures) {
-  std::vector<Cell> cells;
+std::vector<SheetCell> cells_of(const std::vector<Sweep>& sweeps, const fs::path& pictures) {
+  std::vector<SheetCell> cells;
   std::vector<std::string> down = sweeps.size() > 1 ? sweeps[1].values : std::vector<std::string>{""};
   for (const std::string& second : down)
     for (const std::string& first : sweeps[0].values) {
-      Cell cell{{sweeps[0].pointer + "=" + first}, sweeps[0].name + " " + first, {}};
+      SheetCell cell{{sweeps[0].pointer + "=" + first}, sweeps[0].name + " " + first, {}};
       if (sweeps.size() > 1) {
         cell.sets.push_back(sweeps[1].pointer + "=" + second);
         cell.text += "   " + sweeps[1].name + " " + second;
@@ -143,7 +143,7 @@ std::vector<Cell> cells_of(const std::vector<Sweep>& sweeps, const fs::path& pic
 }
 
 /// Has the picture made, by a run like any other; its exit code.
-Result<int> render_cell(const RenderArguments& a, const Cell& cell, int frame) {
+Result<int> render_cell(const RenderArguments& a, const SheetCell& cell, int frame) {
   Command command;
   command.words = {own_program().string(), "render"};
   add_words(command.words, a.preset);
@@ -160,7 +160,7 @@ Result<int> render_cell(const RenderArguments& a, const Cell& cell, int frame) {
 }
 
 /// Labels the pictures and puts them side by side.
-Errors make_sheet(const std::vector<Cell>& cells, int frame, int columns, const fs::path& sheet) {
+Errors make_sheet(const std::vector<SheetCell>& cells, int frame, int columns, const fs::path& sheet) {
   WorkFolder work;
   if (work.path().empty()) return {{"", "no folder can be made for the labels"}};
   std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
@@ -217,7 +217,7 @@ int sheet(const RenderArguments& a) {
   if (Errors link = refuse_link(pictures); !link.empty()) return fail_run(link, kCouldNot);
   fs::create_directories(pictures, error);
   if (error) return fail_run({{"", out.string() + ": the folder cannot be made"}}, kCouldNot);
-  std::vector<Cell> cells = cells_of(*sweeps, pictures);
+  std::vector<SheetCell> cells = cells_of(*sweeps, pictures);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     say(fmt::format("Picture {} of {}: {}", i + 1, cells.size(), cells[i].text));
     Result<int> code = render_cell(a, cells[i], *frame);

@@ -7,6 +7,7 @@
 
 #include "core/bytes.h"
 #include "core/lru_cache.h"
+#include "field/cubes.h"
 #include "geometry/relief.h"
 #include "geometry/tubes.h"
 
@@ -18,44 +19,42 @@ constexpr double kShown = 0.6;  // of the bark's scale: thinner branches are too
 
 }  // namespace
 
-BranchForm branch_form(const Specimen& b) {
-  if (!b.look.branches.drawn()) return BranchForm::none;
-  if (b.style.build != Build::sweeps) return BranchForm::body;
-  return b.look.branches.coat ? BranchForm::coat : BranchForm::sweeps;
+BranchForm DrawnBranches::form() const {
+  if (!look().drawn()) return BranchForm::none;
+  if (traits.style.build != Build::sweeps) return BranchForm::body;
+  return look().coat ? BranchForm::coat : BranchForm::sweeps;
 }
 
-ChunkOptions chunk_options(const Specimen& b) {
+ChunkOptions DrawnBranches::chunk_options() const {
   constexpr double kSlide = 0.15;  // of the pattern, by which it may slide on the skin
   constexpr int kRings = 5;        // nodes, so that rings lie across also where it bends
-  const BranchLook& look = b.look.branches;
   ChunkOptions options;
-  if (!look.drawn()) return options;
-  options.tolerance = look.patterned() ? static_cast<float>(kSlide * look.pattern_size())
-                                       : std::numeric_limits<float>::infinity();
-  options.young_length = static_cast<float>(look.young_length());
-  if (look.bark) options.color = b.model.color;
-  if (look.ringed()) options.nodes = kRings;
+  if (!look().drawn()) return options;
+  options.tolerance = look().patterned() ? static_cast<float>(kSlide * look().pattern_size())
+                                         : std::numeric_limits<float>::infinity();
+  options.young_length = static_cast<float>(look().young_length());
+  if (look().bark) options.color = model.color;
+  if (look().ringed()) options.nodes = kRings;
   // Of a swaying tree only what is thick has a bark that one could see slide.
-  if (b.motion.limbs && !one_texture(b)) options.thin = static_cast<float>(kShown * look.bark_scale());
+  if (traits.motion.limbs && !one_texture()) options.thin = static_cast<float>(kShown * look().bark_scale());
   return options;
 }
 
-bool slanted(const Specimen& b, const Chunk& chunk) {
-  const BranchLook& look = b.look.branches;
-  const Skeleton& s = b.model.skeleton;
-  if (look.skin || !look.patterned() ||
-      s.radius[static_cast<std::size_t>(chunk.first)] < kShown * look.pattern_size())
+bool DrawnBranches::slanted(const Chunk& chunk) const {
+  const Skeleton& s = rest();
+  if (look().skin || !look().patterned() ||
+      s.radius[static_cast<std::size_t>(chunk.first)] < kShown * look().pattern_size())
     return false;
   Vec3 offset = s.position[static_cast<std::size_t>(chunk.last)] -
                 s.position[static_cast<std::size_t>(s.parent[static_cast<std::size_t>(chunk.first)])];
   return std::abs(offset.y) < 0.9f * glm::length(offset);
 }
 
-bool one_texture(const Specimen& b) {
-  const BranchLook& look = b.look.branches;
-  if (!look.bark || look.ringed() || look.young_length() > 0 || (!b.model.color.empty() && look.colors() > 1))
+bool DrawnBranches::one_texture() const {
+  if (!look().bark || look().ringed() || look().young_length() > 0 ||
+      (!model.color.empty() && look().colors() > 1))
     return false;
-  return !look.patterned() || (b.motion.wave.amplitude == 0 && b.motion.growth.duration <= 0);
+  return !look().patterned() || (traits.motion.wave.amplitude == 0 && traits.motion.growth.duration <= 0);
 }
 
 namespace {
@@ -110,15 +109,46 @@ Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
 
 }  // namespace
 
-Surface coat_surface(const Specimen& tree, const Pose& pose, Vec3 eye) {
-  const BranchLook& look = tree.look.branches;
-  Surface wood = tube_surface(tree.model.skeleton, pose.position, pose.radius, pose.turn,
-                              look.tube_shape(tree.model.girth));
-  return look.coat->furrow > 0 && !wood.triangle.empty() ? furrowed(wood, *look.coat, eye) : wood;
+Surface DrawnBranches::coat_surface(Vec3 eye) const {
+  Surface wood = tube_surface(rest(), pose.position, pose.radius, pose.turn, look().tube_shape(model.girth));
+  const BarkCoat& coat = *look().coat;
+  return coat.furrow > 0 && !wood.triangle.empty() ? furrowed(wood, coat, eye) : wood;
 }
 
-std::vector<bool> coatless(const Specimen& tree) {
-  return left_out(tree.model.skeleton, tree.look.branches.tube_shape(tree.model.girth));
+std::vector<bool> DrawnBranches::coatless() const { return left_out(rest(), look().tube_shape(model.girth)); }
+
+Boughs DrawnBranches::boughs() const {
+  Boughs boughs;
+  add_boughs(boughs, rest(), pose.position, pose.radius, pose.front, static_cast<float>(traits.style.blend));
+  return boughs;
+}
+
+Result<FusedMesh> DrawnBranches::body() const {
+  if (traits.style.build == Build::fused) return fuse(boughs(), volume());
+  Result<Cubes> cubes = cubes_of(boughs(), volume());
+  if (!cubes) return cubes.errors();
+  FusedMesh mesh;
+  std::vector<std::uint32_t> cube;
+  mesh.surface = cubes_surface(*cubes, cube);
+  // Each face has four corners of its own.
+  for (std::uint32_t c : cube) mesh.node.insert(mesh.node.end(), 4, cubes->node[c]);
+  return mesh;
+}
+
+BranchColors::BranchColors(const DrawnBranches& branches)
+    : branches_(branches),
+      young_length_(static_cast<float>(branches.look().young_length())),
+      longest_(branches.rest().longest()) {
+  for (std::size_t k = 0; k < branches.look().colors(); ++k) {
+    old_.push_back(branches.look().plain(k, branches.traits.brightness));
+    young_.push_back(branches.look().young(k, branches.traits.brightness));
+  }
+}
+
+Color BranchColors::at(std::int32_t i, std::int32_t of) const {
+  std::size_t k = branches_.look().color_at(branches_.model, of);
+  float young = youth(branches_.rest(), branches_.pose, longest_, young_length_, i);
+  return young > 0 ? mixed(old_[k], young_[k], young) : old_[k];
 }
 
 }  // namespace frond

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "draw/sweep.h"
+#include "field/volume.h"
+#include "motion/unfold.h"
 #include "world/specimen.h"
 
-// How the branches of a specimen are drawn.
+// How the branches of an organism are drawn.
 
 namespace frond {
 
@@ -15,24 +18,51 @@ enum class BranchForm {
   coat,    ///< one mesh with a picture, and sweeps where they are too thin for that
   body     ///< fused, or of cubes
 };
-BranchForm branch_form(const Specimen& specimen);
 
-/// How finely chunks are cut.
-ChunkOptions chunk_options(const Specimen& specimen);
+/// The branches of an organism in a pose. Refers to what it is made from.
+struct DrawnBranches {
+  const Traits& traits;
+  const Model& model;
+  const Pose& pose;
 
-/// Whether a chunk is a limb thick enough to show a bark that lies along it, and not upright, where it does
-/// so anyway.
-bool slanted(const Specimen& plant, const Chunk& chunk);
+  const BranchLook& look() const { return traits.look.branches; }
+  const Skeleton& rest() const { return model.skeleton; }
+  BranchForm form() const;
 
-/// Whether all branches of a plant have one and the same texture in the whole film, which then stands on
-/// their union.
-bool one_texture(const Specimen& plant);
+  /// How finely chunks are cut.
+  ChunkOptions chunk_options() const;
+  /// Whether a chunk is a limb thick enough to show a bark that lies along it, and not upright, where it does
+  /// so anyway.
+  bool slanted(const Chunk& chunk) const;
+  /// Whether all branches have one and the same texture in the whole film, which then stands on their union.
+  bool one_texture() const;
 
-/// The branches of a tree that wears a bark as a picture; empty while none of it has grown. Where the eye is
-/// near, its furrows are let in.
-Surface coat_surface(const Specimen& tree, const Pose& pose, Vec3 eye);
+  /// Those of a tree that wears a bark as a picture; empty while none of it has grown. Where the eye is near,
+  /// its furrows are let in.
+  Surface coat_surface(Vec3 eye) const;
+  /// Which nodes it leaves out: those of twigs too thin for a picture.
+  std::vector<bool> coatless() const;
 
-/// Which nodes it leaves out: those of twigs too thin for a picture.
-std::vector<bool> coatless(const Specimen& tree);
+  /// Those that growth has reached, as a volume is made from them.
+  Boughs boughs() const;
+  VolumeOptions volume() const { return {traits.style.voxel, traits.style.adaptivity, traits.style.limit}; }
+  /// All of them as one body, fused or of cubes, and the node of each vertex. An error where the volume
+  /// passes the limit of its style.
+  Result<FusedMesh> body() const;
+};
+
+/// The colours of branches, for whoever draws them plainly. Refers to them.
+class BranchColors {
+ public:
+  explicit BranchColors(const DrawnBranches& branches);
+
+  /// At node `i`, in the turtle's colour of the branch that goes to node `of`.
+  Color at(std::int32_t i, std::int32_t of) const;
+
+ private:
+  const DrawnBranches& branches_;
+  std::vector<Color> old_, young_;
+  float young_length_, longest_;  // metres
+};
 
 }  // namespace frond

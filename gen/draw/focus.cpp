@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <tuple>
 #include <vector>
@@ -68,16 +69,16 @@ std::optional<float> depth_of_copies(const SownStand& stand, const Lens& lens) {
   return depth < kNoDepth ? std::optional(depth) : std::nullopt;
 }
 
-std::optional<float> depth_of(const std::vector<const Specimen*>& specimens, const Lens& lens, double time) {
+std::optional<float> depth_of(const std::vector<std::unique_ptr<DrawList>>& all_drawn, const Lens& lens) {
   std::mutex in_work;
   float depth = kNoDepth;
   auto look = [&](Vec2 at) {
-    for (const Specimen* s : specimens) sample_surfels(FocusSpot{lens, at, depth, in_work}, *s, time);
+    for (const auto& drawn : all_drawn) sample_surfels(FocusSpot{lens, at, depth, in_work}, *drawn);
     return depth < kNoDepth;
   };
   if (look(Vec2(0))) return depth;
   std::vector<std::pair<Vec3, float>> bits;
-  for (const Specimen* s : specimens) sample_surfels(FocusMiddle{lens, bits, in_work}, *s, time);
+  for (const auto& drawn : all_drawn) sample_surfels(FocusMiddle{lens, bits, in_work}, *drawn);
   if (bits.empty()) return std::nullopt;
   std::ranges::sort(bits, [](const auto& a, const auto& b) {
     return std::tie(a.first.x, a.first.y, a.first.z, a.second) <
@@ -101,18 +102,18 @@ std::optional<Vec3> named_focus(const Scene& scene, double time) {
   const std::string& name = camera.focus->organism;
   Lens lens = lens_at(camera, time, scene.film.aspect());
   std::vector<Specimen> changed;
-  std::vector<const Specimen*> specimens;
+  std::vector<std::unique_ptr<DrawList>> drawn;
   changed.reserve(scene.specimens.size());
   for (const Specimen& s : scene.specimens) {
     if (s.name != name) continue;
     if (!s.life.changes()) {
-      specimens.push_back(&s);
+      drawn.push_back(std::make_unique<DrawList>(s, time));
     } else if (Result<Specimen> now = developed(s, time)) {
       changed.push_back(std::move(*now));
-      specimens.push_back(&changed.back());
+      drawn.push_back(std::make_unique<DrawList>(changed.back(), time));
     }
   }
-  std::optional<float> depth = specimens.empty() ? std::nullopt : depth_of(specimens, lens, time);
+  std::optional<float> depth = drawn.empty() ? std::nullopt : depth_of(drawn, lens);
   for (const SownStand& stand : scene.stands)
     if (!depth && stand.organism.name == name) depth = depth_of_copies(stand, lens);
   if (!depth) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/seed.h"
 #include "motion/unfold.h"
 
@@ -10,7 +11,8 @@ namespace frond {
 
 namespace {
 
-constexpr std::size_t kSteps = 8;  // from the colour of a bud to that of the leaf
+constexpr std::size_t kSteps = 8;      // from the colour of a bud to that of the leaf
+constexpr std::size_t kAtOnce = 1024;  // organs that one thread places
 
 /// The colour of an organ that has come `step` of kSteps on its way from the bud.
 Color unfolding_color(const Prototype& prototype, std::size_t color, std::size_t step) {
@@ -21,28 +23,40 @@ Color unfolding_color(const Prototype& prototype, std::size_t color, std::size_t
 
 std::size_t steps_of(const Prototype& prototype) { return prototype.bud ? kSteps : 1; }
 
-float size_of(const Specimen& b, const Pose& pose, std::size_t i) {
-  return unfolded(b.model.organs.birth[i], pose.front, unfold_time(b.motion));
+DrawnPlace place_of(const Motion& motion, const Model& model, const Pose& pose, double time, std::uint32_t i,
+                    float size) {
+  const Organs& o = model.organs;
+  Quat turn = organ_turn(pose, o, i);
+  float flutter = pose.flutter * (o.loose.empty() ? 1 : 1 - o.loose[i]);
+  if (flutter > 0) {
+    float phase = pose.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
+    turn = turn * glm::angleAxis(flutter * std::sin(phase), Vec3(1, 0, 0)) *
+           glm::angleAxis(0.7f * flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
+  }
+  if (!o.supple.empty())
+    turn = turn * fluttering(motion.flutter, motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
+  return {organ_place(model.skeleton, pose, o, i), turn, o.scale[i] * size};
 }
 
 }  // namespace
 
 std::size_t leaf_shade(std::uint32_t id) { return Seed{id}.bits() % kLeafShades; }
 
-DrawnOrgans::DrawnOrgans(const Specimen& specimen, const Pose& pose, double time)
-    : specimen_(specimen), pose_(pose), time_(time) {
+DrawnOrgans::DrawnOrgans(const Traits& traits, const Model& m, const Pose& pose, double time) {
   constexpr auto kNone = static_cast<std::uint32_t>(-1);
-  const Model& m = specimen.model;
   std::size_t count = 0, n = m.organs.size();
   std::vector<std::size_t> first_of;  // group of each prototype
   for (const Prototype& p : m.prototypes) {
     first_of.push_back(count);
     count += p.colors.size() * steps_of(p) * kLeafShades;
   }
+  auto size_of = [&](std::size_t i) {
+    return unfolded(m.organs.birth[i], pose.front, unfold_time(traits.motion));
+  };
   std::vector<std::uint32_t> group_of(n, kNone);
   std::vector<std::size_t> begin(count + 1, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    float size = size_of(specimen, pose, i);
+    float size = size_of(i);
     if (size < kUnfoldedLeast) continue;
     std::size_t which = m.organs.prototype[i], steps = steps_of(m.prototypes[which]);
     std::size_t color = color_index(m.organs.color[i], m.prototypes[which].colors.size());
@@ -57,6 +71,11 @@ DrawnOrgans::DrawnOrgans(const Specimen& specimen, const Pose& pose, double time
   std::vector<std::size_t> next = begin;
   for (std::size_t i = 0; i < n; ++i)
     if (group_of[i] != kNone) order_[next[group_of[i]]++] = static_cast<std::uint32_t>(i);
+  places_.resize(order_.size());
+  parallel_for((order_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t part) {
+    for (std::size_t k = part * kAtOnce; k < std::min(order_.size(), (part + 1) * kAtOnce); ++k)
+      places_[k] = place_of(traits.motion, m, pose, time, order_[k], size_of(order_[k]));
+  });
   for (std::size_t p = 0; p < m.prototypes.size(); ++p) {
     const Prototype& prototype = m.prototypes[p];
     std::size_t steps = steps_of(prototype), groups_of = prototype.colors.size() * steps * kLeafShades;
@@ -69,19 +88,19 @@ DrawnOrgans::DrawnOrgans(const Specimen& specimen, const Pose& pose, double time
   }
 }
 
-OrganPlace DrawnOrgans::place(std::uint32_t i) const {
-  const Organs& o = specimen_.model.organs;
-  Quat turn = organ_turn(pose_, o, i);
-  float flutter = pose_.flutter * (o.loose.empty() ? 1 : 1 - o.loose[i]);
-  if (flutter > 0) {
-    float phase = pose_.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
-    turn = turn * glm::angleAxis(flutter * std::sin(phase), Vec3(1, 0, 0)) *
-           glm::angleAxis(0.7f * flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
+std::vector<DrawnBlades> drawn_blades(const Traits& traits, const Model& model, const Pose& pose) {
+  std::vector<DrawnBlades> drawn;
+  if (model.blades.size() == 0) return drawn;
+  std::size_t colors = traits.look.blades.colors.size();
+  for (std::size_t k = 0; k < colors * kLeafShades; ++k) {
+    Surface surface =
+        posed_blades(model.skeleton, pose, model.blades, traits.motion.growth.ripen, [&](std::size_t i) {
+          return color_index(model.blades.color[i], colors) == k / kLeafShades &&
+                 leaf_shade(model.blades.id[i]) == k % kLeafShades;
+        });
+    if (!surface.triangle.empty()) drawn.push_back({k / kLeafShades, k % kLeafShades, std::move(surface)});
   }
-  if (const Motion& motion = specimen_.motion; !o.supple.empty())
-    turn = turn * fluttering(motion.flutter, motion.film_length, time_, o.position[i], o.id[i], o.supple[i]);
-  return {organ_place(specimen_.model.skeleton, pose_, o, i), turn,
-          o.scale[i] * size_of(specimen_, pose_, i)};
+  return drawn;
 }
 
 }  // namespace frond

@@ -6,13 +6,20 @@
 
 #include "world/specimen.h"
 
-// The organs of a specimen at one time: placements of its prototypes, by what they look like.
+// The organs and blades of an organism at one time, by what they look like.
 
 namespace frond {
 
 inline constexpr std::size_t kLeafShades = 3;  ///< of each colour, so that leaves differ
 /// Which of the shades the organ or blade of that number has.
 std::size_t leaf_shade(std::uint32_t id);
+
+/// Takes a shape's axes to the world's; metres.
+struct DrawnPlace {
+  Vec3 at;
+  Quat turn;  ///< of length 1
+  Vec3 scale;
+};
 
 /// Organs that share a shape and a look.
 struct OrganGroup {
@@ -23,32 +30,34 @@ struct OrganGroup {
   std::size_t begin = 0, end = 0;  ///< in the order of DrawnOrgans
 };
 
-/// Takes the prototype's axes to the world's; metres.
-struct OrganPlace {
-  Vec3 at;
-  Quat turn;
-  Vec3 scale;
-};
-
-/// Those that have begun to unfold. Refers to the specimen and the pose.
+/// Those that have begun to unfold.
 class DrawnOrgans {
  public:
-  DrawnOrgans(const Specimen& specimen, const Pose& pose, double time);
+  DrawnOrgans(const Traits& traits, const Model& model, const Pose& pose, double time);
 
   /// By prototype, colour, age and shade; none is empty.
   std::vector<OrganGroup> groups;
 
+  /// The numbers of a group's organs in the model.
   std::span<const std::uint32_t> organs(const OrganGroup& group) const {
     return std::span(order_).subspan(group.begin, group.end - group.begin);
   }
-  /// Where organ `i` is, as unfolded and fluttering as it is then.
-  OrganPlace place(std::uint32_t i) const;
+  /// Where they are, as unfolded and fluttering as they are then.
+  std::span<const DrawnPlace> places(const OrganGroup& group) const {
+    return std::span(places_).subspan(group.begin, group.end - group.begin);
+  }
 
  private:
-  const Specimen& specimen_;
-  const Pose& pose_;
-  double time_;
   std::vector<std::uint32_t> order_;
+  std::vector<DrawnPlace> places_;
 };
+
+/// Blades of one colour and shade, as one mesh.
+struct DrawnBlades {
+  std::size_t color = 0, shade = 0;
+  Surface surface;
+};
+/// None is empty.
+std::vector<DrawnBlades> drawn_blades(const Traits& traits, const Model& model, const Pose& pose);
 
 }  // namespace frond

@@ -100,10 +100,11 @@ std::vector<DrawnPolyps> drawn_polyps(const Solids& solids, const PolypPlaces& p
   return all;
 }
 
-DrawnPolyps drawn_branch_polyps(const Specimen& b, const Pose& pose, const Eye& eye) {
-  const Skeleton& rest = b.model.skeleton;
-  const Polyps& polyps = *b.look.branches.polyps();
-  DrawnPolyps drawn{&polyps, b.look.branches.skin->tint.base, eye};
+DrawnPolyps drawn_polyps(const DrawnBranches& branches, const Eye& eye) {
+  const Skeleton& rest = branches.rest();
+  const Pose& pose = branches.pose;
+  const Polyps& polyps = *branches.look().polyps();
+  DrawnPolyps drawn{&polyps, branches.look().skin->tint.base, eye};
   auto apart = static_cast<float>(kApart * polyps.width);
   std::size_t n = 0;
   float along = 0;  // metres of the branch since the last one

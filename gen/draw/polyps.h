@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "draw/branches.h"
 #include "light/light.h"
 #include "scene/scene.h"
 
@@ -42,6 +43,6 @@ std::vector<DrawnPolyps> drawn_polyps(const Solids& solids, const PolypPlaces& p
                                       double time, const Eye& eye);
 
 /// Those of branches with a skin: all round them by the golden angle, and one on each tip.
-DrawnPolyps drawn_branch_polyps(const Specimen& b, const Pose& pose, const Eye& eye);
+DrawnPolyps drawn_polyps(const DrawnBranches& branches, const Eye& eye);
 
 }  // namespace frond

@@ -24,10 +24,38 @@ double nearest_pixels(const Film& film, const Camera& camera, Vec3 middle, float
   return most;
 }
 
-}  // namespace
-
 bool is_growing(const Solid& solid, const Growth& growth) {
   return !solid.past.empty() && growth.duration > 0;
+}
+
+/// The shapes that are wanted and stand somewhere.
+template <class Wanted>
+std::vector<DrawnBody> placed_shapes(const Solids& solids, const Wanted& wanted) {
+  std::vector<DrawnBody> all(solids.shapes.size()), placed;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    all[solids.shape[i]].places.push_back({solids.position[i], solids.turn[i], solids.scale[i]});
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    if (all[s].places.empty() || !wanted(solids.shapes[s])) continue;
+    all[s].solid = &solids.shapes[s], all[s].shape = s;
+    placed.push_back(std::move(all[s]));
+  }
+  return placed;
+}
+
+}  // namespace
+
+std::vector<DrawnBody> still_bodies(const Solids& solids, const Growth& growth) {
+  return placed_shapes(solids, [&](const Solid& solid) { return !is_growing(solid, growth); });
+}
+
+std::vector<DrawnBody> growing_bodies(const Solids& solids, const Growth& growth, double time) {
+  auto front = static_cast<float>(growth_front(growth, time));
+  if (front <= 0) return {};
+  std::vector<DrawnBody> bodies =
+      placed_shapes(solids, [&](const Solid& solid) { return is_growing(solid, growth); });
+  for (DrawnBody& body : bodies)
+    body.now = surface_at(*body.solid, front), body.front = std::min(static_cast<double>(front), 1.0);
+  return bodies;
 }
 
 double drawn_edge(const Film& film, const Camera& camera, Vec3 middle, float reach) {

@@ -8,9 +8,8 @@
 #include "core/bounds.h"
 #include "core/linear.h"
 #include "core/parallel.h"
+#include "draw/draw_list.h"
 #include "light/light.h"
-#include "motion/unfold.h"
-#include "world/specimen.h"
 
 // What stands in a scene as bits of surface, for whom they are enough.
 
@@ -97,24 +96,17 @@ struct SurfelSampler {
     });
   }
 
-  void solids(const Solids& solids) const {
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-      const Solid& solid = solids.shapes[solids.shape[i]];
-      surface(solid.surface, linear(solid.material.color), solid.material.matter != Matter::glass,
-              solids.position[i], solids.turn[i], solids.scale[i]);
+  void bodies(const std::vector<DrawnBody>& bodies) const {
+    for (const DrawnBody& body : bodies) {
+      PlainLook look = plain_look(body.solid->material);
+      for (const DrawnPlace& place : body.places)
+        surface(body.surface(), linear(look.color), look.opacity == 1, place.at, place.turn, place.scale);
     }
   }
 
-  /// Places of organs are asked as `place(i)`, their turns as `turn(i)`, their sizes as a factor `size(i)`.
-  template <class Place, class Turn, class Size>
-  void organs(const Model& model, const Place& place, const Turn& turn, const Size& size) const {
-    struct Part {
-      std::vector<std::pair<Vec3, float>> bits;  // of one unit, with the area of all up to and with each
-      Vec3 middle{0};
-      float area = 0;
-    };
+  void organs(const std::vector<Prototype>& prototypes, const DrawnOrgans& organs) const {
     std::vector<Part> parts;
-    for (const Prototype& prototype : model.prototypes) {
+    for (const Prototype& prototype : prototypes) {
       Part part;
       std::vector<std::array<Vec3, 3>> triangles;
       for (const OrganPart& p : prototype.parts) {
@@ -135,66 +127,57 @@ struct SurfelSampler {
       }
       parts.push_back(std::move(part));
     }
-    const Organs& o = model.organs;
-    parallel_for((o.size() + 1023) / 1024, [&](std::size_t group) {
-      for (std::size_t i = group * 1024; i < std::min(o.size(), (group + 1) * 1024); ++i) {
-        float grown = size(i);
-        if (grown < kUnfoldedLeast) continue;
-        const Part& part = parts[o.prototype[i]];
-        Vec3 at = place(i), scale = o.scale[i] * grown;
-        Quat turned = turn(i);
-        const Prototype& prototype = model.prototypes[o.prototype[i]];
-        Vec3 albedo = linear(prototype.colors[color_index(o.color[i], prototype.colors.size())]);
-        float wide = std::cbrt(scale.x * scale.y * scale.z), area = std::pow(wide, 2.0f);
-        if (wide < 1.5f * sink.step(at) || part.bits.size() < 2) {
-          sink.add(at + turned * (scale * part.middle), area * part.area, albedo, kAllFacings, 0);
-          continue;
-        }
-        // One bit of a run stands for all of it.
-        float step = sink.step(at), before = 0;
-        auto wanted = static_cast<std::size_t>(std::min(area * part.area / (step * step), 1e6f)) + 1;
-        std::size_t each = std::max<std::size_t>(part.bits.size() / wanted, 1);
-        for (std::size_t k = 0; k < part.bits.size(); k += each) {
-          std::size_t last = std::min(k + each, part.bits.size()) - 1;
-          float upto = part.bits[last].second;
-          sink.add(at + turned * (scale * part.bits[(k + last) / 2].first), area * (upto - before), albedo,
-                   kAllFacings, 0);
-          before = upto;
-        }
-      }
-    });
+    for (const OrganGroup& group : organs.groups) {
+      const Part& part = parts[group.prototype];
+      Vec3 albedo = linear(group.tint);
+      std::span<const DrawnPlace> places = organs.places(group);
+      parallel_for((places.size() + 1023) / 1024, [&](std::size_t some) {
+        for (const DrawnPlace& place :
+             places.subspan(some * 1024, std::min<std::size_t>(1024, places.size() - some * 1024)))
+          organ(part, place, albedo);
+      });
+    }
+  }
+
+ private:
+  /// An organ of one unit: bits, each with the area of all up to and with it.
+  struct Part {
+    std::vector<std::pair<Vec3, float>> bits;
+    Vec3 middle{0};
+    float area = 0;
+  };
+
+  void organ(const Part& part, const DrawnPlace& place, Vec3 albedo) const {
+    float wide = std::cbrt(place.scale.x * place.scale.y * place.scale.z), area = std::pow(wide, 2.0f);
+    float step = sink.step(place.at);
+    if (wide < 1.5f * step || part.bits.size() < 2) {
+      sink.add(place.at + place.turn * (place.scale * part.middle), area * part.area, albedo, kAllFacings, 0);
+      return;
+    }
+    // One bit of a run stands for all of it.
+    float before = 0;
+    auto wanted = static_cast<std::size_t>(std::min(area * part.area / (step * step), 1e6f)) + 1;
+    std::size_t each = std::max<std::size_t>(part.bits.size() / wanted, 1);
+    for (std::size_t k = 0; k < part.bits.size(); k += each) {
+      std::size_t last = std::min(k + each, part.bits.size()) - 1;
+      float upto = part.bits[last].second;
+      sink.add(place.at + place.turn * (place.scale * part.bits[(k + last) / 2].first),
+               area * (upto - before), albedo, kAllFacings, 0);
+      before = upto;
+    }
   }
 };
 
-inline Vec3 blade_color(const Look& look) { return mean(look.blades.colors); }
-
+/// All that is drawn of an organism.
 template <class Sink>
-void sample_surfels(const Sink& sink, const Specimen& b, double time) {
+void sample_surfels(const Sink& sink, const DrawList& drawn) {
   SurfelSampler<Sink> to{sink};
-  Pose pose;
-  pose_specimen(b, time, pose);
-  const Model& m = b.model;
-  to.skeleton(m.skeleton, pose.position, pose.radius, b.look.branches.albedo());
-  to.solids(m.solids);
-  to.organs(
-      m, [&](std::size_t i) { return organ_place(m.skeleton, pose, m.organs, i); },
-      [&](std::size_t i) { return organ_turn(pose, m.organs, i); },
-      [&](std::size_t i) { return unfolded(m.organs.birth[i], pose.front, unfold_time(b.motion)); });
-  if (m.blades.size() > 0)
-    to.surface(
-        posed_blades(m.skeleton, pose, m.blades, b.motion.growth.ripen, [](std::size_t) { return true; }),
-        blade_color(b.look), false);
-}
-
-template <class Sink>
-void sample_surfels(const Sink& sink, const Look& look, const Model& m) {
-  SurfelSampler<Sink> to{sink};
-  to.skeleton(m.skeleton, m.skeleton.position, m.skeleton.radius, look.branches.albedo());
-  to.solids(m.solids);
-  to.organs(
-      m, [&](std::size_t i) { return m.organs.position[i]; }, [&](std::size_t i) { return m.organs.turn[i]; },
-      [](std::size_t) { return 1.0f; });
-  to.surface(m.blades.surface, blade_color(look), false);
+  const Pose& pose = drawn.pose;
+  to.skeleton(drawn.model.skeleton, pose.position, pose.radius, drawn.traits.look.branches.albedo());
+  to.bodies(drawn.bodies);
+  to.organs(drawn.model.prototypes, drawn.organs);
+  for (const DrawnBlades& blades : drawn.blades)
+    to.surface(blades.surface, linear(plain_look(drawn.traits.look.blades, blades.color).color), false);
 }
 
 }  // namespace frond

@@ -83,7 +83,9 @@ std::vector<Surfel> surfels_of(const Look& look, const Model& model) {
   float cell = std::max(tall / 24, 0.02f);
   std::map<std::array<int, 4>, Sum> sums;
   std::mutex in_work;
-  sample_surfels(IntoMap{cell / kFine, sums, in_work}, look, model);
+  Traits traits;
+  traits.look = look;
+  sample_surfels(IntoMap{cell / kFine, sums, in_work}, DrawList(traits, model));
   std::vector<Surfel> list;
   for (const auto& [key, sum] : sums) {
     if (sum.of[0] <= 0) continue;

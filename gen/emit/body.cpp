@@ -5,10 +5,8 @@
 
 #include "core/seed.h"
 #include "core/text.h"
-#include "draw/branches.h"
 #include "emit/branch_materials.h"
 #include "field/cubes.h"
-#include "motion/unfold.h"
 
 namespace frond {
 
@@ -77,21 +75,18 @@ void append_part(ObjectText& all, const PovSpace& space, const Surface& surface,
   text += "}}\n";
 }
 
-VolumeOptions options_of(const Style& style) { return {style.voxel, style.adaptivity, style.limit}; }
-
 /// The textures of chunks, each text once.
 struct ChunkTextures {
   std::vector<std::uint32_t> of_node;  // number of the text
   std::vector<std::string> texts;
 };
 
-ChunkTextures chunk_textures(const PovSpace& space, const Specimen& b, const Pose& pose,
-                             std::span<const Chunk> chunks, std::size_t skin) {
+ChunkTextures chunk_textures(const PovSpace& space, const DrawnBranches& b, std::size_t skin) {
   ChunkTextures textures;
-  textures.of_node.assign(b.model.skeleton.size(), 0);
-  for (const Chunk& chunk : chunks) {
+  textures.of_node.assign(b.rest().size(), 0);
+  for (const Chunk& chunk : cut_chunks(b.rest(), b.pose, b.chunk_options())) {
     std::string text;
-    append_chunk_texture(text, space, b, pose, chunk, skin);
+    append_chunk_texture(text, space, b, chunk, skin);
     if (textures.texts.empty() || textures.texts.back() != text) textures.texts.push_back(std::move(text));
     for (std::int32_t i = chunk.first; i <= chunk.last; ++i)
       textures.of_node[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(textures.texts.size() - 1);
@@ -135,26 +130,25 @@ ObjectText fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkT
   return {all + "]}}\n", 1};
 }
 
-Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Pose& pose,
-                              const Boughs& limbs) {
-  Result<Cubes> cubes = cubes_of(limbs, options_of(b.style));
+Result<ObjectText> cubes_text(const PovSpace& space, const DrawnBranches& b) {
+  Result<Cubes> cubes = cubes_of(b.boughs(), b.volume());
   if (!cubes) return cubes.errors();
   std::vector<std::uint32_t> cube;
   Surface surface = cubes_surface(*cubes, cube);
-  double young = b.look.branches.young_length();
-  float longest = b.model.skeleton.longest();
+  double young = b.look().young_length();
+  float longest = b.rest().longest();
   // The looks of cubes: colour of the bark, age and shade.
-  std::size_t colors = b.look.branches.colors();
+  std::size_t colors = b.look().colors();
   std::vector<std::uint32_t> look(cubes->size());
   std::vector<bool> used(colors * kCubeAges * kCubeShades);
   for (std::size_t c = 0; c < cubes->size(); ++c) {
     std::int32_t node = cubes->node[c];
     Cell cell = cubes->cell[c];
     std::uint64_t lot = Seed{block_key({cell.i * 8, cell.j * 8, cell.k * 8})}.bits();
-    float age = youth(b.model.skeleton, pose, longest, static_cast<float>(young), node);
+    float age = youth(b.rest(), b.pose, longest, static_cast<float>(young), node);
     // Between two ages lots are drawn, so that one runs into the other.
     float level = age * (kCubeAges - 1) + static_cast<float>(Seed{lot}.unit()) * 0.999f;
-    std::size_t color = b.look.branches.color_at(b.model, node);
+    std::size_t color = b.look().color_at(b.model, node);
     look[c] = static_cast<std::uint32_t>((color * kCubeAges + static_cast<std::size_t>(level)) * kCubeShades +
                                          lot % kCubeShades);
     used[look[c]] = true;
@@ -164,8 +158,8 @@ Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Po
   for (std::size_t l = 0; l < used.size(); ++l) {
     if (!used[l]) continue;
     number[l] = static_cast<std::uint32_t>(all.list.size());
-    all.list.push_back(cube_texture(b.look.branches, l / (kCubeAges * kCubeShades), b.brightness,
-                                    b.style.voxel, static_cast<int>(l / kCubeShades % kCubeAges),
+    all.list.push_back(cube_texture(b.look(), l / (kCubeAges * kCubeShades), b.traits.brightness,
+                                    b.traits.style.voxel, static_cast<int>(l / kCubeShades % kCubeAges),
                                     static_cast<int>(l % kCubeShades)));
   }
   ObjectText text;
@@ -183,16 +177,12 @@ Result<ObjectText> cubes_text(const PovSpace& space, const Specimen& b, const Po
 
 }  // namespace
 
-Result<ObjectText> body_text(const PovSpace& space, const Specimen& b, const Pose& pose,
-                             std::span<const Chunk> chunks, std::size_t skin) {
-  Boughs limbs;
-  add_boughs(limbs, b.model.skeleton, pose.position, pose.radius, pose.front,
-             static_cast<float>(b.style.blend));
-  if (limbs.cones.empty()) return ObjectText();
-  if (b.style.build == Build::voxels) return cubes_text(space, b, pose, limbs);
-  Result<FusedMesh> mesh = fuse(limbs, options_of(b.style));
+Result<ObjectText> body_text(const PovSpace& space, const DrawnBranches& b, std::size_t skin) {
+  if (b.boughs().cones.empty()) return ObjectText();
+  if (b.traits.style.build == Build::voxels) return cubes_text(space, b);
+  Result<FusedMesh> mesh = b.body();
   if (!mesh) return mesh.errors();
-  return fused_text(space, *mesh, chunk_textures(space, b, pose, chunks, skin), one_texture(b), skin);
+  return fused_text(space, *mesh, chunk_textures(space, b, skin), b.one_texture(), skin);
 }
 
 }  // namespace frond

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "core/text.h"
-#include "draw/branches.h"
 #include "scene/bleaching.h"
 
 namespace frond {
@@ -14,20 +13,21 @@ namespace frond {
 namespace {
 
 /// What is left of its light at both ends of a chunk; it is taken by neighbours that grow as it does.
-std::array<float, 2> light_along(const Specimen& b, const Pose& pose, const Chunk& chunk) {
+std::array<float, 2> light_along(const DrawnBranches& b, const Chunk& chunk) {
   const std::vector<float>& light = b.model.light;
-  float shaded = std::clamp((pose.front - 0.5f) / 0.4f, 0.0f, 1.0f);
+  float shaded = std::clamp((b.pose.front - 0.5f) / 0.4f, 0.0f, 1.0f);
   if (light.empty() || shaded <= 0) return {1, 1};
-  auto from = static_cast<std::size_t>(b.model.skeleton.parent[static_cast<std::size_t>(chunk.first)]);
+  auto from = static_cast<std::size_t>(b.rest().parent[static_cast<std::size_t>(chunk.first)]);
   return {light[from] / shaded, light[static_cast<std::size_t>(chunk.last)] / shaded};
 }
 
 /// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
 /// chunk.
-void append_skin(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
-                 const Chunk& chunk, std::size_t index) {
-  const Skeleton& rest = b.model.skeleton;
-  index += b.look.branches.color_at(b.model, chunk.first);
+void append_skin(std::string& text, const PovSpace& space, const DrawnBranches& b, const Chunk& chunk,
+                 std::size_t index) {
+  const Skeleton& rest = b.rest();
+  const Pose& pose = b.pose;
+  index += b.look().color_at(b.model, chunk.first);
   Vec3 from = rest.position[rest.parent[chunk.first]], to = rest.position[chunk.last];
   if (rest.birth[chunk.last] > pose.front) {
     // Where the growing tip is on its way from the node below.
@@ -48,7 +48,7 @@ void append_skin(std::string& text, const PovSpace& space, const Specimen& b, co
     text += name;
     append_integer(text, static_cast<long long>(index));
   };
-  if (std::array<float, 2> light = light_along(b, pose, chunk);
+  if (std::array<float, 2> light = light_along(b, chunk);
       std::min(light[0], light[1]) < kLivingLight && length2 >= 1e-10f) {
     append_macro("Coral_Starved(");
     append_slope(chunk.young_from, chunk.young_to);
@@ -58,7 +58,7 @@ void append_skin(std::string& text, const PovSpace& space, const Specimen& b, co
     append_macro("Skin[");
     text += ']';
   } else {
-    append_macro(b.look.branches.bark ? "Plant_Tip(" : "Coral_Tip(");
+    append_macro(b.look().bark ? "Plant_Tip(" : "Coral_Tip(");
     append_slope(chunk.young_from, chunk.young_to);
     text += ')';
   }
@@ -121,29 +121,29 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
   }
 }
 
-void append_chunk_texture(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
+void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnBranches& branches,
                           Chunk chunk, std::size_t index) {
   text += "texture{";
-  append_skin(text, space, b, pose, chunk, index);
-  if (b.look.branches.ringed() || slanted(b, chunk)) lay_along(b.model.skeleton, chunk);
+  append_skin(text, space, branches, chunk, index);
+  if (branches.look().ringed() || branches.slanted(chunk)) lay_along(branches.rest(), chunk);
   // Where a branch is too thin for one there is no pattern to be seen.
-  if (chunk.moved() && b.look.branches.patterned())
+  if (chunk.moved() && branches.look().patterned())
     static_cast<void>(append_matrix(text, space, chunk.matrix, chunk.shift));
   text += '}';
 }
 
-ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye) {
-  const BarkCoat& coat = *tree.look.branches.coat;
-  Surface wood = coat_surface(tree, pose, eye);
+ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye) {
+  const BarkCoat& coat = *branches.look().coat;
+  Surface wood = branches.coat_surface(eye);
   if (!has_faces(wood)) return {};
   std::string text = "object{\n";
   append_mesh(text, space, wood);
   text += "\ntexture{Tree_Bark(\"" + bark_color_name(coat) + "\",\"" + bark_height_name(coat) + "\",";
-  append_list(text, 4, coat.relief, tree.brightness);
+  append_list(text, 4, coat.relief, branches.traits.brightness);
   text += ")}";
   if (coat.moss > 0) {
     text += "\ntexture{Tree_Moss(";
-    append_list(text, 4, coat.moss, coat.moss_height, pose.position[0].y);
+    append_list(text, 4, coat.moss, coat.moss_height, branches.pose.position[0].y);
     text += ")}";
   }
   return {text + "}\n", 1};

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "draw/sweep.h"
+#include "draw/branches.h"
 #include "emit/pov.h"
 #include "scene/scene.h"
 
@@ -21,12 +21,12 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
 
 /// Appends `texture{...}` of a chunk: the skin of number `index`, younger toward a tip, carried to where the
 /// skin has moved.
-void append_chunk_texture(std::string& text, const PovSpace& space, const Specimen& b, const Pose& pose,
+void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnBranches& branches,
                           Chunk chunk, std::size_t index);
 
 /// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
 /// has grown. Where the eye is near, its furrows are let in.
-ObjectText coat_text(const PovSpace& space, const Specimen& tree, const Pose& pose, Vec3 eye);
+ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye);
 
 inline constexpr int kCubeAges = 4, kCubeShades = 4;
 /// `texture{Voxel_Skin(...)}` of cubes of one colour, age and shade, and a side in metres.

@@ -10,7 +10,7 @@
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
-#include "draw/branches.h"
+#include "draw/draw_list.h"
 #include "draw/eyes.h"
 #include "draw/focus.h"
 #include "emit/body.h"
@@ -99,17 +99,16 @@ std::vector<std::int32_t> parts_of(const Skeleton& s) {
 /// Writes a line for each chunk in turn, `append(text, chunk)`; parts of them at a time by several threads,
 /// so that neither all chunks nor all lines are held at once.
 template <class Append>
-void write_chunks(const Specimen& b, const Pose& pose, const ChunkOptions& options, Group& group,
-                  const Append& append) {
-  std::vector<std::int32_t> first = parts_of(b.model.skeleton);
-  float longest = b.model.skeleton.longest();
+void write_chunks(const DrawnBranches& b, const ChunkOptions& options, Group& group, const Append& append) {
+  std::vector<std::int32_t> first = parts_of(b.rest());
+  float longest = b.rest().longest();
   std::vector<std::string> texts(std::min<std::size_t>(first.size() - 1, kPartsAtOnce));
   for (std::size_t done = 0; done + 1 < first.size(); done += texts.size()) {
     std::size_t count = std::min(texts.size(), first.size() - 1 - done);
     parallel_for(count, [&](std::size_t i) {
       texts[i].clear();
       for (const Chunk& chunk :
-           cut_chunks(b.model.skeleton, pose, options, longest, first[done + i], first[done + i + 1]))
+           cut_chunks(b.rest(), b.pose, options, longest, first[done + i], first[done + i + 1]))
         append(texts[i], chunk);
     });
     for (std::size_t i = 0; i < count; ++i) group.add(texts[i]);
@@ -118,28 +117,26 @@ void write_chunks(const Specimen& b, const Pose& pose, const ChunkOptions& optio
 
 /// The sweeps of twigs: one union with one texture. Gives how many unions there are.
 template <class IsTwig>
-std::size_t write_twigs(const PovSpace& space, const Specimen& b, const Pose& pose,
-                        const ChunkOptions& options, std::size_t index, const IsTwig& is_twig,
-                        const Out& out) {
+std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
+                        std::size_t index, const IsTwig& is_twig, const Out& out) {
   Group group(out);
-  write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
-    if (is_twig(chunk.first) && append_sweep(text, space, b.model.skeleton, pose, chunk)) text += "}\n";
+  write_chunks(b, options, group, [&](std::string& text, const Chunk& chunk) {
+    if (is_twig(chunk.first) && append_sweep(text, space, b.rest(), b.pose, chunk)) text += "}\n";
   });
   return group.close(skin_texture(index) + "}\n");
 }
 
 /// The same of all other chunks.
 template <class IsTwig>
-std::size_t write_sweeps(const PovSpace& space, const Specimen& b, const Pose& pose,
-                         const ChunkOptions& options, std::size_t index, const IsTwig& is_twig,
-                         const Out& out) {
+std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
+                         std::size_t index, const IsTwig& is_twig, const Out& out) {
   Group group(out);
-  bool whole = one_texture(b);
-  write_chunks(b, pose, options, group, [&](std::string& text, const Chunk& chunk) {
-    if (is_twig(chunk.first) || !append_sweep(text, space, b.model.skeleton, pose, chunk)) return;
-    if (!whole || slanted(b, chunk)) {
+  bool whole = b.one_texture();
+  write_chunks(b, options, group, [&](std::string& text, const Chunk& chunk) {
+    if (is_twig(chunk.first) || !append_sweep(text, space, b.rest(), b.pose, chunk)) return;
+    if (!whole || b.slanted(chunk)) {
       text += ' ';
-      append_chunk_texture(text, space, b, pose, chunk, index);
+      append_chunk_texture(text, space, b, chunk, index);
     }
     text += "}\n";
   });
@@ -147,55 +144,54 @@ std::size_t write_sweeps(const PovSpace& space, const Specimen& b, const Pose& p
 }
 
 /// Gives how many objects it is.
-Result<std::size_t> write_wood(const PovSpace& space, const Specimen& b, const Pose& pose, std::size_t index,
-                               Vec3 eye, const Out& out) {
-  ChunkOptions options = chunk_options(b);
-  BranchForm form = branch_form(b);
+Result<std::size_t> write_wood(const PovSpace& space, const DrawnBranches& b, std::size_t index, Vec3 eye,
+                               const Out& out) {
+  ChunkOptions options = b.chunk_options();
+  BranchForm form = b.form();
   if (form == BranchForm::coat) {
-    ObjectText coat = coat_text(space, b, pose, eye);
+    ObjectText coat = coat_text(space, b, eye);
     out(coat.text);
-    if (b.look.branches.tube_shape().least <= 0) return coat.objects;
+    if (b.look().tube_shape().least <= 0) return coat.objects;
     options.tolerance = std::numeric_limits<float>::infinity();
-    std::vector<bool> bare = coatless(b);
+    std::vector<bool> bare = b.coatless();
     auto is_twig = [&](std::int32_t i) { return static_cast<bool>(bare[static_cast<std::size_t>(i)]); };
-    return coat.objects + write_twigs(space, b, pose, options, index, is_twig, out);
+    return coat.objects + write_twigs(space, b, options, index, is_twig, out);
   }
   if (form == BranchForm::sweeps) {
-    auto is_twig = [&](std::int32_t i) { return b.model.skeleton.radius[i] < options.thin; };
-    std::size_t twigs = options.thin > 0 ? write_twigs(space, b, pose, options, index, is_twig, out) : 0;
-    return twigs + write_sweeps(space, b, pose, options, index, is_twig, out);
+    auto is_twig = [&](std::int32_t i) { return b.rest().radius[i] < options.thin; };
+    std::size_t twigs = options.thin > 0 ? write_twigs(space, b, options, index, is_twig, out) : 0;
+    return twigs + write_sweeps(space, b, options, index, is_twig, out);
   }
-  Result<ObjectText> body = body_text(space, b, pose, cut_chunks(b.model.skeleton, pose, options), index);
+  Result<ObjectText> body = body_text(space, b, index);
   if (!body) return body.errors();
   out(body->text);
   return body->objects;
 }
 
-/// Gives what there is of them by then.
-Result<FrameCount> write_branches(const PovSpace& space, const Specimen& b, std::size_t index, const Eye& eye,
-                                  double time, const Out& out) {
-  if (!b.look.branches.drawn()) return FrameCount{};
-  Pose pose;
-  pose_specimen(b, time, pose);
+/// What grows out of an organism's branches, and these. Gives what there is of them by then.
+Result<FrameCount> write_branches(const PovSpace& space, const DrawList& drawn, std::size_t index,
+                                  const Eye& eye, double time, const Out& out) {
+  if (!drawn.branches) return FrameCount{};
+  const DrawnBranches& branches = *drawn.branches;
   bool named = false;
   Out under_name = [&](std::string_view piece) {
     if (piece.empty()) return;
     std::string name;
-    if (!std::exchange(named, true)) append_comment(name, b.name);
+    if (!std::exchange(named, true)) append_comment(name, drawn.traits.name);
     out(name);
     out(piece);
   };
-  Result<std::size_t> wood = write_wood(space, b, pose, index, eye.at, under_name);
+  Result<std::size_t> wood = write_wood(space, branches, index, eye.at, under_name);
   if (!wood) return wood.errors();
-  FrameCount count{0, *wood + write_foliage(space, b, pose, time, under_name)};
-  if (const Polyps* own = b.look.branches.polyps(); own && own->width > 0) {
-    ObjectText polyps = polyps_text(space, drawn_branch_polyps(b, pose, eye), time);
+  FrameCount count{0, *wood + write_foliage(space, drawn, under_name)};
+  if (const Polyps* own = branches.look().polyps(); own && own->width > 0) {
+    ObjectText polyps = polyps_text(space, drawn_polyps(branches, eye), time);
     under_name(polyps.text);
     count.objects += polyps.objects;
   }
-  const std::vector<float>& birth = b.model.skeleton.birth;
-  count.nodes =
-      static_cast<std::size_t>(std::ranges::count_if(birth, [&](float born) { return born <= pose.front; }));
+  const std::vector<float>& birth = branches.rest().birth;
+  count.nodes = static_cast<std::size_t>(
+      std::ranges::count_if(birth, [&](float born) { return born <= branches.pose.front; }));
   return count;
 }
 
@@ -204,20 +200,21 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
                                   const Out& out) {
   const Specimen& b = scene.specimens[i];
   Eye eye = eye_at(scene, time);
-  const Solids& solids = solids_of(parts.solids, scene, i);
   std::optional<Specimen> changed;
   if (b.life.changes()) {
     Result<Specimen> now = developed(b, time);
     if (!now) return now.errors();
     changed = std::move(*now);
   }
-  const Specimen& now = changed ? *changed : b;
-  ObjectText bodies = growing_solids_text(parts.space, solids, b.motion.growth, time);
+  const Solids& solids = solids_of(parts.solids, scene, i);
+  DrawList drawn(changed ? *changed : b, time, b.life.develop ? changed->model.solids : solids);
+  ObjectText bodies;
+  for (const DrawnBody& body : drawn.bodies)
+    if (body.now || b.life.develop) bodies += body_text(parts.space, body, i);
   for (const DrawnPolyps& polyps : drawn_polyps(solids, parts.polyps[i], b.motion.growth, time, eye))
     bodies += polyps_text(parts.space, polyps, time);
-  if (b.life.develop) bodies += developed_solids_text(parts.space, now.model.solids, i);
   out(bodies.text);
-  Result<FrameCount> count = write_branches(parts.space, now, parts.first_skin[i], eye, time, out);
+  Result<FrameCount> count = write_branches(parts.space, drawn, parts.first_skin[i], eye, time, out);
   if (count) count->objects += bodies.objects;
   return count;
 }

@@ -156,9 +156,10 @@ class Writer {
       file.name = model_file_name(stand.organism, 0, file.level);
       Model grown = b.model;
       grown.solids = {};  // these are drawn as they are at any detail
-      text += b.life.develop ? developed_solids_text(parts.space, b.model.solids, i)
-                             : growing_solids_text(parts.space, b.model.solids, b.motion.growth,
-                                                   scene.film.time(what_.frames.back()));
+      for (const DrawnBody& body : b.life.develop ? still_bodies(b.model.solids, b.motion.growth)
+                                                  : growing_bodies(b.model.solids, b.motion.growth,
+                                                                   scene.film.time(what_.frames.back())))
+        text += body_text(parts.space, body, i);
       ModelText model = model_texts({file}, stand, grown, {})[0];
       std::string name = declared_name(file);
       text.text += model.title + model.body;

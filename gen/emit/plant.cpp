@@ -8,8 +8,6 @@
 #include <span>
 
 #include "core/text.h"
-#include "draw/organs.h"
-#include "motion/unfold.h"
 
 namespace frond {
 
@@ -48,12 +46,11 @@ std::string picture_look(std::string_view name, std::size_t shade, const std::op
 }
 
 /// A group of organs: each line is made once and used by all parts. Gives how many objects it is.
-std::size_t write_group(const PovSpace& space, const Specimen& b, const DrawnOrgans& drawn,
-                        const OrganGroup& group, const Out& out) {
-  const Prototype& prototype = b.model.prototypes[group.prototype];
+std::size_t write_group(const PovSpace& space, const DrawList& drawn, const OrganGroup& group,
+                        const Out& out) {
+  const Prototype& prototype = drawn.model.prototypes[group.prototype];
   std::string lines;
-  for (std::uint32_t i : drawn.organs(group)) {
-    OrganPlace place = drawn.place(i);
+  for (const DrawnPlace& place : drawn.organs.places(group)) {
     glm::mat3 frame = glm::mat3_cast(place.turn);
     for (int axis = 0; axis < 3; ++axis) frame[axis] *= place.scale[axis];
     if (append_matrix(lines, space, frame, place.at)) lines += "}\n";
@@ -65,7 +62,7 @@ std::size_t write_group(const PovSpace& space, const Specimen& b, const DrawnOrg
     for (std::size_t from = 0; from < lines.size();) {
       std::size_t to = lines.find('\n', from) + 1;
       text += "object{";
-      append_organ_name(text, b.entry, group.prototype, part);
+      append_organ_name(text, drawn.traits.entry, group.prototype, part);
       text += ' ';
       text.append(lines, from, to - from);
       from = to;
@@ -80,35 +77,6 @@ std::size_t write_group(const PovSpace& space, const Specimen& b, const DrawnOrg
   }
   out(text);
   return prototype.parts.size();
-}
-
-std::size_t write_organs(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
-                         const Out& out) {
-  DrawnOrgans drawn(b, pose, time);
-  std::size_t objects = 0;
-  for (const OrganGroup& group : drawn.groups) objects += write_group(space, b, drawn, group, out);
-  return objects;
-}
-
-std::size_t write_blades(const PovSpace& space, const Specimen& b, const Pose& pose, const Out& out) {
-  std::size_t objects = 0;
-  if (b.model.blades.size() == 0) return objects;
-  const BladeLook& look = b.look.blades;
-  for (std::size_t k = 0; k < look.colors.size() * kLeafShades; ++k) {
-    Surface surface =
-        posed_blades(b.model.skeleton, pose, b.model.blades, b.motion.growth.ripen, [&](std::size_t i) {
-          return color_index(b.model.blades.color[i], look.colors.size()) == k / kLeafShades &&
-                 leaf_shade(b.model.blades.id[i]) == k % kLeafShades;
-        });
-    if (!has_faces(surface)) continue;
-    std::string text = "object{";
-    append_mesh(text, space, surface);
-    text += tissue_text(look.tissue, look.colors[k / kLeafShades], look.second, k % kLeafShades, {});
-    text += "}\n";
-    out(text);
-    ++objects;
-  }
-  return objects;
 }
 
 }  // namespace
@@ -171,10 +139,20 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-std::size_t write_foliage(const PovSpace& space, const Specimen& b, const Pose& pose, double time,
-                          const Out& out) {
-  std::size_t organs = b.model.organs.size() > 0 ? write_organs(space, b, pose, time, out) : 0;
-  return organs + write_blades(space, b, pose, out);
+std::size_t write_foliage(const PovSpace& space, const DrawList& drawn, const Out& out) {
+  std::size_t objects = 0;
+  for (const OrganGroup& group : drawn.organs.groups) objects += write_group(space, drawn, group, out);
+  const BladeLook& look = drawn.traits.look.blades;
+  for (const DrawnBlades& blades : drawn.blades) {
+    if (!has_faces(blades.surface)) continue;
+    std::string text = "object{";
+    append_mesh(text, space, blades.surface);
+    text += tissue_text(look.tissue, look.colors[blades.color], look.second, blades.shade, {});
+    text += "}\n";
+    out(text);
+    ++objects;
+  }
+  return objects;
 }
 
 }  // namespace frond

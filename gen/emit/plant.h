@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/text.h"
+#include "draw/draw_list.h"
 #include "emit/pov.h"
 #include "scene/scene.h"
 
@@ -24,9 +25,8 @@ std::string tissue_text(Tissue tissue, const Color& color, const Color& second, 
 /// Declares the organs of all plants, once for each entry of the preset, and what they are made of.
 std::string prototypes_text(const PovSpace& space, const Scene& scene);
 
-/// Writes the organs and blades of one plant at a pose and a time: for each material one union or one mesh.
-/// Gives how many of these there are.
-std::size_t write_foliage(const PovSpace& space, const Specimen& plant, const Pose& pose, double time,
-                          const Out& out);
+/// Writes the organs and blades of one plant: for each material one union or one mesh. Gives how many of
+/// these there are.
+std::size_t write_foliage(const PovSpace& space, const DrawList& drawn, const Out& out);
 
 }  // namespace frond

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "motion/motion.h"
 
 namespace frond {
 
@@ -120,24 +119,20 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
   text += '}';
 }
 
-[[nodiscard]] bool append_placement(std::string& text, const PovSpace& space, const Solids& solids,
-                                    std::size_t i) {
-  glm::mat3 frame = glm::mat3_cast(solids.turn[i]);
-  for (int axis = 0; axis < 3; ++axis) frame[axis] *= solids.scale[i][axis];
-  return append_matrix(text, space, frame, solids.position[i]);
+[[nodiscard]] bool append_placement(std::string& text, const PovSpace& space, const DrawnPlace& place) {
+  glm::mat3 frame = glm::mat3_cast(place.turn);
+  for (int axis = 0; axis < 3; ++axis) frame[axis] *= place.scale[axis];
+  return append_matrix(text, space, frame, place.at);
 }
 
-void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, std::size_t organism,
-                  std::size_t shape) {
+/// A shape that is the same for a while: declared once and placed.
+void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body, std::size_t organism) {
   std::string lines, &text = all.text;
   std::size_t placed = 0;
-  auto count = static_cast<std::size_t>(std::count(solids.shape.begin(), solids.shape.end(), shape));
-  if (count == 0) return;
-  const Solid& solid = solids.shapes[shape];
-  bool own = count <= kOwnTextures;
-  if (is_of_reef(solid.material.matter)) append_front(text, 1);
+  const Solid& solid = *body.solid;
+  bool own = body.places.size() <= kOwnTextures;
   text += "#declare ";
-  append_solid_name(text, organism, shape);
+  append_solid_name(text, organism, body.shape);
   text += " = ";
   if (solid.native)
     append_isosurface(text, space, *solid.native);
@@ -146,14 +141,13 @@ void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, 
   else
     append_lathe(text, space, solid);
   text += '\n';
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    if (solids.shape[i] != shape) continue;
+  for (const DrawnPlace& place : body.places) {
     std::size_t line = lines.size();
     lines += "object{";
-    append_solid_name(lines, organism, shape);
+    append_solid_name(lines, organism, body.shape);
     lines += ' ';
     if (own) append_material(lines, solid.material);
-    if (append_placement(lines, space, solids, i))
+    if (append_placement(lines, space, place))
       lines += "}\n", ++placed;
     else
       lines.resize(line);
@@ -169,11 +163,22 @@ void append_shape(ObjectText& all, const PovSpace& space, const Solids& solids, 
   text += "}\n";
 }
 
+/// One that is another in each frame.
+void append_grown(ObjectText& all, const PovSpace& space, const DrawnBody& body) {
+  std::string object = "object{\n";
+  append_mesh(object, space, with_light_uv(*body.now, *body.solid));
+  append_material(object, body.solid->material);
+  for (const DrawnPlace& place : body.places) {
+    std::string whole = object;
+    if (append_placement(whole, space, place)) all += {whole + "}\n", 1};
+  }
+}
+
 }  // namespace
 
 void append_front(std::string& text, double front) {
   text += "#declare Reef_Front = ";
-  append(text, std::min(front, 1.0), 4);
+  append(text, front, 4);
   text += ";\n";
 }
 
@@ -196,6 +201,17 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   return names;
 }
 
+ObjectText body_text(const PovSpace& space, const DrawnBody& body, std::size_t organism) {
+  ObjectText text;
+  if (!has_faces(body.surface())) return text;
+  if (is_of_reef(body.solid->material.matter)) append_front(text.text, body.front);
+  if (body.now)
+    append_grown(text, space, body);
+  else
+    append_shape(text, space, body, organism);
+  return text;
+}
+
 ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn) {
   ObjectText text;
   for (std::size_t o = 0; o < scene.specimens.size(); ++o) {
@@ -203,35 +219,7 @@ ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSol
     const Solids& solids = solids_of(drawn, scene, o);
     if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text.text, b.name);
-    for (std::size_t s = 0; s < solids.shapes.size(); ++s)
-      if (!is_growing(solids.shapes[s], b.motion.growth)) append_shape(text, space, solids, o, s);
-  }
-  return text;
-}
-
-ObjectText developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism) {
-  ObjectText text;
-  for (std::size_t s = 0; s < solids.shapes.size(); ++s)
-    if (has_faces(solids.shapes[s].surface)) append_shape(text, space, solids, organism, s);
-  return text;
-}
-
-ObjectText growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
-                               double time) {
-  ObjectText text;
-  auto front = static_cast<float>(growth_front(growth, time));
-  if (front <= 0) return text;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const Solid& solid = solids.shapes[solids.shape[i]];
-    if (!is_growing(solid, growth)) continue;
-    Surface now = surface_at(solid, front);
-    std::string object = "object{\n";
-    if (!has_faces(now)) continue;
-    append_mesh(object, space, with_light_uv(std::move(now), solid));
-    append_material(object, solid.material);
-    if (!append_placement(object, space, solids, i)) continue;
-    if (is_of_reef(solid.material.matter)) append_front(text.text, front);
-    text += {object + "}\n", 1};
+    for (const DrawnBody& body : still_bodies(solids, b.motion.growth)) text += body_text(space, body, o);
   }
   return text;
 }

@@ -23,11 +23,7 @@ std::string_view material_include(const Material& material);
 /// the same in each frame. Without `drawn` they are written as they are.
 ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
 
-/// The solids of an organism that becomes another shape, as it is now.
-ObjectText developed_solids_text(const PovSpace& space, const Solids& solids, std::size_t organism);
-
-/// The solids of one organism that a film sees grow, as they are at a time.
-ObjectText growing_solids_text(const PovSpace& space, const Solids& solids, const Growth& growth,
-                               double time);
+/// One shape of an organism, declared and placed, or as far as it has grown.
+ObjectText body_text(const PovSpace& space, const DrawnBody& body, std::size_t organism);
 
 }  // namespace frond

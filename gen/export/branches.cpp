@@ -6,10 +6,8 @@
 #include "core/bounds.h"
 #include "core/linear.h"
 #include "export/box_map.h"
-#include "field/cubes.h"
 #include "geometry/far.h"
 #include "geometry/tubes.h"
-#include "motion/unfold.h"
 
 namespace frond {
 
@@ -30,15 +28,15 @@ Vec3 brightness_at(Vec3 at) {
 /// Makes the branches of one organism.
 class Brancher {
  public:
-  Brancher(Maker& maker, const Specimen& b, const Pose& pose, double triangles)
-      : maker_(maker), options_(maker.options), b_(b), pose_(pose), most_(triangles) {}
+  Brancher(Maker& maker, const DrawnBranches& b, double triangles)
+      : maker_(maker), options_(maker.options), b_(b), pose_(b.pose), most_(triangles) {}
 
   Result<std::vector<BranchPart>> parts() {
-    if (b_.style.build == Build::sweeps) {
-      TubeMesh mesh = b_.look.branches.coat ? coated() : tubes();
+    if (b_.form() != BranchForm::body) {
+      TubeMesh mesh = b_.form() == BranchForm::coat ? coated() : tubes();
       return finished(by_color(std::move(mesh.surface), mesh.node));
     }
-    Result<FusedMesh> mesh = body_mesh(b_, pose_);
+    Result<FusedMesh> mesh = b_.body();
     if (!mesh) return mesh.errors();
     return finished(by_color(std::move(mesh->surface), mesh->node));
   }
@@ -47,21 +45,21 @@ class Brancher {
   /// Gives the parts their materials, and what is fused its places on pictures.
   std::vector<BranchPart> finished(std::vector<BranchPart> parts) {
     std::string name = maker_.name() + "_branches";
-    bool cubes = b_.style.build == Build::voxels;
+    bool cubes = b_.traits.style.build == Build::voxels;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       auto& [part, node] = parts[k];
       if (part.surface.triangle.empty()) continue;
-      Palette::Use use = cubes
-                             ? maker_.palette.cubes(b_.look.branches, b_.brightness, k, b_.style.voxel, name)
-                             : maker_.palette.branches(b_.look, b_.brightness, k, name, options_.tints);
+      Palette::Use use =
+          cubes ? maker_.palette.cubes(b_.look(), b_.traits.brightness, k, b_.traits.style.voxel, name)
+                : maker_.palette.branches(b_.traits.look, b_.traits.brightness, k, name, options_.tints);
       part.material = use.material;
-      if (b_.style.build != Build::sweeps) {
+      if (b_.traits.style.build != Build::sweeps) {
         std::vector<std::uint32_t> from;
         part.surface = box_mapped(part.surface, &from);
         std::vector<std::int32_t> of;
         for (std::uint32_t v : from) of.push_back(node[v]);
         node = std::move(of);
-        double side = b_.style.voxel;
+        double side = b_.traits.style.voxel;
         cubes ? lay_picture(part.surface, side, side, Vec2(0.5f))
               : lay_picture(part.surface, use.wide, use.high);
       }
@@ -72,21 +70,21 @@ class Brancher {
 
   /// Tips are paler, and cubes differ a little.
   void add_tints(BranchPart& branch, const Palette::Use& use) {
-    bool cubes = b_.style.build == Build::voxels;
+    bool cubes = b_.traits.style.build == Build::voxels;
     const std::vector<float>& light = b_.model.light;
     bool shaded = options_.tints && !light.empty();
     if (use.young == Vec3(1) && !cubes && !shaded) return;
-    double young = b_.look.branches.young_length();
+    double young = b_.look().young_length();
     const Surface& s = branch.part.surface;
-    float longest = b_.model.skeleton.longest();
+    float longest = b_.rest().longest();
     for (std::size_t v = 0; v < s.position.size(); ++v) {
-      float age = youth(b_.model.skeleton, pose_, longest, static_cast<float>(young), branch.node[v]);
+      float age = youth(b_.rest(), pose_, longest, static_cast<float>(young), branch.node[v]);
       Vec3 tint = use.tint_at(age);
-      if (shaded) tint *= starved(light[static_cast<std::size_t>(branch.node[v])], b_.look.branches.albedo());
+      if (shaded) tint *= starved(light[static_cast<std::size_t>(branch.node[v])], b_.look().albedo());
       // The middle of the cube tells its brightness: half a side below the face, less than that from a
       // corner.
       if (cubes)
-        tint *= brightness_at(s.position[v] / static_cast<float>(b_.style.voxel) - 0.5f * s.normal[v]);
+        tint *= brightness_at(s.position[v] / static_cast<float>(b_.traits.style.voxel) - 0.5f * s.normal[v]);
       branch.part.tint.push_back(tint_of(tint));
     }
   }
@@ -95,7 +93,7 @@ class Brancher {
   /// mesh_of(skeleton, grain, step) makes a mesh of as much as a grain leaves, in the step so many.
   template <class Mesh>
   TubeMesh fitting(const Mesh& mesh_of) {
-    Skeleton posed = b_.model.skeleton;
+    Skeleton posed = b_.rest();
     posed.position = pose_.position;
     posed.radius = pose_.radius;
     TubeMesh made = mesh_of(posed, 0.0f, 0.0);
@@ -123,13 +121,13 @@ class Brancher {
   }
 
   TubeMesh coated() {
-    TubeShape shape = b_.look.branches.tube_shape();
+    TubeShape shape = b_.look().tube_shape();
     shape.least = 0;
     double facet = shape.side;
     return fitting([&](const Skeleton& posed, float grain, double) {
       if (grain == 0) {
         shape.girth = b_.model.girth;
-        return tube_mesh(b_.model.skeleton, pose_.position, pose_.radius, pose_.turn, shape);
+        return tube_mesh(b_.rest(), pose_.position, pose_.radius, pose_.turn, shape);
       }
       shape.girth = {};
       shape.side = std::max(facet, 4.0 * static_cast<double>(grain));
@@ -139,8 +137,7 @@ class Brancher {
 
   TubeMesh tubes() {
     return fitting([&](const Skeleton& posed, float grain, double step) {
-      if (grain == 0)
-        return wrapped(b_.model.skeleton, pose_.position, pose_.radius, pose_.front, options_.sides);
+      if (grain == 0) return wrapped(b_.rest(), pose_.position, pose_.radius, pose_.front, options_.sides);
       int sides = std::max(std::min(options_.sides, maker_.level > 0 ? 3 : 5),
                            options_.sides - static_cast<int>(std::ceil(step)));
       return wrapped(posed, posed.position, posed.radius, 2, sides);
@@ -151,7 +148,7 @@ class Brancher {
   TubeMesh wrapped(const Skeleton& rest, const std::vector<Vec3>& position, const std::vector<float>& radius,
                    float front, int sides) {
     TubeMesh mesh = closed_tubes(rest, position, radius, front, sides);
-    auto [wide, high] = Palette::picture_size(b_.look.branches);
+    auto [wide, high] = Palette::picture_size(b_.look());
     std::vector<float> wraps(rest.size(), 1);
     for (std::size_t i = 1; i < rest.size(); ++i) {
       bool goes_on =
@@ -169,7 +166,7 @@ class Brancher {
 
   /// Branches of several colours are parted by the colour of each triangle's first vertex.
   std::vector<BranchPart> by_color(Surface&& surface, std::vector<std::int32_t>& node) {
-    std::size_t colors = b_.look.branches.coat ? 1 : b_.look.branches.colors();
+    std::size_t colors = b_.form() == BranchForm::coat ? 1 : b_.look().colors();
     std::vector<BranchPart> parts(colors);
     if (b_.model.color.empty() || colors == 1) {
       parts[0] = {{std::move(surface)}, std::move(node)};
@@ -200,33 +197,15 @@ class Brancher {
 
   Maker& maker_;
   const ExportOptions& options_;
-  const Specimen& b_;
+  const DrawnBranches& b_;
   const Pose& pose_;
   double most_;
 };
 
 }  // namespace
 
-Result<std::vector<BranchPart>> branch_parts(Maker& maker, const Specimen& specimen, const Pose& pose,
-                                             double triangles) {
-  return Brancher(maker, specimen, pose, triangles).parts();
-}
-
-Result<FusedMesh> body_mesh(const Specimen& specimen, const Pose& pose) {
-  const Style& style = specimen.style;
-  Boughs boughs;
-  add_boughs(boughs, specimen.model.skeleton, pose.position, pose.radius, pose.front,
-             static_cast<float>(style.blend));
-  VolumeOptions volume{style.voxel, style.adaptivity, style.limit};
-  if (style.build == Build::fused) return fuse(boughs, volume);
-  Result<Cubes> cubes = cubes_of(boughs, volume);
-  if (!cubes) return cubes.errors();
-  FusedMesh mesh;
-  std::vector<std::uint32_t> cube;
-  mesh.surface = cubes_surface(*cubes, cube);
-  // Each face has four corners of its own.
-  for (std::uint32_t c : cube) mesh.node.insert(mesh.node.end(), 4, cubes->node[c]);
-  return mesh;
+Result<std::vector<BranchPart>> branch_parts(Maker& maker, const DrawnBranches& branches, double triangles) {
+  return Brancher(maker, branches, triangles).parts();
 }
 
 }  // namespace frond

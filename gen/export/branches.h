@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "draw/branches.h"
 #include "export/maker.h"
 
 namespace frond {
@@ -12,9 +13,8 @@ struct BranchPart {
   std::vector<std::int32_t> node = {};
 };
 
-/// The branches of a specimen in a pose, as its style has them: a part for each of their colours, with paler
+/// The branches of an organism, as its style has them: a part for each of their colours, with paler
 /// tips. Tubes have about so many triangles at most.
-Result<std::vector<BranchPart>> branch_parts(Maker& maker, const Specimen& specimen, const Pose& pose,
-                                             double triangles);
+Result<std::vector<BranchPart>> branch_parts(Maker& maker, const DrawnBranches& branches, double triangles);
 
 }  // namespace frond

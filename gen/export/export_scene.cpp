@@ -9,6 +9,7 @@
 
 #include "core/bounds.h"
 #include "core/printable.h"
+#include "draw/draw_list.h"
 #include "export/bodies.h"
 #include "export/branches.h"
 #include "export/carry.h"
@@ -44,8 +45,12 @@ class SceneExporter {
  public:
   /// `swarm`: what it is at the keys but the last, where that is organs elsewhere or bodies in other shapes.
   SceneExporter(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm = {})
-      : maker_(maker), options_(maker.options), b_(b), swarm_(std::move(swarm)) {
-    pose_specimen(b, time, pose_);
+      : maker_(maker),
+        options_(maker.options),
+        b_(b),
+        drawn_(b, time),
+        pose_(drawn_.pose),
+        swarm_(std::move(swarm)) {
     if (swarm_.empty()) keys_.resize(std::max<std::size_t>(options_.keys.size(), 1) - 1);
     for (std::size_t k = 0; k < keys_.size(); ++k) pose_specimen(b, options_.keys[k], keys_[k]);
     maker_.begin(plain_name(b.name, "organism"), foot_of(b.model));
@@ -53,7 +58,7 @@ class SceneExporter {
 
   Errors add() {
     for (maker_.level = 0; maker_.level < options_.levels; ++maker_.level) {
-      if (b_.look.branches.drawn())
+      if (drawn_.branches)
         if (Errors errors = add_branches(); !errors.empty()) return errors;
       add_organs();
       add_blades();
@@ -66,7 +71,7 @@ class SceneExporter {
  private:
   Errors add_branches() {
     double most = maker_.level == 0 ? kWoodShare * options_.detail : maker_.share() * wood_;
-    Result<std::vector<BranchPart>> made = branch_parts(maker_, b_, pose_, most);
+    Result<std::vector<BranchPart>> made = branch_parts(maker_, *drawn_.branches, most);
     if (!made) return made.errors();
     std::vector<ExportPart> parts;
     for (auto& [part, node] : *made) {
@@ -86,8 +91,8 @@ class SceneExporter {
 
   void add_organs() {
     if (b_.model.organs.size() == 0) return;
+    if (options_.instances) return add_instances();
     Model posed = posed_organs(b_.model, pose_, unfold_time(b_.motion), pose_.front);
-    if (options_.instances) return add_instances(posed);
     // What the branches have left.
     double most = std::max(options_.detail - wood_, (1 - kWoodShare) * options_.detail);
     if (maker_.level > 0) most = maker_.share() * leaves_;
@@ -110,25 +115,25 @@ class SceneExporter {
   }
 
   /// One mesh for each colour of a prototype that is there, placed as often as it occurs.
-  void add_instances(const Model& posed) {
+  void add_instances() {
     std::map<std::pair<std::size_t, std::size_t>, std::optional<std::size_t>> meshes;
-    const Organs& o = posed.organs;
-    for (std::size_t i = 0; i < o.size(); ++i) {
-      const Prototype& prototype = posed.prototypes[o.prototype[i]];
-      std::size_t color = color_index(o.color[i], prototype.colors.size());
-      auto [at, fresh] = meshes.try_emplace({o.prototype[i], color});
+    for (const OrganGroup& group : drawn_.organs.groups) {
+      const Prototype& prototype = b_.model.prototypes[group.prototype];
+      auto [at, fresh] = meshes.try_emplace({group.prototype, group.color});
       if (fresh) {
         std::vector<ExportPart> parts;
         std::string name = plain_name(prototype.name, "organ");
         for (std::size_t part = 0; part < prototype.parts.size(); ++part)
           if (const Surface& surface = prototype.parts[part].surface; !surface.triangle.empty())
             parts.push_back({surface, maker_.palette.organ(
-                                          b_.look, prototype, part, color,
+                                          b_.look, prototype, part, group.color,
                                           surface.uv.empty() ? Palette::Lies::nowhere : Palette::Lies::mesh,
                                           maker_.name() + '_' + name)});
         at->second = maker_.mesh(name, std::move(parts));
       }
-      if (at->second) maker_.place(*at->second, o.position[i], o.turn[i], o.scale[i]);
+      if (!at->second) continue;
+      for (const DrawnPlace& place : drawn_.organs.places(group))
+        maker_.place(*at->second, place.at, glm::normalize(place.turn), place.scale);
     }
   }
 
@@ -178,7 +183,8 @@ class SceneExporter {
   Maker& maker_;
   const ExportOptions& options_;
   const Specimen& b_;
-  Pose pose_;
+  DrawList drawn_;
+  const Pose& pose_;
   std::vector<Pose> keys_;  // none of a swarm
   std::vector<Model> swarm_;
   double wood_ = 0, leaves_ = 0;  // triangles at the first level

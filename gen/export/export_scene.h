@@ -125,10 +125,6 @@ ExportSize estimate_export(const Scene& scene, const ExportOptions& options);
 /// something changes otherwise than by growing and swaying, or nothing moves.
 Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOptions& options);
 
-/// Branches that are built of cubes or have grown into one, as their style says; corners that belong to one
-/// node each.
-Result<FusedMesh> body_mesh(const Specimen& specimen, const Pose& pose);
-
 /// All placements of a part as one surface where they stand.
 Surface placed(const ExportPart& part, const ExportPlacement& placement);
 

@@ -154,7 +154,7 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   Bounds room = room_of(scene, now, surfels);
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
-  for (const Specimen* specimen : now) sample_surfels(IntoGrid{grid}, *specimen, time);
+  for (const Specimen* specimen : now) sample_surfels(IntoGrid{grid}, DrawList(*specimen, time));
   add_copies(grid, scene, surfels);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/bounds.h"
@@ -150,13 +151,9 @@ Vec3 color_of(const Look& look) {
   return look.branches.bark ? Vec3(0.10f, 0.16f, 0.05f) : Vec3(0.25f, 0.25f, 0.23f);
 }
 
-/// All that stands, in bits.
+/// The land's stones and all copies, in bits.
 template <class Sink>
-void sample_all_surfels(const Sink& sink, const Scene& scene, const std::vector<Specimen>& changed,
-                        double time) {
-  for (const Specimen& s : scene.specimens)
-    if (!s.life.changes()) sample_surfels(sink, s, time);
-  for (const Specimen& s : changed) sample_surfels(sink, s, time);
+void sample_others(const Sink& sink, const Scene& scene) {
   SurfelSampler<Sink> to{sink};
   for (const Strewn& strewn : scene.ground->strewn())
     for (const Strewn::At& at : strewn.at)
@@ -274,14 +271,22 @@ Raster quick_look(const Scene& scene, double time) {
   auto [width, height] = scene.film.size;
   Daylight light = daylight_of(scene.stage);
   Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
-  std::vector<Specimen> changed;
-  for (const Specimen& s : scene.specimens)
-    if (s.life.changes())
-      if (Result<Specimen> now = developed(s, time)) changed.push_back(std::move(*now));
   Pixels pixels(width, height), from_sun(kShadowSide, kShadowSide);
   ToSun sun = sun_over(scene, light.sun, from_sun);
-  sample_all_surfels(sun, scene, changed, time);
-  sample_all_surfels(ToPicture{lens, pixels}, scene, changed, time);
+  ToPicture picture_sink{lens, pixels};
+  for (const Specimen& s : scene.specimens) {
+    std::optional<Specimen> changed;
+    if (s.life.changes()) {
+      Result<Specimen> now = developed(s, time);
+      if (!now) continue;
+      changed = std::move(*now);
+    }
+    DrawList drawn(changed ? *changed : s, time);
+    sample_surfels(sun, drawn);
+    sample_surfels(picture_sink, drawn);
+  }
+  sample_others(sun, scene);
+  sample_others(picture_sink, scene);
 
   FloorDepth floor(scene.ground->floor(), lens, width, height);
   Raster picture(width, height, 3);

@@ -91,8 +91,10 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
 void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart>& parts) {
   auto add = [&](Surface shape, const Color& color, std::span<const float> places = {}) {
     DrawnPart& part = parts.emplace_back();
-    part.head = {
-        {"kind", "ground"}, {"entry", -1}, {"specimen", -1}, {"material", material_json(color, 0.02)}};
+    part.head = {{"kind", "ground"},
+                 {"entry", -1},
+                 {"specimen", -1},
+                 {"material", material_json({.color = color, .gloss = 0.02})}};
     shape.uv.clear();
     places.empty() ? part.add_surface("", shape) : add_placed(part, shape, places, false);
   };

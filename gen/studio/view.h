@@ -8,6 +8,7 @@
 
 #include "core/lru_cache.h"
 #include "core/result.h"
+#include "draw/draw_list.h"
 #include "scene/scene.h"
 #include "studio/packet.h"
 
@@ -45,26 +46,14 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
 /// The parts of one organism at a time.
 Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double time);
 
-/// Its branches as segments of 48 bytes each: both ends with radii, directions and colours.
-DrawnPart tubes_part(const Specimen& specimen, const Pose& pose);
-
-/// The colours of branches, for those who draw them plainly. Refers to the look.
-struct BranchColors {
-  BranchColors(const Look& look, double brightness);
-  /// At a node that is `young`, 0..1.
-  Color at(const Model& model, std::int32_t node, float young) const;
-  double young_length = 0;  ///< metres
-
- private:
-  const BranchLook& branches_;
-  std::vector<Color> old_, young_;
-};
+/// Branches as segments of 48 bytes each: both ends with radii, directions and colours.
+DrawnPart tubes_part(const DrawnBranches& branches);
 
 /// A mesh that is placed at `places`, ten numbers each, with coarser ones for where it is small: those of
 /// leaves keep what each piece covers. "coarse" lists them with the "size" in metres of what they lose.
 void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> places, bool leaf);
 
 /// `{"color", "gloss", "both_sides", …}`.
-Json material_json(const Color& color, double gloss, bool both_sides = false);
+Json material_json(const PlainLook& look);
 
 }  // namespace frond

@@ -26,7 +26,7 @@ void add_wood(DrawnPart& part, const std::string& below, const Look& look, const
   Surface plain = surface;
   plain.uv.clear();
   part.head[Json::json_pointer(below + "/material")] =
-      material_json(look.branches.plain(0, 1), look.branches.gloss());
+      material_json({.color = look.branches.plain(0, 1), .gloss = look.branches.gloss()});
   part.add_surface(below, plain);
 }
 
@@ -35,18 +35,15 @@ void add_leaves(DrawnPart& part, const std::string& below, const Look& look, con
   bool blade = leaves.kind == CopyPart::Kind::blade;
   const Prototype* prototype = blade ? nullptr : &model.prototypes[leaves.which];
   const OrganPart* organ = blade ? nullptr : &prototype->parts[leaves.part];
+  PlainLook plain = blade ? plain_look(look.blades, 0) : plain_look(*prototype, leaves.part, 0);
+  part.head[Json::json_pointer(below + "/material")] = material_json(plain);
   bool heart = organ && organ->tissue == Tissue::heart;
-  const std::vector<Color> second{heart ? prototype->second : Color{}};
+  const std::vector<Color> second{plain.color};
   const std::vector<Color>& colors = blade ? look.blades.colors : heart ? second : prototype->colors;
-  Json material = material_json(colors[0], 0.2, blade || is_leaf(organ->tissue));
-  material["light_through"] = 0.35;
-  bool pictured = organ && !organ->pictures.empty();
-  if (pictured) material["picture"] = organ->pictures[0];
-  part.head[Json::json_pointer(below + "/material")] = std::move(material);
   std::vector<std::uint8_t> painted = leaf_colors(leaves.surface, colors);
   for (Vec2& uv : leaves.surface.uv) uv.x -= std::floor(uv.x);
   part.add_surface(below, leaves.surface);
-  if (!pictured && !painted.empty()) part.add(below + "/colors", painted);
+  if (plain.picture.empty() && !painted.empty()) part.add(below + "/colors", painted);
 }
 
 DrawnPart model_part(const Look& look, const Model& model) {
@@ -63,8 +60,8 @@ DrawnPart model_part(const Look& look, const Model& model) {
       if (shape.kind == CopyPart::Kind::wood) {
         add_wood(part, below, look, shape.surface);
       } else if (shape.kind == CopyPart::Kind::solid) {
-        const Material& m = model.solids.shapes[shape.which].material;
-        part.head[Json::json_pointer(below + "/material")] = material_json(m.color, m.gloss);
+        part.head[Json::json_pointer(below + "/material")] =
+            material_json(plain_look(model.solids.shapes[shape.which].material));
         shape.surface.uv.clear();
         part.add_surface(below, shape.surface);
       } else {

@@ -1,18 +1,13 @@
 #include <array>
 #include <map>
 
-#include "draw/organs.h"
-#include "draw/sweep.h"
-#include "export/export_scene.h"
 #include "geometry/far.h"
-#include "motion/unfold.h"
 #include "studio/view.h"
 
 namespace frond {
 
 namespace {
 
-constexpr double kLeafGloss = 0.2, kLightThroughLeaf = 0.35;
 constexpr std::size_t kManyTriangles = 10'000;  // in all places together: fewer are quick to draw
 
 void push(std::vector<float>& to, Vec3 at, Quat turn, Vec3 scale) {
@@ -26,20 +21,16 @@ void push(std::vector<std::uint8_t>& to, const Color& c) {
 }
 
 /// Branches that have grown together, or cubes.
-Result<DrawnPart> body_part(const Specimen& s, const Pose& pose) {
-  Result<FusedMesh> mesh = body_mesh(s, pose);
+Result<DrawnPart> body_part(const DrawnBranches& branches) {
+  Result<FusedMesh> mesh = branches.body();
   if (!mesh) return mesh.errors();
-  BranchColors colors(s.look, s.brightness);
-  float longest = s.model.skeleton.longest();
+  BranchColors colors(branches);
   std::vector<std::uint8_t> painted;
   painted.reserve(4 * mesh->node.size());
-  for (std::int32_t i : mesh->node)
-    push(painted,
-         colors.at(s.model, i,
-                   youth(s.model.skeleton, pose, longest, static_cast<float>(colors.young_length), i)));
+  for (std::int32_t i : mesh->node) push(painted, colors.at(i, i));
   DrawnPart part;
   part.head["kind"] = "mesh";
-  part.head["material"] = material_json({}, s.look.branches.gloss());
+  part.head["material"] = material_json({.color = {}, .gloss = branches.look().gloss()});
   part.add_surface("", mesh->surface);
   part.add("/colors", painted);
   return part;
@@ -51,73 +42,69 @@ struct PlacedMesh {
   std::vector<std::uint8_t> color;
 };
 
-void add_organs(const Specimen& s, const Pose& pose, double time, std::vector<DrawnPart>& parts) {
-  DrawnOrgans drawn(s, pose, time);
+void add_organs(const DrawList& drawn, std::vector<DrawnPart>& parts) {
   // By prototype; where colours are pictures, by these too.
   std::map<std::pair<std::size_t, std::size_t>, PlacedMesh> groups;
-  for (const OrganGroup& drawn_group : drawn.groups) {
-    const Prototype& prototype = s.model.prototypes[drawn_group.prototype];
+  for (const OrganGroup& drawn_group : drawn.organs.groups) {
+    const Prototype& prototype = drawn.model.prototypes[drawn_group.prototype];
     bool pictured =
         std::ranges::any_of(prototype.parts, [](const OrganPart& p) { return !p.pictures.empty(); });
     PlacedMesh& group = groups[{drawn_group.prototype, pictured ? drawn_group.color : 0}];
-    for (std::uint32_t i : drawn.organs(drawn_group)) {
-      OrganPlace place = drawn.place(i);
+    for (const DrawnPlace& place : drawn.organs.places(drawn_group)) {
       push(group.at, place.at, glm::normalize(place.turn), place.scale);
       push(group.color, drawn_group.tint);
     }
   }
   for (const auto& [key, group] : groups) {
-    const Prototype& prototype = s.model.prototypes[key.first];
-    for (const OrganPart& shape : prototype.parts) {
+    const Prototype& prototype = drawn.model.prototypes[key.first];
+    for (std::size_t k = 0; k < prototype.parts.size(); ++k) {
+      const OrganPart& shape = prototype.parts[k];
       if (shape.surface.triangle.empty()) continue;
-      bool leaf = is_leaf(shape.tissue), heart = shape.tissue == Tissue::heart;
+      PlainLook look = plain_look(prototype, k, key.second);
       DrawnPart& part = parts.emplace_back();
       part.head["kind"] = "mesh";
-      Json material =
-          material_json(heart ? prototype.second : prototype.colors[key.second], kLeafGloss, leaf);
-      if (leaf) material["light_through"] = kLightThroughLeaf;
-      if (!shape.pictures.empty()) material["picture"] = shape.pictures[key.second % shape.pictures.size()];
-      part.head["material"] = std::move(material);
-      add_placed(part, shape.surface, group.at, leaf);
-      if (!heart && shape.pictures.empty()) part.add("/instance_colors", group.color);
+      part.head["material"] = material_json(look);
+      add_placed(part, shape.surface, group.at, look.both_sides);
+      if (shape.tissue != Tissue::heart && shape.pictures.empty()) part.add("/instance_colors", group.color);
     }
   }
 }
 
-void add_blades(const Specimen& s, const Pose& pose, std::vector<DrawnPart>& parts) {
-  const BladeLook& look = s.look.blades;
-  for (std::size_t k = 0; s.model.blades.size() > 0 && k < look.colors.size(); ++k) {
-    Surface surface = posed_blades(
-        s.model.skeleton, pose, s.model.blades, s.motion.growth.ripen,
-        [&](std::size_t i) { return color_index(s.model.blades.color[i], look.colors.size()) == k; });
-    if (surface.triangle.empty()) continue;
+/// The shades of a colour together.
+void add_blades(const DrawList& drawn, std::vector<DrawnPart>& parts) {
+  const BladeLook& look = drawn.traits.look.blades;
+  for (std::size_t k = 0; k < drawn.blades.size();) {
+    Surface surface = drawn.blades[k].surface;
+    std::size_t color = drawn.blades[k].color;
+    for (++k; k < drawn.blades.size() && drawn.blades[k].color == color; ++k)
+      append(surface, drawn.blades[k].surface);
     DrawnPart& part = parts.emplace_back();
     part.head["kind"] = "mesh";
-    part.head["material"] = material_json(look.colors[k], kLeafGloss, true);
-    part.head["material"]["light_through"] = kLightThroughLeaf;
+    part.head["material"] = material_json(plain_look(look, color));
     part.add_surface("", surface);
   }
 }
 
-void add_solids(const Solids& solids, std::vector<DrawnPart>& parts) {
-  for (std::size_t shape = 0; shape < solids.shapes.size(); ++shape) {
+void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& parts) {
+  for (const DrawnBody& body : bodies) {
+    if (body.surface().triangle.empty()) continue;
     std::vector<float> at;
-    for (std::size_t i = 0; i < solids.size(); ++i)
-      if (solids.shape[i] == shape) push(at, solids.position[i], solids.turn[i], solids.scale[i]);
-    const Solid& solid = solids.shapes[shape];
-    if (at.empty() || solid.surface.triangle.empty()) continue;
+    for (const DrawnPlace& place : body.places) push(at, place.at, place.turn, place.scale);
     DrawnPart& part = parts.emplace_back();
     part.head["kind"] = "mesh";
-    part.head["material"] = material_json(solid.material.color, solid.material.gloss);
-    if (solid.material.matter == Matter::glass) part.head["material"]["opacity"] = 0.35;
-    add_placed(part, solid.surface, at, false);
+    part.head["material"] = material_json(plain_look(body.solid->material));
+    add_placed(part, body.surface(), at, false);
   }
 }
 
 }  // namespace
 
-Json material_json(const Color& color, double gloss, bool both_sides) {
-  return {{"color", json_of(color)}, {"gloss", gloss}, {"both_sides", both_sides}};
+Json material_json(const PlainLook& look) {
+  Json json{{"color", json_of(look.color)}, {"gloss", look.gloss}, {"both_sides", look.both_sides}};
+  if (look.light_through > 0) json["light_through"] = look.light_through;
+  if (look.opacity < 1) json["opacity"] = look.opacity;
+  if (!look.picture.empty()) json["picture"] = look.picture;
+  return json;
 }
 
 void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> places, bool leaf) {
@@ -144,21 +131,17 @@ void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> 
 }
 
 Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double time) {
-  Pose pose;
-  pose_specimen(specimen, time, pose);
+  DrawList drawn(specimen, time);
   std::vector<DrawnPart> parts;
-  if (specimen.look.branches.drawn() && specimen.model.skeleton.size() > 1) {
-    if (specimen.style.build == Build::sweeps) {
-      parts.push_back(tubes_part(specimen, pose));
-    } else {
-      Result<DrawnPart> body = body_part(specimen, pose);
-      if (!body) return body.errors();
-      parts.push_back(std::move(*body));
-    }
+  if (drawn.branches && drawn.branches->rest().size() > 1) {
+    Result<DrawnPart> wood =
+        drawn.branches->form() == BranchForm::body ? body_part(*drawn.branches) : tubes_part(*drawn.branches);
+    if (!wood) return wood.errors();
+    parts.push_back(std::move(*wood));
   }
-  add_organs(specimen, pose, time, parts);
-  add_blades(specimen, pose, parts);
-  add_solids(specimen.model.solids, parts);
+  add_organs(drawn, parts);
+  add_blades(drawn, parts);
+  add_bodies(drawn.bodies, parts);
   return parts;
 }
 

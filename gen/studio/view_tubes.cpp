@@ -7,7 +7,6 @@
 
 #include "core/parallel.h"
 #include "draw/sweep.h"
-#include "motion/unfold.h"
 #include "studio/view.h"
 
 namespace frond {
@@ -67,12 +66,8 @@ std::vector<WireSegment> largest_first(const std::vector<WireSegment>& segments)
 /// Builds the segments of one skeleton.
 class Weaver {
  public:
-  Weaver(const Specimen& specimen, const Pose& pose)
-      : specimen_(specimen),
-        rest_(specimen.model.skeleton),
-        pose_(pose),
-        colors_(specimen.look, specimen.brightness),
-        longest_(rest_.longest()) {
+  explicit Weaver(const DrawnBranches& branches)
+      : rest_(branches.rest()), pose_(branches.pose), colors_(branches), longest_(rest_.longest()) {
     segments_.reserve(rest_.size() + rest_.size() / 8);
   }
 
@@ -103,15 +98,10 @@ class Weaver {
         goes_on ? direction(Vec3(0), heading + direction(s.to, pose_.position[i + 1], heading), heading)
                 : heading;
     s.from_heading = packed(from_heading), s.to_heading = packed(to_heading);
-    s.from_color = color(below, i), s.to_color = color(i, i);
+    s.from_color = packed(colors_.at(below, i)), s.to_color = packed(colors_.at(i, i));
     segments_.push_back(s);
     last_ = i, last_heading_ = to_heading;
     if (!goes_on) round_off(s, heading);
-  }
-
-  Rgba color(std::int32_t i, std::int32_t of) const {
-    auto young = static_cast<float>(colors_.young_length);
-    return packed(colors_.at(specimen_.model, of, youth(rest_, pose_, longest_, young, i)));
   }
 
   /// Half a ball on the end of a branch, where it is thick enough for that to show.
@@ -128,7 +118,6 @@ class Weaver {
     cap(1, 0);
   }
 
-  const Specimen& specimen_;
   const Skeleton& rest_;
   const Pose& pose_;
   BranchColors colors_;
@@ -140,24 +129,11 @@ class Weaver {
 
 }  // namespace
 
-BranchColors::BranchColors(const Look& look, double brightness) : branches_(look.branches) {
-  young_length = branches_.young_length();
-  for (std::size_t k = 0; k < branches_.colors(); ++k) {
-    old_.push_back(branches_.plain(k, brightness));
-    young_.push_back(branches_.young(k, brightness));
-  }
-}
-
-Color BranchColors::at(const Model& model, std::int32_t node, float young) const {
-  std::size_t k = branches_.color_at(model, node);
-  return young > 0 ? mixed(old_[k], young_[k], young) : old_[k];
-}
-
-DrawnPart tubes_part(const Specimen& specimen, const Pose& pose) {
+DrawnPart tubes_part(const DrawnBranches& branches) {
   DrawnPart part;
   part.head["kind"] = "tubes";
-  part.head["gloss"] = specimen.look.branches.gloss();
-  std::vector<WireSegment> segments = largest_first(Weaver(specimen, pose).weave());
+  part.head["gloss"] = branches.look().gloss();
+  std::vector<WireSegment> segments = largest_first(Weaver(branches).weave());
   part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
                                   sizeof(WireSegment) * segments.size()));
   return part;

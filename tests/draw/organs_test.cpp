@@ -17,7 +17,7 @@ TEST(DrawnOrgans, HoldsEachUnfoldedOrganOnceAndByItsLook) {
     const Organs& organs = s.model.organs;
     Pose pose;
     pose_specimen(s, 0, pose);
-    DrawnOrgans drawn(s, pose, 0);
+    DrawnOrgans drawn(s, s.model, pose, 0);
     std::set<std::uint32_t> seen;
     for (const OrganGroup& group : drawn.groups) {
       const Prototype& prototype = s.model.prototypes[group.prototype];
@@ -27,8 +27,9 @@ TEST(DrawnOrgans, HoldsEachUnfoldedOrganOnceAndByItsLook) {
         EXPECT_EQ(organs.prototype[i], group.prototype);
         EXPECT_EQ(color_index(organs.color[i], prototype.colors.size()), group.color);
         EXPECT_EQ(leaf_shade(organs.id[i]), group.shade);
-        EXPECT_LE(drawn.place(i).scale.x, organs.scale[i].x);
       }
+      for (std::size_t k = 0; k < drawn.organs(group).size(); ++k)
+        EXPECT_LE(drawn.places(group)[k].scale.x, organs.scale[drawn.organs(group)[k]].x);
     }
     std::size_t unfolded_ones = 0;
     for (float birth : organs.birth)
@@ -53,7 +54,7 @@ TEST(DrawnOrgans, GoFromTheColourOfTheBudToTheirOwn) {
   for (double time : {0.15, 0.3, 2.0}) {
     Pose pose;
     pose_specimen(s, time, pose);
-    DrawnOrgans drawn(s, pose, time);
+    DrawnOrgans drawn(s, s.model, pose, time);
     ASSERT_EQ(drawn.groups.size(), 1u) << time;
     EXPECT_LT(drawn.groups[0].tint.red, before) << time;
     before = drawn.groups[0].tint.red;

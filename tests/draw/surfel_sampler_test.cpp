@@ -55,17 +55,12 @@ TEST(SurfelSampler, ASinkGetsNoMoreBitsOfALeafThanItsStepAsksFor) {
       for (const Vec3& p : t) part.surface.position.push_back(p);
       part.surface.triangle.push_back({first, first + 1, first + 2});
     }
-  Model model;
-  model.prototypes = {{"leaf", {part}, {Color{0, 1, 0}}, Color{0, 1, 0}}};
-  model.organs.prototype = {0};
-  model.organs.position = {Vec3(0)};
-  model.organs.scale = {Vec3(1)};
-  model.organs.color = {0};
-  auto bits_of = [&](const Areas& sink) {
-    SurfelSampler<Areas>{sink}.organs(
-        model, [](std::size_t) { return Vec3(0); }, [](std::size_t) { return Quat(1, 0, 0, 0); },
-        [](std::size_t) { return 1.0f; });
-  };
+  Specimen herb;
+  herb.model.prototypes = {{"leaf", {part}, {Color{0, 1, 0}}, Color{0, 1, 0}}};
+  Organs& o = herb.model.organs;
+  o.prototype = {0}, o.position = {Vec3(0)}, o.turn = {Quat(1, 0, 0, 0)}, o.scale = {Vec3(1)};
+  o.node = {Skeleton::kRoot}, o.birth = {0}, o.color = {0}, o.id = {1};
+  auto bits_of = [&](const Areas& sink) { sample_surfels(sink, DrawList(herb, herb.model)); };
   std::vector<float> all, few;
   bits_of({0.01f, all});
   bits_of({0.1f, few});

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "draw/branches.h"
+#include "draw/draw_list.h"
 #include "emit/setting.h"
 #include "emit/texts.h"
 #include "motion/unfold.h"
@@ -22,10 +22,8 @@ TEST(PlantText, WritesEachPartOfEachOrganOnce) {
   Scene scene = tiny_plant();
   const Specimen& herb = scene.specimens[0];
   ASSERT_GT(herb.model.organs.size(), 5u);
-  Pose pose;
-  pose_skeleton(herb.model.skeleton, {}, 0, pose);
   std::string text;
-  write_foliage({}, herb, pose, 0, [&](std::string_view piece) { text += piece; });
+  write_foliage({}, DrawList(herb, herb.model), [&](std::string_view piece) { text += piece; });
   EXPECT_EQ(count(text, "object{Organ0_0_0 matrix<"), herb.model.organs.size());
   EXPECT_EQ(count(text, "object{Organ0_0_1 matrix<"), herb.model.organs.size());
   std::size_t faces = 0;
@@ -141,11 +139,12 @@ TEST(Slanted, AreThickLimbsThatAreNotUpright) {
     c.first = c.last = node;
     return c;
   };
-  EXPECT_FALSE(slanted(tree, chunk(1))) << "the trunk";
-  EXPECT_TRUE(slanted(tree, chunk(2))) << "a limb";
-  EXPECT_FALSE(slanted(tree, chunk(3))) << "a twig";
+  DrawnBranches branches{tree, tree.model, {}};
+  EXPECT_FALSE(branches.slanted(chunk(1))) << "the trunk";
+  EXPECT_TRUE(branches.slanted(chunk(2))) << "a limb";
+  EXPECT_FALSE(branches.slanted(chunk(3))) << "a twig";
   tree.look.branches.bark->kind = BarkKind::stem;
-  EXPECT_FALSE(slanted(tree, chunk(2))) << "no pattern";
+  EXPECT_FALSE(branches.slanted(chunk(2))) << "no pattern";
 }
 
 }  // namespace

@@ -73,9 +73,7 @@ TEST(Polyps, StandRoundBranchesAndComeAsTheyGrow) {
   Eye eye = eye_toward({0, 0.2f, 2}, {0, 0.2f, 0}, 1, 1, 0.0001);
   auto count_at = [&](double time) {
     b.motion.growth = {.start = 0, .duration = 1};
-    Pose pose;
-    pose_specimen(b, time, pose);
-    return count_of(polyps_text({}, drawn_branch_polyps(b, pose, eye), time).text);
+    return count_of(polyps_text({}, drawn_polyps(*DrawList(b, time).branches, eye), time).text);
   };
   // A little more than half of a tube of 0.4 m x 2 pi 0.02 m is seen, and each has a hexagon of 0.87 x 8.5 mm
   // squared.
