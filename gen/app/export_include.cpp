@@ -6,8 +6,8 @@
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/parallel.h"
-#include "emit/include.h"
 #include "estimate/estimate_cost.h"
+#include "export/include.h"
 #include "film/film_files.h"
 #include "settings/settings.h"
 

@@ -30,7 +30,7 @@ struct Format {
 std::span<const Format> formats();
 
 /// The format of a file's name, or an error that names those there are, and .inc, which is no mesh: see
-/// emit/include.h.
+/// export/include.h.
 Result<const Format*> format_of(const std::filesystem::path& path);
 
 /// Writes a scene as it is at a time, seconds. `tell` is told about how many bytes it will take as soon as

@@ -1,4 +1,4 @@
-#include "emit/macros.h"
+#include "export/macros.h"
 
 #include <gtest/gtest.h>
 

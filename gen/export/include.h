@@ -6,7 +6,7 @@
 
 #include "core/result.h"
 #include "emit/frame.h"
-#include "emit/macros.h"
+#include "export/macros.h"
 
 // A scene as an include file for somebody else's POV-Ray scene: it stands alone, its macros, shapes and
 // materials in one text, with nothing beside it but the pictures that its textures name.

@@ -1,4 +1,4 @@
-#include "emit/include.h"
+#include "export/include.h"
 
 #include <gtest/gtest.h>
 

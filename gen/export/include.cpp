@@ -1,4 +1,4 @@
-#include "emit/include.h"
+#include "export/include.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include "core/bounds.h"
 #include "emit/copies.h"
 #include "emit/copy_models.h"
-#include "emit/macros.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
+#include "export/macros.h"
 #include "scene/copies.h"
 #include "settings/settings.h"
 
