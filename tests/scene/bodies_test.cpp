@@ -1,63 +1,74 @@
 #include <gtest/gtest.h>
 
-#include "scene/scene.h"
+#include <cmath>
+
+#include "geometry/far.h"
+#include "pieces.h"
+#include "scene_at.h"
+#include "solidity.h"
 
 namespace frond {
 namespace {
 
-const std::string kTree = R"({"kind": "tree", "years": 16, "habit": {"clear_trunk": 0},
-  "place": {"at": [[0, 0]], "size_variation": 0, "lean": 0}})";
-
-/// A wall 12 m high whose face is a metre from the tree, turned about the vertical through the tree's foot.
-std::string wall(const std::string& at, int turn) {
-  return R"({"kind": "wall", "width": 16, "height": 12, "place": {"at": [)" + at + R"(], "turn": )" +
-         std::to_string(turn) + R"(, "turn_variation": 0, "lean": 0, "size_variation": 0}})";
-}
-
-Scene scene_of(const std::string& organisms) {
-  Result<Preset> preset = read_preset(
-      R"({"seed": 5, "scene": {"setting": "studio"}, "organisms": [)" + organisms + "]}", "test.json", {});
-  EXPECT_TRUE(preset.ok()) << preset.errors()[0].text();
-  return *build_scene(*preset);
-}
-
-struct Crown {
-  double middle = 0;  // metres along the way from the wall
-  std::size_t near = 0, far = 0;
+/// What the bodies of a kind measure with its default properties and seed 1.
+struct Measures {
+  const char* kind;
+  std::size_t pieces = 0;  ///< that hang together
+  long genus = 0;          ///< holes through all of them
+  double volume = 0;       ///< m3
+  double area = 0;         ///< m2
 };
 
-Crown crown_of(const Specimen& tree, Vec3 away) {
-  Crown crown;
-  for (Vec3 leaf : tree.model.organs.position) {
-    float x = glm::dot(leaf, away);
-    crown.middle += x / static_cast<double>(tree.model.organs.size());
-    ++(x < 0 ? crown.near : crown.far);
+class Bodies : public testing::TestWithParam<Measures> {};
+
+Measures measured(const char* kind) {
+  std::string text = std::string(R"({"film": {"frames": 1}, "seed": 1, "scene": {"setting": "studio"},
+    "organisms": [{"kind": ")") +
+                     kind + R"("}]})";
+  Scene scene = *build_scene(*read_preset(text, "kind.json", {}));
+  Measures all{kind};
+  for (const Specimen& s : scene.specimens) {
+    const Solids& solids = s.model.solids;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      Surface placed;
+      append_placed(placed, solids.shapes[solids.shape[i]].surface, solids.position[i], solids.turn[i],
+                    solids.scale[i]);
+      Solidity skin = solidity(placed);
+      EXPECT_EQ(skin.open, 0u) << "shape " << solids.shape[i];
+      std::vector<double> volume = printed_pieces(placed).volume;
+      all.pieces += volume.size();
+      all.genus += (2 * static_cast<long>(volume.size()) - skin.euler) / 2;
+      double inside = 0, around = area(placed);
+      for (double v : volume) inside += v;
+      // No body has more in so large a skin than a ball.
+      EXPECT_LE(inside, std::pow(around, 1.5) / (6 * std::sqrt(kPi)));
+      all.volume += inside, all.area += around;
+    }
   }
-  return crown;
+  return all;
 }
 
-TEST(SceneBodies, ATreeLeansAwayFromAWall) {
-  Scene open = scene_of(kTree);
-  struct {
-    std::string at;
-    int turn;
-    Vec3 away;
-  } sides[] = {{"[0, -1.1]", 0, Vec3(0, 0, 1)}, {"[-1.1, 0]", 90, Vec3(1, 0, 0)}};
-  for (const auto& side : sides) {
-    Scene shaded = scene_of(kTree + "," + wall(side.at, side.turn));
-    const Specimen& tree = shaded.specimens[0];
-    ASSERT_GT(tree.model.organs.size(), 100u);
-    Crown lone = crown_of(open.specimens[0], side.away), crown = crown_of(tree, side.away);
-    EXPECT_GT(crown.middle, lone.middle + 0.3) << side.turn;
-    EXPECT_LT(2 * crown.near, crown.far) << side.turn;
-    EXPECT_LT(2 * crown.near, lone.near) << side.turn;
-  }
+TEST_P(Bodies, HaveThePiecesHolesVolumeAndAreaOfTheirKind) {
+  const Measures& expected = GetParam();
+  Measures found = measured(expected.kind);
+  EXPECT_EQ(found.pieces, expected.pieces);
+  EXPECT_EQ(found.genus, expected.genus);
+  EXPECT_NEAR(found.volume, expected.volume, 0.01 * expected.volume);
+  EXPECT_NEAR(found.area, expected.area, 0.01 * expected.area);
 }
 
-TEST(SceneBodies, FarAwayChangeNothing) {
-  Scene open = scene_of(kTree), far = scene_of(kTree + "," + wall("[0, -28]", 0));
-  EXPECT_EQ(open.specimens[0].model.skeleton.position, far.specimens[0].model.skeleton.position);
-}
+// A tube of a sponge is open at its foot, too.
+INSTANTIATE_TEST_SUITE_P(
+    , Bodies,
+    testing::Values(Measures{"massive", 1, 0, 0.02463, 0.5063}, Measures{"columnar", 1, 0, 0.02502, 0.4538},
+                    Measures{"foliose", 9, 0, 0.002078, 0.9203}, Measures{"table", 1510, 0, 0.01885, 2.184},
+                    Measures{"encrusting", 1, 0, 0.002175, 0.3045}, Measures{"tube", 6, 6, 0.004834, 0.9531},
+                    Measures{"mushroom", 1, 0, 0.0005715, 0.07976},
+                    Measures{"shell", 1, 0, 5.279e-5, 0.02121}, Measures{"rock", 1, 0, 0.05778, 0.8687},
+                    Measures{"pebbles", 150, 0, 0.009471, 1.0377}, Measures{"wall", 1209, 0, 6.930, 186.67},
+                    Measures{"column", 1, 0, 0.5743, 6.622}, Measures{"bridge", 181, 0, 5.941, 184.83},
+                    Measures{"vase", 1, 0, 0.001822, 0.5213}),
+    [](const auto& kind) { return std::string(kind.param.kind); });
 
 }  // namespace
 }  // namespace frond
