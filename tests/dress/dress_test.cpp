@@ -1,0 +1,91 @@
+#include "dress/dress.h"
+
+#include <gtest/gtest.h>
+
+#include "core/linear.h"
+
+namespace frond {
+namespace {
+
+double light_of(const Color& c) {
+  Vec3 light = linear(c);
+  return 0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z;
+}
+
+TEST(BranchLook, TipsOfCoralsArePalerByHowYoungTheyAre) {
+  BranchLook look{.skin = Skin{}};
+  double before = light_of(look.plain(0, 1));
+  for (double young : {0.2, 0.6, 1.0}) {
+    look.skin->tint.young = young;
+    double tip = light_of(look.young(0, 1));
+    EXPECT_GT(tip, before) << young;
+    before = tip;
+  }
+}
+
+TEST(BranchLook, BrightnessIsAFactorOfTheColour) {
+  BranchLook bark{.bark = Bark{}};
+  EXPECT_NEAR(bark.plain(0, 0.5).red, 0.5 * bark.plain(0, 1).red, 1e-6);
+  BranchLook skin{.skin = Skin{}};
+  EXPECT_NEAR(skin.plain(0, 0.5).red, 0.5 * skin.plain(0, 1).red, 1e-6);
+}
+
+TEST(BranchLook, ChoosesTheTurtlesColourCyclically) {
+  BranchLook look{.bark = Bark{}};
+  look.bark->colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Model model;
+  EXPECT_EQ(look.color_at(model, 0), 0u) << "without colours all have the first";
+  model.color = {0, 1, 5, -1};
+  EXPECT_EQ(look.color_at(model, 1), 1u);
+  EXPECT_EQ(look.color_at(model, 2), 2u);
+  EXPECT_EQ(look.color_at(model, 3), 2u);
+}
+
+TEST(BranchLook, OnlyWhatHasAPatternHasASizeOfIt) {
+  BranchLook look{.bark = Bark{}};
+  for (BarkKind kind : {BarkKind::bark, BarkKind::birch, BarkKind::stem, BarkKind::ink, BarkKind::metal,
+                        BarkKind::wax, BarkKind::palm}) {
+    look.bark->kind = kind;
+    EXPECT_EQ(look.patterned(), look.pattern_size() > 0) << static_cast<int>(kind);
+    EXPECT_EQ(look.ringed(), kind == BarkKind::palm);
+  }
+  EXPECT_FALSE(BranchLook{}.drawn());
+  EXPECT_EQ(BranchLook{}.pattern_size(), 0);
+}
+
+TEST(Tinted, TurnsTheHueRoundGreyAndKeepsGrey) {
+  Tint tint;
+  tint.base = {0.5f, 0.5f, 0.5f};
+  tint.hue = radians(120.0);
+  Color grey = tinted(tint, 1);
+  EXPECT_NEAR(grey.red, 0.5, 1e-5);
+  EXPECT_NEAR(grey.green, 0.5, 1e-5);
+  tint.base = {0.8f, 0.1f, 0.1f};
+  Color turned = tinted(tint, 1);
+  EXPECT_NEAR(turned.green, 0.8, 1e-5) << "a third of a turn takes red to green";
+  tint.hue = 0, tint.saturation = 0;
+  Color faded = tinted(tint, 1);
+  EXPECT_NEAR(faded.red, faded.blue, 1e-6);
+}
+
+TEST(Mean, IsOfLightAndNotOfNumbers) {
+  Vec3 half = mean({{0, 0, 0}, {1, 1, 1}});
+  EXPECT_NEAR(half.x, 0.5, 1e-6);
+  EXPECT_GT(mean({}).x, 0);
+}
+
+TEST(Drawings, AreOfAllThatShowsPictures) {
+  Look look;
+  EXPECT_TRUE(drawings(look).empty());
+  look.leaves = LeafLook{};
+  std::size_t leaves = drawings(look).size();
+  EXPECT_EQ(leaves, look.leaves->looks()) << "one for each colour";
+  look.branches.bark = Bark{};
+  look.branches.coat = BarkCoat{};
+  std::vector<Drawing> all = drawings(look);
+  EXPECT_EQ(all.size(), leaves + 1);
+  EXPECT_EQ(all.back().names.front(), bark_color_name(*look.branches.coat));
+}
+
+}  // namespace
+}  // namespace frond
