@@ -64,8 +64,13 @@ void open_in_browser(const Doorway& doorway) {
 int studio(const StudioArguments& arguments) {
   Result<std::filesystem::path> root = home();
   if (!root) return fail(root.errors(), kCouldNot);
-  StudioOptions options{
-      .home = *root, .preset = {}, .port = arguments.port, .memory = {}, .assets = {}, .ready = {}};
+  StudioOptions options{.home = *root,
+                        .preset = {},
+                        .port = arguments.port,
+                        .memory = {},
+                        .assets = {},
+                        .bake = {.home = *root, .cache = cache_folder() / "materials"},
+                        .ready = {}};
   if (!arguments.preset.empty()) {
     // A file that is not there is told here; faults in it are the page's to show.
     std::error_code error;

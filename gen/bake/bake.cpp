@@ -11,6 +11,7 @@
 #include "core/linear.h"
 #include "core/text.h"
 #include "emit/pov.h"
+#include "emit/solid.h"
 #include "render/process.h"
 
 namespace frond {
@@ -204,6 +205,21 @@ Result<BakedPictures> picture_files(const Raster& colors, const Raster& normals,
     *file = std::move(*text);
   }
   return made;
+}
+
+Swatch body_swatch(const Material& material, int pixels) {
+  constexpr float kAboveGround = 1.07f;  // metres: where walls are drawn, as what is below is damp
+  Swatch swatch;
+  swatch.includes = {material_include(material)};
+  swatch.texture = material_text(material);
+  swatch.pixels = {pixels, pixels};
+  swatch.wide = row_of(material.matter).widths * material.scale;
+  auto half = static_cast<float>(swatch.wide / 2);
+  // Off the planes where noise is even; wood's rings go round the x axis.
+  bool wood = material.matter == Matter::timber;
+  swatch.corner = {-half, wood ? -half : kAboveGround, wood ? 0.02f : 0.137f * half};
+  if (material.matter == Matter::meander) swatch.uv = {1, 1};  // on a ridge, in full light
+  return swatch;
 }
 
 std::string swatch_scene(const Swatch& swatch) {

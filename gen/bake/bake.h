@@ -10,7 +10,7 @@
 #include "core/result.h"
 #include "core/vec.h"
 #include "images/raster.h"
-#include "model/surface.h"
+#include "model/solid.h"
 
 /// Materials as pictures for other programs: POV-Ray itself draws them, from the macros of povinc/.
 ///
@@ -35,6 +35,10 @@ struct Swatch {
   Surface body = {};  ///< where given, drawn instead of a flat piece, as its uv spread it; without normals
   std::vector<Vec2> place;  ///< of the body's vertices on the picture; without, their uv
 };
+
+/// A piece of a body's material, as many widths of its pattern as its row says; that row's `widths` must be
+/// above 0.
+Swatch body_swatch(const Material& material, int pixels);
 
 /// PNG files; those of normals and of roughness are empty where they are not wanted.
 struct BakedPictures {

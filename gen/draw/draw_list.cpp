@@ -35,8 +35,10 @@ PlainLook plain_look(const BladeLook& blades, std::size_t color) {
 }
 
 PlainLook plain_look(const Material& body) {
-  return {
-      .color = body.color, .gloss = body.gloss, .opacity = body.matter == Matter::glass ? kGlassOpacity : 1};
+  return {.color = body.color,
+          .gloss = body.gloss,
+          .opacity = body.matter == Matter::glass ? kGlassOpacity : 1,
+          .picture = body.picture};
 }
 
 DrawList::DrawList(const Specimen& specimen, double time, const Solids& solids)

@@ -10,7 +10,6 @@
 #include "core/parallel.h"
 #include "emit/branch_materials.h"
 #include "emit/plant.h"
-#include "emit/solid.h"
 #include "images/bark.h"
 
 namespace frond {
@@ -20,9 +19,8 @@ namespace {
 constexpr float kFaceOfGlass = 0.36f;
 constexpr int kLeafPixels = 256;  // the most of a leaf without a picture of its own
 constexpr int kCubePixels = 128;
-constexpr int kRings = 4;              // of a palm, on its picture
-constexpr double kPatterns = 8;        // how many times what a skin's pattern repeats, on its picture
-constexpr float kAboveGround = 1.07f;  // metres: where walls are drawn, as what is below is damp
+constexpr int kRings = 4;        // of a palm, on its picture
+constexpr double kPatterns = 8;  // how many times what a skin's pattern repeats, on its picture
 
 std::string key_of(const Color& c) { return fmt::format("{:.4f},{:.4f},{:.4f};", c.red, c.green, c.blue); }
 
@@ -79,20 +77,6 @@ Swatch skin_swatch(const BranchLook& look, std::size_t color, int pixels) {
   swatch.wide = wide;
   swatch.corner.z = static_cast<float>(0.137 * wide);  // off the planes where noise is even
   swatch.pixels = {pixels, static_cast<int>(std::lround(pixels * high / wide))};
-  return swatch;
-}
-
-Swatch matter_swatch(const Material& material, int pixels) {
-  Swatch swatch;
-  swatch.includes = {material_include(material)};
-  swatch.texture = material_text(material);
-  swatch.pixels = {pixels, pixels};
-  swatch.wide = row_of(material.matter).widths * material.scale;
-  auto half = static_cast<float>(swatch.wide / 2);
-  // Off the planes where noise is even; wood's rings go round the x axis.
-  bool wood = material.matter == Matter::timber;
-  swatch.corner = {-half, wood ? -half : kAboveGround, wood ? 0.02f : 0.137f * half};
-  if (material.matter == Matter::meander) swatch.uv = {1, 1};  // on a ridge, in full light
   return swatch;
 }
 
@@ -273,7 +257,7 @@ Palette::Use Palette::body(const Look& look, const Material& material, const Sol
     made.factor = made.color;
     return keep(fmt::format("body {} {}", made.gloss, made.transmission), made, name, {}, {});
   }
-  Swatch swatch = matter_swatch(material, options_.texture);
+  Swatch swatch = body_swatch(material, options_.texture);
   if (vessel) {
     swatch.pixels = {2 * options_.texture, 3 * options_.texture / 2};
     swatch.body = vessel->surface;

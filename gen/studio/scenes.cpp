@@ -106,8 +106,11 @@ ViewRequest request_of(const Json& question) {
 
 }  // namespace
 
-Scenes::Scenes(const Documents& documents, std::size_t memory)
-    : documents_(documents), room_(std::make_shared<CacheBudget>(memory)), drawings_(kDrawings * kDrawing) {}
+Scenes::Scenes(const Documents& documents, std::size_t memory, BakeOptions bake)
+    : documents_(documents),
+      bake_(std::move(bake)),
+      room_(std::make_shared<CacheBudget>(memory)),
+      drawings_(kDrawings * kDrawing) {}
 
 Scenes::Hurry Scenes::hurry_of(const Json& question) {
   if (!question.contains("only") || !question["only"].is_array()) return {};
@@ -168,12 +171,23 @@ Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& ke
   for (const Drawing& drawing : built->scene.drawings)
     for (const std::string& name : drawing.names)
       drawings_.put(name, std::make_shared<const Drawing>(drawing), kDrawing);
+  add_tiles(built->scene);
   if (coarse || !built->scene.missing.empty()) return built;
   built_.put(key, built, built->scene.bytes() + bytes_of(built->preset));
   std::lock_guard lock(in_work_);
   if (known_.size() > kKnown) known_.clear();
   for (std::size_t i = 0; i < built->preset.organisms.size(); ++i) known_.insert(name_of(built->preset, i));
   return built;
+}
+
+void Scenes::add_tiles(const Scene& scene) {
+  for (const Specimen& specimen : scene.specimens)
+    for (const Solid& solid : specimen.model.solids.shapes) {
+      std::optional<Tile> tile = tile_of(solid.material);
+      if (!tile || drawings_.find(tile->colors)) continue;
+      auto drawing = std::make_shared<const Drawing>(tile_drawing(solid.material, bake_));
+      for (const std::string& name : drawing->names) drawings_.put(name, drawing, kDrawing);
+    }
 }
 
 Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,

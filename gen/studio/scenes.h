@@ -9,6 +9,7 @@
 
 #include "scene/specimen_cache.h"
 #include "studio/documents.h"
+#include "studio/tiles.h"
 #include "studio/view.h"
 
 namespace frond {
@@ -25,7 +26,7 @@ struct Answer {
 /// to `memory` bytes at most. May be asked from many threads.
 class Scenes {
  public:
-  Scenes(const Documents& documents, std::size_t memory);
+  Scenes(const Documents& documents, std::size_t memory, BakeOptions bake = {});
 
   /// A scene at a time, for question number `number` of a session. Where a newer one has come meanwhile the
   /// answer is 409 and nothing more is done for it.
@@ -51,7 +52,7 @@ class Scenes {
   /// The word of an organism's grammar and what becomes of it.
   Answer derive(const Doc& doc, const Json& question) const;
 
-  /// A picture of a leaf or bark that a scene has named.
+  /// A picture of a leaf, a bark or a material that a scene has named.
   Result<std::string> picture(const std::string& name);
 
  private:
@@ -85,7 +86,11 @@ class Scenes {
   /// Where growing what is new takes longer than that many seconds, or more than the machine has.
   Result<Json> estimate(const Preset& preset, const EntryFilter& only, double seconds);
 
+  /// Notes how pictures of the bodies' materials are drawn.
+  void add_tiles(const Scene& scene);
+
   const Documents& documents_;
+  BakeOptions bake_;
   std::shared_ptr<CacheBudget> room_;
   SpecimenCache cache_{room_};
   ViewCache models_{room_};

@@ -66,7 +66,7 @@ class Server {
   explicit Server(const StudioOptions& options)
       : options_(options),
         documents_(options),
-        scenes_(documents_, options.memory),
+        scenes_(documents_, options.memory, options.bake),
         renders_(documents_, scenes_, options.home) {}
 
   Errors serve() {

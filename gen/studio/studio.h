@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bake/bake.h"
 #include "core/result.h"
 
 // The studio
@@ -28,6 +29,7 @@ struct StudioOptions {
   int port = 0;                                 ///< 0: kUsualPort, or where that is taken any that is free
   std::size_t memory = std::size_t{1} << 30;    ///< bytes that what is kept may come to, all of it together
   std::optional<std::filesystem::path> assets;  ///< one more folder to read from
+  BakeOptions bake = {};                        ///< how pictures of materials are drawn
   std::function<void(const std::string& address)> ready;  ///< called when the page can be opened
 };
 

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "geometry/far.h"
+#include "studio/tiles.h"
 #include "studio/view.h"
 
 namespace frond {
@@ -93,6 +94,11 @@ void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& pa
     DrawnPart& part = parts.emplace_back();
     part.head["kind"] = "mesh";
     part.head["material"] = material_json(plain_look(body.solid->material));
+    if (auto tile = tile_of(body.solid->material))
+      part.head["material"]["tile"] = {{"colors", tile->colors},
+                                       {"normals", tile->normals},
+                                       {"wide", tile->wide},
+                                       {"light", json_of(tile->light)}};
     add_placed(part, body.surface(), at, false);
   }
 }

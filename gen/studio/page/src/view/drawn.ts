@@ -1,5 +1,5 @@
 import { Box3, BufferGeometry, DoubleSide, FrontSide, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial, Vector3, Vector4, type IUniform } from "three";
-import type { LeafPictures } from "./leaf_pictures";
+import type { Pictures } from "./pictures";
 import type { Shared } from "./shared";
 import { enlarged, everyOf, firstOf } from "./thinning";
 
@@ -12,7 +12,7 @@ export interface Shaders {
 /** What making a part needs from the view. */
 export interface Studio {
   shared: Shared;
-  leaves: LeafPictures;
+  pictures: Pictures;
 }
 
 type Defines = Record<string, number>;

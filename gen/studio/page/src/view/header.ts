@@ -14,8 +14,9 @@ export interface Material {
   color: Vec3;
   gloss: number;
   both_sides: boolean;
-  metal: boolean;
   picture?: string;
+  /** Pictures that repeat every `wide` metres, laid on from three sides; `light` is a linear factor of the colours. */
+  tile?: { colors: string; normals: string; wide: number; light: Vec3 };
   light_through?: number;
   /** Of panes; absent: 1. */
   opacity?: number;

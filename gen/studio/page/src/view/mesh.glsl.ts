@@ -17,6 +17,11 @@ out vec3 at;
 out vec3 up;
 out vec3 color;
 flat out uint own;
+#ifdef TILED
+out vec3 in_place;  // before it is placed
+out vec3 in_way;
+flat out vec4 turned_by;
+#endif
 #ifdef INSTANCED
 uniform sampler2D places;
 uniform int count, corners;
@@ -61,6 +66,9 @@ void main() {
   at = place + turned(turn, position * size);
   up = turned(turn, normal / size);
   own = uint(k);
+#ifdef TILED
+  turned_by = turn;
+#endif
 #ifdef INSTANCE_COLORS
   vec3 paint = texelFetch(paints, ivec2(k % PER_ROW, k / PER_ROW), 0).rgb;
   color = mix(paint, color * paint * (255.0 / 128.0), tint);
@@ -69,6 +77,13 @@ void main() {
   at = position;
   up = normal;
   own = 0u;
+#ifdef TILED
+  turned_by = vec4(0, 0, 0, 1);
+#endif
+#endif
+#ifdef TILED
+  in_place = position;
+  in_way = normal;
 #endif
 #ifdef WITH_UV
   on_picture = uv;
@@ -100,6 +115,30 @@ void holes() {
 }
 `;
 
+/** Pictures of the material, laid on from the three axes; `paint` is what it is without. */
+const TILES = /* glsl */ `
+#ifdef TILED
+in vec3 in_place;
+in vec3 in_way;
+flat in vec4 turned_by;
+uniform sampler2D tile, tile_normals;
+uniform float tiled, tile_wide;
+uniform vec3 tile_light;
+void lay_tiles(inout vec3 paint, inout vec3 n) {
+  if (tiled < 0.5) return;
+  vec3 p = in_place / tile_wide, way = normalize(in_way), share = pow(abs(way), vec3(6));
+  share /= share.x + share.y + share.z;
+  paint = tile_light * (share.x * texture(tile, p.zy).rgb + share.y * texture(tile, p.xz).rgb + share.z * texture(tile, p.xy).rgb);
+#ifndef QUICK
+  vec2 x = texture(tile_normals, p.zy).rg - 0.5, y = texture(tile_normals, p.xz).rg - 0.5, z = texture(tile_normals, p.xy).rg - 0.5;
+  vec3 bent = normalize(way + 2.0 * (share.x * vec3(0, x.yx) + share.y * vec3(y.x, 0, y.y) + share.z * vec3(z, 0)));
+  vec3 v = bent - way;
+  n = normalize(n + v + 2.0 * cross(turned_by.xyz, cross(turned_by.xyz, v) + turned_by.w * v));
+#endif
+}
+#endif
+`;
+
 export const MESH_LOOK = /* glsl */ `${COLOR}${LIGHT}
 in vec3 at;
 in vec3 up;
@@ -109,6 +148,7 @@ uniform float gloss, through;
 uniform float rough;  // of the ground: how much its colour varies
 out vec4 picture;
 ${HOLES}
+${TILES}
 float hash(vec2 p) { return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453); }
 float noise(vec2 p) {
   vec2 i = floor(p), f = fract(p);
@@ -122,6 +162,9 @@ void main() {
   paint = on_leaf().rgb;
 #endif
   vec3 n = normalize(up);
+#ifdef TILED
+  lay_tiles(paint, n);
+#endif
   if (!gl_FrontFacing) n = -n;
 #ifndef QUICK
   if (rough > 0.0) {

@@ -1,4 +1,4 @@
-import { BufferAttribute, BufferGeometry, InstancedBufferGeometry, Color, type DataTexture, type IUniform } from "three";
+import { BufferAttribute, BufferGeometry, InstancedBufferGeometry, Color, Vector3, type DataTexture, type IUniform } from "three";
 import type { Material, MeshPart, Surface } from "./header";
 import { distanceToBox, Drawn, type Level, type Studio } from "./drawn";
 import { MESH_FLAT, MESH_LOOK, MESH_VERTEX } from "./mesh.glsl";
@@ -59,10 +59,12 @@ function fill(geometry: BufferGeometry, shape: Shape, times: number): void {
 }
 
 function describe(shape: Shape, material: Material, studio: Studio): { defines: Record<string, number>; own: Record<string, IUniform> } {
-  const picture = material.picture && shape.uv ? studio.leaves.texture(material.picture) : null;
+  const picture = material.picture && shape.uv ? studio.pictures.leaf(material.picture) : null;
   if (!picture) delete shape.uv;
   const defines: Record<string, number> = { PER_ROW };
   if (picture) defines.WITH_UV = 1;
+  const tile = material.tile && studio.pictures.tile(material.tile.colors, material.tile.normals);
+  if (tile) defines.TILED = 1;
   if (shape.colors) defines.WITH_COLORS = 1;
   return {
     defines,
@@ -73,6 +75,15 @@ function describe(shape: Shape, material: Material, studio: Studio): { defines: 
       opacity: { value: material.opacity ?? 1 },
       rough: { value: 0 },
       ...(picture ? { leaf: { value: picture } } : {}),
+      ...(tile
+        ? {
+            tile: { value: tile.colors },
+            tile_normals: { value: tile.normals },
+            tiled: tile.ready,
+            tile_wide: { value: material.tile!.wide },
+            tile_light: { value: new Vector3(...material.tile!.light) },
+          }
+        : {}),
     },
   };
 }

@@ -5,7 +5,7 @@ import { Stand } from "./copies";
 import { Drawn } from "./drawn";
 import { Eye } from "./eye";
 import { Guides, type Handle, type Path } from "./guides";
-import { LeafPictures } from "./leaf_pictures";
+import { Pictures } from "./pictures";
 import { setLight } from "./light";
 import { merged } from "./merge";
 import { Painter } from "./painter";
@@ -43,7 +43,7 @@ export class View implements PointerTarget {
   private painter: Painter;
   private eyes: Eye;
   private guides = new Guides();
-  private leaves: LeafPictures;
+  private pictures: Pictures;
   private cache: PartCache;
   private pointer: Pointer;
   private header: Header | null = null;
@@ -75,8 +75,8 @@ export class View implements PointerTarget {
     this.painter = new Painter(this.canvas);
     this.painter.over.add(this.guides);
     this.eyes = new Eye(this.canvas, this.changed, () => this.throughChanged());
-    this.leaves = new LeafPictures(pictureAddress, this.changed);
-    this.cache = new PartCache({ shared: this.painter.shared, leaves: this.leaves });
+    this.pictures = new Pictures(pictureAddress, this.changed);
+    this.cache = new PartCache({ shared: this.painter.shared, pictures: this.pictures });
     this.pointer = new Pointer(this.canvas, this);
     this.listen();
     this.resize();
@@ -206,7 +206,7 @@ export class View implements PointerTarget {
     this.pointer.dispose();
     this.eyes.dispose();
     this.cache.clear();
-    this.leaves.dispose();
+    this.pictures.dispose();
     this.guides.dispose();
     this.painter.dispose();
     this.canvas.remove();

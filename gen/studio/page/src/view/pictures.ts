@@ -1,0 +1,69 @@
+import { LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, Texture, TextureLoader } from "three";
+
+/** Pictures of a material, ready when both have come. */
+export interface TilePictures {
+  colors: Texture;
+  normals: Texture;
+  ready: { value: number };
+}
+
+function adjust(texture: Texture, color: boolean): Texture {
+  texture.colorSpace = color ? SRGBColorSpace : NoColorSpace;
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.anisotropy = 4;
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  return texture;
+}
+
+/** Pictures of leaves and materials. What is in them never changes, so each is loaded once. */
+export class Pictures {
+  private loader = new TextureLoader();
+  private known = new Map<string, Texture>();
+  private tiles = new Map<string, TilePictures>();
+  /** The server may have to render tiles: they are asked for one after the other, so that it keeps time for scenes. */
+  private queue: Promise<void> = Promise.resolve();
+
+  constructor(
+    private address: (id: string) => string,
+    private come: () => void,
+  ) {}
+
+  leaf(id: string): Texture {
+    let texture = this.known.get(id);
+    if (!texture) {
+      texture = adjust(this.loader.load(this.address(id), this.come), true);
+      this.known.set(id, texture);
+    }
+    return texture;
+  }
+
+  tile(colors: string, normals: string): TilePictures {
+    const known = this.tiles.get(colors);
+    if (known) return known;
+    const made = { colors: adjust(new Texture(), true), normals: adjust(new Texture(), false), ready: { value: 0 } };
+    this.tiles.set(colors, made);
+    this.queue = this.queue.then(async () => {
+      try {
+        for (const [texture, id] of [[made.colors, colors], [made.normals, normals]] as const) {
+          texture.image = (await this.loader.loadAsync(this.address(id))).image;
+          texture.needsUpdate = true;
+        }
+        made.ready.value = 1;
+        this.come();
+      } catch {
+        // Without POV-Ray there are none, and colours stay plain.
+      }
+    });
+    return made;
+  }
+
+  dispose(): void {
+    for (const texture of this.known.values()) texture.dispose();
+    for (const { colors, normals } of this.tiles.values()) {
+      colors.dispose();
+      normals.dispose();
+    }
+    this.known.clear();
+    this.tiles.clear();
+  }
+}
