@@ -55,7 +55,7 @@ def png_of(path):
 
 
 OWN_LIGHT = """#declare Frond_Ambient = 0;
-#macro Light_All_Round()
+#macro Light_All_Round(Bound)
   radiosity {
     pretrace_start 0.08 pretrace_end 0.02 count 150 nearest_count 4 error_bound 0.6 recursion_limit 3
     minimum_reuse 0.006 maximum_reuse 0.1

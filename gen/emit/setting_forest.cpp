@@ -1,5 +1,6 @@
 #include "emit/setting_parts.h"
 #include "settings/forest.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -9,11 +10,11 @@ std::string wood_text(const Scene& scene, double time) {
   const auto& forest = scene.stage.block<Forest>();
   const auto& meadow = scene.stage.block<Meadow>();
   Sky sky = forest_sky(scene.stage);
-  return "Meadow_Globals()\n" + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) +
-         "," + air_text(sky) + "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," +
-         number_text(forest.mist) + "," +
-         number_text(static_cast<const ForestGround&>(*scene.ground).valley) + "," + color_text(forest.air) +
-         ")";
+  Daylight light = drawn_daylight(scene.stage);
+  return globals_text("Meadow") + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) +
+         "," + lamp_text(sky) + "," + vector_text(light.fog) + "," + number_text(light.fade) + "," +
+         vector_text(light.mist) + "," + number_text(forest.mist) + "," +
+         number_text(static_cast<const ForestGround&>(*scene.ground).valley) + ")";
 }
 
 std::string forest_floor_text(const PovSpace& space, const Scene& scene) {

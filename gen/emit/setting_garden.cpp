@@ -2,6 +2,7 @@
 
 #include "emit/setting_parts.h"
 #include "settings/garden.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -10,7 +11,8 @@ namespace {
 std::string sky_and_pond_text(const Scene& scene, double) {
   const auto& garden = scene.stage.block<Garden>();
   std::string text =
-      "Meadow_Globals()\n" + country_text(garden_sky(scene.stage), scene.stage.block<Meadow>());
+      globals_text("Meadow") +
+      country_text(garden_sky(scene.stage), scene.stage.block<Meadow>(), drawn_daylight(scene.stage).fog);
   const PondShape& pond = garden.pond;
   if (pond.size.x > 0 && pond.size.y > 0)
     text += "\nGarden_Water(" + direction_text(Vec3(pond.center.x, pond.level, pond.center.y)) + "," +

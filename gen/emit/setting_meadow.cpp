@@ -1,5 +1,6 @@
 #include "emit/setting_parts.h"
 #include "settings/meadow.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -7,7 +8,8 @@ namespace {
 
 std::string summer_text(const Scene& scene, double) {
   const auto& meadow = scene.stage.block<Meadow>();
-  return "Meadow_Globals()\n" + country_text(meadow_sky(scene.stage), meadow);
+  return globals_text("Meadow") +
+         country_text(meadow_sky(scene.stage), meadow, drawn_daylight(scene.stage).fog);
 }
 
 /// A mountain far off shows the light that comes to it: no lamp of the scene reaches it.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/linear.h"
 #include "core/text.h"
+#include "draw/ambience.h"
 
 namespace frond {
 
@@ -85,15 +85,33 @@ std::string sky_text(const Sky& sky, double clouds) {
   return text;
 }
 
+std::string vector_text(Vec3 light) { return vectors_text({light}); }
+
+std::string globals_text(std::string_view prefix) {
+  return std::string(prefix) + "_Globals(" + number_text(kLightErrorBound) + ")\n";
+}
+
+std::string backdrop_text(const Daylight& light) {
+  std::string text =
+      "#declare Water_Backdrop = array[" + number_text(static_cast<double>(light.backdrop.size())) + "]{";
+  for (const BackdropStop& stop : light.backdrop) {
+    text += text.back() == '{' ? "<" : ",<";
+    append_list(text, 6, stop.light.r, stop.light.g, stop.light.b, stop.height);
+    text += '>';
+  }
+  return text + "};\n";
+}
+
 std::string air_text(const Sky& sky) { return vectors_text({sky.zenith, sky.horizon}); }
 
 std::string lamp_text(const Sky& sky) {
   return direction_text(sky.lamp) + "," + vectors_text({sky.lamplight});
 }
 
-std::string country_text(const Sky& sky, const Meadow& meadow) {
+std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air) {
   return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) +
-         "," + lamp_text(sky) + "," + number_text(meadow.haze) + "," + number_text(meadow.hills) + ")";
+         "," + lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
+         number_text(meadow.hills) + ")";
 }
 
 void append_name(std::string& text, std::string_view name, std::size_t index) {

@@ -42,8 +42,15 @@ std::string sky_text(const Sky& sky, double clouds);
 std::string air_text(const Sky& sky);
 std::string lamp_text(const Sky& sky);
 
-/// That sky with hills and haze under it.
-std::string country_text(const Sky& sky, const Meadow& meadow);
+/// That sky with hills and haze under it; `air`: light of the haze.
+std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air);
+
+/// `<r,g,b>` of linear light: an argument of macros.
+std::string vector_text(Vec3 light);
+/// The global settings by the macro of a setting's file, as `Meadow` for Meadow_Globals().
+std::string globals_text(std::string_view prefix);
+/// The backdrop of underwater as `Water_Backdrop`.
+std::string backdrop_text(const Daylight& light);
 
 /// A lawn of a colour, with its grass and gravel.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel);

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "emit/setting_parts.h"
 #include "settings/settings.h"
 #include "settings/studio.h"
@@ -10,13 +8,18 @@ namespace {
 
 std::string room_text(const Scene& scene, double time) {
   const auto& studio = scene.stage.block<Studio>();
-  double stops = scene.stage.camera.stops();
-  std::string exposed =
-      stops != 0 ? "#declare Studio_Exposure = " + number_text(std::exp2(stops)) + ";\n" : "";
-  return exposed + "Studio_Globals()\nStudio_Setting(" + eye_text(scene, time) + "," +
-         look_text(scene, time) + "," + color_text(studio.wall) + "," + number_text(studio.distance) + "," +
-         direction_text(studio.key) + "," + light_text(drawn_daylight(scene.stage).sunlight) + "," +
-         number_text(studio.softness) + ")";
+  Daylight light = drawn_daylight(scene.stage);
+  std::string view = eye_text(scene, time) + "," + look_text(scene, time) + ",";
+  std::string text = "Studio_Globals()\nStudio_Room(" + view + color_text(studio.wall) + "," +
+                     number_text(studio.distance) + "," + light_text(light.backdrop.front().light) + ")";
+  for (const Lamp& lamp : light.lamps) {
+    text += "\nStudio_Lamp(" + view + '<';
+    append_list(text, 6, lamp.from.x, lamp.from.y, -lamp.from.z);
+    text += ">," + light_text(lamp.light) + "," + number_text(lamp.width) + ",";
+    append_integer(text, static_cast<int>(lamp.shadows));
+    text += ')';
+  }
+  return text;
 }
 
 }  // namespace

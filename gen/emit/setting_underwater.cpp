@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/frame_name.h"
-#include "core/linear.h"
 #include "core/text.h"
 #include "emit/setting_parts.h"
 #include "images/caustics.h"
@@ -41,8 +40,8 @@ std::string water_text(const Scene& scene, double time) {
   std::string eye = eye_text(scene, time), look = look_text(scene, time);
   std::string near = color_text(water.near), sun = direction_text(water.sun);
   Daylight light = drawn_daylight(scene.stage);
-  std::string text = "Water_Globals()\nWater_Setting(" + eye + "," + near + "," +
-                     light_text(linear(light.fog)) + "," + number_text(light.fade) + "," + sun + "," +
+  std::string text = globals_text("Water") + backdrop_text(light) + "Water_Setting(" + eye + "," +
+                     light_text(light.fog) + "," + number_text(light.fade) + "," + sun + "," +
                      light_text(light.sunlight) + "," + number_text(water.caustics) + ",\"" +
                      caustics_name(scene, time) + "\")\n";
   if (water.shafts > 0)

@@ -21,7 +21,6 @@ constexpr float kFarthest = 3000;           // metres from the middle
 constexpr double kReuse =
     1.45;  // cells within which POV-Ray uses a place's light again; its tree grows coarse from 1.5
 constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throws back
-constexpr double kErrorBound = 4;  // of povinc's radiosity
 
 /// The room that a scene takes, metres.
 Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, const Surfels& surfels) {
@@ -97,7 +96,7 @@ constexpr const char* kPacked[] = {"fe7f7f", "007f7f", "7ffe7f",
                                    "7f007f", "7f7f00", "7f7ffe"};  // z is mirrored
 
 void append_probe(std::string& text, const PovSpace& space, const Probe& probe) {
-  double unit = space.unit, reach = kReuse / kErrorBound * probe.cell * unit;
+  double unit = space.unit, reach = kReuse / kLightErrorBound * probe.cell * unit;
   text += "C1 ";
   append(text, probe.at.x * unit, 3);
   text += ' ';

@@ -290,8 +290,7 @@ Raster quick_look(const Scene& scene, double time) {
 
   FloorDepth floor(scene.ground->floor(), lens, width, height);
   Raster picture(width, height, 3);
-  Vec3 zenith = linear(light.zenith), fog = linear(light.fog), ground = linear(light.ground);
-  Vec3 shade = 0.45f * zenith + 0.12f;
+  Vec3 ground = linear(light.ground), shade = 0.45f * linear(light.zenith) + 0.12f;
   Vec3 sunny = shade + 0.9f * glm::min(light.sunlight / light.brightest, Vec3(1));
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
     int y = static_cast<int>(row);
@@ -309,9 +308,10 @@ Raster quick_look(const Scene& scene, double time) {
       if (std::isfinite(depth)) {
         bool shaded = light.sun.y <= 0 || sun.shaded(lens.at + depth * ray);
         color = albedo * (shaded ? shade : sunny);
-        if (light.fade > 0) color = glm::mix(fog, color, std::exp(-depth / static_cast<float>(light.fade)));
+        if (light.fade > 0)
+          color = glm::mix(light.fog, color, std::exp(-depth / static_cast<float>(light.fade)));
       } else {
-        color = glm::mix(fog, zenith, std::clamp(glm::normalize(ray).y * 1.6f, 0.0f, 1.0f));
+        color = backdrop_at(light, glm::normalize(ray).y);
       }
       for (int c = 0; c < 3; ++c)
         picture.data[picture.index(x, y, c)] = to_byte(encoded(std::clamp(color[c], 0.0f, 1.0f)));

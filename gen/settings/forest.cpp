@@ -131,9 +131,13 @@ SettingRow forest_setting() {
         const auto& forest = stage.block<Forest>();
         // Litter lies on moss, too.
         auto green = static_cast<float>(0.6 * forest.moss);
-        return daylight(forest_sky(stage), forest.litter,
-                        glm::mix(linear(forest.litter), linear(forest.green), green),
-                        stage.block<Meadow>().haze);
+        Sky sky = forest_sky(stage);
+        Daylight light =
+            daylight(sky, forest.litter, glm::mix(linear(forest.litter), linear(forest.green), green),
+                     stage.block<Meadow>().haze);
+        light.fog = 0.74f * (0.92f * sky.horizon * linear(forest.air) + 0.07f * sky.zenith);
+        light.mist = 0.8f * sky.horizon + 0.06f * sky.zenith;
+        return light;
       });
 }
 

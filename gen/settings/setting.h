@@ -50,6 +50,28 @@ struct GroundSizeEstimate {
   double pixels = 0;  ///< of the pictures made for each frame
 };
 
+/// A lamp that hangs in a setting and goes with the camera. Lengths are distances from the camera to what it
+/// looks at, at least a metre.
+struct Lamp {
+  enum class Shadows { none, coarse, fine };
+  Vec3 from{0, 1, 0};  ///< where it hangs, seen from what the camera looks at
+  Vec3 light{1};       ///< brightness of a surface that faces it
+  double width = 0;    ///< of its disc; 0: a point
+  Shadows shadows = Shadows::none;
+};
+
+/// What stands behind everything from one height on, until the next: between them it goes over.
+struct BackdropStop {
+  double height = 0;  ///< sine of the angle above the horizon
+  Vec3 light{0};
+};
+
+/// What a view that traces no light takes for all that the main light does not give: from above, from the
+/// side and from below, and more on what faces the viewer.
+struct FillLight {
+  Vec3 above{0}, aside{0}, below{0}, eye{0};
+};
+
 /// The light of a setting and how its air changes colours: the common source for POV-Ray's text, the soft
 /// light, the quick look and the studio's page. Light is linear, as the brightness of a white matt surface;
 /// colours are sRGB, as in presets.
@@ -59,11 +81,21 @@ struct Daylight {
   float brightest = 1;  ///< the maximum of that, used to set the exposure
   bool soft = false;    ///< whether there is diffuse light from all around, besides lamps
   Vec3 above{0}, aside{0},
-      below{0};            ///< the diffuse light: of the sky above and at the horizon, and from below it
-  Vec3 thrown_back{0.2f};  ///< share of light reflected by the land
-  Color zenith = {}, horizon = {}, fog = {}, ground = {};  ///< as the camera sees them
-  double fade = 0;  ///< metres in which two thirds of a colour are lost to that of the fog; 0: none
+      below{0};             ///< the diffuse light: of the sky above and at the horizon, and from below it
+  Vec3 thrown_back{0.2f};   ///< share of light reflected by the land
+  std::vector<Lamp> lamps = {};  ///< where there are any, the first is the main light
+  Color zenith = {}, horizon = {}, ground = {};  ///< as the camera sees them
+  std::vector<BackdropStop> backdrop{{}};  ///< from the horizon up; at least one, at most kBackdropStops
+  Vec3 fog{0};                             ///< light of the air, to which far things fade
+  double fade = 0;                         ///< metres in which two thirds of a colour are lost to it; 0: none
+  Vec3 mist{0};                            ///< light of the mist in valleys, where there is any
+  FillLight fill = {};
 };
+
+inline constexpr std::size_t kBackdropStops = 6;
+
+/// The light of the backdrop in a direction of length 1 that rises by `height`.
+Vec3 backdrop_at(const Daylight& light, float height);
 
 /// Copies of one shape on the ground, for a quick look.
 struct Strewn {
@@ -130,7 +162,8 @@ class Grounds {
   Heights heights_;
 };
 
-/// The daylight of a sky, over a ground of that visible colour; `matt`: the linear colour that it reflects.
+/// The daylight of a sky, over a ground of that visible colour; `matt`: the linear colour that it reflects;
+/// `haze`: metres in which two thirds of a colour are lost in clear air.
 Daylight daylight(const Sky& sky, const Color& ground, Vec3 matt, double haze);
 
 /// A linear colour as sRGB, clamped.

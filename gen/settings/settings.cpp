@@ -30,6 +30,38 @@ Color seen_color(Vec3 light) {
   return {part(light.r), part(light.g), part(light.b)};
 }
 
+Vec3 backdrop_at(const Daylight& light, float height) {
+  const std::vector<BackdropStop>& stops = light.backdrop;
+  Vec3 seen = stops.front().light;
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    auto from = static_cast<float>(stops[i - 1].height), to = static_cast<float>(stops[i].height);
+    seen = glm::mix(seen, stops[i].light, std::clamp((height - from) / (to - from), 0.0f, 1.0f));
+  }
+  return seen;
+}
+
+namespace {
+
+/// Under the open sky; all three linear, as the camera sees them.
+FillLight open_fill(Vec3 zenith, Vec3 horizon, Vec3 ground) {
+  float dim = std::min(1.0f, 0.02f + glm::dot(zenith + horizon, Vec3(0.3f, 0.6f, 0.1f)) / 1.25f);
+  return {.above = dim * (0.27f * zenith + 0.5f),
+          .aside = dim * (0.18f * zenith + 0.2f),
+          .below = dim * (0.2f * ground + 0.1f),
+          .eye = dim * (0.08f * zenith + 0.12f)};
+}
+
+/// A clear sky, about, without what the sun adds round it.
+std::vector<BackdropStop> open_backdrop(Vec3 zenith, Vec3 horizon) {
+  return {{0, horizon},
+          {0.06, glm::mix(0.94f * horizon, zenith, 0.06f)},
+          {0.25, glm::mix(horizon, zenith, 0.55f)},
+          {0.6, zenith},
+          {1, 0.85f * zenith}};
+}
+
+}  // namespace
+
 Daylight daylight(const Sky& sky, const Color& ground, Vec3 matt, double haze) {
   Daylight light{.sun = sky.lamp, .sunlight = sky.lamplight, .brightest = 3, .soft = true};
   light.above = sky.cloudy_zenith;
@@ -37,9 +69,13 @@ Daylight daylight(const Sky& sky, const Color& ground, Vec3 matt, double haze) {
   light.thrown_back = 0.48f * matt;  // its textures are darker than the colour
   light.below = light.thrown_back * (0.5f * sky.lamplight * sky.lamp.y + 0.4f * (light.above + light.aside));
   light.zenith = seen_color(sky.zenith);
-  light.horizon = light.fog = seen_color(sky.horizon);
+  light.horizon = seen_color(sky.horizon);
   light.ground = ground;
+  light.fog = 0.9f * sky.horizon + 0.07f * sky.zenith;
   light.fade = haze;
+  Vec3 zenith = linear(light.zenith), horizon = linear(light.horizon);
+  light.backdrop = open_backdrop(zenith, horizon);
+  light.fill = open_fill(zenith, horizon, linear(ground));
   return light;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -22,6 +23,32 @@ namespace {
 
 /// Metres, the side of a square before the wall, wherever that stands.
 double sown_size(double distance) { return std::sqrt(2.0) * distance; }
+
+/// The main light, and what the room gives back: cool from the other side, from above, and along the edge
+/// from behind.
+std::vector<Lamp> studio_lamps(const Studio& studio) {
+  Vec3 key = glm::normalize(studio.key);
+  return {{2.6f * key, 1.28f * Vec3(1.00f, 0.96f, 0.90f), 0.672 * studio.softness, Lamp::Shadows::fine},
+          {2.0f * Vec3(-1.6f * key.x, 0.5f, 0.9f * key.z), 0.26f * Vec3(0.86f, 0.93f, 1.0f)},
+          {Vec3(0, 3, 0.4f), 0.34f * Vec3(0.96f, 0.98f, 1.0f), 4, Lamp::Shadows::coarse},
+          {2.0f * Vec3(-key.x, 0.7f, -0.35f), 0.22f * Vec3(1.0f, 0.98f, 0.95f)}};
+}
+
+Daylight studio_light(const Studio& studio, double stops) {
+  auto exposed = static_cast<float>(std::exp2(stops));
+  Daylight light{.sun = glm::normalize(studio.key), .lamps = studio_lamps(studio)};
+  for (Lamp& lamp : light.lamps) lamp.light *= exposed;
+  light.sunlight = light.lamps.front().light;
+  light.brightest = light.sunlight.r;
+  light.zenith = light.horizon = light.ground = studio.wall;
+  light.fog = linear(studio.wall);
+  light.backdrop = {{0, 0.9f * exposed * light.fog}};
+  light.fill = {.above = exposed * Vec3(0.40f, 0.41f, 0.42f),
+                .aside = exposed * Vec3(0.26f, 0.27f, 0.29f),
+                .below = Vec3(0.10f * exposed),
+                .eye = Vec3(0.08f * exposed)};
+  return light;
+}
 
 /// A level floor that is one with the wall.
 class StudioFloor final : public Grounds {
@@ -41,11 +68,11 @@ class StudioFloor final : public Grounds {
                                    double film_end) const override;
 
  private:
-  /// Where the main light hangs at a time; as Studio_Setting of povinc/frond_studio.inc has it.
+  /// Where the main light hangs at a time.
   Vec3 lamp_at(const Camera& camera, double time) const {
     Vec3 look = camera.look_at.at(time);
     float far = std::max(1.0f, glm::distance(camera.location.at(time), look));
-    return look + glm::normalize(studio_.key) * (2.6f * far);
+    return look + far * studio_lamps(studio_).front().from;
   }
 
   Studio studio_;
@@ -86,13 +113,7 @@ SettingRow studio_setting() {
       [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<StudioFloor>(stage.block<Studio>());
       },
-      [](const Stage& stage) {
-        const auto& studio = stage.block<Studio>();
-        Daylight light{.sun = glm::normalize(studio.key), .sunlight = 1.28f * Vec3(1.00f, 0.96f, 0.90f)};
-        light.brightest = light.sunlight.r;
-        light.zenith = light.horizon = light.fog = light.ground = studio.wall;
-        return light;
-      });
+      [](const Stage& stage) { return studio_light(stage.block<Studio>(), stage.camera.stops()); });
 }
 
 }  // namespace frond

@@ -34,6 +34,16 @@ constexpr double kFloorRadius = 32;  // metres, at least: as far as the water le
 constexpr double kFloorBeyond = 4;   // metres from what stands farthest out to the edge, at least
 constexpr double kSownSize = 44;     // metres, a square within that
 
+/// The water brightens toward the surface.
+std::vector<BackdropStop> water_backdrop(Vec3 fog, Vec3 near) {
+  return {{0, fog},
+          {0.06, 1.15f * near},
+          {0.14, 1.8f * near},
+          {0.28, 2.6f * near},
+          {0.52, 3.6f * near + 0.05f},
+          {1, 4.0f * near + 0.25f}};
+}
+
 /// The water scatters: from above most, from all sides, a little from below.
 Daylight water_light(const Water& water) {
   // What so much clear ocean water leaves of the light, as a share (Kd of Jerlov's type IB at 620, 540 and
@@ -48,7 +58,12 @@ Daylight water_light(const Water& water) {
   light.below = 0.1f * tint;
   light.thrown_back = {0.36f, 0.32f, 0.26f};
   light.zenith = light.horizon = water.near;
-  light.fog = seen_color(0.65f * near + 0.35f * linear(water.deep));
+  light.fog = 0.65f * near + 0.35f * linear(water.deep);
+  light.backdrop = water_backdrop(light.fog, near);
+  light.fill = {.above = 0.6f * tint + 0.5f,
+                .aside = 0.25f * tint + 0.08f,
+                .below = 0.24f * Vec3(0.5f, 0.46f, 0.38f) + 0.15f * tint + 0.02f,
+                .eye = 0.28f * tint + 0.2f};
   light.ground = kSand;
   light.fade = water.visibility;
   return light;

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "core/bounds.h"
-#include "core/linear.h"
 #include "core/parallel.h"
 #include "preset/value.h"
 #include "scene/copies.h"
@@ -18,10 +17,19 @@ namespace frond {
 namespace {
 
 Json light_json(const Daylight& light) {
-  auto seen = [](const Color& c) { return json_of(linear(c)); };
-  return {{"sun", json_of(light.sun)},    {"sunlight", json_of(light.sunlight)},
-          {"sky", seen(light.zenith)},    {"horizon", seen(light.horizon)},
-          {"ground", seen(light.ground)}, {"fog", {{"color", seen(light.fog)}, {"distance", light.fade}}}};
+  Json backdrop = Json::array();
+  for (const BackdropStop& stop : light.backdrop)
+    backdrop.push_back({{"height", stop.height}, {"light", json_of(stop.light)}});
+  const FillLight& fill = light.fill;
+  return {{"sun", json_of(light.sun)},
+          {"sunlight", json_of(light.sunlight)},
+          {"fill",
+           {{"above", json_of(fill.above)},
+            {"aside", json_of(fill.aside)},
+            {"below", json_of(fill.below)},
+            {"eye", json_of(fill.eye)}}},
+          {"backdrop", std::move(backdrop)},
+          {"fog", {{"color", json_of(light.fog)}, {"distance", light.fade}}}};
 }
 
 Json film_json(const Film& film) {

@@ -120,11 +120,12 @@ TEST(Frame, AFilmThatLoopsDoesSoWithItsExposures) {
 
 TEST(Frame, ExposesTheStudioToo) {
   Scene scene = scene_at("tests/presets/tiny_vases.json");
-  ASSERT_TRUE(text_of(scene, 1).find("Studio_Setting(") != std::string::npos);
-  EXPECT_EQ(count(text_of(scene, 1), "Studio_Exposure"), 0u);
+  ASSERT_TRUE(text_of(scene, 1).find("Studio_Room(") != std::string::npos);
+  EXPECT_EQ(count(text_of(scene, 1), "Studio_Lamp("), 4u);
+  EXPECT_EQ(count(text_of(scene, 1), "rgb <1.28,1.2288,1.152>"), 1u) << "the main light";
   scene.stage.camera.exposure = 2;
   scene.stage.camera.highlights = 1;
-  EXPECT_EQ(count(text_of(scene, 1), "#declare Studio_Exposure = 2;"), 1u) << "one stop more";
+  EXPECT_EQ(count(text_of(scene, 1), "rgb <2.56,2.4576,2.304>"), 1u) << "one stop more";
 }
 
 TEST(Frame, RefusesAHoleItDoesNotKnow) {

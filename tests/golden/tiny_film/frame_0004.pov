@@ -8,8 +8,9 @@
 #include "frond_sand.inc"
 #include "frond_coral.inc"
 #include "frond_food.inc"
-Water_Globals()
-Water_Setting(<0.1,0.6,-2.2>,srgb<0.06,0.46,0.62>,rgb <0.003724,0.130153,0.264303>,11,<0.35,1,-0.35>,rgb <2.25,2.205,1.98>,1,"frame_0004.caustics")
+Water_Globals(4)
+#declare Water_Backdrop = array[6]{<0.003724,0.130153,0.264303,0>,<0.005631,0.205698,0.39375,0.06>,<0.008813,0.321961,0.616305,0.14>,<0.01273,0.465055,0.890218,0.28>,<0.067627,0.693923,1.28261,0.52>,<0.269585,0.96547,1.619567,1>};
+Water_Setting(<0.1,0.6,-2.2>,rgb <0.003724,0.130153,0.264303>,11,<0.35,1,-0.35>,rgb <2.25,2.205,1.98>,1,"frame_0004.caustics")
 Water_Particles(<0.1,0.6,-2.2>,<0,0.3,0>,4)
 Water_Surface(<0.1,0.6,-2.2>,srgb<0.06,0.46,0.62>)
 camera{location<1,6,-22> right x*image_width/image_height angle 45 look_at<0,3,0>}

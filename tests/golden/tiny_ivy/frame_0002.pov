@@ -9,7 +9,11 @@
 #include "frond_ivy.inc"
 #include "frond_masonry.inc"
 Studio_Globals()
-Studio_Setting(<0,0.6,-2>,<0,0.5,0>,srgb<0.87,0.86,0.83>,1.5,<-0.6,0.9,-0.8>,rgb <1.28,1.2288,1.152>,1)
+Studio_Room(<0,0.6,-2>,<0,0.5,0>,srgb<0.87,0.86,0.83>,1.5,rgb <0.656412,0.63951,0.590338>)
+Studio_Lamp(<0,0.6,-2>,<0,0.5,0>,<-1.159539,1.739308,-1.546052>,rgb <1.28,1.2288,1.152>,0.672,2)
+Studio_Lamp(<0,0.6,-2>,<0,0.5,0>,<1.427125,1,-1.070343>,rgb <0.2236,0.2418,0.26>,0,0)
+Studio_Lamp(<0,0.6,-2>,<0,0.5,0>,<0,3,-0.4>,rgb <0.3264,0.3332,0.34>,4,1)
+Studio_Lamp(<0,0.6,-2>,<0,0.5,0>,<0.891953,1.4,0.7>,rgb <0.22,0.2156,0.209>,0,0)
 camera{location<0,60,-200> right x*image_width/image_height angle 45 look_at<0,50,0>}
 // The skins, old and young.
 #declare Skin = array[3];

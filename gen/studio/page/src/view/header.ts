@@ -64,13 +64,13 @@ export interface CopiesPart extends PartBase {
 
 export type Part = TubesPart | MeshPart | CopiesPart;
 
-/** Colours of light are linear. `sun` points towards it; `sunlight` is what it gives to what faces it. */
+/** Colours of light are linear. `sun` points towards it; `sunlight` is what it gives to what faces it; `fill` is for all
+ *  that the view does not trace. `backdrop` rises: `height` is the sine of the angle above the horizon. */
 export interface Light {
   sun: Vec3;
   sunlight: Vec3;
-  sky: Vec3;
-  horizon: Vec3;
-  ground: Vec3;
+  fill: { above: Vec3; aside: Vec3; below: Vec3; eye: Vec3 };
+  backdrop: { height: number; light: Vec3 }[];
   fog: { color: Vec3; distance: number };
 }
 

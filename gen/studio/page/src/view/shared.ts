@@ -2,6 +2,9 @@ import { Color, Matrix4, Vector3, Vector4, type IUniform, type Texture } from "t
 
 type Uniforms = Record<string, IUniform>;
 
+/** How many stops the server sends at most. */
+export const BACKDROP_STOPS = 6;
+
 /** What all shaders are told: set in one place before each pass, held by every material. */
 export const shared = (): Uniforms & ReturnType<typeof all> => all();
 
@@ -19,9 +22,7 @@ function all() {
     from_below: { value: new Color() },
     from_eye: { value: new Color() },
     haze: { value: new Vector4() },
-    zenith: { value: new Color() },
-    horizon: { value: new Color() },
-    sky_kind: { value: 0 },
+    backdrop: { value: Array.from({ length: BACKDROP_STOPS }, () => new Vector4()) },
     to_shade: { value: new Matrix4() },
     shade: { value: null as Texture | null },
     shade_texel: { value: 0 },
