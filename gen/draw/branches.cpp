@@ -139,9 +139,10 @@ BranchColors::BranchColors(const DrawnBranches& branches)
     : branches_(branches),
       young_length_(static_cast<float>(branches.look().young_length())),
       longest_(branches.rest().longest()) {
+  Built built = branches.traits.style.build == Build::voxels ? Built::cubes : Built::branches;
   for (std::size_t k = 0; k < branches.look().colors(); ++k) {
     old_.push_back(branches.look().plain(k, branches.traits.brightness));
-    young_.push_back(branches.look().young(k, branches.traits.brightness));
+    young_.push_back(branches.look().young(k, branches.traits.brightness, built));
   }
 }
 

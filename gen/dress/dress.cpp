@@ -4,8 +4,19 @@
 #include <iterator>
 
 #include "core/linear.h"
+#include "dress/skin_colors.h"
 
 namespace frond {
+
+namespace {
+
+Color shown(Vec3 light) { return srgb(glm::clamp(light, Vec3(0), Vec3(1))); }
+
+Vec3 tip_of(const Skin& skin, Built built) {
+  return built == Built::cubes ? young_cube(skin.tint) : young_skin(skin).tissue;
+}
+
+}  // namespace
 
 LeafLook leaves_of(const TreeDress& dress) {
   return dress.season ? with_seasons(dress.leaves, *dress.season) : dress.leaves;
@@ -36,44 +47,41 @@ double BranchLook::gloss() const {
 Color BranchLook::plain(std::size_t color, double brightness) const {
   if (skin) {
     // Walls and pores, as they run together from afar.
-    Tint pores = skin->tint;
-    pores.base = pores.secondary;
-    return mixed(tinted(skin->tint, brightness), tinted(pores, brightness), 0.3f);
+    SkinColors old = old_skin(*skin);
+    auto bright = static_cast<float>(brightness);
+    return mixed(shown(bright * old.tissue), shown(bright * old.pits), 0.3f);
   }
   const Bark& wood = bark ? *bark : Bark{};
   float furrows = bark && wood.kind == BarkKind::bark ? 0.25f : 0.0f;
   return scaled(mixed(wood.colors[color], wood.second, furrows), brightness);
 }
 
-Color BranchLook::young(std::size_t color, double brightness) const {
-  if (skin)
-    return mixed(tinted(skin->tint, brightness), {0.96f, 0.96f, 0.96f},
-                 static_cast<float>(0.62 * skin->tint.young));
+Color BranchLook::young(std::size_t color, double brightness, Built built) const {
+  if (skin) return shown(static_cast<float>(brightness) * tip_of(*skin, built));
   return bark ? scaled(bark->young, brightness) : plain(color, brightness);
 }
 
-namespace {
-
-constexpr float kMostLighter = 8;  // or the tints of old skin would be too dark for eight bits
-
-Vec3 young_light(const Tint& tint, SkinKind kind) {
-  auto young = static_cast<float>(tint.young);
-  if (kind != SkinKind::stony) return Vec3(1 + (kind == SkinKind::fan ? 0.35f : 0.25f) * young);
-  Vec3 base = glm::max(linear(tinted(tint, 1)), Vec3(1e-3f));
-  Vec3 tip = base * 0.55f + Vec3(1, 0.93f, 0.85f) * (0.45f * static_cast<float>(tint.value));
-  return glm::mix(base, tip, 0.85f * young * young) / base;
-}
-
-}  // namespace
-
-Vec3 BranchLook::young_light(std::size_t color) const {
+Vec3 BranchLook::young_light(std::size_t color, Built built) const {
+  constexpr float kMostLighter = 8;  // or the tints of old skin would be too dark for eight bits
   Vec3 light(1);
   if (skin && skin->tint.young_length > 0) {
-    light = frond::young_light(skin->tint, skin->kind);
+    light = tip_of(*skin, built) / glm::max(old_skin(*skin).tissue, Vec3(1e-3f));
   } else if (bark && !coat && bark->young_length > 0) {
     light = linear(bark->young) / glm::max(linear(bark->colors[color]), Vec3(1e-3f));
   }
   return glm::min(light, Vec3(kMostLighter));
+}
+
+Vec3 BranchLook::cube(std::size_t color, float age, float shade) const {
+  Vec3 old, second, tip;
+  if (skin) {
+    SkinColors colors = old_skin(*skin);
+    old = colors.tissue, second = colors.pits, tip = young_cube(skin->tint);
+  } else {
+    old = linear(bark->colors[color]), second = linear(bark->second), tip = linear(bark->young);
+  }
+  float dark = 0.16f * (1 - shade);
+  return glm::mix(glm::mix(old, tip, age) * (0.80f + 0.40f * shade), second, dark);
 }
 
 Vec3 BranchLook::albedo() const {
@@ -94,15 +102,6 @@ TubeShape BranchLook::tube_shape(std::span<const float> girth) const {
 Color scaled(Color c, double factor) {
   auto part = [&](float x) { return static_cast<float>(std::clamp(x * factor, 0.0, 1.0)); };
   return {part(c.red), part(c.green), part(c.blue)};
-}
-
-Color tinted(const Tint& tint, double brightness) {
-  // Turned round grey, with saturation and value.
-  Vec3 c(tint.base.red, tint.base.green, tint.base.blue);
-  c = glm::angleAxis(static_cast<float>(tint.hue), glm::normalize(Vec3(1))) * c;
-  float grey = c.x * 0.30f + c.y * 0.59f + c.z * 0.11f;
-  c = glm::mix(Vec3(grey), c, static_cast<float>(tint.saturation));
-  return scaled({c.x, c.y, c.z}, tint.value * brightness);
 }
 
 Vec3 mean(const std::vector<Color>& colors) {

@@ -23,6 +23,9 @@ struct BladeLook {
   Tissue tissue = Tissue::leaf;                      ///< leaf or petal
 };
 
+/// Whether branches are drawn as they are or as cubes, whose tips are paler.
+enum class Built { branches, cubes };
+
 /// What branches are made of: nothing, the skin of a coral, or the bark of a plant.
 struct BranchLook {
   std::optional<Skin> skin = {};
@@ -51,10 +54,12 @@ struct BranchLook {
   bool metal() const { return bark && bark->kind == BarkKind::metal; }
   /// sRGB, as branches look from afar, by the turtle's colour: of old skin and of young.
   Color plain(std::size_t color, double brightness) const;
-  Color young(std::size_t color, double brightness) const;
-  /// By how much more light growing tips give back than old skin, channel by channel, as povinc/ has it. 1
-  /// where tips are as the rest.
-  Vec3 young_light(std::size_t color) const;
+  Color young(std::size_t color, double brightness, Built built) const;
+  /// By how much more light growing tips give back than old skin, channel by channel. 1 where tips are as the
+  /// rest.
+  Vec3 young_light(std::size_t color, Built built) const;
+  /// Linear, of a cube: `age` 0 old .. 1 young; `shade`, 0..1, tells cubes apart.
+  Vec3 cube(std::size_t color, float age, float shade) const;
   /// Linear, what they throw back of white light, about.
   Vec3 albedo() const;
   /// Tubes for the picture, of branches as thick as they will come to be by `girth`. Without `twigs` those
@@ -62,8 +67,7 @@ struct BranchLook {
   TubeShape tube_shape(std::span<const float> girth = {}) const;
 };
 
-/// The colour of a coral as povinc/frond_coral.inc has it.
-Color tinted(const Tint& tint, double brightness);
+/// A colour times a factor, clamped.
 Color scaled(Color color, double factor);
 
 /// The mean of some colours, linear.

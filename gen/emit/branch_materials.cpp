@@ -6,7 +6,8 @@
 #include <array>
 
 #include "core/text.h"
-#include "scene/bleaching.h"
+#include "dress/bleaching.h"
+#include "dress/skin_colors.h"
 
 namespace frond {
 
@@ -49,7 +50,7 @@ void append_skin(std::string& text, const PovSpace& space, const DrawnBranches& 
     append_integer(text, static_cast<long long>(index));
   };
   if (std::array<float, 2> light = light_along(b, chunk);
-      std::min(light[0], light[1]) < kLivingLight && length2 >= 1e-10f) {
+      std::min(light[0], light[1]) < kBleaching.living_light && length2 >= 1e-10f) {
     append_macro("Coral_Starved(");
     append_slope(chunk.young_from, chunk.young_to);
     append_slope(light[0], light[1]);
@@ -85,31 +86,55 @@ void append_bark(std::string& text, const Bark& bark, double brightness, std::si
   }
 }
 
+/// `0,<tissue>,<pits>,<tissue>,<pits>,`: the kind of a skin, and its colours in two states.
+void append_skin_colors(std::string& text, SkinKind kind, float brightness, const SkinColors& one,
+                        const SkinColors& other) {
+  append_integer(text, static_cast<int>(kind));
+  text += ',';
+  for (Vec3 light : {one.tissue, one.pits, other.tissue, other.pits}) {
+    append_light(text, brightness * light);
+    text += ',';
+  }
+}
+
 }  // namespace
+
+void append_bleaching(std::string& text) {
+  const Bleaching& b = kBleaching;
+  text += "#declare Bleaching = array[5]{<";
+  append_list(text, 5, b.dead_light, b.pale_light, b.living_light);
+  text += ">,";
+  append_light(text, b.lime);
+  text += ',';
+  append_light(text, b.turf);
+  text += ",<";
+  append_list(text, 5, b.kept, b.lime_least, b.lime_by_gray);
+  text += ">,<";
+  append_list(text, 5, b.turf_least, b.turf_by_gray, b.most_gray);
+  text += ">};\n";
+}
 
 void append_skin_declarations(std::string& text, const BranchLook& look, double brightness, std::size_t first,
                               bool starving, std::string_view name) {
   if (look.bark) return append_bark(text, *look.bark, brightness, first, name);
   if (!look.skin) return;
-  const Pores& pores = look.skin->pores;
-  const Tint& tint = look.skin->tint;
-  std::string of = "(";
-  append_integer(of, static_cast<long long>(first));
-  of += ',';
-  append_integer(of, static_cast<int>(look.skin->kind));
-  of += ',';
-  append_color(of, tint.base);
-  of += ',';
-  append_color(of, tint.secondary);
-  of += ',';
-  append_list(of, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
-              brightness, tint.young);
-  of += ") ";
-  text += "Coral_Skin" + of;
-  if (starving) text += "Coral_Starving" + of;
+  const Skin& skin = *look.skin;
+  auto bright = static_cast<float>(brightness);
+  auto append_call = [&](std::string_view macro, const SkinColors& one, const SkinColors& other) {
+    text += macro;
+    text += '(';
+    append_integer(text, static_cast<long long>(first));
+    text += ',';
+    append_skin_colors(text, skin.kind, bright, one, other);
+    append_list(text, 5, skin.pores.cell, skin.pores.warp, skin.pores.depth);
+    text += ") ";
+  };
+  append_call("Coral_Skin", old_skin(skin), young_skin(skin));
+  if (starving) append_call("Coral_Starving", bleached_skin(skin), dead_skin(skin));
   if (double glow = look.skin->polyps.glow; glow > 0) {
-    std::string skin = "Skin[" + number_text(static_cast<double>(first)) + "]";
-    text += "#declare " + skin + " = texture{" + skin + " Reef_Glow(" + number_text(glow) + ")} ";
+    std::string name_of_skin = "Skin[" + number_text(static_cast<double>(first)) + "]";
+    text +=
+        "#declare " + name_of_skin + " = texture{" + name_of_skin + " Reef_Glow(" + number_text(glow) + ")} ";
   }
   append_comment(text, name);
 }
@@ -152,20 +177,11 @@ ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 
 std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,
                          int shade) {
   std::string text = "texture{Voxel_Skin(";
-  auto add_colors = [&](const Color& base, const Color& second, const Color& young) {
-    for (const Color& c : {base, second, young}) append_color(text, c), text += ',';
-  };
-  double hue = 0, saturation = 1;
-  if (look.bark) {
-    add_colors(look.bark->colors[color], look.bark->second, look.bark->young);
-  } else {
-    const Tint& t = look.skin->tint;
-    auto pale = [&](float c) { return static_cast<float>(c + (0.96 - c) * 0.62 * t.young); };
-    add_colors(t.base, t.secondary, {pale(t.base.red), pale(t.base.green), pale(t.base.blue)});
-    brightness *= t.value, hue = degrees(t.hue), saturation = t.saturation;
-  }
-  append_list(text, 4, hue, saturation, brightness, age / (kCubeAges - 1.0), shade / (kCubeShades - 1.0),
-              side);
+  append_light(text,
+               static_cast<float>(brightness) * look.cube(color, static_cast<float>(age) / (kCubeAges - 1),
+                                                          static_cast<float>(shade) / (kCubeShades - 1)));
+  text += ',';
+  append(text, side, 4);
   return text + ")}";
 }
 
@@ -177,15 +193,10 @@ std::string copy_texture(const BranchLook& look) {
     return text + ",T)";
   }
   if (look.skin) {
-    const Pores& pores = look.skin->pores;
-    const Tint& tint = look.skin->tint;
-    text = fmt::format("Copy_Coral({},", static_cast<int>(look.skin->kind));
-    append_color(text, tint.base);
-    text += ',';
-    append_color(text, tint.secondary);
-    text += ',';
-    append_list(text, 5, pores.cell, pores.warp, pores.depth, degrees(tint.hue), tint.saturation, tint.value,
-                tint.young);
+    const Skin& skin = *look.skin;
+    text = "Copy_Coral(";
+    append_skin_colors(text, skin.kind, 1, old_skin(skin), young_skin(skin));
+    append_list(text, 5, skin.pores.cell, skin.pores.warp, skin.pores.depth);
     return text + ",T)";
   }
   Bark plain;

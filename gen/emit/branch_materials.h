@@ -28,6 +28,9 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnB
 /// has grown. Where the eye is near, its furrows are let in.
 ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye);
 
+/// Declares `Bleaching`, by which macros know what becomes of living skin in the shade.
+void append_bleaching(std::string& text);
+
 inline constexpr int kCubeAges = 4, kCubeShades = 4;
 /// `texture{Voxel_Skin(...)}` of cubes of one colour, age and shade, and a side in metres.
 std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,

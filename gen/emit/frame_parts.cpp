@@ -20,6 +20,12 @@ namespace {
 
 constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
 
+/// Whether neighbours take light from it.
+bool is_shaded(const Specimen& b) {
+  return !b.model.light.empty() ||
+         std::ranges::any_of(b.model.solids.shapes, [](const Solid& s) { return !s.light.empty(); });
+}
+
 /// Puts what is the same in all frames of a film into a file that they include, named by what is in it.
 void put_aside(std::string& text, std::vector<Picture>& files) {
   if (text.size() < kAside) return;
@@ -44,6 +50,7 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool aside) {
   std::string count = number_text(static_cast<double>(std::max<std::size_t>(1, skins)));
   parts.materials =
       "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
+  if (std::ranges::any_of(scene.specimens, is_shaded)) append_bleaching(parts.materials);
   if (std::ranges::any_of(scene.specimens, [](const Specimen& b) { return !b.model.light.empty(); }))
     parts.materials +=
         "#declare Skin_Bleached = array[" + count + "];\n#declare Skin_Dead = array[" + count + "];\n";

@@ -72,6 +72,12 @@ void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimal
   text += '>';
 }
 
+void append_light(std::string& text, Vec3 light) {
+  text += '<';
+  append_list(text, kDecimals, light.r, light.g, light.b);
+  text += '>';
+}
+
 void append_direction(std::string& text, Vec3 direction) {
   text += '<';
   append_list(text, kDecimals, direction.x, direction.y, -direction.z);

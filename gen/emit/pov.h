@@ -45,6 +45,9 @@ void append_direction(std::string& text, Vec3 direction);
 [[nodiscard]] bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& matrix,
                                  Vec3 shift);
 
+/// Appends `<r,g,b>` of linear light.
+void append_light(std::string& text, Vec3 light);
+
 /// Appends `srgb <r,g,b>`.
 void append_color(std::string& text, const Color& color);
 

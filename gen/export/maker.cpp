@@ -7,9 +7,9 @@
 
 #include "core/linear.h"
 #include "core/printable.h"
+#include "dress/bleaching.h"
 #include "export/bodies.h"
 #include "geometry/far.h"
-#include "scene/bleaching.h"
 
 namespace frond {
 
@@ -46,7 +46,7 @@ double solid_triangles(const ExportScene& exported, const std::vector<ExportPart
 }
 
 Vec3 starved(float light, Vec3 color) {
-  return glm::min(bleached(color, light) / glm::max(color, Vec3(1e-4f)), Vec3(1));
+  return glm::min(starved_color(color, light) / glm::max(color, Vec3(1e-4f)), Vec3(1));
 }
 
 ExportTint tint_of(Vec3 light) {

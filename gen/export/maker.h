@@ -43,7 +43,7 @@ struct Maker {
 };
 
 ExportTint tint_of(Vec3 light);
-/// The factor on a coral's skin of a linear colour for what is left of its light; see bleached().
+/// The factor on a coral's skin of a linear colour for what is left of its light; see starved_color().
 Vec3 starved(float light, Vec3 color);
 
 /// How many triangles parts have; without leaves, of which each has as few as it can.

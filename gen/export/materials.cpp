@@ -144,7 +144,8 @@ Errors Palette::draw() {
 Palette::Use Palette::branches(const Look& look, double brightness, std::size_t color,
                                const std::string& name, bool ages) {
   int pixels = options_.texture;
-  Vec3 young = ages ? look.branches.young_light(color) : Vec3(1), most = glm::max(young, Vec3(1));
+  Vec3 young = ages ? look.branches.young_light(color, Built::branches) : Vec3(1),
+       most = glm::max(young, Vec3(1));
   ExportMaterial made;
   made.factor = scaled({1, 1, 1}, brightness);
   if (look.branches.coat) {
@@ -181,7 +182,8 @@ std::pair<double, double> Palette::picture_size(const BranchLook& look) {
 
 Palette::Use Palette::cubes(const BranchLook& look, double brightness, std::size_t color, double side,
                             const std::string& name) {
-  Vec3 young = options_.tints ? look.young_light(color) : Vec3(1), most = glm::max(young, Vec3(1));
+  Vec3 young = options_.tints ? look.young_light(color, Built::cubes) : Vec3(1),
+       most = glm::max(young, Vec3(1));
   ExportMaterial made;
   made.color = lighter(look.plain(color, brightness), most);
   made.gloss = 0.2;

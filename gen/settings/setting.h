@@ -81,9 +81,9 @@ struct Daylight {
   float brightest = 1;  ///< the maximum of that, used to set the exposure
   bool soft = false;    ///< whether there is diffuse light from all around, besides lamps
   Vec3 above{0}, aside{0},
-      below{0};             ///< the diffuse light: of the sky above and at the horizon, and from below it
-  Vec3 thrown_back{0.2f};   ///< share of light reflected by the land
-  std::vector<Lamp> lamps = {};  ///< where there are any, the first is the main light
+      below{0};            ///< the diffuse light: of the sky above and at the horizon, and from below it
+  Vec3 thrown_back{0.2f};  ///< share of light reflected by the land
+  std::vector<Lamp> lamps = {};                  ///< where there are any, the first is the main light
   Color zenith = {}, horizon = {}, ground = {};  ///< as the camera sees them
   std::vector<BackdropStop> backdrop{{}};  ///< from the horizon up; at least one, at most kBackdropStops
   Vec3 fog{0};                             ///< light of the air, to which far things fade

@@ -17,7 +17,7 @@ TEST(BranchLook, TipsOfCoralsArePalerByHowYoungTheyAre) {
   double before = light_of(look.plain(0, 1));
   for (double young : {0.2, 0.6, 1.0}) {
     look.skin->tint.young = young;
-    double tip = light_of(look.young(0, 1));
+    double tip = light_of(look.young(0, 1, Built::branches));
     EXPECT_GT(tip, before) << young;
     before = tip;
   }

@@ -16,7 +16,7 @@ camera{location<0,5,-16> right x*image_width/image_height angle 45 look_at<0,2.5
 // The skins, old and young.
 #declare Skin = array[1];
 #declare Skin_Pigment = array[1][2];
-Coral_Skin(0,0,srgb<0.85,0.45,0.35>,srgb<0.45,0.14,0.14>,0.018,0.25,0.8,0,1,1,1.04534,0.6) // tuft
+Coral_Skin(0,0,<0.7234,0.1784,0.105>,<0.1784,0.0182,0.0182>,<0.7678,0.2877,0.2129>,<0.3552,0.099,0.0766>,0.018,0.25,0.8) // tuft
 
 object{
 mesh2{
