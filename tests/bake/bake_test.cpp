@@ -28,7 +28,7 @@ struct Sample {
   Swatch swatch;
 };
 
-/// Every matter and skin that has a pattern.
+/// Every matter and skin that has a pattern; of matter, a piece as wide as exports draw.
 std::vector<Sample> samples() {
   std::vector<Sample> made;
   auto add = [&](std::string name, std::string_view include, std::string before, std::string texture,
@@ -45,7 +45,7 @@ std::vector<Sample> samples() {
         Matter::karst, Matter::basalt, Matter::polyps, Matter::meander, Matter::sponge, Matter::reef}) {
     Material material{.matter = matter, .moss = 0.3};
     add(fmt::format("matter {}", static_cast<int>(matter)), material_include(material), "",
-        material_text(material), 0.6);
+        material_text(material), row_of(matter).widths * material.scale);
   }
   auto add_branches = [&](const char* name, const BranchLook& look, double wide) {
     std::string before = "#declare Skin=array[1];#declare Skin_Pigment=array[1][2];";
