@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kApart = 0.85;              // of their width: how near polyps stand to each other
 constexpr float kSeen = 1.2f, kGone = 0.6f;  // pixels that one is wide
-constexpr double kYoung = 0.06;              // of the growth, after which a place bears its polyp
+/// Of the lots that turn and size polyps: those of one number are alike on all corals.
+constexpr Seed kPolypLots{77};
+constexpr double kYoung = 0.06;  // of the growth, after which a place bears its polyp
 
 /// Places of the grown skin that are at least so far apart.
 std::vector<SurfacePoint> spots_of(const Surface& skin, float apart) {
@@ -57,7 +59,7 @@ double grown_since(double born, double front) { return smooth_step(born, born + 
 }  // namespace
 
 void DrawnPolyps::add(std::size_t n, Vec3 at, Vec3 normal, double grown) {
-  Seed own = Seed{77}.child(n);
+  Seed own = kPolypLots.child(n);
   auto size = static_cast<float>(polyps->width * own.child(0).range(0.8, 1.15) * grown);
   Vec3 to_eye = eye.at - at;
   float distance = glm::length(to_eye);

@@ -15,8 +15,9 @@ struct BarkCoat {
   double furrow = 0.3;  ///< depth cut into the mesh when the camera is near, as a share of a ridge's width
   double facet = 0.03;  ///< metres, about the width of a side of the mesh
   double moss = 0;      ///< 0 none .. 1: thickness at the foot
-  double moss_height = 1.2;  ///< metres, the highest moss
-  double twigs = 0;          ///< metres; branches that begin thinner than this are sweeps, without a picture
+  double moss_height = 1.2;               ///< metres, the highest moss
+  Color tone{0.6343f, 0.6012f, 0.5564f};  ///< by which tints of copies turn the picture's colours
+  double twigs = 0;  ///< metres; branches that begin thinner than this are sweeps, without a picture
 };
 
 /// File names of its two pictures: colour and height.

@@ -247,6 +247,8 @@ void describe(Visitor& v, BarkCoat& c) {
   v.number("moss", c.moss, {.min = 0, .max = 1}, "How much moss grows on it, most at the foot");
   v.number("moss_height", c.moss_height, {.min = 0.01, .max = 100, .unit = "m"},
            "Height above its foot to which that comes up");
+  v.color("tone", c.tone,
+          "Colour that a tint of copies is reckoned for; all of the bark changes as this colour does");
   v.number("twigs", c.twigs, {.min = 0, .max = 10, .unit = "m"},
            "Branches that begin with a smaller radius than this wear the plain bark instead");
 }

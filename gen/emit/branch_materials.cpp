@@ -190,6 +190,8 @@ std::string copy_texture(const BranchLook& look) {
   if (look.coat) {
     text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*look.coat), bark_height_name(*look.coat));
     append(text, look.coat->relief, 4);
+    text += ',';
+    append_color(text, look.coat->tone);
     return text + ",T)";
   }
   if (look.skin) {

@@ -111,7 +111,7 @@ std::string lamp_text(const Sky& sky) {
 std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air) {
   return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) +
          "," + lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
-         number_text(meadow.hills) + ")";
+         number_text(meadow.hills) + "," + number_text(meadow.hills_distance) + ")";
 }
 
 void append_name(std::string& text, std::string_view name, std::size_t index) {

@@ -11,16 +11,17 @@ namespace frond {
 
 /// An outdoor scene by day, in summer by default.
 struct Meadow {
-  Vec3 sun{0.5f, 0.75f, 0.6f};   ///< toward the sun, if there is no hour
-  Vec3 moon{0.4f, 0.6f, -0.5f};  ///< toward the moon
-  std::optional<double> hour;    ///< replaces the hour of the moment below
+  Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun, if there is no hour
+  Vec3 moon = SkyShape{}.moon;  ///< toward the moon
+  std::optional<double> hour;   ///< replaces the hour of the moment below
   Moment when;
   double turbidity = 2.5;                ///< see SkyShape
   std::optional<Color> zenith, horizon;  ///< of the sky overhead and at the horizon; none: computed
   Color grass{0.39f, 0.46f, 0.17f};
-  double haze = 6000;    ///< metres in which two thirds of a colour are lost
-  double clouds = 0.45;  ///< 0 none .. 1 overcast
-  double hills = 1;      ///< factor of the heights of distant hills and woods
+  double haze = 6000;           ///< metres in which two thirds of a colour are lost
+  double clouds = 0.45;         ///< 0 none .. 1 overcast
+  double hills = 1;             ///< factor of the heights of distant hills and woods
+  double hills_distance = 122;  ///< metres from the middle to the nearest of them
   std::optional<MountainShape> mountain;
   LawnShape lawn;
 };
