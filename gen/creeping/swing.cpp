@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/loop.h"
+
 namespace frond {
 
 namespace {
@@ -27,12 +29,6 @@ std::vector<Run> runs_of(const Strands& s) {
       runs.push_back({first, i, i + 1 < end});
     }
   return runs;
-}
-
-/// Cycles a second, made to fit whole times into a film that repeats.
-double fitted(double rate, double film_length) {
-  if (film_length <= 0) return rate;
-  return std::max(std::round(rate * film_length), 1.0) / film_length;
 }
 
 /// The turn by small angles about two level axes at once.
@@ -71,9 +67,9 @@ void swing_strands(const Strands& strands, const Breeze& breeze, double time, st
     // Each strand has its own moment; frequencies are those of a heavy chain: j0 of the Bessel function.
     double phase = breeze.phase + 2 * kPi * Seed{static_cast<std::uint64_t>(run.first)}.child(7).unit();
     double slow_rate = 1.2024 * std::sqrt(kGravity / length) / (2 * kPi);
-    double slow = 2 * kPi * fitted(slow_rate, breeze.film_length) * time + phase;
-    double fast = 2 * kPi * fitted(2.295 * slow_rate, breeze.film_length) * time + 2.4 * phase;
-    double gust = 2 * kPi * fitted(0.31 * slow_rate, breeze.film_length) * time + 1.7 * phase;
+    double slow = 2 * kPi * looping_rate(slow_rate, breeze.film_length) * time + phase;
+    double fast = 2 * kPi * looping_rate(2.295 * slow_rate, breeze.film_length) * time + 2.4 * phase;
+    double gust = 2 * kPi * looping_rate(0.31 * slow_rate, breeze.film_length) * time + 1.7 * phase;
     double push = 0.35 + 0.3 * std::sin(gust) + 0.35 * std::sin(slow);
     for (std::int32_t i = run.first; i <= run.last; ++i) {
       double share = (rest.distance[i] - rest.distance[root]) / length;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/loop.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "draw/eyes.h"
@@ -48,8 +49,7 @@ bool carries_pattern(const SownStand& stand, const Film& film) {
 Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
   Vec2 wind(wave.direction.x, wave.direction.z);
   wind = glm::length(wind) > 1e-6f ? glm::normalize(wind) : Vec2(1, 0);
-  double speed = wave.speed;
-  if (wave.loop && film_length > 0) speed = std::max(1.0, std::round(speed * film_length)) / film_length;
+  double speed = wave.loop ? looping_rate(wave.speed, film_length) : wave.speed;
   double along = glm::dot(Vec2(at.x, at.z), wind) / wave.length;
   double own =
       Seed{static_cast<std::uint64_t>(std::llround(at.x * 100) * 65537 + std::llround(at.z * 100))}.unit();

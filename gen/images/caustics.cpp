@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/loop.h"
 #include "core/parallel.h"
 #include "core/seed.h"
 #include "core/vec.h"
@@ -27,8 +28,8 @@ std::array<WaveTrain, kWaves> waves_of(const Caustics& caustics) {
     double heading = 2 * kPi * (i * 0.381966 + 0.1 * seed.child("heading").unit());
     // Whole numbers of crests, so that the square fits on itself.
     double a = std::floor(length * std::cos(heading) + 0.5), b = std::floor(length * std::sin(heading) + 0.5);
-    double crests = std::hypot(a, b), speed = 1.1 * std::sqrt(crests) / (2 * kPi);  // turns a second
-    if (caustics.loop > 0) speed = std::max(1.0, std::floor(speed * caustics.loop + 0.5)) / caustics.loop;
+    double crests = std::hypot(a, b);
+    double speed = looping_rate(1.1 * std::sqrt(crests) / (2 * kPi), caustics.loop);  // turns a second
     WaveTrain& wave = waves[static_cast<std::size_t>(i)];
     wave.x = 2 * kPi * a;
     wave.z = 2 * kPi * b;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/loop.h"
 #include "core/seed.h"
 
 namespace frond {
@@ -87,8 +88,7 @@ Quat fluttering(const Flutter& flutter, double film_length, double time, Vec3 pl
   if (flutter.amplitude <= 0 || supple <= 0 || film_length <= 0) return Quat(1, 0, 0, 0);
   Seed own = Seed{id}.child("flutter");
   auto swing = [&](double speed, double phase) {
-    double whole = std::max(1.0, std::round(speed * film_length));
-    return std::sin(2 * kPi * whole * time / film_length + phase);
+    return std::sin(2 * kPi * whole_turns(speed, film_length) * time / film_length + phase);
   };
   Vec3 flat(flutter.direction.x, 0, flutter.direction.z);
   if (glm::dot(flat, flat) > 0) flat = glm::normalize(flat);
