@@ -39,10 +39,10 @@ bool moves(const SownStand& stand, const Film& film) {
   return sways(stand, film) || copy_growth(stand.organism, film, 0).has_value();
 }
 
-/// Whether each copy carries its pattern with it, as the skin of corals must; else what is drawn on copies
+/// Whether each copy carries its pattern with it, as the skin of colonies must; else what is drawn on copies
 /// lies in the world, or on their `uv`, which costs less.
 bool carries_pattern(const SownStand& stand, const Film& film) {
-  return moves(stand, film) && stand.organism.grower->stage() == GrowthStage::in_space;
+  return moves(stand, film) && stand.organism.grower->is_colony();
 }
 
 /// How far the wind bends something at a place over, as a shear: metres a metre of height.

@@ -21,15 +21,19 @@ const SettingText& text_of(const Stage& stage) {
   return rows[stage.setting];
 }
 
+void add_missing(std::vector<std::string_view>& names, std::initializer_list<std::string_view> more) {
+  for (std::string_view name : more)
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
 }  // namespace
 
 std::string includes_text(const Scene& scene) {
   auto any = [&](auto has) { return std::ranges::any_of(scene.specimens, has); };
   std::vector<std::string_view> names = text_of(scene.stage).includes;
-  bool water = std::ranges::find(names, "water") != names.end();  // food may drift there in any case
-  if (water || any([](const Specimen& s) { return include_of(s.look.branches) == "coral"; }))
-    names.insert(names.end(), {"coral", "food"});
-  if (any([](const Specimen& s) { return include_of(s.look.branches) == "plant"; })) names.push_back("plant");
+  if (any([](const Specimen& s) { return s.look.branches.skin.has_value(); }))
+    add_missing(names, {"coral", "food"});
+  if (any([](const Specimen& s) { return s.look.branches.bark.has_value(); })) add_missing(names, {"plant"});
   if (!scene.drawings.empty()) names.push_back("tree");
   if (any([](const Specimen& s) { return s.style.build == Build::voxels; })) names.push_back("voxel");
   if (any([](const Specimen& s) { return s.life.hanging.has_value(); })) names.push_back("ivy");

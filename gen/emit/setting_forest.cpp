@@ -14,11 +14,11 @@ std::string wood_text(const Scene& scene, double time) {
   return globals_text("Meadow") + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) +
          "," + lamp_text(sky) + "," + vector_text(light.fog) + "," + number_text(light.fade) + "," +
          vector_text(light.mist) + "," + number_text(forest.mist) + "," +
-         number_text(static_cast<const ForestGround&>(*scene.ground).valley) + ")";
+         number_text(ground_as<ForestGround>(*scene.ground).valley) + ")";
 }
 
 std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
-  const ForestCover& cover = static_cast<const ForestGround&>(*scene.ground).cover;
+  const ForestCover& cover = ground_as<ForestGround>(*scene.ground).cover;
   std::string litter = color_text(scene.stage.block<Forest>().litter);
   std::string green = color_text(scene.stage.block<Forest>().green);
   std::string text = floor_text(space, scene, "Forest_Ground(" + litter + "," + green + ")");

@@ -176,7 +176,7 @@ void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, Sur
 }  // namespace
 
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel) {
-  const auto& lawn = static_cast<const Lawn&>(*scene.ground);
+  const auto& lawn = ground_as<Lawn>(*scene.ground);
   std::string green = color_text(grass);
   std::string text = floor_text(space, scene, "Meadow_Ground(" + green + ")");
   append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}");

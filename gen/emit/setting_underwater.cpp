@@ -76,12 +76,14 @@ void append_stones(std::string& text, const PovSpace& space, const SeaFloor& flo
 
 std::string sea_floor_text(const PovSpace& space, const Scene& scene) {
   std::string text = floor_text(space, scene, "Sand_Texture()");
-  append_stones(text, space, static_cast<const SeaFloor&>(*scene.ground));
+  append_stones(text, space, ground_as<SeaFloor>(*scene.ground));
   return text;
 }
 
 }  // namespace
 
-SettingText underwater_text() { return {{"water", "sand"}, water_text, sea_floor_text, caustics}; }
+SettingText underwater_text() {  // Food may drift there in any case.
+  return {{"water", "sand", "coral", "food"}, water_text, sea_floor_text, caustics};
+}
 
 }  // namespace frond

@@ -153,7 +153,7 @@ double number_of(const Organism& organism) {
 double left_in_shade(const Preset& preset) {
   double crowns = 0, reach = 0;
   for (const Organism& o : preset.organisms) {
-    if (o.sown || o.grower->stage() != GrowthStage::in_light) continue;
+    if (o.sown || !o.grower->shares_light()) continue;
     double crown = kCrown * o.grower->tallest();
     crowns += number_of(o) * crown * crown;
     reach = std::max(reach, reach_of(o) + crown);
@@ -251,7 +251,7 @@ Result<Sums> sums_of(const Preset& preset) {
     Result<SizeEstimate> sized = grower.estimate_size(seed);
     if (!sized) return sized.errors();
     SizeEstimate& size = *sized;
-    if (!organism.sown && grower.stage() == GrowthStage::in_light) {
+    if (!organism.sown && grower.shares_light()) {
       size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
     }
     Dress dress = grower.dress();

@@ -53,6 +53,7 @@ class ColonyGrower : public LoneGrower {
   virtual Result<Model> grow_at(const Surroundings& around, Seed seed) const = 0;
 
   GrowthStage stage() const final { return GrowthStage::in_space; }
+  bool is_colony() const final { return true; }
   Result<Model> grow_alone(Seed seed) const final { return grow_at(Surroundings(), seed); }
   std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
   bool develops(bool) const override { return false; }

@@ -128,6 +128,15 @@ class Grower {
   virtual std::optional<Result<Grammar>> grammar() const = 0;
   /// The names of the organisms that it grows on; nullptr if it does not grow on others.
   virtual const std::vector<std::string>* hosts() const = 0;
+  /// Whether it is a colony: a coral or a sponge.
+  virtual bool is_colony() const { return false; }
+  /// Whether it creeps over other organisms.
+  bool creeps() const { return hosts() != nullptr; }
+  /// Whether it may stand on bodies, as `place.on` says: what competes for space may.
+  bool stands_on_bodies() const { return stage() == GrowthStage::in_space; }
+  /// Whether all of its kind grow in one light.
+  bool shares_light() const { return stage() == GrowthStage::in_light; }
+  bool swims() const { return stage() == GrowthStage::swimming; }
   /// Its claim in the space that colonies compete for; none: it does not compete.
   virtual std::optional<Spread> spread() const = 0;
 

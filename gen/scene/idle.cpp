@@ -100,7 +100,7 @@ class Finder {
       if (const Value* value = at(written, fmt::format("/place/{}", name)))
         note(*value, fmt::format("{}/place/{}", pointer, name), why);
     };
-    bool ivy = organism.grower->hosts() != nullptr;
+    bool ivy = organism.grower->creeps();
     if (ivy || organism.sown)
       for (std::string_view name : kScatter)
         idle(name,
@@ -109,9 +109,9 @@ class Finder {
       for (std::string_view name : kStance) idle(name, "ivy takes the shape of its host");
     if (!ivy && !organism.sown && organism.place.rock > 0 && !rocks_)
       idle("rock", "rocks lie under water only");
-    bool colony = organism.grower->stage() == GrowthStage::in_space && !organism.sown;
     for (std::string_view name : {"on", "upright"})
-      if (!colony) idle(name, "only corals and their like that are not sown stand on bodies");
+      if (organism.sown || !organism.grower->stands_on_bodies())
+        idle(name, "only corals and their like that are not sown stand on bodies");
     check_body(organism, written, pointer);
     bool drawn = organism.grower->branches() && !organism.sown;
     find_unmet(written, [&](const Value& value, const std::string& at, std::string_view need) {

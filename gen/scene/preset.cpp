@@ -43,7 +43,7 @@ void check_organism(const Organism& organism, const Value& written, std::size_t 
           fmt::format(
               "lies off the ground, which reaches {:g} m here; expected a place within that of the middle",
               reach)));
-  if (organism.sown && organism.grower->hosts())
+  if (organism.sown && organism.grower->creeps())
     faults.add(organism_fault(written, index, "/sown",
                               "ivy cannot be sown, for it grows on what stands; expected another kind"));
   auto add = [&](Faults& list, const Errors& errors) {
@@ -65,7 +65,8 @@ std::string host_fault(const std::string& name, const std::vector<std::string_vi
 void check_hosts(const Preset& preset, Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
-    if (!organism.name.empty() && !organism.sown && !organism.grower->hosts()) names.push_back(organism.name);
+    if (!organism.name.empty() && !organism.sown && !organism.grower->creeps())
+      names.push_back(organism.name);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     auto check = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
       for (std::size_t k = 0; k < hosts.size(); ++k)
@@ -75,7 +76,7 @@ void check_hosts(const Preset& preset, Faults& faults) {
     };
     const Organism& organism = preset.organisms[i];
     if (const std::vector<std::string>* hosts = organism.grower->hosts()) check("/on", *hosts);
-    if (organism.grower->stage() == GrowthStage::in_space) check("/place/on", organism.place.on);
+    if (organism.grower->stands_on_bodies()) check("/place/on", organism.place.on);
   }
 }
 

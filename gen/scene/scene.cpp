@@ -119,8 +119,7 @@ Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vecto
   std::size_t steps = 0;
   for (const Bed& bed : beds) steps += steps_of(bed);
   watch.begin("grow", steps);
-  bool swims = std::ranges::any_of(
-      beds, [](const Bed& bed) { return bed.organism->grower->stage() == GrowthStage::swimming; });
+  bool swims = std::ranges::any_of(beds, [](const Bed& bed) { return bed.organism->grower->swims(); });
   if (swims) world.lay(strewn_surface(ground));
   return grow_stages(preset, beds, ground.floor(), watch, cache, only, world);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <any>
+#include <cassert>
 #include <functional>
 #include <memory>
 #include <span>
@@ -161,6 +162,13 @@ class Grounds {
  private:
   Heights heights_;
 };
+
+/// The ground of a setting whose type is known; it is our own mistake where it is another.
+template <class Known>
+const Known& ground_as(const Grounds& ground) {
+  assert(dynamic_cast<const Known*>(&ground));
+  return static_cast<const Known&>(ground);
+}
 
 /// The daylight of a sky, over a ground of that visible colour; `matt`: the linear colour that it reflects;
 /// `haze`: metres in which two thirds of a colour are lost in clear air.

@@ -164,7 +164,7 @@ TEST(Scene, RootsEveryCoral) {
   for (const Specimen& b : scene.specimens) {
     Vec3 foot = b.model.skeleton.position[0];
     bool in_stone = false;
-    for (const StoneInstance& stone : static_cast<const SeaFloor&>(*scene.ground).stone_instances) {
+    for (const StoneInstance& stone : ground_as<SeaFloor>(*scene.ground).stone_instances) {
       float away = glm::length(Vec2(foot.x - stone.at.x, foot.z - stone.at.z));
       float top = stone.at.y + 0.7f * stone.size.y;
       in_stone = in_stone || (away < 1e-3f && foot.y < top && foot.y > stone.at.y);
@@ -223,7 +223,7 @@ TEST(Garden, GrowsNoGrassInPondAndPath) {
   Result<Preset> preset = read_preset(text, "garden.json", {});
   ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
   Scene scene = *build_scene(*preset);
-  const auto& lawn_of = static_cast<const Lawn&>(*scene.ground);
+  const auto& lawn_of = ground_as<Lawn>(*scene.ground);
   ASSERT_GT(lawn_of.turf_patches.size(), 500u);
   ASSERT_GT(lawn_of.gravel_patches.size(), 50u);
   double lawn = 0, gravel = 0;

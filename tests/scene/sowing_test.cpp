@@ -38,7 +38,7 @@ TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
   ASSERT_EQ(scene.stands.size(), 2u);
   EXPECT_EQ(scene.stands[1].entry, 1u);
   const Heights& heights = scene.ground->heights();
-  const Plot& plot = static_cast<const ForestGround&>(*scene.ground).plot();
+  const Plot& plot = ground_as<ForestGround>(*scene.ground).plot();
   for (const SownStand& stand : scene.stands) {
     const Copies& c = stand.copies;
     EXPECT_EQ(c.size(), stand.entry == 0 ? 90u : 200u);
@@ -95,7 +95,7 @@ TEST(Sowing, KeepsClearOfPondPathAndWhatStands) {
                          R"(, "garden": {"pond": {"center": [-4, 0], "size": [4, 3]},
                              "path": {"points": [[-20, 6], [20, 4]], "width": 1.5}})");
   EXPECT_EQ(scene.specimens.size(), 1u);
-  const Plot& plot = static_cast<const Lawn&>(*scene.ground).plot();
+  const Plot& plot = ground_as<Lawn>(*scene.ground).plot();
   const Copies& copies = scene.stands.at(0).copies;
   EXPECT_GT(copies.size(), 500u);
   for (Vec3 foot : copies.foot) {
