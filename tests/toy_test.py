@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """A new kind is a folder and a row, a new setting a pair of files and a row, a new material a row and a macro, a new
-format of export a file and a row: in a copy of the tree all are added so, built, and are then in the schema, in
-`frond list`, and understood by check, info, generate and export.
+format of export a file and a row, a new symbol of the turtle a row and what it does, a new light a row: in a copy of
+the tree all are added so, built, and are then in the schema, in `frond list`, and understood by check, info, generate,
+export and the manual.
 
     tests/toy_test.py ROOT
 """
@@ -138,6 +139,20 @@ Result<bool> write_count(const ExportScene& exported, const ExportOptions&, cons
 }  // namespace frond
 '''.replace('#include "export/formats.h"', '#include "core/files.h"\n#include "export/formats.h"')
 
+TEMPLATE = {
+    "film": {"frames": 1, "size": [64, 48], "quality": "draft"},
+    "scene": {"setting": "toyshop"},
+    "organisms": [{"kind": "toy", "name": "toy", "size": 0.5, "place": {"at": [[0, 0]]}}],
+}
+
+# What leaps two metres up between two steps of 20 cm.
+LEAPING = {
+    "film": {"frames": 1},
+    "scene": {"setting": "studio"},
+    "organisms": [{"kind": "plant", "name": "leaper", "grammar": {"axiom": "F(0.2)@J(2)F(0.2)"},
+                   "place": {"at": [[0, 0]], "size_variation": 0, "lean": 0}}],
+}
+
 PRESET = {
     "film": {"frames": 1},
     "scene": {"setting": "toyshop", "toyshop": {"shelf": 0.25}},
@@ -173,6 +188,8 @@ def main():
                 shutil.copytree(source, target, ignore=shutil.ignore_patterns("node_modules", "dist"))
             else:
                 shutil.copy2(source, target)
+        (tree / "docs/kinds").mkdir(parents=True)
+        shutil.copy2(root / "docs/kinds/strips.json", tree / "docs/kinds")
         (tree / "gen/organisms/toy").mkdir()
         (tree / "gen/organisms/toy/kind.cpp").write_text(KIND.lstrip())
         add_row(tree / "gen/organisms/kinds.h", "FROND_KINDS", "toy")
@@ -188,6 +205,12 @@ def main():
                    "Result<bool> write_count(const ExportScene&, const ExportOptions&, const std::filesystem::path&);\n")
         put_before(tree / "gen/export/formats.cpp", '    {".obj",',
                    '{".count", "how many meshes there are", [](const ExportSize&) { return 10.0; }, kAny, write_count},\n')
+        put_before(tree / "gen/grammar/symbols.h", "turn_back, roll_back,", "leap, ")
+        put_before(tree / "gen/grammar/symbols.cpp", '    {"F",', '    {"@J", Act::leap, Act::leap, "leap up: @J(metres)"},\n')
+        put_before(tree / "gen/grammar/turtle.h", "      case Act::roll_back:",
+                   "      case Act::leap:\n        now_.position.y += given ? parameters[0] : 1;\n        return;\n")
+        put_before(tree / "gen/settings/studio.cpp", "          {Vec3(0, 3,", "          {Vec3(3, 1, 0), Vec3(0, 0, 0.375f)},\n")
+        (tree / "templates/new/toy.json").write_text(json.dumps(TEMPLATE))
         # What was compiled in the tree itself need not be compiled again.
         env = {**os.environ, "XDG_CACHE_HOME": str(tree / "cache"), "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}
 
@@ -201,7 +224,7 @@ def main():
         run("cmake", "--build", "build", "--target", "frond")
         frond = tree / "build/frond"
         listed = json.loads(run(frond, "list", "--json"))
-        assert {"toy", "toyshop"} <= {row["name"] for row in listed}, "not listed"
+        assert {"toy", "toyshop", "@J"} <= {row["name"] for row in listed}, "not listed"
         schema = run(frond, "schema")
         for words in ("Something to play with", "How large the toy is", "How high things stand"):
             assert words in schema, f"not in the schema: {words}"
@@ -221,11 +244,24 @@ def main():
         assert (tree / "toy.count").read_text() == "1 meshes\n", "the format is not written"
         pictures = [path.stat().st_size for path in tree.glob("toy_*_color.png")]
         assert len(pictures) == 1, "the export shows no candy"
+        preset.write_text(json.dumps(LEAPING))
+        run(frond, "generate", preset, "-o", tree / "leap", "--quiet")
+        text = (tree / "leap/frames/frame_0001.pov").read_text()
+        assert text.count("\nStudio_Lamp(") == 5 and "rgb <0,0,0.375>" in text, "the lamp does not shine"
+        run(frond, "export", preset, "-o", tree / "leap.obj")
+        highest = max(float(line.split()[2]) for line in (tree / "leap.obj").read_text().splitlines()
+                      if line.startswith("v "))
+        assert 2.3 < highest < 2.5, f"what leaps is {highest} m high"
+        run(frond, "new", "mine", "--from", "toy")
+        run(frond, "check", tree / "mine.json")
+        run(sys.executable, tree / "scripts/manual.py")
+        for page, words in (("kinds/toy.md", "How large the toy is"), ("settings/toyshop.md", "How high things stand")):
+            assert words in (tree / "docs" / page).read_text(), f"not in docs/{page}: {words}"
         wrong = dict(PRESET, organisms=[{"kind": "toy", "size": 100}])
         preset.write_text(json.dumps(wrong))
         done = subprocess.run([frond, "check", preset], capture_output=True, text=True)
         assert done.returncode == 2 and "/organisms/0/size" in done.stderr, done.stderr
-    print("a kind, a setting, a material and a format were added, each by what CONTRIBUTING.md says")
+    print("a kind, a setting, a material, a format, a symbol and a light were added, each by what CONTRIBUTING.md says")
 
 
 if __name__ == "__main__":
