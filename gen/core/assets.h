@@ -15,6 +15,14 @@ struct NamedFile {
   std::string text;
 };
 
+/// A file as a property names it.
+struct FileName {
+  std::string name;     ///< empty: none
+  std::string content;  ///< a hash of what it held when it was read; empty: it was not
+
+  bool empty() const { return name.empty(); }
+};
+
 /// The one rule for finding files that a preset or a grammar names: relative to the folder of the file that
 /// names them, then relative to the working folder. With `only`, nothing is read outside the folder of the
 /// preset and the folder `only` (links resolved), and `only` replaces the working folder.

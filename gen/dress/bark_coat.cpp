@@ -5,20 +5,14 @@
 #include <cmath>
 
 #include "core/content.h"
-#include "core/text.h"
+#include "dress/describe.h"
 
 namespace frond {
 
 namespace {
 
 std::string name_of(const BarkCoat& coat, std::string_view what) {
-  const BarkImage& b = coat.image;
-  std::string key;
-  append_list(key, 6, static_cast<int>(b.pattern), b.lichens, b.ridges, b.stretch, b.warp, b.depth,
-              coat.aspect, coat.pixels);
-  for (const Color& c : {b.color, b.second, b.lichen})
-    key += ';', append_list(key, 6, c.red, c.green, c.blue);
-  if (b.knots > 0 || b.lenticels > 0) key += ';', append_list(key, 6, b.knots, b.lenticels);
+  std::string key = keys_of(coat.image, coat.aspect, coat.pixels).all();
   return fmt::format("bark_{}_{}.png", made_id(key), what);
 }
 

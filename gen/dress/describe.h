@@ -2,6 +2,7 @@
 
 #include "dress/dress.h"
 #include "geometry/girth.h"
+#include "preset/keys.h"
 #include "preset/reader.h"
 
 // The properties of the appearance and motion of organisms as presets spell them; see preset/describe.h.
@@ -51,6 +52,7 @@ inline constexpr Choice<BarkPattern> kBarkPatterns[] = {
 
 template <class Visitor>
 void describe(Visitor& v, Polyps& p) {
+  v.aspect(Aspect::look);
   v.number("glow", p.glow, {.min = 0, .max = 3}, "How brightly it fluoresces, as corals do in blue light");
   v.number("polyps", p.width, {.min = 0, .max = 0.2, .unit = "m"},
            "Width over which a polyp spreads its tentacles; 0 leaves them in their cups");
@@ -61,6 +63,7 @@ void describe(Visitor& v, Polyps& p) {
 
 template <class Visitor>
 void describe(Visitor& v, Pores& p) {
+  v.aspect(Aspect::look);
   v.number("cell", p.cell, {.min = 0.0005, .max = 1, .unit = "m"}, "Distance from one pore to the next");
   v.number("warp", p.warp, {.min = 0, .max = 1}, "How far the cells are warped out of their regular pattern");
   v.number("depth", p.depth, {.min = 0, .max = 3}, "How deep the pores look; 0 is smooth");
@@ -68,6 +71,7 @@ void describe(Visitor& v, Pores& p) {
 
 template <class Visitor>
 void describe(Visitor& v, Tint& t) {
+  v.aspect(Aspect::look);
   v.color("base", t.base, "Colour of the skin");
   v.color("secondary", t.secondary, "Colour in the pores and grooves");
   v.angle("hue", t.hue, {.min = -360, .max = 360},
@@ -84,6 +88,7 @@ void describe(Visitor& v, Tint& t) {
 
 template <class Visitor>
 void describe(Visitor& v, Skin& s) {
+  v.aspect(Aspect::look);
   v.choice("kind", s.kind, kSkinKinds, "What the skin is made of");
   v.object("pores", s.pores, "The pores in the skin");
   v.object("tint", s.tint, "The colours of the skin");
@@ -92,6 +97,7 @@ void describe(Visitor& v, Skin& s) {
 
 template <class Visitor>
 void describe(Visitor& v, Growth& g) {
+  v.aspect(Aspect::motion);
   v.number("start", g.start, {.min = -1e6, .max = 1e6, .unit = "s"},
            "Time in the film at which growth begins");
   v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"},
@@ -104,6 +110,7 @@ void describe(Visitor& v, Growth& g) {
 
 template <class Visitor>
 void describe(Visitor& v, Wave& w) {
+  v.aspect(Aspect::motion);
   v.angle("amplitude", w.amplitude, {.min = 0, .max = 120}, "Angle by which the tips are bent at most");
   v.number("speed", w.speed, {.min = 0, .max = 20, .unit = "1/s"},
            "Number of swings in a second; with loop it is rounded so that the film closes");
@@ -126,6 +133,7 @@ void describe(Visitor& v, FoodPlace& f) {
 
 template <class Visitor>
 void describe(Visitor& v, Food& f) {
+  v.aspect(Aspect::motion);
   v.angle("strength", f.strength, {.min = 0, .max = 180},
           "Angle by which a whole branch may bend toward the food, about");
   v.number("reach", f.reach, {.min = 0.02, .max = 100, .unit = "m"},
@@ -155,6 +163,7 @@ void describe(Visitor& v, Girth& g) {
 
 template <class Visitor>
 void describe(Visitor& v, Bark& b) {
+  v.aspect(Aspect::look);
   v.choice("kind", b.kind, kBarks, "What the surface of branches is made of");
   v.list("colors", b.colors, Count{1, 64},
          "Colours of the surface; the turtle's colour index picks one, round and round");
@@ -171,6 +180,7 @@ void describe(Visitor& v, Bark& b) {
 
 template <class Visitor>
 void describe(Visitor& v, BladeLook& b) {
+  v.aspect(Aspect::look);
   v.list("colors", b.colors, Count{1, 64},
          "Colours of the filled outlines; the turtle's colour index picks one, round and round");
   v.color("second", b.second, "Colour of the veins");
@@ -191,6 +201,7 @@ void describe(Visitor& v, Sprig& s) {
 
 template <class Visitor>
 void describe(Visitor& v, LeafLook& l) {
+  v.aspect(Aspect::look);
   v.choice("shape", l.shape, kLeafShapes, "Outline of a leaf");
   v.list("outline", l.outline, Count{0, 64},
          "Radii of the outline at even angles, from the tip round to the stalk. Needs \"shape\": \"own\"");
@@ -215,24 +226,31 @@ void describe(Visitor& v, LeafLook& l) {
   v.number("size_variation", l.size_variation, {.min = 0, .max = 0.9},
            "Random change of the size, as a share of it");
   v.angle("turn_variation", l.turn_variation, {.min = 0, .max = 180}, "Random tilt of each leaf, either way");
+  v.aspect(Aspect::shape, "size", "fold", "bend", "curl", "detail", "size_variation", "turn_variation");
+}
+
+template <class Visitor>
+void describe(Visitor& v, BarkImage& b) {
+  v.choice("pattern", b.pattern, kBarkPatterns, "Pattern of the bark's picture");
+  v.color("color", b.color, "Colour on the ridges");
+  v.color("second", b.second, "Colour in furrows, cracks and bands");
+  v.color("lichen", b.lichen, "Colour of the lichens");
+  v.number("lichens", b.lichens, {.min = 0, .max = 1}, "Share of the bark that lichens cover");
+  v.integer("ridges", b.ridges, {.min = 1, .max = 200}, "Number of ridges round the picture");
+  v.number("stretch", b.stretch, {.min = 0.5, .max = 40},
+           "How many times longer than wide the features of the bark are");
+  v.number("warp", b.warp, {.min = 0, .max = 3}, "How far the ridges wander");
+  v.number("depth", b.depth, {.min = 0, .max = 1}, "Depth of the furrows in the picture; 0 is flat");
+  v.number("knots", b.knots, {.min = 0, .max = 60},
+           "Number of scars of fallen branches, with rings and a collar, on a square as wide as the picture");
+  v.number("lenticels", b.lenticels, {.min = 0, .max = 1},
+           "Share of the places for pores across the bark, as on cherries, that have one");
 }
 
 template <class Visitor>
 void describe(Visitor& v, BarkCoat& c) {
-  v.choice("pattern", c.image.pattern, kBarkPatterns, "Pattern of the bark's picture");
-  v.color("color", c.image.color, "Colour on the ridges");
-  v.color("second", c.image.second, "Colour in furrows, cracks and bands");
-  v.color("lichen", c.image.lichen, "Colour of the lichens");
-  v.number("lichens", c.image.lichens, {.min = 0, .max = 1}, "Share of the bark that lichens cover");
-  v.integer("ridges", c.image.ridges, {.min = 1, .max = 200}, "Number of ridges round the picture");
-  v.number("stretch", c.image.stretch, {.min = 0.5, .max = 40},
-           "How many times longer than wide the features of the bark are");
-  v.number("warp", c.image.warp, {.min = 0, .max = 3}, "How far the ridges wander");
-  v.number("depth", c.image.depth, {.min = 0, .max = 1}, "Depth of the furrows in the picture; 0 is flat");
-  v.number("knots", c.image.knots, {.min = 0, .max = 60},
-           "Number of scars of fallen branches, with rings and a collar, on a square as wide as the picture");
-  v.number("lenticels", c.image.lenticels, {.min = 0, .max = 1},
-           "Share of the places for pores across the bark, as on cherries, that have one");
+  v.aspect(Aspect::look);
+  describe(v, c.image);
   v.number("wrap", c.wrap, {.min = 0.001, .max = 20, .unit = "m"},
            "Length round a branch that one width of the picture covers");
   v.number("aspect", c.aspect, {.min = 0.25, .max = 16}, "How many times longer than wide the picture is");
@@ -266,6 +284,7 @@ void describe(Visitor& v, Blossom& b) {
   v.number("at", b.at, {.min = 0, .max = 1, .unit = "years"}, "Time of the year at which the flowers open");
   v.number("lasts", b.lasts, {.min = 0, .max = 0.6, .unit = "years"},
            "How long a flower stands until its petals fall");
+  v.aspect(Aspect::look, "petals", "color", "heart");
 }
 
 template <class Visitor>
@@ -290,6 +309,7 @@ void describe(Visitor& v, Seasons& s) {
   v.list("autumn", s.autumn, Count{1, 16},
          "Colours that leaves go through in autumn; some stop at the first, others reach the last");
   v.object("blossom", s.blossom, "Flowers where leaves stand; without it there are none");
+  v.aspect(Aspect::look, "young", "autumn");
 }
 
 template <class Visitor>

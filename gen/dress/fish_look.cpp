@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/content.h"
-#include "core/text.h"
+#include "dress/describe_fish.h"
 
 namespace frond {
 
@@ -134,16 +134,7 @@ Vec2 fish_uv(double along, double up) {
 }
 
 std::string fish_picture_name(const FishForm& form, const FishLook& look) {
-  std::string key = "fish ";
-  append_list(key, 6, form.depth, form.deepest, form.snout, form.peduncle, form.tail_depth);
-  for (const Color& c :
-       {look.back, look.flank, look.belly, look.fins, look.tail, look.mark, look.edge, look.iris})
-    key += ';', append_list(key, 6, c.red, c.green, c.blue);
-  key += ';';
-  append_list(key, 6, look.tail_from, static_cast<int>(look.pattern), look.edging, look.marks,
-              look.mark_width, look.mark_from, look.mark_to, look.marked_fins ? 1 : 0, look.eye, look.scales,
-              look.pixels);
-  return fmt::format("fish_{}.png", made_id(key));
+  return fmt::format("fish_{}.png", made_id(keys_of(form, look).all()));
 }
 
 Drawing fish_drawing(const FishForm& form, const FishLook& look) {

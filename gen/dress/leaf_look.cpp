@@ -5,33 +5,29 @@
 #include <algorithm>
 
 #include "core/content.h"
-#include "core/text.h"
+#include "dress/describe.h"
 
 namespace frond {
 
 namespace {
+
+LeafTint leaf_tint(const LeafLook& look, std::size_t color) {
+  color %= look.looks();
+  bool own = color < look.colors.size();
+  return own ? LeafTint{look.colors[color], look.veins, look.rim} : look.turned[color - look.colors.size()];
+}
 
 /// Where the spots of a leaf of that colour lie: in all seasons the same.
 std::uint64_t spots_of(const LeafLook& look, std::size_t color) {
   return color < look.colors.size() ? color : 0;
 }
 
-/// A name by all that the picture is made from.
-std::string picture_name(const LeafLook& look, std::size_t color) {
-  LeafImage leaf = leaf_image(look, color);
-  std::string key;
-  for (double r : leaf.outline.radii) append_list(key, 6, r), key += ',';
-  const LeafOutline& o = leaf.outline;
-  append_list(key, 6, o.width, o.teeth, o.tooth, o.stalk, o.palmate, leaf.spots, look.pixels, leaf.sprig,
-              spots_of(look, color));
-  if (leaf.age > 0) append_list(key += ';', 6, leaf.age);
-  for (const Color& c : {leaf.color, leaf.veins, leaf.rim})
-    key += ';', append_list(key, 6, c.red, c.green, c.blue);
-  if (leaf.sprig) {
-    const Sprig& s = leaf.sprigs;
-    append_list(key += ';', 6, s.pairs, s.end_leaf, s.angle, s.length, s.shrink, s.alternate);
-  }
-  return fmt::format("leaf_{}.png", made_id(key));
+/// A name by all that the picture shows: the leaf in that colour alone.
+std::string picture_name(LeafLook look, std::size_t color) {
+  std::uint64_t spots = spots_of(look, color);
+  LeafTint tint = leaf_tint(look, color);
+  look.colors = {tint.color}, look.veins = tint.veins, look.rim = tint.rim;
+  return fmt::format("leaf_{}.png", made_id(fmt::format("{} {}", keys_of(std::move(look)).look, spots)));
 }
 
 /// A picture without opacity, for the mesh has the outline: to POV-Ray a leaf with an opacity is one that
@@ -59,10 +55,7 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color) {
   leaf.outline.width *= look.width;
   leaf.sprig = look.sprig;
   leaf.sprigs = look.sprigs;
-  color %= look.looks();
-  bool own = color < look.colors.size();
-  LeafTint tint =
-      own ? LeafTint{look.colors[color], look.veins, look.rim} : look.turned[color - look.colors.size()];
+  LeafTint tint = leaf_tint(look, color);
   leaf.color = tint.color;
   leaf.veins = tint.veins;
   leaf.rim = tint.rim;

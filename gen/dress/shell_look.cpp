@@ -8,7 +8,7 @@
 #include "core/content.h"
 #include "core/linear.h"
 #include "core/noise.h"
-#include "core/text.h"
+#include "dress/describe_shell.h"
 #include "dress/shell_pigment.h"
 #include "images/raster.h"
 
@@ -129,8 +129,8 @@ Raster mantle_picture(const MantleLook& look) {
 }
 
 template <class Draw>
-Drawing drawing_of(std::string_view what, const std::string& key, double pixels, double seconds, Draw draw) {
-  std::string name = fmt::format("{}_{}.png", what, made_id(key));
+Drawing drawing_of(std::string_view what, const Keys& keys, double pixels, double seconds, Draw draw) {
+  std::string name = fmt::format("{}_{}.png", what, made_id(keys.all()));
   return {{name},
           [name, draw]() -> Result<std::vector<Picture>> {
             Result<std::string> bytes = png_text(draw());
@@ -141,28 +141,17 @@ Drawing drawing_of(std::string_view what, const std::string& key, double pixels,
           seconds};
 }
 
-void append_colors(std::string& key, std::initializer_list<Color> colors) {
-  for (const Color& c : colors) key += ';', append_list(key, 6, c.red, c.green, c.blue);
-}
-
 }  // namespace
 
 Drawing shell_drawing(const ShellLook& look, double lines_a_cell, double whorls) {
-  std::string key = "shell ";
-  append_list(key, 6, static_cast<int>(look.pattern), look.count, look.width, look.from, look.to, look.mottle,
-              look.growth_lines, look.cells, look.seed, lines_a_cell, whorls);
-  append_colors(key, {look.color, look.second, look.inside, look.lip});
   double pixels = 1.0 * look.cells / kShellOutside * lines_of(look, lines_a_cell);
-  return drawing_of("shell", key, pixels, kSecondsAPixel * pixels,
+  return drawing_of("shell", keys_of(look, lines_a_cell, whorls), pixels, kSecondsAPixel * pixels,
                     [=] { return shell_picture(look, lines_a_cell, whorls); });
 }
 
 Drawing mantle_drawing(const MantleLook& look) {
-  std::string key = "mantle ";
-  append_list(key, 6, look.spots);
-  append_colors(key, {look.color, look.second, look.rim});
-  return drawing_of("mantle", key, kMantleWide * kMantleHigh, kSecondsAPixel * kMantleWide * kMantleHigh,
-                    [=] { return mantle_picture(look); });
+  return drawing_of("mantle", keys_of(look), kMantleWide * kMantleHigh,
+                    kSecondsAPixel * kMantleWide * kMantleHigh, [=] { return mantle_picture(look); });
 }
 
 }  // namespace frond

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/bounds.h"
+#include "core/content.h"
 #include "emit/copies.h"
 #include "emit/copy_models.h"
 #include "emit/setting.h"
@@ -148,12 +149,11 @@ class Writer {
       const Specimen& b = scene.specimens[i];
       SownStand stand;
       stand.organism.name = b.name;
-      stand.organism.text = fmt::format("{} {} {}", what_.name, i, scene.film.fps);
-      stand.organism.sown = Sowing{};
       stand.dress.look = b.look;
       ModelFile file;
       file.level = level_at(heights[i], detail - 1);
-      file.name = model_file_name(stand.organism, 0, file.level);
+      file.name = fmt::format("model_{}_{}.inc",
+                              made_id(fmt::format("{} {} {}", what_.name, i, scene.film.fps)), file.level);
       Model grown = b.model;
       grown.solids = {};  // these are drawn as they are at any detail
       for (const DrawnBody& body : b.life.develop ? still_bodies(b.model.solids, b.motion.growth)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/assets.h"
 #include "core/result.h"
 #include "core/vec.h"
 
@@ -40,7 +41,7 @@ struct GuideText {
   std::vector<int> parent;    ///< if not empty: the predecessor of each point, -1 for a first one
   std::vector<DVec3> bezier;  ///< control points of a curve of any degree
   int samples = 24;           ///< pieces that the curve is cut into
-  std::string file;           ///< of lines; the caller reads it into `lines`
+  FileName file;              ///< of lines; the caller reads it into `lines`
   GuideLines lines;
   double tolerance = 0.1;   ///< distance within which a point counts as reached
   double leniency = 0.5;    ///< length of a step as a share of the distance to the point

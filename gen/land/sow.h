@@ -32,7 +32,7 @@ struct SowRules {
   double clear = 0.5;        ///< metres from its foot to the edge of a path, at least
   Vec2 center{0};            ///< x, z in metres
   double reach = 0;          ///< metres round `center`; 0: all of the land
-  std::string map;           ///< a PNG whose brightness is the density over the land; empty: none
+  FileName map;              ///< a PNG whose brightness is the density over the land; empty: none
   Grid density;              ///< content of the map; -x at its left, -z at its top
 };
 

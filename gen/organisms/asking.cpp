@@ -58,6 +58,14 @@ Environment environment_of(const Surroundings& around, const Food& food, const G
   };
 }
 
+bool asks(const GrammarText& text) {
+  auto asked = [](const std::string& part) { return part.find("?E") != std::string::npos; };
+  auto asks_in = [&](const std::vector<GrammarText::Rule>& rules) {
+    return std::ranges::any_of(rules, asked, &GrammarText::Rule::text);
+  };
+  return asked(text.axiom) || asks_in(text.rules) || asks_in(text.decomposition);
+}
+
 Errors check_asking(const Grammar& grammar, double height) {
   if (!grammar.asks || height <= 0) return {};
   return {

@@ -14,6 +14,9 @@ namespace frond {
 /// outlive it.
 Environment environment_of(const Surroundings& around, const Food& food, const Growth& growth);
 
+/// Whether a grammar asks them.
+bool asks(const GrammarText& text);
+
 /// The error of a grammar that asks questions and is scaled afterwards, which would make distances
 /// meaningless.
 Errors check_asking(const Grammar& grammar, double height);

@@ -2,6 +2,7 @@
 
 #include "organisms/organism.h"
 #include "organisms/sowing.h"
+#include "preset/keys.h"
 #include "preset/reader.h"
 
 // The properties of all organisms, as presets spell them; see preset/describe.h.
@@ -126,6 +127,12 @@ void describe(Visitor& v, Organism& o) {
   v.object("place", o.place, "Where they stand");
   v.object("sown", o.sown, "Makes copies of a few models and sows them over the land, `count` of them");
   v.object("body", o.style, "What their branches are drawn as");
+}
+
+/// Its kind.
+inline void describe_rest(KeyWriter& v, Organism& o) {
+  Keys keys = o.grower->keys();
+  v.add("kind", keys);
 }
 
 }  // namespace frond

@@ -11,6 +11,7 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, TissueLook& t) {
+  v.aspect(Aspect::look);
   v.color("color", t.color, "Colour of what stands out: walls, ridges");
   v.color("second", t.second, "Colour of what lies back: cups, valleys");
   v.number("cup", t.cup, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Distance from one polyp to the next");

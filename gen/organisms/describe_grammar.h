@@ -71,6 +71,9 @@ void describe(Visitor& v, GuidePoint& p) {
   v.vector("tropism", p.tropism, "Direction that branches turn toward from this point on");
 }
 
+/// The point before it.
+inline void describe_rest(KeyWriter& v, GuidePoint& p) { v.add("parent", p.parent); }
+
 /// Reads the lines of a guide's file.
 Errors load_guide(const NamedFile& file, GuideText& guide);
 

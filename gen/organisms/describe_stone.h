@@ -46,6 +46,7 @@ void describe(Visitor& v, Weathering& w) {
 
 template <class Visitor>
 void describe(Visitor& v, StoneLook& s) {
+  v.aspect(Aspect::look);
   v.choice("kind", s.kind, kStoneKinds, "What stone it is");
   v.color("color", s.color, "Colour of the stone; without it that of its kind");
   v.color("second", s.second, "Colour of grains, bands or cracks; without it that of its kind");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 #include "core/result.h"
@@ -13,7 +14,7 @@
 #include "dress/dress.h"
 #include "grammar/forecast.h"
 #include "model/model.h"
-#include "preset/describe.h"
+#include "preset/keys.h"
 #include "world/world.h"
 
 // Kinds of organisms
@@ -104,6 +105,8 @@ class Grower {
 
   /// The parameters, for callers that know their type: the kind, and tests.
   virtual std::any parameters() const = 0;
+  /// What stands for the kind with these parameters, in names and caches.
+  virtual Keys keys() const = 0;
 
   virtual GrowthStage stage() const = 0;
   /// Whether a rock may be placed under it; not for organisms of stone.
@@ -184,6 +187,7 @@ class Described : public Base {
  public:
   Params params;
   std::any parameters() const final { return params; }
+  Keys keys() const final { return keys_of(std::string(typeid(Params).name()), params); }
 };
 
 /// A copy of a grower with changed parameters, for Grower::coarse(); none if these are invalid.

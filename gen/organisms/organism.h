@@ -38,7 +38,6 @@ struct Organism {
   std::optional<Sowing> sown;  ///< copies of a few models, sown over the land
   Style style;
   std::shared_ptr<const Grower> grower;  ///< its kind with its parameters; never null after reading
-  std::string text;  ///< everything that its shape depends on as canonical JSON; for hashes
 };
 
 }  // namespace frond

@@ -10,7 +10,8 @@ namespace frond {
 // How a parameter struct is described
 // ===================================
 // One function template beside the struct is enough: it is used to read the struct from JSON (Reader) and to
-// print the schema (SchemaWriter), and so the documentation. The struct's initial values are the defaults.
+// print the schema (SchemaWriter), and so the documentation, and to make its keys (KeyWriter), by which what
+// is made from it is found again. The struct's initial values are the defaults.
 //
 //     struct Wave {
 //       double speed = 1;
@@ -33,8 +34,8 @@ namespace frond {
 //     integer(name, n, range, doc)         any integer type; beyond the type and 2^53 is refused by itself
 //     boolean(name, b, doc)
 //     text(name, s, doc)                   std::string
-//     file(name, s, load, doc [, needed])  std::string, the name of a file; `Errors load(const NamedFile&)`
-//                                          takes what it holds, if it is needed and files are to be read
+//     file(name, f, load, doc [, needed])  FileName; `Errors load(const NamedFile&)` takes what the file
+//                                          holds, if it is needed and files are to be read
 //     choice(name, e, table, doc)          an enum by its name in a constexpr array of Choice (below)
 //     vector(name, v, [range,] doc)        Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
 //     direction(name, v, [across,] doc)    Vec3, DVec3 of some length; across: what of it counts
@@ -55,11 +56,17 @@ namespace frond {
 //     required(name)                       that property must be given; after the line that reads it
 //     shorthand(name)                      first of all: a bare value in place of the object is read as this
 //                                          property of it, so "A -> B" as {"rule": "A -> B"}. Not for a Kind.
+//     aspect(aspect)                       what the properties after this line tell (Aspect, below); without
+//                                          it they tell what the object that holds them does, at first shape
+//     aspect(aspect, names...)             what these properties tell; after the lines that read them
 //     custom(name, x, read, schema, doc)   all else: `bool read(Reader&, const Value&, X&)` notes faults by
 //                                          Reader::fault and says whether x was read; `schema` is JSON text
 //
 // Each that reads a property also takes a std::optional of its type, which stays empty where it is not given.
 // The doc says what a property is, range.unit in which unit; both stand in the schema.
+//
+// What of a value counts in its keys besides its properties, or is custom, is added by a function beside it:
+// `void describe_rest(KeyWriter&, X&)`.
 
 /// The allowed numbers, ends included. The unit is for the documentation, the sense (meaning of single
 /// numbers) for error messages about values of another type.
@@ -72,6 +79,14 @@ struct Range {
 
   bool holds(double x) const { return (above_min ? x > min : x >= min) && x <= max; }
 };
+
+/// What a property tells of what is made from it.
+enum class Aspect {
+  shape,   ///< what grows: its branches, and where its organs are
+  look,    ///< only how it looks
+  motion,  ///< only how it moves
+};
+inline constexpr std::size_t kAspects = 3;
 
 /// Which components of a direction are used.
 enum class Across { all, xz };
@@ -96,6 +111,7 @@ struct Choice {
 
 class Reader;
 class SchemaWriter;
+class KeyWriter;
 
 /// A row of the table of kinds of a T. `describe(v, T&)` gives the properties common to all kinds (it may be
 /// empty), the row those of its kind; no name may be in both. The name "kind" is reserved.

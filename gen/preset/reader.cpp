@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/content.h"
-
 namespace frond {
 
 const Value* Reader::take(std::string_view name) {
@@ -40,8 +38,7 @@ std::optional<NamedFile> Reader::file_at(const Value& value) {
   return std::nullopt;
 }
 
-void Reader::note_file(const Value& value, const NamedFile& file, const Errors& errors) {
-  files_.emplace_back(pointer_, content_id(file.text));
+void Reader::note_faults(const Value& value, const NamedFile& file, const Errors& errors) {
   for (const Error& error : errors)
     faults_.add({value.origin, pointer_,
                  error.where.empty() ? Error{file.path.string(), error.what}.text() : error.text()});

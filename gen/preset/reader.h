@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/assets.h"
+#include "core/content.h"
 #include "core/curve.h"
 #include "core/vec.h"
 #include "preset/describe.h"
@@ -29,8 +30,6 @@ class Reader {
 
   /// Reads the files that properties name; without this call only their names are read.
   void read_files(const Assets& assets) { assets_ = &assets; }
-  /// The pointers of the properties that named files, and a hash of the content of each.
-  const std::vector<std::pair<std::string, std::string>>& files() const { return files_; }
 
   const Faults& faults() const { return faults_; }
   /// Warnings: valid, but probably not intended.
@@ -77,10 +76,14 @@ class Reader {
     member(name, [&](const Value& v) { return keep(out, text_at(v)); });
   }
   template <class Load>
-  void file(std::string_view name, std::string& out, const Load& load, std::string_view, bool needed = true) {
+  void file(std::string_view name, FileName& out, const Load& load, std::string_view, bool needed = true) {
     member(name, [&](const Value& v) {
-      if (!keep(out, text_at(v)) || !assets_ || !needed) return;
-      if (std::optional<NamedFile> found = file_at(v)) note_file(v, *found, load(*found));
+      out.content.clear();
+      if (!keep(out.name, text_at(v)) || !assets_ || !needed) return;
+      std::optional<NamedFile> found = file_at(v);
+      if (!found) return;
+      out.content = content_id(found->text);
+      note_faults(v, *found, load(*found));
     });
   }
   template <class T, class Table>
@@ -178,6 +181,8 @@ class Reader {
   void given(std::string_view name, bool& out) const;
   void required(std::string_view name);
   void shorthand(std::string_view name);
+  template <class... Names>
+  void aspect(Aspect, Names...) const {}
 
   // For custom properties: building blocks of the above. Each notes its errors.
 
@@ -256,7 +261,7 @@ class Reader {
   bool has_length(const Value& value, const DVec3& direction, Across across);
   /// The file that a text names; an empty text names none.
   std::optional<NamedFile> file_at(const Value& value);
-  void note_file(const Value& value, const NamedFile& file, const Errors& errors);
+  void note_faults(const Value& value, const NamedFile& file, const Errors& errors);
   std::optional<double> whole_at(const Value& value, const Range& range);
   bool numbers_at(const Value& value, const Range& range, std::span<double> out);
   template <class T, class Read>
@@ -312,20 +317,17 @@ class Reader {
   std::vector<Frame> frames_;
   Faults faults_, doubts_;
   const Assets* assets_ = nullptr;
-  std::vector<std::pair<std::string, std::string>> files_;
 };
 
 /// Reads a document into a described struct, or returns everything that is wrong with it. Warnings go to
-/// `doubts`. Named files are read from `assets`; `files` gets those of Reader.
+/// `doubts`. Named files are read from `assets`.
 template <class T>
-Result<T> read_preset(const Document& document, Faults* doubts = nullptr, const Assets* assets = nullptr,
-                      std::vector<std::pair<std::string, std::string>>* files = nullptr) {
+Result<T> read_preset(const Document& document, Faults* doubts = nullptr, const Assets* assets = nullptr) {
   T preset{};
   Reader reader;
   if (assets) reader.read_files(*assets);
   reader.read_root(document.root, preset);
   if (doubts) *doubts = reader.doubts();
-  if (files) *files = reader.files();
   if (reader.faults().list().empty()) return preset;
   return reader.faults().errors();
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/assets.h"
 #include "core/curve.h"
 #include "core/vec.h"
 #include "preset/describe.h"
@@ -56,8 +57,8 @@ class SchemaWriter {
     add(name, type("string"), doc, "", initial(s, [](const std::string& v) { return make_text(v); }));
   }
   template <class Load>
-  void file(std::string_view name, const std::string& out, const Load&, std::string_view doc, bool = true) {
-    text(name, out, doc);
+  void file(std::string_view name, const FileName& file, const Load&, std::string_view doc, bool = true) {
+    text(name, file.name, doc);
   }
   template <class T, class Table>
   void choice(std::string_view name, const T& e, const Table& table, std::string_view doc) {
@@ -161,6 +162,8 @@ class SchemaWriter {
   void given(std::string_view, bool&) const {}
   void required(std::string_view name) { required_.push_back(name); }
   void shorthand(std::string_view name) { bare_ = name; }
+  template <class... Names>
+  void aspect(Aspect, Names...) const {}
 
   /// The description so far.
   Value object_schema() const;

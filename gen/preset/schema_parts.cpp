@@ -106,9 +106,15 @@ Value tidy_number(float number) {
 
 Value tidy_number(double number) { return make_number(number); }
 
-Value tidy_angle(double radians) {
-  std::string text = fmt::format("{:.6g}", degrees(radians));
-  return fewest_digits(text.data(), text.data() + text.size());
+Value tidy_angle(double angle) {
+  std::string text = fmt::format("{:.6g}", degrees(angle));
+  Value tidy = fewest_digits(text.data(), text.data() + text.size());
+  if (std::abs(radians(tidy.number) - angle) <= 1e-7 * std::abs(angle)) return tidy;
+  // Not a round one: that which is read as the same.
+  double exact = degrees(angle);
+  for (double near : {std::nextafter(exact, 0.0), std::nextafter(exact, 2 * exact)})
+    if (radians(exact) != angle && radians(near) == angle) exact = near;
+  return make_number(exact);
 }
 
 Value curve_default(const Curve& curve) {

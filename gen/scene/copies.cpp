@@ -18,22 +18,17 @@ namespace frond {
 
 namespace {
 
-constexpr std::uint64_t kShapes = 6;       // another number gives other shapes
+constexpr std::uint64_t kShapes = 7;       // another number gives other shapes
 constexpr std::int32_t kOwnPlaces = 3600;  // how many leaves can be told apart
 constexpr double kManyPixels = 9;          // the side of a leaf that is drawn with its outline
 constexpr double kFewestPixels = 2;        // the side of a leaf; smaller ones become fewer and larger
 
-/// What a model depends on besides what its organism says of its shape.
-struct CopySeed {
-  std::uint64_t number = 1, crowd = 0, ages = 0;  // crowd in tenths of a millimetre, ages in millionths
-};
-
-CopySeed copy_seed(const Organism& organism, int which) {
-  const Sowing& sown = *organism.sown;
+/// The seed of a model. It depends on nothing that its organism says, so that what is changed there changes
+/// no more than it tells.
+Seed copy_seed(const Organism& organism, int which) {
+  const std::vector<int>& seeds = organism.sown->seeds;
   auto index = static_cast<std::size_t>(which);
-  return {index < sown.seeds.size() ? static_cast<std::uint64_t>(sown.seeds[index]) : index + 1,
-          static_cast<std::uint64_t>(std::llround(sown.crowd * 1e4)),
-          static_cast<std::uint64_t>(std::llround(organism.place.size_variation * 1e6))};
+  return Seed{index < seeds.size() ? static_cast<std::uint64_t>(seeds[index]) : index + 1};
 }
 
 /// The shape of an organ at a grain, and how many stand for one.
@@ -156,8 +151,9 @@ int level_for(double grain) {
 }
 
 std::string copy_id(const Organism& organism, int which) {
-  CopySeed s = copy_seed(organism, which);
-  return made_id(fmt::format("{} {} {} {}", organism.text, s.number, s.crowd, s.ages));
+  Keys keys = organism.grower->keys();
+  return made_id(fmt::format("{} {} {} {} {}", keys.shape, keys.look, copy_seed(organism, which).key,
+                             organism.sown->crowd, organism.place.size_variation));
 }
 
 TintShift tint_shift(const CopyTint& tint, int number) {
@@ -167,8 +163,7 @@ TintShift tint_shift(const CopyTint& tint, int number) {
 }
 
 Result<Model> grow_copy(const Organism& organism, int which) {
-  CopySeed s = copy_seed(organism, which);
-  Seed seed = Seed{s.number}.child(organism.text, kShapes).child("crowd", s.crowd).child("ages", s.ages);
+  Seed seed = copy_seed(organism, which).child("copy", kShapes);
   Result<Model> model = organism.grower->grow_copy(organism, seed);
   if (!model) return model;
   if (auto season = organism.grower->dress().season) in_season(*model, *season, 0, seed.child("season"));
@@ -185,7 +180,7 @@ Result<Model> grow_copy(const Organism& organism, int which) {
 std::optional<Growth> copy_growth(const Organism& organism, const Film& film, int which) {
   Growth growth = organism.grower->dress().motion.growth;
   if (film.frames <= 1 || growth.duration <= 0 || organism.grower->develops(true)) return std::nullopt;
-  growth.start += growth.stagger * Seed{copy_seed(organism, which).number}.child("start").unit();
+  growth.start += growth.stagger * copy_seed(organism, which).child("start").unit();
   return growth;
 }
 

@@ -65,7 +65,7 @@ std::optional<Growth> copy_growth(const Organism& organism, const Film& film, in
 /// A model with what growth has reached of it at a time; nothing before it begins.
 std::optional<Model> grown_by(const Model& model, const Motion& motion, double time);
 
-/// What stands for model `which` of a sown organism in names: it differs where the model does.
+/// What stands for model `which` of a sown organism in names: it differs where the model or its look does.
 std::string copy_id(const Organism& organism, int which);
 
 /// How a model is drawn.

@@ -42,6 +42,11 @@ inline bool read_focus(Reader& reader, const Value& value, Focus& focus) {
   return point.has_value();
 }
 
+inline void describe_rest(KeyWriter& v, Focus& focus) {
+  v.add("organism", focus.organism);
+  v.add("point", focus.point);
+}
+
 template <class Visitor>
 void describe(Visitor& v, Camera& c) {
   v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where the camera stands");

@@ -260,21 +260,15 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   if (errors = lay_on_species(document->root, file_name, assets); !errors.empty()) return errors;
 
   Faults faults, doubtful;
-  std::vector<std::pair<std::string, std::string>> files;
-  Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets, &files);
+  Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets);
   if (!preset) return preset;
   preset->text = serialize(document->root);
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
   double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
-    Value written = preset->written->find("organisms")->items[i];
+    const Value& written = preset->written->find("organisms")->items[i];
     check_organism(preset->organisms[i], written, i, reach, faults, doubtful);
-    for (std::string_view other : {"name", "count", "place", "sown", "wave", "growth"}) written.remove(other);
-    preset->organisms[i].text = serialize(written);
-    // What is sown is grown anew where one of its files has changed.
-    for (const auto& [pointer, content] : files)
-      if (pointer.starts_with(fmt::format("/organisms/{}/", i))) preset->organisms[i].text += " " + content;
   }
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);

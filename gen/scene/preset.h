@@ -25,7 +25,7 @@ struct Preset {
   Stage stage;
   std::vector<Organism> organisms;
 
-  std::string text;  ///< what it was read from, overrides included, as canonical JSON; for hashes
+  std::string text;                          ///< what it was read from, overrides included, as canonical JSON
   std::shared_ptr<const Value> written;      ///< the same with its places, defaults merged into the organisms
   std::vector<std::filesystem::path> files;  ///< that were read for it, besides its own
   Errors notes;                              ///< no faults, but what the user should know

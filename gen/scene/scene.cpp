@@ -152,8 +152,7 @@ std::size_t Scene::bytes() const {
   for (const Specimen& s : specimens) bytes += bytes_of(s);
   for (const SownStand& stand : stands) {
     const Copies& c = stand.copies;
-    bytes += bytes_of(stand.organism.text) + bytes_of(c.model) + bytes_of(c.foot) + bytes_of(c.turn) +
-             bytes_of(c.scale) + bytes_of(c.tint);
+    bytes += bytes_of(c.model) + bytes_of(c.foot) + bytes_of(c.turn) + bytes_of(c.scale) + bytes_of(c.tint);
   }
   return bytes;
 }

@@ -9,8 +9,8 @@
 
 #include "core/content.h"
 #include "core/parallel.h"
+#include "organisms/describe.h"
 #include "organisms/kinds.h"
-#include "preset/json.h"
 #include "scene/settle.h"
 #include "scene/specimen_cache.h"
 
@@ -82,9 +82,11 @@ class SceneBuilder {
       for (const Bed& bed : beds) groups.push_back({bed});
     else
       groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });
-    std::vector<std::string> keys(groups.size());
-    if (cache_)
-      for (std::size_t g = 0; g < groups.size(); ++g) keys[g] = key_of(groups[g], stage, world.territories());
+    std::vector<std::string> keys(groups.size()), for_others(groups.size());
+    for (std::size_t g = 0; cache_ && g < groups.size(); ++g) {
+      BedKeys found = keys_of_beds(groups[g], stage, world.territories());
+      keys[g] = std::move(found.all), for_others[g] = std::move(found.for_others);
+    }
     if (cache_ && !only_ && !beds.empty()) cache_->keep(among(stage), {});
     std::vector<std::vector<Specimen>> specimens(groups.size());
     std::vector<Errors> errors(groups.size());
@@ -106,7 +108,7 @@ class SceneBuilder {
     }
     if (cache_) grown.names.insert(grown.names.end(), keys.begin(), keys.end());
     // What comes later grows among all of these.
-    for (const std::string& key : keys) surroundings_ += key;
+    for (const std::string& key : for_others) surroundings_ += key;
     std::ranges::stable_sort(all, {}, &Specimen::entry);
     world.add(std::move(all));
     return {};
@@ -155,15 +157,20 @@ class SceneBuilder {
     return errors;
   }
 
-  /// All that the specimens of some beds depend on. Of the land, what stands by itself takes the height of
-  /// its foot alone.
-  std::string key_of(const std::vector<Bed>& beds, GrowthStage stage, const Territories& territories) const {
-    std::string text = surroundings_;
+  struct BedKeys {
+    std::string all;         // all that their specimens depend on
+    std::string for_others;  // the same but for how they look, on which nothing depends that grows among them
+  };
+
+  /// Of the land, what stands by itself takes the height of its foot alone.
+  BedKeys keys_of_beds(const std::vector<Bed>& beds, GrowthStage stage,
+                       const Territories& territories) const {
+    std::string text = surroundings_, looks;
     if (stage == GrowthStage::creeping || stage == GrowthStage::in_space) text += land_;
-    const Value* written = preset_.written->find("organisms");
     for (const Bed& bed : beds) {
-      text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, serialize(written->items[bed.entry]),
-                          bed.organism->text);
+      Keys keys = keys_of(*bed.organism);
+      looks += keys.look;
+      text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, keys.shape, keys.motion);
       for (const Planting& p : bed.plantings) {
         text += fmt::format(" {} {} {} {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z, p.normal.x,
                             p.normal.y, p.normal.z);
@@ -174,7 +181,7 @@ class SceneBuilder {
         }
       }
     }
-    return content_id(text);
+    return {content_id(text + looks), content_id(text)};
   }
 
   const Preset& preset_;

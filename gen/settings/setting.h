@@ -16,6 +16,7 @@
 #include "land/scatter.h"
 #include "land/sow.h"
 #include "model/bytes.h"
+#include "preset/keys.h"
 #include "preset/reader.h"
 #include "preset/schema.h"
 #include "settings/sky.h"
@@ -203,6 +204,7 @@ struct SettingRow {
   std::any initial;                   ///< the default parameters
   bool (*read)(Reader&, const Value&, std::any&);
   std::string (*schema)();
+  Keys (*keys)(const std::any&);
   SettingAnswers answers;
 };
 
@@ -230,6 +232,7 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
             describe(writer, sample);
             return serialize(writer.object_schema());
           },
+          [](const std::any& held) { return keys_of(std::any_cast<Block>(held)); },
           {std::move(reads), extent, check, estimate_size, lay, daylight}};
 }
 

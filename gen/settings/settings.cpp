@@ -19,6 +19,14 @@ std::size_t row_of(std::string_view name) {
                                   settings().begin());
 }
 
+void describe_rest(KeyWriter& v, std::any& block) {
+  for (const SettingRow& row : settings()) {
+    if (row.initial.type() != block.type()) continue;
+    Keys keys = row.keys(block);
+    v.add(row.block, keys);
+  }
+}
+
 Stage::Stage() {
   for (const SettingRow& row : settings()) blocks.push_back(row.initial);
 }

@@ -16,6 +16,8 @@ FROND_SETTINGS(FROND_DECLARE)
 
 /// Their table.
 std::span<const SettingRow> settings();
+/// Adds what a setting's block tells.
+void describe_rest(KeyWriter& v, std::any& block);
 /// Index of the row of that name; the number of rows if there is none.
 std::size_t row_of(std::string_view name);
 

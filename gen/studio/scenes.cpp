@@ -16,6 +16,7 @@
 #include "images/raster.h"
 #include "preset/json.h"
 #include "preview/quick_look.h"
+#include "scene/describe.h"
 
 namespace frond {
 
@@ -49,25 +50,19 @@ Answer stale() { return {202, {{"stale", true}}, {}}; }
 /// All that an organism grows from, but for its place.
 std::string name_of(const Preset& preset, std::size_t entry) {
   const Organism& o = preset.organisms[entry];
-  return content_id(fmt::format("{} {} {} {}", preset.seed, o.count, o.text, o.sown ? o.sown->models : 0));
+  return content_id(
+      fmt::format("{} {} {} {}", preset.seed, o.count, o.grower->keys().all(), o.sown ? o.sown->models : 0));
 }
 
-/// All that a scene follows from: files that a preset names may have changed under it, and `--set`s of it say
-/// another size.
+/// All that a scene follows from, and whose it is.
 std::string key_of(const Doc& doc, const Preset& preset) {
-  std::string all = doc.file.string() + preset.text;
-  for (const Organism& organism : preset.organisms) all += organism.text;
-  const Film& film = preset.film;
-  return content_id(
-      fmt::format("{} {}x{} {}", all, film.size[0], film.size[1], static_cast<int>(film.quality)));
+  return content_id(doc.file.string() + keys_of(preset).all());
 }
 
 /// A preset is held as a tree of values, and once more by its growers.
 std::size_t bytes_of(const Preset& preset) {
   constexpr std::size_t kOfText = 40;
-  std::size_t bytes = kOfText * preset.text.size();
-  for (const Organism& organism : preset.organisms) bytes += 2 * organism.text.size();
-  return bytes;
+  return kOfText * preset.text.size();
 }
 
 std::set<std::size_t> numbers(const Json& question, const char* name) {
@@ -87,7 +82,6 @@ bool make_coarse(Preset& preset, const std::set<std::size_t>& entries, double sh
     std::shared_ptr<const Grower> coarse = organism.grower->coarse(share);
     if (!coarse) continue;
     organism.grower = std::move(coarse);
-    organism.text += fmt::format(" coarse {}", share);
     any = true;
   }
   return any;

@@ -53,7 +53,7 @@ TEST(Host, ColumnIsWhatIvyHoldsOnTo) {
 
 TEST(Host, MeshIsScaledToItsSize) {
   MeshParams params;
-  params.file = "box.obj";
+  params.file.name = "box.obj";
   EXPECT_FALSE(build_mesh_model(params).ok()) << "nothing has been read";
   params.mesh =
       to_unit(*read_obj("v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));

@@ -98,31 +98,33 @@ TEST(EntryFilter, ARoughTreeIsAsTallAndHasFewerTwigs) {
 
 TEST(EntryFilter, ARoughCoralOrPlantHasNoMoreThanItsShareOfTheNodes) {
   Preset preset = *read_preset(R"({"scene": {"setting": "studio"}, "organisms": [
-      {"kind": "coral", "steps": 7}, {"kind": "plant", "height": 1,
+      {"kind": "coral", "name": "coral", "steps": 7}, {"kind": "plant", "name": "plant", "height": 1,
        "grammar": {"axiom": "F", "steps": 5, "angle": 25, "rules": ["F -> F[+F]F[-F]F"]}}]})",
                                "rough", {});
   for (const Organism& o : preset.organisms) {
     double whole = o.grower->estimate_size(Seed{1})->nodes;
     for (double share : {0.5, 0.1, 0.02}) {
       std::shared_ptr<const Grower> rough = o.grower->coarse(share);
-      ASSERT_NE(rough, nullptr) << o.text;
-      EXPECT_LE(rough->estimate_size(Seed{1})->nodes, share * whole) << o.text;
-      EXPECT_GT(rough->estimate_size(Seed{1})->nodes, 0) << o.text;
+      ASSERT_NE(rough, nullptr) << o.name;
+      EXPECT_LE(rough->estimate_size(Seed{1})->nodes, share * whole) << o.name;
+      EXPECT_GT(rough->estimate_size(Seed{1})->nodes, 0) << o.name;
     }
   }
 }
 
 TEST(EntryFilter, ARoughOneIsNoFaultAndHasFewerTriangles) {
   Preset reef = *read_preset(R"({"scene": {"setting": "underwater"}, "organisms": [
-      {"kind": "rock", "size": 1, "depth": 7, "tolerance": 0.0005}, {"kind": "massive"}, {"kind": "columnar"},
-      {"kind": "shell", "detail": 100000}, {"kind": "table"}, {"kind": "foliose"}, {"kind": "tube"}]})",
+      {"kind": "rock", "name": "rock", "size": 1, "depth": 7, "tolerance": 0.0005},
+      {"kind": "massive", "name": "massive"}, {"kind": "columnar", "name": "columnar"},
+      {"kind": "shell", "name": "shell", "detail": 100000}, {"kind": "table", "name": "table"},
+      {"kind": "foliose", "name": "foliose"}, {"kind": "tube", "name": "tube"}]})",
                              "reef", {});
   for (const Organism& o : reef.organisms) {
     std::shared_ptr<const Grower> coarse = o.grower->coarse(0.2);
-    ASSERT_NE(coarse, nullptr) << o.text;
+    ASSERT_NE(coarse, nullptr) << o.name;
     EXPECT_TRUE(coarse->check().empty());
     EXPECT_LT(coarse->estimate_size(Seed{1})->triangles, o.grower->estimate_size(Seed{1})->triangles)
-        << o.text;
+        << o.name;
     std::optional<Spread> was = o.grower->spread(), now = coarse->spread();
     ASSERT_EQ(was.has_value(), now.has_value());
     if (!was) continue;

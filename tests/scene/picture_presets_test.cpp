@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/files.h"
+#include "preset/json.h"
 #include "scene/preset.h"
 
 namespace frond {
@@ -33,7 +34,7 @@ TEST(PicturePresets, NoPlantOfTheWoodStandsBeforeAnOpenSky) {
 
 TEST(PicturePresets, TheHillsideHasTheLarchesThatItAsksForAndNotThoseOfTheSpecies) {
   auto first_larch = [](const std::string& name) {
-    return wholly_read(kPresets + name).organisms.at(0).text;
+    return serialize(wholly_read(kPresets + name).written->find("organisms")->items[0]);
   };
   auto says = [](const std::string& text, const char* what) { return text.find(what) != std::string::npos; };
   std::string here = first_larch("photographs/hillside.json"), species = first_larch("trees/larch.json");

@@ -77,6 +77,15 @@ TEST(SpecimenCache, IvyGrowsAnewWhereItsHostDoes) {
   expect_same(grown_with(other, nullptr), changed);
 }
 
+TEST(SpecimenCache, IvyDoesNotGrowAnewOnAHostOfAnotherColour) {
+  SpecimenCache cache;
+  grown_with(preset_with("presets/ivy/column.json"), &cache);
+  Preset other = preset_with("presets/ivy/column.json", {"/organisms/0/stone=\"#ffffff\""});
+  Scene changed = grown_with(other, &cache);
+  EXPECT_EQ(changed.grown, std::vector<std::size_t>{0});
+  expect_same(grown_with(other, nullptr), changed);
+}
+
 TEST(SpecimenCache, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
   std::vector<std::string> sets{"/organisms/0/years=6", "/scene/camera/fit=[\"all\"]"};
   Preset preset = preset_with("presets/trees/oak.json", sets);

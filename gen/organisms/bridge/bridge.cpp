@@ -125,6 +125,7 @@ void describe(Visitor& v, BridgeParams& b) {
   v.number("weathering", b.weathering, {.min = 0, .max = 1}, "How weathered it is: 0 new, 1 old");
   v.number("moss", b.moss, {.min = 0, .max = 1}, "How much moss grows on it");
   v.number("gloss", b.gloss, {.min = 0, .max = 1}, "How glossy the wood is: 0 raw, 1 oiled");
+  v.aspect(Aspect::look, "color", "second", "variation", "weathering", "moss", "gloss");
 }
 
 namespace {

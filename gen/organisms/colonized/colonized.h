@@ -20,7 +20,7 @@ struct EnvelopeParams {
   double width = 3.6;  ///< metres
   double depth = 0;    ///< metres from front to back; 0: as the width, outlines are turned about their middle
   double top = 0;      ///< of a cone: width at its top relative to its foot
-  std::string file;    ///< OBJ for a mesh, SVG or PNG for an outline, relative to the preset's folder
+  FileName file;       ///< OBJ for a mesh, SVG or PNG for an outline, relative to the preset's folder
   std::string path;    ///< of an outline: SVG path data in place of a file
   Surface mesh;        ///< content of the file, if a mesh
   std::optional<Silhouette> outline;  ///< content of the file, if an outline

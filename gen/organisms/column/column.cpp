@@ -32,6 +32,7 @@ void describe(Visitor& v, ColumnParams& c) {
   v.number("broken", s.broken, {.min = 0, .max = 0.95}, "Share of its height that has broken off");
   v.color("stone", c.stone, "Colour of the limestone");
   v.number("weathering", c.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
+  v.aspect(Aspect::look, "stone", "weathering");
 }
 
 namespace {

@@ -64,6 +64,7 @@ void describe(Visitor& v, CoralParams& c) {
   v.object("wave", c.wave, "Swaying in the current");
   v.object("food", c.food, "What the branches bend toward");
   v.object("growth", c.growth, "When it grows in the film");
+  if (asks(c.grammar)) v.aspect(Aspect::shape, "food", "growth");
 }
 
 namespace {

@@ -46,11 +46,15 @@ void describe(Visitor& v, Crawl& c) {
   v.number("thickest", c.thickest, {.min = 1, .max = 100},
            "Radius of an old stem at most, as a multiple of a strand's");
   v.integer("max_age", c.max_age, {.min = 1, .max = 100000}, "Number of steps of the whole growth");
-  std::optional<double> longest;
+  const Crawl open;  // nothing of it is written where there is no limit
+  auto limit = [](const auto& own, const auto& none) {
+    return own == none ? std::nullopt : std::optional(own);
+  };
+  auto longest = limit(c.max_length, open.max_length);
   v.number("max_length", longest, {.min = 0.001, .max = 1e6, .unit = "m"},
            "Length of one strand at most; without it there is no limit");
   if (longest) c.max_length = *longest;
-  std::optional<Vec3> low, high;
+  auto low = limit(c.low, open.low), high = limit(c.high, open.high);
   v.vector("low", low, {.min = -1e6, .max = 1e6, .unit = "m"},
            "Low corner x, y, z of a box that strands do not leave");
   v.vector("high", high, {.min = -1e6, .max = 1e6, .unit = "m"},
@@ -91,10 +95,13 @@ void describe(Visitor& v, IvyLeaves& l) {
   v.color("bud", l.bud, "Colour of the buds that leaves unfold from");
   v.color("veins", l.veins, "Colour of the veins");
   v.number("unfold", l.unfold, {.min = 0.001, .max = 1}, "Share of the growth in which a leaf unfolds");
+  v.aspect(Aspect::look, "colors", "young", "bud", "veins");
+  v.aspect(Aspect::motion, "unfold");
 }
 
 template <class Visitor>
 void describe(Visitor& v, Flutter& f) {
+  v.aspect(Aspect::motion);
   v.angle("amplitude", f.amplitude, {.min = 0, .max = 60},
           "Angle by which a gust moves a leaf on a petiole of 5 cm");
   v.number("speed", f.speed, {.min = 0, .max = 20, .unit = "1/s"},
@@ -105,6 +112,7 @@ void describe(Visitor& v, Flutter& f) {
 
 template <class Visitor>
 void describe(Visitor& v, Breeze& b) {
+  v.aspect(Aspect::motion);
   v.angle("amplitude", b.amplitude, {.min = 0, .max = 60},
           "Angle by which the free end of a hanging strand swings");
   v.direction("direction", b.direction, Across::xz, "Direction of the wind; only x and z count");

@@ -7,7 +7,7 @@
 namespace frond {
 
 Result<Model> build_mesh_model(const MeshParams& params) {
-  if (params.mesh.triangle.empty()) return Error{"", "file \"" + params.file + "\" has not been read"};
+  if (params.mesh.triangle.empty()) return Error{"", "file \"" + params.file.name + "\" has not been read"};
   Model model;
   Material matter{params.matter, params.color, params.second, params.scale};
   matter.moss = params.weathering;
@@ -37,6 +37,7 @@ void describe(Visitor& v, MeshParams& m) {
   v.color("second", m.second, "Colour of stains and cracks");
   v.number("scale", m.scale, {.min = 0.001, .max = 10, .unit = "m"}, "Size of the pattern");
   v.number("weathering", m.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
+  v.aspect(Aspect::look, "matter", "color", "second", "scale", "weathering");
 }
 
 namespace {

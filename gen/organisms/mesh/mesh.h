@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include "core/assets.h"
 #include "core/result.h"
 #include "model/model.h"
 
@@ -9,9 +8,9 @@ namespace frond {
 
 /// A body from an OBJ file.
 struct MeshParams {
-  std::string file;  ///< relative to the preset's folder, or to the working folder
-  Surface mesh;      ///< content of the file, standing on the origin, its longest side one unit long
-  double size = 1;   ///< metres, of its longest side
+  FileName file;    ///< relative to the preset's folder, or to the working folder
+  Surface mesh;     ///< content of the file, standing on the origin, its longest side one unit long
+  double size = 1;  ///< metres, of its longest side
   Matter matter = Matter::limestone;
   Color color{0.74f, 0.71f, 0.64f};
   Color second{0.45f, 0.42f, 0.36f};

@@ -33,6 +33,7 @@ inline constexpr Choice<Stand> kStands[] = {
 
 template <class Visitor>
 void describe(Visitor& v, Luster& l) {
+  v.aspect(Aspect::look);
   v.number("through", l.through, {.min = 0, .max = 0.9},
            "Share of the light, of all that it throws back, that comes out on the other side: a leaf glows "
            "before a low sun");
@@ -42,6 +43,7 @@ void describe(Visitor& v, Luster& l) {
 
 template <class Visitor>
 void describe(Visitor& v, OrganParams& o) {
+  v.aspect(Aspect::look);
   v.text("symbol", o.symbol,
          "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
   v.required("symbol");
@@ -92,6 +94,7 @@ void describe(Visitor& v, OrganParams& o) {
            "\"picture\"");
   v.object("luster", o.luster, "How it takes light; without it as is usual for its shape");
   v.number("dew", o.dew, {.min = 0, .max = 60}, "Drops of dew on a square centimetre of its upper side");
+  v.aspect(Aspect::shape, "symbol", "size", "size_variation", "turn_variation");
 }
 
 template <class Visitor>
@@ -113,6 +116,7 @@ void describe(Visitor& v, PlantParams& p) {
   v.object("growth", p.growth, "When it grows in the film");
   v.boolean("by_steps", p.by_steps,
             "Whether growth runs through the derivation steps instead of along the finished branches");
+  if (asks(p.grammar)) v.aspect(Aspect::shape, "food", "growth");
 }
 
 namespace {
@@ -225,14 +229,7 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
   }
 
  private:
-  bool asks() const {
-    const GrammarText& text = params.grammar;
-    auto asked = [](const std::string& part) { return part.find("?E") != std::string::npos; };
-    auto asks_in = [&](const std::vector<GrammarText::Rule>& rules) {
-      return std::ranges::any_of(rules, asked, &GrammarText::Rule::text);
-    };
-    return asked(text.axiom) || asks_in(text.rules) || asks_in(text.decomposition);
-  }
+  bool asks() const { return frond::asks(params.grammar); }
 };
 
 }  // namespace

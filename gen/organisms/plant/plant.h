@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/assets.h"
 #include "core/curve.h"
 #include "core/result.h"
 #include "core/seed.h"
@@ -16,7 +17,7 @@ enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond
 /// The shape of an organ that the grammar names.
 struct OrganParams {
   std::string symbol;  ///< its name in the grammar
-  std::string file;    ///< of an `obj`: relative to the preset's folder
+  FileName file;       ///< of an `obj`: relative to the preset's folder
   Surface mesh;        ///< content of the file, one unit long
   OrganShape shape = OrganShape::leaf;
   double size = 0.1;  ///< metres long; multiplied by the organ's parameter in the grammar

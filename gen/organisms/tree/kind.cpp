@@ -132,6 +132,7 @@ void describe(Visitor& v, Foliage& f) {
   v.color("second", f.second, "Colour of the veins");
   v.object("picture", f.picture,
            "Leaves as pictures in place of the kind; size and size_variation are those above");
+  v.aspect(Aspect::look, "kind", "leaves", "leaf", "width", "open", "droop", "colors", "second");
 }
 
 /// The weather of the years as presets group it.
@@ -165,6 +166,7 @@ void describe(Visitor& v, TreeParams& t) {
   v.object("season", t.season, "The course of the year for its leaves; without it they stay as they are");
   v.object("wave", t.wave, "Swaying in the wind");
   v.object("growth", t.growth, "When it grows in the film, all cycles in the same time");
+  v.aspect(Aspect::shape, "growth");  // a tree stands as its years have left it by then
 }
 
 namespace {

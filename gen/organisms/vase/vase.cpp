@@ -85,6 +85,7 @@ inline constexpr Choice<Motif> kMotifs[] = {{"plain", Motif::plain, "nothing but
 
 template <class Visitor>
 void describe(Visitor& v, Band& b) {
+  v.aspect(Aspect::look);
   v.number("at", b.at, {.min = 0, .max = 1}, "Middle of the band, as a share of the vessel's height");
   v.number("width", b.width, {.min = 0.001, .max = 1},
            "Width of the band, as a share of the vessel's height");
@@ -121,6 +122,7 @@ void describe(Visitor& v, VaseParams& p) {
   v.number("soil", p.soil, {.min = 0, .max = 1},
            "Share of its height that is filled with earth; 0 leaves it empty");
   v.choice("form", p.form, kVaseForms, "How it is handed to POV-Ray");
+  v.aspect(Aspect::look, "material", "color", "second", "crackle", "moss", "gloss", "variation", "bands");
 }
 
 namespace {

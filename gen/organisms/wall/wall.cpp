@@ -104,6 +104,7 @@ void describe(Visitor& v, WallParams& w) {
   v.color("stone", w.stone, "Colour of sills and lintels");
   v.color("paint", w.paint, "Colour of windows and doors");
   v.number("weathering", w.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
+  v.aspect(Aspect::look, "bricks", "mortar", "stone", "paint", "weathering");
 }
 
 namespace {

@@ -11,7 +11,7 @@ namespace frond {
 /// A tree by the parameters of Weber and Penn.
 struct WeberPennParams {
   WeberPenn tree;
-  std::string arbaro;  ///< an Arbaro file whose values replace `tree`, relative to the preset's folder
+  FileName arbaro;  ///< an Arbaro file whose values replace `tree`, relative to the preset's folder
   TreeDress dress;
 };
 
