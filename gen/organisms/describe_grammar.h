@@ -2,6 +2,7 @@
 
 #include "grammar/grammar.h"
 #include "grammar/guide.h"
+#include "preset/keys.h"
 #include "preset/reader.h"
 
 // The properties of grammars and their guides, as presets spell them; see preset/describe.h.
