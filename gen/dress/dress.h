@@ -35,6 +35,8 @@ struct BranchLook {
   double lobe_depth = 0;              ///< share of the radius
 
   bool drawn() const { return skin || bark; }
+  bool coral() const { return skin.has_value(); }
+  bool plant() const { return bark.has_value(); }
   /// Of a coral that light and shade tell on; sea fans take their food from the water alone.
   bool living() const { return skin && skin->kind != SkinKind::fan; }
   /// Null where there are none.

@@ -213,10 +213,12 @@ std::string copy_texture(const BranchLook& look) {
   return text + ",T)";
 }
 
-bool is_pictured(const BranchLook& look) { return look.coat || look.skin; }
+bool is_pictured(const BranchLook& look) { return look.coat || look.coral(); }
 
-std::string_view copy_include(const BranchLook& look) { return look.skin ? "coral" : ""; }
+std::string_view copy_include(const BranchLook& look) { return look.coral() ? "coral" : ""; }
 
-std::string_view include_of(const BranchLook& look) { return look.skin ? "coral" : look.bark ? "plant" : ""; }
+std::string_view include_of(const BranchLook& look) {
+  return look.coral() ? "coral" : look.plant() ? "plant" : "";
+}
 
 }  // namespace frond

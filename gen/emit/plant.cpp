@@ -115,7 +115,7 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   std::vector<Shapes> entries;
   std::map<std::size_t, std::size_t> index;  // in `entries`, which are in the order of the scene
   for (const Specimen& b : scene.specimens) {
-    if (!b.look.branches.bark) continue;
+    if (!b.look.branches.plant()) continue;
     auto [at, fresh] = index.try_emplace(b.entry, entries.size());
     if (fresh) entries.push_back({b.entry, {}});
     std::vector<const Prototype*>& used = entries[at->second].used;

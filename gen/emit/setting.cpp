@@ -31,9 +31,8 @@ void add_missing(std::vector<std::string_view>& names, std::initializer_list<std
 std::string includes_text(const Scene& scene) {
   auto any = [&](auto has) { return std::ranges::any_of(scene.specimens, has); };
   std::vector<std::string_view> names = text_of(scene.stage).includes;
-  if (any([](const Specimen& s) { return s.look.branches.skin.has_value(); }))
-    add_missing(names, {"coral", "food"});
-  if (any([](const Specimen& s) { return s.look.branches.bark.has_value(); })) add_missing(names, {"plant"});
+  if (any([](const Specimen& s) { return s.look.branches.coral(); })) add_missing(names, {"coral", "food"});
+  if (any([](const Specimen& s) { return s.look.branches.plant(); })) add_missing(names, {"plant"});
   if (!scene.drawings.empty()) names.push_back("tree");
   if (any([](const Specimen& s) { return s.style.build == Build::voxels; })) names.push_back("voxel");
   if (any([](const Specimen& s) { return s.life.hanging.has_value(); })) names.push_back("ivy");

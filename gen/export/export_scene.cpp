@@ -34,9 +34,7 @@ Vec3 foot_of(const Model& model) {
     if (model.skeleton.parent[i] == Skeleton::kRoot && model.skeleton.position[i].y < foot.y)
       foot = model.skeleton.position[i];
   if (model.skeleton.size() > 0) return foot;
-  Bounds box = bounds_of(model.solids);
-  for (const Vec3& p : model.organs.position) box.take(p);
-  for (const Vec3& p : model.blades.surface.position) box.take(p);
+  Bounds box = bounds_of(model);
   return box.empty() ? Vec3(0) : box.foot();
 }
 

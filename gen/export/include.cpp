@@ -165,7 +165,7 @@ class Writer {
       text.text += model.title + model.body;
       for (int part : model.parts) {
         // A coral is one part, its skin.
-        std::string look = b.look.branches.skin
+        std::string look = b.look.branches.coral()
                                ? fmt::format("texture{{Skin[{}]}}", parts.first_skin[i])
                                : fmt::format("{}_{}_Look(<0,1,{}>)", name, part, number_text(b.brightness));
         text += {fmt::format("object{{{}_{} scale {} {}}}\n", name, part,

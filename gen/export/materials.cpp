@@ -161,7 +161,7 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
   if (look.branches.patterned()) {
     Swatch swatch = skin_swatch(look.branches, color, pixels);
     swatch.light = most;
-    use = keep_swatch(std::move(swatch), made, name, look.branches.skin ? 0.75 : 0.85);
+    use = keep_swatch(std::move(swatch), made, name, look.branches.coral() ? 0.75 : 0.85);
   } else {
     made.factor = made.color;
     use = keep("plain" + key_of(made.factor), made, name, {}, {});
@@ -174,7 +174,7 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
 std::pair<double, double> Palette::picture_size(const BranchLook& look) {
   constexpr double kRidge = 1.2;  // a ridge and the furrow beside it, in widths of a furrow
   if (look.coat) return {1, 1};
-  if (look.skin) return {kPatterns * look.skin->pores.cell, kPatterns * look.skin->pores.cell};
+  if (look.coral()) return {kPatterns * look.pattern_size(), kPatterns * look.pattern_size()};
   if (look.ringed()) return {kRings * look.bark_scale(), kRings * look.bark_scale()};
   double wide = kRidge * BarkImage{}.ridges * look.bark_scale();
   return {wide, 2 * wide};

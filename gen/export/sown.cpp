@@ -64,10 +64,7 @@ Result<std::vector<Value>> each_grown(const std::vector<SownModel>& models, cons
 
 /// Edge of the box round a model, metres.
 double size_of(const Model& model) {
-  Bounds box = bounds_of(model.solids);
-  for (const auto* places :
-       {&model.skeleton.position, &model.organs.position, &model.blades.surface.position})
-    box.take(bounds_of(*places));
+  Bounds box = bounds_of(model);
   return box.empty() ? 0.01 : std::max<double>(box.longest(), 0.01);
 }
 

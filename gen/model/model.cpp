@@ -79,4 +79,13 @@ std::string Model::check() const {
   return hull.check();
 }
 
+Bounds bounds_of(const Model& model) {
+  Bounds box = bounds_of(model.solids);
+  for (std::size_t i = 0; i < model.skeleton.size(); ++i)
+    box.take(model.skeleton.position[i], model.skeleton.radius[i]);
+  box.take(bounds_of(model.organs.position));
+  box.take(bounds_of(model.blades.surface.position));
+  return box;
+}
+
 }  // namespace frond

@@ -97,4 +97,8 @@ struct Model {
   std::string check() const;
 };
 
+/// A box round its branches and bodies, and the places of its organs and blades; empty where there is
+/// nothing.
+Bounds bounds_of(const Model& model);
+
 }  // namespace frond

@@ -148,7 +148,7 @@ Surface ball() {
 
 Vec3 color_of(const Look& look) {
   if (look.leaves) return mean(look.leaves->colors);
-  return look.branches.bark ? Vec3(0.10f, 0.16f, 0.05f) : Vec3(0.25f, 0.25f, 0.23f);
+  return look.branches.plant() ? Vec3(0.10f, 0.16f, 0.05f) : Vec3(0.25f, 0.25f, 0.23f);
 }
 
 /// The land's stones and all copies, in bits.
@@ -249,11 +249,7 @@ class FloorDepth {
 /// The sun's picture takes in what stands.
 ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
   Bounds box;
-  for (const Specimen& s : scene.specimens) {
-    for (const Vec3& p : s.model.skeleton.position) box.take(p);
-    for (const Vec3& p : s.model.organs.position) box.take(p);
-    box.take(bounds_of(s.model.solids));
-  }
+  for (const Specimen& s : scene.specimens) box.take(bounds_of(s.model));
   Vec3 eye = scene.stage.camera.location.at(0);
   for (const SownStand& stand : scene.stands)
     for (const Vec3& p : stand.copies.foot)

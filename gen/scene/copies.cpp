@@ -124,10 +124,10 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
 }
 
 /// Branches of a coral as tubes with rounded ends; u of their `uv` is how young they are, 1 at tips.
-Surface skin_tubes(Skeleton bones, float grain, const Skin& skin) {
+Surface skin_tubes(Skeleton bones, float grain, double young_length) {
   set_tip_distances(bones);
   TubeMesh mesh = closed_tubes(bones, bones.position, bones.radius, 2, 28, grain);
-  auto length = static_cast<float>(std::max(skin.tint.young_length, 1e-6));
+  auto length = static_cast<float>(std::max(young_length, 1e-6));
   for (std::size_t v = 0; v < mesh.node.size(); ++v)
     mesh.surface.uv[v] = {1 - smooth_step(0.0f, length, bones.to_tip[static_cast<std::size_t>(mesh.node[v])]),
                           0};
@@ -281,8 +281,8 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
     shape.side = std::max(coat ? coat->facet : 0.02, 4 * detail.grain);
     Skeleton bones = thinned(model.skeleton, 0.4f * fine, 0.5f * fine);
     add(CopyPart::Kind::wood, 0, 0,
-        look.branches.skin ? skin_tubes(std::move(bones), fine, *look.branches.skin)
-                           : tube_surface(bones, shape));
+        look.branches.coral() ? skin_tubes(std::move(bones), fine, look.branches.young_length())
+                              : tube_surface(bones, shape));
   }
   CopyDetail each = detail;
   std::size_t shapes = 0;

@@ -12,16 +12,6 @@ namespace frond {
 
 namespace {
 
-Bounds box_of(const Specimen& specimen) {
-  const Model& b = specimen.model;
-  Bounds box;
-  for (std::size_t i = 0; i < b.skeleton.size(); ++i) box.take(b.skeleton.position[i], b.skeleton.radius[i]);
-  for (const Vec3& p : b.organs.position) box.take(p);
-  for (const Vec3& p : b.blades.surface.position) box.take(p);
-  box.take(rough_bounds_of(b.solids));
-  return box;
-}
-
 std::string name_of(const std::string& name, std::size_t entry) {
   return name.empty() ? fmt::format("organism {}", entry) : name;
 }
@@ -29,7 +19,7 @@ std::string name_of(const std::string& name, std::size_t entry) {
 std::vector<Occupied> boxes_of(const Scene& scene) {
   std::vector<Occupied> boxes;
   for (const Specimen& s : scene.specimens) {
-    Bounds box = box_of(s);
+    Bounds box = bounds_of(s.model);
     boxes.push_back({name_of(s.name, s.entry), box.low, box.high});
   }
   for (const SownStand& stand : scene.stands)

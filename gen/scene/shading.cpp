@@ -26,7 +26,7 @@ bool lives_by_light(const Solid& solid) { return row_of(solid.material.matter).n
 bool is_colony(const Specimen& s) {
   auto lives = [](const Solid& solid) { return is_tissue(solid.material.matter); };
   return std::ranges::any_of(s.model.solids.shapes, lives) ||
-         (s.look.branches.skin && s.model.skeleton.size() > 0);
+         (s.look.branches.coral() && s.model.skeleton.size() > 0);
 }
 
 /// Calls f(place) for places all over a triangle, at most `step` from each other.

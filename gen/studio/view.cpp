@@ -42,15 +42,6 @@ Json camera_json(const Camera& camera, double time) {
           {"angle", camera.angle.at(time)}};
 }
 
-Bounds box_of(const Specimen& specimen) {
-  const Model& m = specimen.model;
-  Bounds box = rough_bounds_of(m.solids);
-  for (const Vec3& p : m.skeleton.position) box.take(p);
-  for (const Vec3& p : m.organs.position) box.take(p);
-  for (const Vec3& p : m.blades.surface.position) box.take(p);
-  return box;
-}
-
 Vec3 foot_of(const Specimen& specimen, const Bounds& box) {
   const Model& m = specimen.model;
   if (m.skeleton.size() > 0) return m.skeleton.position[0];
@@ -60,7 +51,7 @@ Vec3 foot_of(const Specimen& specimen, const Bounds& box) {
 /// The organisms of the preset and the specimens of a scene.
 void add_lists(Json& header, const Scene& scene, const Preset& preset) {
   std::vector<Bounds> boxes(scene.specimens.size());
-  parallel_for(boxes.size(), [&](std::size_t i) { boxes[i] = box_of(scene.specimens[i]); });
+  parallel_for(boxes.size(), [&](std::size_t i) { boxes[i] = bounds_of(scene.specimens[i].model); });
   std::vector<Bounds> of_entry(preset.organisms.size());
   std::vector<std::size_t> count(preset.organisms.size()), copies(preset.organisms.size());
   Json specimens = Json::array();
