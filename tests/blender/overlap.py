@@ -39,7 +39,7 @@ def pov_silhouette(frond, preset, folder, sets, frame, size):
         text = file.read()
     unit = float(re.search(r"Frond_Unit = ([\d.]+)", text)[1])
     camera = re.search(r"camera\{location<(.*?)>.*?angle ([\d.]+) look_at<(.*?)>", text)
-    text = re.sub(r"^Studio_(Globals|Setting)\(.*\)$", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^Studio_(Globals|Room|Lamp)\(.*\)$", "", text, flags=re.MULTILINE)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text.replace("#version 3.7;", "#version 3.7; global_settings{assumed_gamma 1}", 1))
     run("povray", "+Lpovinc", f"+L{folder}/frames", f"+W{size[0]}", f"+H{size[1]}", "+A0.3",

@@ -16,7 +16,7 @@ function povray(file) {
   const folder = `${file}.out`;
   execFileSync(frond, ['generate', file, '-o', folder, '--frames', '1-1', '-q'], {stdio: ['ignore', 'inherit', 'ignore']});
   const frames = path.join(folder, 'frames');
-  const scene = fs.readFileSync(path.join(frames, 'frame_0001.pov'), 'utf8').split('\n').filter(line => !line.startsWith('Studio_Setting('));
+  const scene = fs.readFileSync(path.join(frames, 'frame_0001.pov'), 'utf8').split('\n').filter(line => !line.startsWith('Studio_Room('));
   const bare = path.join(folder, 'bare.pov');
   const picture = path.join(folder, 'bare.png');
   fs.writeFileSync(bare, scene.join('\n'));
