@@ -52,7 +52,7 @@ test('nothing is marked on opening, and a drag on any organism turns the view', 
 });
 
 test('what is marked keeps its colours', async () => {
-  await page.evaluate(() => window.frond.settled());
+  await page.evaluate(() => window.frond.view.pictured());
   const colors = () =>
     page.evaluate(async () => {
       const {view} = window.frond;

@@ -57,6 +57,11 @@ export class Pictures {
     return made;
   }
 
+  /** Resolves when all tiles that were asked for have come. */
+  tilesReady(): Promise<void> {
+    return this.queue;
+  }
+
   dispose(): void {
     for (const texture of this.known.values()) texture.dispose();
     for (const { colors, normals } of this.tiles.values()) {

@@ -183,6 +183,9 @@ export class View implements PointerTarget {
     while (this.coming || this.rest) await new Promise((next) => setTimeout(next, 50));
   };
 
+  /** Resolves when the materials of what is shown have their pictures. */
+  pictured = (): Promise<void> => this.pictures.tilesReady();
+
   theme(dark: boolean): void {
     this.painter.backdrop = dark ? 0x16181a : 0xe8e9ea;
     this.changed();
