@@ -168,7 +168,7 @@ std::optional<Value> another(const Value& schema, const Value* now) {
   }
   if (schema.find("pattern")) return make_text(now && now->text == "#123456" ? "#654321" : "#123456");
   const Value* type = schema.find("type");
-  std::string_view kind = type && type->is(Value::Type::text) ? type->text : "";
+  std::string kind = type && type->is(Value::Type::text) ? type->text : "";
   if (kind == "boolean") return make_boolean(!now || !now->boolean);
   if (kind == "number" || kind == "integer") {
     double low = number_or(schema, "minimum", number_or(schema, "exclusiveMinimum", -1e3));
