@@ -118,6 +118,15 @@ TEST(School, ClosesTheFilm) {
   }
 }
 
+TEST(School, AFilmOfTwoFramesIsSwumAsAnyOther) {
+  SwimTask swims = task();
+  swims.film = 2.0 / 24;
+  Trajectory made = swim(swims, 2.2, 0.12, clearance_of(*reef(), Vec3(-3, -1, -3), Vec3(3, 3, 3), 0.04f));
+  EXPECT_GE(made.steps, 3) << "directions are taken over three steps to each side";
+  ASSERT_EQ(made.heading.size(), made.position.size());
+  for (const Vec3& heading : made.heading) EXPECT_NEAR(glm::length(heading), 1, 1e-4);
+}
+
 TEST(School, SwimsSmoothly) {
   const Trajectory& s = trajectory();
   double fastest = task().params.speed * (1.5 + glm::length(task().params.current));

@@ -303,7 +303,8 @@ Trajectory swim(const SwimTask& task, double beat, double size_variation, const 
   trajectory.count = task.count;
   trajectory.repeats = task.film > 0;
   double length = trajectory.repeats ? task.film : kStep;
-  trajectory.steps = std::max(2, static_cast<int>(std::ceil(length / kStep - 1e-9)));
+  // Directions are taken over three steps to each side, also where the film begins again.
+  trajectory.steps = std::max(3, static_cast<int>(std::ceil(length / kStep - 1e-9)));
   trajectory.step = length / trajectory.steps;
   int blend = trajectory.repeats
                   ? std::max(1, static_cast<int>(std::min(kMostBlend, 0.6 * length) / trajectory.step))
