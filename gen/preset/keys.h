@@ -161,6 +161,7 @@ void KeyWriter::append(Texts& texts, T& x) {
                          x.size();
                          x.begin();
                        }) {
+    append_value(own, static_cast<double>(x.size()));  // lists of lists are told apart
     for (auto& element : x) append(texts, element);
   } else {
     append_object(texts, x);
