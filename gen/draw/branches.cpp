@@ -124,8 +124,10 @@ Boughs DrawnBranches::boughs() const {
 }
 
 Result<FusedMesh> DrawnBranches::body() const {
-  if (traits.style.build == Build::fused) return fuse(boughs(), volume());
-  Result<Cubes> cubes = cubes_of(boughs(), volume());
+  Boughs limbs = boughs();
+  if (limbs.cones.empty()) return FusedMesh{};
+  if (traits.style.build == Build::fused) return fuse(limbs, volume());
+  Result<Cubes> cubes = cubes_of(limbs, volume());
   if (!cubes) return cubes.errors();
   FusedMesh mesh;
   std::vector<std::uint32_t> cube;

@@ -101,17 +101,14 @@ std::optional<Vec3> named_focus(const Scene& scene, double time) {
   if (!camera.aperture || !camera.focus || camera.focus->organism.empty()) return std::nullopt;
   const std::string& name = camera.focus->organism;
   Lens lens = lens_at(camera, time, scene.film.aspect());
-  std::vector<Specimen> changed;
+  std::vector<std::shared_ptr<const Specimen>> specimens;
   std::vector<std::unique_ptr<DrawList>> drawn;
-  changed.reserve(scene.specimens.size());
   for (const Specimen& s : scene.specimens) {
     if (s.name != name) continue;
-    if (!s.life.changes()) {
-      drawn.push_back(std::make_unique<DrawList>(s, time));
-    } else if (Result<Specimen> now = developed(s, time)) {
-      changed.push_back(std::move(*now));
-      drawn.push_back(std::make_unique<DrawList>(changed.back(), time));
-    }
+    auto now = developed(s, time);
+    if (!now) continue;
+    specimens.push_back(*now);
+    drawn.push_back(std::make_unique<DrawList>(**now, time));
   }
   std::optional<float> depth = drawn.empty() ? std::nullopt : depth_of(drawn, lens);
   for (const SownStand& stand : scene.stands)

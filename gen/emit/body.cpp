@@ -131,7 +131,9 @@ ObjectText fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkT
 }
 
 Result<ObjectText> cubes_text(const PovSpace& space, const DrawnBranches& b) {
-  Result<Cubes> cubes = cubes_of(b.boughs(), b.volume());
+  Boughs limbs = b.boughs();
+  if (limbs.cones.empty()) return ObjectText();
+  Result<Cubes> cubes = cubes_of(limbs, b.volume());
   if (!cubes) return cubes.errors();
   std::vector<std::uint32_t> cube;
   Surface surface = cubes_surface(*cubes, cube);
@@ -178,7 +180,6 @@ Result<ObjectText> cubes_text(const PovSpace& space, const DrawnBranches& b) {
 }  // namespace
 
 Result<ObjectText> body_text(const PovSpace& space, const DrawnBranches& b, std::size_t skin) {
-  if (b.boughs().cones.empty()) return ObjectText();
   if (b.traits.style.build == Build::voxels) return cubes_text(space, b);
   Result<FusedMesh> mesh = b.body();
   if (!mesh) return mesh.errors();

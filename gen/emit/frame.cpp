@@ -168,7 +168,7 @@ Result<std::size_t> write_wood(const PovSpace& space, const DrawnBranches& b, st
   return body->objects;
 }
 
-/// What grows out of an organism's branches, and these. Gives what there is of them by then.
+/// Writes the branches of an organism with their foliage and polyps. Gives what there is of them by then.
 Result<FrameCount> write_branches(const PovSpace& space, const DrawList& drawn, std::size_t index,
                                   const Eye& eye, double time, const Out& out) {
   if (!drawn.branches) return FrameCount{};
@@ -200,17 +200,13 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
                                   const Out& out) {
   const Specimen& b = scene.specimens[i];
   Eye eye = eye_at(scene, time);
-  std::optional<Specimen> changed;
-  if (b.life.changes()) {
-    Result<Specimen> now = developed(b, time);
-    if (!now) return now.errors();
-    changed = std::move(*now);
-  }
+  auto now = developed(b, time);
+  if (!now) return now.errors();
   const Solids& solids = solids_of(parts.solids, scene, i);
-  DrawList drawn(changed ? *changed : b, time, b.life.develop ? changed->model.solids : solids);
+  DrawList drawn(**now, time, b.life.develop ? (*now)->model.solids : solids);
   ObjectText bodies;
   for (const DrawnBody& body : drawn.bodies)
-    if (body.now || b.life.develop) bodies += body_text(parts.space, body, i);
+    if (body.now || b.life.develop) bodies += solid_text(parts.space, body, i);
   for (const DrawnPolyps& polyps : drawn_polyps(solids, parts.polyps[i], b.motion.growth, time, eye))
     bodies += polyps_text(parts.space, polyps, time);
   out(bodies.text);

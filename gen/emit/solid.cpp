@@ -201,7 +201,7 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   return names;
 }
 
-ObjectText body_text(const PovSpace& space, const DrawnBody& body, std::size_t organism) {
+ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism) {
   ObjectText text;
   if (!has_faces(body.surface())) return text;
   if (is_of_reef(body.solid->material.matter)) append_front(text.text, body.front);
@@ -219,7 +219,7 @@ ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSol
     const Solids& solids = solids_of(drawn, scene, o);
     if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text.text, b.name);
-    for (const DrawnBody& body : still_bodies(solids, b.motion.growth)) text += body_text(space, body, o);
+    for (const DrawnBody& body : still_bodies(solids, b.motion.growth)) text += solid_text(space, body, o);
   }
   return text;
 }

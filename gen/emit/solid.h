@@ -24,6 +24,6 @@ std::string_view material_include(const Material& material);
 ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
 
 /// One shape of an organism, declared and placed, or as far as it has grown.
-ObjectText body_text(const PovSpace& space, const DrawnBody& body, std::size_t organism);
+ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism);
 
 }  // namespace frond

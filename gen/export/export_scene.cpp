@@ -42,7 +42,7 @@ Vec3 foot_of(const Model& model) {
 class SceneExporter {
  public:
   /// `swarm`: what it is at the keys but the last, where that is organs elsewhere or bodies in other shapes.
-  SceneExporter(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm = {})
+  SceneExporter(Maker& maker, const Specimen& b, double time, std::vector<Model> swarm)
       : maker_(maker),
         options_(maker.options),
         b_(b),
@@ -192,16 +192,16 @@ class SceneExporter {
 Result<std::vector<Model>> swarm_of(const Specimen& b, const Specimen& now, const std::vector<double>& keys) {
   std::vector<Model> swarm;
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
-    Result<Specimen> then = developed(b, keys[k]);
+    auto then = developed(b, keys[k]);
     if (!then) return then.errors();
-    if (!is_same_swarm(now.model, then->model))
+    if (!is_same_swarm(now.model, (*then)->model))
       return Error{
           "",
           fmt::format(
               "{} changes its shape with its seasons, its years or the steps of its grammar, which one mesh "
               "cannot follow: export single frames, with --frame",
               b.name)};
-    swarm.push_back(std::move(then->model));
+    swarm.push_back((*then)->model);
   }
   return swarm;
 }
@@ -223,18 +223,14 @@ Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOp
   ExportScene exported;
   Maker maker{exported, options};
   for (const Specimen& b : scene.specimens) {
-    Errors errors;
     std::size_t before = exported.placements.size();
-    if (b.life.changes()) {
-      Result<Specimen> now = developed(b, time);
-      if (!now) return now.errors();
-      Result<std::vector<Model>> swarm = swarm_of(b, *now, options.keys);
-      if (!swarm) return swarm.errors();
-      errors = SceneExporter(maker, *now, time, std::move(*swarm)).add();
-    } else {
-      errors = SceneExporter(maker, b, time).add();
-    }
-    if (!errors.empty()) return errors;
+    auto now = developed(b, time);
+    if (!now) return now.errors();
+    Result<std::vector<Model>> swarm = std::vector<Model>{};
+    if (b.life.changes()) swarm = swarm_of(b, **now, options.keys);
+    if (!swarm) return swarm.errors();
+    if (Errors errors = SceneExporter(maker, **now, time, std::move(*swarm)).add(); !errors.empty())
+      return errors;
     std::string name = b.name.empty() ? fmt::format("organism {}", b.entry) : b.name;
     if (exported.placements.size() == before && b.entry != Specimen::kNoEntry &&
         std::ranges::find(exported.absent, name) == exported.absent.end())

@@ -159,7 +159,7 @@ class Writer {
       for (const DrawnBody& body : b.life.develop ? still_bodies(b.model.solids, b.motion.growth)
                                                   : growing_bodies(b.model.solids, b.motion.growth,
                                                                    scene.film.time(what_.frames.back())))
-        text += body_text(parts.space, body, i);
+        text += solid_text(parts.space, body, i);
       ModelText model = model_texts({file}, stand, grown, {})[0];
       std::string name = declared_name(file);
       text.text += model.title + model.body;

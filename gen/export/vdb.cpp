@@ -70,13 +70,9 @@ Result<Volume> export_volume(const Scene& scene, double time, const ExportOption
   Gathered all;
   all.options = {options.voxel, 0, 0};
   for (const Specimen& organism : scene.specimens) {
-    Specimen stage;
-    if (organism.life.changes()) {
-      Result<Specimen> now = developed(organism, time);
-      if (!now) return now.errors();
-      stage = std::move(*now);
-    }
-    const Specimen& b = organism.life.changes() ? stage : organism;
+    auto now = developed(organism, time);
+    if (!now) return now.errors();
+    const Specimen& b = **now;
     if (b.model.skeleton.size() < 2 || !b.look.branches.drawn()) continue;
     add_posed(all, b, time, options.voxel <= 0);
   }

@@ -22,10 +22,12 @@ constexpr double kReuse =
     1.45;  // cells within which POV-Ray uses a place's light again; its tree grows coarse from 1.5
 constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throws back
 
+using Specimens = std::vector<std::shared_ptr<const Specimen>>;
+
 /// The room that a scene takes, metres.
-Bounds room_of(const Scene& scene, const std::vector<const Specimen*>& now, const Surfels& surfels) {
+Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels) {
   Bounds room;
-  for (const Specimen* b : now) {
+  for (const auto& b : now) {
     const Model& m = b->model;
     for (const Vec3& at : m.skeleton.position) room.take(at, 0.1f);
     for (std::size_t i = 0; i < m.organs.size(); ++i)
@@ -139,21 +141,17 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   std::optional<Ambience> ambience = ambience_of(scene);
   if (!ambience) return std::string();
   bool changes = light_changes(scene);
-  std::vector<Specimen> others;  // that are another shape now
-  others.reserve(scene.specimens.size());
-  std::vector<const Specimen*> now;
+  Specimens now;
   for (const Specimen& specimen : scene.specimens) {
-    now.push_back(&specimen);
-    if (!specimen.life.changes()) continue;
-    Result<Specimen> one = developed(specimen, time);
+    auto one = developed(specimen, time);
     if (!one) return one.errors();
-    now.back() = &others.emplace_back(std::move(*one));
+    now.push_back(*one);
   }
   std::vector<Eye> some = some_eyes(scene), here{eye_at(scene, time)};
   Bounds room = room_of(scene, now, surfels);
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
-  for (const Specimen* specimen : now) sample_surfels(IntoGrid{grid}, DrawList(*specimen, time));
+  for (const auto& specimen : now) sample_surfels(IntoGrid{grid}, DrawList(*specimen, time));
   add_copies(grid, scene, surfels);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "core/bounds.h"
@@ -271,13 +270,9 @@ Raster quick_look(const Scene& scene, double time) {
   ToSun sun = sun_over(scene, light.sun, from_sun);
   ToPicture picture_sink{lens, pixels};
   for (const Specimen& s : scene.specimens) {
-    std::optional<Specimen> changed;
-    if (s.life.changes()) {
-      Result<Specimen> now = developed(s, time);
-      if (!now) continue;
-      changed = std::move(*now);
-    }
-    DrawList drawn(changed ? *changed : s, time);
+    auto now = developed(s, time);
+    if (!now) continue;
+    DrawList drawn(**now, time);
     sample_surfels(sun, drawn);
     sample_surfels(picture_sink, drawn);
   }

@@ -121,13 +121,9 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
 /// The parts of a specimen at a time. Their names tell which of its entry's it is, not which of the scene's:
 /// so they stay what they are while others come and go.
 Result<std::vector<DrawnPart>> parts_of(const Specimen& s, std::size_t number, double time) {
-  Result<std::vector<DrawnPart>> parts = std::vector<DrawnPart>{};
-  if (s.life.changes()) {
-    Result<Specimen> now = developed(s, time);
-    parts = now ? specimen_parts(*now, time) : now.errors();
-  } else {
-    parts = specimen_parts(s, time);
-  }
+  auto now = developed(s, time);
+  if (!now) return now.errors();
+  Result<std::vector<DrawnPart>> parts = specimen_parts(**now, time);
   if (!parts) return parts;
   for (DrawnPart& part : *parts) {
     part.head["entry"] = s.entry == Specimen::kNoEntry ? -1 : static_cast<int>(s.entry);

@@ -65,8 +65,9 @@ Surface skin_of(const Model& model) {
   return skin;
 }
 
-Result<Specimen> developed(const Specimen& specimen, double time) {
+Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, double time) {
   const Life& life = specimen.life;
+  if (!life.changes()) return std::shared_ptr<const Specimen>(std::shared_ptr<void>(), &specimen);
   Result<Model> model = life.develop ? life.develop(time) : specimen.model;
   if (!model) return model.errors();
   Specimen now{specimen, std::move(*model)};
@@ -76,7 +77,7 @@ Result<Specimen> developed(const Specimen& specimen, double time) {
     if (life.ground) ground = [&](double x, double z) { return (*life.ground)(x, z); };
     in_season(now.model.organs, now.model.prototypes, *life.season, time, life.season_seed, ground);
   }
-  return now;
+  return std::make_shared<const Specimen>(std::move(now));
 }
 
 void pose_specimen(const Specimen& specimen, double time, Pose& pose) {

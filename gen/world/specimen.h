@@ -66,8 +66,8 @@ void transform(Model& model, Vec3 foot, Quat turn, float size);
 /// The outer surface of its bodies, without `uv`; empty if it has none.
 Surface skin_of(const Model& model);
 
-/// The specimen at a time, with life and season applied.
-Result<Specimen> developed(const Specimen& specimen, double time);
+/// The specimen at a time, with life and season applied; itself, not a copy, where it does not change.
+Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, double time);
 
 /// Its branches at a time.
 void pose_specimen(const Specimen& specimen, double time, Pose& pose);

@@ -17,7 +17,8 @@ TEST(DrawList, HoldsAllThatAGrownSpecimenIsMadeOf) {
     Scene scene = scene_at(std::string("tests/presets/") + preset + ".json");
     for (const Specimen& grown : scene.specimens) {
       double end = scene.film.time(scene.film.frames) + 100;  // long after all growth
-      Specimen s = *developed(grown, end);
+      auto now = *developed(grown, end);
+      const Specimen& s = *now;
       DrawList drawn(s, end);
       std::size_t listed = 0, placed = 0;
       for (const OrganGroup& group : drawn.organs.groups) {

@@ -282,9 +282,9 @@ TEST(Scene, IsWhatItPromises) {
     // What becomes another shape over the film is sound in the middle of it, too.
     for (const Specimen& s : scene->specimens) {
       if (!s.life.changes()) continue;
-      Result<Specimen> now = developed(s, scene->film.length() / 2);
+      auto now = developed(s, scene->film.length() / 2);
       ASSERT_TRUE(now.ok()) << now.errors()[0].text();
-      EXPECT_EQ(now->model.check(), "") << name;
+      EXPECT_EQ((*now)->model.check(), "") << name;
     }
   }
 }
