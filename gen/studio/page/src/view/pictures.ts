@@ -22,6 +22,7 @@ export class Pictures {
   private tiles = new Map<string, TilePictures>();
   /** The server may have to render tiles: they are asked for one after the other, so that it keeps time for scenes. */
   private queue: Promise<void> = Promise.resolve();
+  private disposed = false;
 
   constructor(
     private address: (id: string) => string,
@@ -45,6 +46,7 @@ export class Pictures {
     this.queue = this.queue.then(async () => {
       try {
         for (const [texture, id] of [[made.colors, colors], [made.normals, normals]] as const) {
+          if (this.disposed) return;
           texture.image = (await this.loader.loadAsync(this.address(id))).image;
           texture.needsUpdate = true;
         }
@@ -63,6 +65,7 @@ export class Pictures {
   }
 
   dispose(): void {
+    this.disposed = true;
     for (const texture of this.known.values()) texture.dispose();
     for (const { colors, normals } of this.tiles.values()) {
       colors.dispose();

@@ -227,6 +227,7 @@ export class View implements PointerTarget {
 
   /** Asks for a picture; many askings make one. */
   private changed = (): void => {
+    if (this.stop.signal.aborted) return; // a picture of a material that came after the view was closed
     clearTimeout(this.rest);
     this.rest = 0;
     cancelAnimationFrame(this.coming);
