@@ -57,7 +57,14 @@ test('a species becomes one\'s own', async () => {
   assert.deepEqual(page.faults, []);
 });
 
-test('species stand in a list with pictures', async () => {
+test('species stand in a list with pictures, also where those of their materials come when it is closed', async () => {
+  let coming = 0;
+  await page.route('**/api/picture/**', async route => {
+    ++coming;
+    await new Promise(resolve => setTimeout(resolve, 500));
+    await route.continue().catch(() => {});
+    --coming;
+  });
   await page.getByTestId('species').click();
   const first = page.getByTestId('choose-species').locator('button:has(canvas)').first();
   await first.waitFor();
@@ -70,5 +77,7 @@ test('species stand in a list with pictures', async () => {
   await page.getByTestId('species:species/shells/cone').click();
   await page.waitForFunction(() => /"kind": "shell"|shells\/cone\.json/.test(document.querySelector('[data-testid="text"]').value));
   await shown(page);
+  while (coming > 0) await page.waitForTimeout(100);
+  await page.waitForTimeout(200);
   assert.deepEqual(page.faults, []);
 });
