@@ -9,7 +9,6 @@
 #include "core/lru_cache.h"
 #include "field/cubes.h"
 #include "geometry/relief.h"
-#include "geometry/tubes.h"
 
 namespace frond {
 
@@ -109,13 +108,21 @@ Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
 
 }  // namespace
 
-Surface DrawnBranches::coat_surface(Vec3 eye) const {
-  Surface wood = tube_surface(rest(), pose.position, pose.radius, pose.turn, look().tube_shape(model.girth));
+TubeShape DrawnBranches::tube_shape(double pixel) const {
+  TubeShape shape = look().tube_shape(model.girth);
+  shape.grain = pixel;
+  // A twig of half a pixel shows no picture.
+  if (shape.least > 0) shape.least = std::max(shape.least, static_cast<float>(pixel / 2));
+  return shape;
+}
+
+Surface DrawnBranches::coat_surface(Vec3 eye, double pixel) const {
+  Surface wood = tube_surface(rest(), pose.position, pose.radius, pose.turn, tube_shape(pixel));
   const BarkCoat& coat = *look().coat;
   return coat.furrow > 0 && !wood.triangle.empty() ? furrowed(wood, coat, eye) : wood;
 }
 
-std::vector<bool> DrawnBranches::coatless() const { return left_out(rest(), look().tube_shape(model.girth)); }
+std::vector<bool> DrawnBranches::coatless(double pixel) const { return left_out(rest(), tube_shape(pixel)); }
 
 Boughs DrawnBranches::boughs() const {
   Boughs boughs;

@@ -5,6 +5,7 @@
 
 #include "draw/sweep.h"
 #include "field/volume.h"
+#include "geometry/tubes.h"
 #include "motion/unfold.h"
 #include "world/specimen.h"
 
@@ -38,10 +39,12 @@ struct DrawnBranches {
   bool one_texture() const;
 
   /// Those of a tree that wears a bark as a picture; empty while none of it has grown. Where the eye is near,
-  /// its furrows are let in.
-  Surface coat_surface(Vec3 eye) const;
+  /// its furrows are let in. What is finer than a `pixel`, metres, is left out.
+  Surface coat_surface(Vec3 eye, double pixel) const;
   /// Which nodes it leaves out: those of twigs too thin for a picture.
-  std::vector<bool> coatless() const;
+  std::vector<bool> coatless(double pixel) const;
+
+  TubeShape tube_shape(double pixel) const;
 
   /// Those that growth has reached, as a volume is made from them.
   Boughs boughs() const;

@@ -8,9 +8,20 @@
 namespace frond {
 
 /// What the camera sees at a time.
-Eye eye_at(const Scene& scene, double time);
+Eye eye_at(const Film& film, const Camera& camera, double time);
+inline Eye eye_at(const Scene& scene, double time) { return eye_at(scene.film, scene.stage.camera, time); }
 
 /// At all frames of the film.
-std::vector<Eye> eyes(const Scene& scene);
+std::vector<Eye> eyes(const Film& film, const Camera& camera);
+inline std::vector<Eye> eyes(const Scene& scene) { return eyes(scene.film, scene.stage.camera); }
+
+/// Metres that a pixel is, where the eyes come nearest to what lies round a place, up to `reach` away. What
+/// none has in view, which may throw a shadow or be reflected, needs to be less fine: there it is `unseen`
+/// times as much.
+double nearest_pixel(const std::vector<Eye>& eyes, Vec3 at, double reach, double unseen = 1);
+
+/// Metres that a pixel is at the node, organ or body of each organism that comes nearest to the camera in the
+/// film.
+std::vector<double> nearest_pixels(const Scene& scene);
 
 }  // namespace frond

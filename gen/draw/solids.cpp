@@ -5,24 +5,21 @@
 
 #include "core/bounds.h"
 #include "core/parallel.h"
+#include "draw/eyes.h"
 #include "geometry/far.h"
 
 namespace frond {
 
 namespace {
 
-constexpr double kSidePixels[] = {2.2, 1.5, 1.0};  // that a triangle is long, at each quality
+// At each quality, in pixels:
+constexpr double kOffPixels[] = {0.5, 0.35, 0.25};  // by how much a surface may be away from where it is
+constexpr double kSidePixels[] = {2.2, 1.5, 1.0};   // how long a side of a triangle is where all of them show
+constexpr double kUnseenPixels = 4;                 // as coarse is what only throws a shadow
+constexpr std::size_t kLeastTriangles = 100;
 
-/// How many pixels a metre is where the camera comes nearest to a place over the film.
-double nearest_pixels(const Film& film, const Camera& camera, Vec3 middle, float reach) {
-  double most = 0;
-  for (int frame = 1; frame <= film.frames; ++frame) {
-    double time = film.time(frame);
-    double away = std::max(0.05f, glm::distance(camera.location.at(time), middle) - reach);
-    most = std::max(most, film.size[0] / (2 * away * std::tan(radians(camera.angle.at(time)) / 2)));
-  }
-  return most;
-}
+constexpr double kPatternShare =
+    0.3;  // of that: what is drawn on a surface, tissue's valleys too, goes by `uv`
 
 bool is_growing(const Solid& solid, const Growth& growth) {
   return !solid.past.empty() && growth.duration > 0;
@@ -58,22 +55,48 @@ std::vector<DrawnBody> growing_bodies(const Solids& solids, const Growth& growth
   return bodies;
 }
 
-double drawn_edge(const Film& film, const Camera& camera, Vec3 middle, float reach) {
-  return kSidePixels[static_cast<std::size_t>(film.quality)] / nearest_pixels(film, camera, middle, reach);
+double most_triangles(double area, double pixel, Quality quality) {
+  double edge = kSidePixels[static_cast<std::size_t>(quality)] * pixel;
+  return area / (0.43 * edge * edge);
 }
 
-Solid with_edges(const Solid& solid, double edge) {
-  auto triangles = static_cast<std::size_t>(area(solid.surface) / (0.43 * edge * edge));
-  if (triangles >= solid.surface.triangle.size()) return solid;
-  std::vector<std::uint32_t> kept;
-  Solid less{reduced(solid.surface, std::max<std::size_t>(triangles, 400), &kept), solid.material};
-  if (kept.empty()) return solid;
-  for (const std::vector<Vec3>& step : solid.past) {
-    std::vector<Vec3>& places = less.past.emplace_back();
-    for (std::uint32_t v : kept) places.push_back(step[v]);
-  }
-  for (std::uint32_t v : solid.light.empty() ? std::vector<std::uint32_t>() : kept)
-    less.light.push_back(solid.light[v]);
+std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality) {
+  if (pixel <= 0 || whole.triangle.size() <= kLeastTriangles) return std::nullopt;
+  auto most = static_cast<std::size_t>(most_triangles(area(whole), pixel, quality));
+  double off = kOffPixels[static_cast<std::size_t>(quality)] * pixel * (whole.uv.empty() ? 1 : kPatternShare);
+  Coarser made;
+  made.triangles = reduced_within(whole, off, std::max(most, kLeastTriangles), &made.kept).triangle;
+  if (made.kept.empty()) return std::nullopt;
+  made.vertices = whole.position.size();
+  return made;
+}
+
+std::optional<Coarser> coarser(const Solid& solid, double pixel, Quality quality) {
+  if (solid.native || !solid.turned.empty()) return std::nullopt;
+  return coarser(solid.surface, pixel, quality);
+}
+
+namespace {
+
+template <class T>
+std::vector<T> kept_of(const std::vector<T>& all, const Coarser& coarser) {
+  std::vector<T> some;
+  for (std::uint32_t v : coarser.kept)
+    if (!all.empty()) some.push_back(all[v]);
+  return some;
+}
+
+}  // namespace
+
+Surface drawn_coarser(const Surface& whole, const Coarser& coarser) {
+  return {kept_of(whole.position, coarser), kept_of(whole.normal, coarser), coarser.triangles,
+          kept_of(whole.uv, coarser)};
+}
+
+Solid drawn_coarser(const Solid& solid, const Coarser& coarser) {
+  Solid less{drawn_coarser(solid.surface, coarser), solid.material};
+  less.light = kept_of(solid.light, coarser);
+  for (const std::vector<Vec3>& step : solid.past) less.past.push_back(kept_of(step, coarser));
   return less;
 }
 
@@ -85,28 +108,46 @@ Surface with_light_uv(Surface skin, const Solid& solid) {
 }
 
 DrawnSolids drawn_solids(const Scene& scene) {
-  DrawnSolids drawn(scene.specimens.size());
-  parallel_for(drawn.size(), [&](std::size_t i) {
-    const Solids& solids = scene.specimens[i].model.solids;
+  std::size_t n = scene.specimens.size();
+  DrawnSolids drawn{std::vector<std::optional<Solids>>(n),
+                    std::vector<std::vector<std::optional<Coarser>>>(n)};
+  std::vector<Eye> all = eyes(scene);
+  parallel_for(n, [&](std::size_t i) {
+    const Specimen& specimen = scene.specimens[i];
+    const Solids& solids = specimen.model.solids;
+    std::vector<double> pixel(solids.shapes.size(), 1e30);
     for (std::size_t k = 0; k < solids.size(); ++k) {
-      const Solid& solid = solids.shapes[solids.shape[k]];
-      if (!is_of_reef(solid.material.matter)) continue;
       Bounds box;
-      for (const Vec3& p : solid.surface.position) box.take(solids.placed(k, p));
-      double edge = drawn_edge(scene.film, scene.stage.camera, box.middle(), glm::length(box.size()) / 2) /
-                    solids.scale[k].x;
-      Solid coarse = with_edges(solid, edge);
-      if (coarse.surface.triangle.size() == solid.surface.triangle.size()) continue;
-      if (!drawn[i]) drawn[i] = solids;
-      drawn[i]->shapes[solids.shape[k]] = std::move(coarse);
+      for (const Vec3& p : solids.shapes[solids.shape[k]].surface.position) box.take(solids.placed(k, p));
+      double seen = nearest_pixel(all, box.middle(), glm::length(box.size()) / 2, kUnseenPixels);
+      Vec3 scale = solids.scale[k];
+      pixel[solids.shape[k]] = std::min(pixel[solids.shape[k]], seen / std::max({scale.x, scale.y, scale.z}));
     }
+    std::vector<std::optional<Coarser>> made(pixel.size());
+    for (std::size_t s = 0; s < pixel.size(); ++s)
+      made[s] = coarser(solids.shapes[s], pixel[s], scene.film.quality);
+    drawn.developed[i] = std::move(made);
+    if (specimen.life.develop) return;
+    if (std::ranges::none_of(drawn.developed[i], [](const auto& one) { return one.has_value(); })) return;
+    drawn.still[i] = drawn.of(i, solids);
+    drawn.developed[i].clear();
   });
   return drawn;
 }
 
-const Solids& solids_of(const DrawnSolids& drawn, const Scene& scene, std::size_t organism) {
-  return organism < drawn.size() && drawn[organism] ? *drawn[organism]
+const Solids& DrawnSolids::of(const Scene& scene, std::size_t organism) const {
+  return organism < still.size() && still[organism] ? *still[organism]
                                                     : scene.specimens[organism].model.solids;
+}
+
+Solids DrawnSolids::of(std::size_t organism, const Solids& now) const {
+  Solids drawn = now;
+  if (organism >= developed.size()) return drawn;
+  const std::vector<std::optional<Coarser>>& shapes = developed[organism];
+  for (std::size_t s = 0; s < std::min(shapes.size(), drawn.shapes.size()); ++s)
+    if (shapes[s] && shapes[s]->vertices == now.shapes[s].surface.position.size())
+      drawn.shapes[s] = drawn_coarser(now.shapes[s], *shapes[s]);
+  return drawn;
 }
 
 }  // namespace frond

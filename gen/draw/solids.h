@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,12 +16,22 @@ namespace frond {
 /// in v, all others in u, which say nothing of their own there.
 Surface with_light_uv(Surface skin, const Solid& solid);
 
-/// About how long a side of a triangle is that shows, metres, of what lies round a place, up to `reach` away,
-/// from where the camera comes nearest over the film.
-double drawn_edge(const Film& film, const Camera& camera, Vec3 middle, float reach);
+/// The triangles of a skin of an area, m2, of which none shows more where a pixel is so many metres.
+double most_triangles(double area, double pixel, Quality quality);
 
-/// The same solid of triangles that are about so long, metres; as it is where its own are no shorter.
-Solid with_edges(const Solid& solid, double edge);
+/// Which triangles a surface is drawn with where fewer show than it has. It holds for all surfaces of the
+/// same triangles, so nothing pops while one of them grows or moves.
+struct Coarser {
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< their corners are numbers in `kept`
+  std::vector<std::uint32_t> kept;                      ///< vertices of the surface
+  std::size_t vertices = 0;                             ///< how many the surface has
+};
+/// Of a surface whose pixels are so many metres: none where all of it shows.
+std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality);
+/// The same of a solid, of which POV-Ray must not have a shape of its own.
+std::optional<Coarser> coarser(const Solid& solid, double pixel, Quality quality);
+Surface drawn_coarser(const Surface& whole, const Coarser& coarser);
+Solid drawn_coarser(const Solid& solid, const Coarser& coarser);
 
 /// A shape as it is at one time, and where it stands.
 struct DrawnBody {
@@ -37,11 +49,17 @@ std::vector<DrawnBody> still_bodies(const Solids& solids, const Growth& growth);
 /// Those that a film sees grow, if they have begun to.
 std::vector<DrawnBody> growing_bodies(const Solids& solids, const Growth& growth, double time);
 
-/// The solids of each organism as a film draws them, where that is otherwise than they are: what lives has no
-/// more triangles than show from where the camera comes nearest.
-using DrawnSolids = std::vector<std::optional<Solids>>;
+/// The solids of each organism as a film draws them: with no more triangles than show from where the camera
+/// comes nearest.
+struct DrawnSolids {
+  std::vector<std::optional<Solids>> still;  ///< where those of the scene are finer than that
+  /// Of the shapes of those that have others at each time.
+  std::vector<std::vector<std::optional<Coarser>>> developed;
+
+  const Solids& of(const Scene& scene, std::size_t organism) const;
+  /// Of one whose solids have become `now`.
+  Solids of(std::size_t organism, const Solids& now) const;
+};
 DrawnSolids drawn_solids(const Scene& scene);
-/// Those of one organism.
-const Solids& solids_of(const DrawnSolids& drawn, const Scene& scene, std::size_t organism);
 
 }  // namespace frond

@@ -22,6 +22,13 @@ std::array<float, 2> light_along(const DrawnBranches& b, const Chunk& chunk) {
   return {light[from] / shaded, light[static_cast<std::size_t>(chunk.last)] / shaded};
 }
 
+bool starves(const std::array<float, 2>& light) {
+  return std::min(light[0], light[1]) < kBleaching.living_light;
+}
+
+/// The macro of a skin that is young at places.
+std::string_view tip_macro(const BranchLook& look) { return look.bark ? "Plant_Tip(" : "Coral_Tip("; }
+
 /// What stands inside the texture of a chunk: the old skin, or near a tip one that grows younger along the
 /// chunk.
 void append_skin(std::string& text, const PovSpace& space, const DrawnBranches& b, const Chunk& chunk,
@@ -47,10 +54,9 @@ void append_skin(std::string& text, const PovSpace& space, const DrawnBranches& 
   };
   auto append_macro = [&](std::string_view name) {
     text += name;
-    append_integer(text, static_cast<long long>(index));
+    append_index(text, index);
   };
-  if (std::array<float, 2> light = light_along(b, chunk);
-      std::min(light[0], light[1]) < kBleaching.living_light && length2 >= 1e-10f) {
+  if (std::array<float, 2> light = light_along(b, chunk); starves(light) && length2 >= 1e-10f) {
     append_macro("Coral_Starved(");
     append_slope(chunk.young_from, chunk.young_to);
     append_slope(light[0], light[1]);
@@ -59,7 +65,7 @@ void append_skin(std::string& text, const PovSpace& space, const DrawnBranches& 
     append_macro("Skin[");
     text += ']';
   } else {
-    append_macro(b.look().bark ? "Plant_Tip(" : "Coral_Tip(");
+    append_macro(tip_macro(b.look()));
     append_slope(chunk.young_from, chunk.young_to);
     text += ')';
   }
@@ -157,12 +163,31 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnB
   text += '}';
 }
 
-ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye) {
+std::optional<std::size_t> SharedTextures::of(const Chunk& chunk) const {
+  constexpr float kLeastChange = 2.0f / kAges;  // of youth, which is seen along a chunk
+  const std::vector<Vec3>& at = branches.rest().position;
+  float length = glm::distance(at[branches.rest().parent[chunk.first]], at[chunk.last]);
+  if ((length > dot && std::abs(chunk.young_to - chunk.young_from) > kLeastChange) ||
+      starves(light_along(branches, chunk)))
+    return std::nullopt;
+  float young = std::clamp((chunk.young_from + chunk.young_to) / 2, 0.0f, 1.0f);
+  return branches.look().color_at(branches.model, chunk.first) * kAges +
+         static_cast<std::size_t>(std::lround(young * (kAges - 1)));
+}
+
+std::string SharedTextures::text(std::size_t number, std::size_t index) const {
+  index += number / kAges;
+  if (number % kAges == 0) return fmt::format("texture{{Skin[{}]}}", index);
+  return fmt::format("texture{{{}{},0,0,0,{})}}", tip_macro(branches.look()), index,
+                     number_text(static_cast<double>(number % kAges) / (kAges - 1)));
+}
+
+ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye, double pixel) {
   const BarkCoat& coat = *branches.look().coat;
-  Surface wood = branches.coat_surface(eye);
+  Surface wood = branches.coat_surface(eye, pixel);
   if (!has_faces(wood)) return {};
   std::string text = "object{\n";
-  append_mesh(text, space, wood);
+  append_mesh(text, space, wood, {.decimals = decimals_for(space, pixel)});
   text += "\ntexture{Tree_Bark(\"" + bark_color_name(coat) + "\",\"" + bark_height_name(coat) + "\",";
   append_list(text, 4, coat.relief, branches.traits.brightness);
   text += ")}";

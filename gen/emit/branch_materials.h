@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,9 +25,23 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
 void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnBranches& branches,
                           Chunk chunk, std::size_t index);
 
+/// Textures that chunks share of which nothing shows but their colour, each of one age: numbers below
+/// count().
+struct SharedTextures {
+  static constexpr std::size_t kAges = 9;
+  const DrawnBranches& branches;
+  float dot = 0;  ///< metres: along a chunk that is no longer no change of age shows
+
+  std::size_t count() const { return branches.look().colors() * kAges; }
+  /// None where the chunk needs its own.
+  std::optional<std::size_t> of(const Chunk& chunk) const;
+  /// `texture{...}` of one; `index` is the number of the first skin.
+  std::string text(std::size_t number, std::size_t index) const;
+};
+
 /// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
 /// has grown. Where the eye is near, its furrows are let in.
-ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye);
+ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye, double pixel);
 
 /// Declares `Bleaching`, by which macros know what becomes of living skin in the shade.
 void append_bleaching(std::string& text);

@@ -30,6 +30,9 @@ namespace {
 constexpr std::int32_t kPartNodes = 20'000;    // of one organism, written by one thread at a time
 constexpr std::size_t kPartsAtOnce = 16;       // such parts, whose text is held
 constexpr std::size_t kLinesAtOnce = 200'000;  // of organisms, whose text is held
+constexpr double kOffPixels = 0.15;   // by how much the outline of a branch may be away from where it is
+constexpr double kDotPixels = 4;      // length along which no change of colour shows
+constexpr double kPlainPixels = 0.6;  // radius of branches that show no pattern
 
 /// One food object for each place that an organism is drawn to.
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
@@ -96,71 +99,109 @@ std::vector<std::int32_t> parts_of(const Skeleton& s) {
   return first;
 }
 
-/// Writes a line for each chunk in turn, `append(text, chunk)`; parts of them at a time by several threads,
-/// so that neither all chunks nor all lines are held at once.
-template <class Append>
-void write_chunks(const DrawnBranches& b, const ChunkOptions& options, Group& group, const Append& append) {
+/// How finely an organism is written.
+struct Fineness {
+  double pixel = 0;  ///< metres, where the camera comes nearest
+  int decimals = kDecimals;
+
+  double within() const { return kOffPixels * pixel; }
+  /// Along what is shorter no change of colour shows.
+  float dot() const { return static_cast<float>(kDotPixels * pixel); }
+  /// Branches of a smaller radius show no pattern.
+  float plain() const { return static_cast<float>(kPlainPixels * pixel); }
+};
+
+/// Writes a line for each chunk in turn, `append(texts, chunk)`, to one of `kinds` texts, which `take(kind,
+/// text)` receives; parts of them at a time by several threads, so that neither all chunks nor all lines are
+/// held at once.
+template <class Append, class Take>
+void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size_t kinds,
+                  const Append& append, const Take& take) {
   std::vector<std::int32_t> first = parts_of(b.rest());
   float longest = b.rest().longest();
-  std::vector<std::string> texts(std::min<std::size_t>(first.size() - 1, kPartsAtOnce));
-  for (std::size_t done = 0; done + 1 < first.size(); done += texts.size()) {
-    std::size_t count = std::min(texts.size(), first.size() - 1 - done);
+  std::size_t at_once = std::min<std::size_t>(first.size() - 1, kPartsAtOnce);
+  std::vector<std::vector<std::string>> texts(at_once, std::vector<std::string>(kinds));
+  for (std::size_t done = 0; done + 1 < first.size(); done += at_once) {
+    std::size_t count = std::min(at_once, first.size() - 1 - done);
     parallel_for(count, [&](std::size_t i) {
-      texts[i].clear();
+      for (std::string& text : texts[i]) text.clear();
       for (const Chunk& chunk :
            cut_chunks(b.rest(), b.pose, options, longest, first[done + i], first[done + i + 1]))
         append(texts[i], chunk);
     });
-    for (std::size_t i = 0; i < count; ++i) group.add(texts[i]);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t kind = 0; kind < kinds; ++kind) take(kind, texts[i][kind]);
   }
 }
 
 /// The sweeps of twigs: one union with one texture. Gives how many unions there are.
 template <class IsTwig>
 std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
-                        std::size_t index, const IsTwig& is_twig, const Out& out) {
+                        std::size_t index, const Fineness& fine, const IsTwig& is_twig, const Out& out) {
   Group group(out);
-  write_chunks(b, options, group, [&](std::string& text, const Chunk& chunk) {
-    if (is_twig(chunk.first) && append_sweep(text, space, b.rest(), b.pose, chunk)) text += "}\n";
-  });
+  auto append = [&](std::vector<std::string>& texts, const Chunk& chunk) {
+    if (is_twig(chunk.first) &&
+        append_sweep(texts[0], space, b.rest(), b.pose, chunk, fine.within(), fine.decimals))
+      texts[0] += "}\n";
+  };
+  write_chunks(b, options, 1, append, [&](std::size_t, const std::string& text) { group.add(text); });
   return group.close(skin_texture(index) + "}\n");
 }
 
-/// The same of all other chunks.
+/// The same of all other chunks: those that show no pattern share textures.
 template <class IsTwig>
-std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
-                         std::size_t index, const IsTwig& is_twig, const Out& out) {
+std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, ChunkOptions options,
+                         std::size_t index, const Fineness& fine, const IsTwig& is_twig, const Out& out) {
   Group group(out);
   bool whole = b.one_texture();
-  write_chunks(b, options, group, [&](std::string& text, const Chunk& chunk) {
-    if (is_twig(chunk.first) || !append_sweep(text, space, b.rest(), b.pose, chunk)) return;
-    if (!whole || b.slanted(chunk)) {
+  SharedTextures shared{b, fine.dot()};
+  std::vector<std::string> plain(whole ? 0 : shared.count());
+  if (!whole) options.thin = std::max(options.thin, fine.plain());
+  auto append = [&](std::vector<std::string>& texts, const Chunk& chunk) {
+    if (is_twig(chunk.first)) return;
+    bool is_plain = !whole && b.rest().radius[static_cast<std::size_t>(chunk.first)] < fine.plain();
+    std::optional<std::size_t> own = is_plain ? shared.of(chunk) : std::nullopt;
+    std::string& text = texts[own ? 1 + *own : 0];
+    if (!append_sweep(text, space, b.rest(), b.pose, chunk, fine.within(), fine.decimals)) return;
+    if (!own && (!whole || b.slanted(chunk))) {
       text += ' ';
       append_chunk_texture(text, space, b, chunk, index);
     }
     text += "}\n";
+  };
+  write_chunks(b, options, 1 + plain.size(), append, [&](std::size_t kind, const std::string& text) {
+    if (kind == 0)
+      group.add(text);
+    else
+      plain[kind - 1] += text;
   });
-  return group.close(whole ? skin_texture(index) + "}\n" : "}\n");
+  std::size_t groups = group.close(whole ? skin_texture(index) + "}\n" : "}\n");
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    Group one(out);
+    one.add(plain[k]);
+    groups += one.close(shared.text(k, index) + "}\n");
+  }
+  return groups;
 }
 
 /// Gives how many objects it is.
 Result<std::size_t> write_wood(const PovSpace& space, const DrawnBranches& b, std::size_t index, Vec3 eye,
-                               const Out& out) {
+                               const Fineness& fine, const Out& out) {
   ChunkOptions options = b.chunk_options();
   BranchForm form = b.form();
   if (form == BranchForm::coat) {
-    ObjectText coat = coat_text(space, b, eye);
+    ObjectText coat = coat_text(space, b, eye, fine.pixel);
     out(coat.text);
     if (b.look().tube_shape().least <= 0) return coat.objects;
     options.tolerance = std::numeric_limits<float>::infinity();
-    std::vector<bool> bare = b.coatless();
+    std::vector<bool> bare = b.coatless(fine.pixel);
     auto is_twig = [&](std::int32_t i) { return static_cast<bool>(bare[static_cast<std::size_t>(i)]); };
-    return coat.objects + write_twigs(space, b, options, index, is_twig, out);
+    return coat.objects + write_twigs(space, b, options, index, fine, is_twig, out);
   }
   if (form == BranchForm::sweeps) {
     auto is_twig = [&](std::int32_t i) { return b.rest().radius[i] < options.thin; };
-    std::size_t twigs = options.thin > 0 ? write_twigs(space, b, options, index, is_twig, out) : 0;
-    return twigs + write_sweeps(space, b, options, index, is_twig, out);
+    std::size_t twigs = options.thin > 0 ? write_twigs(space, b, options, index, fine, is_twig, out) : 0;
+    return twigs + write_sweeps(space, b, options, index, fine, is_twig, out);
   }
   Result<ObjectText> body = body_text(space, b, index);
   if (!body) return body.errors();
@@ -170,7 +211,7 @@ Result<std::size_t> write_wood(const PovSpace& space, const DrawnBranches& b, st
 
 /// Writes the branches of an organism with their foliage and polyps. Gives what there is of them by then.
 Result<FrameCount> write_branches(const PovSpace& space, const DrawList& drawn, std::size_t index,
-                                  const Eye& eye, double time, const Out& out) {
+                                  const Eye& eye, const Fineness& fine, double time, const Out& out) {
   if (!drawn.branches) return FrameCount{};
   const DrawnBranches& branches = *drawn.branches;
   bool named = false;
@@ -181,9 +222,9 @@ Result<FrameCount> write_branches(const PovSpace& space, const DrawList& drawn, 
     out(name);
     out(piece);
   };
-  Result<std::size_t> wood = write_wood(space, branches, index, eye.at, under_name);
+  Result<std::size_t> wood = write_wood(space, branches, index, eye.at, fine, under_name);
   if (!wood) return wood.errors();
-  FrameCount count{0, *wood + write_foliage(space, drawn, under_name)};
+  FrameCount count{0, *wood + write_foliage(space, drawn, fine.pixel, under_name)};
   if (const Polyps* own = branches.look().polyps(); own && own->width > 0) {
     ObjectText polyps = polyps_text(space, drawn_polyps(branches, eye), time);
     under_name(polyps.text);
@@ -202,15 +243,18 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
   Eye eye = eye_at(scene, time);
   auto now = developed(b, time);
   if (!now) return now.errors();
-  const Solids& solids = solids_of(parts.solids, scene, i);
-  DrawList drawn(**now, time, b.life.develop ? (*now)->model.solids : solids);
+  const Solids& solids = parts.solids.of(scene, i);
+  std::optional<Solids> developed;
+  if (b.life.develop) developed = parts.solids.of(i, (*now)->model.solids);
+  DrawList drawn(**now, time, developed ? *developed : solids);
   ObjectText bodies;
   for (const DrawnBody& body : drawn.bodies)
     if (body.now || b.life.develop) bodies += solid_text(parts.space, body, i);
   for (const DrawnPolyps& polyps : drawn_polyps(solids, parts.polyps[i], b.motion.growth, time, eye))
     bodies += polyps_text(parts.space, polyps, time);
   out(bodies.text);
-  Result<FrameCount> count = write_branches(parts.space, drawn, parts.first_skin[i], eye, time, out);
+  Fineness fine{parts.pixel[i], decimals_for(parts.space, parts.pixel[i])};
+  Result<FrameCount> count = write_branches(parts.space, drawn, parts.first_skin[i], eye, fine, time, out);
   if (count) count->objects += bodies.objects;
   return count;
 }

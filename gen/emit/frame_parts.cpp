@@ -9,6 +9,7 @@
 #include "core/content.h"
 #include "core/parallel.h"
 #include "core/text.h"
+#include "draw/eyes.h"
 #include "emit/branch_materials.h"
 #include "emit/copies.h"
 #include "emit/plant.h"
@@ -36,12 +37,13 @@ void put_aside(std::string& text, std::vector<Picture>& files) {
 
 }  // namespace
 
-FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool aside) {
+FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
   float thinnest = std::numeric_limits<float>::infinity();
   for (const Specimen& b : scene.specimens)
     for (float radius : b.model.skeleton.radius) thinnest = std::min(thinnest, radius);
   FrameParts parts;
   parts.space = space_for(thinnest);
+  parts.pixel = for_film ? nearest_pixels(scene) : std::vector<double>(scene.specimens.size(), 0);
   std::size_t skins = 0;
   for (const Specimen& b : scene.specimens) {
     parts.first_skin.push_back(skins);
@@ -55,11 +57,11 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool aside) {
     parts.materials +=
         "#declare Skin_Bleached = array[" + count + "];\n#declare Skin_Dead = array[" + count + "];\n";
   append_skins(parts.materials, scene, parts.first_skin);
-  parts.materials += prototypes_text(parts.space, scene);
+  parts.materials += prototypes_text(parts.space, scene, parts.pixel);
   parts.solids = drawn_solids(scene);
   parts.polyps.resize(scene.specimens.size());
   parallel_for(parts.polyps.size(),
-               [&](std::size_t i) { parts.polyps[i] = polyp_places(solids_of(parts.solids, scene, i)); });
+               [&](std::size_t i) { parts.polyps[i] = polyp_places(parts.solids.of(scene, i)); });
   parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene, parts.solids).text;
   parts.copies.resize(plan.drawn.size());
   parallel_for(parts.copies.size(), [&](std::size_t k) {
@@ -67,7 +69,7 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool aside) {
         model_includes_text(scene, plan, k) + still_copies_text(parts.space, scene, plan, k).text;
   });
   parts.plan = std::move(plan);
-  if (aside && scene.film.frames > 1) {
+  if (for_film && scene.film.frames > 1) {
     put_aside(parts.materials, parts.files);
     put_aside(parts.ground, parts.files);
     for (std::string& some : parts.copies) put_aside(some, parts.files);

@@ -19,17 +19,19 @@ struct FrameParts {
   std::vector<Picture> files;  ///< that frames include, to be put beside them
   CopyPlan plan;               ///< of the copies of stands
   PovSpace space;
-  std::string materials;                ///< the skins of all organisms and the shapes of their organs
-  std::string ground;                   ///< floor, stones, grass and solids
-  DrawnSolids solids;                   ///< of all organisms
-  std::vector<PolypPlaces> polyps;      ///< on the solids of each organism
-  std::vector<std::string> copies;      ///< those that stand still, in each stretch of the film
+  std::string materials;            ///< the skins of all organisms and the shapes of their organs
+  std::string ground;               ///< floor, stones, grass and solids
+  DrawnSolids solids;               ///< of all organisms
+  std::vector<PolypPlaces> polyps;  ///< on the solids of each organism
+  std::vector<std::string> copies;  ///< those that stand still, in each stretch of the film
+  std::vector<double>
+      pixel;  ///< metres, that one is of each organism where the camera is nearest; 0: unknown
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
   std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none
 };
 
-/// With the plan of copies, whose files must have been counted. `aside`: what is long goes into files that
-/// all frames of the film include.
-FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {}, bool aside = true);
+/// With the plan of copies, whose files must have been counted. `for_film`: branches and leaves are as fine
+/// as the film shows, and what is long goes into files that all its frames include.
+FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {}, bool for_film = true);
 
 }  // namespace frond

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/text.h"
+#include "draw/solids.h"
 
 namespace frond {
 
@@ -45,15 +46,24 @@ std::string picture_look(std::string_view name, std::size_t shade, const std::op
   return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
 }
 
+/// Metres from its origin.
+double reach_of(const Prototype& prototype) {
+  float most = 0;
+  for (const OrganPart& part : prototype.parts)
+    for (const Vec3& p : part.surface.position) most = std::max(most, glm::length(p));
+  return static_cast<double>(most);
+}
+
 /// A group of organs: each line is made once and used by all parts. Gives how many objects it is.
-std::size_t write_group(const PovSpace& space, const DrawList& drawn, const OrganGroup& group,
+std::size_t write_group(const PovSpace& space, const DrawList& drawn, const OrganGroup& group, double pixel,
                         const Out& out) {
   const Prototype& prototype = drawn.model.prototypes[group.prototype];
+  MatrixText how = matrix_text_for(space, reach_of(prototype), pixel);
   std::string lines;
   for (const DrawnPlace& place : drawn.organs.places(group)) {
     glm::mat3 frame = glm::mat3_cast(place.turn);
     for (int axis = 0; axis < 3; ++axis) frame[axis] *= place.scale[axis];
-    if (append_matrix(lines, space, frame, place.at)) lines += "}\n";
+    if (append_matrix(lines, space, frame, place.at, how)) lines += "}\n";
   }
   if (lines.empty()) return 0;
   std::string text;
@@ -105,19 +115,25 @@ std::string lustrous(const std::string& inside, const std::optional<Luster>& lus
                      rough, luster->through);
 }
 
-std::string prototypes_text(const PovSpace& space, const Scene& scene) {
+std::string prototypes_text(const PovSpace& space, const Scene& scene, std::span<const double> pixel) {
   // The plants of an entry share shapes, but one that bears nothing need not have any. Those that none bears
   // are left out.
   struct Shapes {
     std::size_t entry;
+    double pixel;                        // metres, of the nearest
     std::vector<const Prototype*> used;  // null where none bears it
   };
   std::vector<Shapes> entries;
   std::map<std::size_t, std::size_t> index;  // in `entries`, which are in the order of the scene
-  for (const Specimen& b : scene.specimens) {
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
+    const Specimen& b = scene.specimens[i];
     if (!b.look.branches.plant()) continue;
     auto [at, fresh] = index.try_emplace(b.entry, entries.size());
-    if (fresh) entries.push_back({b.entry, {}});
+    if (fresh) entries.push_back({b.entry, 1e30, {}});
+    float largest = 1;
+    for (const Vec3& scale : b.model.organs.scale) largest = std::max({largest, scale.x, scale.y, scale.z});
+    double& least = entries[at->second].pixel;
+    least = std::min(least, pixel[i] / static_cast<double>(largest));
     std::vector<const Prototype*>& used = entries[at->second].used;
     used.resize(std::max(used.size(), b.model.prototypes.size()));
     auto use = [&](std::size_t p) { used[p] = used[p] ? used[p] : &b.model.prototypes[p]; };
@@ -131,7 +147,9 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
         text += "#declare ";
         append_organ_name(text, shapes.entry, p, part);
         text += " = ";
-        append_mesh(text, space, shapes.used[p]->parts[part].surface);
+        const Surface& whole = shapes.used[p]->parts[part].surface;
+        std::optional<Coarser> less = coarser(whole, shapes.pixel, scene.film.quality);
+        append_mesh(text, space, less ? drawn_coarser(whole, *less) : whole);
         text += '\n';
       }
     }
@@ -139,14 +157,14 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene) {
   return text;
 }
 
-std::size_t write_foliage(const PovSpace& space, const DrawList& drawn, const Out& out) {
+std::size_t write_foliage(const PovSpace& space, const DrawList& drawn, double pixel, const Out& out) {
   std::size_t objects = 0;
-  for (const OrganGroup& group : drawn.organs.groups) objects += write_group(space, drawn, group, out);
+  for (const OrganGroup& group : drawn.organs.groups) objects += write_group(space, drawn, group, pixel, out);
   const BladeLook& look = drawn.traits.look.blades;
   for (const DrawnBlades& blades : drawn.blades) {
     if (!has_faces(blades.surface)) continue;
     std::string text = "object{";
-    append_mesh(text, space, blades.surface);
+    append_mesh(text, space, blades.surface, {.decimals = decimals_for(space, pixel)});
     text += tissue_text(look.tissue, look.colors[blades.color], look.second, blades.shade, {});
     text += "}\n";
     out(text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "core/text.h"
@@ -23,10 +24,11 @@ std::string tissue_text(Tissue tissue, const Color& color, const Color& second, 
                         const std::optional<Luster>& luster);
 
 /// Declares the organs of all plants, once for each entry of the preset, and what they are made of.
-std::string prototypes_text(const PovSpace& space, const Scene& scene);
+/// `pixel`: of each specimen, metres; 0: in all detail.
+std::string prototypes_text(const PovSpace& space, const Scene& scene, std::span<const double> pixel);
 
-/// Writes the organs and blades of one plant: for each material one union or one mesh. Gives how many of
-/// these there are.
-std::size_t write_foliage(const PovSpace& space, const DrawList& drawn, const Out& out);
+/// Writes the organs and blades of one plant: for each material one union or one mesh. `pixel`: metres, 0: no
+/// number is shortened. Gives how many objects these are.
+std::size_t write_foliage(const PovSpace& space, const DrawList& drawn, double pixel, const Out& out);
 
 }  // namespace frond

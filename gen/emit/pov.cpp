@@ -5,12 +5,11 @@
 #include <glm/matrix.hpp>
 
 #include "core/text.h"
+#include "geometry/bends.h"
 
 namespace frond {
 
 namespace {
-
-constexpr int kDecimals = 4;
 
 /// Whether a matrix has an inverse when it is rounded to so many decimals: as one of whole numbers, whose
 /// determinant is a whole number, too.
@@ -66,6 +65,23 @@ PovSpace space_for(double thinnest_radius) {
   return space;
 }
 
+namespace {
+
+/// Decimals of numbers that are right to `step`.
+int decimals_of(double step, int least, int most) {
+  return step > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(2 * step) - 1e-9)), least, most) : most;
+}
+
+}  // namespace
+
+int decimals_for(const PovSpace& space, double pixel) {
+  return decimals_of(pixel / 20 * space.unit, 1, kDecimals);
+}
+
+MatrixText matrix_text_for(const PovSpace& space, double reach, double pixel) {
+  return {decimals_of(pixel / 20 / std::max(reach, 1e-6), 2, 5), decimals_for(space, pixel)};
+}
+
 void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals) {
   text += '<';
   append_list(text, decimals, at.x * space.unit, at.y * space.unit, -at.z * space.unit);
@@ -84,8 +100,9 @@ void append_direction(std::string& text, Vec3 direction) {
   text += '>';
 }
 
-bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m, Vec3 shift) {
-  int decimals = has_inverse(m, 5) ? 5 : 9;
+bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m, Vec3 shift,
+                   const MatrixText& how) {
+  int decimals = has_inverse(m, how.decimals) ? how.decimals : has_inverse(m, 5) ? 5 : 9;
   if (!has_inverse(m, decimals)) return false;
   // POV-Ray multiplies row vectors: its rows are the images of its axes. The mirror turns both sides.
   text += "matrix<";
@@ -94,7 +111,7 @@ bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m,
     append_list(text, decimals, sign * m[axis].x, sign * m[axis].y, -sign * m[axis].z);
     text += ',';
   }
-  append_list(text, kDecimals, shift.x * space.unit, shift.y * space.unit, -shift.z * space.unit);
+  append_list(text, how.shift_decimals, shift.x * space.unit, shift.y * space.unit, -shift.z * space.unit);
   text += '>';
   return true;
 }
@@ -163,31 +180,28 @@ void append_mesh(std::string& text, const PovSpace& space, const Surface& surfac
 }
 
 bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose,
-                  const Chunk& chunk) {
-  std::size_t start = text.size();
-  text += "sphere_sweep{linear_spline ";
-  CountedList points(text, 3);
-  std::size_t count = 0;
-  Vec3 last_at{0};
-  auto add = [&](Vec3 at, float radius) {
-    radius = std::max(radius, static_cast<float>(kThinnest / space.unit));
-    if (count > 0 && glm::distance(at, last_at) * space.unit < 2e-4) return;
-    text += ',';
-    append_point(text, space, at);
-    text += ',';
-    append(text, radius * space.unit, kDecimals);
-    last_at = at;
-    ++count;
-  };
+                  const Chunk& chunk, double within, int decimals) {
   std::int32_t below = rest.parent[chunk.first];
   bool forks = below != chunk.first - 1;
+  std::vector<glm::vec4> points;  // with the radius
+  auto add = [&](Vec3 at, float radius) {
+    if (points.empty() || glm::distance(at, Vec3(points.back())) * space.unit >= 2e-4)
+      points.emplace_back(at, std::max(radius, static_cast<float>(kThinnest / space.unit)));
+  };
   add(pose.position[below], forks ? foot_radius(rest, pose, chunk.first) : pose.radius[below]);
   for (std::int32_t i = chunk.first; i <= chunk.last; ++i) add(pose.position[i], pose.radius[i]);
-  if (count < 2) {
-    text.resize(start);
-    return false;
+  if (points.size() < 2) return false;
+  std::vector<char> kept(points.size(), within <= 0);
+  mark_bends(points, static_cast<float>(within), kept);
+  text += "sphere_sweep{linear_spline ";
+  append_integer(text, std::ranges::count(kept, 1));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!kept[i]) continue;
+    text += ',';
+    append_point(text, space, Vec3(points[i]), decimals);
+    text += ',';
+    append(text, points[i].w * space.unit, kDecimals);
   }
-  points.close(count);
   return true;
 }
 

@@ -33,17 +33,30 @@ inline constexpr double kThinnest = 0.002;  ///< POV-Ray units; sphere_sweeps br
 /// powers of ten where that is too coarse (up to 1000).
 PovSpace space_for(double thinnest_radius);
 
+inline constexpr int kDecimals = 4;  ///< of places, in POV-Ray units
+
+/// Decimals by which places are right to a twentieth of a pixel of so many metres; 0: all that are ever
+/// written.
+int decimals_for(const PovSpace& space, double pixel);
+
 /// Appends `<x,y,z>` of a place in the world.
-void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals = 4);
+void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals = kDecimals);
 
 /// Appends `<x,y,z>` of a direction in the world.
 void append_direction(std::string& text, Vec3 direction);
+
+/// How many decimals of a matrix are written; more where it would have no inverse.
+struct MatrixText {
+  int decimals = 5, shift_decimals = kDecimals;
+};
+/// Of what is placed, up to `reach` metres from its origin, so that it is right to a tenth of a pixel.
+MatrixText matrix_text_for(const PovSpace& space, double reach, double pixel);
 
 /// Appends a `matrix <...>` that does to POV-Ray's space what `matrix * x + shift` does to the world, and
 /// returns true; appends nothing and returns false where it has no inverse as it would be written: POV-Ray
 /// refuses such a one, and what it places has no size.
 [[nodiscard]] bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& matrix,
-                                 Vec3 shift);
+                                 Vec3 shift, const MatrixText& how = {});
 
 /// Appends `<r,g,b>` of linear light.
 void append_light(std::string& text, Vec3 light);
@@ -60,8 +73,8 @@ std::string_view group_opening(std::string_view lines);
 
 /// How much of a surface is written: POV-Ray reads some 20 MB a second.
 struct MeshText {
-  int decimals = 4;     ///< of places, in POV units
-  int uv_decimals = 3;  ///< -1: no `uv`
+  int decimals = kDecimals;  ///< of places, in POV units
+  int uv_decimals = 3;       ///< -1: no `uv`
   /// Normals are left out where they turn from their triangles by angles of no smaller cosine.
   float flat = 2;
 };
@@ -75,7 +88,8 @@ void append_mesh(std::string& text, const PovSpace& space, const Surface& surfac
 
 /// Appends the sphere_sweep of one chunk up to its texture, `sphere_sweep{linear_spline,n,<x,y,z>,r,...`, and
 /// returns true; appends nothing and returns false where fewer than two different points are left of it.
+/// Points are left out where that changes its outline by no more than `within` metres.
 bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest, const Pose& pose,
-                  const Chunk& chunk);
+                  const Chunk& chunk, double within = 0, int decimals = kDecimals);
 
 }  // namespace frond

@@ -216,7 +216,7 @@ ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSol
   ObjectText text;
   for (std::size_t o = 0; o < scene.specimens.size(); ++o) {
     const Specimen& b = scene.specimens[o];
-    const Solids& solids = solids_of(drawn, scene, o);
+    const Solids& solids = drawn.of(scene, o);
     if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text.text, b.name);
     for (const DrawnBody& body : still_bodies(solids, b.motion.growth)) text += solid_text(space, body, o);

@@ -8,7 +8,9 @@
 #include <string>
 
 #include "core/figures.h"
+#include "draw/eyes.h"
 #include "draw/levels.h"
+#include "draw/solids.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
 #include "estimate/estimate_ground_cost.h"
@@ -139,8 +141,8 @@ double drawn_triangles(const Preset& preset, const Organism& organism, const Siz
   Vec3 middle(foot.x, static_cast<float>(organism.place.raise) + spread.up / 2, foot.y);
   // Where others grow beside it, it fills less of the space that it would claim alone.
   float reach = 0.75f * std::max(spread.across, spread.up / 2);
-  double edge = drawn_edge(preset.film, preset.stage.camera, middle, reach);
-  return std::min(size.triangles, size.area / (0.43 * edge * edge));
+  double pixel = nearest_pixel(eyes(preset.film, preset.stage.camera), middle, reach);
+  return std::min(size.triangles, most_triangles(size.area, pixel, preset.film.quality));
 }
 
 /// How many of an entry stand.

@@ -25,10 +25,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What lives, with no more triangles than show at a level.
+/// With no more triangles of bodies than show at a level.
 Model for_level(Model model, int level) {
   for (Solid& solid : model.solids.shapes)
-    if (is_of_reef(solid.material.matter)) solid = with_edges(solid, 2 * kLevels[level].grain);
+    if (std::optional<Coarser> less = coarser(solid, kLevels[level].grain, Quality::good))
+      solid = drawn_coarser(solid, *less);
   return model;
 }
 

@@ -5,30 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+
+#include "geometry/bends.h"
 
 namespace frond {
 
 namespace {
-
-/// Marks the nodes that a chain from..to keeps, both ends included.
-void keep_bends(const Skeleton& s, std::int32_t from, std::int32_t to, float tolerance,
-                std::vector<char>& keep) {
-  if (to - from < 2) return;
-  Vec3 start = s.position[from], offset = s.position[to] - start;
-  float length = glm::length(offset), worst = tolerance;
-  std::int32_t at = -1;
-  for (std::int32_t i = from + 1; i < to; ++i) {
-    float along =
-        length > 0 ? std::clamp(glm::dot(s.position[i] - start, offset) / (length * length), 0.0f, 1.0f) : 0;
-    float off = glm::distance(s.position[i], start + offset * along);
-    off += std::abs(s.radius[i] - glm::mix(s.radius[from], s.radius[to], along));
-    if (off > worst) worst = off, at = i;
-  }
-  if (at < 0) return;
-  keep[at] = 1;
-  keep_bends(s, from, at, tolerance, keep);
-  keep_bends(s, at, to, tolerance, keep);
-}
 
 /// The last node of the chain that begins at `first`.
 std::int32_t chain_end(const Skeleton& s, std::int32_t first) {
@@ -131,11 +114,14 @@ Skeleton thinned(const Skeleton& s, float least, float tolerance, std::vector<st
     }
     first = last + 1;
   }
+  std::vector<glm::vec4> chain;
   for (std::int32_t first = 0; first < n;) {
     std::int32_t last = chain_end(s, first);
     for (std::int32_t from = first, i = first + 1; i <= last; ++i) {
       if (!keep[i]) continue;
-      keep_bends(s, from, i, tolerance, keep);
+      chain.clear();
+      for (std::int32_t k = from; k <= i; ++k) chain.emplace_back(s.position[k], s.radius[k]);
+      mark_bends(chain, tolerance, std::span(keep).subspan(from, chain.size()));
       from = i;
     }
     first = last + 1;
@@ -241,6 +227,19 @@ Surface simplified(const Surface& surface, std::size_t triangles) {
 Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::uint32_t>* kept) {
   return fewer(
       surface, triangles, [](auto... a) { return meshopt_simplify(a..., 0.05f, 0u, nullptr); }, kept);
+}
+
+Surface reduced_within(const Surface& surface, double error, std::size_t most,
+                       std::vector<std::uint32_t>* kept) {
+  const float* first = &surface.position.data()->x;
+  auto share =
+      static_cast<float>(error) / meshopt_simplifyScale(first, surface.position.size(), sizeof(Vec3));
+  std::vector<std::uint32_t> left;
+  Surface within = fewer(
+      surface, 4, [&](auto... a) { return meshopt_simplify(a..., share, 0u, nullptr); }, &left);
+  if (within.triangle.size() > most) return reduced(surface, most, kept);
+  if (kept) *kept = std::move(left);
+  return within;
 }
 
 }  // namespace frond

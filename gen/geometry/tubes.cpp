@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
+
+#include "geometry/bends.h"
 
 namespace frond {
 
@@ -33,6 +36,11 @@ bool too_thin(const Skeleton& rest, const TubeShape& shape, std::int32_t first) 
   return girth_of(rest, shape, first) < shape.least && rest.order[first] > 0;
 }
 
+/// How many chords a circle takes that are a quarter of a grain away from it at most.
+int round_sides(float radius, float grain) {
+  return static_cast<int>(std::ceil(4.5f * std::sqrt(radius / grain)));
+}
+
 /// One chain of nodes as a tube.
 class Tube {
  public:
@@ -58,16 +66,19 @@ class Tube {
     for (std::size_t k = fork_ ? 1 : 0; k < nodes_.size(); ++k)
       thick = std::max(thick, girth_of(rest_, shape_, nodes_[k]));
     if (too_thin(rest_, shape_, first)) return;
+    leave_out_nodes();
     set_normals_along();
     double round = 2 * kPi * thick;
     sides_ = std::clamp(static_cast<int>(std::lround(round / shape_.side)), 3, shape_.most_sides);
+    if (shape_.grain > 0)
+      sides_ = std::clamp(round_sides(thick, static_cast<float>(shape_.grain)), 3, sides_);
     lobed_ = shape_.lobes > 0 && rest_.order[first] == 0;
     if (lobed_) sides_ = std::max(8 * shape_.lobes, sides_ / shape_.lobes * shape_.lobes);
     wraps_ = std::max(1, static_cast<int>(std::lround(round / shape_.wrap)));
     double pattern = round / wraps_ * shape_.aspect, along = 0;
     auto start = static_cast<std::uint32_t>(out_.position.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      if (k > 0) along += glm::distance(rest_.position[nodes_[k]], rest_.position[nodes_[k - 1]]);
+      if (k > 0) along += lengths_[k];
       ring(k, along / pattern);
     }
     stitch(start);
@@ -75,6 +86,26 @@ class Tube {
   }
 
  private:
+  /// By the rest shape, so that the same ones stay while it moves. Sets the length of branch before each that
+  /// is left.
+  void leave_out_nodes() {
+    std::vector<glm::vec4> chain;
+    for (std::int32_t i : nodes_) chain.emplace_back(rest_.position[i], rest_.radius[i]);
+    std::vector<char> kept(nodes_.size(), shape_.grain <= 0);
+    mark_bends(chain, static_cast<float>(shape_.grain / 4), kept);
+    if (fork_) kept[1] = 1;  // it leaves its fork in its own direction
+    lengths_.clear();
+    std::size_t count = 0;
+    float length = 0;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      if (k > 0) length += glm::distance(Vec3(chain[k]), Vec3(chain[k - 1]));
+      if (!kept[k]) continue;
+      nodes_[count++] = nodes_[k];
+      lengths_.push_back(std::exchange(length, 0.0f));
+    }
+    nodes_.resize(count);
+  }
+
   /// Normals of the rest shape that do not twist.
   void set_normals_along() {
     normals_.clear();
@@ -170,6 +201,7 @@ class Tube {
   Surface& out_;
   std::vector<std::int32_t>& node_;  // of each vertex
   std::vector<std::int32_t> nodes_;  // of the chain
+  std::vector<float> lengths_;       // of the chain before each
   std::vector<Vec3> normals_, axes_;
   bool fork_ = false, lobed_ = false;
   int sides_ = 3, wraps_ = 1;
@@ -290,11 +322,6 @@ class Closer {
   std::uint32_t before_ = 0;
   bool first_ring_ = true;
 };
-
-/// How many chords a circle takes that are a quarter of a grain away from it at most.
-int round_sides(float radius, float grain) {
-  return static_cast<int>(std::ceil(4.5f * std::sqrt(radius / grain)));
-}
 
 }  // namespace
 

@@ -11,13 +11,14 @@ namespace frond {
 
 /// How branches become tubes.
 struct TubeShape {
-  double wrap = 0.5;                  ///< metres round a branch covered by one width of the picture
-  double aspect = 2;                  ///< height of the picture relative to its width
-  double side = 0.03;                 ///< metres, about the width of a facet; twigs have 3 at least
-  int most_sides = 48;                ///< of the thickest, 3 or more
-  int lobes = 0;                      ///< of the cross-section of branches of order 0
-  double lobe_depth = 0;              ///< share of the radius
-  float least = 0;                    ///< metres; branches that begin thinner than this are skipped
+  double wrap = 0.5;      ///< metres round a branch covered by one width of the picture
+  double aspect = 2;      ///< height of the picture relative to its width
+  double side = 0.03;     ///< metres, about the width of a facet; twigs have 3 at least
+  int most_sides = 48;    ///< of the thickest, 3 or more
+  int lobes = 0;          ///< of the cross-section of branches of order 0
+  double lobe_depth = 0;  ///< share of the radius
+  float least = 0;        ///< metres; branches that begin thinner than this are skipped
+  double grain = 0;  ///< metres: facets and nodes are left out as far as they keep within a quarter of it
   std::span<const float> girth = {};  ///< metres, of each node: final radius that the picture fits while the
                                       ///< branch still thickens; empty: its own
 };

@@ -23,7 +23,7 @@ TEST(PlantText, WritesEachPartOfEachOrganOnce) {
   const Specimen& herb = scene.specimens[0];
   ASSERT_GT(herb.model.organs.size(), 5u);
   std::string text;
-  write_foliage({}, DrawList(herb, herb.model), [&](std::string_view piece) { text += piece; });
+  write_foliage({}, DrawList(herb, herb.model), 0, [&](std::string_view piece) { text += piece; });
   EXPECT_EQ(count(text, "object{Organ0_0_0 matrix<"), herb.model.organs.size());
   EXPECT_EQ(count(text, "object{Organ0_0_1 matrix<"), herb.model.organs.size());
   std::size_t faces = 0;
