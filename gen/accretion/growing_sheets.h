@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "accretion/margin.h"
-#include "accretion/rim_grid.h"
+#include "core/cell_grid.h"
 
 // Private to margin.h.
 
@@ -96,8 +96,8 @@ class GrowingSheets {
   std::vector<std::uint32_t> owner_;  // the sheet of each vertex
   std::vector<std::uint32_t> seat_;   // of each vertex, its index on the rim that grows now
   std::vector<GrowingRim> rims_;
-  RimGrid grid_;  // of vertices
-  RimGrid skin_;  // of triangles
+  CellGrid grid_;  // of vertices
+  CellGrid skin_;  // of triangles
   // Of the rim that grows now:
   std::vector<Vec3> from_, to_, aim_, tangent_, shift_;
   std::vector<float> rest_, arc_, thread_;

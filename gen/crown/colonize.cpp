@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/cell_grid.h"
+
 namespace frond {
 
 namespace {
@@ -12,68 +14,18 @@ namespace {
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr int kPatience = 40;  // steps without coming nearer, until a point is given up
 
-/// Points in cubes of one side, so that those near a place are found fast.
-class PointGrid {
- public:
-  PointGrid(const std::vector<Vec3>& points, Vec3 low, Vec3 high, double side) : low_(low) {
-    // Never more cells than a few for each point.
-    Vec3 size = glm::max(high - low, Vec3(1e-4f));
-    double volume = static_cast<double>(size.x) * size.y * size.z;
-    side_ = static_cast<float>(
-        std::max(side, std::cbrt(volume / (4.0 * static_cast<double>(points.size()) + 64))));
-    // A flat box would still have many.
-    double most = 16.0 * static_cast<double>(points.size()) + 4096;
-    auto along = [&](int k) { return std::floor(static_cast<double>(size[k] / side_)) + 1; };
-    while (along(0) * along(1) * along(2) > most) side_ *= 1.5f;
-    for (int k = 0; k < 3; ++k) count_[k] = static_cast<int>(along(k));
-    start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
-    for (Vec3 p : points) ++start_[cell(p) + 1];
-    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    order_.resize(points.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i) order_[next[cell(points[i])]++] = i;
-  }
-
-  /// Calls `visit(point)` for the points in the cubes within `reach` of a place.
-  template <class Visit>
-  void near(Vec3 at, float reach, const Visit& visit) {
-    int from[3], to[3];
-    for (int k = 0; k < 3; ++k) {
-      from[k] = std::max(static_cast<int>(std::floor((at[k] - reach - low_[k]) / side_)), 0);
-      to[k] = std::min(static_cast<int>(std::floor((at[k] + reach - low_[k]) / side_)), count_[k] - 1);
-    }
-    for (int z = from[2]; z <= to[2]; ++z)
-      for (int y = from[1]; y <= to[1]; ++y)
-        for (int x = from[0]; x <= to[0]; ++x) {
-          std::size_t c = (static_cast<std::size_t>(z) * count_[1] + y) * count_[0] + x;
-          for (std::uint32_t i = start_[c]; i < start_[c + 1]; ++i) visit(order_[i]);
-        }
-  }
-
- private:
-  std::size_t cell(Vec3 p) const {
-    std::size_t at = 0;
-    for (int k = 2; k >= 0; --k)
-      at = at * count_[k] + std::clamp(static_cast<int>((p[k] - low_[k]) / side_), 0, count_[k] - 1);
-    return at;
-  }
-
-  Vec3 low_;
-  float side_ = 1;
-  int count_[3] = {1, 1, 1};
-  std::vector<std::uint32_t> start_, order_;
-};
-
 class Colony {
  public:
   Colony(const Envelope& envelope, const Colonization& how, Seed seed)
       : how_(how),
         points_(scatter(envelope, how, seed.child("points"))),
-        grid_(points_, envelope.low(), envelope.high(), std::max(how.influence / 3, how.kill)),
+        grid_(static_cast<float>(std::max(how.influence / 3, how.kill))),
         nearest_(points_.size(), -1),
         distance_(points_.size(), kFar),
         patience_(points_.size(), kPatience),
-        seed_(seed.child("grow")) {}
+        seed_(seed.child("grow")) {
+    for (std::uint32_t p = 0; p < points_.size(); ++p) grid_.add(points_[p], p);
+  }
 
   Result<Skeleton> grow() {
     if (points_.empty()) return Error{"", "the envelope has no room for branches"};
@@ -103,7 +55,7 @@ class Colony {
     std::int32_t node = tree_.add(at, 1, below, 0);
     toward_.push_back(toward);
     auto influence = static_cast<float>(how_.influence), kill = static_cast<float>(how_.kill);
-    grid_.near(at, influence, [&](std::uint32_t p) {
+    grid_.each(at - influence, at + influence, [&](std::uint32_t p) {
       if (distance_[p] < 0) return;
       float d = glm::distance(points_[p], at);
       if (d > influence || d >= distance_[p]) return;
@@ -167,7 +119,7 @@ class Colony {
 
   const Colonization& how_;
   std::vector<Vec3> points_;
-  PointGrid grid_;
+  CellGrid grid_;
   std::vector<std::int32_t> nearest_;  // node of each point, or -1
   std::vector<float> distance_;        // to it; negative: taken or given up
   std::vector<int> patience_;

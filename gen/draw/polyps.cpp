@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cell_grid.h"
+
 namespace frond {
 
 namespace {
@@ -26,31 +28,9 @@ std::vector<SurfacePoint> spots_of(const Surface& skin, float apart) {
         all.push_back({t, Vec3(1 - at.x - at.y, at.x, at.y)});
       }
   }
-  // Those that are taken, chained by the cell that they lie in; cells may share a chain.
-  constexpr std::uint64_t kChains = 1 << 14;
-  std::vector<std::int32_t> head(kChains, -1), next;
-  std::vector<Vec3> taken;
-  auto chain = [&](Vec3 p, int shift) {
-    auto at = [&](int axis, int by) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(p[axis] / apart)) + by - 1);
-    };
-    std::uint64_t cell =
-        at(0, shift % 3) * 73856093 ^ at(1, shift / 3 % 3) * 19349663 ^ at(2, shift / 9) * 83492791;
-    return static_cast<std::size_t>(cell % kChains);
-  };
-  for (const SurfacePoint& spot : all) {
-    Vec3 p = spot.of(skin.position);
-    bool free = true;
-    for (int shift = 0; shift < 27 && free; ++shift)
-      for (std::int32_t k = head[chain(p, shift)]; k >= 0 && free; k = next[static_cast<std::size_t>(k)])
-        free = glm::distance(taken[static_cast<std::size_t>(k)], p) >= apart;
-    if (!free) continue;
-    std::int32_t& first = head[chain(p, 13)];
-    next.push_back(first);
-    first = static_cast<std::int32_t>(taken.size());
-    taken.push_back(p);
-    spots.push_back(spot);
-  }
+  Darts darts(apart);
+  for (const SurfacePoint& spot : all)
+    if (darts.take(spot.of(skin.position))) spots.push_back(spot);
   return spots;
 }
 

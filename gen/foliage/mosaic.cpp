@@ -3,59 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/seed.h"
+#include "core/cell_grid.h"
 
 namespace frond {
 
 namespace {
-
-/// Discs in a grid of buckets that are found by a hash of the cell; a bucket may hold several cells.
-class DiscGrid {
- public:
-  DiscGrid(std::size_t expected, float cell) : cell_(cell) {
-    std::size_t size = 64;
-    while (size < 2 * expected) size *= 2;
-    head_.assign(size, -1);
-  }
-
-  void add(const Disc& disc) {
-    glm::ivec3 cell(glm::floor(disc.middle / cell_));
-    std::int32_t& head = head_[slot_of(cell)];
-    held_.push_back({disc, cell, head});
-    head = static_cast<std::int32_t>(held_.size()) - 1;
-  }
-
-  /// The discs whose middle is within `reach` of a place.
-  void near(Vec3 at, float reach, std::vector<Disc>& found) const {
-    found.clear();
-    glm::ivec3 low(glm::floor((at - reach) / cell_)), high(glm::floor((at + reach) / cell_));
-    for (int x = low.x; x <= high.x; ++x)
-      for (int y = low.y; y <= high.y; ++y)
-        for (int z = low.z; z <= high.z; ++z)
-          for (std::int32_t i = head_[slot_of({x, y, z})]; i >= 0;) {
-            const Held& held = held_[static_cast<std::size_t>(i)];
-            i = held.next;
-            if (held.cell != glm::ivec3(x, y, z)) continue;
-            if (glm::distance(held.disc.middle, at) <= reach) found.push_back(held.disc);
-          }
-  }
-
- private:
-  struct Held {
-    Disc disc;
-    glm::ivec3 cell;
-    std::int32_t next;  // of the same bucket
-  };
-  std::size_t slot_of(glm::ivec3 c) const {
-    auto bits = [](int v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)); };
-    return Seed::mix(bits(c.x) * 0x9e3779b97f4a7c15ull ^ Seed::mix(bits(c.y) + Seed::mix(bits(c.z)))) &
-           (head_.size() - 1);
-  }
-
-  float cell_;
-  std::vector<std::int32_t> head_;
-  std::vector<Held> held_;
-};
 
 Disc placed(const Disc& disc, const MosaicSite& site, const Quat& turn) {
   return {site.foot + turn * (disc.middle * site.size), turn * disc.normal, disc.radius * site.size};
@@ -126,17 +78,21 @@ std::vector<LaidLeaf> lay_leaves(std::span<const MosaicSite> sites, std::span<co
   float largest = 0;
   for (const MosaicSite& site : sites) largest = std::max(largest, site.size);
   if (!(largest * sizes.disc > 0)) return laid;
-  DiscGrid grid(sites.size(), 2 * largest * sizes.disc);
+  CellGrid grid(2 * largest * sizes.disc);
   std::vector<float> areas;
   for (const LeafForm& form : forms) {
     areas.push_back(0);
     for (const Disc& disc : form.discs) areas.back() += static_cast<float>(kPi) * disc.radius * disc.radius;
   }
-  std::vector<Disc> near;
+  std::vector<Disc> discs, near;  // of all leaves that are laid, and of those about a site
   int turns = std::max(1, options.turns);
   for (std::uint32_t i = 0; i < sites.size() && laid.size() < options.most; ++i) {
     const MosaicSite& site = sites[i];
-    grid.near(site.foot, site.size * sizes.reach + largest * sizes.disc, near);
+    float reach = site.size * sizes.reach + largest * sizes.disc;
+    near.clear();
+    grid.each(site.foot - reach, site.foot + reach, [&](std::uint32_t d) {
+      if (glm::distance(discs[d].middle, site.foot) <= reach) near.push_back(discs[d]);
+    });
     LaidLeaf best{i, site.first};
     float least = INFINITY;
     Quat preferred = leaf_turn(site.normal, site.tip);
@@ -158,7 +114,10 @@ std::vector<LaidLeaf> lay_leaves(std::span<const MosaicSite> sites, std::span<co
     }
     if (least > options.overlap) continue;
     laid.push_back(best);
-    for (const Disc& disc : forms[best.form].discs) grid.add(placed(disc, site, best.turn));
+    for (const Disc& disc : forms[best.form].discs) {
+      discs.push_back(placed(disc, site, best.turn));
+      grid.add(discs.back().middle, static_cast<std::uint32_t>(discs.size() - 1));
+    }
   }
   return laid;
 }

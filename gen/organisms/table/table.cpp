@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accretion/rim_grid.h"
+#include "core/cell_grid.h"
 #include "core/noise.h"
 #include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
@@ -35,25 +35,18 @@ struct Socket {
 };
 
 std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) {
-  constexpr int kDarts = 5;  // at each triangle
+  constexpr std::uint64_t kThrows = 5;  // at each triangle
   std::vector<Socket> sockets;
-  std::vector<Vec3> places;
-  auto apart = static_cast<float>(spacing);
-  RimGrid grid(apart);
-  for (std::uint64_t dart = 0; dart < kDarts; ++dart)
+  Darts darts(static_cast<float>(spacing));
+  for (std::uint64_t dart = 0; dart < kThrows; ++dart)
     for (std::uint32_t t = 0; t < sheet.triangle.size(); ++t) {
       Seed lot = seed.child(dart).child(t);
       double root = std::sqrt(lot.child("u").unit()), side = lot.child("v").unit();
       Vec3 w(static_cast<float>(1 - root), static_cast<float>(root * (1 - side)),
              static_cast<float>(root * side));
       auto [a, b, c] = sheet.triangle[t];
-      Vec3 at = sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z;
-      bool free = true;
-      grid.each(at, [&](std::uint32_t who) { free = free && glm::distance(places[who], at) >= apart; });
-      if (!free) continue;
-      grid.add(at, static_cast<std::uint32_t>(places.size()));
-      places.push_back(at);
-      sockets.push_back({t, w});
+      if (darts.take(sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z))
+        sockets.push_back({t, w});
     }
   return sockets;
 }
