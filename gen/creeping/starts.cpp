@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lots.h"
+#include "core/triangle.h"
 #include "creeping/crawl.h"
 
 namespace frond {
@@ -68,29 +70,22 @@ std::vector<Start> starts_at_foot(const Host& host, int count, double above, Vec
 }
 
 std::vector<Start> starts_around(const Host& host, int count, Vec3 centre, double radius, Seed seed) {
-  std::vector<std::pair<double, std::uint32_t>> sums;  // of area up to and with a triangle
-  double area = 0;
+  Lots lots;
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
     DVec3 a(host.triangles()[t][0]), b(host.triangles()[t][1]), c(host.triangles()[t][2]);
     DVec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
     DVec3 nearest = glm::clamp(DVec3(centre), low, high);
-    if (glm::distance(nearest, DVec3(centre)) > radius) continue;
-    area += 0.5 * glm::length(glm::cross(b - a, c - a));
-    sums.push_back({area, t});
+    lots.add(glm::distance(nearest, DVec3(centre)) <= radius ? triangle_area(a, b, c) : 0);
   }
   std::vector<Start> starts;
   // Points of large triangles may lie outside: draw until there are enough.
   for (std::uint64_t draw = 0; starts.size() < static_cast<std::size_t>(std::max(count, 0)) &&
-                               !sums.empty() && draw < 64 * static_cast<std::uint64_t>(count);
+                               lots.sum() > 0 && draw < 64 * static_cast<std::uint64_t>(count);
        ++draw) {
     Seed own = seed.child("around", draw);
-    double pick = own.child(0).unit() * area;
-    auto found = std::upper_bound(sums.begin(), sums.end(), std::pair(pick, ~0u));
-    if (found == sums.end()) --found;
-    DVec3 a(host.triangles()[found->second][0]), b(host.triangles()[found->second][1]),
-        c(host.triangles()[found->second][2]);
-    double u = std::sqrt(own.child(1).unit()), v = own.child(2).unit();
-    DVec3 p = a * (1 - u) + b * (u * (1 - v)) + c * (u * v);
+    const auto& [a, b, c] = host.triangles()[lots.drawn(own.child(0).unit())];
+    DVec3 share = drawn_weights(own.child(1).unit(), own.child(2).unit());
+    DVec3 p = DVec3(a) * share.x + DVec3(b) * share.y + DVec3(c) * share.z;
     if (glm::distance(p, DVec3(centre)) <= radius) starts.push_back({p, DVec3(0)});
   }
   return starts;

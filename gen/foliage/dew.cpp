@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/lots.h"
+#include "core/triangle.h"
 #include "foliage/organ_shapes.h"
 
 namespace frond {
@@ -17,20 +19,15 @@ constexpr float kSunk = 0.28f, kFlat = 0.82f;       // of a drop's radius: how f
 }  // namespace
 
 Surface dew_surface(const Surface& organ, double size, double drops, Seed seed) {
-  std::vector<float> reached;
-  float all = 0;
-  for (const auto& [i, j, k] : organ.triangle) {
-    Vec3 a = organ.position[i], b = organ.position[j], c = organ.position[k];
-    reached.push_back(all += 0.5f * glm::length(glm::cross(b - a, c - a)));
-  }
-  auto wanted = static_cast<std::uint64_t>(std::min(1e4 * drops * all * size * size, kMostDrops));
+  Lots lots;
+  for (const auto& [i, j, k] : organ.triangle)
+    lots.add(triangle_area(organ.position[i], organ.position[j], organ.position[k]));
+  auto wanted = static_cast<std::uint64_t>(std::min(1e4 * drops * lots.sum() * size * size, kMostDrops));
   Surface ball = ball_surface(), dew;
   std::vector<std::pair<Vec3, float>> laid;
   for (std::uint64_t n = 0; n < wanted; ++n) {
     Seed own = seed.child("drop", n);
-    float at = all * static_cast<float>(own.child("at").unit());
-    std::size_t t = static_cast<std::size_t>(std::ranges::lower_bound(reached, at) - reached.begin());
-    const auto& [i, j, k] = organ.triangle[std::min(t, organ.triangle.size() - 1)];
+    const auto& [i, j, k] = organ.triangle[lots.drawn(own.child("at").unit())];
     double u = own.child("u").unit(), v = own.child("v").unit();
     if (u + v > 1) u = 1 - u, v = 1 - v;
     Vec3 share(1 - u - v, u, v);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/bounds.h"
+#include "core/triangle.h"
 
 namespace frond {
 
@@ -50,18 +51,11 @@ Cells cells_round(const Surface& body, double voxel) {
 
 /// Fills the cells that a triangle passes through.
 void fill(Cells& cells, Vec3 a, Vec3 b, Vec3 c) {
-  float longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-  int steps = static_cast<int>(longest / cells.side * 2) + 1;
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; i + j <= steps; ++j) {
-      auto u = static_cast<float>(i) / static_cast<float>(steps);
-      auto v = static_cast<float>(j) / static_cast<float>(steps);
-      auto cell = glm::ivec3(glm::floor((a + (b - a) * u + (c - a) * v - cells.low) / cells.side));
-      assert(glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) &&
-             glm::all(glm::lessThan(cell, cells.size)));
-      cells.state[cells.at(cell.x, cell.y, cell.z)] = kFullCell;
-    }
-  }
+  over_triangle(a, b, c, cells.side / 2, [&](Vec3 at) {
+    auto cell = glm::ivec3(glm::floor((at - cells.low) / cells.side));
+    assert(glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, cells.size)));
+    cells.state[cells.at(cell.x, cell.y, cell.z)] = kFullCell;
+  });
 }
 
 /// Marks what can be reached from outside; the rest is full.

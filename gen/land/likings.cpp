@@ -51,7 +51,7 @@ Likings::Likings(const SowRules& rules, const Land& land, std::span<const PlantG
     for (std::size_t column = 0; column < kGridCells; ++column) {
       std::size_t a = row * kCorners + column;
       best_.push_back(std::max({liked[a], liked[a + 1], liked[a + kCorners], liked[a + kCorners + 1]}));
-      until_.push_back((until_.empty() ? 0 : until_.back()) + best_.back());
+      lots_.add(best_.back());
     }
 }
 
@@ -108,9 +108,7 @@ double Likings::operator()(Vec2 at) const {
 }
 
 Likings::Dart Likings::dart(Seed seed) const {
-  double sum = seed.child(0).unit() * until_.back();
-  auto cell = static_cast<std::size_t>(std::upper_bound(until_.begin(), until_.end(), sum) - until_.begin());
-  cell = std::min(cell, until_.size() - 1);
+  std::size_t cell = lots_.drawn(seed.child(0).unit());
   Vec2 in(static_cast<float>(cell % kGridCells) + static_cast<float>(seed.child(1).unit()),
           static_cast<float>(cell / kGridCells) + static_cast<float>(seed.child(2).unit()));
   return {low_ + step_ * in, best_[cell]};

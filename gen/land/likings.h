@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/lots.h"
 #include "land/plant_grid.h"
 #include "land/sow.h"
 
@@ -26,7 +27,7 @@ class Likings {
   Dart dart(Seed seed) const;
 
   /// Whether there are no candidates at all.
-  bool none() const { return until_.empty() || until_.back() <= 0; }
+  bool none() const { return lots_.sum() <= 0; }
 
  private:
   double clumps(Vec2 at) const;
@@ -42,8 +43,8 @@ class Likings {
   double clump_edge_ = 0;  // value of the noise at the edge of a clump
   Vec2 low_{0};            // of the rectangle that candidates are drawn from
   Vec2 step_{0};
-  std::vector<double> until_;  // cumulative sums over its cells of how well they suit
-  std::vector<double> best_;   // highest value of each cell
+  Lots lots_;                 // of its cells, by how well they suit
+  std::vector<double> best_;  // highest value of each cell
 };
 
 }  // namespace frond

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lots.h"
 #include "land/herb.h"
 
 namespace frond {
@@ -42,7 +43,7 @@ constexpr double kWidestFlower = 0.015;  // metres, the radius of a head
 class Sower {
  public:
   Sower(const TurfShape& shape, Seed seed) : shape_(shape), seed_(seed) {
-    for (const Sward& s : shape.sward) sum_ += s.share;
+    for (const Sward& s : shape.sward) lots_.add(s.share);
     if (shape.thin) {
       bare_ = static_cast<float>(shape.side * seed.child("bare").range(0.22, 0.32));
       own_ = static_cast<float>(seed.child("own").unit());
@@ -62,11 +63,7 @@ class Sower {
   }
 
   Sward drawn(const Seed& own) const {
-    if (shape_.sward.empty()) return {};
-    double at = own.child(9).unit() * sum_;
-    for (const Sward& s : shape_.sward)
-      if ((at -= s.share) < 0) return s;
-    return shape_.sward.back();
+    return shape_.sward.empty() ? Sward{} : shape_.sward[lots_.drawn(own.child(9).unit())];
   }
 
   /// Blades of a tuft stand close together; the places of tufts belong to the patch.
@@ -76,8 +73,8 @@ class Sower {
       return Vec3(number(from, 1, -side, side) + number(from, 15, -blend, blend), 0,
                   number(from, 2, -side, side) + number(from, 16, -blend, blend));
     };
-    if (tuft <= 1 || sum_ <= 0) return place(own);
-    double blades = shape_.density * shape_.side * shape_.side * plant.share / sum_;
+    if (tuft <= 1 || lots_.sum() <= 0) return place(own);
+    double blades = shape_.density * shape_.side * shape_.side * plant.share / lots_.sum();
     auto tufts = static_cast<std::uint64_t>(std::max(1.0, blades / tuft));
     Seed middle =
         seed_.child("tuft", static_cast<std::uint64_t>(plant.kind)).child(own.child(10).bits() % tufts);
@@ -180,7 +177,7 @@ class Sower {
   const TurfShape& shape_;
   Seed seed_;
   Turf turf_;
-  double sum_ = 0;
+  Lots lots_;  // of the sward
   float bare_ = 0, own_ = 0;
 };
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/lots.h"
+#include "core/triangle.h"
 
 namespace frond {
 
@@ -13,28 +15,22 @@ constexpr float kOverhang = -0.35f;    // what faces down by more bears no colon
 constexpr int kFruitlessDarts = 1000;  // in a row, before it is given up
 constexpr double kPlumb = 1e3;         // metres above and below, that a plumb line goes
 
-/// The sums of the areas of triangles that a colony may stand on, to draw one by.
-std::vector<double> sum_areas(const Host& host) {
-  std::vector<double> sums;
-  double sum = 0;
+/// The triangles that a colony may stand on.
+Lots lots_on(const Host& host) {
+  Lots lots;
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
     const auto& [a, b, c] = host.triangles()[t];
-    if (host.face_normal(t).y > kOverhang) sum += glm::length(glm::cross(b - a, c - a)) / 2;
-    sums.push_back(sum);
+    lots.add(host.face_normal(t).y > kOverhang ? triangle_area(a, b, c) : 0);
   }
-  return sums;
+  return lots;
 }
 
 /// A place on the host, each as likely as any other.
-Planting draw_place(const Host& host, const std::vector<double>& sums, Seed lot) {
-  double mark = lot.child("triangle").unit() * sums.back();
-  auto t = static_cast<std::uint32_t>(std::ranges::upper_bound(sums, mark) - sums.begin());
-  t = std::min(t, static_cast<std::uint32_t>(sums.size() - 1));
+Planting draw_place(const Host& host, const Lots& lots, Seed lot) {
+  auto t = static_cast<std::uint32_t>(lots.drawn(lot.child("triangle").unit()));
   const auto& [a, b, c] = host.triangles()[t];
-  double root = std::sqrt(lot.child("u").unit()), v = lot.child("v").unit();
-  Vec3 at = a * static_cast<float>(1 - root) + b * static_cast<float>(root * (1 - v)) +
-            c * static_cast<float>(root * v);
-  return {.seed = {}, .foot = at, .normal = Vec3(host.face_normal(t))};
+  Vec3 share(drawn_weights(lot.child("u").unit(), lot.child("v").unit()));
+  return {.seed = {}, .foot = a * share.x + b * share.y + c * share.z, .normal = Vec3(host.face_normal(t))};
 }
 
 /// What has found its foot on a body, and the room it keeps.
@@ -67,13 +63,13 @@ Errors settle_on_bodies(Bed& bed, const World& world, std::vector<Settled>& sett
     }
     settled.push_back({planting.foot, room});
   }
-  std::vector<double> sums = sum_areas(**host);
-  if (sums.empty() || sums.back() <= 0) return {};
+  Lots lots = lots_on(**host);
+  if (lots.sum() <= 0) return {};
   Seed darts = bed.seed.child("settle");
   int fruitless = 0;
   for (std::uint64_t dart = 0; std::ssize(bed.plantings) < organism.count && fruitless < kFruitlessDarts;
        ++dart) {
-    Planting planting = draw_place(**host, sums, darts.child(dart));
+    Planting planting = draw_place(**host, lots, darts.child(dart));
     double away = glm::distance(Vec2(planting.foot.x, planting.foot.z), place.center);
     bool fits = away >= place.inner && away <= place.radius && is_free(settled, planting.foot, room);
     fruitless = fits ? 0 : fruitless + 1;

@@ -9,6 +9,7 @@
 
 #include "core/bounds.h"
 #include "core/parallel.h"
+#include "core/triangle.h"
 
 namespace frond {
 
@@ -27,17 +28,6 @@ bool is_colony(const Specimen& s) {
   auto lives = [](const Solid& solid) { return is_tissue(solid.material.matter); };
   return std::ranges::any_of(s.model.solids.shapes, lives) ||
          (s.look.branches.coral() && s.model.skeleton.size() > 0);
-}
-
-/// Calls f(place) for places all over a triangle, at most `step` from each other.
-template <class F>
-void over_triangle(Vec3 a, Vec3 b, Vec3 c, float step, const F& f) {
-  float longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-  int n = std::max(1, static_cast<int>(std::ceil(longest / step)));
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j)
-      f(a + (b - a) * (static_cast<float>(i) / static_cast<float>(n)) +
-        (c - a) * (static_cast<float>(j) / static_cast<float>(n)));
 }
 
 /// Boxes of a grid that hold something.

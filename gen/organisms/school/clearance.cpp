@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/triangle.h"
 
 namespace frond {
 
@@ -96,14 +97,10 @@ void Clearance::take(Vec3 a, Vec3 b, float radius_a, float radius_b) {
 void Clearance::take(const Surface& surface) {
   Vec3 top = high();
   for (const auto& [a, b, c] : surface.triangle) {
-    Vec3 p = surface.position[a], q = surface.position[b] - p, r = surface.position[c] - p;
-    Vec3 least = glm::min(p, glm::min(p + q, p + r)), most = glm::max(p, glm::max(p + q, p + r));
+    Vec3 p = surface.position[a], q = surface.position[b], r = surface.position[c];
+    Vec3 least = glm::min(p, glm::min(q, r)), most = glm::max(p, glm::max(q, r));
     if (glm::any(glm::greaterThan(least, top)) || glm::any(glm::lessThan(most, low_))) continue;
-    float longest = std::max({glm::length(q), glm::length(r), glm::distance(q, r)});
-    int parts = std::max(1, static_cast<int>(std::ceil(longest / cell_)));
-    for (int i = 0; i <= parts; ++i)
-      for (int j = 0; i + j <= parts; ++j)
-        take(p + (static_cast<float>(i) * q + static_cast<float>(j) * r) / static_cast<float>(parts), 0);
+    over_triangle(p, q, r, cell_, [&](Vec3 at) { take(at, 0); });
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/cell_grid.h"
 #include "core/noise.h"
+#include "core/triangle.h"
 #include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
@@ -41,9 +42,7 @@ std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) 
   for (std::uint64_t dart = 0; dart < kThrows; ++dart)
     for (std::uint32_t t = 0; t < sheet.triangle.size(); ++t) {
       Seed lot = seed.child(dart).child(t);
-      double root = std::sqrt(lot.child("u").unit()), side = lot.child("v").unit();
-      Vec3 w(static_cast<float>(1 - root), static_cast<float>(root * (1 - side)),
-             static_cast<float>(root * side));
+      Vec3 w(drawn_weights(lot.child("u").unit(), lot.child("v").unit()));
       auto [a, b, c] = sheet.triangle[t];
       if (darts.take(sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z))
         sockets.push_back({t, w});
