@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kBodyShare = 0.5;  // of an organism's triangles: what the bodies that it is may take
 
-/// With about so large a share of its triangles, all where that is more than all.
-Simplified laid_out(const Surface& body, double share) {
-  Simplified fewer = drawn_with(body, share * static_cast<double>(body.triangle.size()));
+/// With about so many triangles.
+Simplified box_laid(const Surface& body, double triangles) {
+  Simplified fewer = drawn_with(body, triangles);
   std::vector<std::uint32_t> corner;
   Simplified laid{box_mapped(fewer.surface, &corner), {}};
   for (std::uint32_t v : corner) laid.source.push_back(fewer.source[v]);
@@ -38,21 +38,29 @@ bool is_vessel(const Solid& solid) {
 /// Laid out on its picture by itself.
 bool is_laid(const Solid& solid) { return is_vessel(solid) || !solid.material.picture.empty(); }
 
+/// With about so large a share of its triangles, and places on its picture.
+Simplified lay_out(const DrawnBody& body, double share) {
+  double triangles = share * static_cast<double>(body.surface().triangle.size());
+  if (is_vessel(*body.solid)) return as_turned(body.surface());
+  return is_laid(*body.solid) ? drawn_with(body.surface(), triangles) : box_laid(body.surface(), triangles);
+}
+
 /// Bodies that differ in little but their colour share a material of the brightest of these.
 struct Kin {
   Material material;
-  Vec3 light{0};  // the brightest, channel by channel
+  const Solid* first;  // of them
+  Vec3 light{0};       // the brightest, channel by channel
 };
 
 struct Kinds {
   std::vector<Kin> kin;
-  std::vector<std::size_t> of;  // of each shape
+  std::vector<std::size_t> of;  // of each body
 };
 
-Kinds kinds_of(const Solids& solids) {
+Kinds kinds_of(std::span<const DrawnBody> bodies) {
   Kinds kinds;
-  for (const Solid& solid : solids.shapes) {
-    const Material& m = solid.material;
+  for (const DrawnBody& body : bodies) {
+    const Material& m = body.solid->material;
     std::size_t at = 0;
     auto near = [](double a, double b) {
       return std::abs(a - b) <= 0.25 * std::max(std::abs(a), std::abs(b));
@@ -60,10 +68,10 @@ Kinds kinds_of(const Solids& solids) {
     auto alike = [&](const Material& o) {
       return m.matter == o.matter && near(m.scale, o.scale) && near(m.relief, o.relief) &&
              near(m.moss, o.moss) && near(m.gloss, o.gloss) && m.bands.empty() && o.bands.empty() &&
-             !is_laid(solid);
+             !is_laid(*body.solid);
     };
     while (at < kinds.kin.size() && !alike(kinds.kin[at].material)) ++at;
-    if (at == kinds.kin.size()) kinds.kin.push_back({m, Vec3(0)});
+    if (at == kinds.kin.size()) kinds.kin.push_back({m, body.solid});
     kinds.kin[at].light = glm::max(kinds.kin[at].light, linear(m.color));
     kinds.of.push_back(at);
   }
@@ -89,54 +97,50 @@ Vec3 wrought(const Material& m, float height, Vec3 light) {
 
 }  // namespace
 
-std::vector<ExportPart> body_parts(Maker& maker, const Look& look, const Solids& solids,
+std::vector<ExportPart> body_parts(Maker& maker, const Look& look, std::span<const DrawnBody> bodies,
                                    std::span<const Solids> keys) {
-  Kinds kinds = kinds_of(solids);
-  std::vector<ExportPart> parts(kinds.kin.size());
   double all = 0;
-  for (std::uint16_t s : solids.shape) all += static_cast<double>(solids.shapes[s].surface.triangle.size());
-  double share = maker.share() * std::min(1.0, kBodyShare * maker.options.detail / std::max(all, 1.0));
-  std::vector<Simplified> laid;
-  for (const Solid& solid : solids.shapes)
-    laid.push_back(is_vessel(solid) ? as_turned(solid.surface)
-                   : is_laid(solid)
-                       ? drawn_with(solid.surface, share * static_cast<double>(solid.surface.triangle.size()))
-                       : laid_out(solid.surface, share));
-  std::vector<bool> used(kinds.kin.size(), false);
-  for (std::uint16_t s : solids.shape) used[kinds.of[s]] = true;
-  std::vector<Palette::Use> uses;
-  for (std::size_t k = 0; k < kinds.kin.size(); ++k) {
-    auto first = static_cast<std::size_t>(std::find(kinds.of.begin(), kinds.of.end(), k) - kinds.of.begin());
-    const Solid& solid = solids.shapes[first];
-    uses.push_back(used[k] ? maker.palette.body(look, kinds.kin[k].material,
-                                                is_vessel(solid) ? &solid : nullptr, maker.name() + "_body")
-                           : Palette::Use{});
-    parts[k].material = uses[k].material;
+  std::size_t count = 0;
+  for (const DrawnBody& body : bodies) {
+    all += static_cast<double>(body.places.size() * body.surface().triangle.size());
+    count += body.places.size();
   }
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    std::size_t s = solids.shape[i], k = kinds.of[s];
-    const Surface& body = solids.shapes[s].surface;
-    const Material& own = solids.shapes[s].material;
-    Vec3 light = kinds.kin[k].light;
-    Surface surface = laid[s].surface;
-    Seed seed = Seed{33}.child(i);
-    if (!is_laid(solids.shapes[s]))
-      lay_picture(surface, uses[k].wide, uses[k].high,
-                  solids.size() > 1 ? Vec2(seed.child(0).unit(), seed.child(1).unit()) : Vec2(0));
-    std::size_t before = parts[k].surface.position.size();
-    append_placed(parts[k].surface, surface, solids.position[i], solids.turn[i], solids.scale[i]);
-    for (std::size_t key = 0; key < keys.size(); ++key)
-      append_shift(parts[k], key, before, laid[s].of(keys[key].shapes[s].surface),
-                   {0, solids.position[i], solids.turn[i], solids.scale[i]});
-    Vec3 factor = linear(own.color) / glm::max(light, Vec3(1e-4f));
-    bool valleys = own.matter == Matter::meander && !body.uv.empty();
-    for (std::size_t v = 0; v < laid[s].source.size(); ++v) {
-      std::size_t at = before + v;
-      Vec3 tint = mossy(own, parts[k].surface.position[at], parts[k].surface.normal[at], linear(own.color));
-      if (valleys) tint *= wrought(own, body.uv[laid[s].source[v]].x, linear(own.color));
-      const std::vector<float>& left = solids.shapes[s].light;
-      if (!left.empty()) tint *= starved(left[laid[s].source[v]], linear(own.color));
-      parts[k].tint.push_back(tint_of(factor * tint));
+  double share = maker.share() * std::min(1.0, kBodyShare * maker.options.detail / std::max(all, 1.0));
+  Kinds kinds = kinds_of(bodies);
+  std::vector<ExportPart> parts;
+  std::vector<Palette::Use> uses;
+  for (const Kin& kin : kinds.kin) {
+    const Solid* vessel = is_vessel(*kin.first) ? kin.first : nullptr;
+    uses.push_back(maker.palette.body(look, kin.material, vessel, maker.name() + "_body"));
+    parts.push_back({{}, uses.back().material});
+  }
+  std::uint64_t number = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const DrawnBody& body = bodies[b];
+    const Material& own = body.solid->material;
+    const Palette::Use& use = uses[kinds.of[b]];
+    ExportPart& part = parts[kinds.of[b]];
+    Simplified laid = lay_out(body, share);
+    Vec3 color = linear(own.color), factor = color / glm::max(kinds.kin[kinds.of[b]].light, Vec3(1e-4f));
+    const std::vector<float>& left = body.solid->light;
+    bool valleys = own.matter == Matter::meander && !body.surface().uv.empty();
+    for (const DrawnPlace& place : body.places) {
+      Surface surface = laid.surface;
+      Seed seed = Seed{33}.child(number++);
+      if (!is_laid(*body.solid))
+        lay_picture(surface, use.wide, use.high,
+                    count > 1 ? Vec2(seed.child(0).unit(), seed.child(1).unit()) : Vec2(0));
+      std::size_t before = part.surface.position.size();
+      append_placed(part.surface, surface, place.at, place.turn, place.scale);
+      for (std::size_t key = 0; key < keys.size(); ++key)
+        append_shift(part, key, before, laid.of(keys[key].shapes[body.shape].surface),
+                     {0, place.at, place.turn, place.scale});
+      for (std::size_t v = 0; v < laid.source.size(); ++v) {
+        Vec3 tint = mossy(own, part.surface.position[before + v], part.surface.normal[before + v], color);
+        if (valleys) tint *= wrought(own, body.surface().uv[laid.source[v]].x, color);
+        if (!left.empty()) tint *= starved(left[laid.source[v]], color);
+        part.tint.push_back(tint_of(factor * tint));
+      }
     }
   }
   for (ExportPart& part : parts)

@@ -136,15 +136,12 @@ class SceneExporter {
   }
 
   void add_bodies() {
-    const Solids& solids = b_.model.solids;
     std::vector<Solids> keys;
     for (const Model& then : swarm_) keys.push_back(then.solids);
-    if (b_.motion.growth.duration <= 0 ||
-        std::ranges::none_of(solids.shapes, [](const Solid& solid) { return !solid.past.empty(); }))
-      return maker_.add_bodies(b_.look, solids, keys);
-    if (pose_.front <= 0) return;
-    for (const Pose& key : keys_) keys.push_back(grown_to(solids, key.front));
-    maker_.add_bodies(b_.look, grown_to(solids, pose_.front), keys);
+    bool grow = !drawn_.bodies.empty() && drawn_.bodies.back().now;  // those that grow come last
+    for (std::size_t k = 0; grow && k < keys_.size(); ++k)
+      keys.push_back(grown_to(b_.model.solids, keys_[k].front));
+    maker_.add_bodies(b_.look, drawn_.bodies, keys);
   }
 
   void add_blades() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/linear.h"
 #include "core/printable.h"
@@ -100,17 +101,14 @@ std::map<std::string, std::vector<ExportPart>> by_name(Maker& maker, const Look&
   return meshes;
 }
 
-void Maker::add_bodies(const Look& look, const Solids& solids, std::span<const Solids> keys) {
-  if (solids.size() == 0) return;
-  if (!options.instances) return stand("body", body_parts(*this, look, solids, keys));
-  for (std::size_t s = 0; s < solids.shapes.size(); ++s) {
-    Solids one;
-    one.add_shape(solids.shapes[s]);
-    one.place(0);
-    if (std::find(solids.shape.begin(), solids.shape.end(), s) == solids.shape.end()) continue;
-    auto made = mesh(fmt::format("body_{}", s), body_parts(*this, look, one));
-    for (std::size_t i = 0; made && i < solids.size(); ++i)
-      if (solids.shape[i] == s) place(*made, solids.position[i], solids.turn[i], solids.scale[i]);
+void Maker::add_bodies(const Look& look, std::span<const DrawnBody> bodies, std::span<const Solids> keys) {
+  if (bodies.empty()) return;
+  if (!options.instances) return stand("body", body_parts(*this, look, bodies, keys));
+  for (DrawnBody body : bodies) {
+    std::vector<DrawnPlace> places = std::exchange(body.places, {{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)}});
+    auto made = mesh(fmt::format("body_{}", body.shape), body_parts(*this, look, {&body, 1}));
+    for (std::size_t i = 0; made && i < places.size(); ++i)
+      place(*made, places[i].at, places[i].turn, places[i].scale);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 
+#include "draw/solids.h"
 #include "export/foliage.h"
 #include "export/materials.h"
 
@@ -38,8 +39,8 @@ struct Maker {
   /// Adds a mesh whose corners are where they stand in the world.
   void stand(const std::string& part, std::vector<ExportPart> parts);
 
-  /// The bodies of a model; `keys`: see body_parts().
-  void add_bodies(const Look& look, const Solids& solids, std::span<const Solids> keys = {});
+  /// The bodies of an organism; `keys`: see body_parts().
+  void add_bodies(const Look& look, std::span<const DrawnBody> bodies, std::span<const Solids> keys);
 };
 
 ExportTint tint_of(Vec3 light);

@@ -118,7 +118,8 @@ std::vector<ExportPart> parts_of(Maker& maker, const Look& look, SownShape& shap
   }
   for (auto& [own, made] : by_name(maker, look, shape.model, std::move(shape.foliage)))
     std::move(made.begin(), made.end(), std::back_inserter(parts));
-  for (ExportPart& body : body_parts(maker, look, shape.model.solids)) parts.push_back(std::move(body));
+  for (ExportPart& body : body_parts(maker, look, still_bodies(shape.model.solids, {})))
+    parts.push_back(std::move(body));
   return parts;
 }
 
