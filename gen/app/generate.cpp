@@ -30,6 +30,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What a run is asked for, read and checked.
+struct Run {
+  const GenerateArguments& arguments;
+  const Preset& preset;
+  FrameRange range;
+  fs::path root{}, out{};  // of Frond, and where to write
+  std::string name{};      // of the preset
+
+  int frames() const { return range.last - range.first + 1; }
+};
+
 struct Written {
   int frames = 0;  // that changed on disk
   Errors errors;
@@ -37,28 +48,29 @@ struct Written {
   std::vector<std::size_t> nodes;  // that each shows
 };
 
-/// Writes the frames of a range, up to `at_once` at a time.
-Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layout, const fs::path& out,
-                     FrameRange range, int at_once, bool quiet) {
+/// Writes the frames of a run, up to `at_once` at a time.
+Written write_frames(const Run& run, const Scene& scene, CopyPlan plan, const std::string& layout,
+                     int at_once) {
+  fs::path folder = run.out / "frames";
   FrameParts parts = prepare_frames(scene, std::move(plan));
   std::set<std::string> beside;
   for (const Picture& file : parts.files) {
     beside.insert(file.name);
-    Result<bool> written = write_file(out / "frames" / file.name, file.bytes);
+    Result<bool> written = write_file(folder / file.name, file.bytes);
     if (!written) return {0, written.errors(), {}, {}};
   }
-  if (Errors lost = write_light(scene, parts, out / "frames"); !lost.empty()) return {0, lost, {}, {}};
+  if (Errors lost = write_light(scene, parts, folder); !lost.empty()) return {0, lost, {}, {}};
   if (!parts.light.empty()) beside.insert(parts.light);
-  int each = exposures(scene.film, scene.stage.camera), count = (range.last - range.first + 1) * each;
-  Progress progress("frames", count, quiet);
+  int each = exposures(scene.film, scene.stage.camera), count = run.frames() * each;
+  Progress progress("frames", count, run.arguments.quiet);
   std::atomic<int> next = 0;
   std::vector<Errors> errors(static_cast<std::size_t>(count));
   std::vector<char> changed(errors.size());
   std::vector<std::size_t> nodes(static_cast<std::size_t>(count / each));
   parallel_for(static_cast<std::size_t>(std::min(at_once, count)), [&](std::size_t) {
     for (int i; (i = next++) < count;) {
-      int frame = range.first + i / each, exposure = each > 1 ? 1 + i % each : 0;
-      Result<FrameFile> written = write_frame_file(scene, parts, layout, out / "frames", frame, exposure);
+      int frame = run.range.first + i / each, exposure = each > 1 ? 1 + i % each : 0;
+      Result<FrameFile> written = write_frame_file(scene, parts, layout, folder, frame, exposure);
       if (written) {
         changed[static_cast<std::size_t>(i)] = written->changed;
         if (i % each == 0) nodes[static_cast<std::size_t>(i / each)] = written->nodes;
@@ -75,11 +87,11 @@ Written write_frames(const Scene& scene, CopyPlan plan, const std::string& layou
   return result;
 }
 
-/// Writes build.ninja and manifest.json for the frames of a range; `nodes` of each, where that is known.
+/// Writes build.ninja and manifest.json for the frames of a run; `nodes` of each, where that is known.
 /// `rendered`: the pictures come from elsewhere.
-Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std::size_t>& nodes,
-                  double render_seconds, const fs::path& root, const fs::path& out, const std::string& name,
+Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double render_seconds,
                   bool rendered) {
+  const Preset& preset = run.preset;
   const Film& film = preset.film;
   JobList jobs;
   jobs.size = film.size;
@@ -92,16 +104,16 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
   jobs.title = preset.title;
   jobs.seed = preset.seed;
   std::error_code error;
-  jobs.povinc = fs::relative(root / "povinc", out, error).string();
-  jobs.program = fs::relative(own_program(), out, error).string();
-  for (const fs::path& file : files_in(root / "povinc"))
+  jobs.povinc = fs::relative(run.root / "povinc", run.out, error).string();
+  jobs.program = fs::relative(own_program(), run.out, error).string();
+  for (const fs::path& file : files_in(run.root / "povinc"))
     if (file.extension() == ".inc") jobs.includes.push_back(file.filename());
   if (error || jobs.includes.empty())
-    return {{(root / "povinc").string(), "holds no .inc files; set FROND_HOME to the folder of Frond"}};
+    return {{(run.root / "povinc").string(), "holds no .inc files; set FROND_HOME to the folder of Frond"}};
 
   Manifest manifest;
   manifest.version = FROND_VERSION;
-  manifest.preset = name;
+  manifest.preset = run.name;
   manifest.title = preset.title;
   manifest.preset_hash = content_id(preset.text);
   manifest.seed = preset.seed;
@@ -110,14 +122,14 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
   manifest.quality = jobs.quality;
   manifest.still = jobs.still;
   manifest.render_seconds = render_seconds;
-  for (int frame = range.first; frame <= range.last; ++frame) {
+  for (int frame = run.range.first; frame <= run.range.last; ++frame) {
     jobs.frames.push_back(frame);
-    auto i = static_cast<std::size_t>(frame - range.first);
+    auto i = static_cast<std::size_t>(frame - run.range.first);
     manifest.frames.push_back({frame, film.time(frame), i < nodes.size() ? nodes[i] : 0});
   }
   Errors errors;
   auto write = [&](const char* file, const std::string& text) {
-    Result<bool> written = write_file(out / file, text);
+    Result<bool> written = write_file(run.out / file, text);
     if (!written) errors = written.errors();
   };
   write("manifest.json", manifest_text(manifest));
@@ -126,8 +138,8 @@ Errors write_jobs(const Preset& preset, FrameRange range, const std::vector<std:
 }
 
 /// Removes pictures that cannot be used, and tells of those that are damaged.
-Errors remove_unusable(const fs::path& out, FrameRange range, const std::array<int, 2>& size) {
-  Result<std::vector<fs::path>> damaged = remove_damaged(out, range, size);
+Errors remove_unusable(const Run& run) {
+  Result<std::vector<fs::path>> damaged = remove_damaged(run.out, run.range, run.preset.film.size);
   if (!damaged) return damaged.errors();
   for (const fs::path& picture : *damaged)
     tell(fmt::format("note: {} is damaged; it is made again", picture.string()));
@@ -147,88 +159,109 @@ Machine machine_for(const fs::path& out) {
   return machine;
 }
 
+/// What a run will cost, which the machine bears.
+Result<CostEstimate> borne_cost(const Run& run, const Machine& machine) {
+  now_doing("estimating how much there will be");
+  Result<CostEstimate> estimate = estimate_cost(run.preset, run.frames());
+  Errors refused = estimate ? refuse(*estimate, machine) : estimate.errors();
+  for (Error& error : refused)
+    error.where = run.arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
+  if (!refused.empty()) return refused;
+  if (!run.arguments.quiet) {
+    Pace pace = pace_of(run.name);
+    tell(fmt::format("estimate: {} of disk, {} of processor to render (reckoned {})",
+                     bytes_text(estimate->disk()),
+                     seconds_text(pace.factor * estimate->frames * estimate->render_seconds), pace.measured));
+  }
+  return estimate;
+}
+
+/// Shows how far each phase is.
+Watch watch_by(std::optional<Progress>& shown, bool quiet) {
+  return {.begin =
+              [&shown, quiet](std::string_view phase, std::size_t steps) {
+                shown.emplace(std::string(phase), static_cast<int>(steps), quiet);
+              },
+          .step = [&shown] { shown->step(); }};
+}
+
+Result<Scene> grow_scene(const Run& run) {
+  std::optional<Progress> shown;
+  now_doing("growing what stands in the scene");
+  Result<Scene> scene = build_scene(run.preset, watch_by(shown, run.arguments.quiet));
+  shown.reset();
+  if (!scene) return scene;
+  tell_notes(run.preset.notes);
+  for (const std::string& note : scene->notes) tell("note: " + note);
+  if (!run.arguments.quiet)
+    tell(fmt::format("grown: {} organisms, {} nodes", scene->specimens.size(), scene->nodes()));
+  return scene;
+}
+
+/// Writes the frames, what they include and what renders them, up to `at_once` at a time; what earlier runs
+/// have left that nothing needs is removed.
+Errors write_film(const Run& run, const Scene& scene, const std::string& layout, double render_seconds,
+                  int at_once) {
+  fs::path folder = run.out / "frames";
+  FolderInUse in_use(folder);
+  std::set<std::string> needed;
+  for (const Drawing& drawing : scene.drawings) needed.insert(drawing.names.begin(), drawing.names.end());
+  std::optional<Progress> shown;
+  Watch watch = watch_by(shown, run.arguments.quiet);
+  now_doing("drawing bark and leaves");
+  if (Errors errors = write_drawings(scene, folder, watch); !errors.empty()) return errors;
+  now_doing("growing the models of what is sown");
+  Result<CopyPlan> plan = write_models(scene, folder, watch);
+  if (!plan) return plan.errors();
+  for (const ModelFile& file : plan->files) needed.insert(file.name);
+  needed.insert(plan->summaries.begin(), plan->summaries.end());
+  shown.reset();
+  now_doing("writing frames");
+  Written written = write_frames(run, scene, std::move(*plan), layout, at_once);
+  if (!written.errors.empty()) return written.errors;
+  if (Errors errors = write_jobs(run, written.nodes, render_seconds, false); !errors.empty()) return errors;
+  if (Errors errors = remove_unusable(run); !errors.empty()) return errors;
+  needed.merge(written.beside);
+  if (in_use.by_us_alone()) tidy(run.out, needed, exposures(run.preset.film, run.preset.stage.camera));
+  if (!run.arguments.quiet)
+    tell(fmt::format("{}: {} frames, {} of them changed", run.out.string(), run.frames(), written.frames));
+  return {};
+}
+
 }  // namespace
 
 int generate(const GenerateArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  FrameRange range{1, preset->film.frames};
+  Run run{arguments, *preset, {1, preset->film.frames}};
   if (arguments.frames) {
     Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
     if (!asked) return fail(asked.errors(), kWrongInput);
-    range = *asked;
+    run.range = *asked;
   }
   Result<fs::path> root = home();
   if (!root) return fail(root.errors(), kCouldNot);
-  Result<std::string> layout = read_file(*root / "templates" / "frame.pov");
+  run.root = *root;
+  Result<std::string> layout = read_file(run.root / "templates" / "frame.pov");
   if (!layout) return fail(layout.errors(), kCouldNot);
+  run.name = fs::path(arguments.preset.path).stem();
+  run.out = arguments.out.empty() ? fs::path("out") / run.name : fs::path(arguments.out);
+  if (Errors errors = refuse_links(run.out); !errors.empty()) return fail(errors, kCouldNot);
 
-  std::string name = fs::path(arguments.preset.path).stem();
-  fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
-  if (Errors errors = refuse_links(out); !errors.empty()) return fail(errors, kCouldNot);
+  Errors errors;
   if (arguments.film_only) {
-    Errors errors = write_jobs(*preset, range, {}, 0, *root, out, name, true);
-    if (errors.empty()) errors = remove_unusable(out, range, preset->film.size);
-    return errors.empty() ? kDone : fail(errors, kCouldNot);
+    errors = write_jobs(run, {}, 0, true);
+    if (errors.empty()) errors = remove_unusable(run);
+  } else {
+    Machine machine = machine_for(run.out);
+    Result<CostEstimate> cost = borne_cost(run, machine);
+    if (!cost) return fail(cost.errors(), kWrongInput);
+    Result<Scene> scene = grow_scene(run);
+    if (!scene) return fail(scene.errors(), kWrongInput);
+    errors = write_film(run, *scene, *layout, cost->render_seconds, cost->at_once(machine));
   }
-  now_doing("estimating how much there will be");
-  Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
-  Machine machine = machine_for(out);
-  Errors refused = estimate ? refuse(*estimate, machine) : estimate.errors();
-  for (Error& error : refused)
-    error.where = arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
-  if (!refused.empty()) return fail(refused, kWrongInput);
-
-  if (!arguments.quiet) {
-    Pace pace = pace_of(name);
-    tell(fmt::format("estimate: {} of disk, {} of processor to render (reckoned {})",
-                     bytes_text(estimate->disk()),
-                     seconds_text(pace.factor * estimate->frames * estimate->render_seconds), pace.measured));
-  }
-
-  std::optional<Progress> shown;
-  Watch watch{.begin =
-                  [&](std::string_view phase, std::size_t steps) {
-                    shown.emplace(std::string(phase), static_cast<int>(steps), arguments.quiet);
-                  },
-              .step = [&] { shown->step(); }};
-  now_doing("growing what stands in the scene");
-  Result<Scene> scene = build_scene(*preset, watch);
-  shown.reset();
-  if (!scene) return fail(scene.errors(), kWrongInput);
-  tell_notes(preset->notes);
-  for (const std::string& note : scene->notes) tell("note: " + note);
-  if (!arguments.quiet)
-    tell(fmt::format("grown: {} organisms, {} nodes", scene->specimens.size(), scene->nodes()));
-
-  FolderInUse in_use(out / "frames");
-  std::set<std::string> needed;
-  for (const Drawing& drawing : scene->drawings) needed.insert(drawing.names.begin(), drawing.names.end());
-  now_doing("drawing bark and leaves");
-  if (Errors errors = write_drawings(*scene, out / "frames", watch); !errors.empty())
-    return fail(errors, kCouldNot);
-  now_doing("growing the models of what is sown");
-  Result<CopyPlan> plan = write_models(*scene, out / "frames", watch);
-  if (!plan) return fail(plan.errors(), kCouldNot);
-  for (const ModelFile& file : plan->files) needed.insert(file.name);
-  needed.insert(plan->summaries.begin(), plan->summaries.end());
-  shown.reset();
-  now_doing("writing frames");
-  Written written = write_frames(*scene, std::move(*plan), *layout, out, range, estimate->at_once(machine),
-                                 arguments.quiet);
-  if (!written.errors.empty()) return fail(written.errors, kCouldNot);
-  Errors job_errors =
-      write_jobs(*preset, range, written.nodes, estimate->render_seconds, *root, out, name, false);
-  if (!job_errors.empty()) return fail(job_errors, kCouldNot);
-  job_errors = remove_unusable(out, range, preset->film.size);
-  if (!job_errors.empty()) return fail(job_errors, kCouldNot);
-  needed.merge(written.beside);
-  if (in_use.by_us_alone()) tidy(out, needed, exposures(preset->film, preset->stage.camera));
-  if (!arguments.quiet)
-    tell(fmt::format("{}: {} frames, {} of them changed", out.string(), range.last - range.first + 1,
-                     written.frames));
-  return kDone;
+  return errors.empty() ? kDone : fail(errors, kCouldNot);
 }
 
 }  // namespace frond
