@@ -30,11 +30,6 @@ Simplified as_turned(const Surface& vessel) {
   return whole;
 }
 
-/// Turned about its axis, with places on what is painted on it.
-bool is_vessel(const Solid& solid) {
-  return !solid.surface.uv.empty() && row_of(solid.material.matter).nature == Nature::vessel;
-}
-
 /// Laid out on its picture by itself.
 bool is_laid(const Solid& solid) { return is_vessel(solid) || !solid.material.picture.empty(); }
 

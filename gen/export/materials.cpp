@@ -26,14 +26,6 @@ std::string key_of(const Color& c) { return fmt::format("{:.4f},{:.4f},{:.4f};",
 
 Color lighter(const Color& color, Vec3 factor) { return srgb(glm::min(linear(color) * factor, Vec3(1))); }
 
-Result<BakedPictures> coat_pictures(const BarkCoat& coat, int wide) {
-  int high = std::max(1, static_cast<int>(std::lround(wide * coat.aspect)));
-  Seed seed{11};
-  BarkMaps maps = bark_maps(coat.image, wide, high, seed);
-  return picture_files(bark_colors(coat.image, maps, seed),
-                       normal_picture(maps.height, 0.02 * wide * coat.relief), 0.8);
-}
-
 /// A leaf's picture: where it is open it has the colour of the rim, or its edge would be seen dark.
 Result<BakedPictures> leaf_pictures(const LeafLook& look, std::size_t color, int pixels) {
   LeafImage image = leaf_image(look, color);
@@ -64,7 +56,26 @@ Result<BakedPictures> worn(const Look& look, const std::string& picture) {
   return Error{"", "no look wears " + picture};
 }
 
-/// Of the skin of branches, of one colour; `look.branches` has no coat.
+}  // namespace
+
+std::vector<Vec2> on_vessel(std::vector<Vec2> uv) {
+  constexpr float kOutside = 0.75f;
+  for (Vec2& at : uv) at.y = at.y < 1 ? kOutside * at.y : kOutside + (1 - kOutside) * (at.y - 1);
+  return uv;
+}
+
+bool is_vessel(const Solid& solid) {
+  return !solid.surface.uv.empty() && row_of(solid.material.matter).nature == Nature::vessel;
+}
+
+Swatch vessel_swatch(const Solid& vessel, const Material& material, int pixels) {
+  Swatch swatch = body_swatch(material, pixels);
+  swatch.pixels = {2 * pixels, 3 * pixels / 2};
+  swatch.body = vessel.surface;
+  swatch.place = on_vessel(vessel.surface.uv);
+  return swatch;
+}
+
 Swatch skin_swatch(const BranchLook& look, std::size_t color, int pixels) {
   Swatch swatch;
   swatch.includes = {include_of(look)};
@@ -80,12 +91,14 @@ Swatch skin_swatch(const BranchLook& look, std::size_t color, int pixels) {
   return swatch;
 }
 
-}  // namespace
+double skin_roughness(const BranchLook& look) { return look.coral() ? 0.75 : 0.85; }
 
-std::vector<Vec2> on_vessel(std::vector<Vec2> uv) {
-  constexpr float kOutside = 0.75f;
-  for (Vec2& at : uv) at.y = at.y < 1 ? kOutside * at.y : kOutside + (1 - kOutside) * (at.y - 1);
-  return uv;
+Result<BakedPictures> coat_pictures(const BarkCoat& coat, int wide) {
+  int high = std::max(1, static_cast<int>(std::lround(wide * coat.aspect)));
+  Seed seed{11};
+  BarkMaps maps = bark_maps(coat.image, wide, high, seed);
+  return picture_files(bark_colors(coat.image, maps, seed),
+                       normal_picture(maps.height, 0.02 * wide * coat.relief), 0.8);
 }
 
 std::string Names::unique(const std::string& name) {
@@ -161,7 +174,7 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
   if (look.branches.patterned()) {
     Swatch swatch = skin_swatch(look.branches, color, pixels);
     swatch.light = most;
-    use = keep_swatch(std::move(swatch), made, name, look.branches.coral() ? 0.75 : 0.85);
+    use = keep_swatch(std::move(swatch), made, name, skin_roughness(look.branches));
   } else {
     made.factor = made.color;
     use = keep("plain" + key_of(made.factor), made, name, {}, {});
@@ -259,13 +272,9 @@ Palette::Use Palette::body(const Look& look, const Material& material, const Sol
     made.factor = made.color;
     return keep(fmt::format("body {} {}", made.gloss, made.transmission), made, name, {}, {});
   }
-  Swatch swatch = body_swatch(material, options_.texture);
-  if (vessel) {
-    swatch.pixels = {2 * options_.texture, 3 * options_.texture / 2};
-    swatch.body = vessel->surface;
-    swatch.place = on_vessel(vessel->surface.uv);
-  }
-  return keep_swatch(std::move(swatch), made, name, rough);
+  return keep_swatch(
+      vessel ? vessel_swatch(*vessel, material, options_.texture) : body_swatch(material, options_.texture),
+      made, name, rough);
 }
 
 }  // namespace frond

@@ -17,6 +17,21 @@ namespace frond {
 /// bottom inside.
 std::vector<Vec2> on_vessel(std::vector<Vec2> uv);
 
+/// Whether the picture of a body is unrolled from it: one that is turned and says where on it places lie.
+bool is_vessel(const Solid& solid);
+
+/// What that picture is drawn from, for places on_vessel(). It is wider than those of other bodies, which are
+/// so many pixels wide.
+Swatch vessel_swatch(const Solid& vessel, const Material& material, int pixels);
+
+/// The skin or the bark of branches in one of its colours; `look` must be patterned() and have no coat.
+Swatch skin_swatch(const BranchLook& look, std::size_t color, int pixels);
+/// The roughness of what is smooth on it.
+double skin_roughness(const BranchLook& look);
+
+/// The pictures of a coat, so many pixels wide.
+Result<BakedPictures> coat_pictures(const BarkCoat& coat, int wide);
+
 /// Gives names that no two things share.
 class Names {
  public:

@@ -10,10 +10,12 @@
 #include "core/content.h"
 #include "core/machine.h"
 #include "estimate/estimate_cost.h"
+#include "export/materials.h"
 #include "grammar/forecast.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
 #include "images/raster.h"
+#include "model/bytes.h"
 #include "preset/json.h"
 #include "preview/quick_look.h"
 #include "scene/describe.h"
@@ -175,13 +177,17 @@ Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& ke
 }
 
 void Scenes::add_tiles(const Scene& scene) {
-  for (const Specimen& specimen : scene.specimens)
-    for (const Solid& solid : specimen.model.solids.shapes) {
-      std::optional<Tile> tile = tile_of(solid.material);
-      if (!tile || drawings_.find(tile->colors)) continue;
-      auto drawing = std::make_shared<const Drawing>(tile_drawing(solid.material, bake_));
-      for (const std::string& name : drawing->names) drawings_.put(name, drawing, kDrawing);
-    }
+  auto add = [&](const auto& tiled, std::size_t bytes) {
+    std::optional<Tile> tile = tile_of(tiled);
+    if (!tile || drawings_.find(tile->colors)) return;
+    auto drawing = std::make_shared<const Drawing>(tile_drawing(tiled, bake_));
+    for (const std::string& name : drawing->names) drawings_.put(name, drawing, bytes);
+  };
+  for (const Specimen& specimen : scene.specimens) {
+    if (specimen.model.skeleton.size() > 1) add(specimen.look.branches, kDrawing);
+    for (const Solid& solid : specimen.model.solids.shapes)
+      add(solid, kDrawing + (is_vessel(solid) ? bytes_of(solid.surface) : 0));
+  }
 }
 
 Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,

@@ -86,7 +86,7 @@ class Scenes {
   /// Where growing what is new takes longer than that many seconds, or more than the machine has.
   Result<Json> estimate(const Preset& preset, const EntryFilter& only, double seconds);
 
-  /// Notes how pictures of the bodies' materials are drawn.
+  /// Notes how pictures of what bodies and branches are made of are drawn.
   void add_tiles(const Scene& scene);
 
   const Documents& documents_;

@@ -1,16 +1,24 @@
 #include "studio/tiles.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
+#include "core/bytes.h"
 #include "core/content.h"
 #include "core/linear.h"
+#include "export/materials.h"
 
 namespace frond {
 
 namespace {
 
 constexpr int kPixels = 256;
+constexpr int kSkinPixels = 512;  // as exports have them, which keep them where we look for them
+constexpr float kDarkest = 0.01f;
 constexpr double kRough = 0.8;  // the page shows no roughness
 
 double stepped(double x, double step) { return step * std::round(x / step); }
@@ -34,25 +42,91 @@ Material shared(const Material& own) {
   return m;
 }
 
+Tile named(const std::string& made_from) {
+  std::string id = content_id(made_from);
+  return {"tile_" + id + "_color.png", "tile_" + id + "_normal.png"};
+}
+
+/// Draws what a tile names.
+template <class Draw>
+Drawing drawing_of(const Tile& tile, Draw draw) {
+  std::vector<std::string> names{tile.colors};
+  if (!tile.normals.empty()) names.push_back(tile.normals);
+  return {names, [names, draw]() -> Result<std::vector<Picture>> {
+            Result<BakedPictures> baked = draw();
+            if (!baked) return baked.errors();
+            std::vector<Picture> made{{names[0], std::move(baked->colors)}};
+            if (names.size() > 1) made.push_back({names[1], std::move(baked->normals)});
+            return made;
+          }};
+}
+
 }  // namespace
 
 std::optional<Tile> tile_of(const Material& material) {
   const MatterRow& row = row_of(material.matter);
   if (row.widths <= 0 || !material.picture.empty() || row.nature == Nature::vessel) return std::nullopt;
   Material drawn = shared(material);
-  std::string id = content_id(swatch_scene(body_swatch(drawn, kPixels)));
-  return Tile{"tile_" + id + "_color.png", "tile_" + id + "_normal.png", row.widths * material.scale,
-              linear(material.color) / linear(drawn.color)};
+  Tile tile = named(swatch_scene(body_swatch(drawn, kPixels)));
+  tile.wide = tile.high = row.widths * material.scale;
+  tile.light = linear(material.color) / linear(drawn.color);
+  return tile;
+}
+
+std::optional<Tile> tile_of(const Solid& body) {
+  if (!is_vessel(body)) return tile_of(body.material);
+  if (row_of(body.material.matter).widths <= 0) return std::nullopt;
+  auto bytes = [](const auto& list) {
+    return std::string_view(reinterpret_cast<const char*>(list.data()), bytes_of(list));
+  };
+  Tile tile = named(fmt::format("{}{}{}", swatch_scene(body_swatch(body.material, kPixels)),
+                                bytes(body.surface.position), bytes(body.surface.uv)));
+  tile.normals.clear();
+  tile.unrolled = true;
+  return tile;
+}
+
+std::optional<Tile> tile_of(const BranchLook& branches) {
+  if (!branches.coat && !branches.patterned()) return std::nullopt;
+  Tile tile;
+  if (branches.coat) {
+    const BarkCoat& coat = *branches.coat;
+    tile = named(fmt::format("{} {}", bark_color_name(coat), coat.relief));
+    tile.wide = coat.wrap, tile.high = coat.wrap * coat.aspect;
+  } else {
+    tile = named(swatch_scene(skin_swatch(branches, 0, kSkinPixels)));
+    std::tie(tile.wide, tile.high) = Palette::picture_size(branches);
+  }
+  tile.light = 1.0f / glm::max(linear(branches.plain(0, 1)), Vec3(kDarkest));
+  return tile;
 }
 
 Drawing tile_drawing(const Material& material, const BakeOptions& options) {
-  Tile tile = *tile_of(material);
-  return {{tile.colors, tile.normals}, [=]() -> Result<std::vector<Picture>> {
-            Result<BakedPictures> baked = bake(body_swatch(shared(material), kPixels), kRough, options);
-            if (!baked) return baked.errors();
-            return std::vector<Picture>{{tile.colors, std::move(baked->colors)},
-                                        {tile.normals, std::move(baked->normals)}};
-          }};
+  return drawing_of(*tile_of(material), [drawn = shared(material), options] {
+    return bake(body_swatch(drawn, kPixels), kRough, options);
+  });
+}
+
+Drawing tile_drawing(const Solid& body, const BakeOptions& options) {
+  if (!is_vessel(body)) return tile_drawing(body.material, options);
+  return drawing_of(*tile_of(body), [swatch = vessel_swatch(body, body.material, kPixels), options] {
+    return bake(swatch, kRough, options);
+  });
+}
+
+Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options) {
+  return drawing_of(*tile_of(branches), [branches, options] {
+    return branches.coat ? coat_pictures(*branches.coat, std::min(kSkinPixels, branches.coat->pixels))
+                         : bake(skin_swatch(branches, 0, kSkinPixels), skin_roughness(branches), options);
+  });
+}
+
+Json json_of(const Tile& tile) {
+  Json json{
+      {"colors", tile.colors}, {"wide", tile.wide}, {"high", tile.high}, {"light", json_of(tile.light)}};
+  if (!tile.normals.empty()) json["normals"] = tile.normals;
+  if (tile.unrolled) json["unrolled"] = true;
+  return json;
 }
 
 }  // namespace frond

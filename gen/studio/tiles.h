@@ -4,21 +4,33 @@
 #include <string>
 
 #include "bake/bake.h"
+#include "dress/dress.h"
 #include "scene/scene.h"
+#include "studio/packet.h"
 
 namespace frond {
 
-/// Pictures of a body's material that repeat, for the page to lay on it from three sides. Materials that
-/// differ in little but their colour share them.
+/// Pictures of what something is made of, for the page to lay on it: from three sides, along branches, or
+/// unrolled. Materials that differ in little but their colour share them.
 struct Tile {
-  std::string colors, normals;  ///< names of PNG files
-  double wide = 1;              ///< metres
-  Vec3 light{1};                ///< linear factor of the colours
+  std::string colors, normals;  ///< names of PNG files; unrolled ones have no normals
+  double wide = 1, high = 1;    ///< metres after which they repeat
+  Vec3 light{1};                ///< linear factor of the colours, or of a plain colour that they vary
+  bool unrolled = false;        ///< places on it are those that on_vessel() says
 };
-/// None where the material has no pattern, or a picture of its own.
+/// Of a body that repeats. None where the material has no pattern, or a picture of its own.
 std::optional<Tile> tile_of(const Material& material);
+/// The same of any body.
+std::optional<Tile> tile_of(const Solid& body);
+/// Of branches that have a pattern. It varies their plain colours, whatever these are.
+std::optional<Tile> tile_of(const BranchLook& branches);
 
-/// Draws both pictures of a material that has some.
+/// Draws both pictures of what has some.
 Drawing tile_drawing(const Material& material, const BakeOptions& options);
+Drawing tile_drawing(const Solid& body, const BakeOptions& options);
+Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options);
+
+/// As the page reads it.
+Json json_of(const Tile& tile);
 
 }  // namespace frond

@@ -46,7 +46,8 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
 /// The parts of one organism at a time.
 Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double time);
 
-/// Branches as segments of 48 bytes each: both ends with radii, directions and colours.
+/// Branches as segments of 48 bytes each: both ends with radii, directions and colours, and how a picture
+/// lies on them.
 DrawnPart tubes_part(const DrawnBranches& branches);
 
 /// A mesh that is placed at `places`, ten numbers each, with coarser ones for where it is small: those of

@@ -1,6 +1,7 @@
 #include <array>
 #include <map>
 
+#include "export/materials.h"
 #include "geometry/far.h"
 #include "studio/tiles.h"
 #include "studio/view.h"
@@ -32,6 +33,8 @@ Result<DrawnPart> body_part(const DrawnBranches& branches) {
   DrawnPart part;
   part.head["kind"] = "mesh";
   part.head["material"] = material_json({.color = {}, .gloss = branches.look().gloss()});
+  if (branches.traits.style.build == Build::fused)
+    if (auto tile = tile_of(branches.look())) part.head["material"]["tile"] = json_of(*tile);
   part.add_surface("", mesh->surface);
   part.add("/colors", painted);
   return part;
@@ -94,11 +97,14 @@ void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& pa
     DrawnPart& part = parts.emplace_back();
     part.head["kind"] = "mesh";
     part.head["material"] = material_json(plain_look(body.solid->material));
-    if (auto tile = tile_of(body.solid->material))
-      part.head["material"]["tile"] = {{"colors", tile->colors},
-                                       {"normals", tile->normals},
-                                       {"wide", tile->wide},
-                                       {"light", json_of(tile->light)}};
+    auto tile = tile_of(*body.solid);
+    if (tile) part.head["material"]["tile"] = json_of(*tile);
+    if (tile && tile->unrolled) {
+      Surface surface = body.surface();
+      surface.uv = on_vessel(std::move(surface.uv));
+      add_placed(part, surface, at, false);
+      continue;
+    }
     add_placed(part, body.surface(), at, false);
   }
 }

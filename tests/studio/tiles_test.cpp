@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/linear.h"
+#include "export/materials.h"
 
 namespace frond {
 namespace {
@@ -40,6 +41,53 @@ TEST(Tiles, AreNotForWhatHasNoPatternOrAPictureOfItsOwn) {
   Material pot;
   pot.matter = Matter::ceramic;
   EXPECT_FALSE(tile_of(pot)) << "what is painted on a vessel goes once round it";
+}
+
+TEST(Tiles, OfBranchesVaryTheirPlainColorAndRepeatAsExportsHaveIt) {
+  BranchLook coral;
+  coral.skin = Skin{};
+  Tile skin = *tile_of(coral);
+  EXPECT_EQ(std::pair(skin.wide, skin.high), Palette::picture_size(coral));
+  Vec3 plain = skin.light * linear(coral.plain(0, 1));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(plain[c], 1, 1e-3);
+  coral.skin->pores.cell *= 2;
+  EXPECT_NE(tile_of(coral)->colors, skin.colors);
+
+  BranchLook tree;
+  tree.bark = Bark{};
+  EXPECT_NE(tile_of(tree)->colors, skin.colors);
+  tree.coat = BarkCoat{};
+  Tile coat = *tile_of(tree);
+  EXPECT_EQ(coat.wide, tree.coat->wrap);
+  EXPECT_EQ(coat.high, tree.coat->wrap * tree.coat->aspect);
+  EXPECT_EQ(tile_drawing(tree, {}).names, (std::vector<std::string>{coat.colors, coat.normals}));
+}
+
+TEST(Tiles, AreNotForBranchesWithoutAPattern) {
+  BranchLook look;
+  EXPECT_FALSE(tile_of(look));
+  look.bark = Bark{.kind = BarkKind::stem};
+  EXPECT_FALSE(tile_of(look));
+}
+
+TEST(Tiles, OfAVesselAreUnrolledAndItsOwn) {
+  Solid pot;
+  pot.material.matter = Matter::terracotta;
+  pot.surface.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  pot.surface.normal.assign(3, {0, 0, 1});
+  pot.surface.uv = {{0, 0}, {1, 0}, {0, 1}};
+  pot.surface.triangle = {{0, 1, 2}};
+  Tile tile = *tile_of(pot);
+  EXPECT_TRUE(tile.unrolled);
+  EXPECT_EQ(tile_drawing(pot, {}).names, std::vector<std::string>{tile.colors}) << "its form is in the mesh";
+  EXPECT_FALSE(json_of(tile).contains("normals"));
+  pot.surface.position[2].y = 2;
+  EXPECT_NE(tile_of(pot)->colors, tile.colors);
+  pot.material.matter = Matter::glass;
+  EXPECT_FALSE(tile_of(pot)) << "one sees through it";
+  Solid rock;
+  rock.material = stone({0.5f, 0.5f, 0.5f});
+  EXPECT_FALSE(tile_of(rock)->unrolled);
 }
 
 TEST(Tiles, NameBothPicturesThatTheirDrawingMakes) {

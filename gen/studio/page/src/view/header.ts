@@ -9,14 +9,25 @@ export interface BlobRef {
   t: "f32" | "u32" | "i8" | "u8";
 }
 
+/** Pictures of a material that repeat every `wide` and `high` metres, laid on meshes from three sides and on branches along
+ *  them; with `unrolled` one picture has its places in `uv`. `light` is a linear factor of their colours; where each corner
+ *  has a colour of its own, this is a factor, too. */
+export interface Tile {
+  colors: string;
+  normals?: string;
+  wide: number;
+  high: number;
+  light: Vec3;
+  unrolled?: boolean;
+}
+
 /** Colours of materials are sRGB, 0..1. */
 export interface Material {
   color: Vec3;
   gloss: number;
   both_sides: boolean;
   picture?: string;
-  /** Pictures that repeat every `wide` metres, laid on from three sides; `light` is a linear factor of the colours. */
-  tile?: { colors: string; normals: string; wide: number; light: Vec3 };
+  tile?: Tile;
   light_through?: number;
   /** Of panes; absent: 1. */
   opacity?: number;
@@ -44,6 +55,7 @@ export interface TubesPart extends PartBase {
   kind: "tubes";
   segments?: BlobRef;
   gloss: number;
+  tile?: Tile;
 }
 
 export interface MeshPart extends PartBase, Partial<Surface> {

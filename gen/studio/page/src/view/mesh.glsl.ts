@@ -5,7 +5,7 @@ import { COLOR, EYE, FLAT, LIGHT, LINEAR } from "./glsl";
 export const MESH_VERTEX = /* glsl */ `${EYE}${LINEAR}
 in vec3 position;
 in vec3 normal;
-#ifdef WITH_UV
+#if defined(WITH_UV) || defined(UNROLLED)
 in vec2 uv;
 out vec2 on_picture;
 #endif
@@ -17,7 +17,7 @@ out vec3 at;
 out vec3 up;
 out vec3 color;
 flat out uint own;
-#ifdef TILED
+#if defined(TILED) && !defined(UNROLLED)
 out vec3 in_place;  // before it is placed
 out vec3 in_way;
 flat out vec4 turned_by;
@@ -66,7 +66,7 @@ void main() {
   at = place + turned(turn, position * size);
   up = turned(turn, normal / size);
   own = uint(k);
-#ifdef TILED
+#if defined(TILED) && !defined(UNROLLED)
   turned_by = turn;
 #endif
 #ifdef INSTANCE_COLORS
@@ -77,15 +77,15 @@ void main() {
   at = position;
   up = normal;
   own = 0u;
-#ifdef TILED
+#if defined(TILED) && !defined(UNROLLED)
   turned_by = vec4(0, 0, 0, 1);
 #endif
 #endif
-#ifdef TILED
+#if defined(TILED) && !defined(UNROLLED)
   in_place = position;
   in_way = normal;
 #endif
-#ifdef WITH_UV
+#if defined(WITH_UV) || defined(UNROLLED)
   on_picture = uv;
 #endif
   color = linear(color);
@@ -115,20 +115,34 @@ void holes() {
 }
 `;
 
-/** Pictures of the material, laid on from the three axes; `paint` is what it is without. */
+/** Pictures of the material, laid on from the three axes or, UNROLLED, where each corner says; `paint` is what it is
+ *  without. */
 const TILES = /* glsl */ `
-#ifdef TILED
+#ifdef UNROLLED
+in vec2 on_picture;
+uniform sampler2D tile;
+uniform float tiled;
+uniform vec3 tile_light;
+void lay_tiles(inout vec3 paint, inout vec3 n) {
+  if (tiled > 0.5) paint = tile_light * texture(tile, on_picture).rgb;
+}
+#elif defined(TILED)
 in vec3 in_place;
 in vec3 in_way;
 flat in vec4 turned_by;
 uniform sampler2D tile, tile_normals;
-uniform float tiled, tile_wide;
+uniform float tiled, tile_wide, tile_high;
 uniform vec3 tile_light;
 void lay_tiles(inout vec3 paint, inout vec3 n) {
   if (tiled < 0.5) return;
-  vec3 p = in_place / tile_wide, way = normalize(in_way), share = pow(abs(way), vec3(6));
+  vec3 p = in_place / vec3(tile_wide, tile_high, tile_wide), way = normalize(in_way), share = pow(abs(way), vec3(6));
   share /= share.x + share.y + share.z;
-  paint = tile_light * (share.x * texture(tile, p.zy).rgb + share.y * texture(tile, p.xz).rgb + share.z * texture(tile, p.xy).rgb);
+  vec3 laid = tile_light * (share.x * texture(tile, p.zy).rgb + share.y * texture(tile, p.xz).rgb + share.z * texture(tile, p.xy).rgb);
+#ifdef WITH_COLORS
+  paint *= laid;
+#else
+  paint = laid;
+#endif
 #ifndef QUICK
   vec2 x = texture(tile_normals, p.zy).rg - 0.5, y = texture(tile_normals, p.xz).rg - 0.5, z = texture(tile_normals, p.xy).rg - 0.5;
   vec3 bent = normalize(way + 2.0 * (share.x * vec3(0, x.yx) + share.y * vec3(y.x, 0, y.y) + share.z * vec3(z, 0)));

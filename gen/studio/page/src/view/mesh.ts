@@ -1,8 +1,9 @@
-import { BufferAttribute, BufferGeometry, InstancedBufferGeometry, Color, Vector3, type DataTexture, type IUniform } from "three";
+import { BufferAttribute, BufferGeometry, InstancedBufferGeometry, Color, type DataTexture, type IUniform } from "three";
 import type { Material, MeshPart, Surface } from "./header";
 import { distanceToBox, Drawn, type Level, type Studio } from "./drawn";
 import { MESH_FLAT, MESH_LOOK, MESH_VERTEX } from "./mesh.glsl";
 import { bytes, floats, signedBytes, words, type Packet } from "./packet";
+import { tiled } from "./pictures";
 import { PER_ROW, paintsTexture, placesTexture } from "./texels";
 
 /** Corners in a bundle of small meshes; bundles are drawn as instances. */
@@ -60,11 +61,12 @@ function fill(geometry: BufferGeometry, shape: Shape, times: number): void {
 
 function describe(shape: Shape, material: Material, studio: Studio): { defines: Record<string, number>; own: Record<string, IUniform> } {
   const picture = material.picture && shape.uv ? studio.pictures.leaf(material.picture) : null;
-  if (!picture) delete shape.uv;
+  const tile = material.tile && (shape.uv || !material.tile.unrolled) ? material.tile : null;
+  if (!picture && !tile?.unrolled) delete shape.uv;
   const defines: Record<string, number> = { PER_ROW };
   if (picture) defines.WITH_UV = 1;
-  const tile = material.tile && studio.pictures.tile(material.tile.colors, material.tile.normals);
   if (tile) defines.TILED = 1;
+  if (tile?.unrolled) defines.UNROLLED = 1;
   if (shape.colors) defines.WITH_COLORS = 1;
   return {
     defines,
@@ -75,15 +77,7 @@ function describe(shape: Shape, material: Material, studio: Studio): { defines: 
       opacity: { value: material.opacity ?? 1 },
       rough: { value: 0 },
       ...(picture ? { leaf: { value: picture } } : {}),
-      ...(tile
-        ? {
-            tile: { value: tile.colors },
-            tile_normals: { value: tile.normals },
-            tiled: tile.ready,
-            tile_wide: { value: material.tile!.wide },
-            tile_light: { value: new Vector3(...material.tile!.light) },
-          }
-        : {}),
+      ...(tile ? tiled(tile, studio.pictures) : {}),
     },
   };
 }
@@ -120,7 +114,7 @@ export function placed(shapes: { shape: Shape; size: number }[], material: Mater
   let own: Record<string, IUniform> = {};
   const levels = shapes.map(({ shape, size }): Level => {
     const described = describe(shape, material, studio);
-    own = described.own;
+    own = { ...described.own, ...own };
     const corners = shape.position.length / 3;
     const bundle = Math.max(1, Math.min(Math.floor(BUNDLE_CORNERS / corners), places.count));
     const geometry = new InstancedBufferGeometry();

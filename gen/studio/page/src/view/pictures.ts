@@ -1,4 +1,5 @@
-import { LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, Texture, TextureLoader } from "three";
+import { LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, Texture, TextureLoader, Vector3, type IUniform } from "three";
+import type { Tile } from "./header";
 
 /** Pictures of a material, ready when both have come. */
 export interface TilePictures {
@@ -38,7 +39,7 @@ export class Pictures {
     return texture;
   }
 
-  tile(colors: string, normals: string): TilePictures {
+  tile({ colors, normals }: Tile): TilePictures {
     const known = this.tiles.get(colors);
     if (known) return known;
     const made = { colors: adjust(new Texture(), true), normals: adjust(new Texture(), false), ready: { value: 0 } };
@@ -47,6 +48,7 @@ export class Pictures {
       try {
         for (const [texture, id] of [[made.colors, colors], [made.normals, normals]] as const) {
           if (this.disposed) return;
+          if (!id) continue;
           texture.image = (await this.loader.loadAsync(this.address(id))).image;
           texture.needsUpdate = true;
         }
@@ -74,4 +76,17 @@ export class Pictures {
     this.known.clear();
     this.tiles.clear();
   }
+}
+
+/** What shaders of things that are TILED have to know. */
+export function tiled(tile: Tile, pictures: Pictures): Record<string, IUniform> {
+  const { colors, normals, ready } = pictures.tile(tile);
+  return {
+    tile: { value: colors },
+    tile_normals: { value: normals },
+    tiled: ready,
+    tile_wide: { value: tile.wide },
+    tile_high: { value: tile.high },
+    tile_light: { value: new Vector3(...tile.light) },
+  };
 }

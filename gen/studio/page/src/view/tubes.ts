@@ -2,6 +2,7 @@ import { BufferAttribute, InstancedBufferGeometry } from "three";
 import type { TubesPart } from "./header";
 import { distanceToBox, Drawn, type Level, type Studio } from "./drawn";
 import { bytes, type Packet } from "./packet";
+import { tiled } from "./pictures";
 import { PER_ROW, segmentsTexture } from "./texels";
 import { TUBES_FLAT, TUBES_LOOK, TUBES_VERTEX } from "./tubes.glsl";
 
@@ -37,10 +38,10 @@ const RINGS: readonly [columns: number, radii: number][] = [
   [2, 2.5],
 ];
 
-function level(columns: number, size: number): Level {
+function level(columns: number, size: number, more: Record<string, number>): Level {
   const geometry = new InstancedBufferGeometry();
   geometry.setIndex(bundle(columns));
-  const defines = { COLUMNS: columns, BUNDLE, PER_ROW, ...(columns === 2 ? { RIBBON: 1 } : {}) };
+  const defines = { COLUMNS: columns, BUNDLE, PER_ROW, ...(columns === 2 ? { RIBBON: 1 } : {}), ...more };
   return { size, geometry, bundle: BUNDLE, defines, uniforms: {}, bothSides: columns === 2 };
 }
 
@@ -53,8 +54,9 @@ export function tubes(packet: Packet, part: TubesPart, studio: Studio): Drawn | 
   const numbers = new Float32Array(data.buffer, data.byteOffset, data.length / 4);
   // The largest come first: the radius of one that is large, but not of the largest.
   const typical = numbers[12 * Math.floor(count / 20) + 3]!;
-  const own = { segments: { value: segmentsTexture(words) }, gloss: { value: part.gloss } };
-  const levels = RINGS.map(([columns, radii]) => level(columns, radii * typical));
+  const tile = part.tile && tiled(part.tile, studio.pictures);
+  const own = { segments: { value: segmentsTexture(words) }, gloss: { value: part.gloss }, ...tile };
+  const levels = RINGS.map(([columns, radii]) => level(columns, radii * typical, tile ? { TILED: 1 } : {}));
   const made = new Drawn(levels, { vertex: TUBES_VERTEX, look: TUBES_LOOK, flat: TUBES_FLAT }, own, studio, count, "first");
   made.distance = distanceToBox(numbers, 12);
   return made;
