@@ -188,6 +188,7 @@ void Scenes::add_tiles(const Scene& scene) {
     for (const Solid& solid : specimen.model.solids.shapes)
       add(solid, kDrawing + (is_vessel(solid) ? bytes_of(solid.surface) : 0));
   }
+  for (const SownStand& stand : scene.stands) add(stand.dress.look.branches, kDrawing);
 }
 
 Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,

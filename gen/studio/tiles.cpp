@@ -97,6 +97,7 @@ std::optional<Tile> tile_of(const BranchLook& branches) {
     tile = named(swatch_scene(skin_swatch(branches, 0, kSkinPixels)));
     std::tie(tile.wide, tile.high) = Palette::picture_size(branches);
   }
+  tile.varied = true;
   tile.light = 1.0f / glm::max(linear(branches.plain(0, 1)), Vec3(kDarkest));
   return tile;
 }
@@ -125,6 +126,7 @@ Json json_of(const Tile& tile) {
   Json json{
       {"colors", tile.colors}, {"wide", tile.wide}, {"high", tile.high}, {"light", json_of(tile.light)}};
   if (!tile.normals.empty()) json["normals"] = tile.normals;
+  if (tile.varied) json["varied"] = true;
   if (tile.unrolled) json["unrolled"] = true;
   return json;
 }

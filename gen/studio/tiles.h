@@ -15,8 +15,9 @@ namespace frond {
 struct Tile {
   std::string colors, normals;  ///< names of PNG files; unrolled ones have no normals
   double wide = 1, high = 1;    ///< metres after which they repeat
-  Vec3 light{1};                ///< linear factor of the colours, or of a plain colour that they vary
-  bool unrolled = false;        ///< places on it are those that on_vessel() says
+  Vec3 light{1};                ///< linear factor of the colours
+  bool varied = false;          ///< the colours, with their light, are a factor of what is plain
+  bool unrolled = false;        ///< it lies as the mesh's `uv` say
 };
 /// Of a body that repeats. None where the material has no pattern, or a picture of its own.
 std::optional<Tile> tile_of(const Material& material);

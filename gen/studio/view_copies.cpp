@@ -1,4 +1,5 @@
 #include "scene/copies.h"
+#include "studio/tiles.h"
 #include "studio/view.h"
 
 namespace frond {
@@ -8,6 +9,8 @@ namespace {
 /// How finely copies are drawn; coarser than for a picture, as there may be ten thousand before a slow
 /// display.
 constexpr CopyDetail kLevels[] = {{0.012, 2.5e4}, {0.08, 5e3}, {0.4, 800}, {1.6, 120}};
+
+constexpr std::size_t kNear = 2;  // levels that show the bark
 
 /// What leaves are coloured by: the whole part of each corner's u.
 std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<Color>& colors) {
@@ -22,11 +25,18 @@ std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<C
   return painted;
 }
 
-void add_wood(DrawnPart& part, const std::string& below, const Look& look, const Surface& surface) {
+/// With a picture of the bark where it is `near`, as its mesh says or from three sides.
+void add_wood(DrawnPart& part, const std::string& below, const Look& look, const Surface& surface,
+              bool near) {
   Surface plain = surface;
-  plain.uv.clear();
-  part.head[Json::json_pointer(below + "/material")] =
-      material_json({.color = look.branches.plain(0, 1), .gloss = look.branches.gloss()});
+  Json& material = part.head[Json::json_pointer(below + "/material")];
+  material = material_json({.color = look.branches.plain(0, 1), .gloss = look.branches.gloss()});
+  std::optional<Tile> tile = near ? tile_of(look.branches) : std::nullopt;
+  if (tile) {
+    tile->unrolled = look.branches.coat.has_value();
+    material["tile"] = json_of(*tile);
+  }
+  if (!tile || !tile->unrolled) plain.uv.clear();
   part.add_surface(below, plain);
 }
 
@@ -58,7 +68,7 @@ DrawnPart model_part(const Look& look, const Model& model) {
       std::string below = "/levels/" + std::to_string(level) + "/parts/" + std::to_string(number++);
       part.head[Json::json_pointer(below)] = Json::object();
       if (shape.kind == CopyPart::Kind::wood) {
-        add_wood(part, below, look, shape.surface);
+        add_wood(part, below, look, shape.surface, level < kNear);
       } else if (shape.kind == CopyPart::Kind::solid) {
         part.head[Json::json_pointer(below + "/material")] =
             material_json(plain_look(model.solids.shapes[shape.which].material));

@@ -52,6 +52,8 @@ TEST(Tiles, OfBranchesVaryTheirPlainColorAndRepeatAsExportsHaveIt) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(plain[c], 1, 1e-3);
   coral.skin->pores.cell *= 2;
   EXPECT_NE(tile_of(coral)->colors, skin.colors);
+  EXPECT_TRUE(skin.varied);
+  EXPECT_FALSE(tile_of(stone({0.5f, 0.5f, 0.5f}))->varied);
 
   BranchLook tree;
   tree.bark = Bark{};

@@ -10,14 +10,15 @@ export interface BlobRef {
 }
 
 /** Pictures of a material that repeat every `wide` and `high` metres, laid on meshes from three sides and on branches along
- *  them; with `unrolled` one picture has its places in `uv`. `light` is a linear factor of their colours; where each corner
- *  has a colour of its own, this is a factor, too. */
+ *  them, or, `unrolled`, where `uv` says. `light` is a linear factor of their colours; `varied`: these are factors of what is
+ *  there without them. */
 export interface Tile {
   colors: string;
   normals?: string;
   wide: number;
   high: number;
   light: Vec3;
+  varied?: boolean;
   unrolled?: boolean;
 }
 

@@ -116,33 +116,36 @@ void holes() {
 `;
 
 /** Pictures of the material, laid on from the three axes or, UNROLLED, where each corner says; `paint` is what it is
- *  without. */
+ *  without them, and VARIED by them or replaced. */
 const TILES = /* glsl */ `
-#ifdef UNROLLED
-in vec2 on_picture;
+#ifdef TILED
 uniform sampler2D tile;
 uniform float tiled;
 uniform vec3 tile_light;
+void laid(inout vec3 paint, vec3 color) {
+#ifdef VARIED
+  paint *= tile_light * color;
+#else
+  paint = tile_light * color;
+#endif
+}
+#endif
+#ifdef UNROLLED
+in vec2 on_picture;
 void lay_tiles(inout vec3 paint, inout vec3 n) {
-  if (tiled > 0.5) paint = tile_light * texture(tile, on_picture).rgb;
+  if (tiled > 0.5) laid(paint, texture(tile, on_picture).rgb);
 }
 #elif defined(TILED)
 in vec3 in_place;
 in vec3 in_way;
 flat in vec4 turned_by;
-uniform sampler2D tile, tile_normals;
-uniform float tiled, tile_wide, tile_high;
-uniform vec3 tile_light;
+uniform sampler2D tile_normals;
+uniform float tile_wide, tile_high;
 void lay_tiles(inout vec3 paint, inout vec3 n) {
   if (tiled < 0.5) return;
   vec3 p = in_place / vec3(tile_wide, tile_high, tile_wide), way = normalize(in_way), share = pow(abs(way), vec3(6));
   share /= share.x + share.y + share.z;
-  vec3 laid = tile_light * (share.x * texture(tile, p.zy).rgb + share.y * texture(tile, p.xz).rgb + share.z * texture(tile, p.xy).rgb);
-#ifdef WITH_COLORS
-  paint *= laid;
-#else
-  paint = laid;
-#endif
+  laid(paint, share.x * texture(tile, p.zy).rgb + share.y * texture(tile, p.xz).rgb + share.z * texture(tile, p.xy).rgb);
 #ifndef QUICK
   vec2 x = texture(tile_normals, p.zy).rg - 0.5, y = texture(tile_normals, p.xz).rg - 0.5, z = texture(tile_normals, p.xy).rg - 0.5;
   vec3 bent = normalize(way + 2.0 * (share.x * vec3(0, x.yx) + share.y * vec3(y.x, 0, y.y) + share.z * vec3(z, 0)));

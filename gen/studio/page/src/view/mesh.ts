@@ -67,6 +67,7 @@ function describe(shape: Shape, material: Material, studio: Studio): { defines: 
   if (picture) defines.WITH_UV = 1;
   if (tile) defines.TILED = 1;
   if (tile?.unrolled) defines.UNROLLED = 1;
+  if (tile?.varied) defines.VARIED = 1;
   if (shape.colors) defines.WITH_COLORS = 1;
   return {
     defines,
