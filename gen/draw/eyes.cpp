@@ -12,7 +12,22 @@ namespace {
 
 constexpr double kNearest = 0.05;  // metres from which an eye sees what it is inside of
 
+/// Metres from the places of organs that they reach.
+double organ_reach(const Model& model) {
+  float most = 0, largest = 0;
+  for (const Prototype& prototype : model.prototypes) most = std::max(most, reach_of(prototype));
+  for (const Vec3& scale : model.organs.scale) largest = std::max({largest, scale.x, scale.y, scale.z});
+  return static_cast<double>(most * largest);
+}
+
 }  // namespace
+
+float reach_of(const Prototype& prototype) {
+  float most = 0;
+  for (const OrganPart& part : prototype.parts)
+    for (const Vec3& p : part.surface.position) most = std::max(most, glm::length(p));
+  return most;
+}
 
 Eye eye_at(const Film& film, const Camera& camera, double time) {
   double half = std::tan(radians(camera.angle.at(time)) / 2);
@@ -26,11 +41,17 @@ std::vector<Eye> eyes(const Film& film, const Camera& camera) {
   return list;
 }
 
+std::vector<Eye> different_eyes(const Scene& scene) {
+  std::vector<Eye> list = eyes(scene);
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
 double nearest_pixel(const std::vector<Eye>& eyes, Vec3 at, double reach, double unseen) {
   double least = 1e30;
   for (const Eye& eye : eyes) {
     double away = std::max(kNearest, static_cast<double>(glm::distance(eye.at, at)) - reach);
-    least = std::min(least, away * eye.pixel * (in_view(eye, at, reach) ? 1 : unseen));
+    least = std::min(least, away * eye.pixel * (unseen == 1 || in_view(eye, at, reach) ? 1 : unseen));
   }
   return least;
 }
@@ -38,12 +59,12 @@ double nearest_pixel(const std::vector<Eye>& eyes, Vec3 at, double reach, double
 std::vector<double> nearest_pixels(const Scene& scene) {
   constexpr std::size_t kMost = 10'000;  // places that are looked at
   constexpr int kSwum = 4;               // frames
-  std::vector<Eye> all = eyes(scene);
+  std::vector<Eye> all = different_eyes(scene);
   std::vector<double> pixels(scene.specimens.size(), 0);
   parallel_for(pixels.size(), [&](std::size_t i) {
     const Specimen& b = scene.specimens[i];
     Bounds box = bounds_of(b.model);
-    double least = 1e30, rough = glm::length(box.size()) / 60;
+    double least = 1e30, rough = glm::length(box.size()) / 60 + organ_reach(b.model);
     auto look_at = [&](const std::vector<Vec3>& places) {
       for (std::size_t k = 0; k < places.size(); k += 1 + places.size() / kMost)
         least = std::min(least, nearest_pixel(all, places[k], rough));
@@ -54,7 +75,8 @@ std::vector<double> nearest_pixels(const Scene& scene) {
     look_at(b.model.blades.surface.position);
     if (b.model.skeleton.size() == 0) look_at(b.model.organs.position);
     // A school swims elsewhere at each time.
-    for (int frame = 1; b.life.develop && b.model.skeleton.size() == 0 && frame <= scene.film.frames;
+    for (int frame = 1; b.life.develop && b.model.skeleton.size() == 0 && b.model.organs.size() > 0 &&
+                        frame <= scene.film.frames;
          frame += kSwum)
       if (auto now = developed(b, scene.film.time(frame))) look_at((*now)->model.organs.position);
     pixels[i] = least < 1e29 ? least : 0;

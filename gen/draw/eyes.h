@@ -15,10 +15,16 @@ inline Eye eye_at(const Scene& scene, double time) { return eye_at(scene.film, s
 std::vector<Eye> eyes(const Film& film, const Camera& camera);
 inline std::vector<Eye> eyes(const Scene& scene) { return eyes(scene.film, scene.stage.camera); }
 
+/// The same without those that are like the one before.
+std::vector<Eye> different_eyes(const Scene& scene);
+
 /// Metres that a pixel is, where the eyes come nearest to what lies round a place, up to `reach` away. What
 /// none has in view, which may throw a shadow or be reflected, needs to be less fine: there it is `unseen`
 /// times as much.
 double nearest_pixel(const std::vector<Eye>& eyes, Vec3 at, double reach, double unseen = 1);
+
+/// How far it comes from its origin, metres.
+float reach_of(const Prototype& prototype);
 
 /// Metres that a pixel is at the node, organ or body of each organism that comes nearest to the camera in the
 /// film.

@@ -73,7 +73,7 @@ std::vector<DrawnPolyps> drawn_polyps(const Solids& solids, const PolypPlaces& p
     DrawnPolyps& polyps = all.emplace_back(DrawnPolyps{&solid.material.polyps, solid.material.color, eye});
     for (std::size_t n = 0; n < places[i].size(); ++n) {
       const SurfacePoint& spot = places[i][n];
-      double born = solid.surface.uv.empty() ? 0 : static_cast<double>(solid.surface.uv[spot.corner[0]].y);
+      double born = solid.surface.uv.empty() ? 0 : static_cast<double>(spot.of(solid.surface.uv).y);
       polyps.add(n, solids.placed(i, spot.of(skin.position)),
                  solids.turn[i] * direction_or(spot.of(skin.normal), Vec3(0, 1, 0)),
                  grown_since(born, static_cast<double>(front)));

@@ -16,7 +16,8 @@ struct SurfacePoint {
   std::array<std::uint32_t, 3> corner;
   Vec3 share;
 
-  Vec3 of(const std::vector<Vec3>& v) const {
+  template <class T>
+  T of(const std::vector<T>& v) const {
     return share.x * v[corner[0]] + share.y * v[corner[1]] + share.z * v[corner[2]];
   }
 };

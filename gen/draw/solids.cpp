@@ -13,13 +13,12 @@ namespace frond {
 namespace {
 
 // At each quality, in pixels:
-constexpr double kOffPixels[] = {0.5, 0.35, 0.25};  // by how much a surface may be away from where it is
+constexpr double kOffPixels[] = {0.2, 0.16, 0.12};  // by how much a surface may be away from where it is
 constexpr double kSidePixels[] = {2.2, 1.5, 1.0};   // how long a side of a triangle is where all of them show
-constexpr double kUnseenPixels = 4;                 // as coarse is what only throws a shadow
+constexpr double kPatternShare = 0.6;  // of kOffPixels, where what is drawn, perhaps by heights, goes by `uv`
+constexpr std::size_t kFlat = 16;      // times as large may triangles be that have `uv`
+constexpr double kUnseenPixels = 4;    // as coarse is what only throws a shadow
 constexpr std::size_t kLeastTriangles = 100;
-
-constexpr double kPatternShare =
-    0.3;  // of that: what is drawn on a surface, tissue's valleys too, goes by `uv`
 
 bool is_growing(const Solid& solid, const Growth& growth) {
   return !solid.past.empty() && growth.duration > 0;
@@ -65,7 +64,8 @@ std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quali
   auto most = static_cast<std::size_t>(most_triangles(area(whole), pixel, quality));
   double off = kOffPixels[static_cast<std::size_t>(quality)] * pixel * (whole.uv.empty() ? 1 : kPatternShare);
   Coarser made;
-  made.triangles = reduced_within(whole, off, std::max(most, kLeastTriangles), &made.kept).triangle;
+  std::size_t least = whole.uv.empty() ? kLeastTriangles / 4 : std::max(most / kFlat, kLeastTriangles / 4);
+  made.triangles = reduced_within(whole, off, least, std::max(most, kLeastTriangles), &made.kept).triangle;
   if (made.kept.empty()) return std::nullopt;
   made.vertices = whole.position.size();
   return made;
@@ -111,7 +111,7 @@ DrawnSolids drawn_solids(const Scene& scene) {
   std::size_t n = scene.specimens.size();
   DrawnSolids drawn{std::vector<std::optional<Solids>>(n),
                     std::vector<std::vector<std::optional<Coarser>>>(n)};
-  std::vector<Eye> all = eyes(scene);
+  std::vector<Eye> all = different_eyes(scene);
   parallel_for(n, [&](std::size_t i) {
     const Specimen& specimen = scene.specimens[i];
     const Solids& solids = specimen.model.solids;
@@ -141,12 +141,14 @@ const Solids& DrawnSolids::of(const Scene& scene, std::size_t organism) const {
 }
 
 Solids DrawnSolids::of(std::size_t organism, const Solids& now) const {
-  Solids drawn = now;
-  if (organism >= developed.size()) return drawn;
+  if (organism >= developed.size()) return now;
   const std::vector<std::optional<Coarser>>& shapes = developed[organism];
-  for (std::size_t s = 0; s < std::min(shapes.size(), drawn.shapes.size()); ++s)
-    if (shapes[s] && shapes[s]->vertices == now.shapes[s].surface.position.size())
-      drawn.shapes[s] = drawn_coarser(now.shapes[s], *shapes[s]);
+  Solids drawn{{}, now.shape, now.position, now.turn, now.scale, now.follow_ground};
+  for (std::size_t s = 0; s < now.shapes.size(); ++s) {
+    bool fits =
+        s < shapes.size() && shapes[s] && shapes[s]->vertices == now.shapes[s].surface.position.size();
+    drawn.shapes.push_back(fits ? drawn_coarser(now.shapes[s], *shapes[s]) : now.shapes[s]);
+  }
   return drawn;
 }
 

@@ -19,8 +19,8 @@ Surface with_light_uv(Surface skin, const Solid& solid);
 /// The triangles of a skin of an area, m2, of which none shows more where a pixel is so many metres.
 double most_triangles(double area, double pixel, Quality quality);
 
-/// Which triangles a surface is drawn with where fewer show than it has. It holds for all surfaces of the
-/// same triangles, so nothing pops while one of them grows or moves.
+/// Which triangles a surface is drawn with where fewer show than it has. It holds for all surfaces of as many
+/// vertices, which must have the same triangles, so nothing pops while one of them grows or moves.
 struct Coarser {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< their corners are numbers in `kept`
   std::vector<std::uint32_t> kept;                      ///< vertices of the surface

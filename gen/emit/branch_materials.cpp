@@ -164,7 +164,7 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnB
 }
 
 std::optional<std::size_t> SharedTextures::of(const Chunk& chunk) const {
-  constexpr float kLeastChange = 2.0f / kAges;  // of youth, which is seen along a chunk
+  constexpr float kLeastChange = 0.1f;  // of youth, that is seen along a chunk
   const std::vector<Vec3>& at = branches.rest().position;
   float length = glm::distance(at[branches.rest().parent[chunk.first]], at[chunk.last]);
   if ((length > dot && std::abs(chunk.young_to - chunk.young_from) > kLeastChange) ||

@@ -28,7 +28,7 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnB
 /// Textures that chunks share of which nothing shows but their colour, each of one age: numbers below
 /// count().
 struct SharedTextures {
-  static constexpr std::size_t kAges = 9;
+  static constexpr std::size_t kAges = 33;
   const DrawnBranches& branches;
   float dot = 0;  ///< metres: along a chunk that is no longer no change of age shows
 

@@ -150,13 +150,12 @@ std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const Chu
 
 /// The same of all other chunks: those that show no pattern share textures.
 template <class IsTwig>
-std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, ChunkOptions options,
+std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
                          std::size_t index, const Fineness& fine, const IsTwig& is_twig, const Out& out) {
   Group group(out);
   bool whole = b.one_texture();
   SharedTextures shared{b, fine.dot()};
   std::vector<std::string> plain(whole ? 0 : shared.count());
-  if (!whole) options.thin = std::max(options.thin, fine.plain());
   auto append = [&](std::vector<std::string>& texts, const Chunk& chunk) {
     if (is_twig(chunk.first)) return;
     bool is_plain = !whole && b.rest().radius[static_cast<std::size_t>(chunk.first)] < fine.plain();
@@ -177,9 +176,11 @@ std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, ChunkOpt
   });
   std::size_t groups = group.close(whole ? skin_texture(index) + "}\n" : "}\n");
   for (std::size_t k = 0; k < plain.size(); ++k) {
-    Group one(out);
-    one.add(plain[k]);
-    groups += one.close(shared.text(k, index) + "}\n");
+    if (plain[k].empty()) continue;
+    out(group_opening(plain[k]));
+    out(plain[k]);
+    out(shared.text(k, index) + "}\n");
+    ++groups;
   }
   return groups;
 }
@@ -199,8 +200,10 @@ Result<std::size_t> write_wood(const PovSpace& space, const DrawnBranches& b, st
     return coat.objects + write_twigs(space, b, options, index, fine, is_twig, out);
   }
   if (form == BranchForm::sweeps) {
-    auto is_twig = [&](std::int32_t i) { return b.rest().radius[i] < options.thin; };
-    std::size_t twigs = options.thin > 0 ? write_twigs(space, b, options, index, fine, is_twig, out) : 0;
+    float twig = options.thin;
+    if (!b.one_texture()) options.thin = std::max(options.thin, fine.plain());
+    auto is_twig = [&](std::int32_t i) { return b.rest().radius[i] < twig; };
+    std::size_t twigs = twig > 0 ? write_twigs(space, b, options, index, fine, is_twig, out) : 0;
     return twigs + write_sweeps(space, b, options, index, fine, is_twig, out);
   }
   Result<ObjectText> body = body_text(space, b, index);

@@ -58,7 +58,7 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
         "#declare Skin_Bleached = array[" + count + "];\n#declare Skin_Dead = array[" + count + "];\n";
   append_skins(parts.materials, scene, parts.first_skin);
   parts.materials += prototypes_text(parts.space, scene, parts.pixel);
-  parts.solids = drawn_solids(scene);
+  if (for_film) parts.solids = drawn_solids(scene);
   parts.polyps.resize(scene.specimens.size());
   parallel_for(parts.polyps.size(),
                [&](std::size_t i) { parts.polyps[i] = polyp_places(parts.solids.of(scene, i)); });

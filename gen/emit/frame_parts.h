@@ -30,8 +30,8 @@ struct FrameParts {
   std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none
 };
 
-/// With the plan of copies, whose files must have been counted. `for_film`: branches and leaves are as fine
-/// as the film shows, and what is long goes into files that all its frames include.
+/// With the plan of copies, whose files must have been counted. `for_film`: all is as fine as the film shows,
+/// and what is long goes into files that all its frames include.
 FrameParts prepare_frames(const Scene& scene, CopyPlan plan = {}, bool for_film = true);
 
 }  // namespace frond

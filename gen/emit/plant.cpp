@@ -8,12 +8,14 @@
 #include <span>
 
 #include "core/text.h"
+#include "draw/eyes.h"
 #include "draw/solids.h"
 
 namespace frond {
 
 namespace {
 
+constexpr double kUnknown = 1e30;          // metres of a pixel
 constexpr std::size_t kPiece = 1'000'000;  // bytes that are handed on at once
 
 constexpr const char* kTissueMacros[] = {"Plant_Leaf",  "Plant_Petal", "Plant_Heart",
@@ -46,19 +48,11 @@ std::string picture_look(std::string_view name, std::size_t shade, const std::op
   return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
 }
 
-/// Metres from its origin.
-double reach_of(const Prototype& prototype) {
-  float most = 0;
-  for (const OrganPart& part : prototype.parts)
-    for (const Vec3& p : part.surface.position) most = std::max(most, glm::length(p));
-  return static_cast<double>(most);
-}
-
 /// A group of organs: each line is made once and used by all parts. Gives how many objects it is.
 std::size_t write_group(const PovSpace& space, const DrawList& drawn, const OrganGroup& group, double pixel,
                         const Out& out) {
   const Prototype& prototype = drawn.model.prototypes[group.prototype];
-  MatrixText how = matrix_text_for(space, reach_of(prototype), pixel);
+  MatrixText how = matrix_text_for(space, static_cast<double>(reach_of(prototype)), pixel);
   std::string lines;
   for (const DrawnPlace& place : drawn.organs.places(group)) {
     glm::mat3 frame = glm::mat3_cast(place.turn);
@@ -129,11 +123,11 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene, std::span
     const Specimen& b = scene.specimens[i];
     if (!b.look.branches.plant()) continue;
     auto [at, fresh] = index.try_emplace(b.entry, entries.size());
-    if (fresh) entries.push_back({b.entry, 1e30, {}});
+    if (fresh) entries.push_back({b.entry, kUnknown, {}});
     float largest = 1;
     for (const Vec3& scale : b.model.organs.scale) largest = std::max({largest, scale.x, scale.y, scale.z});
     double& least = entries[at->second].pixel;
-    least = std::min(least, pixel[i] / static_cast<double>(largest));
+    if (pixel[i] > 0) least = std::min(least, pixel[i] / static_cast<double>(largest));
     std::vector<const Prototype*>& used = entries[at->second].used;
     used.resize(std::max(used.size(), b.model.prototypes.size()));
     auto use = [&](std::size_t p) { used[p] = used[p] ? used[p] : &b.model.prototypes[p]; };
@@ -148,7 +142,8 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene, std::span
         append_organ_name(text, shapes.entry, p, part);
         text += " = ";
         const Surface& whole = shapes.used[p]->parts[part].surface;
-        std::optional<Coarser> less = coarser(whole, shapes.pixel, scene.film.quality);
+        std::optional<Coarser> less =
+            coarser(whole, shapes.pixel < kUnknown ? shapes.pixel : 0, scene.film.quality);
         append_mesh(text, space, less ? drawn_coarser(whole, *less) : whole);
         text += '\n';
       }

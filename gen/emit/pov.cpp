@@ -192,7 +192,7 @@ bool append_sweep(std::string& text, const PovSpace& space, const Skeleton& rest
   for (std::int32_t i = chunk.first; i <= chunk.last; ++i) add(pose.position[i], pose.radius[i]);
   if (points.size() < 2) return false;
   std::vector<char> kept(points.size(), within <= 0);
-  mark_bends(points, static_cast<float>(within), kept);
+  if (within > 0) mark_bends(points, static_cast<float>(within), kept);
   text += "sphere_sweep{linear_spline ";
   append_integer(text, std::ranges::count(kept, 1));
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -229,14 +229,14 @@ Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::
       surface, triangles, [](auto... a) { return meshopt_simplify(a..., 0.05f, 0u, nullptr); }, kept);
 }
 
-Surface reduced_within(const Surface& surface, double error, std::size_t most,
+Surface reduced_within(const Surface& surface, double error, std::size_t least, std::size_t most,
                        std::vector<std::uint32_t>* kept) {
   const float* first = &surface.position.data()->x;
   auto share =
       static_cast<float>(error) / meshopt_simplifyScale(first, surface.position.size(), sizeof(Vec3));
   std::vector<std::uint32_t> left;
   Surface within = fewer(
-      surface, 4, [&](auto... a) { return meshopt_simplify(a..., share, 0u, nullptr); }, &left);
+      surface, least, [&](auto... a) { return meshopt_simplify(a..., share, 0u, nullptr); }, &left);
   if (within.triangle.size() > most) return reduced(surface, most, kept);
   if (kept) *kept = std::move(left);
   return within;

@@ -40,9 +40,9 @@ Surface simplified(const Surface& surface, std::size_t triangles);
 /// one body; for near views. `kept` receives the remaining vertices, where some are gone.
 Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::uint32_t>* kept = nullptr);
 
-/// The same with as few triangles as leave the shape within about `error` metres of where it was, and about
-/// `most` at most.
-Surface reduced_within(const Surface& surface, double error, std::size_t most,
+/// The same with as few triangles as leave the shape within about `error` metres of where it was: from about
+/// `least` to about `most`.
+Surface reduced_within(const Surface& surface, double error, std::size_t least, std::size_t most,
                        std::vector<std::uint32_t>* kept = nullptr);
 
 }  // namespace frond

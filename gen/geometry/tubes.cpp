@@ -86,19 +86,25 @@ class Tube {
   }
 
  private:
-  /// By the rest shape, so that the same ones stay while it moves. Sets the length of branch before each that
-  /// is left.
+  /// Leaves out nodes whose absence shows nowhere. Sets the length of branch, at rest, before each that is
+  /// left, so that the picture stays where it is.
   void leave_out_nodes() {
     std::vector<glm::vec4> chain;
-    for (std::int32_t i : nodes_) chain.emplace_back(rest_.position[i], rest_.radius[i]);
+    for (std::int32_t i : nodes_) chain.emplace_back(position_[i], radius_[i]);
     std::vector<char> kept(nodes_.size(), shape_.grain <= 0);
-    mark_bends(chain, static_cast<float>(shape_.grain / 4), kept);
+    if (shape_.grain > 0) mark_bends(chain, static_cast<float>(shape_.grain / 4), kept);
     if (fork_) kept[1] = 1;  // it leaves its fork in its own direction
+    auto rested = [&](std::size_t k) {
+      return glm::distance(rest_.position[nodes_[k]], rest_.position[nodes_[k - 1]]);
+    };
+    // Where growth has come to, the picture is cut off and not squeezed.
+    for (std::size_t k = 1; k < nodes_.size(); ++k)
+      if (glm::distance(Vec3(chain[k]), Vec3(chain[k - 1])) < 0.99f * rested(k)) kept[k] = kept[k - 1] = 1;
     lengths_.clear();
     std::size_t count = 0;
     float length = 0;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      if (k > 0) length += glm::distance(Vec3(chain[k]), Vec3(chain[k - 1]));
+      if (k > 0) length += rested(k);
       if (!kept[k]) continue;
       nodes_[count++] = nodes_[k];
       lengths_.push_back(std::exchange(length, 0.0f));

@@ -17,6 +17,8 @@ struct Eye {
   Vec3 at{0}, ahead{0, 0, -1}, up{0, 1, 0};  ///< the last two of length 1, at right angles
   double broad = 1, tall = 1;  ///< half width and half height of the picture at a distance of 1 m, metres
   double pixel = 0.001;        ///< metres, size of a pixel at a distance of 1 m
+
+  bool operator==(const Eye&) const = default;
 };
 
 /// An eye that looks toward a point; x is horizontal in its picture.

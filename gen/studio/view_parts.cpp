@@ -137,7 +137,10 @@ void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> 
     add(far_leaves(surface, pieces), std::sqrt(area(surface) / std::max(1u, pieces.count)));
     if (pieces.count > 1) add(one_far_leaf(surface, pieces), reach);
   } else {
-    add(simplified(surface, surface.triangle.size() / 12), reach / 8);
+    // One that keeps the seams of its picture, where it has one.
+    add(surface.uv.empty() ? simplified(surface, surface.triangle.size() / 12)
+                           : reduced(surface, surface.triangle.size() / 12),
+        reach / 8);
     add(simplified(surface, 8), reach);
   }
 }

@@ -40,6 +40,16 @@ TEST(Frame, BranchesInShadeDieWhenTheirNeighboursHaveGrown) {
   EXPECT_EQ(count(grown, "Coral_Starved(1,"), 0u) << "the other has all of its light";
 }
 
+TEST(Frame, BranchesTooThinToShowAPatternShareTextures) {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  std::string fine = text_of(scene, 6);
+  scene.film.size = {16, 9};
+  std::string coarse = text_of(scene, 6);
+  EXPECT_LT(count(coarse, "matrix<"), count(fine, "matrix<") / 4);
+  EXPECT_LT(count(coarse, "Coral_Tip("), 30u);
+  EXPECT_GT(count(coarse, "Coral_Tip(0,0,0,0,"), 0u) << "tips are young yet";
+}
+
 TEST(Frame, WritesANameThatCannotBreakOut) {
   Scene scene = scene_at("tests/presets/tiny_still.json");
   scene.specimens[0].name = "x\n#include \"/etc/passwd\"y\r#error \"no\"";

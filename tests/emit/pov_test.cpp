@@ -62,11 +62,40 @@ TEST(SpaceFor, KeepsThinBranchesThickEnough) {
   EXPECT_EQ(space_for(1e-9).unit, 1000);
 }
 
+TEST(Numbers, AreAsLongAsAPixelAsks) {
+  EXPECT_EQ(decimals_for({10}, 0), kDecimals);
+  EXPECT_EQ(decimals_for({10}, 1e-6), kDecimals);
+  EXPECT_EQ(decimals_for({10}, 0.02), 2) << "a twentieth of a pixel is 0.01 units";
+  EXPECT_EQ(matrix_text_for({10}, 0.1, 0.02).decimals, 2);
+  EXPECT_EQ(matrix_text_for({10}, 0.1, 0).decimals, 5);
+  std::string text;
+  EXPECT_TRUE(append_matrix(text, {10}, glm::mat3(0.123456f), Vec3(0.123456f), {2, 1}));
+  EXPECT_EQ(text, "matrix<0.12,0,0,0,0.12,0,0,0,0.12,1.2,1.2,-1.2>");
+  text.clear();
+  EXPECT_TRUE(append_matrix(text, {10}, glm::mat3(0.001f), Vec3(0), {2, 1}));
+  EXPECT_EQ(text, "matrix<0.001,0,0,0,0.001,0,0,0,0.001,0,0,0>") << "too small for two decimals";
+}
+
+TEST(Sweep, LeavesOutPointsOnALine) {
+  Skeleton s = trunk(9);
+  Pose pose{s.position, s.radius, {}};
+  pose.turn.assign(s.size(), Quat(1, 0, 0, 0));
+  pose.front = 2;
+  Chunk all{1, 8};
+  std::string text;
+  EXPECT_TRUE(append_sweep(text, {10}, s, pose, all, 0.001, 1));
+  EXPECT_EQ(text, "sphere_sweep{linear_spline 2,<0,0,0>,0.5,<0,10,0>,0.5");
+  pose.position[4].x += 0.1f;
+  text.clear();
+  EXPECT_TRUE(append_sweep(text, {10}, s, pose, all, 0.001, 1));
+  EXPECT_NE(text.find("<1,5,0>"), text.npos) << text;
+}
+
 TEST(Sweep, IsWritten) {
   Skeleton s = trunk(3);
   Pose pose;
   pose_skeleton(s, Motion{}, 0, pose);
-  EXPECT_EQ(sweep_of(s, pose), "sphere_sweep{linear_spline 3  ,<0,0,0>,0.5,<0,5,0>,0.5,<0,10,0>,0.5");
+  EXPECT_EQ(sweep_of(s, pose), "sphere_sweep{linear_spline 3,<0,0,0>,0.5,<0,5,0>,0.5,<0,10,0>,0.5");
 }
 
 TEST(Sweep, OfAPointIsNotWritten) {

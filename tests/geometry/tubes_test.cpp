@@ -81,6 +81,25 @@ TEST(Tubes, LobesWaveTheTrunkAlone) {
   EXPECT_NEAR(least, 0.04, 0.001);
 }
 
+TEST(Tubes, AreCoarserWhereAGrainHidesIt) {
+  Skeleton s;
+  for (int i = 0; i <= 40; ++i)
+    s.add(Vec3(0.2 * std::sin(i * 0.1), i * 0.1, 0), static_cast<float>(0.1 - i * 0.002), i - 1, 0);
+  TubeShape shape;
+  Surface whole = tube_surface(s, shape);
+  shape.grain = 0.04;
+  Surface less = tube_surface(s, shape);
+  EXPECT_EQ(less.check(), "");
+  EXPECT_LT(less.triangle.size(), whole.triangle.size() / 4);
+  EXPECT_NEAR(area(less), area(whole), 0.08 * area(whole));
+  auto highest = [](const Surface& tube) {
+    float v = 0;
+    for (const Vec2& at : tube.uv) v = std::max(v, at.y);
+    return v;
+  };
+  EXPECT_NEAR(highest(less), highest(whole), 1e-3) << "the picture goes as far along";
+}
+
 TEST(Tubes, ThinBranchesMayBeLeftOut) {
   Skeleton s = candelabrum(5, Seed{2});
   TubeShape shape;
