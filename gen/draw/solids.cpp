@@ -17,6 +17,7 @@ constexpr double kOffPixels[] = {0.2, 0.16, 0.12};  // by how much a surface may
 constexpr double kSidePixels[] = {2.2, 1.5, 1.0};   // how long a side of a triangle is where all of them show
 constexpr double kPatternShare = 0.6;  // of kOffPixels, where what is drawn, perhaps by heights, goes by `uv`
 constexpr std::size_t kFlat = 16;      // times as large may triangles be that have `uv`
+constexpr float kSmooth = 0.8f;        // cosine of how far a normal may be from that of its triangle
 constexpr double kUnseenPixels = 4;    // as coarse is what only throws a shadow
 constexpr std::size_t kLeastTriangles = 100;
 
@@ -59,7 +60,18 @@ double most_triangles(double area, double pixel, Quality quality) {
   return area / (0.43 * edge * edge);
 }
 
-std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality) {
+namespace {
+
+/// Of length 1; that of +y where the triangle has no size.
+Vec3 facing_of(const std::vector<Vec3>& position, const Coarser& coarser,
+               const std::array<std::uint32_t, 3>& triangle) {
+  auto at = [&](std::size_t c) { return position[coarser.kept[triangle[c]]]; };
+  return direction_or(glm::cross(at(1) - at(0), at(2) - at(0)), Vec3(0, 1, 0));
+}
+
+}  // namespace
+
+std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality, bool edged) {
   if (pixel <= 0 || whole.triangle.size() <= kLeastTriangles) return std::nullopt;
   auto most = static_cast<std::size_t>(most_triangles(area(whole), pixel, quality));
   double off = kOffPixels[static_cast<std::size_t>(quality)] * pixel * (whole.uv.empty() ? 1 : kPatternShare);
@@ -68,12 +80,22 @@ std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quali
   made.triangles = reduced_within(whole, off, least, std::max(most, kLeastTriangles), &made.kept).triangle;
   if (made.kept.empty()) return std::nullopt;
   made.vertices = whole.position.size();
+  for (std::uint32_t t = 0; edged && t < made.triangles.size(); ++t) {
+    Vec3 facing = facing_of(whole.position, made, made.triangles[t]);
+    for (std::uint32_t& corner : made.triangles[t]) {
+      std::uint32_t v = made.kept[corner];
+      if (glm::dot(facing, whole.normal[v]) >= kSmooth) continue;
+      corner = static_cast<std::uint32_t>(made.kept.size());
+      made.kept.push_back(v);
+      made.flat.push_back(t);
+    }
+  }
   return made;
 }
 
 std::optional<Coarser> coarser(const Solid& solid, double pixel, Quality quality) {
   if (solid.native || !solid.turned.empty()) return std::nullopt;
-  return coarser(solid.surface, pixel, quality);
+  return coarser(solid.surface, pixel, quality, !is_of_reef(solid.material.matter));
 }
 
 namespace {
@@ -89,8 +111,11 @@ std::vector<T> kept_of(const std::vector<T>& all, const Coarser& coarser) {
 }  // namespace
 
 Surface drawn_coarser(const Surface& whole, const Coarser& coarser) {
-  return {kept_of(whole.position, coarser), kept_of(whole.normal, coarser), coarser.triangles,
-          kept_of(whole.uv, coarser)};
+  Surface drawn{kept_of(whole.position, coarser), kept_of(whole.normal, coarser), coarser.triangles,
+                kept_of(whole.uv, coarser)};
+  for (std::size_t k = 0, first = drawn.normal.size() - coarser.flat.size(); k < coarser.flat.size(); ++k)
+    drawn.normal[first + k] = facing_of(whole.position, coarser, coarser.triangles[coarser.flat[k]]);
+  return drawn;
 }
 
 Solid drawn_coarser(const Solid& solid, const Coarser& coarser) {

@@ -24,10 +24,13 @@ double most_triangles(double area, double pixel, Quality quality);
 struct Coarser {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< their corners are numbers in `kept`
   std::vector<std::uint32_t> kept;                      ///< vertices of the surface
-  std::size_t vertices = 0;                             ///< how many the surface has
+  /// Triangles of the last of `kept`, whose normals are those of these alone: what rounded an edge is gone.
+  std::vector<std::uint32_t> flat;
+  std::size_t vertices = 0;  ///< how many the surface has
 };
-/// Of a surface whose pixels are so many metres: none where all of it shows.
-std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality);
+/// Of a surface whose pixels are so many metres: none where all of it shows. `edged`: it may have rounded
+/// edges between flat faces.
+std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality, bool edged = true);
 /// The same of a solid, of which POV-Ray must not have a shape of its own.
 std::optional<Coarser> coarser(const Solid& solid, double pixel, Quality quality);
 Surface drawn_coarser(const Surface& whole, const Coarser& coarser);

@@ -82,6 +82,23 @@ TEST(Coarser, GrowsAsTheWholeDoes) {
   for (std::size_t v = 0; v < drawn.light.size(); ++v) EXPECT_EQ(drawn.light[v], drawn.surface.position[v].y);
 }
 
+TEST(Coarser, FacesStayFlatWhereARoundedEdgeIsGone) {
+  // A ball of many small facets that is pressed flat above: a table with a round rim.
+  Surface table = ball(80);
+  for (std::size_t v = 0; v < table.position.size(); ++v)
+    if (table.position[v].y > 0.02f) table.position[v].y = 0.02f, table.normal[v] = Vec3(0, 1, 0);
+  std::optional<Coarser> less = coarser(table, 0.1, Quality::draft);
+  ASSERT_TRUE(less);
+  Surface drawn = drawn_coarser(table, *less);
+  EXPECT_EQ(drawn.check(), "");
+  for (const auto& t : drawn.triangle) {
+    Vec3 facing = glm::normalize(
+        glm::cross(drawn.position[t[1]] - drawn.position[t[0]], drawn.position[t[2]] - drawn.position[t[0]]));
+    for (std::uint32_t v : t) EXPECT_GE(glm::dot(facing, drawn.normal[v]), 0.79f);
+  }
+  EXPECT_TRUE(coarser(table, 0.1, Quality::draft, false)->flat.empty());
+}
+
 TEST(Coarser, LeavesBodiesThatPovRayMakesItself) {
   Solid solid{ball(60), {}};
   solid.turned.resize(1);
