@@ -132,6 +132,30 @@ Surface with_light_uv(Surface skin, const Solid& solid) {
   return skin;
 }
 
+Surface drawn_floor(const Scene& scene) {
+  constexpr std::uint32_t kTiles = 24;  // along each side
+  const Surface& floor = scene.ground->floor();
+  Bounds box = bounds_of(floor.position);
+  if (floor.triangle.size() <= kLeastTriangles) return floor;
+  Vec3 side = glm::max(box.size() / static_cast<float>(kTiles), Vec3(1e-6f));
+  std::vector<std::uint32_t> tile;
+  std::vector<Bounds> boxes(kTiles * kTiles);
+  for (const auto& t : floor.triangle) {
+    Vec3 middle = (floor.position[t[0]] + floor.position[t[1]] + floor.position[t[2]]) / 3.0f;
+    auto along = [&](int axis) {
+      return std::min(static_cast<std::uint32_t>((middle[axis] - box.low[axis]) / side[axis]), kTiles - 1);
+    };
+    tile.push_back(along(0) * kTiles + along(2));
+    for (std::uint32_t v : t) boxes[tile.back()].take(floor.position[v]);
+  }
+  std::vector<Eye> all = different_eyes(scene);
+  std::vector<double> error;
+  for (const Bounds& own : boxes)
+    error.push_back(kOffPixels[static_cast<std::size_t>(scene.film.quality)] *
+                    nearest_pixel(all, own.middle(), glm::length(own.size()) / 2, kUnseenPixels));
+  return reduced_tiles(floor, tile, error);
+}
+
 DrawnSolids drawn_solids(const Scene& scene) {
   std::size_t n = scene.specimens.size();
   DrawnSolids drawn{std::vector<std::optional<Solids>>(n),

@@ -8,7 +8,7 @@
 #include "draw/organs.h"
 #include "scene/scene.h"
 
-// The bodies of organisms, as fine as they are drawn.
+// The bodies of organisms and the floor, as fine as they are drawn.
 
 namespace frond {
 
@@ -51,6 +51,9 @@ struct DrawnBody {
 std::vector<DrawnBody> still_bodies(const Solids& solids, const Growth& growth);
 /// Those that a film sees grow, if they have begun to.
 std::vector<DrawnBody> growing_bodies(const Solids& solids, const Growth& growth, double time);
+
+/// The floor of a scene, of triangles as large as lets it show nowhere in the film.
+Surface drawn_floor(const Scene& scene);
 
 /// The solids of each organism as a film draws them: with no more triangles than show from where the camera
 /// comes nearest.

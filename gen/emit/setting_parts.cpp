@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "draw/ambience.h"
+#include "draw/solids.h"
 
 namespace frond {
 
@@ -36,7 +37,7 @@ std::string look_text(const Scene& scene, double time) {
 
 std::string floor_text(const PovSpace& space, const Scene& scene, std::string_view texture) {
   std::string text = "object{\n";
-  append_mesh(text, space, scene.ground->floor());
+  append_mesh(text, space, drawn_floor(scene));
   text += "\ntexture{";
   text += texture;
   return text + "}}\n";

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include "core/parallel.h"
 #include "geometry/bends.h"
 
 namespace frond {
@@ -240,6 +241,38 @@ Surface reduced_within(const Surface& surface, double error, std::size_t least, 
   if (within.triangle.size() > most) return reduced(surface, most, kept);
   if (kept) *kept = std::move(left);
   return within;
+}
+
+Surface reduced_tiles(const Surface& surface, std::span<const std::uint32_t> tile,
+                      std::span<const double> error) {
+  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+  std::vector<Triangles> tiles(error.size());
+  for (std::size_t t = 0; t < tile.size(); ++t) tiles[tile[t]].push_back(surface.triangle[t]);
+  parallel_for(tiles.size(), [&](std::size_t k) {
+    Triangles& own = tiles[k];
+    std::vector<std::uint32_t> vertex;
+    for (const auto& t : own) vertex.insert(vertex.end(), t.begin(), t.end());
+    std::ranges::sort(vertex);
+    vertex.erase(std::unique(vertex.begin(), vertex.end()), vertex.end());
+    std::vector<Vec3> at;
+    for (std::uint32_t v : vertex) at.push_back(surface.position[v]);
+    for (auto& t : own)
+      for (std::uint32_t& v : t)
+        v = static_cast<std::uint32_t>(std::ranges::lower_bound(vertex, v) - vertex.begin());
+    if (own.empty()) return;
+    Triangles left(own.size());
+    const float* first = &at.data()->x;
+    auto share = static_cast<float>(error[k]) / meshopt_simplifyScale(first, at.size(), sizeof(Vec3));
+    left.resize(meshopt_simplify(left.data()->data(), own.data()->data(), 3 * own.size(), first, at.size(),
+                                 sizeof(Vec3), 3, share, meshopt_SimplifyLockBorder, nullptr) /
+                3);
+    for (auto& t : left)
+      for (std::uint32_t& v : t) v = vertex[v];
+    own = std::move(left);
+  });
+  Triangles all;
+  for (const Triangles& own : tiles) all.insert(all.end(), own.begin(), own.end());
+  return with_corners_of(surface, std::move(all), nullptr);
 }
 
 }  // namespace frond

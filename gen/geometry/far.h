@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "model/skeleton.h"
 #include "model/surface.h"
 
@@ -44,5 +46,10 @@ Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::
 /// `least` to about `most`.
 Surface reduced_within(const Surface& surface, double error, std::size_t least, std::size_t most,
                        std::vector<std::uint32_t>* kept = nullptr);
+
+/// The same of each tile of a surface by an error of its own, metres; edges between tiles stay, so they meet.
+/// `tile` is that of each triangle.
+Surface reduced_tiles(const Surface& surface, std::span<const std::uint32_t> tile,
+                      std::span<const double> error);
 
 }  // namespace frond

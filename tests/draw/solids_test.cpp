@@ -113,6 +113,23 @@ TEST(NearestPixel, IsThatOfTheNearestEyeAndLargerWhereNoneLooks) {
   EXPECT_NEAR(nearest_pixel({away, eye}, Vec3(0), 2, 4), 0.008, 1e-9);
 }
 
+TEST(DrawnFloor, KeepsItsHeightAndItsOutline) {
+  Scene scene = scene_at("tests/presets/tiny_garden.json");
+  const Surface& whole = scene.ground->floor();
+  Surface drawn = drawn_floor(scene);
+  EXPECT_EQ(drawn.check(), "");
+  EXPECT_LT(drawn.triangle.size(), whole.triangle.size() / 2);
+  // What it covers seen from above is the same, without gaps or folds.
+  auto covered = [](const Surface& s) {
+    double sum = 0;
+    for (const auto& t : s.triangle)
+      sum += static_cast<double>(
+          glm::cross(s.position[t[1]] - s.position[t[0]], s.position[t[2]] - s.position[t[0]]).y);
+    return sum / 2;
+  };
+  EXPECT_NEAR(covered(drawn), covered(whole), 1e-3 * std::abs(covered(whole)));
+}
+
 TEST(DrawnSolids, HaveFewerTrianglesWhereThePictureIsSmaller) {
   Scene scene = scene_at("tests/presets/tiny_reef.json");
   std::size_t before = 0;
