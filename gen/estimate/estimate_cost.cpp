@@ -133,16 +133,17 @@ WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate
   return {kBlockBytes * blocks, kBlockHeld * blocks, share * kBlockSeconds * blocks};
 }
 
-/// Triangles of a living skin that are written: no finer than the camera sees them.
+/// Triangles of a body that are written: no finer than the camera sees them.
 double drawn_triangles(const Preset& preset, const Organism& organism, const SizeEstimate& size) {
-  if (size.area <= 0) return size.triangles;
+  constexpr double kBodyShown = 0.4, kSkinShown = 0.55;  // share that is left, as measured over the presets
+  if (size.area <= 0) return kBodyShown * size.triangles;
   Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
   Spread spread = organism.grower->spread().value_or(Spread{});
   Vec3 middle(foot.x, static_cast<float>(organism.place.raise) + spread.up / 2, foot.y);
   // Where others grow beside it, it fills less of the space that it would claim alone.
   float reach = 0.75f * std::max(spread.across, spread.up / 2);
   double pixel = nearest_pixel(eyes(preset.film, preset.stage.camera), middle, reach);
-  return std::min(size.triangles, most_triangles(size.area, pixel, preset.film.quality));
+  return kSkinShown * std::min(size.triangles, most_triangles(size.area, pixel, preset.film.quality));
 }
 
 /// How many of an entry stand.
