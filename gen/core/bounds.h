@@ -31,6 +31,13 @@ struct Bounds {
   float longest() const { return std::max({size().x, size().y, size().z}); }
 };
 
+/// How far the farthest of some places is from the origin, metres; 0 of none.
+inline float reach_of(std::span<const Vec3> places) {
+  float most = 0;
+  for (const Vec3& p : places) most = std::max(most, glm::length(p));
+  return most;
+}
+
 inline Bounds bounds_of(std::span<const Vec3> places) {
   Bounds box;
   for (const Vec3& at : places) box.take(at);

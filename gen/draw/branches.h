@@ -44,6 +44,7 @@ struct DrawnBranches {
   /// Which nodes it leaves out: those of twigs too thin for a picture.
   std::vector<bool> coatless(double pixel) const;
 
+  /// How branches become tubes where a pixel is so many metres; 0: in all detail.
   TubeShape tube_shape(double pixel) const;
 
   /// Those that growth has reached, as a volume is made from them.

@@ -22,13 +22,6 @@ double organ_reach(const Model& model) {
 
 }  // namespace
 
-float reach_of(const Prototype& prototype) {
-  float most = 0;
-  for (const OrganPart& part : prototype.parts)
-    for (const Vec3& p : part.surface.position) most = std::max(most, glm::length(p));
-  return most;
-}
-
 Eye eye_at(const Film& film, const Camera& camera, double time) {
   double half = std::tan(radians(camera.angle.at(time)) / 2);
   return eye_toward(camera.location.at(time), camera.look_at.at(time), half, half * film.aspect(),

@@ -23,9 +23,6 @@ std::vector<Eye> different_eyes(const Scene& scene);
 /// times as much.
 double nearest_pixel(const std::vector<Eye>& eyes, Vec3 at, double reach, double unseen = 1);
 
-/// How far it comes from its origin, metres.
-float reach_of(const Prototype& prototype);
-
 /// Metres that a pixel is at the node, organ or body of each organism that comes nearest to the camera in the
 /// film.
 std::vector<double> nearest_pixels(const Scene& scene);

@@ -21,6 +21,21 @@ constexpr float kSmooth = 0.8f;        // cosine of how far a normal may be from
 constexpr double kUnseenPixels = 4;    // as coarse is what only throws a shadow
 constexpr std::size_t kLeastTriangles = 100;
 
+/// Of length 1; that of +y where the triangle has no size.
+Vec3 facing_of(const std::vector<Vec3>& position, const Coarser& coarser,
+               const std::array<std::uint32_t, 3>& triangle) {
+  auto at = [&](std::size_t c) { return position[coarser.kept[triangle[c]]]; };
+  return direction_or(glm::cross(at(1) - at(0), at(2) - at(0)), Vec3(0, 1, 0));
+}
+
+/// Of values at all vertices, or at none: those that are left.
+template <class T>
+std::vector<T> kept_of(const std::vector<T>& all, const Coarser& coarser) {
+  std::vector<T> some;
+  for (std::size_t k = 0; !all.empty() && k < coarser.kept.size(); ++k) some.push_back(all[coarser.kept[k]]);
+  return some;
+}
+
 bool is_growing(const Solid& solid, const Growth& growth) {
   return !solid.past.empty() && growth.duration > 0;
 }
@@ -60,17 +75,6 @@ double most_triangles(double area, double pixel, Quality quality) {
   return area / (0.43 * edge * edge);
 }
 
-namespace {
-
-/// Of length 1; that of +y where the triangle has no size.
-Vec3 facing_of(const std::vector<Vec3>& position, const Coarser& coarser,
-               const std::array<std::uint32_t, 3>& triangle) {
-  auto at = [&](std::size_t c) { return position[coarser.kept[triangle[c]]]; };
-  return direction_or(glm::cross(at(1) - at(0), at(2) - at(0)), Vec3(0, 1, 0));
-}
-
-}  // namespace
-
 std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality, bool edged) {
   if (pixel <= 0 || whole.triangle.size() <= kLeastTriangles) return std::nullopt;
   auto most = static_cast<std::size_t>(most_triangles(area(whole), pixel, quality));
@@ -97,18 +101,6 @@ std::optional<Coarser> coarser(const Solid& solid, double pixel, Quality quality
   if (solid.native || !solid.turned.empty()) return std::nullopt;
   return coarser(solid.surface, pixel, quality, !is_of_reef(solid.material.matter));
 }
-
-namespace {
-
-template <class T>
-std::vector<T> kept_of(const std::vector<T>& all, const Coarser& coarser) {
-  std::vector<T> some;
-  for (std::uint32_t v : coarser.kept)
-    if (!all.empty()) some.push_back(all[v]);
-  return some;
-}
-
-}  // namespace
 
 Surface drawn_coarser(const Surface& whole, const Coarser& coarser) {
   Surface drawn{kept_of(whole.position, coarser), kept_of(whole.normal, coarser), coarser.triangles,
@@ -172,14 +164,13 @@ DrawnSolids drawn_solids(const Scene& scene) {
       Vec3 scale = solids.scale[k];
       pixel[solids.shape[k]] = std::min(pixel[solids.shape[k]], seen / std::max({scale.x, scale.y, scale.z}));
     }
-    std::vector<std::optional<Coarser>> made(pixel.size());
+    std::vector<std::optional<Coarser>>& made = drawn.developed[i];
     for (std::size_t s = 0; s < pixel.size(); ++s)
-      made[s] = coarser(solids.shapes[s], pixel[s], scene.film.quality);
-    drawn.developed[i] = std::move(made);
+      made.push_back(coarser(solids.shapes[s], pixel[s], scene.film.quality));
     if (specimen.life.develop) return;
-    if (std::ranges::none_of(drawn.developed[i], [](const auto& one) { return one.has_value(); })) return;
-    drawn.still[i] = drawn.of(i, solids);
-    drawn.developed[i].clear();
+    if (std::ranges::any_of(made, [](const auto& one) { return one.has_value(); }))
+      drawn.still[i] = drawn.of(i, solids);
+    made.clear();
   });
   return drawn;
 }

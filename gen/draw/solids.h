@@ -16,7 +16,7 @@ namespace frond {
 /// in v, all others in u, which say nothing of their own there.
 Surface with_light_uv(Surface skin, const Solid& solid);
 
-/// The triangles of a skin of an area, m2, of which none shows more where a pixel is so many metres.
+/// About how many triangles of a surface of an area, m2, still show where a pixel is so many metres.
 double most_triangles(double area, double pixel, Quality quality);
 
 /// Which triangles a surface is drawn with where fewer show than it has. It holds for all surfaces of as many

@@ -125,9 +125,7 @@ ObjectText fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkT
     append_part(text, space, mesh.surface, part);
   }
   if (!one_texture || text.objects == 0) return text;
-  std::string all = "union{\n" + text.text + "texture{Skin[";
-  append_index(all, skin);
-  return {all + "]}}\n", 1};
+  return {"union{\n" + text.text + skin_texture(skin) + "}\n", 1};
 }
 
 Result<ObjectText> cubes_text(const PovSpace& space, const DrawnBranches& b) {

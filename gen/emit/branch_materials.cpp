@@ -152,6 +152,8 @@ void append_skins(std::string& text, const Scene& scene, std::span<const std::si
   }
 }
 
+std::string skin_texture(std::size_t index) { return fmt::format("texture{{Skin[{}]}}", index); }
+
 void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnBranches& branches,
                           Chunk chunk, std::size_t index) {
   text += "texture{";
@@ -177,7 +179,7 @@ std::optional<std::size_t> SharedTextures::of(const Chunk& chunk) const {
 
 std::string SharedTextures::text(std::size_t number, std::size_t index) const {
   index += number / kAges;
-  if (number % kAges == 0) return fmt::format("texture{{Skin[{}]}}", index);
+  if (number % kAges == 0) return skin_texture(index);
   return fmt::format("texture{{{}{},0,0,0,{})}}", tip_macro(branches.look()), index,
                      number_text(static_cast<double>(number % kAges) / (kAges - 1)));
 }

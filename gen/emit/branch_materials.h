@@ -20,6 +20,9 @@ void append_skin_declarations(std::string& text, const BranchLook& look, double 
 /// Declares the skin of each organism, at all its ages; `first` has the number of each one's first.
 void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first);
 
+/// `texture{Skin[7]}`: the skin of that number, as it was declared.
+std::string skin_texture(std::size_t index);
+
 /// Appends `texture{...}` of a chunk: the skin of number `index`, younger toward a tip, carried to where the
 /// skin has moved.
 void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnBranches& branches,

@@ -77,12 +77,6 @@ class Group {
   bool open_ = false;
 };
 
-std::string skin_texture(std::size_t index) {
-  std::string text = "texture{Skin[";
-  append_integer(text, static_cast<long long>(index));
-  return text + "]}";
-}
-
 /// The first nodes of parts of about kPartNodes nodes that are whole chains, and one behind the last.
 std::vector<std::int32_t> parts_of(const Skeleton& s) {
   std::vector<std::int32_t> first{0};

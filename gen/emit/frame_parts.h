@@ -24,8 +24,9 @@ struct FrameParts {
   DrawnSolids solids;               ///< of all organisms
   std::vector<PolypPlaces> polyps;  ///< on the solids of each organism
   std::vector<std::string> copies;  ///< those that stand still, in each stretch of the film
-  std::vector<double>
-      pixel;  ///< metres, that one is of each organism where the camera is nearest; 0: unknown
+  /// Metres that a pixel is at each organism where the camera comes nearest to it; 0: all its detail is
+  /// written.
+  std::vector<double> pixel;
   std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
   std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none
 };

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "core/text.h"
-#include "draw/eyes.h"
 #include "draw/solids.h"
 
 namespace frond {

@@ -11,6 +11,11 @@ namespace frond {
 
 namespace {
 
+/// Decimals of numbers that are right to `step`.
+int decimals_of(double step, int least, int most) {
+  return step > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(2 * step) - 1e-9)), least, most) : most;
+}
+
 /// Whether a matrix has an inverse when it is rounded to so many decimals: as one of whole numbers, whose
 /// determinant is a whole number, too.
 bool has_inverse(const glm::mat3& m, int decimals) {
@@ -64,15 +69,6 @@ PovSpace space_for(double thinnest_radius) {
   while (thinnest_radius * space.unit < kThinnest && space.unit < 1000) space.unit *= 10;
   return space;
 }
-
-namespace {
-
-/// Decimals of numbers that are right to `step`.
-int decimals_of(double step, int least, int most) {
-  return step > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(2 * step) - 1e-9)), least, most) : most;
-}
-
-}  // namespace
 
 int decimals_for(const PovSpace& space, double pixel) {
   return decimals_of(pixel / 20 * space.unit, 1, kDecimals);

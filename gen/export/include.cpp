@@ -9,6 +9,7 @@
 
 #include "core/bounds.h"
 #include "core/content.h"
+#include "emit/branch_materials.h"
 #include "emit/copies.h"
 #include "emit/copy_models.h"
 #include "emit/setting.h"
@@ -166,7 +167,7 @@ class Writer {
       for (int part : model.parts) {
         // A coral is one part, its skin.
         std::string look = b.look.branches.coral()
-                               ? fmt::format("texture{{Skin[{}]}}", parts.first_skin[i])
+                               ? skin_texture(parts.first_skin[i])
                                : fmt::format("{}_{}_Look(<0,1,{}>)", name, part, number_text(b.brightness));
         text += {fmt::format("object{{{}_{} scale {} {}}}\n", name, part,
                              number_text(parts.space.unit / kModelUnit), look),

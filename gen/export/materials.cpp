@@ -83,7 +83,7 @@ Swatch skin_swatch(const BranchLook& look, std::size_t color, int pixels) {
   swatch.before =
       fmt::format("#declare Skin=array[{0}];\n#declare Skin_Pigment=array[{0}][2];\n", look.colors());
   append_skin_declarations(swatch.before, look, 1, 0, false, "");
-  swatch.texture = fmt::format("texture{{Skin[{}]}}", color);
+  swatch.texture = skin_texture(color);
   auto [wide, high] = Palette::picture_size(look);
   swatch.wide = wide;
   swatch.corner.z = static_cast<float>(0.137 * wide);  // off the planes where noise is even

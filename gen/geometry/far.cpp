@@ -205,6 +205,11 @@ Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint
   return out;
 }
 
+/// An error in metres as meshoptimizer takes it.
+float share_of_extent(double error, const std::vector<Vec3>& at) {
+  return static_cast<float>(error) / meshopt_simplifyScale(&at.data()->x, at.size(), sizeof(Vec3));
+}
+
 /// Either method of meshoptimizer, to that number of triangles.
 template <class Simplify>
 Surface fewer(const Surface& surface, std::size_t triangles, const Simplify& simplify,
@@ -232,9 +237,7 @@ Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::
 
 Surface reduced_within(const Surface& surface, double error, std::size_t least, std::size_t most,
                        std::vector<std::uint32_t>* kept) {
-  const float* first = &surface.position.data()->x;
-  auto share =
-      static_cast<float>(error) / meshopt_simplifyScale(first, surface.position.size(), sizeof(Vec3));
+  float share = share_of_extent(error, surface.position);
   std::vector<std::uint32_t> left;
   Surface within = fewer(
       surface, least, [&](auto... a) { return meshopt_simplify(a..., share, 0u, nullptr); }, &left);
@@ -261,10 +264,9 @@ Surface reduced_tiles(const Surface& surface, std::span<const std::uint32_t> til
         v = static_cast<std::uint32_t>(std::ranges::lower_bound(vertex, v) - vertex.begin());
     if (own.empty()) return;
     Triangles left(own.size());
-    const float* first = &at.data()->x;
-    auto share = static_cast<float>(error[k]) / meshopt_simplifyScale(first, at.size(), sizeof(Vec3));
-    left.resize(meshopt_simplify(left.data()->data(), own.data()->data(), 3 * own.size(), first, at.size(),
-                                 sizeof(Vec3), 3, share, meshopt_SimplifyLockBorder, nullptr) /
+    left.resize(meshopt_simplify(left.data()->data(), own.data()->data(), 3 * own.size(), &at.data()->x,
+                                 at.size(), sizeof(Vec3), 3, share_of_extent(error[k], at),
+                                 meshopt_SimplifyLockBorder, nullptr) /
                 3);
     for (auto& t : left)
       for (std::uint32_t& v : t) v = vertex[v];

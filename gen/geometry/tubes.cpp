@@ -89,27 +89,27 @@ class Tube {
   /// Leaves out nodes whose absence shows nowhere. Sets the length of branch, at rest, before each that is
   /// left, so that the picture stays where it is.
   void leave_out_nodes() {
+    lengths_.assign(1, 0.0f);
+    for (std::size_t k = 1; k < nodes_.size(); ++k)
+      lengths_.push_back(glm::distance(rest_.position[nodes_[k]], rest_.position[nodes_[k - 1]]));
+    if (shape_.grain <= 0) return;
     std::vector<glm::vec4> chain;
     for (std::int32_t i : nodes_) chain.emplace_back(position_[i], radius_[i]);
-    std::vector<char> kept(nodes_.size(), shape_.grain <= 0);
-    if (shape_.grain > 0) mark_bends(chain, static_cast<float>(shape_.grain / 4), kept);
+    std::vector<char> kept(nodes_.size(), 0);
+    mark_bends(chain, static_cast<float>(shape_.grain / 4), kept);
     if (fork_) kept[1] = 1;  // it leaves its fork in its own direction
-    auto rested = [&](std::size_t k) {
-      return glm::distance(rest_.position[nodes_[k]], rest_.position[nodes_[k - 1]]);
-    };
     // Where growth has come to, the picture is cut off and not squeezed.
     for (std::size_t k = 1; k < nodes_.size(); ++k)
-      if (glm::distance(Vec3(chain[k]), Vec3(chain[k - 1])) < 0.99f * rested(k)) kept[k] = kept[k - 1] = 1;
-    lengths_.clear();
+      if (glm::distance(Vec3(chain[k]), Vec3(chain[k - 1])) < 0.99f * lengths_[k]) kept[k] = kept[k - 1] = 1;
     std::size_t count = 0;
     float length = 0;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      if (k > 0) length += rested(k);
+      length += lengths_[k];
       if (!kept[k]) continue;
-      nodes_[count++] = nodes_[k];
-      lengths_.push_back(std::exchange(length, 0.0f));
+      nodes_[count] = nodes_[k];
+      lengths_[count++] = std::exchange(length, 0.0f);
     }
-    nodes_.resize(count);
+    nodes_.resize(count), lengths_.resize(count);
   }
 
   /// Normals of the rest shape that do not twist.

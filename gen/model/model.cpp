@@ -79,6 +79,12 @@ std::string Model::check() const {
   return hull.check();
 }
 
+float reach_of(const Prototype& organ) {
+  float most = 0;
+  for (const OrganPart& part : organ.parts) most = std::max(most, reach_of(part.surface.position));
+  return most;
+}
+
 Bounds bounds_of(const Model& model) {
   Bounds box = bounds_of(model.solids);
   for (std::size_t i = 0; i < model.skeleton.size(); ++i)

@@ -97,6 +97,9 @@ struct Model {
   std::string check() const;
 };
 
+/// How far an organ reaches from its origin, metres.
+float reach_of(const Prototype& organ);
+
 /// A box round its branches and bodies, and the places of its organs and blades; empty where there is
 /// nothing.
 Bounds bounds_of(const Model& model);

@@ -60,19 +60,13 @@ std::vector<Vec3> corners_of(const Prototype& organ) {
   return corners;
 }
 
-float farthest_of(const std::vector<Vec3>& places) {
-  float most = 0;
-  for (const Vec3& p : places) most = std::max(most, glm::length(p));
-  return most;
-}
-
 void add(Outside& outside, const Model& m) {
   for (std::size_t i = 0; i < m.skeleton.size(); ++i)
     outside.add(m.skeleton.position[i], m.skeleton.radius[i]);
   std::vector<std::vector<Vec3>> corners;
   std::vector<float> size;
   for (const Prototype& organ : m.prototypes)
-    corners.push_back(corners_of(organ)), size.push_back(farthest_of(corners.back()));
+    corners.push_back(corners_of(organ)), size.push_back(reach_of(organ));
   for (std::size_t i = 0; i < m.organs.size(); ++i) {
     Vec3 at = m.organs.position[i], scale = m.organs.scale[i];
     std::size_t which = m.organs.prototype[i];

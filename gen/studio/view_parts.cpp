@@ -99,13 +99,9 @@ void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& pa
     part.head["material"] = material_json(plain_look(body.solid->material));
     auto tile = tile_of(*body.solid);
     if (tile) part.head["material"]["tile"] = json_of(*tile);
-    if (tile && tile->unrolled) {
-      Surface surface = body.surface();
-      surface.uv = on_vessel(std::move(surface.uv));
-      add_placed(part, surface, at, false);
-      continue;
-    }
-    add_placed(part, body.surface(), at, false);
+    Surface surface = body.surface();
+    if (tile && tile->unrolled) surface.uv = on_vessel(std::move(surface.uv));
+    add_placed(part, surface, at, false);
   }
 }
 
@@ -130,8 +126,7 @@ void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> 
     list.push_back({{"size", size}});
     part.add_surface(below, coarse);
   };
-  double reach = 0;
-  for (const Vec3& p : surface.position) reach = std::max<double>(reach, glm::length(p));
+  auto reach = static_cast<double>(reach_of(surface.position));
   if (leaf) {
     Pieces pieces = pieces_of(surface);
     add(far_leaves(surface, pieces), std::sqrt(area(surface) / std::max(1u, pieces.count)));
