@@ -7,13 +7,11 @@
 #include <map>
 #include <set>
 
-#include "core/loop.h"
 #include "core/parallel.h"
 #include "core/text.h"
-#include "draw/eyes.h"
+#include "draw/copy_axes.h"
 #include "emit/copy_models.h"
 #include "emit/solid.h"
-#include "motion/motion.h"
 
 namespace frond {
 
@@ -30,10 +28,6 @@ std::string tints_text(std::size_t stand, const Organism& organism) {
   return text + "}\n";
 }
 
-bool sways(const SownStand& stand, const Film& film) {
-  return stand.dress.motion.wave.amplitude > 0 && film.frames > 1;
-}
-
 /// Whether its copies are others in each frame.
 bool moves(const SownStand& stand, const Film& film) {
   return sways(stand, film) || copy_growth(stand.organism, film, 0).has_value();
@@ -43,21 +37,6 @@ bool moves(const SownStand& stand, const Film& film) {
 /// lies in the world, or on their `uv`, which costs less.
 bool carries_pattern(const SownStand& stand, const Film& film) {
   return moves(stand, film) && stand.organism.grower->is_colony();
-}
-
-/// How far the wind bends something at a place over, as a shear: metres a metre of height.
-Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
-  Vec2 wind(wave.direction.x, wave.direction.z);
-  wind = glm::length(wind) > 1e-6f ? glm::normalize(wind) : Vec2(1, 0);
-  double speed = wave.loop ? looping_rate(wave.speed, film_length) : wave.speed;
-  double along = glm::dot(Vec2(at.x, at.z), wind) / wave.length;
-  double own =
-      Seed{static_cast<std::uint64_t>(std::llround(at.x * 100) * 65537 + std::llround(at.z * 100))}.unit();
-  double swing = std::sin(2 * kPi * (speed * time - along + 0.15 * own) + wave.phase);
-  double side = std::sin(2 * kPi * (speed * time - along + own) + wave.phase);
-  auto reach = static_cast<float>(0.25 * wave.amplitude);
-  return wind * (reach * static_cast<float>(swing)) +
-         Vec2(-wind.y, wind.x) * (0.4f * reach * static_cast<float>(side));
 }
 
 /// What the copies of a stand are made of at a time: the parts of its models' files, or, of a model that the
@@ -121,18 +100,13 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
                       std::size_t stretch, double time) {
   const SownStand& stand = scene.stands[which];
   const Copies& copies = stand.copies;
-  const Wave* wave = sways(stand, scene.film) ? &stand.dress.motion.wave : nullptr;
   bool carries = carries_pattern(stand, scene.film);
   auto unit = static_cast<float>(space.unit / kModelUnit);
   std::map<std::array<int, 4>, std::string>
       groups;  // model, level, block, tint: lines without what they place
   for (const Drawn& one : plan.drawn[stretch][which]) {
     std::size_t i = one.copy;
-    glm::mat3 frame = glm::mat3_cast(copies.turn[i]);
-    if (wave) {
-      Vec2 lean = bent(*wave, scene.film.length(), copies.foot[i], time);
-      for (int axis = 0; axis < 3; ++axis) frame[axis] += Vec3(lean.x, 0, lean.y) * frame[axis].y;
-    }
+    glm::mat3 frame = copy_axes(stand, scene.film, i, time);
     frame *= copies.scale[i] * (carries ? 1 : unit);
     std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i]}];
     if (append_matrix(lines, space, frame, copies.foot[i])) lines += "}\n";

@@ -1,0 +1,41 @@
+#include "passes/mesh_group.h"
+
+#include <array>
+#include <utility>
+
+#include "core/vec.h"
+
+namespace frond {
+
+RTCDevice embree_device() {
+  // A device that is to use fewer threads would hold all of TBB to as many, as long as it lives.
+  static std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)> device(rtcNewDevice(nullptr), rtcReleaseDevice);
+  return device.get();
+}
+
+void attach_mesh(RTCScene scene, const Surface& surface, unsigned number) {
+  if (surface.triangle.empty()) return;
+  RTCGeometry mesh = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  fill_buffer<Vec3>(mesh, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.position);
+  fill_buffer<std::array<std::uint32_t, 3>>(mesh, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.triangle);
+  rtcCommitGeometry(mesh);
+  rtcAttachGeometryByID(scene, mesh, number);
+  rtcReleaseGeometry(mesh);
+}
+
+MeshGroup::MeshGroup(std::vector<const Surface*> surfaces) : surfaces_(std::move(surfaces)) { build(); }
+
+MeshGroup::MeshGroup(std::vector<Surface> surfaces) : owned_(std::move(surfaces)) {
+  for (const Surface& surface : owned_) surfaces_.push_back(&surface);
+  build();
+}
+
+void MeshGroup::build() {
+  scene_.reset(rtcNewScene(embree_device()));
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  for (std::size_t part = 0; part < surfaces_.size(); ++part)
+    attach_mesh(scene_.get(), *surfaces_[part], static_cast<unsigned>(part));
+  rtcCommitScene(scene_.get());
+}
+
+}  // namespace frond

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/surface.h"
+
+namespace frond {
+
+/// The device that all scenes of this process are made by.
+RTCDevice embree_device();
+
+/// An Embree scene, released with its owner.
+struct ReleaseScene {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using ScenePointer = std::unique_ptr<RTCSceneTy, ReleaseScene>;
+
+/// Meshes that are placed together, as one scene; the number of a mesh is that of its geometry.
+class MeshGroup {
+ public:
+  /// Refers to the surfaces.
+  explicit MeshGroup(std::vector<const Surface*> surfaces);
+  /// Owns them.
+  explicit MeshGroup(std::vector<Surface> surfaces);
+
+  RTCScene scene() const { return scene_.get(); }
+  std::size_t size() const { return surfaces_.size(); }
+  const Surface& surface(std::size_t part) const { return *surfaces_[part]; }
+
+ private:
+  void build();
+
+  std::vector<Surface> owned_;
+  std::vector<const Surface*> surfaces_;
+  ScenePointer scene_;
+};
+
+/// Copies items into a new buffer of a geometry, padded as Embree reads it.
+template <class Item>
+void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::span<const Item> items) {
+  void* to = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Item), items.size());
+  std::copy(items.begin(), items.end(), static_cast<Item*>(to));
+}
+
+/// Attaches a mesh to a scene, with that number; nothing where it has no triangles.
+void attach_mesh(RTCScene scene, const Surface& surface, unsigned number);
+
+}  // namespace frond

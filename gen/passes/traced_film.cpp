@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "core/parallel.h"
+#include "draw/copy_axes.h"
+#include "draw/eyes.h"
+#include "passes/traced_frame.h"
+#include "settings/settings.h"
+
+namespace frond {
+
+namespace {
+
+const DrawnPlace kHere{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)};
+
+/// Whether it is the same at all times.
+bool stands_still(const Specimen& b) {
+  const Motion& motion = b.motion;
+  return motion.wave.amplitude == 0 && motion.growth.duration <= 0 && motion.food.strength == 0 &&
+         motion.flutter.amplitude == 0 && !b.life.changes() && !b.life.hanging;
+}
+
+}  // namespace
+
+struct TracedFilm::Parts {
+  using Meshes = std::shared_ptr<const MeshGroup>;
+
+  /// One file of a model, by stand, model, level and block.
+  using ModelKey = std::array<int, 4>;
+
+  const Scene& scene;
+  CopyPlan plan;
+  std::vector<std::size_t> moving;   // specimens
+  std::vector<DrawnSpecimen> still;  // the others
+  std::vector<Placed> always;        // things that are the same at all times
+  std::map<ModelKey, Meshes> models;
+  mutable std::mutex lock;
+  mutable std::map<std::pair<std::size_t, std::size_t>, Meshes> shapes;  // of each specimen's organs
+
+  Parts(const Scene& of, CopyPlan copies) : scene(of), plan(std::move(copies)) {}
+
+  Errors prepare();
+
+  /// The things of those specimens at a time, and what they refer to.
+  Result<std::vector<Placed>> draw(const std::vector<std::size_t>& specimens, double time,
+                                   std::vector<DrawnSpecimen>& drawn) const;
+  /// The copies of stands at a time.
+  std::vector<Placed> copies_at(double time) const;
+
+ private:
+  Meshes shape_of(std::size_t specimen, std::size_t number, const Prototype& prototype) const;
+  Result<std::vector<Placed>> things_of(std::size_t specimen, const DrawList& list, bool changes) const;
+  void add_ground();
+  Errors add_models();
+};
+
+std::shared_ptr<const MeshGroup> TracedFilm::Parts::shape_of(std::size_t specimen, std::size_t number,
+                                                             const Prototype& prototype) const {
+  std::lock_guard held(lock);
+  std::shared_ptr<const MeshGroup>& kept = shapes[{specimen, number}];
+  bool same = kept && kept->size() == prototype.parts.size();
+  for (std::size_t part = 0; same && part < prototype.parts.size(); ++part)
+    same = kept->surface(part).position == prototype.parts[part].surface.position &&
+           kept->surface(part).triangle == prototype.parts[part].surface.triangle;
+  if (same) return kept;
+  std::vector<Surface> surfaces;
+  for (const OrganPart& part : prototype.parts) surfaces.push_back(part.surface);
+  return kept = std::make_shared<const MeshGroup>(std::move(surfaces));
+}
+
+Result<std::vector<Placed>> TracedFilm::Parts::things_of(std::size_t specimen, const DrawList& list,
+                                                         bool changes) const {
+  auto owner = static_cast<std::uint32_t>(specimen);
+  std::vector<Placed> things;
+  if (list.branches) {
+    Result<BranchTubes> tubes = BranchTubes::of(*list.branches);
+    if (!tubes) return tubes.errors();
+    things.push_back({{ThingKind::branches, owner, 0},
+                      nullptr,
+                      std::make_shared<const BranchTubes>(std::move(*tubes))});
+  }
+  for (const OrganGroup& group : list.organs.groups) {
+    auto shape = shape_of(specimen, group.prototype, list.model.prototypes[group.prototype]);
+    std::span<const std::uint32_t> numbers = list.organs.organs(group);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      things.push_back(placed({ThingKind::organ, owner, numbers[k]}, shape, list.organs.places(group)[k],
+                              changes));
+  }
+  for (const DrawnBlades& blades : list.blades)
+    things.push_back(
+        placed({ThingKind::blades, owner, static_cast<std::uint32_t>(blades.color * kLeafShades + blades.shade)},
+               std::make_shared<const MeshGroup>(std::vector{&blades.surface}), kHere, true));
+  for (const DrawnBody& body : list.bodies) {
+    auto mesh = std::make_shared<const MeshGroup>(std::vector{&body.surface()});
+    for (std::size_t k = 0; k < body.places.size(); ++k)
+      things.push_back(placed({ThingKind::body, owner, static_cast<std::uint32_t>(body.shape << 16 | k)}, mesh,
+                              body.places[k], body.now.has_value() || changes));
+  }
+  return things;
+}
+
+void TracedFilm::Parts::add_ground() {
+  auto mesh_of = [](const Surface& surface) {
+    return std::make_shared<const MeshGroup>(std::vector{&surface});
+  };
+  if (!scene.ground->floor().triangle.empty())
+    always.push_back(placed({ThingKind::floor}, mesh_of(scene.ground->floor()), kHere));
+  std::uint32_t number = 0;
+  for (const Strewn& strewn : scene.ground->strewn()) {
+    auto mesh = mesh_of(*strewn.shape);
+    for (const Strewn::At& at : strewn.at)
+      always.push_back(placed({ThingKind::stone, 0, number++}, mesh, {at.place, at.turn, at.size}));
+  }
+}
+
+/// The meshes of what is drawn of the models at each level.
+Errors TracedFilm::Parts::add_models() {
+  std::map<std::pair<int, int>, std::set<std::pair<int, int>>> wanted;  // levels and blocks of each model
+  for (const auto& stretch : plan.drawn)
+    for (std::size_t s = 0; s < stretch.size(); ++s)
+      for (const Drawn& one : stretch[s])
+        wanted[{static_cast<int>(s), scene.stands[s].copies.model[one.copy]}].insert({one.level, one.block});
+  std::vector<std::pair<std::pair<int, int>, std::set<std::pair<int, int>>>> each(wanted.begin(), wanted.end());
+  std::vector<Errors> errors(each.size());
+  parallel_for(each.size(), [&](std::size_t i) {
+    auto [stand, number] = each[i].first;
+    const SownStand& of = scene.stands[static_cast<std::size_t>(stand)];
+    Result<Model> model = grow_copy(of.organism, number);
+    if (!model) return void(errors[i] = model.errors());
+    ModelBlocks blocks =
+        blocks_of(plan.surfels[static_cast<std::size_t>(stand)][static_cast<std::size_t>(number)]);
+    int made = -1;
+    std::vector<CopyPart> parts;
+    for (auto [level, block] : each[i].second) {
+      if (made != level) parts = copy_parts(of.dress.look, *model, kLevels[level], &blocks), made = level;
+      std::vector<Surface> surfaces;
+      for (const CopyPart& part : parts)
+        surfaces.push_back(block == ModelFile::kWhole ? part.surface : in_block(part, block));
+      auto meshes = std::make_shared<const MeshGroup>(std::move(surfaces));
+      std::lock_guard held(lock);
+      models[{stand, number, level, block}] = std::move(meshes);
+    }
+  });
+  for (Errors& list : errors)
+    if (!list.empty()) return std::move(list);
+  return {};
+}
+
+std::vector<Placed> TracedFilm::Parts::copies_at(double time) const {
+  std::vector<Placed> things;
+  if (plan.drawn.empty()) return things;
+  int frame = std::clamp(static_cast<int>(std::lround(time * scene.film.fps)) + 1, 1, scene.film.frames);
+  const auto& drawn = plan.drawn[plan.stretch_of(frame)];
+  for (std::size_t s = 0; s < drawn.size(); ++s) {
+    const Copies& copies = scene.stands[s].copies;
+    for (const Drawn& one : drawn[s]) {
+      Placed& thing = things.emplace_back();
+      thing.thing = {ThingKind::copy, static_cast<std::uint32_t>(s), one.copy};
+      thing.meshes = models.at({static_cast<int>(s), copies.model[one.copy], one.level, one.block});
+      thing.axes = copies.scale[one.copy] * copy_axes(scene.stands[s], scene.film, one.copy, time);
+      thing.at = copies.foot[one.copy];
+    }
+  }
+  return things;
+}
+
+Result<std::vector<Placed>> TracedFilm::Parts::draw(const std::vector<std::size_t>& specimens, double time,
+                                                    std::vector<DrawnSpecimen>& drawn) const {
+  drawn.resize(specimens.size());
+  std::vector<Result<std::vector<Placed>>> made(specimens.size(), std::vector<Placed>());
+  parallel_for(specimens.size(), [&](std::size_t k) {
+    const Specimen& specimen = scene.specimens[specimens[k]];
+    auto now = developed(specimen, time);
+    if (!now) return void(made[k] = now.errors());
+    drawn[k].now = *now;
+    drawn[k].list = std::make_unique<DrawList>(**now, time);
+    made[k] = things_of(specimens[k], *drawn[k].list, specimen.life.develop != nullptr);
+  });
+  std::vector<Placed> things;
+  for (Result<std::vector<Placed>>& some : made) {
+    if (!some) return some.errors();
+    std::ranges::move(*some, std::back_inserter(things));
+  }
+  return things;
+}
+
+Errors TracedFilm::Parts::prepare() {
+  add_ground();
+  if (Errors errors = add_models(); !errors.empty()) return errors;
+  std::vector<std::size_t> unmoved;
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i)
+    (stands_still(scene.specimens[i]) ? unmoved : moving).push_back(i);
+  Result<std::vector<Placed>> things = draw(unmoved, 0, still);
+  if (!things) return things.errors();
+  std::ranges::move(*things, std::back_inserter(always));
+  return {};
+}
+
+TracedFilm::TracedFilm(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+TracedFilm::~TracedFilm() = default;
+TracedFilm::TracedFilm(TracedFilm&&) noexcept = default;
+
+Result<TracedFilm> TracedFilm::of(const Scene& scene, CopyPlan plan) {
+  auto parts = std::make_unique<Parts>(scene, std::move(plan));
+  if (Errors errors = parts->prepare(); !errors.empty()) return errors;
+  return TracedFilm(std::move(parts));
+}
+
+Result<TracedFrame> TracedFilm::at(double time) const {
+  const Scene& scene = parts_->scene;
+  auto parts = std::make_unique<TracedFrame::Parts>();
+  Result<std::vector<Placed>> moving = parts_->draw(parts_->moving, time, parts->drawn);
+  if (!moving) return moving.errors();
+  parts->things = std::move(*moving);
+  std::ranges::copy(parts_->always, std::back_inserter(parts->things));
+  std::ranges::move(parts_->copies_at(time), std::back_inserter(parts->things));
+  Daylight light = drawn_daylight(scene.stage);
+  Eye eye = eye_at(scene, time);
+  parts->light = light.sun;
+  if (!light.lamps.empty()) {
+    Vec3 target = scene.stage.camera.look_at.at(time);
+    parts->is_lamp = true;
+    parts->light = target + std::max(1.0f, glm::distance(eye.at, target)) * light.lamps.front().from;
+  }
+  parts->commit();
+  TracedFrame frame(std::move(parts));
+  frame.eye = eye;
+  return frame;
+}
+
+}  // namespace frond

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "draw/levels.h"
+#include "light/light.h"
+#include "scene/scene.h"
+
+// Passes
+// ======
+// What each ray from the camera meets, exactly and without shading: by which thing, where, how far away, and
+// where that spot of its surface is at any other time of the film. A TracedFilm holds what is the same all the
+// time; a TracedFrame is one moment of it, which rays are sent into (Embree: round cones for branches,
+// triangles, instances for organs and copies). Metres; the results depend neither on threads nor on what was
+// traced before.
+//
+// Branches are the cones that POV-Ray sweeps, without the relief of a bark; bodies and organs the meshes of
+// the draw list in all detail. What a setting draws by text alone (grass, water's surface, specks, food) is
+// not known here: rays go through it.
+
+namespace frond {
+
+/// What kind of thing something is.
+enum class ThingKind : std::uint8_t { nothing, branches, organ, blades, body, copy, floor, stone };
+
+/// Something that is drawn, under the same name in all frames of a film.
+struct Thing {
+  ThingKind kind = ThingKind::nothing;
+  std::uint32_t owner = 0;   ///< of a copy the stand, of other things the specimen, else 0
+  std::uint32_t number = 0;  ///< among those of its kind: the organ's number in the model, a copy's, a stone's
+
+  auto operator<=>(const Thing&) const = default;
+};
+
+/// A spot of a thing's surface, by terms that hold while it moves, bends and grows.
+struct SurfaceSpot {
+  Thing thing;
+  std::uint32_t part = 0;  ///< which of the meshes of an organ or a copy
+  std::uint32_t face = 0;  ///< triangle of the mesh; of a branch, the node that its segment ends at
+  /// Of what keeps its shape: the place and normal in its own axes. Of a mesh that changes: shares the
+  /// triangle's second and third corner in x and y. Of a branch: the offset from its axis as shares of the
+  /// radius in the axes of the node.
+  Vec3 own{0}, own_normal{0};
+  float along = 0;  ///< of a branch: 0 at the lower node of the segment .. 1 at the upper one
+};
+
+/// What a ray meets.
+struct PassHit {
+  SurfaceSpot spot;
+  float away = 0;  ///< metres along the ray
+  Vec3 at{0};
+  Vec3 normal{0, 1, 0};  ///< of length 1, toward where the ray came from
+};
+
+/// A place and what faces outward there.
+struct PlaceNormal {
+  Vec3 at, normal;
+};
+
+class TracedFrame {
+ public:
+  struct Parts;
+  explicit TracedFrame(std::unique_ptr<Parts> parts);
+  ~TracedFrame();
+  TracedFrame(TracedFrame&&) noexcept;
+
+  /// The first surface on the way from a place in a direction of length 1; none where there is none.
+  std::optional<PassHit> trace(Vec3 from, Vec3 direction) const;
+  /// Whether nothing stands between a hit and the main light's middle, and it faces that.
+  bool lit(const PassHit& hit) const;
+  /// Where a spot, of whatever time, is now; none where its thing, or that part of it, is not there.
+  std::optional<PlaceNormal> where(const SurfaceSpot& spot) const;
+
+  Eye eye;  ///< of the camera
+
+ private:
+  std::unique_ptr<Parts> parts_;
+};
+
+class TracedFilm {
+ public:
+  /// Of a scene, which must outlive it, with the plan of its copies, whose models are grown. An error where
+  /// something cannot be.
+  static Result<TracedFilm> of(const Scene& scene, CopyPlan plan = {});
+  ~TracedFilm();
+  TracedFilm(TracedFilm&&) noexcept;
+
+  /// The film at a time, seconds; an error where a specimen cannot be developed.
+  Result<TracedFrame> at(double time) const;
+
+ private:
+  struct Parts;
+  explicit TracedFilm(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Direction of length 1 of the ray through a place of the picture, 0..1 from its left and upper edges.
+Vec3 picture_ray(const Eye& eye, Vec2 place);
+/// Where a point is in the picture, as above and perhaps beyond its edges; none behind the camera.
+std::optional<Vec2> picture_place(const Eye& eye, Vec3 at);
+
+}  // namespace frond

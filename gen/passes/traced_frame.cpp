@@ -1,0 +1,151 @@
+#include "passes/traced_frame.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace frond {
+
+namespace {
+
+constexpr float kClear = 1e-4f;  // of the distance to the eye, by which a ray begins off its surface
+
+/// The ray from a place in a direction, between two distances.
+RTCRay ray_of(Vec3 from, Vec3 along, float least, float most) {
+  RTCRay ray{};
+  ray.org_x = from.x, ray.org_y = from.y, ray.org_z = from.z;
+  ray.dir_x = along.x, ray.dir_y = along.y, ray.dir_z = along.z;
+  ray.tnear = least, ray.tfar = most;
+  ray.mask = ~0u;
+  return ray;
+}
+
+/// The normal is as long as twice the triangle's area.
+PlaceNormal on_triangle(const Surface& surface, std::uint32_t face, Vec2 share) {
+  const auto& t = surface.triangle[face];
+  Vec3 a = surface.position[t[0]], b = surface.position[t[1]], c = surface.position[t[2]];
+  return {a + share.x * (b - a) + share.y * (c - a), glm::cross(b - a, c - a)};
+}
+
+}  // namespace
+
+Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const DrawnPlace& place,
+              bool changes) {
+  glm::mat3 axes = glm::mat3_cast(place.turn);
+  for (int axis = 0; axis < 3; ++axis) axes[axis] *= place.scale[axis];
+  return {thing, std::move(meshes), nullptr, axes, place.at, changes};
+}
+
+void TracedFrame::Parts::commit() {
+  std::ranges::stable_sort(things, {}, &Placed::thing);
+  scene.reset(rtcNewScene(embree_device()));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    RTCGeometry instance = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, things[i].scene());
+    glm::mat4x3 transform(things[i].axes[0], things[i].axes[1], things[i].axes[2], things[i].at);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &transform[0][0]);
+    rtcCommitGeometry(instance);
+    rtcAttachGeometryByID(scene.get(), instance, static_cast<unsigned>(i));
+    rtcReleaseGeometry(instance);
+  }
+  rtcCommitScene(scene.get());
+}
+
+PassHit TracedFrame::Parts::hit(const RTCRayHit& ray) const {
+  const Placed& one = things[ray.hit.instID[0]];
+  PassHit hit;
+  hit.away = ray.ray.tfar;
+  Vec3 from(ray.ray.org_x, ray.ray.org_y, ray.ray.org_z), along(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
+  hit.at = from + hit.away * along;
+  Vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+  if (one.branches) {
+    hit.spot = one.branches->spot(ray.hit.primID, ray.hit.u, hit.at);
+  } else {
+    const Surface& mesh = one.meshes->surface(ray.hit.geomID);
+    hit.spot.part = ray.hit.geomID;
+    hit.spot.face = ray.hit.primID;
+    PlaceNormal own = on_triangle(mesh, ray.hit.primID, {ray.hit.u, ray.hit.v});
+    hit.at = one.axes * own.at + one.at;
+    normal = glm::inverse(glm::transpose(one.axes)) * own.normal;
+    hit.spot.own = one.changes ? Vec3(ray.hit.u, ray.hit.v, 0) : own.at;
+  }
+  hit.spot.thing = one.thing;
+  float length = glm::length(normal);
+  hit.normal = length > 0 ? normal / length : -along;
+  return hit;
+}
+
+TracedFrame::TracedFrame(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+TracedFrame::~TracedFrame() = default;
+TracedFrame::TracedFrame(TracedFrame&&) noexcept = default;
+
+std::optional<PassHit> TracedFrame::trace(Vec3 from, Vec3 direction) const {
+  RTCRayHit ray{};
+  ray.ray = ray_of(from, direction, 1e-4f, std::numeric_limits<float>::infinity());
+  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(parts_->scene.get(), &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  PassHit hit = parts_->hit(ray);
+  if (glm::dot(hit.normal, direction) > 0) hit.normal = -hit.normal;
+  const Placed& one = parts_->things[ray.hit.instID[0]];
+  if (one.branches)
+    hit.spot.own_normal = glm::conjugate(one.branches->turn(hit.spot.face)) * hit.normal;
+  else if (!one.changes)
+    hit.spot.own_normal = glm::transpose(one.axes) * hit.normal;
+  else
+    hit.spot.own_normal = hit.normal;
+  return hit;
+}
+
+bool TracedFrame::lit(const PassHit& hit) const {
+  Vec3 toward = parts_->light;
+  float far = std::numeric_limits<float>::infinity();
+  if (parts_->is_lamp) {
+    toward -= hit.at;
+    far = glm::length(toward);
+    toward /= std::max(far, 1e-6f);
+  }
+  if (glm::dot(hit.normal, toward) <= 0) return false;
+  float clear = kClear * std::max(glm::distance(hit.at, eye.at), 1.0f);
+  RTCRay ray = ray_of(hit.at + clear * hit.normal, toward, clear, far);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(parts_->scene.get(), &context, &ray);
+  return ray.tfar >= 0;
+}
+
+std::optional<PlaceNormal> TracedFrame::where(const SurfaceSpot& spot) const {
+  auto found = std::ranges::lower_bound(parts_->things, spot.thing, {}, &Placed::thing);
+  if (found == parts_->things.end() || found->thing != spot.thing) return std::nullopt;
+  if (found->branches) return found->branches->where(spot);
+  PlaceNormal own{spot.own, spot.own_normal};
+  if (found->changes) {
+    if (spot.part >= found->meshes->size()) return std::nullopt;
+    const Surface& mesh = found->meshes->surface(spot.part);
+    if (spot.face >= mesh.triangle.size()) return std::nullopt;
+    own = on_triangle(mesh, spot.face, Vec2(spot.own));
+  }
+  Vec3 normal = glm::inverse(glm::transpose(found->axes)) * own.normal;
+  float length = glm::length(normal);
+  return PlaceNormal{found->axes * own.at + found->at, length > 0 ? normal / length : Vec3(0, 1, 0)};
+}
+
+Vec3 picture_ray(const Eye& eye, Vec2 place) {
+  Vec3 right = glm::cross(eye.ahead, eye.up);
+  auto aside = static_cast<float>(eye.broad) * (2 * place.x - 1),
+       high = static_cast<float>(eye.tall) * (1 - 2 * place.y);
+  return glm::normalize(eye.ahead + aside * right + high * eye.up);
+}
+
+std::optional<Vec2> picture_place(const Eye& eye, Vec3 at) {
+  Vec3 offset = at - eye.at, right = glm::cross(eye.ahead, eye.up);
+  float deep = glm::dot(offset, eye.ahead);
+  if (deep <= 1e-6f) return std::nullopt;
+  float aside = glm::dot(offset, right) / (deep * static_cast<float>(eye.broad)),
+        high = glm::dot(offset, eye.up) / (deep * static_cast<float>(eye.tall));
+  return Vec2((aside + 1) / 2, (1 - high) / 2);
+}
+
+}  // namespace frond

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "draw/draw_list.h"
+#include "passes/branch_tubes.h"
+#include "passes/mesh_group.h"
+#include "passes/traced_film.h"
+
+namespace frond {
+
+/// Something in a place: meshes or branches. Embree's number of its instance is its index.
+struct Placed {
+  Thing thing;
+  std::shared_ptr<const MeshGroup> meshes;
+  std::shared_ptr<const BranchTubes> branches = nullptr;
+  glm::mat3 axes{1};
+  Vec3 at{0};
+  bool changes = false;  ///< its meshes are others at another time, with the same triangles
+
+  RTCScene scene() const { return meshes ? meshes->scene() : branches->scene(); }
+};
+/// A mesh in a place.
+Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const DrawnPlace& place,
+              bool changes = false);
+
+/// A specimen as it is drawn at a time.
+struct DrawnSpecimen {
+  std::shared_ptr<const Specimen> now;
+  std::unique_ptr<DrawList> list;
+};
+
+struct TracedFrame::Parts {
+  std::vector<DrawnSpecimen> drawn;  // what `things` refer to
+  std::vector<Placed> things;        // by Thing
+  ScenePointer scene;
+  Vec3 light{0};  // toward the main light, or its place
+  bool is_lamp = false;
+
+  /// Sorts the things, and makes the scene of them.
+  void commit();
+  PassHit hit(const RTCRayHit& ray) const;
+};
+
+}  // namespace frond
