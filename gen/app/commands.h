@@ -44,6 +44,17 @@ struct LookArguments {
   int frame = 0;    ///< 0: the last
 };
 
+struct ResolveArguments {
+  PresetArguments preset;
+  std::string folder;                 ///< of the film; empty: out/<preset name>
+  std::string raws;                   ///< folder of the raw frames; empty: raw in that
+  std::string out;                    ///< folder to write to; empty: frames in that
+  std::optional<std::string> frames;  ///< A-B
+  int threads = 0;                    ///< 0: all
+  int window = 4, side = 4;           ///< see ResolveOptions
+  double reach = 0.4, fade = 4, clip = 0;
+};
+
 struct DevelopArguments {
   std::vector<std::string> pictures;  ///< PNG files, of one size
   std::string out;                    ///< a PNG file
@@ -164,6 +175,7 @@ struct StudioArguments {
 int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
 int look(const LookArguments& arguments);
+int resolve(const ResolveArguments& arguments);
 int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);

@@ -20,12 +20,26 @@ double organ_reach(const Model& model) {
   return static_cast<double>(most * largest);
 }
 
+/// Number `i` of the sequence of van der Corput in a base, 0..1.
+double radical_inverse(int i, int base) {
+  double share = 1, sum = 0;
+  for (; i > 0; i /= base) share /= base, sum += share * (i % base);
+  return sum;
+}
+
 }  // namespace
 
 Eye eye_at(const Film& film, const Camera& camera, double time) {
   double half = std::tan(radians(camera.angle.at(time)) / 2);
   return eye_toward(camera.location.at(time), camera.look_at.at(time), half, half * film.aspect(),
                     2 * half / film.size[0]);
+}
+
+Vec2 sample_shift(const Film& film, int frame) {
+  constexpr int kRound = 1024;  // frames, after which the places come again
+  if (!film.resolved()) return Vec2(0);
+  int i = frame % kRound + 1;
+  return {radical_inverse(i, 2) - 0.5, radical_inverse(i, 3) - 0.5};
 }
 
 std::vector<Eye> eyes(const Film& film, const Camera& camera) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/text.h"
+#include "draw/eyes.h"
 
 namespace frond {
 
@@ -27,6 +28,25 @@ void append_lens(std::string& text, const PovSpace& space, const Camera& camera,
   text += kLensSamples[static_cast<std::size_t>(quality)];
 }
 
+void append_vector(std::string& text, std::string_view name, Vec3 v) {
+  text += name;
+  text += '<';
+  append_list(text, 9, v.x, v.y, -v.z);
+  text += '>';
+}
+
+/// What the camera sees, as vectors that no look_at turns back: the direction leans aside by the shift.
+void append_view(std::string& text, const Film& film, const Camera& camera, double time, Vec2 shift) {
+  Eye eye = eye_at(film, camera, time);
+  Vec3 right = glm::cross(eye.ahead, eye.up) * static_cast<float>(2 * eye.broad),
+       up = eye.up * static_cast<float>(2 * eye.tall);
+  append_vector(text, " right", right);
+  append_vector(text, " up", up);
+  append_vector(text, " direction",
+                eye.ahead + right * (shift.x / static_cast<float>(film.size[0])) -
+                    up * (shift.y / static_cast<float>(film.size[1])));
+}
+
 }  // namespace
 
 std::string tone_text(const Camera& camera, int exposure, int exposures) {
@@ -38,18 +58,22 @@ std::string tone_text(const Camera& camera, int exposure, int exposures) {
          number_text(camera.contrast);
 }
 
-std::string camera_text(const PovSpace& space, const Camera& camera, Quality quality, double time,
-                        std::optional<Vec3> focus) {
+std::string camera_text(const PovSpace& space, const Camera& camera, const Film& film, double time,
+                        std::optional<Vec3> focus, Vec2 shift) {
   Vec3 location = camera.location.at(time), view = camera.look_at.at(time) - location;
   bool upright = std::abs(view.y) > 0.999f * glm::length(view);
   std::string text = "camera{location";
   append_point(text, space, location);
-  if (upright) text += " sky z";
-  text += " right x*image_width/image_height angle ";
-  append(text, camera.angle.at(time), 4);
-  text += " look_at";
-  append_point(text, space, camera.look_at.at(time));
-  append_lens(text, space, camera, quality, time, focus);
+  if (shift != Vec2(0)) {
+    append_view(text, film, camera, time, shift);
+  } else {
+    if (upright) text += " sky z";
+    text += " right x*image_width/image_height angle ";
+    append(text, camera.angle.at(time), 4);
+    text += " look_at";
+    append_point(text, space, camera.look_at.at(time));
+  }
+  append_lens(text, space, camera, film.quality, time, focus);
   text += '}';
   return text;
 }

@@ -8,9 +8,10 @@
 
 namespace frond {
 
-/// The camera as POV-Ray has it, with its lens. `focus`: in place of the point that the preset gives.
-std::string camera_text(const PovSpace& space, const Camera& camera, Quality quality, double time,
-                        std::optional<Vec3> focus = {});
+/// The camera as POV-Ray has it, with its lens. `focus`: in place of the point that the preset gives. With
+/// a `shift`, in pixels to the right and down, each ray goes through that place of its pixel.
+std::string camera_text(const PovSpace& space, const Camera& camera, const Film& film, double time,
+                        std::optional<Vec3> focus = {}, Vec2 shift = Vec2(0));
 
 /// How its picture is finished, for the first line of a scene; empty where POV-Ray does all. With several
 /// exposures of a frame, the first says of how many its picture is the mean.

@@ -322,7 +322,8 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
     if (hole == "includes") return out(includes_text(scene));
     if (hole == "setting") return out(setting_text(scene, time));
     if (hole == "camera")
-      return out(camera_text(parts.space, camera, film.quality, time, named_focus(scene, time)));
+      return out(camera_text(parts.space, camera, film, time, named_focus(scene, time),
+                             sample_shift(film, frame)));
     if (hole == "materials") return out(parts.materials);
     if (hole == "ground") {
       out(parts.ground);

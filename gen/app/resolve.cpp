@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/inputs.h"
+#include "app/messages.h"
+#include "app/streams.h"
+#include "core/files.h"
+#include "core/frame_name.h"
+#include "core/linear.h"
+#include "core/parallel.h"
+#include "film/film_files.h"
+#include "images/raster.h"
+#include "images/tone.h"
+#include "resolve/resolve.h"
+
+// Frames of raw ones: resolve.
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The light of a raw frame's file.
+Result<LightPicture> read_raw(const fs::path& file, const Film& film) {
+  Result<std::string> bytes = read_file(file);
+  if (!bytes) return bytes.errors();
+  Result<LinearRaster> raster = read_linear_png(*bytes);
+  if (!raster) return Error{file.string(), raster.errors()[0].what};
+  if (raster->width != film.size[0] || raster->height != film.size[1])
+    return Error{file.string(), fmt::format("is {}x{}; expected {}x{}", raster->width, raster->height,
+                                            film.size[0], film.size[1])};
+  LightPicture light(raster->data.size() / 3);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      light[i][c] = static_cast<float>(raster->data[3 * i + static_cast<std::size_t>(c)]) / 65535;
+  return light;
+}
+
+/// The bytes of a picture as people see it.
+Result<std::string> picture_bytes(const LightPicture& light, const Film& film, const Tone& tone) {
+  Raster picture(film.size[0], film.size[1], 3);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      picture.data[3 * i + static_cast<std::size_t>(c)] =
+          to_byte(encoded(toned(static_cast<double>(light[i][c]), tone)));
+  return png_text(picture);
+}
+
+}  // namespace
+
+int resolve(const ResolveArguments& arguments) {
+  limit_threads(arguments.threads);
+  Result<Preset> preset = load_preset(arguments.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  if (!preset->film.resolved())
+    return fail({Error{"/film/resolve", "is not true, or the film is a still: its frames are no raw ones"}},
+                kWrongInput);
+  FrameRange range{1, preset->film.frames};
+  if (arguments.frames) {
+    Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
+    if (!asked) return fail(asked.errors(), kWrongInput);
+    range = *asked;
+  }
+  fs::path film = arguments.folder.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem()
+                                           : fs::path(arguments.folder);
+  fs::path raws = arguments.raws.empty() ? film / "raw" : fs::path(arguments.raws),
+           out = arguments.out.empty() ? film / "resolved" : fs::path(arguments.out);
+  now_doing("growing what stands in the scene");
+  Result<Scene> scene = build_scene(*preset);
+  if (!scene) return fail(scene.errors(), kWrongInput);
+  Result<CopyPlan> plan = write_models(*scene, film / "frames", {[](auto, auto) {}, [] {}});
+  if (!plan) return fail(plan.errors(), kCouldNot);
+  Result<TracedFilm> traced = TracedFilm::of(*scene, std::move(*plan));
+  if (!traced) return fail(traced.errors(), kCouldNot);
+  auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene->film); };
+  Resolver resolver(*scene, *traced, source,
+                    {arguments.window, arguments.side, arguments.reach, arguments.fade, arguments.clip});
+  const Camera& camera = scene->stage.camera;
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    now_doing("resolving frames");
+    Result<LightPicture> light = resolver.frame(frame);
+    if (!light) return fail(light.errors(), kCouldNot);
+    Result<std::string> png = picture_bytes(*light, scene->film, {camera.highlights, camera.contrast});
+    if (!png) return fail(png.errors(), kCouldNot);
+    Result<bool> written = write_file(out / (frame_name(frame) + ".png"), *png);
+    if (!written) return fail(written.errors(), kCouldNot);
+  }
+  return kDone;
+}
+
+}  // namespace frond

@@ -1,0 +1,129 @@
+#include "resolve/gather.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/linear.h"
+
+namespace frond {
+
+namespace {
+
+constexpr float kOnePlane = 0.004f;   // of the distance to the eye, by which places of one surface differ
+constexpr float kOneFacing = 0.8f;    // cosine of the angle by which their normals do
+constexpr float kNearPlane = 0.01f;   // the same of samples that are taken for it
+constexpr float kNearFacing = 0.6f;
+constexpr float kNearDepth = 0.05f;   // of the distance, where nothing nearer was found
+constexpr float kLeastWeight = 1e-3f;
+constexpr int kPasses = 3;
+
+}  // namespace
+
+SampleGrid::SampleGrid(int width, int height, const std::vector<std::vector<RawSample>>& rows)
+    : width_(width), height_(height) {
+  std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  auto cell = [&](const RawSample& sample) {
+    return static_cast<std::size_t>(sample.place.y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(sample.place.x);
+  };
+  first_.assign(count + 1, 0);
+  for (const auto& row : rows)
+    for (const RawSample& sample : row) ++first_[cell(sample) + 1];
+  for (std::size_t i = 0; i < count; ++i) first_[i + 1] += first_[i];
+  samples_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (const auto& row : rows)
+    for (const RawSample& sample : row) samples_[next[cell(sample)]++] = sample;
+}
+
+void Gatherer::find_shown(int x, int y) {
+  shown_.clear();
+  Vec2 size(grid_.width(), grid_.height());
+  for (int ray = 0; ray < options_.side * options_.side; ++ray) {
+    Vec2 place = Vec2(x, y) + (Vec2(ray % options_.side, ray / options_.side) + 0.5f) /
+                                  static_cast<float>(options_.side);
+    std::optional<PassHit> hit = now_.trace(now_.eye.at, picture_ray(now_.eye, place / size));
+    SurfaceName surface = hit ? surface_of(hit->spot.thing) : SurfaceName{};
+    bool lit = hit && now_.lit(*hit);
+    auto same = [&](const Shown& one) {
+      return one.surface == surface && one.lit == lit &&
+             (!hit || (glm::dot(one.normal, hit->normal) > kOneFacing &&
+                       std::abs(glm::dot(one.normal, hit->at - one.at)) < kOnePlane * hit->away));
+    };
+    auto found = std::ranges::find_if(shown_, same);
+    if (found == shown_.end()) {
+      Shown fresh{surface, lit};
+      if (hit) fresh.away = hit->away, fresh.at = hit->at, fresh.normal = hit->normal;
+      found = shown_.insert(shown_.end(), fresh);
+    }
+    ++found->rays;
+    found->place += place;
+  }
+  for (Shown& one : shown_) one.place /= static_cast<float>(one.rays);
+}
+
+bool Gatherer::gather(const Shown& one, int x, int y, int pass, Vec3& light) {
+  int reach = pass + 1;
+  auto sigma = static_cast<float>(options_.reach) * static_cast<float>(reach);
+  auto takes = [&](const RawSample& s) {
+    if (pass == kPasses - 1) return true;
+    if (s.surface != one.surface || s.lit != one.lit) return false;
+    if (one.surface.kind == ThingKind::nothing) return true;
+    if (pass > 0) return std::abs(s.away - one.away) <= kNearDepth * one.away;
+    return glm::dot(s.normal, one.normal) >= kNearFacing &&
+           std::abs(glm::dot(one.normal, s.at - one.at)) <= kNearPlane * one.away;
+  };
+  taken_.clear();
+  Vec3 mean(0), square(0);
+  int count = 0;
+  bool clips = options_.clip > 0;
+  for (int j = std::max(0, y - reach); j <= std::min(grid_.height() - 1, y + reach); ++j)
+    for (int i = std::max(0, x - reach); i <= std::min(grid_.width() - 1, x + reach); ++i)
+      for (const RawSample& s : grid_.in(i, j)) {
+        if (!takes(s)) continue;
+        taken_.push_back(&s);
+        if (clips && s.age == 0) {
+          Vec3 root = glm::sqrt(s.light);
+          mean += root, square += root * root, ++count;
+        }
+      }
+  Vec3 low(0), high(1e9f);
+  if (clips && count >= 4) {
+    mean /= static_cast<float>(count);
+    Vec3 spread = static_cast<float>(options_.clip) *
+                      glm::sqrt(glm::max(square / static_cast<float>(count) - mean * mean, Vec3(0))) +
+                  0.004f;
+    low = glm::max(mean - spread, Vec3(0)), high = mean + spread;
+    low *= low, high *= high;
+  }
+  Vec3 sum(0);
+  float weight = 0;
+  for (const RawSample* s : taken_) {
+    Vec2 aside = s->place - one.place;
+    float w = std::exp(-glm::dot(aside, aside) / (2 * sigma * sigma) -
+                       static_cast<float>(std::abs(s->age) / options_.fade));
+    sum += w * (s->age == 0 ? s->light : glm::clamp(s->light, low, high));
+    weight += w;
+  }
+  if (weight < kLeastWeight) return false;
+  light = sum / weight;
+  return true;
+}
+
+Vec3 Gatherer::pixel(int x, int y) {
+  find_shown(x, y);
+  Vec3 sum(0);
+  int rays = 0;
+  for (const Shown& one : shown_) {
+    Vec3 light(0);
+    for (int pass = 0; pass < kPasses; ++pass)
+      if (gather(one, x, y, pass, light)) {
+        sum += static_cast<float>(one.rays) * light;
+        rays += one.rays;
+        break;
+      }
+  }
+  return rays > 0 ? sum / static_cast<float>(rays) : Vec3(0);
+}
+
+}  // namespace frond

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "resolve/resolve.h"
+
+namespace frond {
+
+/// What counts as one surface: all organs of an organism do, all copies of a stand, all stones.
+struct SurfaceName {
+  ThingKind kind = ThingKind::nothing;
+  std::uint32_t owner = 0;
+
+  bool operator==(const SurfaceName&) const = default;
+};
+inline SurfaceName surface_of(const Thing& thing) { return {thing.kind, thing.owner}; }
+
+/// A sample of a raw frame, carried to the frame that is made.
+struct RawSample {
+  Vec2 place{0};  ///< in the picture, pixels
+  float away = 0;
+  Vec3 at{0}, normal{0};
+  Vec3 light{0};
+  SurfaceName surface;
+  int age = 0;  ///< frames: that of its raw frame from this one
+  bool lit = false;
+};
+
+/// Samples by the pixel that they lie in.
+class SampleGrid {
+ public:
+  SampleGrid(int width, int height, const std::vector<std::vector<RawSample>>& rows);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::span<const RawSample> in(int x, int y) const {
+    std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    return std::span(samples_).subspan(first_[i], first_[i + 1] - first_[i]);
+  }
+
+ private:
+  int width_, height_;
+  std::vector<std::size_t> first_;
+  std::vector<RawSample> samples_;
+};
+
+/// Makes pixels, one at a time.
+class Gatherer {
+ public:
+  Gatherer(const SampleGrid& grid, const TracedFrame& now, const ResolveOptions& options)
+      : grid_(grid), now_(now), options_(options) {}
+
+  Vec3 pixel(int x, int y);
+
+ private:
+  /// A surface that a pixel shows.
+  struct Shown {
+    SurfaceName surface;
+    bool lit = false;
+    float away = 0;
+    Vec3 at{0}, normal{0};
+    Vec2 place{0};  // mean of its rays
+    int rays = 0;
+  };
+
+  void find_shown(int x, int y);
+  /// The mean light of samples of a surface; false where there are none. Each pass takes more of them.
+  bool gather(const Shown& one, int x, int y, int pass, Vec3& light);
+
+  const SampleGrid& grid_;
+  const TracedFrame& now_;
+  const ResolveOptions& options_;
+  std::vector<Shown> shown_;
+  std::vector<const RawSample*> taken_;
+};
+
+}  // namespace frond

@@ -1,0 +1,139 @@
+#include "resolve/resolve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/linear.h"
+#include "core/parallel.h"
+#include "draw/eyes.h"
+#include "resolve/gather.h"
+
+namespace frond {
+
+/// A time of the film.
+struct Resolver::Moment {
+  TracedFrame traced;
+};
+
+/// A raw frame, and which spot each of its samples shows.
+struct Resolver::Raw {
+  LightPicture light;
+  std::vector<SurfaceSpot> spot;
+  std::vector<char> lit;
+};
+
+namespace {
+
+/// Of what no ray meets: the direction stands in `own`.
+SurfaceSpot backdrop(Vec3 direction) {
+  SurfaceSpot spot;
+  spot.own = direction;
+  return spot;
+}
+
+/// Adds a sample of a raw frame where it lies in this one.
+void add_moved(std::vector<RawSample>& samples, const TracedFrame& now, const SurfaceSpot& spot, bool lit,
+               Vec3 light, int age, Vec2 size) {
+  constexpr float kFar = 1e5f;  // metres, of the backdrop
+  RawSample sample;
+  sample.surface = surface_of(spot.thing);
+  sample.lit = lit;
+  sample.age = age;
+  sample.light = light;
+  if (spot.thing.kind == ThingKind::nothing) {
+    sample.at = now.eye.at + kFar * spot.own;
+    sample.normal = -spot.own;
+  } else if (std::optional<PlaceNormal> here = now.where(spot)) {
+    sample.at = here->at;
+    sample.normal = here->normal;
+    if (glm::dot(sample.normal, sample.at - now.eye.at) > 0) sample.normal = -sample.normal;
+  } else {
+    return;
+  }
+  std::optional<Vec2> place = picture_place(now.eye, sample.at);
+  if (!place) return;
+  sample.place = *place * size;
+  sample.away = glm::distance(sample.at, now.eye.at);
+  if (glm::all(glm::greaterThanEqual(sample.place, Vec2(0))) && glm::all(glm::lessThan(sample.place, size)))
+    samples.push_back(sample);
+}
+
+}  // namespace
+
+Resolver::Resolver(const Scene& scene, const TracedFilm& film, Source source, const ResolveOptions& options)
+    : scene_(scene), film_(film), source_(std::move(source)), options_(options) {}
+Resolver::~Resolver() = default;
+
+Result<const Resolver::Moment*> Resolver::moment(int number) {
+  std::unique_ptr<Moment>& kept = moments_[number];
+  if (!kept) {
+    Result<TracedFrame> traced = film_.at(scene_.film.time(number));
+    if (!traced) return traced.errors();
+    kept = std::make_unique<Moment>(Moment{std::move(*traced)});
+  }
+  return kept.get();
+}
+
+Result<const Resolver::Raw*> Resolver::raw(int number) {
+  std::unique_ptr<Raw>& kept = raws_[number];
+  if (kept) return kept.get();
+  Result<LightPicture> light = source_(number);
+  if (!light) return light.errors();
+  Result<const Moment*> now = moment(number);
+  if (!now) return now.errors();
+  const TracedFrame& traced = (*now)->traced;
+  auto [width, height] = scene_.film.size;
+  Vec2 shift = sample_shift(scene_.film, number), size(width, height);
+  auto made = std::make_unique<Raw>();
+  made->light = std::move(*light);
+  made->spot.resize(made->light.size());
+  made->lit.resize(made->light.size());
+  parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
+    for (int x = 0; x < width; ++x) {
+      std::size_t i = y * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      Vec3 direction = picture_ray(traced.eye, (Vec2(x, y) + 0.5f + shift) / size);
+      std::optional<PassHit> hit = traced.trace(traced.eye.at, direction);
+      made->spot[i] = hit ? hit->spot : backdrop(direction);
+      made->lit[i] = hit && traced.lit(*hit);
+    }
+  });
+  kept = std::move(made);
+  return kept.get();
+}
+
+void Resolver::forget(int first, int last) {
+  std::erase_if(moments_, [&](const auto& one) { return one.first < first || one.first > last; });
+  std::erase_if(raws_, [&](const auto& one) { return one.first < first || one.first > last; });
+}
+
+Result<LightPicture> Resolver::frame(int number) {
+  int first = std::max(number - options_.window, 1),
+      last = std::min(number + options_.window, scene_.film.frames);
+  forget(first, last);
+  Result<const Moment*> now = moment(number);
+  if (!now) return now.errors();
+  auto [width, height] = scene_.film.size;
+  auto wide = static_cast<std::size_t>(width), high = static_cast<std::size_t>(height);
+  std::vector<std::vector<RawSample>> rows;  // of each frame and row of it
+  for (int other = first; other <= last; ++other) {
+    Result<const Raw*> raw = this->raw(other);
+    if (!raw) return raw.errors();
+    std::size_t begin = rows.size();
+    rows.resize(begin + high);
+    parallel_for(high, [&](std::size_t y) {
+      for (std::size_t i = y * wide; i < (y + 1) * wide; ++i)
+        add_moved(rows[begin + y], (*now)->traced, (*raw)->spot[i], (*raw)->lit[i] != 0, (*raw)->light[i],
+                  other - number, Vec2(width, height));
+    });
+  }
+  SampleGrid grid(width, height, rows);
+  LightPicture picture(wide * high);
+  parallel_for(high, [&](std::size_t y) {
+    Gatherer gatherer(grid, (*now)->traced, options_);
+    for (std::size_t x = 0; x < wide; ++x)
+      picture[y * wide + x] = gatherer.pixel(static_cast<int>(x), static_cast<int>(y));
+  });
+  return picture;
+}
+
+}  // namespace frond

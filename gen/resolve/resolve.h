@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/result.h"
+#include "passes/traced_film.h"
+
+// Resolve
+// =======
+// Makes the frames of a film of raw ones. A raw frame has one sample a pixel, in each frame elsewhere in the
+// pixel (sample_shift()). Which surfaces a pixel shows, and how much of each, is known without shading: many
+// rays are traced through it. The light of each surface is that of the raw samples of the same surface in the
+// frames around, carried to this one by its exact motion; what lies in the sun and what in shade apart. The
+// picture is their mean by what each covers.
+//
+// A frame is a pure function of the raw frames of its window; it depends neither on threads nor on which
+// other frames were made.
+
+namespace frond {
+
+/// The light of a picture, linear; row by row from the top.
+using LightPicture = std::vector<Vec3>;
+
+struct ResolveOptions {
+  int window = 4;      ///< raw frames before and after one that it is made of
+  int side = 4;        ///< side * side rays are traced through a pixel
+  double reach = 0.4;  ///< pixels, standard deviation of the weight of a sample by how far aside it lies
+  double fade = 4;     ///< frames after which a sample counts for 1/e
+  /// Light of other frames is kept within so many standard deviations of this frame's around it; 0: it is not.
+  double clip = 0;
+};
+
+class Resolver {
+ public:
+  /// Gives the raw picture of a frame.
+  using Source = std::function<Result<LightPicture>(int frame)>;
+
+  /// Of a film that is resolved(). All three must outlive it.
+  Resolver(const Scene& scene, const TracedFilm& film, Source source, const ResolveOptions& options = {});
+  ~Resolver();
+
+  /// Those made in order share what they are made of.
+  Result<LightPicture> frame(int number);
+
+ private:
+  struct Raw;
+  struct Moment;
+
+  Result<const Moment*> moment(int number);
+  Result<const Raw*> raw(int number);
+  void forget(int first, int last);
+
+  const Scene& scene_;
+  const TracedFilm& film_;
+  Source source_;
+  ResolveOptions options_;
+  std::map<int, std::unique_ptr<Moment>> moments_;
+  std::map<int, std::unique_ptr<Raw>> raws_;
+};
+
+}  // namespace frond
