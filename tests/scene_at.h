@@ -10,4 +10,10 @@ inline Scene scene_at(const std::string& path) {
   return *build_scene(*read_preset(*read_file(FROND_ROOT "/" + path), path, {}));
 }
 
+/// What a result holds, moved out of it.
+template <class Value>
+Value taken(Result<Value> result) {
+  return std::move(*result);
+}
+
 }  // namespace frond

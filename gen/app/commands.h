@@ -34,6 +34,7 @@ struct GenerateArguments {
   std::string out;                    ///< folder; empty: out/<preset name>
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
+  bool raw = false;                   ///< one sample a pixel, for resolve()
   bool film_only = false;             ///< no frames, only what makes a film of finished pictures
   bool quiet = false;
 };
@@ -46,9 +47,8 @@ struct LookArguments {
 
 struct ResolveArguments {
   PresetArguments preset;
-  std::string folder;                 ///< of the film; empty: out/<preset name>
-  std::string raws;                   ///< folder of the raw frames; empty: raw in that
-  std::string out;                    ///< folder to write to; empty: frames in that
+  std::string folder;                 ///< of the raw film; empty: out/<preset name>
+  std::string out;                    ///< folder to write to; empty: resolved in that
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
   int window = 4, side = 4;           ///< see ResolveOptions

@@ -95,7 +95,7 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   const Film& film = preset.film;
   JobList jobs;
   jobs.size = film.size;
-  jobs.quality = kRenderings[static_cast<std::size_t>(film.quality)].quality;
+  jobs.quality = film.raw ? "raw" : kRenderings[static_cast<std::size_t>(film.quality)].quality;
   jobs.lens = preset.stage.camera.aperture.has_value();
   jobs.exposures = exposures(film, preset.stage.camera);
   jobs.fps = film.fps;
@@ -234,6 +234,10 @@ int generate(const GenerateArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  if (arguments.raw) {
+    if (Errors errors = cannot_be_raw(*preset); !errors.empty()) return fail(errors, kWrongInput);
+    preset->film.raw = true;
+  }
   Run run{arguments, *preset, {1, preset->film.frames}};
   if (arguments.frames) {
     Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);

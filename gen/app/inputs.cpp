@@ -115,6 +115,15 @@ std::string nearest_presets(const std::string& path) {
   return found.empty() ? "" : fmt::format("; did you mean {}?", found);
 }
 
+Errors cannot_be_raw(const Preset& preset) {
+  if (preset.film.frames == 1) return {{"/film/frames", "a still has no frames around it to be resolved with"}};
+  if (preset.stage.camera.shutter > 0)
+    return {{"/scene/camera/shutter", "blurred motion cannot be resolved from raw frames"}};
+  if (preset.stage.camera.aperture)
+    return {{"/scene/camera/aperture", "what is out of focus cannot be resolved from raw frames"}};
+  return {};
+}
+
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named) {
   Result<std::optional<fs::path>> only = assets_folder(named);
   if (!only) return only.errors();

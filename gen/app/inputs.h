@@ -27,6 +27,9 @@ std::string nearest_presets(const std::string& path);
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
 
+/// Why a film cannot be made of raw frames; empty where it can.
+Errors cannot_be_raw(const Preset& preset);
+
 /// The files that a preset or a grammar of that path may name; `named` is `--assets`.
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named);
 

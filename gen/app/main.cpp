@@ -42,6 +42,7 @@ void add_generate(CLI::App& app, int& result) {
   add_preset(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
+  command->add_flag("--raw", to->raw, "Frames of one sample a pixel, of which `frond resolve` makes smooth ones");
   command->add_flag("--film-only", to->film_only,
                     "No frames: only build.ninja, which makes a film of pictures rendered elsewhere");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
@@ -66,11 +67,10 @@ void add_textures(CLI::App& app, int& result) {
 void add_resolve(CLI::App& app, int& result) {
   auto to = std::make_shared<ResolveArguments>();
   auto* command = app.add_subcommand(
-      "resolve", "Makes the frames of a film whose /film/resolve is true of its raw ones, which have one sample a pixel");
+      "resolve", "Makes the frames of a film of raw ones, which `frond generate --raw` writes");
   add_preset(command, to->preset);
-  command->add_option("--film", to->folder, "Folder of the film, with frames/ as generate writes them (out/<preset name>)");
-  command->add_option("--raws", to->raws, "Folder of the raw frames (raw in that)");
-  command->add_option("-o,--out", to->out, "Folder to write to (resolved in that)");
+  command->add_option("--film", to->folder, "Folder with the raw film (out/<preset name>)");
+  command->add_option("-o,--out", to->out, "Folder to write to (resolved/ in that)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_option("--window", to->window, "Raw frames before and after one that it is made of (4)")->check(CLI::Range(0, 12));
@@ -78,7 +78,7 @@ void add_resolve(CLI::App& app, int& result) {
   command->add_option("--reach", to->reach, "Pixels within which samples count (0.4)")->check(CLI::Range(0.1, 3.0));
   command->add_option("--fade", to->fade, "Frames within which samples count (4)")->check(CLI::Range(0.1, 100.0));
   command->add_option("--clip", to->clip, "Deviations by which the light of other frames may differ; 0: any (0)")->check(CLI::Range(0.0, 100.0));
-  command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --set /film/resolve=true --frames 1-24");
+  command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --frames 1-24");
   command->callback([&result, to] { result = resolve(*to); });
 }
 

@@ -55,9 +55,7 @@ int resolve(const ResolveArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  if (!preset->film.resolved())
-    return fail({Error{"/film/resolve", "is not true, or the film is a still: its frames are no raw ones"}},
-                kWrongInput);
+  preset->film.raw = true;
   FrameRange range{1, preset->film.frames};
   if (arguments.frames) {
     Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
@@ -66,12 +64,12 @@ int resolve(const ResolveArguments& arguments) {
   }
   fs::path film = arguments.folder.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem()
                                            : fs::path(arguments.folder);
-  fs::path raws = arguments.raws.empty() ? film / "raw" : fs::path(arguments.raws),
-           out = arguments.out.empty() ? film / "resolved" : fs::path(arguments.out);
+  fs::path raws = film / "frames", out = arguments.out.empty() ? film / "resolved" : fs::path(arguments.out);
+  if (Errors errors = cannot_be_raw(*preset); !errors.empty()) return fail(errors, kWrongInput);
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
-  Result<CopyPlan> plan = write_models(*scene, film / "frames", {[](auto, auto) {}, [] {}});
+  Result<CopyPlan> plan = write_models(*scene, raws, {[](auto, auto) {}, [] {}});
   if (!plan) return fail(plan.errors(), kCouldNot);
   Result<TracedFilm> traced = TracedFilm::of(*scene, std::move(*plan));
   if (!traced) return fail(traced.errors(), kCouldNot);

@@ -49,7 +49,8 @@ void append_view(std::string& text, const Film& film, const Camera& camera, doub
 
 }  // namespace
 
-std::string tone_text(const Camera& camera, int exposure, int exposures) {
+std::string tone_text(const Film& film, const Camera& camera, int exposure, int exposures) {
+  if (film.raw) return " +FN16; then frond resolve";
   if (!camera.toned() && exposures == 1) return "";
   std::string text = " +FN16";
   if (exposures > 1) text += "; exposure " + number_text(exposure) + " of " + number_text(exposures);

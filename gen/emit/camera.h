@@ -15,6 +15,6 @@ std::string camera_text(const PovSpace& space, const Camera& camera, const Film&
 
 /// How its picture is finished, for the first line of a scene; empty where POV-Ray does all. With several
 /// exposures of a frame, the first says of how many its picture is the mean.
-std::string tone_text(const Camera& camera, int exposure = 1, int exposures = 1);
+std::string tone_text(const Film& film, const Camera& camera, int exposure = 1, int exposures = 1);
 
 }  // namespace frond

@@ -32,6 +32,7 @@ inline constexpr Rendering kRenderings[] = {
     {"draft", "+A0.15 +AM1 +R2 -J", "+A0.15 +AM1 +R2 -J"},
     {"good", "+A0.0 +AM1 +R3 -J", "+A0.0 +AM1 +R2 -J"},
     {"best", "+A0.0 +AM1 +R5 -J", "+A0.0 +AM1 +R3 -J"},
+    {"raw", "-A -J", "-A -J"},  // no quality of a preset: one sample a pixel, for frond resolve
 };
 
 /// POV-Ray's flags for a quality; empty for an unknown name.

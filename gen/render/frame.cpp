@@ -212,7 +212,7 @@ class FrameRun {
       if (!bytes) return {give_up(bytes.errors()[0].text(), names, 0, drawn.size())};
       pngs.push_back(std::move(*bytes));
     }
-    if (head_.fine) {
+    if (head_.fine && !head_.raw) {
       Result<std::string> picture = develop(pngs, head_.tone);
       if (!picture) return {give_up(picture.errors()[0].what, names, 0, drawn.size())};
       pngs = {std::move(*picture)};

@@ -47,6 +47,10 @@ SceneHead read_scene_head(std::string_view scene) {
   SceneHead fine = head;
   fine.fine = true;
   if (take(rest, "; exposure 1 of ") && !take_number(rest, fine.exposures)) return head;
+  if (rest == "; then frond resolve") {
+    fine.raw = true;
+    return fine;
+  }
   // A later exposure names no tone: it is no picture by itself.
   if (take(rest, "; then frond develop --highlights ") && take_number(rest, fine.tone.highlights) &&
       take(rest, " --contrast ") && take_number(rest, fine.tone.contrast) && rest.empty())

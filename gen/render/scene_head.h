@@ -11,6 +11,7 @@ namespace frond {
 struct SceneHead {
   std::string light;  ///< the file of soft light beside it; empty: none
   bool fine = false;  ///< POV-Ray draws 16 bits a channel, and the tone is given afterwards
+  bool raw = false;   ///< those 16 bits are the picture, which frames are resolved from
   int exposures = 1;  ///< whose mean light is the picture
   Tone tone;
 };

@@ -38,7 +38,7 @@ class Resolver {
   /// Gives the raw picture of a frame.
   using Source = std::function<Result<LightPicture>(int frame)>;
 
-  /// Of a film that is resolved(). All three must outlive it.
+  /// Of a film that is raw. All three must outlive it.
   Resolver(const Scene& scene, const TracedFilm& film, Source source, const ResolveOptions& options = {});
   ~Resolver();
 

@@ -22,9 +22,6 @@ void describe(Visitor& v, Film& f) {
   v.number("fps", f.fps, {.min = 0.1, .max = 1000}, "Frames a second");
   v.size("size", f.size, kSides, "Width and height of the pictures");
   v.choice("quality", f.quality, kQualities, "How carefully the pictures are rendered");
-  v.boolean("resolve", f.resolve,
-            "Whether a film is drawn with one sample a pixel, in each frame elsewhere in it, and each frame made "
-            "of those around it: as good as the quality `good` for a part of its time");
 }
 
 inline constexpr std::string_view kFocusSchema = R"({"anyOf": [

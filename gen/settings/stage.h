@@ -18,11 +18,10 @@ struct Film {
   double fps = 24;
   std::array<int, 2> size{480, 270};  ///< width and height, pixels
   Quality quality = Quality::draft;
-  /// Whether frames have one sample a pixel, each frame elsewhere in the pixel, and are resolved with their
-  /// neighbours; never a still.
-  bool resolve = false;
+  /// Whether frames have one sample a pixel, in each frame elsewhere in it, for `frond resolve`. No property of
+  /// presets.
+  bool raw = false;
 
-  bool resolved() const { return resolve && frames > 1; }
   double length() const { return frames / fps; }                            ///< seconds
   double time(int frame) const { return (frame - 1) / fps; }                ///< of a frame, the first being 1
   double aspect() const { return static_cast<double>(size[1]) / size[0]; }  ///< height by width

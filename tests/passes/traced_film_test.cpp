@@ -1,0 +1,114 @@
+#include "passes/traced_film.h"
+
+#include <gtest/gtest.h>
+
+#include "passes/frame_passes.h"
+#include "scene_at.h"
+
+namespace frond {
+namespace {
+
+/// Calls `look(hit, place)` for rays all over the picture that meet something.
+template <class Look>
+void each_hit(const TracedFrame& frame, const Look& look) {
+  constexpr int kRays = 60;  // along each side
+  for (int y = 0; y < kRays; ++y)
+    for (int x = 0; x < kRays; ++x) {
+      Vec2 place = (Vec2(x, y) + 0.5f) / static_cast<float>(kRays);
+      if (std::optional<PassHit> hit = frame.trace(frame.eye.at, picture_ray(frame.eye, place))) look(*hit, place);
+    }
+}
+
+class Traced : public testing::TestWithParam<const char*> {};
+
+TEST_P(Traced, SpotsAreWhereTheirRaysMetThem) {
+  Scene scene = scene_at(GetParam());
+  TracedFilm film = taken(TracedFilm::of(scene));
+  TracedFrame frame = taken(film.at(scene.film.time(scene.film.frames)));
+  int hits = 0;
+  each_hit(frame, [&](const PassHit& hit, Vec2 place) {
+    ++hits;
+    EXPECT_NEAR(glm::length(hit.normal), 1, 1e-4);
+    EXPECT_LE(glm::dot(hit.normal, hit.at - frame.eye.at), 0);
+    std::optional<PlaceNormal> where = frame.where(hit.spot);
+    ASSERT_TRUE(where);
+    EXPECT_LT(glm::distance(where->at, hit.at), 1e-4f * (1 + hit.away));
+    EXPECT_GT(std::abs(glm::dot(where->normal, hit.normal)), 0.999f);
+    std::optional<Vec2> seen = picture_place(frame.eye, hit.at);
+    ASSERT_TRUE(seen);
+    EXPECT_LT(glm::distance(*seen, place), 1e-4f);
+  });
+  EXPECT_GT(hits, 200);
+}
+
+TEST_P(Traced, SpotsMoveToWhereTheyAreSeenLater) {
+  Scene scene = scene_at(GetParam());
+  TracedFilm film = taken(TracedFilm::of(scene));
+  int last = scene.film.frames;
+  TracedFrame before = taken(film.at(scene.film.time(std::max(1, last - 1))));
+  TracedFrame after = taken(film.at(scene.film.time(last)));
+  int seen = 0, met = 0, there = 0;
+  each_hit(before, [&](const PassHit& hit, Vec2) {
+    ++met;
+    std::optional<PlaceNormal> where = after.where(hit.spot);
+    if (!where) return;
+    ++there;
+    Vec3 offset = where->at - after.eye.at;
+    std::optional<PassHit> again = after.trace(after.eye.at, glm::normalize(offset));
+    // Another thing may have come before it, but nothing lets the ray pass through where the spot is.
+    ASSERT_TRUE(again);
+    EXPECT_LT(again->away, glm::length(offset) * 1.01f + 0.01f);
+    seen += again->spot.thing == hit.spot.thing && again->away > 0.98f * glm::length(offset);
+  });
+  EXPECT_GT(there, 0.98 * met);
+  EXPECT_GT(seen, 0.9 * met);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Traced,
+                         testing::Values("tests/presets/tiny_film.json", "tests/presets/tiny_plant.json",
+                                         "tests/presets/tiny_reef.json", "tests/presets/tiny_garden.json",
+                                         "tests/presets/tiny_vases.json", "presets/reef/chromis.json"),
+                         [](const auto& one) {
+                           std::string name = one.param;
+                           name = name.substr(name.rfind('/') + 1);
+                           return name.substr(0, name.find('.'));
+                         });
+
+TEST(FramePasses, SharesAddUpToTheCoverage) {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  FramePasses passes = *frame_passes(scene, *TracedFilm::of(scene), 3);
+  bool open = false, full = false;
+  for (std::size_t i = 0; i < passes.coverage.size(); ++i) {
+    float sum = 0;
+    for (const auto& [thing, share] : passes.things[i]) sum += share;
+    EXPECT_NEAR(sum, passes.coverage[i], 1e-4);
+    EXPECT_LE(passes.sun[i], passes.coverage[i]);
+    (passes.coverage[i] > 0.5f ? full : open) = true;
+  }
+  EXPECT_TRUE(open && full);
+}
+
+TEST(FramePasses, MotionsOfTwoFramesAreOpposite) {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  TracedFilm film = taken(TracedFilm::of(scene));
+  FramePasses first = *frame_passes(scene, film, 3), second = *frame_passes(scene, film, 4);
+  int compared = 0;
+  float moved = 0;
+  for (int y = 0; y < first.height; ++y)
+    for (int x = 0; x < first.width; ++x) {
+      auto i = static_cast<std::size_t>(y * first.width + x);
+      Vec2 to = Vec2(x, y) + 0.5f + first.forward[i];
+      if (first.coverage[i] < 1 || glm::any(glm::lessThan(to, Vec2(0))) ||
+          glm::any(glm::greaterThanEqual(to, Vec2(first.width, first.height)))) continue;
+      auto there = static_cast<std::size_t>(static_cast<int>(to.y) * first.width + static_cast<int>(to.x));
+      if (second.things[there] != first.things[i] || first.things[i].size() != 1) continue;
+      ++compared;
+      moved = std::max(moved, glm::length(first.forward[i]));
+      EXPECT_LT(glm::length(first.forward[i] + second.backward[there]), 0.7f);
+    }
+  EXPECT_GT(compared, 300);
+  EXPECT_GT(moved, 0.5f);
+}
+
+}  // namespace
+}  // namespace frond

@@ -1,0 +1,118 @@
+#include "resolve/resolve.h"
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "draw/eyes.h"
+#include "scene_at.h"
+
+namespace frond {
+namespace {
+
+Scene raw_scene() {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  scene.film.raw = true;
+  return scene;
+}
+
+/// Raw frames painted by what their rays meet: each thing in a grey of its own.
+class Painted {
+ public:
+  explicit Painted(const Scene& scene) : scene_(scene), film_(taken(TracedFilm::of(scene))) {}
+
+  Vec3 seen(const TracedFrame& frame, Vec2 place) const {
+    std::optional<PassHit> hit = frame.trace(frame.eye.at, picture_ray(frame.eye, place));
+    if (!hit) return {0, 0, 1};
+    float shade = hit->spot.thing.kind == ThingKind::branches ? 0.8f : 0.2f;
+    return Vec3(shade, frame.lit(*hit) ? 1 : 0.5f, 0);
+  }
+
+  /// The mean of side * side rays a pixel.
+  LightPicture picture(int number, int side, Vec2 shift) const {
+    TracedFrame frame = taken(film_.at(scene_.film.time(number)));
+    Vec2 size(scene_.film.size[0], scene_.film.size[1]);
+    LightPicture light;
+    for (int y = 0; y < scene_.film.size[1]; ++y)
+      for (int x = 0; x < scene_.film.size[0]; ++x) {
+        Vec3 sum(0);
+        for (int ray = 0; ray < side * side; ++ray)
+          sum += seen(frame, (Vec2(x, y) + shift +
+                              (Vec2(ray % side, ray / side) + 0.5f) / static_cast<float>(side)) /
+                                 size);
+        light.push_back(sum / static_cast<float>(side * side));
+      }
+    return light;
+  }
+  LightPicture raw(int number) const { return picture(number, 1, sample_shift(scene_.film, number)); }
+
+  const TracedFilm& film() const { return film_; }
+
+ private:
+  const Scene& scene_;
+  TracedFilm film_;
+};
+
+double error(const LightPicture& a, const LightPicture& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(glm::dot(a[i] - b[i], a[i] - b[i]));
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+TEST(Resolve, OneColourStaysOneColour) {
+  Scene scene = raw_scene();
+  TracedFilm film = taken(TracedFilm::of(scene));
+  std::size_t count = static_cast<std::size_t>(scene.film.size[0]) * static_cast<std::size_t>(scene.film.size[1]);
+  Resolver resolver(scene, film, [&](int) { return LightPicture(count, Vec3(0.25f, 0.5f, 0.75f)); });
+  for (const Vec3& light : *resolver.frame(3)) EXPECT_LT(glm::distance(light, Vec3(0.25f, 0.5f, 0.75f)), 1e-4f);
+}
+
+TEST(Resolve, IsFarNearerToManySamplesThanItsRawFrames) {
+  Scene scene = raw_scene();
+  Painted painted(scene);
+  Resolver resolver(scene, painted.film(), [&](int number) { return painted.raw(number); });
+  for (int number : {3, 5, 6}) {
+    LightPicture many = painted.picture(number, 8, Vec2(0));
+    EXPECT_LT(error(*resolver.frame(number), many), 0.5 * error(painted.raw(number), many)) << number;
+  }
+}
+
+TEST(Resolve, DependsNeitherOnThreadsNorOnOtherFrames) {
+  Scene scene = raw_scene();
+  Painted painted(scene);
+  auto raw = [&](int number) { return painted.raw(number); };
+  Resolver in_order(scene, painted.film(), raw), alone(scene, painted.film(), raw);
+  for (int number = 1; number < 4; ++number) (void)in_order.frame(number);
+  LightPicture one = *in_order.frame(4);
+  limit_threads(1);
+  LightPicture other = *alone.frame(4);
+  limit_threads(0);
+  EXPECT_EQ(one, other);
+}
+
+TEST(Resolve, TellsWhichRawFrameIsMissing) {
+  Scene scene = raw_scene();
+  TracedFilm film = taken(TracedFilm::of(scene));
+  Resolver resolver(scene, film, [&](int number) -> Result<LightPicture> {
+    return Error{"frame " + std::to_string(number), "is gone"};
+  });
+  Result<LightPicture> made = resolver.frame(2);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.errors()[0].where, "frame 1");
+}
+
+TEST(SampleShift, SpreadsOverThePixelAndStaysInIt) {
+  Film film;
+  film.raw = true;
+  Vec2 sum(0);
+  for (int frame = 1; frame <= 36; ++frame) {
+    Vec2 shift = sample_shift(film, frame);
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(glm::abs(shift), Vec2(0.5f))));
+    sum += shift;
+  }
+  EXPECT_LT(glm::length(sum / 36.0f), 0.03f);
+  film.raw = false;
+  EXPECT_EQ(sample_shift(film, 5), Vec2(0));
+}
+
+}  // namespace
+}  // namespace frond
