@@ -42,7 +42,8 @@ void add_generate(CLI::App& app, int& result) {
   add_preset(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
-  command->add_flag("--raw", to->raw, "Frames of one sample a pixel, of which `frond resolve` makes smooth ones");
+  command->add_flag("--raw", to->raw,
+                    "Frames of one sample a pixel, of which `frond resolve` makes smooth ones");
   command->add_flag("--film-only", to->film_only,
                     "No frames: only build.ninja, which makes a film of pictures rendered elsewhere");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
@@ -73,11 +74,17 @@ void add_resolve(CLI::App& app, int& result) {
   command->add_option("-o,--out", to->out, "Folder to write to (resolved/ in that)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
-  command->add_option("--window", to->window, "Raw frames before and after one that it is made of (4)")->check(CLI::Range(0, 12));
-  command->add_option("--side", to->side, "N: N * N rays are traced through a pixel (4)")->check(CLI::Range(1, 16));
-  command->add_option("--reach", to->reach, "Pixels within which samples count (0.4)")->check(CLI::Range(0.1, 3.0));
-  command->add_option("--fade", to->fade, "Frames within which samples count (4)")->check(CLI::Range(0.1, 100.0));
-  command->add_option("--clip", to->clip, "Deviations by which the light of other frames may differ; 0: any (0)")->check(CLI::Range(0.0, 100.0));
+  command->add_option("--window", to->window, "Raw frames before and after one that it is made of (4)")
+      ->check(CLI::Range(0, 12));
+  command->add_option("--side", to->side, "N: N * N rays are traced through a pixel (4)")
+      ->check(CLI::Range(1, 16));
+  command->add_option("--reach", to->reach, "Pixels within which samples count (0.4)")
+      ->check(CLI::Range(0.1, 3.0));
+  command->add_option("--fade", to->fade, "Frames within which samples count (4)")
+      ->check(CLI::Range(0.1, 100.0));
+  command
+      ->add_option("--clip", to->clip, "Deviations by which the light of other frames may differ; 0: any (0)")
+      ->check(CLI::Range(0.0, 100.0));
   command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --frames 1-24");
   command->callback([&result, to] { result = resolve(*to); });
 }
@@ -285,10 +292,10 @@ int run(int count, char** words) {
       "one "
       "above the program's own.");
   int result = kDone;
-  for (auto add : {add_new,     add_describe, add_look,      add_resolve,   add_render, add_sheet, add_generate,
-                   add_export,  add_textures, add_develop,   add_check,  add_info,  add_files,
-                   add_confine, add_frame,    add_film,      add_task,   add_farm,  add_gallery,
-                   add_derive,  add_turtle,   add_catalogue, add_studio})
+  for (auto add : {add_new,      add_describe, add_look,     add_resolve,   add_render, add_sheet,
+                   add_generate, add_export,   add_textures, add_develop,   add_check,  add_info,
+                   add_files,    add_confine,  add_frame,    add_film,      add_task,   add_farm,
+                   add_gallery,  add_derive,   add_turtle,   add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -13,6 +13,7 @@
 #include "draw/draw_list.h"
 #include "draw/eyes.h"
 #include "draw/focus.h"
+#include "draw/food.h"
 #include "emit/body.h"
 #include "emit/branch_materials.h"
 #include "emit/camera.h"
@@ -34,19 +35,28 @@ constexpr double kOffPixels = 0.15;   // by how much the outline of a branch may
 constexpr double kDotPixels = 4;      // length along which no change of colour shows
 constexpr double kPlainPixels = 0.6;  // radius of branches that show no pattern
 
-/// One food object for each place that an organism is drawn to.
+/// A swarm, and an object of it for each place that an organism is drawn to.
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
-  std::string text;
+  std::string objects;
   for (const auto& [at, left] : food_places(scene.specimens, time)) {
     std::string scale = number_text(std::cbrt(static_cast<double>(left)), 4);
     if (scale == "0") continue;  // which POV-Ray takes for 1
-    text += "object{Food_Swarm() ";
-    if (left < 1) text += "scale " + scale + ' ';
-    text += "translate";
-    append_point(text, space, at);
+    objects += "object{Food ";
+    if (left < 1) objects += "scale " + scale + ' ';
+    objects += "translate";
+    append_point(objects, space, at);
+    objects += "}\n";
+  }
+  if (objects.empty()) return objects;
+  std::string text = "#declare Food = union{\n";
+  for (const FoodGrain& grain : food_swarm(time, scene.film.length())) {
+    text += "sphere{";
+    append_point(text, space, grain.at);
+    text += ',';
+    append(text, grain.radius * space.unit, kDecimals);
     text += "}\n";
   }
-  return text;
+  return text + "texture{Food_Grain()} no_shadow}\n" + objects;
 }
 
 /// Objects, one a line, in one group; none where there is none.
@@ -322,8 +332,8 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
     if (hole == "includes") return out(includes_text(scene));
     if (hole == "setting") return out(setting_text(scene, time));
     if (hole == "camera")
-      return out(camera_text(parts.space, camera, film, time, named_focus(scene, time),
-                             sample_shift(film, frame)));
+      return out(
+          camera_text(parts.space, camera, film, time, named_focus(scene, time), sample_shift(film, frame)));
     if (hole == "materials") return out(parts.materials);
     if (hole == "ground") {
       out(parts.ground);

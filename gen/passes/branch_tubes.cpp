@@ -63,8 +63,8 @@ glm::vec4 BranchTubes::on_axis(std::uint32_t node, float along) const {
   const Skeleton& rest = branches_->rest();
   const Pose& pose = branches_->pose;
   auto below = static_cast<std::uint32_t>(rest.parent[node]);
-  float foot = below + 1 == node ? pose.radius[below]
-                                 : foot_radius(rest, pose, static_cast<std::int32_t>(node));
+  float foot =
+      below + 1 == node ? pose.radius[below] : foot_radius(rest, pose, static_cast<std::int32_t>(node));
   return glm::mix(glm::vec4(pose.position[below], foot), glm::vec4(pose.position[node], pose.radius[node]),
                   along);
 }

@@ -11,18 +11,20 @@ namespace frond {
 
 namespace {
 
-constexpr std::string_view kKinds[] = {"nothing", "branches", "organ", "blades", "body", "copy", "floor", "stone"};
+constexpr std::string_view kKinds[] = {"nothing", "branches", "organ", "blades", "body",
+                                       "copy",    "floor",    "stone", "food"};
 
 /// Fills pixel after pixel.
 class PassMaker {
  public:
-  PassMaker(FramePasses& passes, const TracedFrame& now, int side) : passes_(passes), now_(now), side_(side) {}
+  PassMaker(FramePasses& passes, const TracedFrame& now, int side)
+      : passes_(passes), now_(now), side_(side) {}
 
   const TracedFrame *next = nullptr, *before = nullptr;
 
   void pixel(int x, int y) {
-    std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(passes_.width) +
-                    static_cast<std::size_t>(x);
+    std::size_t i =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(passes_.width) + static_cast<std::size_t>(x);
     middle(i, Vec2(x, y) + 0.5f);
     int all = side_ * side_, met = 0, lit = 0;
     std::vector<std::pair<Thing, float>>& things = passes_.things[i];
@@ -102,9 +104,9 @@ ThingNames names_of(const Scene& scene, const Thing& thing) {
     names.organism = names.part = fmt::format("{}/copy {}", names.entry, thing.number + 1);
     return names;
   }
-  if (thing.kind == ThingKind::floor || thing.kind == ThingKind::stone) {
+  if (thing.kind == ThingKind::floor || thing.kind == ThingKind::stone || thing.kind == ThingKind::food) {
     names.entry = names.organism = kind;
-    names.part = thing.kind == ThingKind::stone ? fmt::format("stone {}", thing.number + 1) : names.entry;
+    names.part = thing.kind == ThingKind::floor ? names.entry : fmt::format("{} {}", kind, thing.number + 1);
     return names;
   }
   names.entry = scene.specimens[thing.owner].name;

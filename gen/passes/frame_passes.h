@@ -9,15 +9,17 @@
 namespace frond {
 
 /// What compositors and those who need ground truth want to know of each pixel of a frame. Values at a pixel
-/// are those of the ray through its middle; shares are of side * side rays through it. Row by row from the top.
+/// are those of the ray through its middle; shares are of side * side rays through it. Row by row from the
+/// top.
 struct FramePasses {
   int width = 0, height = 0;
   std::vector<float> depth;            ///< metres along the camera's axis; infinite where there is nothing
   std::vector<Vec3> position, normal;  ///< in the world, metres; of length 1; 0 where there is nothing
-  std::vector<Vec2> forward, backward;  ///< pixels, right and down, to where the spot is in the next frame and
-                                        ///< was in the one before; 0 at the film's ends and where it is not
-  std::vector<float> coverage;          ///< share of rays that meet something
-  std::vector<float> sun;               ///< share of rays that meet what the main light shines on
+  std::vector<Vec2> forward,
+      backward;                 ///< pixels, right and down, to where the spot is in the next frame and
+                                ///< was in the one before; 0 at the film's ends and where it is not
+  std::vector<float> coverage;  ///< share of rays that meet something
+  std::vector<float> sun;       ///< share of rays that meet what the main light shines on
   std::vector<std::vector<std::pair<Thing, float>>> things;  ///< what rays meet, each with its share
 };
 

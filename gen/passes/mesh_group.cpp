@@ -13,28 +13,34 @@ RTCDevice embree_device() {
   return device.get();
 }
 
-void attach_mesh(RTCScene scene, const Surface& surface, unsigned number) {
+void attach_mesh(RTCScene scene, const Surface& surface, unsigned number, bool shadows) {
   if (surface.triangle.empty()) return;
   RTCGeometry mesh = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   fill_buffer<Vec3>(mesh, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.position);
   fill_buffer<std::array<std::uint32_t, 3>>(mesh, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.triangle);
+  if (!shadows)
+    rtcSetGeometryOccludedFilterFunction(mesh, [](const RTCFilterFunctionNArguments* ray) {
+      for (unsigned i = 0; i < ray->N; ++i) ray->valid[i] = 0;
+    });
   rtcCommitGeometry(mesh);
   rtcAttachGeometryByID(scene, mesh, number);
   rtcReleaseGeometry(mesh);
 }
 
-MeshGroup::MeshGroup(std::vector<const Surface*> surfaces) : surfaces_(std::move(surfaces)) { build(); }
-
-MeshGroup::MeshGroup(std::vector<Surface> surfaces) : owned_(std::move(surfaces)) {
-  for (const Surface& surface : owned_) surfaces_.push_back(&surface);
-  build();
+MeshGroup::MeshGroup(std::vector<const Surface*> surfaces) : surfaces_(std::move(surfaces)) {
+  build(Shadows::thrown);
 }
 
-void MeshGroup::build() {
+MeshGroup::MeshGroup(std::vector<Surface> surfaces, Shadows shadows) : owned_(std::move(surfaces)) {
+  for (const Surface& surface : owned_) surfaces_.push_back(&surface);
+  build(shadows);
+}
+
+void MeshGroup::build(Shadows shadows) {
   scene_.reset(rtcNewScene(embree_device()));
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   for (std::size_t part = 0; part < surfaces_.size(); ++part)
-    attach_mesh(scene_.get(), *surfaces_[part], static_cast<unsigned>(part));
+    attach_mesh(scene_.get(), *surfaces_[part], static_cast<unsigned>(part), shadows == Shadows::thrown);
   rtcCommitScene(scene_.get());
 }
 

@@ -24,15 +24,16 @@ class MeshGroup {
  public:
   /// Refers to the surfaces.
   explicit MeshGroup(std::vector<const Surface*> surfaces);
+  enum class Shadows { thrown, none };
   /// Owns them.
-  explicit MeshGroup(std::vector<Surface> surfaces);
+  explicit MeshGroup(std::vector<Surface> surfaces, Shadows shadows = Shadows::thrown);
 
   RTCScene scene() const { return scene_.get(); }
   std::size_t size() const { return surfaces_.size(); }
   const Surface& surface(std::size_t part) const { return *surfaces_[part]; }
 
  private:
-  void build();
+  void build(Shadows shadows);
 
   std::vector<Surface> owned_;
   std::vector<const Surface*> surfaces_;
@@ -47,6 +48,6 @@ void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std
 }
 
 /// Attaches a mesh to a scene, with that number; nothing where it has no triangles.
-void attach_mesh(RTCScene scene, const Surface& surface, unsigned number);
+void attach_mesh(RTCScene scene, const Surface& surface, unsigned number, bool shadows = true);
 
 }  // namespace frond

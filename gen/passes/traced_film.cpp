@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "draw/copy_axes.h"
 #include "draw/eyes.h"
+#include "draw/food.h"
 #include "passes/traced_frame.h"
 #include "settings/settings.h"
 
@@ -24,6 +25,24 @@ bool stands_still(const Specimen& b) {
          motion.flutter.amplitude == 0 && !b.life.changes() && !b.life.hanging;
 }
 
+/// Of radius 1, as fine as a grain of a few pixels asks for.
+Surface ball() {
+  constexpr std::uint32_t kRound = 12, kHigh = 6;
+  Surface made;
+  for (std::uint32_t j = 0; j <= kHigh; ++j)
+    for (std::uint32_t i = 0; i < kRound; ++i) {
+      double turn = 2 * kPi * i / kRound, tilt = kPi * j / kHigh;
+      made.position.emplace_back(std::sin(tilt) * std::cos(turn), std::cos(tilt),
+                                 std::sin(tilt) * std::sin(turn));
+      std::uint32_t here = j * kRound + i, beside = j * kRound + (i + 1) % kRound;
+      if (j == kHigh) continue;
+      if (j > 0) made.triangle.push_back({here, beside, here + kRound});
+      if (j + 1 < kHigh) made.triangle.push_back({beside, beside + kRound, here + kRound});
+    }
+  made.normal = made.position;
+  return made;
+}
+
 }  // namespace
 
 struct TracedFilm::Parts {
@@ -38,6 +57,7 @@ struct TracedFilm::Parts {
   std::vector<DrawnSpecimen> still;  // the others
   std::vector<Placed> always;        // things that are the same at all times
   std::map<ModelKey, Meshes> models;
+  Meshes grain = std::make_shared<const MeshGroup>(std::vector{ball()}, MeshGroup::Shadows::none);
   mutable std::mutex lock;
   mutable std::map<std::pair<std::size_t, std::size_t>, Meshes> shapes;  // of each specimen's organs
 
@@ -50,6 +70,7 @@ struct TracedFilm::Parts {
                                    std::vector<DrawnSpecimen>& drawn) const;
   /// The copies of stands at a time.
   std::vector<Placed> copies_at(double time) const;
+  std::vector<Placed> food_at(double time) const;
 
  private:
   Meshes shape_of(std::size_t specimen, std::size_t number, const Prototype& prototype) const;
@@ -79,26 +100,25 @@ Result<std::vector<Placed>> TracedFilm::Parts::things_of(std::size_t specimen, c
   if (list.branches) {
     Result<BranchTubes> tubes = BranchTubes::of(*list.branches);
     if (!tubes) return tubes.errors();
-    things.push_back({{ThingKind::branches, owner, 0},
-                      nullptr,
-                      std::make_shared<const BranchTubes>(std::move(*tubes))});
+    things.push_back(
+        {{ThingKind::branches, owner, 0}, nullptr, std::make_shared<const BranchTubes>(std::move(*tubes))});
   }
   for (const OrganGroup& group : list.organs.groups) {
     auto shape = shape_of(specimen, group.prototype, list.model.prototypes[group.prototype]);
     std::span<const std::uint32_t> numbers = list.organs.organs(group);
     for (std::size_t k = 0; k < numbers.size(); ++k)
-      things.push_back(placed({ThingKind::organ, owner, numbers[k]}, shape, list.organs.places(group)[k],
-                              changes));
+      things.push_back(
+          placed({ThingKind::organ, owner, numbers[k]}, shape, list.organs.places(group)[k], changes));
   }
   for (const DrawnBlades& blades : list.blades)
-    things.push_back(
-        placed({ThingKind::blades, owner, static_cast<std::uint32_t>(blades.color * kLeafShades + blades.shade)},
-               std::make_shared<const MeshGroup>(std::vector{&blades.surface}), kHere, true));
+    things.push_back(placed(
+        {ThingKind::blades, owner, static_cast<std::uint32_t>(blades.color * kLeafShades + blades.shade)},
+        std::make_shared<const MeshGroup>(std::vector{&blades.surface}), kHere, true));
   for (const DrawnBody& body : list.bodies) {
     auto mesh = std::make_shared<const MeshGroup>(std::vector{&body.surface()});
     for (std::size_t k = 0; k < body.places.size(); ++k)
-      things.push_back(placed({ThingKind::body, owner, static_cast<std::uint32_t>(body.shape << 16 | k)}, mesh,
-                              body.places[k], body.now.has_value() || changes));
+      things.push_back(placed({ThingKind::body, owner, static_cast<std::uint32_t>(body.shape << 16 | k)},
+                              mesh, body.places[k], body.now.has_value() || changes));
   }
   return things;
 }
@@ -124,7 +144,8 @@ Errors TracedFilm::Parts::add_models() {
     for (std::size_t s = 0; s < stretch.size(); ++s)
       for (const Drawn& one : stretch[s])
         wanted[{static_cast<int>(s), scene.stands[s].copies.model[one.copy]}].insert({one.level, one.block});
-  std::vector<std::pair<std::pair<int, int>, std::set<std::pair<int, int>>>> each(wanted.begin(), wanted.end());
+  std::vector<std::pair<std::pair<int, int>, std::set<std::pair<int, int>>>> each(wanted.begin(),
+                                                                                  wanted.end());
   std::vector<Errors> errors(each.size());
   parallel_for(each.size(), [&](std::size_t i) {
     auto [stand, number] = each[i].first;
@@ -165,6 +186,14 @@ std::vector<Placed> TracedFilm::Parts::copies_at(double time) const {
       thing.at = copies.foot[one.copy];
     }
   }
+  return things;
+}
+
+std::vector<Placed> TracedFilm::Parts::food_at(double time) const {
+  std::vector<Placed> things;
+  for (const FoodGrain& one : drawn_food(scene, time))
+    things.push_back(placed({ThingKind::food, 0, static_cast<std::uint32_t>(things.size())}, grain,
+                            {one.at, Quat(1, 0, 0, 0), Vec3(one.radius)}));
   return things;
 }
 
@@ -218,6 +247,7 @@ Result<TracedFrame> TracedFilm::at(double time) const {
   parts->things = std::move(*moving);
   std::ranges::copy(parts_->always, std::back_inserter(parts->things));
   std::ranges::move(parts_->copies_at(time), std::back_inserter(parts->things));
+  std::ranges::move(parts_->food_at(time), std::back_inserter(parts->things));
   Daylight light = drawn_daylight(scene.stage);
   Eye eye = eye_at(scene, time);
   parts->light = light.sun;

@@ -12,25 +12,26 @@
 // Passes
 // ======
 // What each ray from the camera meets, exactly and without shading: by which thing, where, how far away, and
-// where that spot of its surface is at any other time of the film. A TracedFilm holds what is the same all the
-// time; a TracedFrame is one moment of it, which rays are sent into (Embree: round cones for branches,
+// where that spot of its surface is at any other time of the film. A TracedFilm holds what is the same all
+// the time; a TracedFrame is one moment of it, which rays are sent into (Embree: round cones for branches,
 // triangles, instances for organs and copies). Metres; the results depend neither on threads nor on what was
 // traced before.
 //
 // Branches are the cones that POV-Ray sweeps, without the relief of a bark; bodies and organs the meshes of
-// the draw list in all detail. What a setting draws by text alone (grass, water's surface, specks, food) is
+// the draw list in all detail. What a setting draws by text alone (grass, water's surface, specks) is
 // not known here: rays go through it.
 
 namespace frond {
 
 /// What kind of thing something is.
-enum class ThingKind : std::uint8_t { nothing, branches, organ, blades, body, copy, floor, stone };
+enum class ThingKind : std::uint8_t { nothing, branches, organ, blades, body, copy, floor, stone, food };
 
 /// Something that is drawn, under the same name in all frames of a film.
 struct Thing {
   ThingKind kind = ThingKind::nothing;
-  std::uint32_t owner = 0;   ///< of a copy the stand, of other things the specimen, else 0
-  std::uint32_t number = 0;  ///< among those of its kind: the organ's number in the model, a copy's, a stone's
+  std::uint32_t owner = 0;  ///< of a copy the stand, of other things the specimen, else 0
+  std::uint32_t number =
+      0;  ///< among those of its kind: the organ's number in the model, a copy's, a stone's, a grain's
 
   auto operator<=>(const Thing&) const = default;
 };

@@ -28,8 +28,7 @@ PlaceNormal on_triangle(const Surface& surface, std::uint32_t face, Vec2 share) 
 
 }  // namespace
 
-Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const DrawnPlace& place,
-              bool changes) {
+Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const DrawnPlace& place, bool changes) {
   glm::mat3 axes = glm::mat3_cast(place.turn);
   for (int axis = 0; axis < 3; ++axis) axes[axis] *= place.scale[axis];
   return {thing, std::move(meshes), nullptr, axes, place.at, changes};

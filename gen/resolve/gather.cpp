@@ -9,11 +9,11 @@ namespace frond {
 
 namespace {
 
-constexpr float kOnePlane = 0.004f;   // of the distance to the eye, by which places of one surface differ
-constexpr float kOneFacing = 0.8f;    // cosine of the angle by which their normals do
-constexpr float kNearPlane = 0.01f;   // the same of samples that are taken for it
+constexpr float kOnePlane = 0.004f;  // of the distance to the eye, by which places of one surface differ
+constexpr float kOneFacing = 0.8f;   // cosine of the angle by which their normals do
+constexpr float kNearPlane = 0.01f;  // the same of samples that are taken for it
 constexpr float kNearFacing = 0.6f;
-constexpr float kNearDepth = 0.05f;   // of the distance, where nothing nearer was found
+constexpr float kNearDepth = 0.05f;  // of the distance, where nothing nearer was found
 constexpr float kLeastWeight = 1e-3f;
 constexpr int kPasses = 3;
 
@@ -40,8 +40,8 @@ void Gatherer::find_shown(int x, int y) {
   shown_.clear();
   Vec2 size(grid_.width(), grid_.height());
   for (int ray = 0; ray < options_.side * options_.side; ++ray) {
-    Vec2 place = Vec2(x, y) + (Vec2(ray % options_.side, ray / options_.side) + 0.5f) /
-                                  static_cast<float>(options_.side);
+    Vec2 place = Vec2(x, y) +
+                 (Vec2(ray % options_.side, ray / options_.side) + 0.5f) / static_cast<float>(options_.side);
     std::optional<PassHit> hit = now_.trace(now_.eye.at, picture_ray(now_.eye, place / size));
     SurfaceName surface = hit ? surface_of(hit->spot.thing) : SurfaceName{};
     bool lit = hit && now_.lit(*hit);

@@ -35,7 +35,8 @@ class SampleGrid {
   int width() const { return width_; }
   int height() const { return height_; }
   std::span<const RawSample> in(int x, int y) const {
-    std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    std::size_t i =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     return std::span(samples_).subspan(first_[i], first_[i + 1] - first_[i]);
   }
 

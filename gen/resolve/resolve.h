@@ -29,7 +29,8 @@ struct ResolveOptions {
   int side = 4;        ///< side * side rays are traced through a pixel
   double reach = 0.4;  ///< pixels, standard deviation of the weight of a sample by how far aside it lies
   double fade = 4;     ///< frames after which a sample counts for 1/e
-  /// Light of other frames is kept within so many standard deviations of this frame's around it; 0: it is not.
+  /// Light of other frames is kept within so many standard deviations of this frame's around it; 0: it is
+  /// not.
   double clip = 0;
 };
 

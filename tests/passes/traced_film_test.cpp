@@ -15,7 +15,8 @@ void each_hit(const TracedFrame& frame, const Look& look) {
   for (int y = 0; y < kRays; ++y)
     for (int x = 0; x < kRays; ++x) {
       Vec2 place = (Vec2(x, y) + 0.5f) / static_cast<float>(kRays);
-      if (std::optional<PassHit> hit = frame.trace(frame.eye.at, picture_ray(frame.eye, place))) look(*hit, place);
+      if (std::optional<PassHit> hit = frame.trace(frame.eye.at, picture_ray(frame.eye, place)))
+        look(*hit, place);
     }
 }
 
@@ -99,7 +100,8 @@ TEST(FramePasses, MotionsOfTwoFramesAreOpposite) {
       auto i = static_cast<std::size_t>(y * first.width + x);
       Vec2 to = Vec2(x, y) + 0.5f + first.forward[i];
       if (first.coverage[i] < 1 || glm::any(glm::lessThan(to, Vec2(0))) ||
-          glm::any(glm::greaterThanEqual(to, Vec2(first.width, first.height)))) continue;
+          glm::any(glm::greaterThanEqual(to, Vec2(first.width, first.height))))
+        continue;
       auto there = static_cast<std::size_t>(static_cast<int>(to.y) * first.width + static_cast<int>(to.x));
       if (second.things[there] != first.things[i] || first.things[i].size() != 1) continue;
       ++compared;

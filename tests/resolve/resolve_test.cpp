@@ -36,9 +36,9 @@ class Painted {
       for (int x = 0; x < scene_.film.size[0]; ++x) {
         Vec3 sum(0);
         for (int ray = 0; ray < side * side; ++ray)
-          sum += seen(frame, (Vec2(x, y) + shift +
-                              (Vec2(ray % side, ray / side) + 0.5f) / static_cast<float>(side)) /
-                                 size);
+          sum += seen(
+              frame,
+              (Vec2(x, y) + shift + (Vec2(ray % side, ray / side) + 0.5f) / static_cast<float>(side)) / size);
         light.push_back(sum / static_cast<float>(side * side));
       }
     return light;
@@ -61,9 +61,11 @@ double error(const LightPicture& a, const LightPicture& b) {
 TEST(Resolve, OneColourStaysOneColour) {
   Scene scene = raw_scene();
   TracedFilm film = taken(TracedFilm::of(scene));
-  std::size_t count = static_cast<std::size_t>(scene.film.size[0]) * static_cast<std::size_t>(scene.film.size[1]);
+  std::size_t count =
+      static_cast<std::size_t>(scene.film.size[0]) * static_cast<std::size_t>(scene.film.size[1]);
   Resolver resolver(scene, film, [&](int) { return LightPicture(count, Vec3(0.25f, 0.5f, 0.75f)); });
-  for (const Vec3& light : *resolver.frame(3)) EXPECT_LT(glm::distance(light, Vec3(0.25f, 0.5f, 0.75f)), 1e-4f);
+  for (const Vec3& light : *resolver.frame(3))
+    EXPECT_LT(glm::distance(light, Vec3(0.25f, 0.5f, 0.75f)), 1e-4f);
 }
 
 TEST(Resolve, IsFarNearerToManySamplesThanItsRawFrames) {
