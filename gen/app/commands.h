@@ -34,7 +34,7 @@ struct GenerateArguments {
   std::string out;                    ///< folder; empty: out/<preset name>
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
-  bool raw = false;                   ///< one sample a pixel, for resolve()
+  bool resolve = false;               ///< frames are resolved from raw ones
   bool film_only = false;             ///< no frames, only what makes a film of finished pictures
   bool quiet = false;
 };
@@ -48,7 +48,7 @@ struct LookArguments {
 struct ResolveArguments {
   PresetArguments preset;
   std::string folder;                 ///< of the raw film; empty: out/<preset name>
-  std::string out;                    ///< folder to write to; empty: resolved in that
+  std::string out;                    ///< folder to write to; empty: frames in that
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
   int window = 4, side = 4;           ///< see ResolveOptions
@@ -137,6 +137,7 @@ struct RenderArguments {
   int threads = 0;                    ///< that generate; 0: all
   int every = 1;                      ///< each K-th frame first, then those between
   int why = 0;                        ///< renders nothing and says why this frame is out of date
+  bool resolve = false;               ///< frames are resolved from raw ones
   std::optional<std::string> plot;    ///< SVG file to write
   std::vector<std::string> compare;   ///< A, B and perhaps a file: compares them instead
   std::vector<std::string> sweeps;    ///< POINTER=FROM:TO:COUNT: makes a sheet instead

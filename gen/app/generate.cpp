@@ -11,6 +11,7 @@
 #include "app/out_folder.h"
 #include "app/pace.h"
 #include "app/progress.h"
+#include "app/rendering.h"
 #include "app/streams.h"
 #include "core/content.h"
 #include "core/figures.h"
@@ -22,6 +23,7 @@
 #include "film/film_files.h"
 #include "jobs/jobs.h"
 #include "render/process.h"
+#include "resolve/resolve.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -38,7 +40,12 @@ struct Run {
   fs::path root{}, out{};  // of Frond, and where to write
   std::string name{};      // of the preset
 
-  int frames() const { return range.last - range.first + 1; }
+  /// Those that are rendered: where frames are resolved, those around them, too.
+  FrameRange drawn() const {
+    int around = preset.film.raw ? ResolveOptions{}.window : 0;
+    return {std::max(range.first - around, 1), std::min(range.last + around, preset.film.frames)};
+  }
+  int frames() const { return drawn().last - drawn().first + 1; }
 };
 
 struct Written {
@@ -69,7 +76,7 @@ Written write_frames(const Run& run, const Scene& scene, CopyPlan plan, const st
   std::vector<std::size_t> nodes(static_cast<std::size_t>(count / each));
   parallel_for(static_cast<std::size_t>(std::min(at_once, count)), [&](std::size_t) {
     for (int i; (i = next++) < count;) {
-      int frame = run.range.first + i / each, exposure = each > 1 ? 1 + i % each : 0;
+      int frame = run.drawn().first + i / each, exposure = each > 1 ? 1 + i % each : 0;
       Result<FrameFile> written = write_frame_file(scene, parts, layout, folder, frame, exposure);
       if (written) {
         changed[static_cast<std::size_t>(i)] = written->changed;
@@ -87,6 +94,18 @@ Written write_frames(const Run& run, const Scene& scene, CopyPlan plan, const st
   return result;
 }
 
+/// What says to `frond resolve` in the folder of the film what it is of.
+std::vector<std::string> resolve_words(const Run& run) {
+  std::error_code error;
+  PresetArguments preset = run.arguments.preset;
+  preset.path = fs::relative(preset.path, run.out, error).string();
+  if (preset.assets) preset.assets = fs::relative(*preset.assets, run.out, error).string();
+  std::vector<std::string> words;
+  add_words(words, preset);
+  words.insert(words.end(), {"--film=.", fmt::format("--frames={}-{}", run.range.first, run.range.last)});
+  return words;
+}
+
 /// Writes build.ninja and manifest.json for the frames of a run; `nodes` of each, where that is known.
 /// `rendered`: the pictures come from elsewhere.
 Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double render_seconds,
@@ -95,7 +114,12 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   const Film& film = preset.film;
   JobList jobs;
   jobs.size = film.size;
-  jobs.quality = film.raw ? "raw" : kRenderings[static_cast<std::size_t>(film.quality)].quality;
+  jobs.quality = kRenderings[static_cast<std::size_t>(film.quality)].quality;
+  FrameRange drawn = run.drawn();
+  if (film.raw) {
+    for (int frame = drawn.first; frame <= drawn.last; ++frame) jobs.raws.push_back(frame);
+    jobs.resolve = resolve_words(run);
+  }
   jobs.lens = preset.stage.camera.aperture.has_value();
   jobs.exposures = exposures(film, preset.stage.camera);
   jobs.fps = film.fps;
@@ -124,7 +148,7 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   manifest.render_seconds = render_seconds;
   for (int frame = run.range.first; frame <= run.range.last; ++frame) {
     jobs.frames.push_back(frame);
-    auto i = static_cast<std::size_t>(frame - run.range.first);
+    auto i = static_cast<std::size_t>(frame - drawn.first);
     manifest.frames.push_back({frame, film.time(frame), i < nodes.size() ? nodes[i] : 0});
   }
   Errors errors;
@@ -139,7 +163,7 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
 
 /// Removes pictures that cannot be used, and tells of those that are damaged.
 Errors remove_unusable(const Run& run) {
-  Result<std::vector<fs::path>> damaged = remove_damaged(run.out, run.range, run.preset.film.size);
+  Result<std::vector<fs::path>> damaged = remove_damaged(run.out, run.drawn(), run.preset.film.size);
   if (!damaged) return damaged.errors();
   for (const fs::path& picture : *damaged)
     tell(fmt::format("note: {} is damaged; it is made again", picture.string()));
@@ -234,7 +258,7 @@ int generate(const GenerateArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  if (arguments.raw) {
+  if (arguments.resolve) {
     if (Errors errors = cannot_be_raw(*preset); !errors.empty()) return fail(errors, kWrongInput);
     preset->film.raw = true;
   }

@@ -116,7 +116,8 @@ std::string nearest_presets(const std::string& path) {
 }
 
 Errors cannot_be_raw(const Preset& preset) {
-  if (preset.film.frames == 1) return {{"/film/frames", "a still has no frames around it to be resolved with"}};
+  if (preset.film.frames == 1)
+    return {{"/film/frames", "a still has no frames around it to be resolved with"}};
   if (preset.stage.camera.shutter > 0)
     return {{"/scene/camera/shutter", "blurred motion cannot be resolved from raw frames"}};
   if (preset.stage.camera.aperture)

@@ -42,7 +42,7 @@ void add_generate(CLI::App& app, int& result) {
   add_preset(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
-  command->add_flag("--raw", to->raw,
+  command->add_flag("--resolve", to->resolve,
                     "Frames of one sample a pixel, of which `frond resolve` makes smooth ones");
   command->add_flag("--film-only", to->film_only,
                     "No frames: only build.ninja, which makes a film of pictures rendered elsewhere");
@@ -68,10 +68,11 @@ void add_textures(CLI::App& app, int& result) {
 void add_resolve(CLI::App& app, int& result) {
   auto to = std::make_shared<ResolveArguments>();
   auto* command = app.add_subcommand(
-      "resolve", "Makes the frames of a film of raw ones, which `frond generate --raw` writes");
+      "resolve", "Makes the frames of a film of raw ones, which `frond generate --resolve` has rendered");
   add_preset(command, to->preset);
-  command->add_option("--film", to->folder, "Folder with the raw film (out/<preset name>)");
-  command->add_option("-o,--out", to->out, "Folder to write to (resolved/ in that)");
+  command->add_option("--film", to->folder,
+                      "Folder of the film, with its raw frames in raw/ (out/<preset name>)");
+  command->add_option("-o,--out", to->out, "Folder to write to (frames/ in that)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_option("--window", to->window, "Raw frames before and after one that it is made of (4)")

@@ -87,8 +87,9 @@ Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange ran
   enum class State { good, damaged, other_size, folder };
   std::vector<fs::path> pictures = {out / "still.png", out / "contact.png"};
   std::size_t results = pictures.size();
-  for (int frame = range.first; frame <= range.last; ++frame)
-    pictures.push_back(out / "frames" / (frame_name(frame) + ".png"));
+  for (const char* folder : {"frames", "raw"})
+    for (int frame = range.first; frame <= range.last; ++frame)
+      pictures.push_back(out / folder / (frame_name(frame) + ".png"));
   std::vector<State> states(pictures.size(), State::good);
   parallel_for(pictures.size(), [&](std::size_t i) {
     std::error_code error;

@@ -108,7 +108,7 @@ void RenderRun::find_what_to_do() {
 }
 
 void RenderRun::begin() {
-  std::size_t all = manifest_.frames.size();
+  std::size_t all = static_cast<std::size_t>(all_frames());
   if (to_do_.empty())
     say(fmt::format("Nothing to render: all {} frames are up to date.", all));
   else if (to_do_.size() < all)
@@ -139,6 +139,11 @@ void RenderRun::make(const std::vector<std::string>& files) {
   if (end->well) return;
   failed_.insert(failed_.end(), end->failed.begin(), end->failed.end());
   if (end->stopped || end->failed.empty() || disk_full_) gave_up_ = true;
+}
+
+int RenderRun::all_frames() const {
+  // Where frames are resolved more are rendered: those around them.
+  return static_cast<int>(std::max(manifest_.frames.size(), to_do_.size()));
 }
 
 std::vector<std::string> RenderRun::pictures_of(int step) const {
@@ -176,7 +181,8 @@ Error RenderRun::lost_frames() const {
   for (const std::string& file : failed_) {
     film = film || file.starts_with("film.");
     for (const Manifest::Frame& frame : manifest_.frames)
-      if (file == picture_of(frame.number)) lost.insert(frame.number);
+      if (file == picture_of(frame.number) || file == "raw/" + frame_name(frame.number) + ".png")
+        lost.insert(frame.number);
   }
   std::string out = settings_.out.string();
   if (!lost.empty()) {
@@ -201,8 +207,9 @@ int RenderRun::end() {
     return fail_run({{"", fmt::format("{} holds {} of {} frames", film.string(), held, all)}}, kCouldNot);
   // Unfinished pictures that are no part of this film, and what killed runs have left.
   std::error_code error;
-  for (const fs::path& path : files_in(settings_.out / "frames"))
-    if (path.filename().string().starts_with(".frame_")) fs::remove_all(path, error);
+  for (const char* folder : {"frames", "raw"})
+    for (const fs::path& path : files_in(settings_.out / folder))
+      if (path.filename().string().starts_with(".frame_")) fs::remove_all(path, error);
   for (const char* name : {"preview.mp4", ".film.mp4.part", ".film.webm.part", ".film.gif.part",
                            ".film.gif.part.png", ".contact.png.part", ".still.png.part", ".preview.mp4.part"})
     fs::remove(settings_.out / name, error);
@@ -215,7 +222,7 @@ void RenderRun::done(std::string_view what) {
   left_->frame_done(frame);
   double now = seconds_now();
   left_->look(now);
-  int all = static_cast<int>(manifest_.frames.size()), wanted = static_cast<int>(to_do_.size());
+  int all = all_frames(), wanted = static_cast<int>(to_do_.size());
   int there = all - wanted + left_->done();
   bool last = left_->done() == wanted;
   std::string text = fmt::format("frame {} of {}", there, all);

@@ -46,6 +46,7 @@ class RenderRun {
   Error lost_frames() const;
   /// Makes files. What cannot be made is noted in failed_.
   void make(const std::vector<std::string>& files);
+  int all_frames() const;
   std::vector<std::string> pictures_of(int step) const;
 
   void done(std::string_view what);

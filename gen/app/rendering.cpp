@@ -94,6 +94,10 @@ void add_render(CLI::App& app, int& result) {
   command->get_option("preset")->required(false)->description(
       "The preset, a JSON file; without it, which there are");
   add_run(command, *to);
+  command->add_flag(
+      "--resolve", to->resolve,
+      "Frames of one sample a pixel, each resolved with those around it: as smooth as the quality "
+      "good for a third of its time");
   command->add_option("--format", to->format, "mp4, webm or gif, of the film (mp4)");
   command
       ->add_option(

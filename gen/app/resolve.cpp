@@ -64,12 +64,12 @@ int resolve(const ResolveArguments& arguments) {
   }
   fs::path film = arguments.folder.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem()
                                            : fs::path(arguments.folder);
-  fs::path raws = film / "frames", out = arguments.out.empty() ? film / "resolved" : fs::path(arguments.out);
+  fs::path raws = film / "raw", out = arguments.out.empty() ? film / "frames" : fs::path(arguments.out);
   if (Errors errors = cannot_be_raw(*preset); !errors.empty()) return fail(errors, kWrongInput);
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
-  Result<CopyPlan> plan = write_models(*scene, raws, {[](auto, auto) {}, [] {}});
+  Result<CopyPlan> plan = write_models(*scene, film / "frames", {[](auto, auto) {}, [] {}});
   if (!plan) return fail(plan.errors(), kCouldNot);
   Result<TracedFilm> traced = TracedFilm::of(*scene, std::move(*plan));
   if (!traced) return fail(traced.errors(), kCouldNot);

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kSheetPictures = 24;
 
 std::string scene_file(int frame) { return "frames/" + frame_name(frame) + ".pov"; }
+std::string raw_file(int frame) { return "raw/" + frame_name(frame) + ".png"; }
 std::string picture_file(int frame) { return "frames/" + frame_name(frame) + ".png"; }
 
 std::string size_text(const std::array<int, 2>& size) {
@@ -79,13 +80,27 @@ void append_frames(std::string& text, const JobList& jobs) {
   for (const std::string& include : jobs.includes) includes += " $povinc/" + ninja_path(include);
   if (!includes.empty()) text += "\nbuild includes: phony" + includes + "\n";
   text += '\n';
-  for (int frame : jobs.frames) {
-    text += "build " + picture_file(frame) + ": frame " + scene_file(frame);
+  for (int frame : jobs.raws.empty() ? jobs.frames : jobs.raws) {
+    text += "build " + (jobs.raws.empty() ? picture_file(frame) : raw_file(frame)) + ": frame " +
+            scene_file(frame);
     if (!includes.empty() || jobs.exposures > 1) text += " |";
     for (int i = 2; i <= jobs.exposures; ++i) text += " frames/" + exposure_name(frame, i) + ".pov";
     if (!includes.empty()) text += " includes";
     text += "\n  number = " + std::to_string(frame) + "\n";
   }
+}
+
+/// All frames of a film of all its raw ones.
+void append_resolve(std::string& text, const JobList& jobs) {
+  std::string words;
+  for (const std::string& word : jobs.resolve) words += (words.empty() ? "" : " ") + shell_quoted(word);
+  append_variable(text += '\n', "preset", words);
+  append_rule(text, "resolve", "exec $frond resolve $preset", "resolving frames");
+  text += "\nbuild";
+  for (int frame : jobs.frames) text += " $\n    " + picture_file(frame);
+  text += ": resolve";
+  for (int frame : jobs.raws) text += " $\n    " + raw_file(frame);
+  text += '\n';
 }
 
 }  // namespace
@@ -105,11 +120,12 @@ std::string ninja_text(const JobList& jobs) {
   append_variable(text, "povinc", jobs.povinc);
   append_variable(text, "frond", shell_quoted(jobs.program));
   append_variable(text, "size", size_text(jobs.size));
-  append_variable(text, "flags", povray_flags(jobs.quality, jobs.lens));
+  append_variable(text, "flags", jobs.raws.empty() ? povray_flags(jobs.quality, jobs.lens) : kRawFlags);
 
   if (!jobs.rendered) {
     append_rule(text, "frame", "exec $frond frame $in $out $size -- $flags", "frame $number");
     append_frames(text, jobs);
+    if (!jobs.raws.empty()) append_resolve(text, jobs);
   }
 
   if (jobs.still) {

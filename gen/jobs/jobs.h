@@ -12,6 +12,9 @@
 /// gen/render runs the processes.
 ///
 ///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     frond frame
+///     or, of a film that is resolved, with those of the frames around them
+///     DIR/frames/frame_0001.pov -> DIR/raw/frame_0001.png        frond frame
+///     all of these              -> DIR/frames/frame_0001.png     frond resolve
 ///     all frames                -> DIR/film.mp4, .webm, .gif     frond film
 ///     some frames               -> DIR/contact.png               frond film
 ///     the frame of a still      -> DIR/still.png                 frond film
@@ -32,8 +35,10 @@ inline constexpr Rendering kRenderings[] = {
     {"draft", "+A0.15 +AM1 +R2 -J", "+A0.15 +AM1 +R2 -J"},
     {"good", "+A0.0 +AM1 +R3 -J", "+A0.0 +AM1 +R2 -J"},
     {"best", "+A0.0 +AM1 +R5 -J", "+A0.0 +AM1 +R3 -J"},
-    {"raw", "-A -J", "-A -J"},  // no quality of a preset: one sample a pixel, for frond resolve
 };
+
+/// Those of a frame that others are resolved from: one sample a pixel.
+inline constexpr std::string_view kRawFlags = "-A -J";
 
 /// POV-Ray's flags for a quality; empty for an unknown name.
 std::string_view povray_flags(std::string_view quality, bool lens);
@@ -46,6 +51,8 @@ struct JobList {
   std::string_view quality = "draft";  ///< a name of kRenderings
   bool lens = false;                   ///< whether the camera has a lens, see Rendering
   int exposures = 1;                   ///< number of scenes that make a frame
+  std::vector<int> raws;               ///< of a film that is resolved: those that are rendered, ascending
+  std::vector<std::string> resolve;    ///< and the words that say to `frond resolve` which preset it is
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film
   bool rendered = false;               ///< the pictures already exist: only the film is to be made

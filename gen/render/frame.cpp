@@ -92,7 +92,7 @@ class FrameRun {
     std::vector<fs::path> read{renderer_};
     read.insert(read.end(), scenes_.begin(), scenes_.end());
     if (!head_.light.empty()) read.push_back(folder_of(job_.scene) / head_.light);
-    for (const fs::path& file : files_in(folder_)) {
+    for (const fs::path& file : files_in(folder_of(job_.scene))) {
       std::string name = file.filename();
       std::error_code error;
       if (name.starts_with('.') || name.starts_with("frame_") ||
