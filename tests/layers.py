@@ -23,6 +23,8 @@ RESERVED = {
     "meshoptimizer.h": lambda path: path.parent.name == "geometry" and path.name == "far.cpp",
     "embree3/": lambda path: (path.parent.name, path.name) == ("creeping", "host.cpp") or path.parent.name == "passes",
     "openvdb/": lambda path: path.parent.name == "field" and path.suffix == ".cpp",
+    "OpenEXR/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),
+    "Imath/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),
     "CLI/": lambda path: path.parent.name == "app",
 }
 
