@@ -118,7 +118,7 @@ def check_lines():
                 if not (found := starts.match(line)):
                     continue
                 command = re.sub(r"\s{3,}[^-\s].*$", "", found[1])
-                if "--compare" in command:
+                if "compare" in command:
                     command = command.replace("out/reef-8", "out/reef")
                 run(command, scratch, env)
 

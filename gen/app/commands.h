@@ -144,6 +144,12 @@ struct RenderArguments {
   std::optional<std::string> seeds;   ///< how many: a sheet over them
 };
 
+struct CompareArguments {
+  std::string a, b;                ///< pictures, films, or folders of runs or of frames
+  std::optional<std::string> out;  ///< file to write, which shows them side by side
+  bool json = false;               ///< figures for machines, and no file that is not asked for
+};
+
 struct TaskArguments {
   std::string folder;              ///< of the farm's job
   int cpus = 1;                    ///< processors to use; 0: all
@@ -199,7 +205,7 @@ int render(const RenderArguments& arguments);
 int sheet(const RenderArguments& arguments);
 int farm_task(const TaskArguments& arguments);
 int gallery(const GalleryArguments& arguments);
-int compare(const std::vector<std::string>& paths);
+int compare(const CompareArguments& arguments);
 /// Returns only where the program could not be started.
 int run_confined(const ConfineArguments& arguments);
 

@@ -1,20 +1,18 @@
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include "app/bar.h"
 #include "app/commands.h"
+#include "app/measure.h"
 #include "app/messages.h"
 #include "app/streams.h"
 #include "app/work_folder.h"
-#include "core/files.h"
 #include "render/label.h"
 #include "render/place.h"
 #include "render/process.h"
 
-// Two films or two pictures side by side, with their difference: render --compare.
+// Two films or two pictures in figures and side by side, with their difference: compare, render --compare.
 
 namespace frond {
 
@@ -69,43 +67,18 @@ Errors describe(Side& side) {
   return {};
 }
 
-/// What ffmpeg's filter has counted of the difference, in words.
-std::string in_words(const std::string& figures, bool film) {
-  int frames = 0, differ = 0, worst = 0;
-  double most = 0;
-  for (const std::string& line : lines_of(figures)) {
-    auto value = [&](std::string_view key) {
-      std::size_t at = line.find(key);
-      double number = 0;
-      if (at != line.npos) std::from_chars(line.data() + at + key.size(), line.data() + line.size(), number);
-      return number;
-    };
-    ++frames;
-    double mse = value("mse_avg:");
-    if (line.find("psnr_avg:inf") != line.npos) continue;
-    ++differ;
-    if (mse >= most) most = mse, worst = static_cast<int>(value("n:"));
-  }
-  if (differ == 0) return "No pixel differs.";
-  if (film)
-    return fmt::format("{} of {} frames differ, most of all frame {}: by {:.2g} of 255 (RMSE).", differ,
-                       frames, worst, std::sqrt(most));
-  return fmt::format("They differ by {:.2g} of 255 (RMSE).", std::sqrt(most));
-}
-
 /// The three pictures side by side, as ffmpeg's filters.
 std::string graph(const Labels& labels, bool film) {
   std::string last =
       film ? "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
            : "format=rgb24";
-  return "[0:v]format=gbrp,split=3[a1][a2][a3];[1:v]format=gbrp,split=3[b1][b2][b3];"
-         "[a1][b1]psnr=stats_file=figures:shortest=1,nullsink;"
+  return "[0:v]format=gbrp,split=2[a2][a3];[1:v]format=gbrp,split=2[b2][b3];"
          "[a2][b2]blend=all_mode=difference:shortest=1,lutrgb=r=val*4:g=val*4:b=val*4,format=rgb24," +
          labels.filter("d") + "[d];[a3]format=rgb24," + labels.filter("a") + "[a];[b3]format=rgb24," +
          labels.filter("b") + "[b];[a][b][d]hstack=3:shortest=1," + last;
 }
 
-Errors make_comparison(const Side& a, const Side& b, const fs::path& out, std::string& words) {
+Errors make_comparison(const Side& a, const Side& b, const fs::path& out) {
   WorkFolder work;
   if (work.path().empty()) return {{"", "no folder can be made for the labels"}};
   int width = size_of(fmt::format("{}x1", a.size.substr(0, a.size.find(','))))[0];
@@ -143,41 +116,75 @@ Errors make_comparison(const Side& a, const Side& b, const fs::path& out, std::s
     std::string why = tells_full_disk(said.text()) ? "no room on the disk" : said.text();
     return {{"", out.string() + " could not be made: " + why}};
   }
-  Result<std::string> figures = read_file(work.path() / "figures");
-  words = in_words(figures ? *figures : "", film);
   return put_in_place(part, out);
 }
 
-}  // namespace
+MeasuredFilm film_of(const Side& side) {
+  std::string size = side.size;
+  size[size.find(',')] = 'x';
+  return {side.file, size_of(size), side.rate};
+}
 
-int compare(const std::vector<std::string>& paths) {
-  auto wrong = [](const std::string& what) { return fail_run({{"", what}}, kWrongInput); };
-  if (paths.size() < 2 || paths.size() > 3) return wrong("--compare: expected A B [FILE]");
-  Side sides[2];
+/// The films or pictures that two paths stand for, of one kind and one size, into `sides`; else what is
+/// wrong.
+ExitCode find_sides(const CompareArguments& arguments, Side (&sides)[2], Errors& errors) {
   for (std::size_t i = 0; i < 2; ++i) {
-    Result<fs::path> file = found(paths[i]);
-    if (!file) return fail_run(file.errors(), kWrongInput);
+    Result<fs::path> file = found(i == 0 ? arguments.a : arguments.b);
+    if (!file) return errors = file.errors(), kWrongInput;
     sides[i].file = *file;
   }
   const auto& [a, b] = sides;
+  auto wrong = [&](const std::string& what) { return errors = {{"", what}}, kWrongInput; };
   if (a.picture() != b.picture())
     return wrong(a.file.string() + " and " + b.file.string() + ": expected two films or two pictures");
   std::string ending = a.picture() ? ".png" : ".mp4";
-  fs::path out = paths.size() > 2 ? fs::path(paths[2]) : fs::path("out/compare" + ending);
-  if (out.extension() != ending) return wrong(out.string() + ": expected a name that ends in " + ending);
+  if (arguments.out && fs::path(*arguments.out).extension() != ending)
+    return wrong(*arguments.out + ": expected a name that ends in " + ending);
   for (Side& side : sides)
-    if (Errors errors = describe(side); !errors.empty()) return fail_run(errors, kCouldNot);
+    if (errors = describe(side); !errors.empty()) return kCouldNot;
   if (a.size != b.size)
     return wrong(fmt::format("{} is of {} pixels, {} of {}; expected one size", a.file.string(), a.size,
                              b.file.string(), b.size));
+  return kDone;
+}
+
+/// Shows them side by side in a file, which it names.
+int show_sides(const CompareArguments& arguments, const Side& a, const Side& b) {
+  fs::path out = arguments.out.value_or(a.picture() ? "out/compare.png" : "out/compare.mp4");
   std::error_code error;
   out = fs::absolute(out, error).lexically_normal();
   fs::create_directories(out.parent_path(), error);
   if (error) return fail_run({{"", out.string() + ": its folder cannot be made"}}, kCouldNot);
-  std::string words;
-  if (Errors errors = make_comparison(a, b, out, words); !errors.empty()) return fail_run(errors, kCouldNot);
-  say(words);
-  put(out.string() + "\n");
+  if (Errors errors = make_comparison(a, b, out); !errors.empty()) return fail_run(errors, kCouldNot);
+  if (!arguments.json) put(out.string() + "\n");
+  return kDone;
+}
+
+}  // namespace
+
+int compare(const CompareArguments& arguments) {
+  std::error_code error;
+  fs::path frames[2];
+  if (fs::is_directory(arguments.a, error) && fs::is_directory(arguments.b, error))
+    for (std::size_t i = 0; i < 2; ++i) frames[i] = folder_of_frames(i == 0 ? arguments.a : arguments.b);
+  bool of_frames = !frames[0].empty() && !frames[1].empty();
+  Side sides[2];
+  Errors errors;
+  ExitCode code = find_sides(arguments, sides, errors);
+  // Of frames alone there are figures, as long as nobody asks to see them.
+  bool shown = code == kDone && (arguments.out || !arguments.json);
+  if (code != kDone && (!of_frames || arguments.out)) return fail_run(errors, code);
+  const auto& [a, b] = sides;
+  Measured measured = of_frames     ? measure_frames(frames[0], frames[1])
+                      : a.picture() ? measure_pictures(a.file, b.file)
+                                    : measure_films(film_of(a), film_of(b));
+  if (!measured.errors.empty()) return fail_run(measured.errors, measured.code);
+  if (int failed = shown ? show_sides(arguments, a, b) : kDone; failed != kDone) return failed;
+  if (arguments.json)
+    put(figures_as_json(measured));
+  else
+    say(figures_in_words(measured));
+  if (!arguments.json) tell_notes(errors);  // why nothing is shown of what was measured
   return kDone;
 }
 

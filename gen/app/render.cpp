@@ -185,7 +185,10 @@ int render_into(const RenderArguments& a, const fs::path& out) {
 }  // namespace
 
 int render(const RenderArguments& arguments) {
-  if (!arguments.compare.empty()) return compare(arguments.compare);
+  if (const auto& paths = arguments.compare; !paths.empty()) {
+    if (paths.size() < 2) return fail_run({{"", "--compare: expected A B [FILE]"}}, kWrongInput);
+    return compare({paths[0], paths[1], paths.size() > 2 ? std::optional(paths[2]) : std::nullopt, false});
+  }
   if (arguments.preset.path.empty()) return list_presets();
   if (std::string wrong = wrong_words(arguments); !wrong.empty()) return fail_run({{"", wrong}}, kWrongInput);
   std::error_code error;

@@ -107,7 +107,9 @@ void add_render(CLI::App& app, int& result) {
   command->add_option("--plot", to->plot, "FILE.svg: draws nodes, bytes and seconds of each frame");
   command->add_option("--why", to->why, "N: renders nothing; says why frame N is out of date")
       ->check(CLI::Range(1, 999'999'999));
-  command->add_option("--compare", to->compare, "A B [FILE]: two films or two pictures side by side instead")
+  command
+      ->add_option("--compare", to->compare,
+                   "A B [FILE]: as `frond compare`, two films or two pictures instead")
       ->expected(1, 3);
   add_sweeps(command, *to);
   command->footer(
@@ -144,6 +146,30 @@ void add_sheet(CLI::App& app, int& result) {
       "  frond sheet presets/thicket.json --sweep /organisms/0/pitch=10:60:6 --sweep "
       "/organisms/0/steps=2:4:3");
   command->callback([&result, to] { result = sheet(*to); });
+}
+
+void add_compare(CLI::App& app, int& result) {
+  auto to = std::make_shared<CompareArguments>();
+  auto* command =
+      app.add_subcommand("compare", "How much two films or two pictures differ, in figures and side by side");
+  command->add_option("a", to->a, "A picture, a film, or the folder of a run or of frames")->required();
+  command->add_option("b", to->b, "Another of the same size")->required();
+  command->add_option("file", to->out,
+                      "FILE.png or FILE.mp4: both side by side, with their difference times four "
+                      "(out/compare.png, out/compare.mp4; with --json none)");
+  command->add_flag("--json", to->json, "For machines");
+  command->footer(
+      "All in steps of 255 of sRGB values: error is the root mean square difference over pixels, channels "
+      "and\n"
+      "frames, maximum the greatest; share_beyond_8 is the share of pixels off by more than 8 in a channel.\n"
+      "Of films, flicker is the root mean square, over pixels and channels, of the standard deviation over "
+      "time\n"
+      "of A - B. Where both are folders with frames/frame_*.png, or frame_*.png, the figures are of those "
+      "that\n"
+      "both have.\n\n"
+      "Exit codes: 0 done, 1 could not (damaged), 2 wrong input (two sizes, a picture and a film).\n\n"
+      "Examples:\n  frond compare out/reef out/reef-8 both.mp4\n  frond compare out/reef out/reef-8 --json");
+  command->callback([&result, to] { result = compare(*to); });
 }
 
 void add_task(CLI::App& app, int& result) {

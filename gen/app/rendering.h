@@ -26,6 +26,7 @@ void add_frame(CLI::App& app, int& result);
 void add_film(CLI::App& app, int& result);
 void add_render(CLI::App& app, int& result);
 void add_sheet(CLI::App& app, int& result);
+void add_compare(CLI::App& app, int& result);
 void add_task(CLI::App& app, int& result);
 void add_farm(CLI::App& app, int& result);
 void add_gallery(CLI::App& app, int& result);

@@ -14,7 +14,7 @@ setup() {
     [ "$status" -eq 0 ]
     [[ ${output,,} == *usage:* ]]
   done
-  for command in frame film sheet confine; do
+  for command in frame film sheet compare confine; do
     run "$FROND_BIN" "$command"
     echo "$command: $output"
     [ "$status" -eq 2 ]

@@ -1,5 +1,7 @@
 # Formats, comparisons and sheets, with a povray that only pretends.
 
+bats_require_minimum_version 1.5.0
+
 setup() {
   load common
   begin_with_a_film
@@ -45,13 +47,19 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   run "$RENDER" --compare "a 'b.png" 'b;c.png' both.png
   echo "$output"
   [ "$status" -eq 0 ]
-  [[ $output == *"They differ by 9.2 of 255 (RMSE)."* ]]  # 16 in one of three
+  [[ $output == *"They differ by 9.24 of 255 (RMSE), at most by 16, and by more than 8 in 100 % of the pixels."* ]]  # 16 in one of three
   [ "$(size_of both.png)" = 192,94 ]
   # The last third is four times the difference.
   ffmpeg -nostdin -loglevel error -i both.png -vf crop=1:1:160:20,format=rgb24 -f rawvideo pixel
   [ "$(od -An -tu1 pixel | tr -s " ")" = " 64 0 0" ]
   run "$RENDER" --compare "a 'b.png" "a 'b.png" both.png
   [[ $output == *"No pixel differs."* ]]
+  run --separate-stderr "$FROND_BIN" compare "a 'b.png" 'b;c.png' --json
+  echo "$output"
+  [ "$output" = '{"error": 9.237604, "maximum": 16, "share_beyond_8": 1}' ]
+  [ ! -e out/compare.png ]
+  "$FROND_BIN" compare "a 'b.png" 'b;c.png'
+  [ "$(size_of out/compare.png)" = 192,94 ]
 }
 
 @test "two films are compared frame by frame" {
@@ -66,6 +74,55 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   [ "$status" -eq 0 ]
   [[ $output == *"of 4 frames differ, most of all frame 3: by 1"* ]]
   [ "$(frames_of out/compare.mp4)" -eq 4 ]
+  run "$RENDER" --compare one one
+  [[ $output == *"No pixel differs."* ]]
+  printf '%s.png\n' 1 2 4 >list
+  "$FROND_BIN" film list two/film.mp4
+  run --separate-stderr "$FROND_BIN" compare one two/film.mp4 --json
+  echo "$output"
+  [[ $output == *'"frames": 3, "frames_that_differ": 0, "frames_left_out": 1, "worst_frame": 0'* ]]
+}
+
+@test "folders of frames are compared picture by picture, as they flicker too" {
+  mkdir -p one/frames two three/frames four/frames five
+  for n in 1 2 3 4; do
+    color 0x646464 "one/frames/frame_000$n.png"
+    color 0x6e6e6e "two/frame_000$n.png"  # 10 brighter throughout
+    color "$( ((n % 2)) && echo 0x6e6e6e || echo 0x5a5a5a)" "three/frames/frame_000$n.png"  # by turns
+    color 0x646464 "four/frames/frame_000$n.png" "$( ((n == 3)) && echo 32x32 || echo 64x48)"
+  done
+  run --separate-stderr "$FROND_BIN" compare one two --json
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ "$output" = '{"error": 10, "maximum": 10, "share_beyond_8": 1, "flicker": 0, "frames": 4, "frames_that_differ": 4, "frames_left_out": 0, "worst_frame": 1, "worst_error": 10}' ]
+  cp two/frame_0003.png two/frame_0004_s2.png  # of an exposure: no frame
+  rm two/frame_0001.png two/frame_0002.png
+  color 0x808080 two/frame_0007.png
+  run --separate-stderr "$FROND_BIN" compare one/frames three --json
+  echo "$output"
+  [[ $output == '{"error": 10, "maximum": 10, "share_beyond_8": 1, "flicker": 10, '* ]]
+  run "$RENDER" --compare one two
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [[ $output == *"2 of 2 frames differ, most of all frame 3: by 10 of 255 (RMSE)."*"the difference flickers by 0 of 255. Not counted: frames that only one has, 3."* ]]
+  [[ $output == *"one: a folder without film or still"* ]]
+  [ ! -e out ]
+  run --separate-stderr "$FROND_BIN" compare one four --json
+  [ "$status" -eq 2 ]
+  [ -z "$output" ]
+  [ "$stderr" = "error: four/frames/frame_0003.png is of 32x32 pixels, one/frames/frame_0003.png of 64x48; expected one size" ]
+  color 0x646464 five/frame_0009.png
+  run "$FROND_BIN" compare one five --json
+  [ "$status" -eq 2 ]
+  [ "$output" = "error: one/frames and five have no frame of one number" ]
+  run "$FROND_BIN" compare one three both.mp4
+  [ "$status" -eq 2 ]
+  [[ $output == *"one: a folder without film or still" ]]
+  truncate -s -9 four/frames/frame_0002.png
+  run "$FROND_BIN" compare one four
+  echo "$output"
+  [ "$status" -eq 1 ]
+  [[ $output == "error: four/frames/frame_0002.png"* ]]
 }
 
 @test "what cannot be compared is told" {
@@ -83,6 +140,9 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
     [ "$status" -eq 2 ]
     [[ $output == *"${row#*|}"* ]]
   done
+  run "$FROND_BIN" compare a.png b.png --json
+  [ "$status" -eq 2 ]
+  [ "$output" = "error: a.png is of 64,48 pixels, b.png of 32,32; expected one size" ]
   echo no >damaged.mp4
   run "$RENDER" --compare a.mp4 damaged.mp4
   [ "$status" -eq 1 ]
