@@ -293,10 +293,10 @@ int run(int count, char** words) {
       "one "
       "above the program's own.");
   int result = kDone;
-  for (auto add : {add_new,      add_describe, add_look,     add_resolve, add_render,    add_sheet,
-                   add_generate, add_export,   add_textures, add_develop, add_check,     add_info,
-                   add_files,    add_confine,  add_frame,    add_film,    add_compare,   add_task,
-                   add_farm,     add_gallery,  add_derive,   add_turtle,  add_catalogue, add_studio})
+  for (auto add : {add_new,     add_describe, add_look,     add_render,  add_sheet,     add_generate,
+                   add_resolve, add_export,   add_textures, add_develop, add_check,     add_info,
+                   add_files,   add_confine,  add_frame,    add_film,    add_compare,   add_task,
+                   add_farm,    add_gallery,  add_derive,   add_turtle,  add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/commands.h"
@@ -23,6 +24,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The light of each value of a LinearRaster that was read from sRGB: libpng takes its curve for a power,
+/// which is wrong by a tenth in the dark.
+std::vector<float> exact_light() {
+  constexpr double kPower = 0.45455;  // as the file's gAMA has it
+  std::vector<float> light(1 << 16);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    light[i] = static_cast<float>(linear(std::pow(static_cast<double>(i) / 65535, kPower)));
+  return light;
+}
+
 /// The light of a raw frame's file.
 Result<LightPicture> read_raw(const fs::path& file, const Film& film) {
   Result<std::string> bytes = read_file(file);
@@ -32,10 +43,10 @@ Result<LightPicture> read_raw(const fs::path& file, const Film& film) {
   if (raster->width != film.size[0] || raster->height != film.size[1])
     return Error{file.string(), fmt::format("is {}x{}; expected {}x{}", raster->width, raster->height,
                                             film.size[0], film.size[1])};
+  static const std::vector<float> exact = exact_light();
   LightPicture light(raster->data.size() / 3);
   for (std::size_t i = 0; i < light.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      light[i][c] = static_cast<float>(raster->data[3 * i + static_cast<std::size_t>(c)]) / 65535;
+    for (int c = 0; c < 3; ++c) light[i][c] = exact[raster->data[3 * i + static_cast<std::size_t>(c)]];
   return light;
 }
 

@@ -18,8 +18,8 @@ struct Film {
   double fps = 24;
   std::array<int, 2> size{480, 270};  ///< width and height, pixels
   Quality quality = Quality::draft;
-  /// Whether frames have one sample a pixel, in each frame elsewhere in it, for `frond resolve`. No property of
-  /// presets.
+  /// Whether frames have one sample a pixel, in each frame elsewhere in it, for `frond resolve`. No property
+  /// of presets.
   bool raw = false;
 
   double length() const { return frames / fps; }                            ///< seconds
