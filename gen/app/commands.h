@@ -45,6 +45,14 @@ struct LookArguments {
   int frame = 0;    ///< 0: the last
 };
 
+struct PassesArguments {
+  PresetArguments preset;
+  std::string out;                    ///< folder; empty: out/<preset name>/passes
+  std::optional<std::string> frames;  ///< A-B; none: the last
+  int threads = 0;                    ///< 0: all
+  int side = 4;                       ///< side * side rays tell the shares of a pixel
+};
+
 struct ResolveArguments {
   PresetArguments preset;
   std::string folder;                 ///< of the raw film; empty: out/<preset name>
@@ -52,7 +60,8 @@ struct ResolveArguments {
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
   int window = 4, side = 4;           ///< see ResolveOptions
-  double reach = 0.4, fade = 4, clip = 0;
+  double reach = 0.4;
+  std::optional<double> fade, clip;
 };
 
 struct DevelopArguments {
@@ -183,6 +192,7 @@ int generate(const GenerateArguments& arguments);
 int write_textures(const TextureArguments& arguments);
 int look(const LookArguments& arguments);
 int resolve(const ResolveArguments& arguments);
+int passes(const PassesArguments& arguments);
 int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);

@@ -81,13 +81,31 @@ void add_resolve(CLI::App& app, int& result) {
       ->check(CLI::Range(1, 16));
   command->add_option("--reach", to->reach, "Pixels within which samples count (0.4)")
       ->check(CLI::Range(0.1, 3.0));
-  command->add_option("--fade", to->fade, "Frames within which samples count (4)")
+  command
+      ->add_option("--fade", to->fade,
+                   "Frames within which samples count (4; 0.1 s where waves move the light)")
       ->check(CLI::Range(0.1, 100.0));
   command
-      ->add_option("--clip", to->clip, "Deviations by which the light of other frames may differ; 0: any (0)")
+      ->add_option("--clip", to->clip,
+                   "Deviations by which the light of other frames may differ; 0: any (0; 2 where waves move "
+                   "the light)")
       ->check(CLI::Range(0.0, 100.0));
   command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --frames 1-24");
   command->callback([&result, to] { result = resolve(*to); });
+}
+
+void add_passes(CLI::App& app, int& result) {
+  auto to = std::make_shared<PassesArguments>();
+  auto* command = app.add_subcommand(
+      "passes", "Depth, normals, places, motion, sunlight and masks of all that stands there, as OpenEXR");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/passes)");
+  command->add_option("--frames", to->frames, "A-B: only these frames (the last)");
+  command->add_option("--side", to->side, "N: N * N rays tell the shares of a pixel (4)")
+      ->check(CLI::Range(1, 16));
+  command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->footer("Example:\n  frond passes presets/reef.json --frames 1-24 -o passes");
+  command->callback([&result, to] { result = passes(*to); });
 }
 
 void add_look(CLI::App& app, int& result) {
@@ -293,10 +311,11 @@ int run(int count, char** words) {
       "one "
       "above the program's own.");
   int result = kDone;
-  for (auto add : {add_new,     add_describe, add_look,     add_render,  add_sheet,     add_generate,
-                   add_resolve, add_export,   add_textures, add_develop, add_check,     add_info,
-                   add_files,   add_confine,  add_frame,    add_film,    add_compare,   add_task,
-                   add_farm,    add_gallery,  add_derive,   add_turtle,  add_catalogue, add_studio})
+  for (auto add :
+       {add_new,     add_describe, add_look,      add_render,  add_sheet, add_generate, add_resolve,
+        add_passes,  add_export,   add_textures,  add_develop, add_check, add_info,     add_files,
+        add_confine, add_frame,    add_film,      add_compare, add_task,  add_farm,     add_gallery,
+        add_derive,  add_turtle,   add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -11,6 +12,7 @@
 #include "core/frame_name.h"
 #include "core/linear.h"
 #include "core/parallel.h"
+#include "emit/setting.h"
 #include "film/film_files.h"
 #include "images/raster.h"
 #include "images/tone.h"
@@ -60,6 +62,19 @@ Result<std::string> picture_bytes(const LightPicture& light, const Film& film, c
   return png_text(picture);
 }
 
+/// Where waves throw moving light, that of other frames soon counts for little.
+ResolveOptions options_for(const Scene& scene, const ResolveArguments& arguments) {
+  constexpr double kMovingFade = 0.1, kMovingClip = 2;  // seconds; deviations
+  ResolveOptions options{arguments.window, arguments.side, arguments.reach};
+  if (has_pictures(scene.stage)) {
+    options.fade = std::min(options.fade, kMovingFade * scene.film.fps);
+    options.clip = kMovingClip;
+  }
+  options.fade = arguments.fade.value_or(options.fade);
+  options.clip = arguments.clip.value_or(options.clip);
+  return options;
+}
+
 }  // namespace
 
 int resolve(const ResolveArguments& arguments) {
@@ -85,8 +100,7 @@ int resolve(const ResolveArguments& arguments) {
   Result<TracedFilm> traced = TracedFilm::of(*scene, std::move(*plan));
   if (!traced) return fail(traced.errors(), kCouldNot);
   auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene->film); };
-  Resolver resolver(*scene, *traced, source,
-                    {arguments.window, arguments.side, arguments.reach, arguments.fade, arguments.clip});
+  Resolver resolver(*scene, *traced, source, options_for(*scene, arguments));
   const Camera& camera = scene->stage.camera;
   for (int frame = range.first; frame <= range.last; ++frame) {
     now_doing("resolving frames");

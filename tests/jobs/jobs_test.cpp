@@ -42,6 +42,23 @@ TEST(NinjaText, RendersEachFrameOfTheList) {
   EXPECT_TRUE(contains(text, "command = exec $frond frame $in $out $size -- $flags\n"));
 }
 
+TEST(NinjaText, ResolvesFramesFromRawOnes) {
+  JobList jobs = film_of(3);
+  jobs.frames = {2};
+  jobs.raws = {1, 2, 3};
+  jobs.resolve = {"it's.json", "--film=."};
+  std::string text = ninja_text(jobs);
+  EXPECT_EQ(count(text, ": frame frames/"), 3);
+  EXPECT_TRUE(contains(text, "build raw/frame_0003.png: frame frames/frame_0003.pov\n"));
+  EXPECT_TRUE(contains(text, "flags = -A -J\n"));
+  EXPECT_EQ(
+      paragraph(text, "build $\n    frames/frame_0002.png"),
+      "build $\n    frames/frame_0002.png: resolve $\n    raw/frame_0001.png $\n    raw/frame_0002.png $\n"
+      "    raw/frame_0003.png");
+  EXPECT_TRUE(contains(text, "command = exec $frond resolve $preset\n"));
+  EXPECT_EQ(ninja_variable(text, "preset"), "'it'\\''s.json' '--film=.'");
+}
+
 TEST(NinjaText, FilmHoldsTheFramesOfTheListOnly) {
   JobList jobs = film_of(3);
   jobs.frames = {5, 6};

@@ -31,6 +31,14 @@ TEST(SceneHead, SaysHowThePictureIsDeveloped) {
   EXPECT_EQ(head.exposures, 8);
 }
 
+TEST(SceneHead, SaysThatThePictureIsRaw) {
+  SceneHead head = read_scene_head("// +RFlight_1.rca +FN16; then frond resolve\n#version");
+  EXPECT_TRUE(head.fine);
+  EXPECT_TRUE(head.raw);
+  EXPECT_EQ(head.light, "light_1.rca");
+  EXPECT_FALSE(read_scene_head("// +FN16; then frond resolve it").fine);
+}
+
 TEST(SceneHead, TakesNothingElseForIt) {
   for (const char* odd :
        {"// +FN16; exposure 2 of 8", "// +FN16; then frond develop --highlights x --contrast 1",

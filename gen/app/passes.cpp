@@ -1,0 +1,134 @@
+#include "passes/frame_passes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "app/commands.h"
+#include "app/inputs.h"
+#include "app/messages.h"
+#include "app/streams.h"
+#include "core/files.h"
+#include "core/frame_name.h"
+#include "core/parallel.h"
+#include "film/film_files.h"
+#include "images/cryptomatte.h"
+#include "images/exr.h"
+
+// What compositors want to know of frames besides their colours: passes.
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The channels of a picture, one after the other.
+class Channels {
+ public:
+  template <class Value, class Of>
+  void add(const std::string& name, const std::vector<Value>& values, const Of& of) {
+    ExrChannel channel{name, ExrChannel::Kind::single, {}, {}};
+    for (const Value& value : values) channel.values.push_back(of(value));
+    all.push_back(std::move(channel));
+  }
+  void add(const std::string& name, const std::vector<float>& values) {
+    add(name, values, [](float value) { return value; });
+  }
+  void add(const std::string& name, const std::vector<Vec3>& values) {
+    for (int axis = 0; axis < 3; ++axis)
+      add(name + '.' + "XYZ"[axis], values, [axis](Vec3 value) { return value[axis]; });
+  }
+  void add(const std::string& name, const std::vector<Vec2>& values) {
+    for (int axis = 0; axis < 2; ++axis)
+      add(name + '.' + "uv"[axis], values, [axis](Vec2 value) { return value[axis]; });
+  }
+
+  std::vector<ExrChannel> all;
+};
+
+/// The masks of all that one of the names tells apart.
+Cryptomatte masks_of(const Scene& scene, const FramePasses& passes, const std::string& layer,
+                     std::string ThingNames::*which) {
+  std::map<Thing, std::uint32_t> of_thing;
+  std::map<std::string, std::uint32_t> numbers;
+  std::vector<std::string> names;
+  Coverages shown;
+  for (const auto& things : passes.things) {
+    for (const auto& [thing, share] : things) {
+      auto [known, fresh] = of_thing.try_emplace(thing, 0);
+      if (fresh) {
+        std::string name = names_of(scene, thing).*which;
+        auto [number, added] = numbers.try_emplace(name, static_cast<std::uint32_t>(names.size()));
+        if (added) names.push_back(name);
+        known->second = number->second;
+      }
+      shown.entries.push_back({known->second, share});
+    }
+    shown.ends.push_back(shown.entries.size());
+  }
+  return cryptomatte(layer, names, shown);
+}
+
+Result<std::string> picture_of(const Scene& scene, const FramePasses& passes) {
+  Channels channels;
+  channels.add("A", passes.coverage);
+  channels.add("Z", passes.depth);
+  channels.add("N", passes.normal);
+  channels.add("P", passes.position);
+  channels.add("forward", passes.forward);
+  channels.add("backward", passes.backward);
+  channels.add("sun.Y", passes.sun);
+  ExrAttributes attributes;
+  struct Layer {
+    std::string name;
+    std::string ThingNames::*which;
+  };
+  for (const Layer& layer :
+       {Layer{"CryptoEntry", &ThingNames::entry}, Layer{"CryptoOrganism", &ThingNames::organism},
+        Layer{"CryptoPart", &ThingNames::part}}) {
+    Cryptomatte masks = masks_of(scene, passes, layer.name, layer.which);
+    std::ranges::move(masks.channels, std::back_inserter(channels.all));
+    std::ranges::move(masks.attributes, std::back_inserter(attributes));
+  }
+  return exr_bytes({passes.width, passes.height}, channels.all, attributes);
+}
+
+}  // namespace
+
+int passes(const PassesArguments& arguments) {
+  limit_threads(arguments.threads);
+  Result<Preset> preset = load_preset(arguments.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  FrameRange range{preset->film.frames, preset->film.frames};
+  if (arguments.frames) {
+    Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
+    if (!asked) return fail(asked.errors(), kWrongInput);
+    range = *asked;
+  }
+  fs::path out = arguments.out.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem() / "passes"
+                                       : fs::path(arguments.out);
+  now_doing("growing what stands in the scene");
+  Result<Scene> scene = build_scene(*preset);
+  if (!scene) return fail(scene.errors(), kWrongInput);
+  Result<CopyPlan> plan = write_models(*scene, out, {[](auto, auto) {}, [] {}});
+  if (!plan) return fail(plan.errors(), kCouldNot);
+  Result<TracedFilm> film = TracedFilm::of(*scene, std::move(*plan));
+  if (!film) return fail(film.errors(), kCouldNot);
+  now_doing("tracing frames");
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    Result<FramePasses> made = frame_passes(*scene, *film, frame, arguments.side);
+    if (!made) return fail(made.errors(), kCouldNot);
+    Result<std::string> picture = picture_of(*scene, *made);
+    if (!picture) return fail(picture.errors(), kCouldNot);
+    fs::path file = out / (frame_name(frame) + ".exr");
+    Result<bool> written = write_file(file, *picture);
+    if (!written) return fail(written.errors(), kCouldNot);
+    put(file.string() + "\n");
+  }
+  return kDone;
+}
+
+}  // namespace frond

@@ -1,0 +1,66 @@
+# Films that are resolved from raw frames, and passes, by POV-Ray itself.
+
+setup() {
+  load common
+  begin_with_a_film
+  use_real_povray
+  # Quality changes lights and shadows, too: all are as fine, but for the samples.
+  sed -i 's/"quality": "draft"/"quality": "best"/' film.json
+}
+
+# error_of A B: how much two pictures differ, in hundredths of a step of 255
+error_of() {
+  "$FROND_BIN" compare "$1" "$2" --json | sed -E 's/.*"error": ?([0-9]+)\.?([0-9]?[0-9]?).*/\1 \2/' | {
+    read -r whole hundredths
+    echo $((100 * whole + 10#${hundredths:-0}))
+  }
+}
+
+@test "resolved frames are far smoother than raw ones, and a part of a film is as the whole" {
+  run "$RENDER" film.json --resolve
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ "$(frames_of out/film/film.mp4)" -eq 6 ]
+  "$RENDER" film.json --frames 4-4 --out best
+  raw=$(error_of best/frames/frame_0004.png out/film/raw/frame_0004.png)
+  resolved=$(error_of best/frames/frame_0004.png out/film/frames/frame_0004.png)
+  echo "raw $raw resolved $resolved"
+  [ "$raw" -gt 0 ]
+  [ $((10 * resolved)) -lt $((7 * raw)) ]
+
+  "$RENDER" film.json --resolve --frames 4-5 --out part
+  cmp part/frames/frame_0004.png out/film/frames/frame_0004.png
+  [ "$(frames_of part/film.mp4)" -eq 2 ]
+
+  run "$RENDER" film.json --resolve
+  [[ $output == *"Nothing to render"* ]]
+
+  rm out/film/raw/frame_0003.png
+  cp out/film/frames/frame_0003.png before.png
+  run "$RENDER" film.json --resolve
+  [ "$status" -eq 0 ]
+  cmp before.png out/film/frames/frame_0003.png
+}
+
+@test "what cannot be resolved is refused" {
+  for row in '/film/frames=1|/film/frames' '/scene/camera/shutter=0.5|/scene/camera/shutter' '/scene/camera/aperture=4|/scene/camera/aperture'; do
+    run "$FROND_BIN" generate film.json --resolve --set "${row%|*}" -o refused
+    echo "$output"
+    [ "$status" -eq 2 ]
+    [[ $output == *"${row#*|}"* ]]
+    [ ! -e refused ]
+  done
+  run "$FROND_BIN" resolve film.json --film nowhere
+  [ "$status" -eq 1 ]
+  [[ $output == *"nowhere/raw/frame_0001.png"* ]]
+}
+
+@test "passes are OpenEXR, a file a frame" {
+  run "$FROND_BIN" passes film.json --frames 2-3 -o passes
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ "$output" = $'passes/frame_0002.exr\npasses/frame_0003.exr' ]
+  [ "$(head -c 4 passes/frame_0002.exr | od -An -tx1 | tr -d ' ')" = 762f3101 ]
+  grep -qa 'CryptoPart00.R' passes/frame_0003.exr
+  grep -qa 'staghorn' passes/frame_0003.exr
+}
