@@ -81,8 +81,11 @@ struct TracedFilm::Parts {
 
 std::shared_ptr<const MeshGroup> TracedFilm::Parts::shape_of(std::size_t specimen, std::size_t number,
                                                              const Prototype& prototype) const {
-  std::lock_guard held(lock);
-  std::shared_ptr<const MeshGroup>& kept = shapes[{specimen, number}];
+  Meshes kept;
+  {
+    std::lock_guard held(lock);
+    kept = shapes[{specimen, number}];
+  }
   bool same = kept && kept->size() == prototype.parts.size();
   for (std::size_t part = 0; same && part < prototype.parts.size(); ++part)
     same = kept->surface(part).position == prototype.parts[part].surface.position &&
@@ -90,7 +93,10 @@ std::shared_ptr<const MeshGroup> TracedFilm::Parts::shape_of(std::size_t specime
   if (same) return kept;
   std::vector<Surface> surfaces;
   for (const OrganPart& part : prototype.parts) surfaces.push_back(part.surface);
-  return kept = std::make_shared<const MeshGroup>(std::move(surfaces));
+  // Not under the lock: while Embree builds, this thread may take up another specimen, which asks here, too.
+  kept = std::make_shared<const MeshGroup>(std::move(surfaces));
+  std::lock_guard held(lock);
+  return shapes[{specimen, number}] = kept;
 }
 
 Result<std::vector<Placed>> TracedFilm::Parts::things_of(std::size_t specimen, const DrawList& list,
