@@ -11,6 +11,7 @@
 #include "app/streams.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "film/film_files.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
 #include "scene/describe.h"
@@ -123,6 +124,12 @@ Errors cannot_be_raw(const Preset& preset) {
   if (preset.stage.camera.aperture)
     return {{"/scene/camera/aperture", "what is out of focus cannot be resolved from raw frames"}};
   return {};
+}
+
+Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models) {
+  Result<CopyPlan> plan = write_models(scene, models, {[](auto, auto) {}, [] {}});
+  if (!plan) return plan.errors();
+  return TracedFilm::of(scene, std::move(*plan));
 }
 
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named) {

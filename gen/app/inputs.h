@@ -6,6 +6,7 @@
 #include "app/messages.h"
 #include "core/assets.h"
 #include "core/result.h"
+#include "passes/traced_film.h"
 #include "scene/preset.h"
 
 namespace frond {
@@ -29,6 +30,9 @@ Result<Preset> load_preset(const PresetArguments& arguments);
 
 /// Why a film cannot be made of raw frames; empty where it can.
 Errors cannot_be_raw(const Preset& preset);
+
+/// A scene made to be traced, with its sown models, whose files are kept in that folder.
+Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models);
 
 /// The files that a preset or a grammar of that path may name; `named` is `--assets`.
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named);

@@ -10,10 +10,10 @@
 #include "app/inputs.h"
 #include "app/messages.h"
 #include "app/streams.h"
+#include "app/work_folder.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
-#include "film/film_files.h"
 #include "images/cryptomatte.h"
 #include "images/exr.h"
 
@@ -113,9 +113,9 @@ int passes(const PassesArguments& arguments) {
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
-  Result<CopyPlan> plan = write_models(*scene, out, {[](auto, auto) {}, [] {}});
-  if (!plan) return fail(plan.errors(), kCouldNot);
-  Result<TracedFilm> film = TracedFilm::of(*scene, std::move(*plan));
+  WorkFolder models;
+  if (models.path().empty()) return fail({{"", "no folder can be made for models"}}, kCouldNot);
+  Result<TracedFilm> film = traced_film(*scene, models.path());
   if (!film) return fail(film.errors(), kCouldNot);
   now_doing("tracing frames");
   for (int frame = range.first; frame <= range.last; ++frame) {

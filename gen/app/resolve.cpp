@@ -13,7 +13,6 @@
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "emit/setting.h"
-#include "film/film_files.h"
 #include "images/raster.h"
 #include "images/tone.h"
 #include "resolve/resolve.h"
@@ -95,9 +94,7 @@ int resolve(const ResolveArguments& arguments) {
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
-  Result<CopyPlan> plan = write_models(*scene, film / "frames", {[](auto, auto) {}, [] {}});
-  if (!plan) return fail(plan.errors(), kCouldNot);
-  Result<TracedFilm> traced = TracedFilm::of(*scene, std::move(*plan));
+  Result<TracedFilm> traced = traced_film(*scene, film / "frames");
   if (!traced) return fail(traced.errors(), kCouldNot);
   auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene->film); };
   Resolver resolver(*scene, *traced, source, options_for(*scene, arguments));

@@ -33,11 +33,10 @@ std::vector<FoodGrain> food_swarm(double time, double loop) {
 }
 
 std::vector<FoodGrain> drawn_food(const Scene& scene, double time) {
-  std::vector<FoodGrain> all;
+  std::vector<FoodGrain> all, swarm = food_swarm(time, scene.film.length());
   for (const auto& [at, left] : food_places(scene.specimens, time)) {
     float scale = std::cbrt(left);
-    for (const FoodGrain& grain : food_swarm(time, scene.film.length()))
-      all.push_back({at + scale * grain.at, scale * grain.radius});
+    for (const FoodGrain& grain : swarm) all.push_back({at + scale * grain.at, scale * grain.radius});
   }
   return all;
 }

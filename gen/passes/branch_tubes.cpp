@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/linear.h"
-
 namespace frond {
 
 namespace {

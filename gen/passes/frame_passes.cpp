@@ -29,8 +29,7 @@ class PassMaker {
     int all = side_ * side_, met = 0, lit = 0;
     std::vector<std::pair<Thing, float>>& things = passes_.things[i];
     for (int ray = 0; ray < all; ++ray) {
-      Vec2 inside = (Vec2(ray % side_, ray / side_) + 0.5f) / static_cast<float>(side_);
-      std::optional<PassHit> hit = trace(Vec2(x, y) + inside);
+      std::optional<PassHit> hit = trace(Vec2(x, y) + place_in_pixel(ray, side_));
       if (!hit) continue;
       ++met, lit += now_.lit(*hit);
       auto found = std::ranges::find(things, hit->spot.thing, &std::pair<Thing, float>::first);

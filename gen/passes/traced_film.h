@@ -100,6 +100,10 @@ class TracedFilm {
 
 /// Direction of length 1 of the ray through a place of the picture, 0..1 from its left and upper edges.
 Vec3 picture_ray(const Eye& eye, Vec2 place);
+/// Where ray number `ray` of side * side goes through a pixel, 0..1: an even grid, row by row.
+inline Vec2 place_in_pixel(int ray, int side) {
+  return (Vec2(ray % side, ray / side) + 0.5f) / static_cast<float>(side);
+}
 /// Where a point is in the picture, as above and perhaps beyond its edges; none behind the camera.
 std::optional<Vec2> picture_place(const Eye& eye, Vec3 at);
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/linear.h"
-
 namespace frond {
 
 namespace {
@@ -40,8 +38,7 @@ void Gatherer::find_shown(int x, int y) {
   shown_.clear();
   Vec2 size(grid_.width(), grid_.height());
   for (int ray = 0; ray < options_.side * options_.side; ++ray) {
-    Vec2 place = Vec2(x, y) +
-                 (Vec2(ray % options_.side, ray / options_.side) + 0.5f) / static_cast<float>(options_.side);
+    Vec2 place = Vec2(x, y) + place_in_pixel(ray, options_.side);
     std::optional<PassHit> hit = now_.trace(now_.eye.at, picture_ray(now_.eye, place / size));
     SurfaceName surface = hit ? surface_of(hit->spot.thing) : SurfaceName{};
     bool lit = hit && now_.lit(*hit);

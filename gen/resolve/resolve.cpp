@@ -1,19 +1,12 @@
 #include "resolve/resolve.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/linear.h"
 #include "core/parallel.h"
 #include "draw/eyes.h"
 #include "resolve/gather.h"
 
 namespace frond {
-
-/// A time of the film.
-struct Resolver::Moment {
-  TracedFrame traced;
-};
 
 /// A raw frame, and which spot each of its samples shows.
 struct Resolver::Raw {
@@ -64,14 +57,14 @@ Resolver::Resolver(const Scene& scene, const TracedFilm& film, Source source, co
     : scene_(scene), film_(film), source_(std::move(source)), options_(options) {}
 Resolver::~Resolver() = default;
 
-Result<const Resolver::Moment*> Resolver::moment(int number) {
-  std::unique_ptr<Moment>& kept = moments_[number];
-  if (!kept) {
-    Result<TracedFrame> traced = film_.at(scene_.film.time(number));
-    if (!traced) return traced.errors();
-    kept = std::make_unique<Moment>(Moment{std::move(*traced)});
+Result<const TracedFrame*> Resolver::traced(int number) {
+  auto kept = traced_.find(number);
+  if (kept == traced_.end()) {
+    Result<TracedFrame> made = film_.at(scene_.film.time(number));
+    if (!made) return made.errors();
+    kept = traced_.emplace(number, std::move(*made)).first;
   }
-  return kept.get();
+  return &kept->second;
 }
 
 Result<const Resolver::Raw*> Resolver::raw(int number) {
@@ -79,9 +72,9 @@ Result<const Resolver::Raw*> Resolver::raw(int number) {
   if (kept) return kept.get();
   Result<LightPicture> light = source_(number);
   if (!light) return light.errors();
-  Result<const Moment*> now = moment(number);
-  if (!now) return now.errors();
-  const TracedFrame& traced = (*now)->traced;
+  Result<const TracedFrame*> found = traced(number);
+  if (!found) return found.errors();
+  const TracedFrame& now = **found;
   auto [width, height] = scene_.film.size;
   Vec2 shift = sample_shift(scene_.film, number), size(width, height);
   auto made = std::make_unique<Raw>();
@@ -91,27 +84,24 @@ Result<const Resolver::Raw*> Resolver::raw(int number) {
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
     for (int x = 0; x < width; ++x) {
       std::size_t i = y * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-      Vec3 direction = picture_ray(traced.eye, (Vec2(x, y) + 0.5f + shift) / size);
-      std::optional<PassHit> hit = traced.trace(traced.eye.at, direction);
+      Vec3 direction = picture_ray(now.eye, (Vec2(x, y) + 0.5f + shift) / size);
+      std::optional<PassHit> hit = now.trace(now.eye.at, direction);
       made->spot[i] = hit ? hit->spot : backdrop(direction);
-      made->lit[i] = hit && traced.lit(*hit);
+      made->lit[i] = hit && now.lit(*hit);
     }
   });
   kept = std::move(made);
   return kept.get();
 }
 
-void Resolver::forget(int first, int last) {
-  std::erase_if(moments_, [&](const auto& one) { return one.first < first || one.first > last; });
-  std::erase_if(raws_, [&](const auto& one) { return one.first < first || one.first > last; });
-}
-
 Result<LightPicture> Resolver::frame(int number) {
   int first = std::max(number - options_.window, 1),
       last = std::min(number + options_.window, scene_.film.frames);
-  forget(first, last);
-  Result<const Moment*> now = moment(number);
-  if (!now) return now.errors();
+  std::erase_if(raws_, [&](const auto& one) { return one.first < first || one.first > last; });
+  std::erase_if(traced_, [&](const auto& one) { return one.first < number || one.first > last; });
+  Result<const TracedFrame*> found = traced(number);
+  if (!found) return found.errors();
+  const TracedFrame& now = **found;
   auto [width, height] = scene_.film.size;
   auto wide = static_cast<std::size_t>(width), high = static_cast<std::size_t>(height);
   std::vector<std::vector<RawSample>> rows;  // of each frame and row of it
@@ -122,14 +112,14 @@ Result<LightPicture> Resolver::frame(int number) {
     rows.resize(begin + high);
     parallel_for(high, [&](std::size_t y) {
       for (std::size_t i = y * wide; i < (y + 1) * wide; ++i)
-        add_moved(rows[begin + y], (*now)->traced, (*raw)->spot[i], (*raw)->lit[i] != 0, (*raw)->light[i],
+        add_moved(rows[begin + y], now, (*raw)->spot[i], (*raw)->lit[i] != 0, (*raw)->light[i],
                   other - number, Vec2(width, height));
     });
   }
   SampleGrid grid(width, height, rows);
   LightPicture picture(wide * high);
   parallel_for(high, [&](std::size_t y) {
-    Gatherer gatherer(grid, (*now)->traced, options_);
+    Gatherer gatherer(grid, now, options_);
     for (std::size_t x = 0; x < wide; ++x)
       picture[y * wide + x] = gatherer.pixel(static_cast<int>(x), static_cast<int>(y));
   });

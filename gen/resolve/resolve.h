@@ -48,17 +48,15 @@ class Resolver {
 
  private:
   struct Raw;
-  struct Moment;
 
-  Result<const Moment*> moment(int number);
+  Result<const TracedFrame*> traced(int number);
   Result<const Raw*> raw(int number);
-  void forget(int first, int last);
 
   const Scene& scene_;
   const TracedFilm& film_;
   Source source_;
   ResolveOptions options_;
-  std::map<int, std::unique_ptr<Moment>> moments_;
+  std::map<int, TracedFrame> traced_;
   std::map<int, std::unique_ptr<Raw>> raws_;
 };
 
