@@ -5,6 +5,7 @@
 
 #include "core/bounds.h"
 #include "core/parallel.h"
+#include "draw/organs.h"
 
 namespace frond {
 
@@ -14,10 +15,9 @@ constexpr double kNearest = 0.05;  // metres from which an eye sees what it is i
 
 /// Metres from the places of organs that they reach.
 double organ_reach(const Model& model) {
-  float most = 0, largest = 0;
+  float most = 0;
   for (const Prototype& prototype : model.prototypes) most = std::max(most, reach_of(prototype));
-  for (const Vec3& scale : model.organs.scale) largest = std::max({largest, scale.x, scale.y, scale.z});
-  return static_cast<double>(most * largest);
+  return static_cast<double>(most * largest_scale(model.organs));
 }
 
 /// Number `i` of the sequence of van der Corput in a base, 0..1.

@@ -42,6 +42,12 @@ DrawnPlace place_of(const Motion& motion, const Model& model, const Pose& pose, 
 
 std::size_t leaf_shade(std::uint32_t id) { return Seed{id}.bits() % kLeafShades; }
 
+float largest_scale(const Organs& organs) {
+  float largest = 0;
+  for (const Vec3& scale : organs.scale) largest = std::max({largest, scale.x, scale.y, scale.z});
+  return largest;
+}
+
 DrawnOrgans::DrawnOrgans(const Traits& traits, const Model& m, const Pose& pose, double time) {
   constexpr auto kNone = static_cast<std::uint32_t>(-1);
   std::size_t count = 0, n = m.organs.size();

@@ -14,6 +14,9 @@ inline constexpr std::size_t kLeafShades = 3;  ///< of each colour, so that leav
 /// Which of the shades the organ or blade of that number has.
 std::size_t leaf_shade(std::uint32_t id);
 
+/// The largest scale of any organ along any axis; 0 where there is none.
+float largest_scale(const Organs& organs);
+
 /// Takes a shape's axes to the world's; metres.
 struct DrawnPlace {
   Vec3 at;

@@ -123,9 +123,9 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene, std::span
     if (!b.look.branches.plant()) continue;
     auto [at, fresh] = index.try_emplace(b.entry, entries.size());
     if (fresh) entries.push_back({b.entry, kUnknown, {}});
-    float largest = 0;
-    for (const Vec3& scale : b.model.organs.scale) largest = std::max({largest, scale.x, scale.y, scale.z});
-    if (largest <= 0) largest = 1;  // at other times it bears some, of a size that is not known
+    float largest = largest_scale(b.model.organs);
+    // At other times a tree bears organs whose scale is not known here; a school keeps its fish.
+    if (largest <= 0 || (b.life.changes() && b.model.skeleton.size() > 0)) largest = std::max(largest, 1.0f);
     double& least = entries[at->second].pixel;
     if (pixel[i] > 0) least = std::min(least, pixel[i] / static_cast<double>(largest));
     std::vector<const Prototype*>& used = entries[at->second].used;
