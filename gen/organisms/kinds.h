@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "organisms/organism.h"
-#include "preset/describe.h"
+#include "preset/reader.h"
+#include "preset/schema.h"
 
 namespace frond {
 
