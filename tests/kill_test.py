@@ -15,7 +15,7 @@ import tempfile
 import time
 
 what, frond, source = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
-KILLS = 20
+KILLS = 10
 STOPS = 2  # within a picture
 TRIES = 20  # at that
 IN_A_ROW = 2  # kills before a run may end
@@ -118,8 +118,9 @@ def keep_models(command, out):
 
 
 def kill_render(folder):
-    runs = [("studio", "tiny_still", ["--set", "/scene/setting=studio", "--quality", "good", "--scale", "1.5"]),
-            ("forest", "all_phases", ["--set", "/film/frames=1", "--quality", "draft"]), ("film", "tiny_film", [])]
+    runs = [("studio", "tiny_still", ["--set", "/scene/setting=studio", "--quality", "good", "--no-resolve", "--scale", "1.5"]),
+            ("forest", "all_phases", ["--set", "/film/frames=1", "--quality", "draft"]), ("film", "tiny_film", []),
+            ("resolved", "tiny_film", ["--quality", "good"])]
     kills = -(-KILLS // len(runs))
     for name, preset, options in runs:
         def command(out, jobs):
@@ -142,7 +143,7 @@ def kill_render(folder):
 def traced(folder):
     """How many bytes of unfinished pictures a run keeps."""
     size = 0
-    for path in folder.glob("frames/.*.kept"):
+    for path in folder.glob("*/.*.kept"):
         try:
             size += path.stat().st_size
         except FileNotFoundError:

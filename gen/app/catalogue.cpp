@@ -92,6 +92,8 @@ int info(const PresetArguments& arguments, const std::optional<std::string>& fra
     if (!asked) return fail(asked.errors(), kWrongInput);
     range = *asked;
   }
+  preset->film.raw = is_resolved(preset->film, std::nullopt);
+  range = drawn_frames(preset->film, range);
   Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
   if (!estimate) return fail(estimate.errors(), kWrongInput);
   const CostEstimate& f = *estimate;

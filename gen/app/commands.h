@@ -34,7 +34,8 @@ struct GenerateArguments {
   std::string out;                    ///< folder; empty: out/<preset name>
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
-  bool resolve = false;               ///< frames are resolved from raw ones
+  std::optional<bool> resolve;        ///< whether frames are resolved; none: in the quality good
+  bool alone = false;                 ///< none of the frames around, with which raw ones are resolved
   bool film_only = false;             ///< no frames, only what makes a film of finished pictures
   bool quiet = false;
 };
@@ -51,6 +52,7 @@ struct PassesArguments {
   std::optional<std::string> frames;  ///< A-B; none: the last
   int threads = 0;                    ///< 0: all
   int side = 4;                       ///< side * side rays tell the shares of a pixel
+  bool views = false;                 ///< also PNG pictures to look at
 };
 
 struct ResolveArguments {
@@ -59,7 +61,8 @@ struct ResolveArguments {
   std::string out;                    ///< folder to write to; empty: frames in that
   std::optional<std::string> frames;  ///< A-B
   int threads = 0;                    ///< 0: all
-  int window = 4, side = 4;           ///< see ResolveOptions
+  int window = 4;                     ///< see ResolveOptions
+  std::optional<int> side;
   double reach = 0.4;
   std::optional<double> fade, clip;
 };
@@ -108,6 +111,7 @@ struct FarmArguments {
   std::string out;                       ///< folder; empty: out/<preset name>
   std::optional<std::string> frames;     ///< A-B
   std::string chunk = "4", bands = "8";  ///< frames a task; tasks of a still
+  std::optional<bool> resolve;           ///< as of RenderArguments, but never of a still in bands
   std::optional<std::string> site;       ///< JSON file
   std::optional<std::string> partition;  ///< of Slurm
   std::optional<std::string> hosts;      ///< names with commas between them: over ssh, by GNU parallel
@@ -146,7 +150,7 @@ struct RenderArguments {
   int threads = 0;                    ///< that generate; 0: all
   int every = 1;                      ///< each K-th frame first, then those between
   int why = 0;                        ///< renders nothing and says why this frame is out of date
-  bool resolve = false;               ///< frames are resolved from raw ones
+  std::optional<bool> resolve;        ///< whether frames are resolved; none: in the quality good
   std::optional<std::string> plot;    ///< SVG file to write
   std::vector<std::string> compare;   ///< A, B and perhaps a file: compares them instead
   std::vector<std::string> sweeps;    ///< POINTER=FROM:TO:COUNT: makes a sheet instead

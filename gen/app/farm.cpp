@@ -153,7 +153,7 @@ int check_queue(const FarmArguments& a, const fs::path& farm) {
   return kDone;
 }
 
-FarmCall call_of(const FarmArguments& a) {
+FarmCall call_of(const FarmArguments& a, const Film& film) {
   std::error_code error;
   auto whole = [&](const std::string& path) {
     fs::path from_root = fs::absolute(path, error).lexically_normal();
@@ -164,7 +164,9 @@ FarmCall call_of(const FarmArguments& a) {
   PresetArguments rest = a.preset;
   rest.assets.reset();
   add_words(call.options, rest);
-  call.options.erase(call.options.begin());  // the preset
+  call.options.erase(call.options.begin());                          // the preset
+  bool in_bands = film.frames == 1 && counting_number(a.bands) > 1;  // which are joined as they are
+  call.options.push_back(!in_bands && is_resolved(film, a.resolve) ? "--resolve" : "--no-resolve");
   return call;
 }
 
@@ -190,7 +192,8 @@ int make_job(const FarmArguments& a, Handed& to) {
   std::optional<fs::path> program = find_program(named);
   if (!program) return fail_run({{"", named + ": no such program"}}, kCouldNot);
   StopSignals stop;
-  Result<fs::path> job = make_farm_folder(to.farm, call_of(a), *program, {files.begin(), files.end()}, stop);
+  Result<fs::path> job =
+      make_farm_folder(to.farm, call_of(a, preset->film), *program, {files.begin(), files.end()}, stop);
   if (!job) return fail_run(job.errors(), stop.asked() ? kInterrupted : kCouldNot);
   to.job = *job;
   std::error_code error;

@@ -77,7 +77,7 @@ Errors make_copies(const fs::path& folder, const std::vector<Copy>& copies, Stop
 /// The folders that a job has, those where tasks look for files among them.
 Errors make_folders(const fs::path& folder, const FarmCall& call) {
   std::error_code error;
-  for (const char* name : {"frames", "models", "log", "failed"})
+  for (const char* name : {"frames", "raw", "models", "log", "failed"})
     if (!error) fs::create_directories(folder / name, error);
   for (const fs::path& path : {call.folder, call.assets})
     if (!error) fs::create_directories(folder / "files" / path.relative_path(), error);

@@ -22,24 +22,24 @@ Result<Manifest> manifest_in(const fs::path& folder) {
   return text ? read_manifest(*text, (folder / "manifest.json").string()) : text.errors();
 }
 
-bool is_there(const fs::path& folder, const std::string& name) {
+bool is_there(const fs::path& pictures, const std::string& name) {
   std::error_code error;
-  return fs::exists(folder / "frames" / (name + ".png"), error);
+  return fs::exists(pictures / (name + ".png"), error);
 }
 
 std::string band_name(int band, int bands) { return fmt::format("band_{}_of_{}", band, bands); }
 
-Result<FarmPlan> plan_bands(const fs::path& folder, int bands) {
+Result<FarmPlan> plan_bands(const fs::path& folder, const fs::path& pictures, int bands) {
   Result<bool> noted = write_file(folder / "bands", fmt::format("{}\n", bands));
   if (!noted) return noted.errors();
   FarmPlan plan{{"bands", std::to_string(bands)}, {}, bands, 1, true, ""};
   for (int band = 1; band <= bands; ++band)
-    if (!is_there(folder, frame_name(1)) && !is_there(folder, band_name(band, bands)))
+    if (!is_there(pictures, frame_name(1)) && !is_there(pictures, band_name(band, bands)))
       plan.tasks.push_back(band);
   return plan;
 }
 
-FarmPlan plan_frames(const fs::path& folder, int first, int last, const FarmLimits& limits) {
+FarmPlan plan_frames(const fs::path& pictures, int first, int last, const FarmLimits& limits) {
   FarmPlan plan;
   plan.chunk = limits.chunk;
   if ((last - first) / plan.chunk >= limits.most) {
@@ -52,7 +52,7 @@ FarmPlan plan_frames(const fs::path& folder, int first, int last, const FarmLimi
   for (int task = 1; task <= plan.all; ++task) {
     int from = first + (task - 1) * plan.chunk;
     for (int frame = from; frame < from + plan.chunk && frame <= last; ++frame)
-      if (!is_there(folder, frame_name(frame))) {
+      if (!is_there(pictures, frame_name(frame))) {
         plan.tasks.push_back(task);
         break;
       }
@@ -82,24 +82,29 @@ std::string FarmPlan::text() const {
 Result<FarmPlan> plan_farm(const fs::path& folder, const FarmLimits& limits) {
   Result<Manifest> manifest = manifest_in(folder);
   if (!manifest) return manifest.errors();
+  fs::path pictures = folder / manifest->drawn_folder();
   int blocks = (manifest->size[1] + kBlock - 1) / kBlock;
   int bands = std::min({limits.bands, limits.most, blocks});
-  if (manifest->still && bands > 1) return plan_bands(folder, bands);
-  return plan_frames(folder, manifest->frames.front().number, manifest->frames.back().number, limits);
+  if (manifest->still && bands > 1) return plan_bands(folder, pictures, bands);
+  auto [first, last] = manifest->drawn();
+  return plan_frames(pictures, first, last, limits);
 }
 
 std::string farm_status(const fs::path& folder) {
   Result<Manifest> manifest = manifest_in(folder);
   std::size_t all = 0, there = 0;
-  if (manifest)
-    for (const Manifest::Frame& frame : manifest->frames)
-      ++all, there += is_there(folder, frame_name(frame.number));
+  fs::path pictures;
+  if (manifest) {
+    pictures = folder / manifest->drawn_folder();
+    auto [first, last] = manifest->drawn();
+    for (int frame = first; frame <= last; ++frame) ++all, there += is_there(pictures, frame_name(frame));
+  }
   Result<std::string> noted = read_file(folder / "bands");
   int bands = 0;
   if (noted) std::from_chars(noted->data(), noted->data() + noted->size(), bands);
   if (bands > 0 && there == 0) {
     all = static_cast<std::size_t>(bands);
-    for (int band = 1; band <= bands; ++band) there += is_there(folder, band_name(band, bands));
+    for (int band = 1; band <= bands; ++band) there += is_there(pictures, band_name(band, bands));
   }
   return fmt::format("{} of {} pictures are rendered\n", there, all);
 }

@@ -72,14 +72,19 @@ struct Wanted {
 class FarmTask {
  public:
   FarmTask(fs::path folder, int cpus)
-      : folder_(std::move(folder)), cpus_(cpus > 0 ? cpus : thread_count()), host_(host()) {}
+      : folder_(std::move(folder)), cpus_(cpus > 0 ? cpus : thread_count()), host_(host()) {
+    Result<std::string> text = read_file(folder_ / "manifest.json");
+    if (text) manifest_ = read_manifest(*text, "manifest.json");
+    pictures_ = folder_ / (manifest_ ? manifest_->drawn_folder() : "frames");
+  }
 
   int frames(int first, int last, int chunk, int task);
   int band(int bands, int band);
   int film();
 
  private:
-  fs::path picture(const std::string& name) const { return folder_ / "frames" / (name + ".png"); }
+  /// Where what POV-Ray draws is brought to.
+  fs::path picture(const std::string& name) const { return pictures_ / (name + ".png"); }
   int fail_here(const std::string& what) const { return fail_run({{"", what}}, kCouldNot); }
   int generate(const std::vector<std::string>& options, int err);
   int prepare(const std::string& name, std::vector<std::string> options);
@@ -89,7 +94,8 @@ class FarmTask {
   bool finished(const Wanted& wanted, int code, const std::string& said);
   int join(int bands, std::array<int, 2> size);
 
-  fs::path folder_;
+  fs::path folder_, pictures_;
+  Result<Manifest> manifest_ = Error{"manifest.json", "cannot be read"};
   int cpus_;
   std::string host_, size_, flags_;
   StopSignals stop_;
@@ -232,7 +238,7 @@ int FarmTask::frames(int first, int last, int chunk, int task) {
     return kDone;
   }
   int code = prepare(fmt::format("frames_{}-{}", from, to),
-                     {fmt::format("--frames={}-{}", numbers.front(), numbers.back())});
+                     {"--alone", fmt::format("--frames={}-{}", numbers.front(), numbers.back())});
   if (code != kDone) return code;
   std::size_t failed = render(missing);
   if (stopped_) return kStopped;
@@ -283,28 +289,28 @@ int FarmTask::join(int bands, std::array<int, 2> size) {
 }
 
 int FarmTask::film() {
-  Result<std::string> text = read_file(folder_ / "manifest.json");
-  Result<Manifest> manifest = text ? read_manifest(*text, "manifest.json") : text.errors();
-  if (!manifest) return fail_run(manifest.errors(), kCouldNot);
+  if (!manifest_) return fail_run(manifest_.errors(), kCouldNot);
+  const Manifest& manifest = *manifest_;
   std::vector<std::string> results{"film.mp4", "contact.png"};
   std::error_code error;
-  if (manifest->still) {
+  if (manifest.still) {
     results = {"still.png"};
     Result<std::string> bands = read_file(folder_ / "bands");
     int count = 0;
     if (bands) std::from_chars(bands->data(), bands->data() + bands->size(), count);
     if (count > 0 && !fs::exists(picture(frame_name(1)), error))
-      if (int code = join(count, manifest->size); code != kDone) return code;
+      if (int code = join(count, manifest.size); code != kDone) return code;
   }
   std::vector<int> lost;
-  for (const Manifest::Frame& frame : manifest->frames)
-    if (!whole_picture(picture(frame_name(frame.number)))) lost.push_back(frame.number);
+  auto [first, last] = manifest.drawn();
+  for (int frame = first; frame <= last; ++frame)
+    if (!whole_picture(picture(frame_name(frame)))) lost.push_back(frame);
   if (!lost.empty())
     return fail_here(
         fmt::format("frames {} are missing; the same call of farm.sh renders them", fmt::join(lost, " ")));
   Command command;
   command.words = {"ninja"};
-  command.environment = {"NINJA_STATUS="};
+  command.environment = {"NINJA_STATUS=", "FROND_HOME=" + (folder_ / "tool").string()};
   command.folder = folder_;
   command.out = 2;
   command.end_with = SIGTERM;

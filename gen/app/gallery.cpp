@@ -106,6 +106,7 @@ Result<fs::path> Gallery::still(const Still& still, const fs::path& folder) cons
                                  fmt::format("--frames={0}-{0}", still.frame),
                                  fmt::format("--size={}x{}", still.size[0], still.size[1]),
                                  "--quality=" + still.quality,
+                                 "--no-resolve",  // of a film eight frames more would be rendered
                                  "-q"};
   for (const std::string& set : still.sets) words.push_back("--set=" + set);
   if (Errors errors = call(words); !errors.empty()) return errors;

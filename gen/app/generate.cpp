@@ -40,11 +40,7 @@ struct Run {
   fs::path root{}, out{};  // of Frond, and where to write
   std::string name{};      // of the preset
 
-  /// Those that are rendered: where frames are resolved, those around them, too.
-  FrameRange drawn() const {
-    int around = preset.film.raw ? ResolveOptions{}.window : 0;
-    return {std::max(range.first - around, 1), std::min(range.last + around, preset.film.frames)};
-  }
+  FrameRange drawn() const { return arguments.alone ? range : drawn_frames(preset.film, range); }
   int frames() const { return drawn().last - drawn().first + 1; }
 };
 
@@ -102,7 +98,7 @@ std::vector<std::string> resolve_words(const Run& run) {
   if (preset.assets) preset.assets = fs::relative(*preset.assets, run.out, error).string();
   std::vector<std::string> words;
   add_words(words, preset);
-  words.insert(words.end(), {"--film=.", fmt::format("--frames={}-{}", run.range.first, run.range.last)});
+  words.push_back("--film=.");
   return words;
 }
 
@@ -113,11 +109,12 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   const Preset& preset = run.preset;
   const Film& film = preset.film;
   JobList jobs;
-  jobs.size = film.size;
+  jobs.size = film.drawn_size();
   jobs.quality = kRenderings[static_cast<std::size_t>(film.quality)].quality;
   FrameRange drawn = run.drawn();
   if (film.raw) {
     for (int frame = drawn.first; frame <= drawn.last; ++frame) jobs.raws.push_back(frame);
+    jobs.window = ResolveOptions{}.window;
     jobs.resolve = resolve_words(run);
   }
   jobs.lens = preset.stage.camera.aperture.has_value();
@@ -146,6 +143,7 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   manifest.quality = jobs.quality;
   manifest.still = jobs.still;
   manifest.render_seconds = render_seconds;
+  if (film.raw) manifest.raw = {drawn.first, drawn.last};
   for (int frame = run.range.first; frame <= run.range.last; ++frame) {
     jobs.frames.push_back(frame);
     auto i = static_cast<std::size_t>(frame - drawn.first);
@@ -163,7 +161,7 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
 
 /// Removes pictures that cannot be used, and tells of those that are damaged.
 Errors remove_unusable(const Run& run) {
-  Result<std::vector<fs::path>> damaged = remove_damaged(run.out, run.drawn(), run.preset.film.size);
+  Result<std::vector<fs::path>> damaged = remove_damaged(run.out, run.drawn(), run.preset.film);
   if (!damaged) return damaged.errors();
   for (const fs::path& picture : *damaged)
     tell(fmt::format("note: {} is damaged; it is made again", picture.string()));
@@ -258,10 +256,7 @@ int generate(const GenerateArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  if (arguments.resolve) {
-    if (Errors errors = cannot_be_raw(*preset); !errors.empty()) return fail(errors, kWrongInput);
-    preset->film.raw = true;
-  }
+  preset->film.raw = is_resolved(preset->film, arguments.resolve);
   Run run{arguments, *preset, {1, preset->film.frames}};
   if (arguments.frames) {
     Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);

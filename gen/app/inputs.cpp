@@ -14,6 +14,7 @@
 #include "film/film_files.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
+#include "resolve/resolve.h"
 #include "scene/describe.h"
 
 namespace frond {
@@ -116,14 +117,8 @@ std::string nearest_presets(const std::string& path) {
   return found.empty() ? "" : fmt::format("; did you mean {}?", found);
 }
 
-Errors cannot_be_raw(const Preset& preset) {
-  if (preset.film.frames == 1)
-    return {{"/film/frames", "a still has no frames around it to be resolved with"}};
-  if (preset.stage.camera.shutter > 0)
-    return {{"/scene/camera/shutter", "blurred motion cannot be resolved from raw frames"}};
-  if (preset.stage.camera.aperture)
-    return {{"/scene/camera/aperture", "what is out of focus cannot be resolved from raw frames"}};
-  return {};
+bool is_resolved(const Film& film, const std::optional<bool>& asked) {
+  return asked.value_or(film.quality == Quality::good);
 }
 
 Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models) {
@@ -186,6 +181,11 @@ Result<FrameRange> read_frames(const std::string& text, int count) {
     return Error{"--frames",
                  fmt::format("\"{}\" is no range of frames; expected A-B within 1-{}", text, count)};
   return range;
+}
+
+FrameRange drawn_frames(const Film& film, FrameRange wanted) {
+  int around = film.raw ? ResolveOptions{}.window : 0;
+  return {std::max(wanted.first - around, 1), std::min(wanted.last + around, film.frames)};
 }
 
 }  // namespace frond

@@ -28,8 +28,8 @@ std::string nearest_presets(const std::string& path);
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
 
-/// Why a film cannot be made of raw frames; empty where it can.
-Errors cannot_be_raw(const Preset& preset);
+/// Whether frames are resolved from raw ones: those of the quality good are, where nothing else is asked for.
+bool is_resolved(const Film& film, const std::optional<bool>& asked);
 
 /// A scene made to be traced, with its sown models, whose files are kept in that folder.
 Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models);
@@ -45,5 +45,7 @@ struct FrameRange {
   int first, last;
 };
 Result<FrameRange> read_frames(const std::string& text, int count);
+/// The frames that are rendered for those: where they are resolved, those around them, too.
+FrameRange drawn_frames(const Film& film, FrameRange wanted);
 
 }  // namespace frond

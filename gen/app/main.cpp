@@ -42,8 +42,8 @@ void add_generate(CLI::App& app, int& result) {
   add_preset(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
-  command->add_flag("--resolve", to->resolve,
-                    "Frames of one sample a pixel, of which `frond resolve` makes smooth ones");
+  add_resolving(command, to->resolve);
+  command->add_flag("--alone", to->alone, "None of the frames around, with which others are resolved");
   command->add_flag("--film-only", to->film_only,
                     "No frames: only build.ninja, which makes a film of pictures rendered elsewhere");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
@@ -77,7 +77,7 @@ void add_resolve(CLI::App& app, int& result) {
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_option("--window", to->window, "Raw frames before and after one that it is made of (4)")
       ->check(CLI::Range(0, 12));
-  command->add_option("--side", to->side, "N: N * N rays are traced through a pixel (4)")
+  command->add_option("--side", to->side, "N: N * N rays are traced through a pixel (5; 6 of a still)")
       ->check(CLI::Range(1, 16));
   command->add_option("--reach", to->reach, "Pixels within which samples count (0.4)")
       ->check(CLI::Range(0.1, 3.0));
@@ -104,6 +104,7 @@ void add_passes(CLI::App& app, int& result) {
   command->add_option("--side", to->side, "N: N * N rays tell the shares of a pixel (4)")
       ->check(CLI::Range(1, 16));
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->add_flag("--views", to->views, "Also PNG pictures to look at: depth, normal, sun, parts, motion");
   command->footer("Example:\n  frond passes presets/reef.json --frames 1-24 -o passes");
   command->callback([&result, to] { result = passes(*to); });
 }

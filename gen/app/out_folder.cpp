@@ -83,13 +83,14 @@ Errors refuse_link(const fs::path& path) {
   return {{path.string(), "is a link, and what it points to would be written to; expected none"}};
 }
 
-Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange range, std::array<int, 2> size) {
+Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange range, const Film& film) {
   enum class State { good, damaged, other_size, folder };
   std::vector<fs::path> pictures = {out / "still.png", out / "contact.png"};
   std::size_t results = pictures.size();
   for (const char* folder : {"frames", "raw"})
     for (int frame = range.first; frame <= range.last; ++frame)
       pictures.push_back(out / folder / (frame_name(frame) + ".png"));
+  std::size_t raws = results + (pictures.size() - results) / 2;
   std::vector<State> states(pictures.size(), State::good);
   parallel_for(pictures.size(), [&](std::size_t i) {
     std::error_code error;
@@ -101,7 +102,7 @@ Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange ran
       states[i] = State::folder;
     else if (!found)
       states[i] = State::damaged;
-    else if (i >= results && *found != size)
+    else if (i >= results && *found != (i >= raws ? film.drawn_size() : film.size))
       states[i] = State::other_size;
   });
   std::vector<fs::path> damaged;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -38,10 +37,10 @@ Errors refuse_links(const std::filesystem::path& out);
 Errors refuse_link(const std::filesystem::path& path);
 
 /// Removes the pictures of earlier runs that do not count as done, so that they are made again: frames of the
-/// range that are not whole or not of that size, and a damaged still or contact sheet. Gives those that
-/// are damaged. An error where a folder stands in the place of a picture.
+/// range that are not whole or not of the size of the film, and a damaged still or contact sheet. Gives those
+/// that are damaged. An error where a folder stands in the place of a picture.
 Result<std::vector<std::filesystem::path>> remove_damaged(const std::filesystem::path& out, FrameRange range,
-                                                          std::array<int, 2> size);
+                                                          const Film& film);
 
 /// Removes what no frame reads any more, pictures and models of earlier runs, and what killed runs have left
 /// half written, and exposures beyond those that make a frame. Frames stay: those of another range may be

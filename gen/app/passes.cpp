@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/messages.h"
+#include "app/pass_views.h"
 #include "app/streams.h"
 #include "app/work_folder.h"
 #include "core/files.h"
@@ -117,6 +118,8 @@ int passes(const PassesArguments& arguments) {
   if (models.path().empty()) return fail({{"", "no folder can be made for models"}}, kCouldNot);
   Result<TracedFilm> film = traced_film(*scene, models.path());
   if (!film) return fail(film.errors(), kCouldNot);
+  const Camera& camera = scene->stage.camera;
+  float middle = std::max(glm::distance(camera.location.at(0), camera.look_at.at(0)), 1e-3f);
   now_doing("tracing frames");
   for (int frame = range.first; frame <= range.last; ++frame) {
     Result<FramePasses> made = frame_passes(*scene, *film, frame, arguments.side);
@@ -127,6 +130,13 @@ int passes(const PassesArguments& arguments) {
     Result<bool> written = write_file(file, *picture);
     if (!written) return fail(written.errors(), kCouldNot);
     put(file.string() + "\n");
+    if (!arguments.views) continue;
+    for (const PassView& view : pass_views(*made, middle)) {
+      Result<std::string> png = png_text(view.picture);
+      if (!png) return fail(png.errors(), kCouldNot);
+      if (written = write_file(out / fmt::format("{}_{}.png", frame_name(frame), view.name), *png); !written)
+        return fail(written.errors(), kCouldNot);
+    }
   }
   return kDone;
 }

@@ -19,6 +19,16 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   add_assets(command, preset.assets);
 }
 
+void add_resolving(CLI::App* command, std::optional<bool>& resolve) {
+  command->add_flag_callback(
+      "--resolve", [&resolve] { resolve = true; },
+      "POV-Ray draws one sample a pixel, and each frame is resolved with those around it, "
+      "as in the quality good");
+  command->add_flag_callback(
+      "--no-resolve", [&resolve] { resolve = false; },
+      "Each frame has all its samples, in the quality good, too");
+}
+
 std::string as_path(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
 
 void add_words(std::vector<std::string>& words, const PresetArguments& preset) {

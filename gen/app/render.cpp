@@ -100,7 +100,7 @@ std::vector<std::string> generate_words(const RenderArguments& a, const fs::path
   add_words(words, a.preset);
   words.push_back("--out=" + out.string());
   if (a.frames) words.push_back("--frames=" + *a.frames);
-  if (a.resolve) words.push_back("--resolve");
+  if (a.resolve) words.push_back(*a.resolve ? "--resolve" : "--no-resolve");
   if (a.threads > 0) words.push_back(fmt::format("--threads={}", a.threads));
   return words;
 }
@@ -164,7 +164,7 @@ int render_into(const RenderArguments& a, const fs::path& out) {
   RenderSettings settings;
   settings.out = out;
   settings.format = a.format;
-  settings.every = a.resolve ? 1 : a.every;  // they all come at the end
+  settings.every = a.every;
   settings.jobs = a.jobs > 0 ? a.jobs : thread_count();
   settings.ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
   std::size_t noted = read_times(out).size();

@@ -94,10 +94,7 @@ void add_render(CLI::App& app, int& result) {
   command->get_option("preset")->required(false)->description(
       "The preset, a JSON file; without it, which there are");
   add_run(command, *to);
-  command->add_flag(
-      "--resolve", to->resolve,
-      "Frames of one sample a pixel, each resolved with those around it: as smooth as the quality "
-      "good for a third of its time");
+  add_resolving(command, to->resolve);
   command->add_option("--format", to->format, "mp4, webm or gif, of the film (mp4)");
   command
       ->add_option(
@@ -205,6 +202,7 @@ void add_farm(CLI::App& app, int& result) {
                       "minutes, modules, options");
   command->add_option("--chunk", to->chunk, "N: frames a task (4)");
   command->add_option("--bands", to->bands, "N: tasks of a still (8)");
+  add_resolving(command, to->resolve);
   command->add_option("--hosts", to->hosts,
                       "A,B,...: renders over ssh on these machines instead, by GNU parallel, and waits");
   command->add_option("--openjd", to->openjd,

@@ -12,6 +12,8 @@ namespace frond {
 /// Options that several commands have: `--assets`, and a preset with what is set of it.
 void add_assets(CLI::App* command, std::optional<std::string>& assets);
 void add_preset(CLI::App* command, PresetArguments& preset);
+/// `--resolve` and `--no-resolve`; none where neither is given.
+void add_resolving(CLI::App* command, std::optional<bool>& resolve);
 
 /// The same as the words of a call of this program, behind those that are there.
 void add_words(std::vector<std::string>& words, const PresetArguments& preset);

@@ -41,9 +41,10 @@ Result<LightPicture> read_raw(const fs::path& file, const Film& film) {
   if (!bytes) return bytes.errors();
   Result<LinearRaster> raster = read_linear_png(*bytes);
   if (!raster) return Error{file.string(), raster.errors()[0].what};
-  if (raster->width != film.size[0] || raster->height != film.size[1])
-    return Error{file.string(), fmt::format("is {}x{}; expected {}x{}", raster->width, raster->height,
-                                            film.size[0], film.size[1])};
+  auto [width, height] = film.drawn_size();
+  if (raster->width != width || raster->height != height)
+    return Error{file.string(),
+                 fmt::format("is {}x{}; expected {}x{}", raster->width, raster->height, width, height)};
   static const std::vector<float> exact = exact_light();
   LightPicture light(raster->data.size() / 3);
   for (std::size_t i = 0; i < light.size(); ++i)
@@ -61,10 +62,14 @@ Result<std::string> picture_bytes(const LightPicture& light, const Film& film, c
   return png_text(picture);
 }
 
-/// Where waves throw moving light, that of other frames soon counts for little.
+/// Where waves throw moving light, that of other frames soon counts for little. A still costs one picture.
 ResolveOptions options_for(const Scene& scene, const ResolveArguments& arguments) {
   constexpr double kMovingFade = 0.1, kMovingClip = 2;  // seconds; deviations
-  ResolveOptions options{arguments.window, arguments.side, arguments.reach};
+  constexpr int kStillSide = 6;
+  ResolveOptions options;
+  options.window = arguments.window, options.reach = arguments.reach;
+  if (scene.film.frames == 1) options.side = kStillSide;
+  options.side = arguments.side.value_or(options.side);
   if (has_pictures(scene.stage)) {
     options.fade = std::min(options.fade, kMovingFade * scene.film.fps);
     options.clip = kMovingClip;
@@ -90,7 +95,6 @@ int resolve(const ResolveArguments& arguments) {
   fs::path film = arguments.folder.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem()
                                            : fs::path(arguments.folder);
   fs::path raws = film / "raw", out = arguments.out.empty() ? film / "frames" : fs::path(arguments.out);
-  if (Errors errors = cannot_be_raw(*preset); !errors.empty()) return fail(errors, kWrongInput);
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);

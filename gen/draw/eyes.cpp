@@ -37,7 +37,7 @@ Eye eye_at(const Film& film, const Camera& camera, double time) {
 
 Vec2 sample_shift(const Film& film, int frame) {
   constexpr int kRound = 1024;  // frames, after which the places come again
-  if (!film.raw) return Vec2(0);
+  if (!film.raw || film.frames == 1) return Vec2(0);
   int i = frame % kRound + 1;
   return {radical_inverse(i, 2) - 0.5, radical_inverse(i, 3) - 0.5};
 }

@@ -12,7 +12,8 @@ Eye eye_at(const Film& film, const Camera& camera, double time);
 inline Eye eye_at(const Scene& scene, double time) { return eye_at(scene.film, scene.stage.camera, time); }
 
 /// By how much the samples of a frame lie aside of the middles of their pixels, to the right and down;
-/// pixels, -0.5..0.5. Those of successive frames are spread evenly (Halton). 0 where the film is not raw.
+/// pixels, -0.5..0.5. Those of successive frames are spread evenly (Halton). 0 where the film is not raw, or
+/// a still.
 Vec2 sample_shift(const Film& film, int frame);
 
 /// At all frames of the film.

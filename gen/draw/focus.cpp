@@ -117,4 +117,14 @@ std::optional<Vec3> named_focus(const Scene& scene, double time) {
   return lens.at + *depth * lens.toward;
 }
 
+Vec3 focus_of(const Camera& camera, double time) {
+  bool given = camera.focus && camera.focus->organism.empty();
+  return (given ? camera.focus->point : camera.look_at).at(time);
+}
+
+double lens_width(const Camera& camera, double time) {
+  constexpr double kFilm = 0.036;  // metres, how wide it is
+  return camera.aperture ? kFilm / 2 / std::tan(radians(camera.angle.at(time)) / 2) / *camera.aperture : 0;
+}
+
 }  // namespace frond

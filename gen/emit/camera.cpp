@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "draw/eyes.h"
+#include "draw/focus.h"
 
 namespace frond {
 
@@ -13,13 +14,10 @@ namespace {
 /// A lens before film 36 mm wide, for what is not in focus.
 void append_lens(std::string& text, const PovSpace& space, const Camera& camera, Quality quality, double time,
                  std::optional<Vec3> focus) {
-  if (!camera.aperture) return;
-  double focal_length = 0.018 / std::tan(radians(camera.angle.at(time)) / 2);
   text += " aperture ";
-  append(text, focal_length / *camera.aperture * space.unit, 6);
+  append(text, lens_width(camera, time) * space.unit, 6);
   text += " focal_point";
-  bool given = camera.focus && camera.focus->organism.empty();
-  append_point(text, space, focus ? *focus : (given ? camera.focus->point : camera.look_at).at(time));
+  append_point(text, space, focus ? *focus : focus_of(camera, time));
   // Each of a pixel's 5, 5 or 10 samples of anti-aliasing takes so many rays through the lens, and up to the
   // second number where they differ much: a bright thing against a dark one, out of focus.
   constexpr std::string_view kLensSamples[] = {"4", "4,16 confidence 0.9 variance 1/300",
@@ -74,7 +72,7 @@ std::string camera_text(const PovSpace& space, const Camera& camera, const Film&
     text += " look_at";
     append_point(text, space, camera.look_at.at(time));
   }
-  append_lens(text, space, camera, film.quality, time, focus);
+  if (camera.aperture && !film.raw) append_lens(text, space, camera, film.quality, time, focus);
   text += '}';
   return text;
 }

@@ -318,8 +318,8 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
     if (hole == "frame") return out(number_text(frame));
     if (hole == "frames") return out(number_text(film.frames));
     if (hole == "file") return out(exposure_name(frame, exposure) + ".pov");
-    if (hole == "width") return out(number_text(film.size[0]));
-    if (hole == "height") return out(number_text(film.size[1]));
+    if (hole == "width") return out(number_text(film.drawn_size()[0]));
+    if (hole == "height") return out(number_text(film.drawn_size()[1]));
     if (hole == "unit") return out(number_text(parts.space.unit));
     if (hole == "quality") return out(number_text(static_cast<int>(film.quality)));
     if (hole == "light") {

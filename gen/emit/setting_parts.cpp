@@ -142,11 +142,7 @@ void append_patches(std::string& text, const PovSpace& space, const std::vector<
     text += "object{";
     append_name(text, name, shape);
     text += ' ';
-    // Turned, then sheared along the slope of the ground.
-    float c = static_cast<float>(std::cos(patch.turn)), s = static_cast<float>(std::sin(patch.turn));
-    glm::mat3 turn(c, patch.slope.x * c + patch.slope.y * s, s, 0, 1, 0, -s,
-                   -patch.slope.x * s + patch.slope.y * c, c);
-    if (append_matrix(text, space, turn, patch.at))
+    if (append_matrix(text, space, patch.axes(), patch.at))
       text += "}\n";
     else
       text.resize(line);

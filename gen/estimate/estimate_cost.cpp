@@ -46,6 +46,7 @@ constexpr double kBytesWritten = 4e7, kModelWritten = 4e7;
 constexpr double kStart = 0.04;  // seconds to read the preset
 
 constexpr double kPictureBytes = 1.8;  // of a pixel of what is rendered
+constexpr double kRawBytes = 5;        // of one of raw frames
 constexpr double kDrawnBytes = 0.6;    // of one of bark or a leaf
 // Of POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
 // picture of kTracedPixels, by quality, and by which power of their number a pixel of a larger picture, where
@@ -53,6 +54,7 @@ constexpr double kDrawnBytes = 0.6;    // of one of bark or a leaf
 constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
 constexpr double kCrowdedLight = 1000;  // copies that fill the view with cells
 constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3, 0.3};
+constexpr double kRawPixelTraced = 4e-5, kPixelResolved = 2e-5;  // of raw frames
 // Of a view in the studio, a second: what is put into packets.
 constexpr double kNodesPacked = 2e6, kOrgansPacked = 2e6, kTrianglesPacked = 1e6;
 
@@ -61,8 +63,9 @@ double render_seconds(const CostEstimate& f, double text, double tracing, const 
   auto quality = static_cast<std::size_t>(film.quality);
   double traced =
       pixels * kPixelTraced[quality] * std::pow(kTracedPixels / std::max(pixels, 1.0), kEdges[quality]);
+  if (film.raw) traced = kRawPixelTraced * film.drawn_size()[0] * film.drawn_size()[1];
   return text / kBytesRead + f.shared_bytes / kModelsRead +
-         traced * tracing * (f.copies > kCrowd ? kCrowded : 1);
+         traced * tracing * (f.copies > kCrowd ? kCrowded : 1) + (film.raw ? kPixelResolved * pixels : 0);
 }
 
 /// Bytes of text that a node takes.
@@ -316,6 +319,8 @@ Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
   for (double same : {sums->still, sums->materials})
     (preset.film.frames > 1 && same > kAsideBytes ? f.shared_bytes : sums->text) += same;
   f.picture_bytes = kPictureBytes * preset.film.size[0] * preset.film.size[1];
+  if (preset.film.raw)
+    f.picture_bytes += kRawBytes * preset.film.drawn_size()[0] * preset.film.drawn_size()[1];
   f.render_seconds = f.exposures * render_seconds(f, sums->text, ground.tracing, preset.film);
   f.frame_bytes = f.exposures * (sums->text + ground.pictures) + (each ? ground.light_bytes : 0);
   if (!each) f.shared_bytes += ground.light_bytes;

@@ -90,17 +90,26 @@ void append_frames(std::string& text, const JobList& jobs) {
   }
 }
 
-/// All frames of a film of all its raw ones.
+/// Blocks of frames of their raw ones. Each grows the scene anew, so they are not small; one at a time is at
+/// work, as it uses all processors that are free.
 void append_resolve(std::string& text, const JobList& jobs) {
+  constexpr std::size_t kBlock = 48;
   std::string words;
   for (const std::string& word : jobs.resolve) words += (words.empty() ? "" : " ") + shell_quoted(word);
   append_variable(text += '\n', "preset", words);
-  append_rule(text, "resolve", "exec $frond resolve $preset", "resolving frames");
-  text += "\nbuild";
-  for (int frame : jobs.frames) text += " $\n    " + picture_file(frame);
-  text += ": resolve";
-  for (int frame : jobs.raws) text += " $\n    " + raw_file(frame);
-  text += '\n';
+  text += "\npool resolve\n  depth = 1\n";
+  append_rule(text, "resolve", "exec $frond resolve $preset --frames $numbers", "resolving frames $numbers");
+  text += "  pool = resolve\n";
+  for (std::size_t begin = 0; begin < jobs.frames.size(); begin += kBlock) {
+    std::size_t end = std::min(begin + kBlock, jobs.frames.size());
+    int first = jobs.frames[begin], last = jobs.frames[end - 1];
+    text += "\nbuild";
+    for (std::size_t i = begin; i < end; ++i) text += " $\n    " + picture_file(jobs.frames[i]);
+    text += ": resolve";
+    for (int frame : jobs.raws)
+      if (frame >= first - jobs.window && frame <= last + jobs.window) text += " $\n    " + raw_file(frame);
+    text += "\n  numbers = " + std::to_string(first) + "-" + std::to_string(last) + "\n";
+  }
 }
 
 }  // namespace
@@ -125,8 +134,8 @@ std::string ninja_text(const JobList& jobs) {
   if (!jobs.rendered) {
     append_rule(text, "frame", "exec $frond frame $in $out $size -- $flags", "frame $number");
     append_frames(text, jobs);
-    if (!jobs.raws.empty()) append_resolve(text, jobs);
   }
+  if (!jobs.raws.empty()) append_resolve(text, jobs);
 
   if (jobs.still) {
     append_list_rule(text += '\n', "still", "exec $frond film $out.list $out", "still.png");
@@ -179,6 +188,8 @@ std::string manifest_text(const Manifest& manifest) {
   line("quality", json_quoted(manifest.quality));
   line("still", manifest.still ? "true" : "false");
   line("render_seconds", number_text(manifest.render_seconds, 2));
+  if (manifest.raw[0] > 0)
+    line("raw", "[" + std::to_string(manifest.raw[0]) + ", " + std::to_string(manifest.raw[1]) + "]");
   text += "  \"frames\": [";
   std::string_view between = "\n    ";
   for (const Manifest::Frame& frame : manifest.frames) {

@@ -12,9 +12,9 @@
 /// gen/render runs the processes.
 ///
 ///     DIR/frames/frame_0001.pov -> DIR/frames/frame_0001.png     frond frame
-///     or, of a film that is resolved, with those of the frames around them
+///     or, where frames are resolved,
 ///     DIR/frames/frame_0001.pov -> DIR/raw/frame_0001.png        frond frame
-///     all of these              -> DIR/frames/frame_0001.png     frond resolve
+///     those of some frames      -> DIR/frames/frame_0001.png     frond resolve
 ///     all frames                -> DIR/film.mp4, .webm, .gif     frond film
 ///     some frames               -> DIR/contact.png               frond film
 ///     the frame of a still      -> DIR/still.png                 frond film
@@ -52,7 +52,8 @@ struct JobList {
   bool lens = false;                   ///< whether the camera has a lens, see Rendering
   int exposures = 1;                   ///< number of scenes that make a frame
   std::vector<int> raws;               ///< of a film that is resolved: those that are rendered, ascending
-  std::vector<std::string> resolve;    ///< and the words that say to `frond resolve` which preset it is
+  int window = 0;                      ///< how many of them before and after a frame it is resolved from
+  std::vector<std::string> resolve;    ///< the words that say to `frond resolve` which preset it is
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film
   bool rendered = false;               ///< the pictures already exist: only the film is to be made
@@ -87,8 +88,15 @@ struct Manifest {
   std::array<int, 2> size{480, 270};
   std::string_view quality = "draft";
   bool still = false;
-  double render_seconds = 0;  ///< per frame, estimated for a processor as ours
+  double render_seconds = 0;     ///< per frame, estimated for a processor as ours
+  std::array<int, 2> raw{0, 0};  ///< first and last of the raw frames of which they are resolved; 0: none
   std::vector<Frame> frames;
+
+  /// Where what POV-Ray draws is kept, and the first and last of it.
+  std::string_view drawn_folder() const { return raw[0] > 0 ? "raw" : "frames"; }
+  std::array<int, 2> drawn() const {
+    return raw[0] > 0 ? raw : std::array{frames.front().number, frames.back().number};
+  }
 };
 
 /// manifest.json, one frame per line.

@@ -24,8 +24,8 @@ bool take_number(const Value& object, std::string_view name, Number& number) {
               [&](const Value& value) { number = static_cast<Number>(value.number); });
 }
 
-bool take_size(const Value& object, std::array<int, 2>& size) {
-  const Value* list = object.find("size");
+bool take_two(const Value& object, std::string_view name, std::array<int, 2>& size) {
+  const Value* list = object.find(name);
   if (!list || list->items.size() != 2) return false;
   for (std::size_t i = 0; i < 2; ++i) size[i] = static_cast<int>(list->items[i].number);
   return true;
@@ -42,8 +42,9 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& file_na
       take_text(root, "version", manifest.version) && take_text(root, "preset", manifest.preset) &&
       take_text(root, "title", manifest.title) && take_text(root, "preset_hash", manifest.preset_hash) &&
       take_number(root, "seed", manifest.seed) && take_number(root, "fps", manifest.fps) &&
-      take_size(root, manifest.size) && take_number(root, "render_seconds", manifest.render_seconds) &&
+      take_two(root, "size", manifest.size) && take_number(root, "render_seconds", manifest.render_seconds) &&
       take(root, "still", Value::Type::boolean, [&](const Value& value) { manifest.still = value.boolean; });
+  take_two(root, "raw", manifest.raw);
   const Value* frames = root.find("frames");
   if (!whole || !frames || !frames->is(Value::Type::list) || frames->items.empty())
     return Error{file_name, "is no manifest that `frond generate` has written"};

@@ -11,8 +11,8 @@ namespace frond {
 
 namespace {
 
-constexpr std::string_view kKinds[] = {"nothing", "branches", "organ", "blades", "body",
-                                       "copy",    "floor",    "stone", "food"};
+constexpr std::string_view kKinds[] = {"nothing", "branches", "organ", "blades", "body", "copy",
+                                       "floor",   "stone",    "food",  "cover",  "water"};
 
 /// Fills pixel after pixel.
 class PassMaker {
@@ -27,9 +27,11 @@ class PassMaker {
         static_cast<std::size_t>(y) * static_cast<std::size_t>(passes_.width) + static_cast<std::size_t>(x);
     middle(i, Vec2(x, y) + 0.5f);
     int all = side_ * side_, met = 0, lit = 0;
+    float spread = pixel_spread(Vec2(x, y));
     std::vector<std::pair<Thing, float>>& things = passes_.things[i];
     for (int ray = 0; ray < all; ++ray) {
-      std::optional<PassHit> hit = trace(Vec2(x, y) + place_in_pixel(ray, side_));
+      auto [from, along] = now_.ray((Vec2(x, y) + place_in_pixel(ray, side_)) / size(), ray, spread);
+      std::optional<PassHit> hit = now_.trace(from, along);
       if (!hit) continue;
       ++met, lit += now_.lit(*hit);
       auto found = std::ranges::find(things, hit->spot.thing, &std::pair<Thing, float>::first);
@@ -103,9 +105,10 @@ ThingNames names_of(const Scene& scene, const Thing& thing) {
     names.organism = names.part = fmt::format("{}/copy {}", names.entry, thing.number + 1);
     return names;
   }
-  if (thing.kind == ThingKind::floor || thing.kind == ThingKind::stone || thing.kind == ThingKind::food) {
-    names.entry = names.organism = kind;
-    names.part = thing.kind == ThingKind::floor ? names.entry : fmt::format("{} {}", kind, thing.number + 1);
+  if (thing.kind >= ThingKind::floor) {
+    bool loose = thing.kind == ThingKind::stone || thing.kind == ThingKind::food;
+    names.entry = names.organism = names.part = kind;
+    if (loose) names.part = fmt::format("{} {}", kind, thing.number + 1);
     return names;
   }
   names.entry = scene.specimens[thing.owner].name;

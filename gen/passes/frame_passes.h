@@ -9,8 +9,8 @@
 namespace frond {
 
 /// What compositors and those who need ground truth want to know of each pixel of a frame. Values at a pixel
-/// are those of the ray through its middle; shares are of side * side rays through it. Row by row from the
-/// top.
+/// are those of the ray through its middle; shares are of side * side rays through it and the camera's lens.
+/// Row by row from the top.
 struct FramePasses {
   int width = 0, height = 0;
   std::vector<float> depth;            ///< metres along the camera's axis; infinite where there is nothing

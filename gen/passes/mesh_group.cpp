@@ -27,8 +27,8 @@ void attach_mesh(RTCScene scene, const Surface& surface, unsigned number, bool s
   rtcReleaseGeometry(mesh);
 }
 
-MeshGroup::MeshGroup(std::vector<const Surface*> surfaces) : surfaces_(std::move(surfaces)) {
-  build(Shadows::thrown);
+MeshGroup::MeshGroup(std::vector<const Surface*> surfaces, Shadows shadows) : surfaces_(std::move(surfaces)) {
+  build(shadows);
 }
 
 MeshGroup::MeshGroup(std::vector<Surface> surfaces, Shadows shadows) : owned_(std::move(surfaces)) {

@@ -22,9 +22,9 @@ using ScenePointer = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 /// Meshes that are placed together, as one scene; the number of a mesh is that of its geometry.
 class MeshGroup {
  public:
-  /// Refers to the surfaces.
-  explicit MeshGroup(std::vector<const Surface*> surfaces);
   enum class Shadows { thrown, none };
+  /// Refers to the surfaces.
+  explicit MeshGroup(std::vector<const Surface*> surfaces, Shadows shadows = Shadows::thrown);
   /// Owns them.
   explicit MeshGroup(std::vector<Surface> surfaces, Shadows shadows = Shadows::thrown);
 

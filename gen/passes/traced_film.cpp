@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "draw/copy_axes.h"
 #include "draw/eyes.h"
+#include "draw/focus.h"
 #include "draw/food.h"
 #include "passes/traced_frame.h"
 #include "settings/settings.h"
@@ -55,7 +56,7 @@ struct TracedFilm::Parts {
   CopyPlan plan;
   std::vector<std::size_t> moving;   // specimens
   std::vector<DrawnSpecimen> still;  // the others
-  std::vector<Placed> always;        // things that are the same at all times
+  PlacedScene always;                // things that are the same at all times
   std::map<ModelKey, Meshes> models;
   Meshes grain = std::make_shared<const MeshGroup>(std::vector{ball()}, MeshGroup::Shadows::none);
   mutable std::mutex lock;
@@ -75,7 +76,7 @@ struct TracedFilm::Parts {
  private:
   Meshes shape_of(std::size_t specimen, std::size_t number, const Prototype& prototype) const;
   Result<std::vector<Placed>> things_of(std::size_t specimen, const DrawList& list, bool changes) const;
-  void add_ground();
+  void add_ground(std::vector<Placed>& things) const;
   Errors add_models();
 };
 
@@ -129,17 +130,32 @@ Result<std::vector<Placed>> TracedFilm::Parts::things_of(std::size_t specimen, c
   return things;
 }
 
-void TracedFilm::Parts::add_ground() {
-  auto mesh_of = [](const Surface& surface) {
-    return std::make_shared<const MeshGroup>(std::vector{&surface});
+void TracedFilm::Parts::add_ground(std::vector<Placed>& things) const {
+  const Grounds& ground = *scene.ground;
+  auto mesh_of = [](const Surface& surface, auto shadows) {
+    return std::make_shared<const MeshGroup>(std::vector{&surface}, shadows);
   };
-  if (!scene.ground->floor().triangle.empty())
-    always.push_back(placed({ThingKind::floor}, mesh_of(scene.ground->floor()), kHere));
+  using enum MeshGroup::Shadows;
+  if (!ground.floor().triangle.empty())
+    things.push_back(placed({ThingKind::floor}, mesh_of(ground.floor(), thrown), kHere));
   std::uint32_t number = 0;
-  for (const Strewn& strewn : scene.ground->strewn()) {
-    auto mesh = mesh_of(*strewn.shape);
+  for (const Strewn& strewn : ground.strewn()) {
+    auto mesh = mesh_of(*strewn.shape, strewn.water ? none : thrown);
+    ThingKind kind = strewn.water ? ThingKind::water : ThingKind::stone;
     for (const Strewn::At& at : strewn.at)
-      always.push_back(placed({ThingKind::stone, 0, number++}, mesh, {at.place, at.turn, at.size}));
+      things.push_back(placed({kind, 0, number++}, mesh, {at.place, at.turn, at.size}));
+  }
+  std::uint32_t list = 0;
+  for (const Patches& patches : ground.patches()) {
+    std::vector<Meshes> meshes;
+    for (const Surface* shape : patches.shapes) meshes.push_back(mesh_of(*shape, thrown));
+    number = 0;
+    for (const Patch& patch : *patches.at) {
+      const Meshes& mesh = meshes[static_cast<std::size_t>(patch.shape)];
+      if (mesh->surface(0).triangle.empty()) continue;
+      things.push_back({{ThingKind::cover, list, number++}, mesh, nullptr, patch.axes(), patch.at});
+    }
+    ++list;
   }
 }
 
@@ -224,14 +240,14 @@ Result<std::vector<Placed>> TracedFilm::Parts::draw(const std::vector<std::size_
 }
 
 Errors TracedFilm::Parts::prepare() {
-  add_ground();
   if (Errors errors = add_models(); !errors.empty()) return errors;
   std::vector<std::size_t> unmoved;
   for (std::size_t i = 0; i < scene.specimens.size(); ++i)
     (stands_still(scene.specimens[i]) ? unmoved : moving).push_back(i);
   Result<std::vector<Placed>> things = draw(unmoved, 0, still);
   if (!things) return things.errors();
-  std::ranges::move(*things, std::back_inserter(always));
+  add_ground(*things);
+  always = PlacedScene(std::move(*things));
   return {};
 }
 
@@ -250,10 +266,10 @@ Result<TracedFrame> TracedFilm::at(double time) const {
   auto parts = std::make_unique<TracedFrame::Parts>();
   Result<std::vector<Placed>> moving = parts_->draw(parts_->moving, time, parts->drawn);
   if (!moving) return moving.errors();
-  parts->things = std::move(*moving);
-  std::ranges::copy(parts_->always, std::back_inserter(parts->things));
-  std::ranges::move(parts_->copies_at(time), std::back_inserter(parts->things));
-  std::ranges::move(parts_->food_at(time), std::back_inserter(parts->things));
+  std::ranges::move(parts_->copies_at(time), std::back_inserter(*moving));
+  std::ranges::move(parts_->food_at(time), std::back_inserter(*moving));
+  parts->moving = PlacedScene(std::move(*moving));
+  parts->still = &parts_->always;
   Daylight light = drawn_daylight(scene.stage);
   Eye eye = eye_at(scene, time);
   parts->light = light.sun;
@@ -262,9 +278,14 @@ Result<TracedFrame> TracedFilm::at(double time) const {
     parts->is_lamp = true;
     parts->light = target + std::max(1.0f, glm::distance(eye.at, target)) * light.lamps.front().from;
   }
-  parts->commit();
   TracedFrame frame(std::move(parts));
   frame.eye = eye;
+  const Camera& camera = scene.stage.camera;
+  if (camera.aperture) {
+    Vec3 focus = named_focus(scene, time).value_or(focus_of(camera, time));
+    frame.lens = static_cast<float>(lens_width(camera, time));
+    frame.sharp = std::max(glm::dot(focus - eye.at, eye.ahead), 0.01f);
+  }
   return frame;
 }
 

@@ -18,20 +18,32 @@
 // traced before.
 //
 // Branches are the cones that POV-Ray sweeps, without the relief of a bark; bodies and organs the meshes of
-// the draw list in all detail. What a setting draws by text alone (grass, water's surface, specks) is
+// the draw list in all detail. What a setting draws by text alone (the sea's surface, specks, mountains) is
 // not known here: rays go through it.
 
 namespace frond {
 
 /// What kind of thing something is.
-enum class ThingKind : std::uint8_t { nothing, branches, organ, blades, body, copy, floor, stone, food };
+enum class ThingKind : std::uint8_t {
+  nothing,
+  branches,
+  organ,
+  blades,
+  body,
+  copy,
+  floor,
+  stone,
+  food,
+  cover,
+  water
+};
 
 /// Something that is drawn, under the same name in all frames of a film.
 struct Thing {
   ThingKind kind = ThingKind::nothing;
-  std::uint32_t owner = 0;  ///< of a copy the stand, of other things the specimen, else 0
-  std::uint32_t number =
-      0;  ///< among those of its kind: the organ's number in the model, a copy's, a stone's, a grain's
+  std::uint32_t owner = 0;   ///< of a copy the stand, of a patch its kind, of what grows the specimen, else 0
+  std::uint32_t number = 0;  ///< among those of its kind: the organ's number in the model, a copy's, a
+                             ///< stone's, a grain's, a patch's
 
   auto operator<=>(const Thing&) const = default;
 };
@@ -61,6 +73,11 @@ struct PlaceNormal {
   Vec3 at, normal;
 };
 
+/// Where a ray begins, and its direction of length 1.
+struct CameraRay {
+  Vec3 from, along;
+};
+
 class TracedFrame {
  public:
   struct Parts;
@@ -75,7 +92,15 @@ class TracedFrame {
   /// Where a spot, of whatever time, is now; none where its thing, or that part of it, is not there.
   std::optional<PlaceNormal> where(const SurfaceSpot& spot) const;
 
-  Eye eye;  ///< of the camera
+  /// Number `ray` of the rays through a place of the picture, which share the opening of the camera's lens
+  /// evenly; without one all begin in its middle. `spread`, 0..1, moves them all.
+  CameraRay ray(Vec2 place, int ray, float spread) const;
+  /// Width of the circle as which a lens shows a place, as a share of the picture's width.
+  float blur(Vec3 at) const;
+
+  Eye eye;          ///< of the camera
+  float lens = 0;   ///< metres, width of the opening of its lens; 0: all is sharp
+  float sharp = 1;  ///< metres along its axis to what is in focus
 
  private:
   std::unique_ptr<Parts> parts_;
@@ -104,6 +129,8 @@ Vec3 picture_ray(const Eye& eye, Vec2 place);
 inline Vec2 place_in_pixel(int ray, int side) {
   return (Vec2(ray % side, ray / side) + 0.5f) / static_cast<float>(side);
 }
+/// How the rays of a pixel are spread over a lens, for TracedFrame::ray(): otherwise than those beside it.
+inline float pixel_spread(Vec2 pixel) { return glm::fract(glm::dot(pixel, Vec2(0.7548777f, 0.5698403f))); }
 /// Where a point is in the picture, as above and perhaps beyond its edges; none behind the camera.
 std::optional<Vec2> picture_place(const Eye& eye, Vec3 at);
 

@@ -1,6 +1,7 @@
 #include "passes/traced_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace frond {
@@ -26,32 +27,7 @@ PlaceNormal on_triangle(const Surface& surface, std::uint32_t face, Vec2 share) 
   return {a + share.x * (b - a) + share.y * (c - a), glm::cross(b - a, c - a)};
 }
 
-}  // namespace
-
-Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const DrawnPlace& place, bool changes) {
-  glm::mat3 axes = glm::mat3_cast(place.turn);
-  for (int axis = 0; axis < 3; ++axis) axes[axis] *= place.scale[axis];
-  return {thing, std::move(meshes), nullptr, axes, place.at, changes};
-}
-
-void TracedFrame::Parts::commit() {
-  std::ranges::stable_sort(things, {}, &Placed::thing);
-  scene.reset(rtcNewScene(embree_device()));
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    RTCGeometry instance = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, things[i].scene());
-    glm::mat4x3 transform(things[i].axes[0], things[i].axes[1], things[i].axes[2], things[i].at);
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &transform[0][0]);
-    rtcCommitGeometry(instance);
-    rtcAttachGeometryByID(scene.get(), instance, static_cast<unsigned>(i));
-    rtcReleaseGeometry(instance);
-  }
-  rtcCommitScene(scene.get());
-}
-
-PassHit TracedFrame::Parts::hit(const RTCRayHit& ray) const {
-  const Placed& one = things[ray.hit.instID[0]];
+PassHit hit_on(const Placed& one, const RTCRayHit& ray) {
   PassHit hit;
   hit.away = ray.ray.tfar;
   Vec3 from(ray.ray.org_x, ray.ray.org_y, ray.ray.org_z), along(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
@@ -74,6 +50,35 @@ PassHit TracedFrame::Parts::hit(const RTCRayHit& ray) const {
   return hit;
 }
 
+}  // namespace
+
+Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const DrawnPlace& place, bool changes) {
+  glm::mat3 axes = glm::mat3_cast(place.turn);
+  for (int axis = 0; axis < 3; ++axis) axes[axis] *= place.scale[axis];
+  return {thing, std::move(meshes), nullptr, axes, place.at, changes};
+}
+
+PlacedScene::PlacedScene(std::vector<Placed> placed) : things(std::move(placed)) {
+  std::ranges::stable_sort(things, {}, &Placed::thing);
+  scene.reset(rtcNewScene(embree_device()));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    RTCGeometry instance = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, things[i].scene());
+    glm::mat4x3 transform(things[i].axes[0], things[i].axes[1], things[i].axes[2], things[i].at);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &transform[0][0]);
+    rtcCommitGeometry(instance);
+    rtcAttachGeometryByID(scene.get(), instance, static_cast<unsigned>(i));
+    rtcReleaseGeometry(instance);
+  }
+  rtcCommitScene(scene.get());
+}
+
+const Placed* PlacedScene::find(const Thing& thing) const {
+  auto found = std::ranges::lower_bound(things, thing, {}, &Placed::thing);
+  return found != things.end() && found->thing == thing ? &*found : nullptr;
+}
+
 TracedFrame::TracedFrame(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 TracedFrame::~TracedFrame() = default;
 TracedFrame::TracedFrame(TracedFrame&&) noexcept = default;
@@ -84,11 +89,14 @@ std::optional<PassHit> TracedFrame::trace(Vec3 from, Vec3 direction) const {
   ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(parts_->scene.get(), &context, &ray);
+  rtcIntersect1(parts_->still->scene.get(), &context, &ray);
+  float still = ray.ray.tfar;
+  rtcIntersect1(parts_->moving.scene.get(), &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  PassHit hit = parts_->hit(ray);
+  const PlacedScene& met = ray.ray.tfar < still ? parts_->moving : *parts_->still;
+  const Placed& one = met.things[ray.hit.instID[0]];
+  PassHit hit = hit_on(one, ray);
   if (glm::dot(hit.normal, direction) > 0) hit.normal = -hit.normal;
-  const Placed& one = parts_->things[ray.hit.instID[0]];
   if (one.branches)
     hit.spot.own_normal = glm::conjugate(one.branches->turn(hit.spot.face)) * hit.normal;
   else if (!one.changes)
@@ -111,13 +119,15 @@ bool TracedFrame::lit(const PassHit& hit) const {
   RTCRay ray = ray_of(hit.at + clear * hit.normal, toward, clear, far);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(parts_->scene.get(), &context, &ray);
+  rtcOccluded1(parts_->still->scene.get(), &context, &ray);
+  if (ray.tfar >= 0) rtcOccluded1(parts_->moving.scene.get(), &context, &ray);
   return ray.tfar >= 0;
 }
 
 std::optional<PlaceNormal> TracedFrame::where(const SurfaceSpot& spot) const {
-  auto found = std::ranges::lower_bound(parts_->things, spot.thing, {}, &Placed::thing);
-  if (found == parts_->things.end() || found->thing != spot.thing) return std::nullopt;
+  const Placed* found = parts_->moving.find(spot.thing);
+  if (!found) found = parts_->still->find(spot.thing);
+  if (!found) return std::nullopt;
   if (found->branches) return found->branches->where(spot);
   PlaceNormal own{spot.own, spot.own_normal};
   if (found->changes) {
@@ -129,6 +139,23 @@ std::optional<PlaceNormal> TracedFrame::where(const SurfaceSpot& spot) const {
   Vec3 normal = glm::inverse(glm::transpose(found->axes)) * own.normal;
   float length = glm::length(normal);
   return PlaceNormal{found->axes * own.at + found->at, length > 0 ? normal / length : Vec3(0, 1, 0)};
+}
+
+CameraRay TracedFrame::ray(Vec2 place, int ray, float spread) const {
+  Vec3 along = picture_ray(eye, place);
+  if (lens == 0) return {eye.at, along};
+  // The sequence of Roberts (2018) for two dimensions.
+  float far = glm::fract(spread + 0.7548777f * static_cast<float>(ray)),
+        turn = 2 * static_cast<float>(kPi) * glm::fract(spread + 0.5698403f * static_cast<float>(ray));
+  Vec2 aside = 0.5f * lens * std::sqrt(far) * Vec2(std::cos(turn), std::sin(turn));
+  Vec3 from = eye.at + aside.x * glm::cross(eye.ahead, eye.up) + aside.y * eye.up;
+  Vec3 to = eye.at + along * (sharp / glm::dot(along, eye.ahead));
+  return {from, glm::normalize(to - from)};
+}
+
+float TracedFrame::blur(Vec3 at) const {
+  float deep = std::max(glm::dot(at - eye.at, eye.ahead), 1e-3f);
+  return lens * std::abs(1 / sharp - 1 / deep) / static_cast<float>(2 * eye.broad);
 }
 
 Vec3 picture_ray(const Eye& eye, Vec2 place) {

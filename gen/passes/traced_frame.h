@@ -28,16 +28,24 @@ struct DrawnSpecimen {
   std::unique_ptr<DrawList> list;
 };
 
-struct TracedFrame::Parts {
-  std::vector<DrawnSpecimen> drawn;  // what `things` refer to
-  std::vector<Placed> things;        // by Thing
-  ScenePointer scene;
-  Vec3 light{0};  // toward the main light, or its place
-  bool is_lamp = false;
+/// Things in their places, as one scene.
+struct PlacedScene {
+  PlacedScene() = default;
+  explicit PlacedScene(std::vector<Placed> placed);
 
-  /// Sorts the things, and makes the scene of them.
-  void commit();
-  PassHit hit(const RTCRayHit& ray) const;
+  std::vector<Placed> things;  // by Thing
+  ScenePointer scene;
+
+  /// Null where it is not here.
+  const Placed* find(const Thing& thing) const;
+};
+
+struct TracedFrame::Parts {
+  std::vector<DrawnSpecimen> drawn;  // what `moving` refers to
+  PlacedScene moving;
+  const PlacedScene* still = nullptr;  // of the film
+  Vec3 light{0};                       // toward the main light, or its place
+  bool is_lamp = false;
 };
 
 }  // namespace frond

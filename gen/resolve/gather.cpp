@@ -34,33 +34,49 @@ SampleGrid::SampleGrid(int width, int height, const std::vector<std::vector<RawS
     for (const RawSample& sample : row) samples_[next[cell(sample)]++] = sample;
 }
 
-void Gatherer::find_shown(int x, int y) {
-  shown_.clear();
+void Gatherer::add_ray(Vec2 place, int ray, float spread) {
   Vec2 size(grid_.width(), grid_.height());
-  for (int ray = 0; ray < options_.side * options_.side; ++ray) {
-    Vec2 place = Vec2(x, y) + place_in_pixel(ray, options_.side);
-    std::optional<PassHit> hit = now_.trace(now_.eye.at, picture_ray(now_.eye, place / size));
-    SurfaceName surface = hit ? surface_of(hit->spot.thing) : SurfaceName{};
-    bool lit = hit && now_.lit(*hit);
-    auto same = [&](const Shown& one) {
-      return one.surface == surface && one.lit == lit &&
-             (!hit || (glm::dot(one.normal, hit->normal) > kOneFacing &&
-                       std::abs(glm::dot(one.normal, hit->at - one.at)) < kOnePlane * hit->away));
-    };
-    auto found = std::ranges::find_if(shown_, same);
-    if (found == shown_.end()) {
-      Shown fresh{surface, lit};
-      if (hit) fresh.away = hit->away, fresh.at = hit->at, fresh.normal = hit->normal;
-      found = shown_.insert(shown_.end(), fresh);
-    }
-    ++found->rays;
-    found->place += place;
+  auto [from, along] = now_.ray(place / size, ray, spread);
+  std::optional<PassHit> hit = now_.trace(from, along);
+  // Where the middle of the lens sees it, as raw frames do.
+  if (now_.lens > 0)
+    if (std::optional<Vec2> seen = picture_place(now_.eye, hit ? hit->at : now_.eye.at + along))
+      place = glm::clamp(*seen * size, Vec2(0), size - 0.01f);
+  SurfaceName surface = hit ? surface_of(hit->spot.thing) : SurfaceName{};
+  bool lit = hit && now_.lit(*hit);
+  auto same = [&](const Shown& one) {
+    return one.surface == surface && one.lit == lit && glm::ivec2(one.place) == glm::ivec2(place) &&
+           (!hit || (glm::dot(one.normal, hit->normal) > kOneFacing &&
+                     std::abs(glm::dot(one.normal, hit->at - one.at)) < kOnePlane * hit->away));
+  };
+  auto found = std::ranges::find_if(shown_, same);
+  if (found == shown_.end()) {
+    Shown fresh{surface, lit};
+    if (hit) fresh.away = hit->away, fresh.at = hit->at, fresh.normal = hit->normal;
+    found = shown_.insert(shown_.end(), fresh);
   }
-  for (Shown& one : shown_) one.place /= static_cast<float>(one.rays);
+  ++found->rays;
+  found->place += (place - found->place) / static_cast<float>(found->rays);
 }
 
-bool Gatherer::gather(const Shown& one, int x, int y, int pass, Vec3& light) {
+void Gatherer::find_shown(int x, int y) {
+  shown_.clear();
+  Vec2 at(x, y);
+  float spread = pixel_spread(at);
+  auto add_grid = [&](int side) {
+    for (int ray = 0; ray < side * side; ++ray) add_ray(at + place_in_pixel(ray, side), ray, spread);
+  };
+  add_grid(options_.side);
+  auto blurred = [&](const Shown& one) {
+    return one.surface.kind == ThingKind::nothing ||
+           now_.blur(one.at) * static_cast<float>(grid_.width()) > 1;
+  };
+  if (now_.lens > 0 && std::ranges::any_of(shown_, blurred)) add_grid(2 * options_.side);
+}
+
+bool Gatherer::gather(const Shown& one, int pass, Vec3& light) {
   int reach = pass + 1;
+  glm::ivec2 cell(one.place);
   auto sigma = static_cast<float>(options_.reach) * static_cast<float>(reach);
   auto takes = [&](const RawSample& s) {
     if (pass == kPasses - 1) return true;
@@ -74,8 +90,8 @@ bool Gatherer::gather(const Shown& one, int x, int y, int pass, Vec3& light) {
   Vec3 mean(0), square(0);
   int count = 0;
   bool clips = options_.clip > 0;
-  for (int j = std::max(0, y - reach); j <= std::min(grid_.height() - 1, y + reach); ++j)
-    for (int i = std::max(0, x - reach); i <= std::min(grid_.width() - 1, x + reach); ++i)
+  for (int j = std::max(0, cell.y - reach); j <= std::min(grid_.height() - 1, cell.y + reach); ++j)
+    for (int i = std::max(0, cell.x - reach); i <= std::min(grid_.width() - 1, cell.x + reach); ++i)
       for (const RawSample& s : grid_.in(i, j)) {
         if (!takes(s)) continue;
         taken_.push_back(&s);
@@ -114,7 +130,7 @@ Vec3 Gatherer::pixel(int x, int y) {
   for (const Shown& one : shown_) {
     Vec3 light(0);
     for (int pass = 0; pass < kPasses; ++pass)
-      if (gather(one, x, y, pass, light)) {
+      if (gather(one, pass, light)) {
         sum += static_cast<float>(one.rays) * light;
         rays += one.rays;
         break;

@@ -7,14 +7,18 @@
 
 namespace frond {
 
-/// What counts as one surface: all organs of an organism do, all copies of a stand, all stones.
+/// What counts as one surface: all organs of an organism do, all copies of a stand, all patches of grass;
+/// each stone and block is one of its own.
 struct SurfaceName {
   ThingKind kind = ThingKind::nothing;
-  std::uint32_t owner = 0;
+  std::uint32_t owner = 0, number = 0;
 
   bool operator==(const SurfaceName&) const = default;
 };
-inline SurfaceName surface_of(const Thing& thing) { return {thing.kind, thing.owner}; }
+inline SurfaceName surface_of(const Thing& thing) {
+  bool own = thing.kind == ThingKind::body || thing.kind == ThingKind::stone;
+  return {thing.kind, thing.owner, own ? thing.number : 0};
+}
 
 /// A sample of a raw frame, carried to the frame that is made.
 struct RawSample {
@@ -66,8 +70,9 @@ class Gatherer {
   };
 
   void find_shown(int x, int y);
+  void add_ray(Vec2 place, int ray, float spread);
   /// The mean light of samples of a surface; false where there are none. Each pass takes more of them.
-  bool gather(const Shown& one, int x, int y, int pass, Vec3& light);
+  bool gather(const Shown& one, int pass, Vec3& light);
 
   const SampleGrid& grid_;
   const TracedFrame& now_;

@@ -75,7 +75,7 @@ Result<const Resolver::Raw*> Resolver::raw(int number) {
   Result<const TracedFrame*> found = traced(number);
   if (!found) return found.errors();
   const TracedFrame& now = **found;
-  auto [width, height] = scene_.film.size;
+  auto [width, height] = scene_.film.drawn_size();
   Vec2 shift = sample_shift(scene_.film, number), size(width, height);
   auto made = std::make_unique<Raw>();
   made->light = std::move(*light);
@@ -99,15 +99,39 @@ Result<LightPicture> Resolver::frame(int number) {
       last = std::min(number + options_.window, scene_.film.frames);
   std::erase_if(raws_, [&](const auto& one) { return one.first < first || one.first > last; });
   std::erase_if(traced_, [&](const auto& one) { return one.first < number || one.first > last; });
-  Result<const TracedFrame*> found = traced(number);
-  if (!found) return found.errors();
-  const TracedFrame& now = **found;
+  Film sharp = scene_.film;  // as if each exposure were a scene of its own
+  sharp.raw = false;
+  const Camera& camera = scene_.stage.camera;
+  int moments = exposures(sharp, camera);
+  if (moments == 1) {
+    Result<const TracedFrame*> now = traced(number);
+    return now ? at_moment(number, **now, options_) : now.errors();
+  }
+  ResolveOptions options = options_;
+  options.side = std::max(2, options.side / 2);
+  LightPicture sum;
+  for (int moment = 1; moment <= moments; ++moment) {
+    Result<TracedFrame> now = film_.at(exposure_time(sharp, camera, number, moment));
+    if (!now) return now.errors();
+    Result<LightPicture> one = at_moment(number, *now, options);
+    if (!one) return one;
+    sum.resize(one->size(), Vec3(0));
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += (*one)[i] / static_cast<float>(moments);
+  }
+  return sum;
+}
+
+/// The picture of what is there at a moment, of the raw frames about one.
+Result<LightPicture> Resolver::at_moment(int number, const TracedFrame& now, const ResolveOptions& options) {
   auto [width, height] = scene_.film.size;
-  auto wide = static_cast<std::size_t>(width), high = static_cast<std::size_t>(height);
+  int first = std::max(number - options.window, 1),
+      last = std::min(number + options.window, scene_.film.frames);
   std::vector<std::vector<RawSample>> rows;  // of each frame and row of it
   for (int other = first; other <= last; ++other) {
     Result<const Raw*> raw = this->raw(other);
     if (!raw) return raw.errors();
+    auto drawn = scene_.film.drawn_size();
+    auto wide = static_cast<std::size_t>(drawn[0]), high = static_cast<std::size_t>(drawn[1]);
     std::size_t begin = rows.size();
     rows.resize(begin + high);
     parallel_for(high, [&](std::size_t y) {
@@ -117,9 +141,10 @@ Result<LightPicture> Resolver::frame(int number) {
     });
   }
   SampleGrid grid(width, height, rows);
+  auto wide = static_cast<std::size_t>(width), high = static_cast<std::size_t>(height);
   LightPicture picture(wide * high);
   parallel_for(high, [&](std::size_t y) {
-    Gatherer gatherer(grid, now, options_);
+    Gatherer gatherer(grid, now, options);
     for (std::size_t x = 0; x < wide; ++x)
       picture[y * wide + x] = gatherer.pixel(static_cast<int>(x), static_cast<int>(y));
   });

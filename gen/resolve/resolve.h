@@ -16,6 +16,9 @@
 // frames around, carried to this one by its exact motion; what lies in the sun and what in shade apart. The
 // picture is their mean by what each covers.
 //
+// A raw still has four samples a pixel, and no frames around it. Raw frames are sharp and of one moment: the
+// rays that are traced go through the camera's lens, and are spread over the time that its shutter is open.
+//
 // A frame is a pure function of the raw frames of its window; it depends neither on threads nor on which
 // other frames were made.
 
@@ -26,7 +29,7 @@ using LightPicture = std::vector<Vec3>;
 
 struct ResolveOptions {
   int window = 4;      ///< raw frames before and after one that it is made of
-  int side = 4;        ///< side * side rays are traced through a pixel
+  int side = 5;        ///< side * side rays are traced through a pixel
   double reach = 0.4;  ///< pixels, standard deviation of the weight of a sample by how far aside it lies
   double fade = 4;     ///< frames after which a sample counts for 1/e
   /// Light of other frames is kept within so many standard deviations of this frame's around it; 0: it is
@@ -51,6 +54,7 @@ class Resolver {
 
   Result<const TracedFrame*> traced(int number);
   Result<const Raw*> raw(int number);
+  Result<LightPicture> at_moment(int number, const TracedFrame& now, const ResolveOptions& options);
 
   const Scene& scene_;
   const TracedFilm& film_;

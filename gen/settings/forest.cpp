@@ -70,6 +70,13 @@ std::size_t ForestGround::bytes() const {
   return bytes;
 }
 
+std::vector<Patches> ForestGround::patches() const {
+  std::vector<Patches> list{{{}, &cover.litter_patches}, {{}, &cover.moss_patches}};
+  for (const Surface& shape : cover.litter) list[0].shapes.push_back(&shape);
+  for (const Surface& shape : cover.moss) list[1].shapes.push_back(&shape);
+  return list;
+}
+
 Land ForestGround::land(std::vector<Spot> taken) const {
   Land land = sloping_land(size_, std::move(taken));
   if (plot_.has_path()) land.path = clear_of(plot_);

@@ -30,6 +30,7 @@ class ForestGround final : public Grounds {
   float seat(Vec2 at, double, Seed) override { return height(at); }
   Land land(std::vector<Spot> taken) const override;
   std::vector<Specimen> furnishings() const override { return {}; }
+  std::vector<Patches> patches() const override;
   LowCover low_cover() const override { return {.height = 0.05, .area = 0.5}; }
   std::size_t bytes() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,

@@ -238,7 +238,18 @@ Land Lawn::land(std::vector<Spot> taken) const {
 
 std::vector<Strewn> Lawn::strewn() const {
   if (water_.triangle.empty()) return {};
-  return {{&water_, Color{0.20f, 0.29f, 0.27f}, {{}}}};
+  return {{&water_, Color{0.20f, 0.29f, 0.27f}, {{}}, true}};
+}
+
+std::vector<Patches> Lawn::patches() const {
+  std::vector<Patches> list;
+  for (Surface Turf::*part : {&Turf::blades, &Turf::leaves, &Turf::flowers}) {
+    list.push_back({{}, &turf_patches});
+    for (const Turf& one : turf) list.back().shapes.push_back(&(one.*part));
+  }
+  list.push_back({{}, &gravel_patches});
+  for (const Surface& one : gravel) list.back().shapes.push_back(&one);
+  return list;
 }
 
 LowCover Lawn::low_cover() const {

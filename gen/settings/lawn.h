@@ -12,14 +12,6 @@ inline constexpr int kTurfShapes = 4;  ///< number of patches per size and mixtu
 /// Number of plant mixtures of a lawn, each with more of some kinds and less of others; the last is sparse.
 inline constexpr int kTurfStands = 4;
 
-/// A placed patch of grass, gravel or litter.
-struct Patch {
-  int shape = 0;  ///< index of the patch's surface
-  Vec3 at{0};
-  double turn = 0;  ///< radians about the vertical
-  Vec2 slope{0};    ///< of the ground, along x and z
-};
-
 inline constexpr double kLawnSown = 200;         ///< metres, the square of a lawn that is sown
 inline constexpr double kMostPatches = 400'000;  ///< of grass or gravel; each is one POV-Ray object
 
@@ -54,6 +46,7 @@ class Lawn final : public Grounds {
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
   std::vector<Strewn> strewn() const override;
+  std::vector<Patches> patches() const override;
   std::vector<Specimen> furnishings() const override;
   LowCover low_cover() const override;
   std::size_t bytes() const override;

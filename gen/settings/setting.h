@@ -109,6 +109,24 @@ struct Strewn {
     Vec3 size{1};
   };
   std::vector<At> at;
+  bool water = false;  ///< a surface that reflects and lets light through
+};
+
+/// A placed patch of grass, gravel or litter.
+struct Patch {
+  int shape = 0;  ///< index of the patch's surface
+  Vec3 at{0};
+  double turn = 0;  ///< radians about the vertical
+  Vec2 slope{0};    ///< of the ground, along x and z
+
+  /// Its axes: turned, then sheared along the slope.
+  glm::mat3 axes() const;
+};
+
+/// Patches of one kind, with their surfaces; owned by the grounds.
+struct Patches {
+  std::vector<const Surface*> shapes;
+  const std::vector<Patch>* at = nullptr;
 };
 
 /// Grass or litter that covers the ground.
@@ -139,6 +157,8 @@ class Grounds {
   virtual std::vector<Specimen> furnishings() const = 0;
   /// Loose objects large enough to show in a quick look.
   virtual std::vector<Strewn> strewn() const { return {}; }
+  /// What covers the ground, as meshes.
+  virtual std::vector<Patches> patches() const { return {}; }
   virtual LowCover low_cover() const { return {}; }
   /// Approximate memory, bytes.
   virtual std::size_t bytes() const { return bytes_of(floor_) + heights_.bytes(); }

@@ -94,6 +94,11 @@ Vec3 ground_normal(const Heights& heights, Vec2 at) {
   return glm::normalize(Vec3(x, 2 * kReach, z));
 }
 
+glm::mat3 Patch::axes() const {
+  float c = static_cast<float>(std::cos(turn)), s = static_cast<float>(std::sin(turn));
+  return {c, slope.x * c + slope.y * s, s, 0, 1, 0, -s, -slope.x * s + slope.y * c, c};
+}
+
 std::function<double(Vec2)> clear_of(const Plot& plot) {
   return [&plot](Vec2 at) {
     return plot.pond_distance(at) < 0.1 ? -1e6 : std::min(plot.path_distance(at), plot.pond_distance(at));

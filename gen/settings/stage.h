@@ -18,13 +18,17 @@ struct Film {
   double fps = 24;
   std::array<int, 2> size{480, 270};  ///< width and height, pixels
   Quality quality = Quality::draft;
-  /// Whether frames have one sample a pixel, in each frame elsewhere in it, for `frond resolve`. No property
-  /// of presets.
+  /// Whether frames are resolved from raw ones, see resolve/resolve.h. No property of presets.
   bool raw = false;
 
   double length() const { return frames / fps; }                            ///< seconds
   double time(int frame) const { return (frame - 1) / fps; }                ///< of a frame, the first being 1
   double aspect() const { return static_cast<double>(size[1]) / size[0]; }  ///< height by width
+  /// Width and height of what POV-Ray draws: a raw still has four samples a pixel, as it has no other frames.
+  std::array<int, 2> drawn_size() const {
+    int fine = raw && frames == 1 ? 2 : 1;
+    return {fine * size[0], fine * size[1]};
+  }
 };
 
 inline constexpr std::string_view kFitAll = "all";  ///< instead of names: every organism
@@ -57,10 +61,11 @@ struct Camera {
   bool toned() const { return highlights != 0 || contrast != 1; }
 };
 
-/// Number of exposures per frame of a film; 1: no motion blur, and always for a still.
+/// Number of exposures per frame of a film; 1: no motion blur, and always for a still and for raw frames,
+/// whose motion is blurred when they are resolved.
 inline int exposures(const Film& film, const Camera& camera) {
   constexpr int kExposures[] = {1, 4, 8};
-  if (camera.shutter <= 0 || film.frames == 1) return 1;
+  if (camera.shutter <= 0 || film.frames == 1 || film.raw) return 1;
   return camera.shutter_samples.value_or(kExposures[static_cast<std::size_t>(film.quality)]);
 }
 

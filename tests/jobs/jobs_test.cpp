@@ -46,6 +46,7 @@ TEST(NinjaText, ResolvesFramesFromRawOnes) {
   JobList jobs = film_of(3);
   jobs.frames = {2};
   jobs.raws = {1, 2, 3};
+  jobs.window = 1;
   jobs.resolve = {"it's.json", "--film=."};
   std::string text = ninja_text(jobs);
   EXPECT_EQ(count(text, ": frame frames/"), 3);
@@ -54,9 +55,26 @@ TEST(NinjaText, ResolvesFramesFromRawOnes) {
   EXPECT_EQ(
       paragraph(text, "build $\n    frames/frame_0002.png"),
       "build $\n    frames/frame_0002.png: resolve $\n    raw/frame_0001.png $\n    raw/frame_0002.png $\n"
-      "    raw/frame_0003.png");
-  EXPECT_TRUE(contains(text, "command = exec $frond resolve $preset\n"));
+      "    raw/frame_0003.png\n  numbers = 2-2");
+  EXPECT_TRUE(contains(text, "command = exec $frond resolve $preset --frames $numbers\n"));
+  EXPECT_TRUE(contains(text, "\n  numbers = 2-2\n"));
   EXPECT_EQ(ninja_variable(text, "preset"), "'it'\\''s.json' '--film=.'");
+}
+
+TEST(NinjaText, ResolvesBlocksOfFramesFromTheRawOnesAroundThem) {
+  JobList jobs = film_of(100);
+  jobs.raws = jobs.frames;
+  jobs.window = 4;
+  std::string text = ninja_text(jobs);
+  EXPECT_EQ(count(text, ": resolve "), 3);
+  std::string second = paragraph(text, "build $\n    frames/frame_0049.png");
+  EXPECT_TRUE(contains(second, "frames/frame_0096.png: resolve $\n    raw/frame_0045.png"));
+  EXPECT_TRUE(contains(second, "raw/frame_0100.png\n  numbers = 49-96"));
+  EXPECT_EQ(count(second, "raw/"), 56);
+  jobs.rendered = true;
+  text = ninja_text(jobs);
+  EXPECT_EQ(count(text, ": frame "), 0);
+  EXPECT_EQ(count(text, ": resolve "), 3) << "raw frames come from elsewhere, too";
 }
 
 TEST(NinjaText, FilmHoldsTheFramesOfTheListOnly) {
@@ -184,6 +202,7 @@ TEST(ManifestText, IsReadAsItWasWritten) {
   manifest.size = {80, 60};
   manifest.still = true;
   manifest.render_seconds = 1.25;
+  manifest.raw = {3, 12};
   manifest.frames = {{7, 0.25, 100}, {8, 0.5, 0}};
   Result<Manifest> read = read_manifest(manifest_text(manifest), "manifest.json");
   ASSERT_TRUE(read);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "passes/frame_passes.h"
 #include "scene_at.h"
 
@@ -74,6 +76,35 @@ INSTANTIATE_TEST_SUITE_P(All, Traced,
                            name = name.substr(name.rfind('/') + 1);
                            return name.substr(0, name.find('.'));
                          });
+
+TEST(TracedFrame, RaysThroughTheLensMeetWhereItIsInFocus) {
+  Scene scene = scene_at("tests/presets/tiny_film.json");
+  scene.stage.camera.aperture = 2;
+  TracedFilm film = taken(TracedFilm::of(scene));
+  TracedFrame frame = taken(film.at(0));
+  ASSERT_GT(frame.lens, 0);
+  Vec2 place(0.3f, 0.7f);
+  Vec3 middle = picture_ray(frame.eye, place);
+  Vec3 focus = frame.eye.at + middle * (frame.sharp / glm::dot(middle, frame.eye.ahead));
+  float widest = 0;
+  for (int i = 0; i < 64; ++i) {
+    auto [from, along] = frame.ray(place, i, 0.1f);
+    EXPECT_LT(glm::length(glm::cross(focus - from, along)), 1e-5f);
+    widest = std::max(widest, glm::distance(from, frame.eye.at));
+  }
+  EXPECT_LE(widest, frame.lens / 2);
+  EXPECT_GT(widest, 0.45f * frame.lens);
+  EXPECT_LT(frame.blur(focus), 1e-5f);
+}
+
+TEST(TracedFilm, KnowsGrassAndWater) {
+  Scene scene = scene_at("tests/presets/tiny_garden.json");
+  TracedFilm film = taken(TracedFilm::of(scene));
+  std::map<ThingKind, int> met;
+  each_hit(taken(film.at(0)), [&](const PassHit& hit, Vec2) { ++met[hit.spot.thing.kind]; });
+  EXPECT_GT(met[ThingKind::cover], 10);
+  EXPECT_GT(met[ThingKind::water], 20);
+}
 
 TEST(FramePasses, SharesAddUpToTheCoverage) {
   Scene scene = scene_at("tests/presets/tiny_film.json");

@@ -21,7 +21,9 @@ class Painted {
   explicit Painted(const Scene& scene) : scene_(scene), film_(taken(TracedFilm::of(scene))) {}
 
   Vec3 seen(const TracedFrame& frame, Vec2 place) const {
-    std::optional<PassHit> hit = frame.trace(frame.eye.at, picture_ray(frame.eye, place));
+    return color(frame.trace(frame.eye.at, picture_ray(frame.eye, place)), frame);
+  }
+  Vec3 color(const std::optional<PassHit>& hit, const TracedFrame& frame) const {
     if (!hit) return {0, 0, 1};
     float shade = hit->spot.thing.kind == ThingKind::branches ? 0.8f : 0.2f;
     return Vec3(shade, frame.lit(*hit) ? 1 : 0.5f, 0);
@@ -44,6 +46,24 @@ class Painted {
     return light;
   }
   LightPicture raw(int number) const { return picture(number, 1, sample_shift(scene_.film, number)); }
+
+  /// The mean of side * side rays a pixel through the lens, at moments while the shutter is open.
+  LightPicture exposed(int number, int side, int moments) const {
+    LightPicture light(scene_.film.size[0] * std::size_t(scene_.film.size[1]), Vec3(0));
+    Vec2 size(scene_.film.size[0], scene_.film.size[1]);
+    for (int moment = 0; moment < moments; ++moment) {
+      double open = scene_.stage.camera.shutter / scene_.film.fps * (moment + 0.5) / moments;
+      TracedFrame frame = taken(film_.at(scene_.film.time(number) + open));
+      for (std::size_t i = 0; i < light.size(); ++i)
+        for (int ray = 0; ray < side * side; ++ray) {
+          Vec2 pixel(i % static_cast<std::size_t>(size.x), i / static_cast<std::size_t>(size.x));
+          auto [from, along] = frame.ray((pixel + place_in_pixel(ray, side)) / size, ray, 0.3f);
+          std::optional<PassHit> hit = frame.trace(from, along);
+          light[i] += color(hit, frame) / static_cast<float>(side * side * moments);
+        }
+    }
+    return light;
+  }
 
   const TracedFilm& film() const { return film_; }
 
@@ -76,6 +96,35 @@ TEST(Resolve, IsFarNearerToManySamplesThanItsRawFrames) {
     LightPicture many = painted.picture(number, 8, Vec2(0));
     EXPECT_LT(error(*resolver.frame(number), many), 0.5 * error(painted.raw(number), many)) << number;
   }
+}
+
+TEST(Resolve, BlursWhatMovesAndWhatIsOutOfFocus) {
+  for (bool lens : {false, true}) {
+    Scene scene = raw_scene();
+    if (lens)
+      scene.stage.camera.aperture = 0.4;
+    else
+      scene.stage.camera.shutter = 1, scene.stage.camera.shutter_samples = 4;
+    Painted painted(scene);
+    Resolver resolver(scene, painted.film(), [&](int number) { return painted.raw(number); });
+    LightPicture many = painted.exposed(4, 8, lens ? 1 : 4), sharp = painted.picture(4, 8, Vec2(0));
+    EXPECT_GT(error(sharp, many), 0.01) << lens;
+    EXPECT_LT(error(*resolver.frame(4), many), 0.7 * error(sharp, many)) << lens;
+  }
+}
+
+TEST(Resolve, AStillHasFourRawSamplesAPixel) {
+  Scene scene = raw_scene();
+  scene.film.frames = 1;
+  EXPECT_EQ(scene.film.drawn_size(), (std::array{2 * scene.film.size[0], 2 * scene.film.size[1]}));
+  Scene fine = scene;
+  fine.film.size = scene.film.drawn_size();
+  Painted painted(scene), raws(fine);
+  EXPECT_EQ(sample_shift(scene.film, 1), Vec2(0));
+  LightPicture raw = raws.raw(1), many = painted.picture(1, 8, Vec2(0)),
+               four = painted.picture(1, 2, Vec2(0));
+  Resolver resolver(scene, painted.film(), [&](int) { return raw; });
+  EXPECT_LT(error(*resolver.frame(1), many), 0.8 * error(four, many));
 }
 
 TEST(Resolve, DependsNeitherOnThreadsNorOnOtherFrames) {

@@ -191,6 +191,21 @@ a_task_waits() { [ -s waits ]; }
   [ ! -e oops ]
 }
 
+@test "a film that is resolved has the bytes of the local one" {
+  "$FARM" film.json --quality good --frames 2-3 --chunk 3 --openjd job.json
+  folder=$(realpath out/film/farm/latest)
+  task=$folder/tool/scripts/farm_task.sh
+  run "$FARM" film.json --status
+  echo "$output"
+  [[ $output == *"0 of 6 pictures are rendered"* ]]
+  "$task" "$folder" 2 frames 1 6 3 1
+  "$task" "$folder" 2 frames 1 6 3 2
+  "$task" "$folder" 2 film
+  "$RENDER" film.json --quality good --frames 2-3 -o local
+  same_film out/film local
+  for raw in local/raw/*.png; do cmp "$raw" "$folder/raw/${raw##*/}"; done
+}
+
 @test "the files of a preset are kept as they were; another preset is another folder" {
   mkdir -p a/b
   sed 's/"title"/"base": "..\/base.json", &/' film.json >a/b/film.json

@@ -42,14 +42,24 @@ error_of() {
   cmp before.png out/film/frames/frame_0003.png
 }
 
-@test "what cannot be resolved is refused" {
-  for row in '/film/frames=1|/film/frames' '/scene/camera/shutter=0.5|/scene/camera/shutter' '/scene/camera/aperture=4|/scene/camera/aperture'; do
-    run "$FROND_BIN" generate film.json --resolve --set "${row%|*}" -o refused
-    echo "$output"
-    [ "$status" -eq 2 ]
-    [[ $output == *"${row#*|}"* ]]
-    [ ! -e refused ]
-  done
+@test "the quality good is resolved, a still, too, and all its samples are drawn where that is asked for" {
+  run "$RENDER" film.json --quality good --set /film/frames=1 -o still
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ -s still/still.png ]
+  "$RENDER" film.json --set /film/frames=1 -o best
+  "$RENDER" film.json --quality good --set /film/frames=1 --no-resolve -o plain
+  [ ! -e plain/raw ]
+  resolved=$(error_of best/still.png still/still.png) plain=$(error_of best/still.png plain/still.png)
+  echo "resolved $resolved plain $plain"
+  [ $((2 * resolved)) -lt $((3 * plain)) ]  # sand, of four samples rather than nine
+  grep -q '^flags = -A -J$' still/build.ninja
+  # It is drawn twice as wide and high.
+  size=$(sed -n 's/^size = //p' plain/build.ninja)
+  grep -q "^size = $((2 * ${size%x*}))x$((2 * ${size#*x}))\$" still/build.ninja
+}
+
+@test "raw frames that are not there are named" {
   run "$FROND_BIN" resolve film.json --film nowhere
   [ "$status" -eq 1 ]
   [[ $output == *"nowhere/raw/frame_0001.png"* ]]
