@@ -90,11 +90,15 @@ std::optional<PassHit> TracedFrame::trace(Vec3 from, Vec3 direction) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(parts_->still->scene.get(), &context, &ray);
-  float still = ray.ray.tfar;
+  // What moves may be met just as far away as what does not, so the distance does not tell which of both it
+  // is.
+  RTCHit unmoved = ray.hit;
+  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(parts_->moving.scene.get(), &context, &ray);
+  bool moves = ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  if (!moves) ray.hit = unmoved;
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const PlacedScene& met = ray.ray.tfar < still ? parts_->moving : *parts_->still;
-  const Placed& one = met.things[ray.hit.instID[0]];
+  const Placed& one = (moves ? parts_->moving : *parts_->still).things[ray.hit.instID[0]];
   PassHit hit = hit_on(one, ray);
   if (glm::dot(hit.normal, direction) > 0) hit.normal = -hit.normal;
   if (one.branches)
