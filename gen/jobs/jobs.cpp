@@ -93,7 +93,7 @@ void append_frames(std::string& text, const JobList& jobs) {
 /// Blocks of frames of their raw ones. Each grows the scene anew, so they are not small; one at a time is at
 /// work, as it uses all processors that are free.
 void append_resolve(std::string& text, const JobList& jobs) {
-  constexpr std::size_t kBlock = 48;
+  constexpr std::size_t kBlock = 96;
   std::string words;
   for (const std::string& word : jobs.resolve) words += (words.empty() ? "" : " ") + shell_quoted(word);
   append_variable(text += '\n', "preset", words);

@@ -14,6 +14,7 @@ constexpr float kNearFacing = 0.6f;
 constexpr float kNearDepth = 0.05f;  // of the distance, where nothing nearer was found
 constexpr float kLeastWeight = 1e-3f;
 constexpr int kPasses = 3;
+constexpr int kFewSide = 3;  // of the rays that tell whether a pixel shows more than one surface
 
 }  // namespace
 
@@ -66,7 +67,8 @@ void Gatherer::find_shown(int x, int y) {
   auto add_grid = [&](int side) {
     for (int ray = 0; ray < side * side; ++ray) add_ray(at + place_in_pixel(ray, side), ray, spread);
   };
-  add_grid(options_.side);
+  add_grid(kFewSide);
+  if (shown_.size() > 1) add_grid(options_.side);
   auto blurred = [&](const Shown& one) {
     return one.surface.kind == ThingKind::nothing ||
            now_.blur(one.at) * static_cast<float>(grid_.width()) > 1;

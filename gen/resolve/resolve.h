@@ -29,7 +29,7 @@ using LightPicture = std::vector<Vec3>;
 
 struct ResolveOptions {
   int window = 4;      ///< raw frames before and after one that it is made of
-  int side = 5;        ///< side * side rays are traced through a pixel
+  int side = 5;        ///< side * side rays are traced through a pixel that shows more than one surface
   double reach = 0.4;  ///< pixels, standard deviation of the weight of a sample by how far aside it lies
   double fade = 4;     ///< frames after which a sample counts for 1/e
   /// Light of other frames is kept within so many standard deviations of this frame's around it; 0: it is

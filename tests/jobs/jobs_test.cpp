@@ -62,15 +62,15 @@ TEST(NinjaText, ResolvesFramesFromRawOnes) {
 }
 
 TEST(NinjaText, ResolvesBlocksOfFramesFromTheRawOnesAroundThem) {
-  JobList jobs = film_of(100);
+  JobList jobs = film_of(200);
   jobs.raws = jobs.frames;
   jobs.window = 4;
   std::string text = ninja_text(jobs);
   EXPECT_EQ(count(text, ": resolve "), 3);
-  std::string second = paragraph(text, "build $\n    frames/frame_0049.png");
-  EXPECT_TRUE(contains(second, "frames/frame_0096.png: resolve $\n    raw/frame_0045.png"));
-  EXPECT_TRUE(contains(second, "raw/frame_0100.png\n  numbers = 49-96"));
-  EXPECT_EQ(count(second, "raw/"), 56);
+  std::string second = paragraph(text, "build $\n    frames/frame_0097.png");
+  EXPECT_TRUE(contains(second, "frames/frame_0192.png: resolve $\n    raw/frame_0093.png"));
+  EXPECT_TRUE(contains(second, "raw/frame_0196.png\n  numbers = 97-192"));
+  EXPECT_EQ(count(second, "raw/"), 104);
   jobs.rendered = true;
   text = ninja_text(jobs);
   EXPECT_EQ(count(text, ": frame "), 0);
