@@ -72,10 +72,9 @@ def measure(name, count, side, out):
     size = tuple(map(int, size_text.split("x")))
     still = first == 0
     numbers = [1] if still else list(range(first, first + count))
-    words = [ROOT / f"presets/{preset}.json", "--size", size_text, "--quality", "good", "--set",
-             f"/film/frames={1}" if still else "/seed=0"]
-    if not still:
-        words = words[:-2]
+    words = [ROOT / f"presets/{preset}.json", "--size", size_text, "--quality", "good"]
+    if still:
+        words += ["--set", "/film/frames=1"]
     chosen = ["--frames", f"{numbers[0]}-{numbers[-1]}"]
     plain, raw, many = out / name / "nine", out / name / "resolved", out / name / "many"
     run([FROND, "generate", *words, *chosen, "--no-resolve", "-q", "-o", plain])
