@@ -106,6 +106,26 @@ TEST(TracedFilm, KnowsGrassAndWater) {
   EXPECT_GT(met[ThingKind::water], 20);
 }
 
+TEST(TracedFrame, WhatMovesMayLieWhereSomethingStill) {
+  Scene scene = scene_at("tests/presets/tiny_vases.json");
+  for (Specimen& one : scene.specimens) one.motion = {};
+  std::size_t count = scene.specimens.size();
+  for (std::size_t i = count; i-- > 0;) {  // so that each has another number among its like
+    scene.specimens.push_back(scene.specimens[i]);
+    scene.specimens.back().motion.flutter.amplitude = 1;  // of organs, which it has none of
+  }
+  TracedFilm film = taken(TracedFilm::of(scene));
+  TracedFrame frame = taken(film.at(0));
+  int met = 0;
+  each_hit(frame, [&](const PassHit& hit, Vec2) {
+    std::optional<PlaceNormal> where = frame.where(hit.spot);
+    ASSERT_TRUE(where);
+    EXPECT_LT(glm::distance(where->at, hit.at), 1e-4f * (1 + hit.away));
+    met += hit.spot.thing.kind == ThingKind::body;
+  });
+  EXPECT_GT(met, 100);
+}
+
 TEST(FramePasses, SharesAddUpToTheCoverage) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
   FramePasses passes = *frame_passes(scene, *TracedFilm::of(scene), 3);
