@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/inputs.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "jobs/jobs.h"
@@ -16,11 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kBlock = 32;  // rows; bands are of whole blocks of POV-Ray
-
-Result<Manifest> manifest_in(const fs::path& folder) {
-  Result<std::string> text = read_file(folder / "manifest.json");
-  return text ? read_manifest(*text, (folder / "manifest.json").string()) : text.errors();
-}
 
 bool is_there(const fs::path& pictures, const std::string& name) {
   std::error_code error;

@@ -11,6 +11,7 @@
 #include "app/bar.h"
 #include "app/commands.h"
 #include "app/farm_folder.h"
+#include "app/inputs.h"
 #include "app/messages.h"
 #include "core/files.h"
 #include "core/frame_name.h"
@@ -72,18 +73,17 @@ struct Wanted {
 class FarmTask {
  public:
   FarmTask(fs::path folder, int cpus)
-      : folder_(std::move(folder)), cpus_(cpus > 0 ? cpus : thread_count()), host_(host()) {
-    Result<std::string> text = read_file(folder_ / "manifest.json");
-    if (text) manifest_ = read_manifest(*text, "manifest.json");
-    pictures_ = folder_ / (manifest_ ? manifest_->drawn_folder() : "frames");
-  }
+      : folder_(std::move(folder)),
+        manifest_(manifest_in(folder_)),
+        pictures_(folder_ / (manifest_ ? manifest_->drawn_folder() : "frames")),
+        cpus_(cpus > 0 ? cpus : thread_count()),
+        host_(host()) {}
 
   int frames(int first, int last, int chunk, int task);
   int band(int bands, int band);
   int film();
 
  private:
-  /// Where what POV-Ray draws is brought to.
   fs::path picture(const std::string& name) const { return pictures_ / (name + ".png"); }
   int fail_here(const std::string& what) const { return fail_run({{"", what}}, kCouldNot); }
   int generate(const std::vector<std::string>& options, int err);
@@ -94,8 +94,9 @@ class FarmTask {
   bool finished(const Wanted& wanted, int code, const std::string& said);
   int join(int bands, std::array<int, 2> size);
 
-  fs::path folder_, pictures_;
-  Result<Manifest> manifest_ = Error{"manifest.json", "cannot be read"};
+  fs::path folder_;
+  Result<Manifest> manifest_;
+  fs::path pictures_;  // where those of POV-Ray are brought to
   int cpus_;
   std::string host_, size_, flags_;
   StopSignals stop_;

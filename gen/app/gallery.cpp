@@ -146,8 +146,7 @@ Errors Gallery::note_row(const GalleryPicture& picture) const {
   row.seconds = 0;
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
     fs::path folder = work_ / fmt::format("{}-{}", picture.name, i);
-    Result<std::string> text = read_file(folder / "manifest.json");
-    Result<Manifest> manifest = text ? read_manifest(*text, "manifest.json") : text.errors();
+    Result<Manifest> manifest = manifest_in(folder);
     if (!manifest) return manifest.errors();
     row.seed = manifest->seed;
     row.nodes += manifest->frames.back().nodes;

@@ -169,6 +169,12 @@ bool is_grammar(const std::string& path) {
   return document && document->root.find("axiom") && !document->root.find("organisms");
 }
 
+Result<Manifest> manifest_in(const fs::path& folder) {
+  fs::path file = folder / "manifest.json";
+  Result<std::string> text = read_file(file);
+  return text ? read_manifest(*text, file.string()) : text.errors();
+}
+
 Result<FrameRange> read_frames(const std::string& text, int count) {
   std::string_view rest = text;
   FrameRange range{};

@@ -6,6 +6,7 @@
 #include "app/messages.h"
 #include "core/assets.h"
 #include "core/result.h"
+#include "jobs/jobs.h"
 #include "passes/traced_film.h"
 #include "scene/preset.h"
 
@@ -39,6 +40,9 @@ Result<Assets> assets_of(const std::string& path, const std::optional<std::strin
 
 /// Whether a file holds a grammar rather than a preset: one of another tool, or JSON without organisms.
 bool is_grammar(const std::string& path);
+
+/// What the manifest says of the film in a folder.
+Result<Manifest> manifest_in(const std::filesystem::path& folder);
 
 /// A range as in `--frames 5-12` or `--frames 7`, within 1..count.
 struct FrameRange {

@@ -10,6 +10,7 @@
 
 #include "app/bar.h"
 #include "app/commands.h"
+#include "app/inputs.h"
 #include "app/messages.h"
 #include "core/files.h"
 #include "core/frame_name.h"
@@ -65,9 +66,7 @@ int RenderRun::run() {
 }
 
 Errors RenderRun::prepare() {
-  fs::path file = settings_.out / "manifest.json";
-  Result<std::string> text = read_file(file);
-  Result<Manifest> manifest = text ? read_manifest(*text, file.string()) : text.errors();
+  Result<Manifest> manifest = manifest_in(settings_.out);
   if (!manifest) return manifest.errors();
   manifest_ = std::move(*manifest);
   std::error_code error;

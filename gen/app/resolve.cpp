@@ -62,7 +62,8 @@ Result<std::string> picture_bytes(const LightPicture& light, const Film& film, c
   return png_text(picture);
 }
 
-/// Where waves throw moving light, that of other frames soon counts for little. A still costs one picture.
+/// Where waves throw moving light, that of other frames soon counts for little. A still is one picture, and
+/// may take more rays.
 ResolveOptions options_for(const Scene& scene, const ResolveArguments& arguments) {
   constexpr double kMovingFade = 0.1, kMovingClip = 2;  // seconds; deviations
   constexpr int kStillSide = 6;

@@ -164,8 +164,7 @@ Errors make_sheet(const std::vector<SheetCell>& cells, int frame, int columns, c
   WorkFolder work;
   if (work.path().empty()) return {{"", "no folder can be made for the labels"}};
   std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
-  Result<std::string> text = read_file(cells[0].folder / "manifest.json");
-  Result<Manifest> manifest = text ? read_manifest(*text, "manifest.json") : text.errors();
+  Result<Manifest> manifest = manifest_in(cells[0].folder);
   if (!manifest) return manifest.errors();
   Labels labels(work.path());
   for (std::size_t i = 0; i < cells.size(); ++i)

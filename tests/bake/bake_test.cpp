@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cmath>
 
 #include "bake/photometry.h"
@@ -13,7 +12,7 @@
 #include "core/parallel.h"
 #include "emit/branch_materials.h"
 #include "emit/solid.h"
-#include "render/process.h"
+#include "traced_scene.h"
 
 namespace frond {
 namespace {
@@ -63,32 +62,6 @@ std::vector<Sample> samples() {
     add_branches("bark", {.bark = bark}, 0.3);
   }
   return made;
-}
-
-/// A scene as POV-Ray draws it, its colours linear.
-LinearRaster traced(const std::string& scene, int pixels) {
-  static std::atomic<int> times = 0;
-  fs::path folder = fs::temp_directory_path() / fmt::format("frond_bake_test_{}_{}", getpid(), times++);
-  EXPECT_TRUE(write_file(folder / "own.pov", scene));
-  Words said;
-  Command command;
-  command.folder = folder;
-  command.out = command.err = said.descriptor();
-  command.words = {"povray",
-                   "+Iown.pov",
-                   "+Oown.png",
-                   "+FN16",
-                   "File_Gamma=1.0",
-                   "-D",
-                   "-A",
-                   fmt::format("+W{}", pixels),
-                   fmt::format("+H{}", pixels),
-                   "+L" + fs::absolute(FROND_ROOT "/povinc").string()};
-  Result<int> status = run(command);
-  EXPECT_TRUE(status && *status == 0) << said.text();
-  Result<LinearRaster> raster = read_linear_png(*read_file(folder / "own.png"));
-  fs::remove_all(folder);
-  return *raster;
 }
 
 /// A square of a material as a film would show it, seen from the front in this light.
@@ -142,7 +115,7 @@ TEST(Bake, shows_what_the_macro_does_in_even_light_and_goes_on_over_its_edges) {
   parallel_for(all.size(), [&](std::size_t i) {
     all[i].swatch.relief = false;
     baked[i] = bake(all[i].swatch, 0.5, kHere);
-    own[i] = traced(scene_of(all[i].swatch, "#declare Frond_Ambient=1;"), kPixels);
+    own[i] = traced_scene(scene_of(all[i].swatch, "#declare Frond_Ambient=1;"), {kPixels, kPixels});
   });
   for (std::size_t i = 0; i < all.size(); ++i) {
     ASSERT_TRUE(baked[i]) << all[i].name << baked[i].errors()[0].text();
@@ -169,10 +142,10 @@ TEST(Bake, normals_light_as_the_relief_itself_does) {
   ASSERT_EQ(normals.width, kPixels / 2);
   Vec3 at = 1e6f * towards;
   LinearRaster lit =
-      traced(scene_of(swatch, fmt::format("#declare Frond_Ambient=0; light_source{{<{},{},{}> rgb 1 "
-                                          "parallel point_at 0 shadowless}}",
-                                          at.x, at.y, -at.z)),
-             kPixels);
+      traced_scene(scene_of(swatch, fmt::format("#declare Frond_Ambient=0; light_source{{<{},{},{}> rgb 1 "
+                                                "parallel point_at 0 shadowless}}",
+                                                at.x, at.y, -at.z)),
+                   {kPixels, kPixels});
   double difference = 0, steepest = 1;
   for (int y = 0; y < kPixels / 2; ++y)
     for (int x = 0; x < kPixels / 2; ++x) {

@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 
-#include "core/files.h"
 #include "draw/eyes.h"
 #include "emit/texts.h"
-#include "images/raster.h"
 #include "passes/frame_passes.h"
-#include "render/process.h"
+#include "traced_scene.h"
 
 // POV-Ray as the judge of what rays meet: the same frame in black and in white fog differs by nothing but the
 // fog on the way, and so tells how far away everything is that neither reflects nor lets light through.
@@ -18,35 +14,13 @@
 namespace frond {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double kFog = 4;       // metres in which it takes all but 1/e of the light
 constexpr double kWhite = 0.25;  // so that bright things stay within what a file holds
 
 LinearRaster in_fog(const Scene& scene, int frame, double white) {
-  fs::path folder = fs::temp_directory_path() / fmt::format("frond_passes_test_{}", getpid());
-  std::string text = text_of(scene, frame) +
-                     fmt::format("fog{{fog_type 1 distance {}*Frond_Unit color rgb {}}}\n", kFog, white);
-  EXPECT_TRUE(write_file(folder / "own.pov", text));
-  Words said;
-  Command command;
-  command.folder = folder;
-  command.out = command.err = said.descriptor();
-  command.words = {"povray",
-                   "+Iown.pov",
-                   "+Oown.png",
-                   "+FN16",
-                   "File_Gamma=1.0",
-                   "-D",
-                   "-A",
-                   fmt::format("+W{}", scene.film.size[0]),
-                   fmt::format("+H{}", scene.film.size[1]),
-                   "+L" + fs::absolute(FROND_ROOT "/povinc").string()};
-  Result<int> status = run(command);
-  EXPECT_TRUE(status && *status == 0) << said.text();
-  LinearRaster raster = *read_linear_png(*read_file(folder / "own.png"));
-  fs::remove_all(folder);
-  return raster;
+  return traced_scene(text_of(scene, frame) +
+                          fmt::format("fog{{fog_type 1 distance {}*Frond_Unit color rgb {}}}\n", kFog, white),
+                      scene.film.size);
 }
 
 class InFog : public testing::TestWithParam<const char*> {};
