@@ -33,7 +33,7 @@ def run(*words, **options):
 
 def pov_silhouette(frond, preset, folder, sets, frame, size):
     """Renders black organisms before nothing; returns the camera's place, target and angle, in metres."""
-    run(frond, "generate", preset, "-o", folder, "--frames", f"{frame}-{frame}", "-q", *sets)
+    run(frond, "generate", preset, "-o", folder, "--frames", f"{frame}-{frame}", "--no-resolve", "-q", *sets)
     path = f"{folder}/frames/frame_{frame:04}.pov"
     with open(path, encoding="utf-8") as file:
         text = file.read()
