@@ -7,19 +7,25 @@
 #include <array>
 #include <atomic>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "core/files.h"
+#include "dress/leaf_look.h"
 #include "images/raster.h"
 #include "render/process.h"
 
 namespace frond {
 
-/// A scene as POV-Ray draws it, its colours linear.
-inline LinearRaster traced_scene(const std::string& scene, std::array<int, 2> size) {
+/// A scene as POV-Ray draws it, its colours linear; `flags`: further ones; `files`: what it reads besides.
+inline LinearRaster traced_scene(const std::string& scene, std::array<int, 2> size,
+                                 const std::vector<std::string>& flags = {},
+                                 const std::vector<Picture>& files = {}) {
   namespace fs = std::filesystem;
   static std::atomic<int> times = 0;
   fs::path folder = fs::temp_directory_path() / fmt::format("frond_test_{}_{}", getpid(), times++);
   EXPECT_TRUE(write_file(folder / "own.pov", scene));
+  for (const Picture& file : files) EXPECT_TRUE(write_file(folder / file.name, file.bytes));
   Words said;
   Command command;
   command.folder = folder;
@@ -34,6 +40,7 @@ inline LinearRaster traced_scene(const std::string& scene, std::array<int, 2> si
                    fmt::format("+W{}", size[0]),
                    fmt::format("+H{}", size[1]),
                    "+L" + fs::absolute(FROND_ROOT "/povinc").string()};
+  command.words.insert(command.words.end(), flags.begin(), flags.end());
   Result<int> status = run(command);
   EXPECT_TRUE(status && *status == 0) << said.text();
   Result<LinearRaster> raster = read_linear_png(*read_file(folder / "own.png"));

@@ -52,6 +52,7 @@ struct PassesArguments {
   std::optional<std::string> frames;  ///< A-B; none: the last
   int threads = 0;                    ///< 0: all
   int side = 4;                       ///< side * side rays tell the shares of a pixel
+  bool albedo = false;                ///< also the colours of surfaces, by POV-Ray
   bool views = false;                 ///< also PNG pictures to look at
 };
 

@@ -104,7 +104,9 @@ void add_passes(CLI::App& app, int& result) {
   command->add_option("--side", to->side, "N: N * N rays tell the shares of a pixel (4)")
       ->check(CLI::Range(1, 16));
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
-  command->add_flag("--views", to->views, "Also PNG pictures to look at: depth, normal, sun, parts, motion");
+  command->add_flag("--albedo", to->albedo, "Also the colours of surfaces without light, by POV-Ray");
+  command->add_flag("--views", to->views,
+                    "Also PNG pictures to look at: depth, normal, sun, parts, motion, albedo");
   command->footer("Example:\n  frond passes presets/reef.json --frames 1-24 -o passes");
   command->callback([&result, to] { result = passes(*to); });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear.h"
 #include "core/seed.h"
 
 namespace frond {
@@ -56,6 +57,13 @@ std::vector<PassView> pass_views(const FramePasses& passes, float middle) {
                      return hue(std::atan2(moved.y, moved.x) / (2 * static_cast<float>(kPi))) *
                             std::min(std::sqrt(far), 1.0f);
                    })});
+  if (!passes.albedo.empty())
+    views.push_back({"albedo", painted(passes, [&](std::size_t i) {
+                       Vec3 seen(0);
+                       for (int c = 0; c < 3; ++c)
+                         seen[c] = static_cast<float>(encoded(static_cast<double>(passes.albedo[i][c])));
+                       return seen;
+                     })});
   return views;
 }
 

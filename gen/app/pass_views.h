@@ -16,7 +16,7 @@ struct PassView {
 
 /// depth: near is bright, and half as bright `middle` metres away; normal: x, y and z as red, green and blue;
 /// sun: what it shines on; parts: a colour each; motion to the next frame: its direction as a hue, full from
-/// 2 % of the picture's width on.
+/// 2 % of the picture's width on; albedo, where it is known.
 std::vector<PassView> pass_views(const FramePasses& passes, float middle);
 
 }  // namespace frond

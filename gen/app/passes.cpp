@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/albedo.h"
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/messages.h"
@@ -82,6 +83,8 @@ Result<std::string> picture_of(const Scene& scene, const FramePasses& passes) {
   channels.add("forward", passes.forward);
   channels.add("backward", passes.backward);
   channels.add("sun.Y", passes.sun);
+  for (int c = 0; c < 3 && !passes.albedo.empty(); ++c)
+    channels.add(std::string("albedo.") + "RGB"[c], passes.albedo, [c](Vec3 color) { return color[c]; });
   ExrAttributes attributes;
   struct Layer {
     std::string name;
@@ -116,14 +119,23 @@ int passes(const PassesArguments& arguments) {
   if (!scene) return fail(scene.errors(), kWrongInput);
   WorkFolder models;
   if (models.path().empty()) return fail({{"", "no folder can be made for models"}}, kCouldNot);
-  Result<TracedFilm> film = traced_film(*scene, models.path());
+  fs::path frames = models.path() / "frames";
+  Result<TracedFilm> film = traced_film(*scene, frames);
   if (!film) return fail(film.errors(), kCouldNot);
+  std::optional<Albedo> albedo;
+  if (arguments.albedo) {
+    Result<Albedo> made = Albedo::of(*scene, frames);
+    if (!made) return fail(made.errors(), kCouldNot);
+    albedo.emplace(std::move(*made));
+  }
   const Camera& camera = scene->stage.camera;
   float middle = std::max(glm::distance(camera.location.at(0), camera.look_at.at(0)), 1e-3f);
   now_doing("tracing frames");
   for (int frame = range.first; frame <= range.last; ++frame) {
     Result<FramePasses> made = frame_passes(*scene, *film, frame, arguments.side);
     if (!made) return fail(made.errors(), kCouldNot);
+    if (Errors errors = albedo ? albedo->add_to(*made, frame) : Errors{}; !errors.empty())
+      return fail(errors, kCouldNot);
     Result<std::string> picture = picture_of(*scene, *made);
     if (!picture) return fail(picture.errors(), kCouldNot);
     fs::path file = out / (frame_name(frame) + ".exr");

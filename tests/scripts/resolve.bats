@@ -66,11 +66,12 @@ error_of() {
 }
 
 @test "passes are OpenEXR, a file a frame" {
-  run "$FROND_BIN" passes film.json --frames 2-3 -o passes
+  run "$FROND_BIN" passes film.json --frames 2-3 --albedo -o passes
   echo "$output"
   [ "$status" -eq 0 ]
   [ "$output" = $'passes/frame_0002.exr\npasses/frame_0003.exr' ]
   [ "$(head -c 4 passes/frame_0002.exr | od -An -tx1 | tr -d ' ')" = 762f3101 ]
   grep -qa 'CryptoPart00.R' passes/frame_0003.exr
+  grep -qa 'albedo.R' passes/frame_0003.exr
   grep -qa 'staghorn' passes/frame_0003.exr
 }
