@@ -27,7 +27,9 @@ namespace {
 constexpr int kMostFaults = 6;  // that are shown
 constexpr std::string_view kNoRoom = ": no room on the disk";
 
-std::string picture_of(int frame) { return "frames/" + frame_name(frame) + ".png"; }
+std::string picture_in(std::string_view folder, int frame) {
+  return fmt::format("{}/{}.png", folder, frame_name(frame));
+}
 
 /// The number of "frame 12"; 0 of another text.
 int frame_of(std::string_view what) {
@@ -147,8 +149,10 @@ int RenderRun::all_frames() const {
 
 std::vector<std::string> RenderRun::pictures_of(int step) const {
   std::vector<std::string> pictures;
+  // Frames are resolved when all raw ones around them are there: until then those are looked at.
+  std::string_view folder = step > 1 ? manifest_.drawn_folder() : "frames";
   for (std::size_t i = 0; i < manifest_.frames.size(); i += static_cast<std::size_t>(step)) {
-    std::string picture = picture_of(manifest_.frames[i].number);
+    std::string picture = picture_in(folder, manifest_.frames[i].number);
     if (std::ranges::find(failed_, picture) == failed_.end()) pictures.push_back(std::move(picture));
   }
   return pictures;
@@ -180,7 +184,7 @@ Error RenderRun::lost_frames() const {
   for (const std::string& file : failed_) {
     film = film || file.starts_with("film.");
     for (const Manifest::Frame& frame : manifest_.frames)
-      if (file == picture_of(frame.number) || file == "raw/" + frame_name(frame.number) + ".png")
+      if (file == picture_in("frames", frame.number) || file == picture_in("raw", frame.number))
         lost.insert(frame.number);
   }
   std::string out = settings_.out.string();

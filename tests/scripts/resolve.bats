@@ -28,7 +28,8 @@ error_of() {
   [ "$raw" -gt 0 ]
   [ $((10 * resolved)) -lt $((7 * raw)) ]
 
-  "$RENDER" film.json --resolve --frames 4-5 --out part
+  run "$RENDER" film.json --resolve --frames 4-5 --every 2 --out part
+  [[ $output == *"One of 2 frames is there, and a film of them: part/preview.mp4"* ]]
   cmp part/frames/frame_0004.png out/film/frames/frame_0004.png
   [ "$(frames_of part/film.mp4)" -eq 2 ]
 
