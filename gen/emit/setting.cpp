@@ -45,6 +45,12 @@ std::string includes_text(const Scene& scene) {
   return text;
 }
 
+std::optional<FloorTexture> floor_texture(const Stage& stage) {
+  const SettingText& text = text_of(stage);
+  if (text.bare_floor.empty()) return std::nullopt;
+  return FloorTexture{text.includes, text.bare_floor};
+}
+
 std::string setting_text(const Scene& scene, double time) {
   return text_of(scene.stage).surroundings(scene, time);
 }

@@ -19,7 +19,17 @@ struct SettingText {
   std::string (*ground)(const PovSpace& space, const Scene& scene);
   /// Pictures that its text names at a time, to be put beside the frame; null where there are none.
   Result<std::vector<Picture>> (*pictures)(const Scene& scene, double time) = nullptr;
+  /// What stands in the texture of a floor that nothing covers.
+  std::string_view bare_floor = {};
 };
+
+/// The texture of a setting's floor, for what draws it by itself.
+struct FloorTexture {
+  std::vector<std::string_view> includes;  ///< as those of SettingText
+  std::string_view inside;                 ///< of `texture{}`; its y is up
+};
+/// None where there is no floor, or grass or litter covers it.
+std::optional<FloorTexture> floor_texture(const Stage& stage);
 
 /// The `#include` lines of the files that a scene needs.
 std::string includes_text(const Scene& scene);

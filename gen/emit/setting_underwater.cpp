@@ -74,8 +74,10 @@ void append_stones(std::string& text, const PovSpace& space, const SeaFloor& flo
   }
 }
 
+constexpr std::string_view kSand = "Sand_Texture()";
+
 std::string sea_floor_text(const PovSpace& space, const Scene& scene) {
-  std::string text = floor_text(space, scene, "Sand_Texture()");
+  std::string text = floor_text(space, scene, kSand);
   append_stones(text, space, ground_as<SeaFloor>(*scene.ground));
   return text;
 }
@@ -83,7 +85,7 @@ std::string sea_floor_text(const PovSpace& space, const Scene& scene) {
 }  // namespace
 
 SettingText underwater_text() {  // Food may drift there in any case.
-  return {{"water", "sand", "coral", "food"}, water_text, sea_floor_text, caustics};
+  return {{"water", "sand", "coral", "food"}, water_text, sea_floor_text, caustics, kSand};
 }
 
 }  // namespace frond

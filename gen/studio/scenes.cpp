@@ -183,6 +183,7 @@ void Scenes::add_tiles(const Scene& scene) {
     auto drawing = std::make_shared<const Drawing>(tile_drawing(tiled, bake_));
     for (const std::string& name : drawing->names) drawings_.put(name, drawing, bytes);
   };
+  add(scene.stage, kDrawing);
   for (const Specimen& specimen : scene.specimens) {
     if (specimen.model.skeleton.size() > 1) add(specimen.look.branches, kDrawing);
     for (const Solid& solid : specimen.model.solids.shapes)

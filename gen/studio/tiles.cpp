@@ -10,6 +10,7 @@
 #include "core/bytes.h"
 #include "core/content.h"
 #include "core/linear.h"
+#include "emit/setting.h"
 #include "export/materials.h"
 
 namespace frond {
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kPixels = 256;
 constexpr int kSkinPixels = 512;  // as exports have them, which keep them where we look for them
+constexpr int kFloorPixels = 512;
 constexpr float kDarkest = 0.01f;
 constexpr double kRough = 0.8;  // the page shows no roughness
 
@@ -40,6 +42,19 @@ Material shared(const Material& own) {
   m.bands.clear();
   m.polyps = {};
   return m;
+}
+
+/// A piece of a setting's floor, as seen from above.
+std::optional<Swatch> floor_swatch(const Stage& stage) {
+  constexpr double kWide = 3;  // metres: ripples show, and the same comes again seldom
+  std::optional<FloorTexture> floor = floor_texture(stage);
+  if (!floor) return std::nullopt;
+  Swatch swatch;
+  swatch.includes = floor->includes;
+  swatch.texture = fmt::format("texture{{{} rotate -90*x}}", floor->inside);
+  swatch.pixels = {kFloorPixels, kFloorPixels};
+  swatch.wide = kWide;
+  return swatch;
 }
 
 Tile named(const std::string& made_from) {
@@ -100,6 +115,19 @@ std::optional<Tile> tile_of(const BranchLook& branches) {
   tile.varied = true;
   tile.light = 1.0f / glm::max(linear(branches.plain(0, 1)), Vec3(kDarkest));
   return tile;
+}
+
+std::optional<Tile> tile_of(const Stage& stage) {
+  std::optional<Swatch> swatch = floor_swatch(stage);
+  if (!swatch) return std::nullopt;
+  Tile tile = named(swatch_scene(*swatch));
+  tile.wide = tile.high = swatch->wide;
+  return tile;
+}
+
+Drawing tile_drawing(const Stage& stage, const BakeOptions& options) {
+  return drawing_of(*tile_of(stage),
+                    [swatch = *floor_swatch(stage), options] { return bake(swatch, kRough, options); });
 }
 
 Drawing tile_drawing(const Material& material, const BakeOptions& options) {

@@ -26,7 +26,11 @@ std::optional<Tile> tile_of(const Solid& body);
 /// Of branches that have a pattern. It varies their plain colours, whatever these are.
 std::optional<Tile> tile_of(const BranchLook& branches);
 
+/// Of a setting's floor that nothing covers; it repeats. None of any other.
+std::optional<Tile> tile_of(const Stage& stage);
+
 /// Draws both pictures of what has some.
+Drawing tile_drawing(const Stage& stage, const BakeOptions& options);
 Drawing tile_drawing(const Material& material, const BakeOptions& options);
 Drawing tile_drawing(const Solid& body, const BakeOptions& options);
 Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options);

@@ -11,6 +11,7 @@
 #include "preset/value.h"
 #include "scene/copies.h"
 #include "settings/settings.h"
+#include "studio/tiles.h"
 
 namespace frond {
 
@@ -99,6 +100,8 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
   };
   if (!scene.ground->floor().triangle.empty()) {
     add(scene.ground->floor(), light.ground);
+    if (std::optional<Tile> tile = tile_of(scene.stage))
+      parts.back().head["material"]["tile"] = json_of(*tile);
   } else {
     constexpr float kHalf = 60;  // metres
     Surface plane;
