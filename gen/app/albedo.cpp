@@ -7,6 +7,7 @@
 #include "app/inputs.h"
 #include "core/files.h"
 #include "core/frame_name.h"
+#include "core/parallel.h"
 #include "film/film_files.h"
 #include "images/raster.h"
 #include "render/process.h"
@@ -47,6 +48,7 @@ Errors Albedo::add_to(FramePasses& passes, int frame) const {
   Words said;
   Command command;
   command.out = command.err = said.descriptor();
+  command.environment = {fmt::format("FROND_THREADS={}", thread_count())};
   command.words = {own_program().string(),
                    "frame",
                    scene,
