@@ -6,8 +6,8 @@ namespace frond {
 
 bool has_soft_light(const Stage& stage) { return drawn_daylight(stage).soft; }
 
-std::optional<Ambience> ambience_of(const Scene& scene) {
-  Daylight light = drawn_daylight(scene.stage);
+std::optional<Ambience> ambience_of(const Scene& scene, double time) {
+  Daylight light = drawn_daylight(stage_at(scene.stage, time));
   if (!light.soft) return std::nullopt;
   return Ambience{light.sun, light.sunlight, light.above, light.aside, light.below, light.thrown_back};
 }

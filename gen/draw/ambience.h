@@ -14,7 +14,7 @@ inline constexpr double kLightErrorBound = 4;
 /// Whether light comes from all around in a setting, and not from lamps alone.
 bool has_soft_light(const Stage& stage);
 
-/// What shines on a scene from all around; none where there are lamps.
-std::optional<Ambience> ambience_of(const Scene& scene);
+/// What shines on a scene from all around at a time; none where there are lamps.
+std::optional<Ambience> ambience_of(const Scene& scene, double time);
 
 }  // namespace frond

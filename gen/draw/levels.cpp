@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "draw/ambience.h"
 #include "draw/eyes.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -64,21 +65,27 @@ Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.
     for (int frame = first - kBeyond; frame < first + kStretch + kBeyond; frame += 3)
       eyes.push_back(eye_at(scene, film.time(std::clamp(frame, 1, film.frames))));
   }
-  if (std::optional<Ambience> ambience = ambience_of(scene); ambience && ambience->sunlight != Vec3(0))
-    sun_ = ambience->sun;
+  constexpr int kSuns = 12;
+  for (int k = 0, last = sun_moves(scene.stage) ? kSuns : 0; k <= last; ++k)
+    if (auto ambience = ambience_of(scene, film.length() * k / kSuns);
+        ambience && ambience->sunlight != Vec3(0))
+      suns_.push_back(ambience->sun);
 }
 
 /// Whether the shadow of a ball may be in view.
-bool Views::shades(const std::vector<Eye>& eyes, Vec3 at, float radius) const {
-  if (sun_.y < 0.03f) return false;
+bool Views::shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const {
   float step = std::max(1.5f * radius, 1.0f);
-  for (int i = 0; i < 60; ++i) {
-    if (std::ranges::any_of(eyes, [&](const Eye& eye) { return in_view(eye, at, radius + 1.5f); }))
-      return true;
-    if (at.y + radius < scene_.ground->height({at.x, at.z})) return false;
-    at -= sun_ * step;
-  }
-  return false;
+  return std::ranges::any_of(suns_, [&](Vec3 sun) {
+    if (sun.y < 0.03f) return false;
+    Vec3 at = from;
+    for (int i = 0; i < 60; ++i) {
+      if (std::ranges::any_of(eyes, [&](const Eye& eye) { return in_view(eye, at, radius + 1.5f); }))
+        return true;
+      if (at.y + radius < scene_.ground->height({at.x, at.z})) return false;
+      at -= sun * step;
+    }
+    return false;
+  });
 }
 
 std::vector<Drawn> Views::drawn(std::size_t stretch, const SownStand& stand, int model,

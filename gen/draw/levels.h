@@ -82,11 +82,11 @@ class Views {
  private:
   std::vector<Drawn> drawn(std::size_t stretch, const SownStand& stand, int model,
                            const ModelBlocks& blocks) const;
-  bool shades(const std::vector<Eye>& eyes, Vec3 at, float radius) const;
+  bool shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const;
 
   const Scene& scene_;
   std::vector<std::vector<Eye>> eyes_;
-  Vec3 sun_{0};  // no light comes from there: 0
+  std::vector<Vec3> suns_;  // directions that light comes from in the film
   int stretch_ = 1;
   double coarse_ = 1;
 };

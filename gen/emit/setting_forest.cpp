@@ -7,10 +7,11 @@ namespace frond {
 namespace {
 
 std::string wood_text(const Scene& scene, double time) {
-  const auto& forest = scene.stage.block<Forest>();
-  const auto& meadow = scene.stage.block<Meadow>();
-  Sky sky = forest_sky(scene.stage);
-  Daylight light = drawn_daylight(scene.stage);
+  Stage stage = stage_at(scene.stage, time);
+  const auto& forest = stage.block<Forest>();
+  const auto& meadow = stage.block<Meadow>();
+  Sky sky = forest_sky(stage);
+  Daylight light = drawn_daylight(stage);
   return globals_text("Meadow") + sky_text(sky, meadow.clouds) + "Forest_Setting(" + eye_text(scene, time) +
          "," + lamp_text(sky) + "," + vector_text(light.fog) + "," + number_text(light.fade) + "," +
          vector_text(light.mist) + "," + number_text(forest.mist) + "," +

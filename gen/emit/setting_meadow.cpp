@@ -6,17 +6,11 @@ namespace frond {
 
 namespace {
 
-std::string summer_text(const Scene& scene, double) {
-  const auto& meadow = scene.stage.block<Meadow>();
-  return globals_text("Meadow") +
-         country_text(meadow_sky(scene.stage), meadow, drawn_daylight(scene.stage).fog);
-}
-
 /// A mountain far off shows the light that comes to it: no lamp of the scene reaches it.
-std::string mountain_text(const PovSpace& space, const Scene& scene) {
-  const auto& meadow = scene.stage.block<Meadow>();
+std::string mountain_text(const PovSpace& space, const Stage& stage) {
+  const auto& meadow = stage.block<Meadow>();
   if (!meadow.mountain) return {};
-  Sky sky = meadow_sky(scene.stage);
+  Sky sky = meadow_sky(stage);
   std::string text = "object{\n";
   append_mesh(text, space, mountain_surface(*meadow.mountain, sky.lamp));
   text += "\ntexture{Meadow_Rock(" + color_text(meadow.mountain->rock) + "," + color_text(meadow.grass) +
@@ -25,12 +19,19 @@ std::string mountain_text(const PovSpace& space, const Scene& scene) {
          ")}no_shadow no_reflection no_radiosity}\n";
 }
 
+std::string summer_text(const Scene& scene, double time) {
+  Stage stage = stage_at(scene.stage, time);
+  std::string text = globals_text("Meadow") +
+                     country_text(meadow_sky(stage), stage.block<Meadow>(), drawn_daylight(stage).fog);
+  return sun_moves(scene.stage) ? text + "\n" + mountain_text({}, stage) : text;
+}
+
 }  // namespace
 
 SettingText meadow_text() {
   return {{"meadow"}, summer_text, [](const PovSpace& space, const Scene& scene) {
             return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}) +
-                   mountain_text(space, scene);
+                   (sun_moves(scene.stage) ? "" : mountain_text(space, scene.stage));
           }};
 }
 

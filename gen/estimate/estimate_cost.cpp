@@ -19,6 +19,7 @@
 #include "scene/bounds.h"
 #include "scene/copies.h"
 #include "scene/style.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -311,7 +312,7 @@ Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
   sums->still += ground.bytes;
   f.scene_memory += 2 * (sums->still + sums->materials);
   f.frame_memory += kFrameBuffers + sums->body_memory;
-  bool each = sums->changing && preset.film.frames > 1;
+  bool each = (sums->changing || sun_moves(preset.stage)) && preset.film.frames > 1;
   f.growth_memory = f.scene_memory + std::max(sums->growing, each ? 0 : ground.light_memory);
   if (each) f.frame_memory += ground.light_memory;
   (each ? f.frame_seconds : f.growth_seconds) += ground.light_seconds;

@@ -220,7 +220,7 @@ Errors write_drawings(const Scene& scene, const fs::path& folder, const Watch& w
 }
 
 Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder) {
-  if (!ambience_of(scene)) return {};
+  if (!has_soft_light(scene.stage)) return {};
   if (light_changes(scene)) {
     parts.light = kOwnLight;
     return {};

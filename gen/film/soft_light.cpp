@@ -10,6 +10,7 @@
 #include "draw/ambience.h"
 #include "draw/eyes.h"
 #include "draw/surfel_sampler.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -131,14 +132,15 @@ SoftLight::Size estimate_light(const Scene& scene, double tall) {
 }
 
 bool light_changes(const Scene& scene) {
-  return scene.film.frames > 1 && std::ranges::any_of(scene.specimens, [](const Specimen& s) {
-           return s.life.changes() || s.motion.growth.duration > 0;
-         });
+  return scene.film.frames > 1 &&
+         (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, [](const Specimen& s) {
+            return s.life.changes() || s.motion.growth.duration > 0;
+          }));
 }
 
 Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Surfels& surfels,
                                     double time) {
-  std::optional<Ambience> ambience = ambience_of(scene);
+  std::optional<Ambience> ambience = ambience_of(scene, time);
   if (!ambience) return std::string();
   bool changes = light_changes(scene);
   Specimens now;

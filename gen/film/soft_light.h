@@ -13,8 +13,8 @@ namespace frond {
 /// rise to `tall` metres.
 SoftLight::Size estimate_light(const Scene& scene, double tall);
 
-/// Whether the soft light is another in each frame: where something grows or becomes another shape. What only
-/// sways keeps that of the first frame.
+/// Whether the soft light is another in each frame: where something grows or becomes another shape, or the
+/// sun moves. What only sways keeps that of the first frame.
 bool light_changes(const Scene& scene);
 
 /// The soft light of a scene at a time, as POV-Ray's radiosity keeps it in files (+RFI): each line a place, a

@@ -270,7 +270,7 @@ Result<TracedFrame> TracedFilm::at(double time) const {
   std::ranges::move(parts_->food_at(time), std::back_inserter(*moving));
   parts->moving = PlacedScene(std::move(*moving));
   parts->still = &parts_->always;
-  Daylight light = drawn_daylight(scene.stage);
+  Daylight light = drawn_daylight(stage_at(scene.stage, time));
   Eye eye = eye_at(scene, time);
   parts->light = light.sun;
   if (!light.lamps.empty()) {

@@ -264,7 +264,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
 
 Raster quick_look(const Scene& scene, double time) {
   auto [width, height] = scene.film.size;
-  Daylight light = daylight_of(scene.stage);
+  Daylight light = daylight_of(stage_at(scene.stage, time));
   Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
   Pixels pixels(width, height), from_sun(kShadowSide, kShadowSide);
   ToSun sun = sun_over(scene, light.sun, from_sun);

@@ -24,7 +24,8 @@ void describe(Visitor& v, TerrainShape& t) {
 
 template <class Visitor>
 void describe(Visitor& v, Forest& f) {
-  v.number("hour", f.when.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
+  v.animated("hour", f.hour, kHours,
+             "Hour of the day, which places the sun: 6 dawn, 12 noon, 19 dusk; with keyframes a day goes by");
   describe_place(v, f.when);
   v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"},
            "Height to which mist fills the valleys; 0 is none");
@@ -145,12 +146,15 @@ SettingRow forest_setting() {
         light.fog = 0.74f * (0.92f * sky.horizon * linear(forest.air) + 0.07f * sky.zenith);
         light.mist = 0.8f * sky.horizon + 0.06f * sky.zenith;
         return light;
-      });
+      },
+      [](Stage& stage) { return &stage.block<Forest>().hour; });
 }
 
 Sky forest_sky(const Stage& stage) {
   const auto& forest = stage.block<Forest>();
-  return sky_over(stage.block<Meadow>(), sun_at(forest.when), stage.camera.stops() + forest.brighten);
+  Moment when = forest.when;
+  when.hour = forest.hour.at(0);
+  return sky_over(stage.block<Meadow>(), sun_at(when), stage.camera.stops() + forest.brighten);
 }
 
 }  // namespace frond

@@ -10,7 +10,8 @@ namespace frond {
 
 /// A wood on hilly land; sky and haze are those of the meadow, with the sun of the hour.
 struct Forest {
-  Moment when;
+  Animated<double> hour{10.0};
+  Moment when;             ///< its own hour counts for nothing
   double mist = 0;         ///< metres above the valleys, top of the morning mist; 0: none
   double brighten = 0.75;  ///< stops above the exposure of the open land: little light falls below crowns
   TerrainShape terrain;

@@ -14,7 +14,8 @@ namespace frond {
 
 template <class Visitor>
 void describe(Visitor& v, Garden& g) {
-  v.number("hour", g.when.hour, kHours, "Hour of the day, which moves the sun: 6 dawn, 12 noon, 19 dusk");
+  v.animated("hour", g.hour, kHours,
+             "Hour of the day, which places the sun: 6 dawn, 12 noon, 19 dusk; with keyframes a day goes by");
   describe_place(v, g.when);
   v.object("pond", g.pond, "The pond");
   v.object("path", g.path, "The gravel path");
@@ -73,11 +74,15 @@ SettingRow garden_setting() {
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();
         return daylight(garden_sky(stage), meadow.grass, linear(meadow.grass), meadow.haze);
-      });
+      },
+      [](Stage& stage) { return &stage.block<Garden>().hour; });
 }
 
 Sky garden_sky(const Stage& stage) {
-  return sky_over(stage.block<Meadow>(), sun_at(stage.block<Garden>().when), stage.camera.stops());
+  const auto& garden = stage.block<Garden>();
+  Moment when = garden.when;
+  when.hour = garden.hour.at(0);
+  return sky_over(stage.block<Meadow>(), sun_at(when), stage.camera.stops());
 }
 
 }  // namespace frond

@@ -7,7 +7,8 @@ namespace frond {
 
 /// The additions of a garden to the lawn and the sky of a meadow, with the sun of the hour.
 struct Garden {
-  Moment when;
+  Animated<double> hour{10.0};
+  Moment when;  ///< its own hour counts for nothing
   PondShape pond;
   PathShape path;
   int lilies = 0;        ///< number of water lily leaves on the pond

@@ -42,8 +42,8 @@ void describe(Visitor& v, Sward& s) {
 
 template <class Visitor>
 void describe(Visitor& v, Meadow& m) {
-  v.number("hour", m.hour, kHours,
-           "Hour of the day, which places the sun instead of sun: 6 dawn, 12 noon, 19 dusk");
+  v.animated("hour", m.hour, kHours,
+             "Hour of the day, which places the sun instead of `sun`, as that of garden does");
   describe_place(v, m.when);
   v.number("turbidity", m.turbidity, {.min = 1.7, .max = 10},
            "How dusty the air is: 2 clear as in mountains, 3 a summer's day, 6 white with haze");
@@ -89,6 +89,10 @@ SettingRow meadow_setting() {
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();
         return daylight(meadow_sky(stage), meadow.grass, linear(meadow.grass), meadow.haze);
+      },
+      [](Stage& stage) {
+        std::optional<Animated<double>>& hour = stage.block<Meadow>().hour;
+        return hour ? &*hour : nullptr;
       });
 }
 
@@ -101,7 +105,7 @@ Sky sky_over(const Meadow& meadow, Vec3 sun, double exposure) {
 Sky meadow_sky(const Stage& stage) {
   const auto& meadow = stage.block<Meadow>();
   Moment when = meadow.when;
-  if (meadow.hour) when.hour = *meadow.hour;
+  if (meadow.hour) when.hour = meadow.hour->at(0);
   return sky_over(meadow, meadow.hour ? sun_at(when) : meadow.sun, stage.camera.stops());
 }
 

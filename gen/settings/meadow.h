@@ -13,8 +13,8 @@ namespace frond {
 struct Meadow {
   Vec3 sun{0.5f, 0.75f, 0.6f};  ///< toward the sun, if there is no hour
   Vec3 moon = SkyShape{}.moon;  ///< toward the moon
-  std::optional<double> hour;   ///< replaces the hour of the moment below
-  Moment when;
+  std::optional<Animated<double>> hour;
+  Moment when;                           ///< its own hour counts for nothing
   double turbidity = 2.5;                ///< see SkyShape
   std::optional<Color> zenith, horizon;  ///< of the sky overhead and at the horizon; none: computed
   Color grass{0.39f, 0.46f, 0.17f};

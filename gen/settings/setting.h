@@ -215,6 +215,7 @@ struct SettingAnswers {
   /// Makes the ground, larger than `reach` metres from the middle.
   std::unique_ptr<Grounds> (*lay)(const Stage&, const Film&, double reach, Seed);
   Daylight (*daylight)(const Stage&);
+  Animated<double>* (*hour)(Stage&);  ///< of the day; null where it says nothing
 };
 
 /// A row of the table of settings.
@@ -234,7 +235,8 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
                        std::string_view block_doc, std::vector<std::string_view> reads,
                        decltype(SettingAnswers::extent) extent, decltype(SettingAnswers::check) check,
                        decltype(SettingAnswers::estimate_size) estimate_size,
-                       decltype(SettingAnswers::lay) lay, decltype(SettingAnswers::daylight) daylight) {
+                       decltype(SettingAnswers::lay) lay, decltype(SettingAnswers::daylight) daylight,
+                       decltype(SettingAnswers::hour) hour = nullptr) {
   return {name,
           doc,
           block,
@@ -253,7 +255,7 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
             return serialize(writer.object_schema());
           },
           [](const std::any& held) { return keys_of(std::any_cast<Block>(held)); },
-          {std::move(reads), extent, check, estimate_size, lay, daylight}};
+          {std::move(reads), extent, check, estimate_size, lay, daylight, hour}};
 }
 
 }  // namespace frond

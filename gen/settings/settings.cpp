@@ -120,6 +120,20 @@ Land Grounds::sloping_land(double size, std::vector<Spot> taken) const {
   return land;
 }
 
+Stage stage_at(const Stage& stage, double time) {
+  Stage now = stage;
+  if (auto hour_of = settings()[stage.setting].answers.hour)
+    if (Animated<double>* hour = hour_of(now)) *hour = hour->at(time);
+  return now;
+}
+
+bool sun_moves(const Stage& stage) {
+  Stage copy = stage;
+  auto hour_of = settings()[stage.setting].answers.hour;
+  Animated<double>* hour = hour_of ? hour_of(copy) : nullptr;
+  return hour && !hour->constant();
+}
+
 Daylight drawn_daylight(const Stage& stage) { return settings()[stage.setting].answers.daylight(stage); }
 
 Daylight daylight_of(Stage stage) {

@@ -21,6 +21,12 @@ void describe_rest(KeyWriter& v, std::any& block);
 /// Index of the row of that name; the number of rows if there is none.
 std::size_t row_of(std::string_view name);
 
+/// Whether the hour of the day changes over the film.
+bool sun_moves(const Stage& stage);
+/// The stage with the hour of that time, seconds, as if it never changed; without it the film's beginning
+/// counts.
+Stage stage_at(const Stage& stage, double time);
+
 /// The lighting of a stage as POV-Ray draws it, and as its finished picture shows it.
 Daylight drawn_daylight(const Stage& stage);
 Daylight daylight_of(Stage stage);

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/curve.h"
@@ -101,6 +102,10 @@ struct Stage {
     for (const std::any& held : blocks)
       if (const auto* found = std::any_cast<Block>(&held)) return *found;
     throw std::bad_any_cast();
+  }
+  template <class Block>
+  Block& block() {
+    return const_cast<Block&>(std::as_const(*this).template block<Block>());
   }
 };
 

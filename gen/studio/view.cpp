@@ -228,7 +228,7 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
                             ViewCache& models, Json header) {
   std::vector<DrawnPart> parts;
   const SettingRow& setting = settings()[scene.stage.setting];
-  Daylight light = daylight_of(scene.stage);
+  Daylight light = daylight_of(stage_at(scene.stage, request.time));
   if (!request.solo) add_ground(scene, light, parts);
   if (Errors errors = add_specimens(scene, request, models, parts); !errors.empty()) return errors;
   if (Errors errors = add_copies(scene, request, models, parts); !errors.empty()) return errors;

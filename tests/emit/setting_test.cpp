@@ -19,7 +19,7 @@ TEST(Setting, FramesAndSoftLightHaveTheSunOfItsTable) {
     if (name == "underwater" || name == "studio") {
       EXPECT_NE(setting_text(scene, 0).find(light_text(light.sunlight)), std::string::npos) << name;
     }
-    std::optional<Ambience> ambience = ambience_of(scene);
+    std::optional<Ambience> ambience = ambience_of(scene, 0);
     EXPECT_EQ(ambience.has_value(), name != "studio") << name;
     if (!ambience) continue;
     EXPECT_EQ(ambience->sun, light.sun) << name;

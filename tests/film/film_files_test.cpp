@@ -47,6 +47,26 @@ TEST_F(FilmFilesTest, WhicheverFrameIsWrittenItsFilesLieUnderTheNamesThatItGives
   }
 }
 
+TEST_F(FilmFilesTest, AFrameHasTheLightOfItsHour) {
+  Result<Preset> preset = read_preset(*read_file(FROND_ROOT "/tests/presets/tiny_garden.json"), "tiny.json",
+                                      {"/film/frames=3", "/scene/garden/hour=[[0, 6], [0.08, 13]]"});
+  ASSERT_TRUE(preset);
+  Scene scene = *build_scene(*preset);
+  FrameParts parts = prepare_frames(scene);
+  ASSERT_TRUE(write_light(scene, parts, folder_).empty());
+  ASSERT_EQ(parts.light, kOwnLight) << "the sun moves";
+  std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
+  std::set<std::string> skies, lights;
+  for (int frame : {1, 3}) {
+    ASSERT_TRUE(write_frame_file(scene, parts, layout, folder_, frame));
+    std::string text = *read_file(folder_ / (frame_name(frame) + ".pov"));
+    skies.insert(text.substr(text.find("Sky_Clear"), 400));
+    lights.insert(*read_file(folder_ / light_name(frame)));
+  }
+  EXPECT_EQ(skies.size(), 2u);
+  EXPECT_EQ(lights.size(), 2u);
+}
+
 TEST_F(FilmFilesTest, ExposuresShareTheLightOfTheirFrame) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
   scene.stage.camera.shutter = 0.5;

@@ -4,6 +4,9 @@
 
 #include <set>
 
+#include "settings/forest.h"
+#include "settings/garden.h"
+
 namespace frond {
 namespace {
 
@@ -41,6 +44,26 @@ TEST(Daylight, OfEachSettingIsLightThatCanBe) {
     for (std::size_t i = 1; i < light.backdrop.size(); ++i)
       EXPECT_GT(light.backdrop[i].height, light.backdrop[i - 1].height);
   }
+}
+
+TEST(Hour, HasKeyframesByWhichTheSunMoves) {
+  for (const char* name : {"meadow", "garden", "forest"}) {
+    SCOPED_TRACE(name);
+    Stage stage = stage_of(name), noon = stage;
+    EXPECT_FALSE(sun_moves(stage));
+    Animated<double> day(std::vector<Animated<double>::Key>{{0, 6}, {10, 20}}), at_noon(13.0);
+    stage.block<Meadow>().hour = stage.block<Garden>().hour = stage.block<Forest>().hour = day;
+    noon.block<Meadow>().hour = noon.block<Garden>().hour = noon.block<Forest>().hour = at_noon;
+    EXPECT_TRUE(sun_moves(stage));
+    auto height = [&](double time) { return drawn_daylight(stage_at(stage, time)).sun.y; };
+    EXPECT_LT(height(0), 0.3f);
+    EXPECT_LT(height(10), 0.3f);
+    EXPECT_NEAR(height(5), drawn_daylight(noon).sun.y, 1e-5);
+    EXPECT_GT(height(5), 0.8f);
+    EXPECT_FALSE(sun_moves(stage_at(stage, 5)));
+    EXPECT_EQ(drawn_daylight(stage).sun, drawn_daylight(stage_at(stage, 0)).sun);
+  }
+  EXPECT_FALSE(sun_moves(stage_of("underwater")));
 }
 
 TEST(Backdrop, GoesFromStopToStopWithoutJumps) {
