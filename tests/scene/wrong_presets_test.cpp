@@ -330,7 +330,7 @@ const WrongPreset kWrongValues[] = {
     {"Words for numbers",
      R"({"scene": {"garden": {"hour": "noon"}}, "organisms": [{"kind": "tree", "season": "autumn"}]})",
      {},
-     {R"(1:31: /scene/garden/hour: found the text "noon"; expected a number from 0 to 24 h (dawn is 6, noon 12, dusk 19))",
+     {R"(1:31: /scene/garden/hour: found the text "noon"; expected a number from 0 to 24 h (dawn is 6, noon 12, dusk 19), or keyframes [[seconds, value], ...])",
       R"(1:82: /organisms/0/season: found the text "autumn"; expected a number from -1000 to 1000 years (winter is 0, spring 0.25, summer 0.5, autumn 0.8), or keyframes [[seconds, value], ...] or an object)"}},
     {"Shells that cannot be",
      R"({"organisms": [{"kind": "shell", "form": "valve", "whorls": 0.5, "mantle": {}},
