@@ -23,21 +23,6 @@ Color unfolding_color(const Prototype& prototype, std::size_t color, std::size_t
 
 std::size_t steps_of(const Prototype& prototype) { return prototype.bud ? kSteps : 1; }
 
-DrawnPlace place_of(const Motion& motion, const Model& model, const Pose& pose, double time, std::uint32_t i,
-                    float size) {
-  const Organs& o = model.organs;
-  Quat turn = organ_turn(pose, o, i);
-  float flutter = pose.flutter * (o.loose.empty() ? 1 : 1 - o.loose[i]);
-  if (flutter > 0) {
-    float phase = pose.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
-    turn = turn * glm::angleAxis(flutter * std::sin(phase), Vec3(1, 0, 0)) *
-           glm::angleAxis(0.7f * flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
-  }
-  if (!o.supple.empty())
-    turn = turn * fluttering(motion.flutter, motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
-  return {organ_place(model.skeleton, pose, o, i), turn, o.scale[i] * size};
-}
-
 }  // namespace
 
 std::size_t leaf_shade(std::uint32_t id) { return Seed{id}.bits() % kLeafShades; }
@@ -80,7 +65,7 @@ DrawnOrgans::DrawnOrgans(const Traits& traits, const Model& m, const Pose& pose,
   places_.resize(order_.size());
   parallel_for((order_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t part) {
     for (std::size_t k = part * kAtOnce; k < std::min(order_.size(), (part + 1) * kAtOnce); ++k)
-      places_[k] = place_of(traits.motion, m, pose, time, order_[k], size_of(order_[k]));
+      places_[k] = organ_place(m, traits.motion, pose, time, order_[k], size_of(order_[k]));
   });
   for (std::size_t p = 0; p < m.prototypes.size(); ++p) {
     const Prototype& prototype = m.prototypes[p];

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "motion/unfold.h"
 #include "world/specimen.h"
 
 // The organs and blades of an organism at one time, by what they look like.
@@ -16,13 +17,6 @@ std::size_t leaf_shade(std::uint32_t id);
 
 /// The largest scale of any organ along any axis; 0 where there is none.
 float largest_scale(const Organs& organs);
-
-/// Takes a shape's axes to the world's; metres.
-struct DrawnPlace {
-  Vec3 at;
-  Quat turn;  ///< of length 1
-  Vec3 scale;
-};
 
 /// Organs that share a shape and a look.
 struct OrganGroup {
@@ -46,13 +40,13 @@ class DrawnOrgans {
     return std::span(order_).subspan(group.begin, group.end - group.begin);
   }
   /// Where they are, as unfolded and fluttering as they are then.
-  std::span<const DrawnPlace> places(const OrganGroup& group) const {
+  std::span<const OrganPlace> places(const OrganGroup& group) const {
     return std::span(places_).subspan(group.begin, group.end - group.begin);
   }
 
  private:
   std::vector<std::uint32_t> order_;
-  std::vector<DrawnPlace> places_;
+  std::vector<OrganPlace> places_;
 };
 
 /// Blades of one colour and shade, as one mesh.

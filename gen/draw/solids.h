@@ -43,7 +43,7 @@ struct DrawnBody {
   std::optional<Surface>
       now;           ///< of what a film sees grow: how far it has come; else it is as the solid has it
   double front = 1;  ///< share of its growth that it has reached, 0..1
-  std::vector<DrawnPlace> places;
+  std::vector<OrganPlace> places;
 
   const Surface& surface() const { return now ? *now : solid->surface; }
 };

@@ -99,7 +99,7 @@ struct SurfelSampler {
   void bodies(const std::vector<DrawnBody>& bodies) const {
     for (const DrawnBody& body : bodies) {
       PlainLook look = plain_look(body.solid->material);
-      for (const DrawnPlace& place : body.places)
+      for (const OrganPlace& place : body.places)
         surface(body.surface(), linear(look.color), look.opacity == 1, place.at, place.turn, place.scale);
     }
   }
@@ -130,9 +130,9 @@ struct SurfelSampler {
     for (const OrganGroup& group : organs.groups) {
       const Part& part = parts[group.prototype];
       Vec3 albedo = linear(group.tint);
-      std::span<const DrawnPlace> places = organs.places(group);
+      std::span<const OrganPlace> places = organs.places(group);
       parallel_for((places.size() + 1023) / 1024, [&](std::size_t some) {
-        for (const DrawnPlace& place :
+        for (const OrganPlace& place :
              places.subspan(some * 1024, std::min<std::size_t>(1024, places.size() - some * 1024)))
           organ(part, place, albedo);
       });
@@ -147,7 +147,7 @@ struct SurfelSampler {
     float area = 0;
   };
 
-  void organ(const Part& part, const DrawnPlace& place, Vec3 albedo) const {
+  void organ(const Part& part, const OrganPlace& place, Vec3 albedo) const {
     float wide = std::cbrt(place.scale.x * place.scale.y * place.scale.z), area = std::pow(wide, 2.0f);
     float step = sink.step(place.at);
     if (wide < 1.5f * step || part.bits.size() < 2) {

@@ -119,7 +119,7 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
   text += '}';
 }
 
-[[nodiscard]] bool append_placement(std::string& text, const PovSpace& space, const DrawnPlace& place) {
+[[nodiscard]] bool append_placement(std::string& text, const PovSpace& space, const OrganPlace& place) {
   glm::mat3 frame = glm::mat3_cast(place.turn);
   for (int axis = 0; axis < 3; ++axis) frame[axis] *= place.scale[axis];
   return append_matrix(text, space, frame, place.at);
@@ -141,7 +141,7 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
   else
     append_lathe(text, space, solid);
   text += '\n';
-  for (const DrawnPlace& place : body.places) {
+  for (const OrganPlace& place : body.places) {
     std::size_t line = lines.size();
     lines += "object{";
     append_solid_name(lines, organism, body.shape);
@@ -168,7 +168,7 @@ void append_grown(ObjectText& all, const PovSpace& space, const DrawnBody& body)
   std::string object = "object{\n";
   append_mesh(object, space, with_light_uv(*body.now, *body.solid));
   append_material(object, body.solid->material);
-  for (const DrawnPlace& place : body.places) {
+  for (const OrganPlace& place : body.places) {
     std::string whole = object;
     if (append_placement(whole, space, place)) all += {whole + "}\n", 1};
   }

@@ -119,7 +119,7 @@ std::vector<ExportPart> body_parts(Maker& maker, const Look& look, std::span<con
     Vec3 color = linear(own.color), factor = color / glm::max(kinds.kin[kinds.of[b]].light, Vec3(1e-4f));
     const std::vector<float>& left = body.solid->light;
     bool valleys = own.matter == Matter::meander && !body.surface().uv.empty();
-    for (const DrawnPlace& place : body.places) {
+    for (const OrganPlace& place : body.places) {
       Surface surface = laid.surface;
       Seed seed = Seed{33}.child(number++);
       if (!is_laid(*body.solid))

@@ -38,7 +38,7 @@ Vec3 foot_of(const Model& model) {
   return box.empty() ? Vec3(0) : box.foot();
 }
 
-/// Takes the meshes of one organism to a cast.
+/// Takes the meshes of one organism to an exported scene.
 class SceneExporter {
  public:
   /// `swarm`: what it is at the keys but the last, where that is organs elsewhere or bodies in other shapes.
@@ -46,6 +46,7 @@ class SceneExporter {
       : maker_(maker),
         options_(maker.options),
         b_(b),
+        time_(time),
         drawn_(b, time),
         pose_(drawn_.pose),
         swarm_(std::move(swarm)) {
@@ -90,7 +91,7 @@ class SceneExporter {
   void add_organs() {
     if (b_.model.organs.size() == 0) return;
     if (options_.instances) return add_instances();
-    Model posed = posed_organs(b_.model, pose_, unfold_time(b_.motion), pose_.front);
+    Model posed = posed_organs(b_.model, b_.motion, pose_, time_, pose_.front);
     // What the branches have left.
     double most = std::max(options_.detail - wood_, (1 - kWoodShare) * options_.detail);
     if (maker_.level > 0) most = maker_.share() * leaves_;
@@ -99,8 +100,8 @@ class SceneExporter {
     };
     std::map<std::string, std::vector<ExportPart>> meshes =
         swarm_.empty() ? foliage(posed) : swarm_parts(maker_, b_.look, posed, swarm_, most);
-    for (const Pose& key : keys_) {
-      auto others = foliage(posed_organs(b_.model, key, unfold_time(b_.motion), pose_.front));
+    for (std::size_t key = 0; key < keys_.size(); ++key) {
+      auto others = foliage(posed_organs(b_.model, b_.motion, keys_[key], options_.keys[key], pose_.front));
       for (auto& [name, parts] : meshes)
         for (std::size_t k = 0; k < parts.size(); ++k)
           parts[k].shifts.push_back(shift_between(parts[k].surface, others[name][k].surface));
@@ -130,7 +131,7 @@ class SceneExporter {
         at->second = maker_.mesh(name, std::move(parts));
       }
       if (!at->second) continue;
-      for (const DrawnPlace& place : drawn_.organs.places(group))
+      for (const OrganPlace& place : drawn_.organs.places(group))
         maker_.place(*at->second, place.at, glm::normalize(place.turn), place.scale);
     }
   }
@@ -178,6 +179,7 @@ class SceneExporter {
   Maker& maker_;
   const ExportOptions& options_;
   const Specimen& b_;
+  double time_;  // seconds
   DrawList drawn_;
   const Pose& pose_;
   std::vector<Pose> keys_;  // none of a swarm

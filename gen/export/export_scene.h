@@ -48,7 +48,7 @@ struct ExportPart {
   Surface surface;
   std::size_t material = 0;
   std::vector<ExportTint> tint = {};     ///< of each vertex, or empty
-  std::vector<ExportShift> shifts = {};  ///< for each of the cast's keys but the last; none: it stands still
+  std::vector<ExportShift> shifts = {};  ///< for each of the scene's keys but the last; none: it stands still
 };
 
 struct ExportMesh {
@@ -105,7 +105,7 @@ struct ExportOptions {
 /// The `detail` with which copies in forests are drawn where they are seen so many pixels high.
 double detail_seen(double pixels);
 
-/// How large a cast is or will be, placements counted as often as they occur in `all_`.
+/// How large an exported scene is or will be, placements counted as often as they occur in `all_`.
 struct ExportSize {
   double vertices = 0, triangles = 0;          ///< of all meshes, each once
   double all_vertices = 0, all_triangles = 0;  ///< of all placements
@@ -116,7 +116,8 @@ struct ExportSize {
 
 ExportSize size_of(const ExportScene& exported);
 
-/// About how large the cast of a scene will be, by its fully grown organisms; what is sown not counted.
+/// About how large what is exported of a scene will be, by its fully grown organisms; what is sown not
+/// counted.
 ExportSize estimate_export(const Scene& scene, const ExportOptions& options);
 
 /// Makes the meshes of a scene at a time, in seconds. Specimen are tubes, or what their style makes of them;

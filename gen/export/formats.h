@@ -16,10 +16,10 @@ namespace frond {
 /// A format that scenes are exported to: one row in formats.cpp, one file.
 struct Format {
   std::string_view extension, doc;
-  /// About how many bytes a cast of that size takes.
+  /// About how many bytes a scene of that size takes.
   double (*bytes)(const ExportSize& size);
   double most_bytes;  ///< that the format can hold
-  /// Writes a cast: each file whole or not at all. Null for the format of volumes.
+  /// Writes a scene: each file whole or not at all. Null for the format of volumes.
   Result<bool> (*write)(const ExportScene& exported, const ExportOptions& options,
                         const std::filesystem::path& path);
   bool pictures = true;  ///< whether it holds them
@@ -41,7 +41,7 @@ Result<std::vector<std::string>> write_scene(const Format& format, const Scene& 
                                              const ExportOptions& options, const std::filesystem::path& path,
                                              const std::function<void(double)>& tell);
 
-// The texts of the formats, pure functions of the cast.
+// The texts of the formats, pure functions of the scene.
 
 /// A Wavefront OBJ; its materials are in the file `materials`.
 std::string obj_text(const ExportScene& exported, std::string_view materials);

@@ -178,7 +178,7 @@ void append_place(std::string& text, const ExportPlacement& p, Vec3 from) {
   if (p.scale != Vec3(1)) text += ",\"scale\":", append_numbers(text, {p.scale.x, p.scale.y, p.scale.z});
 }
 
-/// The nodes of a cast: one for each group, its meshes below it.
+/// The nodes of a scene: one for each group, its meshes below it.
 class GlbNodes {
  public:
   GlbNodes(const ExportScene& exported, bool instances, BinaryPart& buffer)

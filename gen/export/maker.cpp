@@ -105,7 +105,7 @@ void Maker::add_bodies(const Look& look, std::span<const DrawnBody> bodies, std:
   if (bodies.empty()) return;
   if (!options.instances) return stand("body", body_parts(*this, look, bodies, keys));
   for (DrawnBody body : bodies) {
-    std::vector<DrawnPlace> places = std::exchange(body.places, {{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)}});
+    std::vector<OrganPlace> places = std::exchange(body.places, {{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)}});
     auto made = mesh(fmt::format("body_{}", body.shape), body_parts(*this, look, {&body, 1}));
     for (std::size_t i = 0; made && i < places.size(); ++i)
       place(*made, places[i].at, places[i].turn, places[i].scale);

@@ -10,7 +10,7 @@
 
 namespace frond {
 
-/// Puts a cast together.
+/// Puts an exported scene together.
 struct Maker {
   ExportScene& exported;
   const ExportOptions& options;

@@ -4,6 +4,7 @@
 
 #include "core/bounds.h"
 #include "core/figures.h"
+#include "draw/draw_list.h"
 #include "export/formats.h"
 #include "export/sown.h"
 #include "geometry/far.h"
@@ -24,16 +25,15 @@ struct Gathered {
   VolumeOptions options;
 };
 
-void add_posed(Gathered& all, const Specimen& b, double time, bool own_voxel) {
-  Pose pose;
-  pose_specimen(b, time, pose);
-  add_boughs(all.boughs, b.model.skeleton, pose.position, pose.radius, pose.front,
-             static_cast<float>(b.style.blend), all.nodes);
-  all.nodes += static_cast<std::int32_t>(b.model.skeleton.size());
-  for (const Vec3& p : pose.position) all.box.take(p);
-  if (own_voxel && b.style.build != Build::sweeps)
-    all.options.voxel = all.options.voxel > 0 ? std::min(all.options.voxel, b.style.voxel) : b.style.voxel;
-  all.options.limit = std::max(all.options.limit, b.style.limit);
+void add_branches(Gathered& all, const DrawnBranches& b, bool own_voxel) {
+  const Style& style = b.traits.style;
+  add_boughs(all.boughs, b.rest(), b.pose.position, b.pose.radius, b.pose.front,
+             static_cast<float>(style.blend), all.nodes);
+  all.nodes += static_cast<std::int32_t>(b.rest().size());
+  for (const Vec3& p : b.pose.position) all.box.take(p);
+  if (own_voxel && style.build != Build::sweeps)
+    all.options.voxel = all.options.voxel > 0 ? std::min(all.options.voxel, style.voxel) : style.voxel;
+  all.options.limit = std::max(all.options.limit, style.limit);
 }
 
 Vec3 at_copy(const ExportPlacement& copy, Vec3 p) { return copy.at + copy.turn * (p * copy.scale); }
@@ -72,9 +72,9 @@ Result<Volume> export_volume(const Scene& scene, double time, const ExportOption
   for (const Specimen& organism : scene.specimens) {
     auto now = developed(organism, time);
     if (!now) return now.errors();
-    const Specimen& b = **now;
-    if (b.model.skeleton.size() < 2 || !b.look.branches.drawn()) continue;
-    add_posed(all, b, time, options.voxel <= 0);
+    DrawList drawn(**now, time);
+    if (drawn.branches && drawn.model.skeleton.size() > 1)
+      add_branches(all, *drawn.branches, options.voxel <= 0);
   }
   Result<std::vector<SownBranches>> sown = sown_branches(scene);
   if (!sown) return sown.errors();

@@ -20,32 +20,42 @@ float youth(const Skeleton& rest, const Pose& pose, float longest, float young_l
   return 1 - smooth_step(0.0f, young_length, std::min(rest.to_tip[i], grown_past));
 }
 
-Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& o, std::size_t i) {
+OrganPlace organ_place(const Model& model, const Motion& motion, const Pose& pose, double time, std::size_t i,
+                       float size) {
+  const Organs& o = model.organs;
   assert(i < o.size() && o.node[i] < static_cast<std::int32_t>(pose.position.size()));
   assert(o.loose.empty() || o.loose.size() == o.size());
-  Vec3 riding = carried(rest, pose, o.node[i], o.position[i]);
-  return o.loose.empty() || o.loose[i] == 0 ? riding : glm::mix(riding, o.position[i], o.loose[i]);
+  float loose = o.loose.empty() ? 0 : o.loose[i];
+  Vec3 at = carried(model.skeleton, pose, o.node[i], o.position[i]);
+  Quat turn = carried_turn(pose, o.node[i]) * o.turn[i];
+  if (loose > 0) {
+    at = glm::mix(at, o.position[i], loose);
+    turn = glm::normalize(glm::slerp(turn, o.turn[i], loose));
+  }
+  if (float flutter = pose.flutter * (1 - loose); flutter > 0) {
+    float phase = pose.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
+    turn = turn * glm::angleAxis(flutter * std::sin(phase), Vec3(1, 0, 0)) *
+           glm::angleAxis(0.7f * flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));
+  }
+  if (!o.supple.empty())
+    turn = turn * fluttering(motion.flutter, motion.film_length, time, o.position[i], o.id[i], o.supple[i]);
+  return {at, turn, o.scale[i] * size};
 }
 
-Quat organ_turn(const Pose& pose, const Organs& o, std::size_t i) {
-  assert(i < o.size() && o.node[i] < static_cast<std::int32_t>(pose.turn.size()));
-  Quat riding = carried_turn(pose, o.node[i]) * o.turn[i];
-  return o.loose.empty() || o.loose[i] == 0 ? riding
-                                            : glm::normalize(glm::slerp(riding, o.turn[i], o.loose[i]));
-}
-
-Model posed_organs(const Model& model, const Pose& pose, double ripen, float front) {
+Model posed_organs(const Model& model, const Motion& motion, const Pose& pose, double time, float front) {
   constexpr float kFolded = 1e-3f;  // of its size
   Model posed;
   posed.prototypes = model.prototypes;
   const Organs& o = model.organs;
+  double ripen = unfold_time(motion);
   for (std::size_t i = 0; i < o.size(); ++i) {
     if (unfolded(o.birth[i], front, ripen) < kUnfoldedLeast) continue;
     float size = std::max(unfolded(o.birth[i], pose.front, ripen), kFolded);
+    OrganPlace place = organ_place(model, motion, pose, time, i, size);
     posed.organs.prototype.push_back(o.prototype[i]);
-    posed.organs.position.push_back(organ_place(model.skeleton, pose, o, i));
-    posed.organs.turn.push_back(glm::normalize(organ_turn(pose, o, i)));
-    posed.organs.scale.push_back(o.scale[i] * size);
+    posed.organs.position.push_back(place.at);
+    posed.organs.turn.push_back(glm::normalize(place.turn));
+    posed.organs.scale.push_back(place.scale);
     posed.organs.color.push_back(o.color[i]);
     posed.organs.id.push_back(o.id[i]);
   }

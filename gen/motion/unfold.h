@@ -37,13 +37,20 @@ inline Quat carried_turn(const Pose& pose, std::int32_t node) {
   return node == Skeleton::kRoot ? Quat(1, 0, 0, 0) : pose.turn[node];
 }
 
-/// Position and rotation of an organ in a pose; the looser it is, the less it follows its node.
-Vec3 organ_place(const Skeleton& rest, const Pose& pose, const Organs& organs, std::size_t i);
-Quat organ_turn(const Pose& pose, const Organs& organs, std::size_t i);
+/// Where an organ is: takes a shape's axes to the world's; metres.
+struct OrganPlace {
+  Vec3 at;
+  Quat turn;  ///< of length 1
+  Vec3 scale;
+};
+/// Of organ `i` of a model in a pose at that time, of a relative size, with its flutter; the looser it is,
+/// the less it follows its node.
+OrganPlace organ_place(const Model& model, const Motion& motion, const Pose& pose, double time, std::size_t i,
+                       float size);
 
 /// The prototypes, and the organs reached by `front`, as posed; others have a size near 0. They are no longer
 /// attached to nodes.
-Model posed_organs(const Model& model, const Pose& pose, double ripen, float front);
+Model posed_organs(const Model& model, const Motion& motion, const Pose& pose, double time, float front);
 
 /// The selected blades that have unfolded at least that far, posed, as one mesh.
 Surface posed_blades(const Skeleton& rest, const Pose& pose, const Blades& blades, double ripen,

@@ -17,7 +17,7 @@ namespace frond {
 
 namespace {
 
-const DrawnPlace kHere{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)};
+const OrganPlace kHere{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)};
 
 /// Whether it is the same at all times.
 bool stands_still(const Specimen& b) {

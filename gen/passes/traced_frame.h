@@ -19,7 +19,7 @@ struct Placed {
   RTCScene scene() const { return meshes ? meshes->scene() : branches->scene(); }
 };
 /// A mesh in a place.
-Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const DrawnPlace& place,
+Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const OrganPlace& place,
               bool changes = false);
 
 /// A specimen as it is drawn at a time.

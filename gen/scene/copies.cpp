@@ -186,13 +186,13 @@ std::optional<Growth> copy_growth(const Organism& organism, const Film& film, in
 
 std::optional<Model> grown_by(const Model& model, const Motion& motion, double time) {
   Motion growing = motion;
-  growing.wave.amplitude = 0, growing.food.strength = 0, growing.limbs = false;
+  growing.wave.amplitude = 0, growing.food.strength = 0, growing.limbs = false, growing.flutter.amplitude = 0;
   auto front = static_cast<float>(growth_front(growing.growth, time));
   if (front <= 0) return std::nullopt;
   if (static_cast<double>(front) >= 1 + growing.growth.ripen) return model;
   Pose pose;
   pose_skeleton(model.skeleton, growing, time, pose);
-  Model now = posed_organs(model, pose, unfold_time(growing), front);
+  Model now = posed_organs(model, growing, pose, time, front);
   // Nodes that are reached, and the tips that are on their way to the next.
   const Skeleton& all = model.skeleton;
   std::vector<std::int32_t> index(all.size(), Skeleton::kRoot);

@@ -54,7 +54,7 @@ void add_organs(const DrawList& drawn, std::vector<DrawnPart>& parts) {
     bool pictured =
         std::ranges::any_of(prototype.parts, [](const OrganPart& p) { return !p.pictures.empty(); });
     PlacedMesh& group = groups[{drawn_group.prototype, pictured ? drawn_group.color : 0}];
-    for (const DrawnPlace& place : drawn.organs.places(drawn_group)) {
+    for (const OrganPlace& place : drawn.organs.places(drawn_group)) {
       push(group.at, place.at, glm::normalize(place.turn), place.scale);
       push(group.color, drawn_group.tint);
     }
@@ -93,7 +93,7 @@ void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& pa
   for (const DrawnBody& body : bodies) {
     if (body.surface().triangle.empty()) continue;
     std::vector<float> at;
-    for (const DrawnPlace& place : body.places) push(at, place.at, place.turn, place.scale);
+    for (const OrganPlace& place : body.places) push(at, place.at, place.turn, place.scale);
     DrawnPart& part = parts.emplace_back();
     part.head["kind"] = "mesh";
     part.head["material"] = material_json(plain_look(body.solid->material));

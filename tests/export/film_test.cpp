@@ -79,6 +79,40 @@ TEST(Film, carries_each_mesh_to_where_it_is_at_other_times) {
   }
 }
 
+/// Mean of the vertices of the leaves of ivy that flutters in a wind.
+Vec3 middle_of_leaves(double time, bool instances, std::vector<double> keys = {}) {
+  static const Scene scene = scene_of(R"({"seed": 4, "film": {"frames": 48, "fps": 12}, "organisms": [
+      {"kind": "wall", "name": "wall", "place": {"at": [[0, 0]]}},
+      {"kind": "ivy", "on": ["wall"], "count": 1, "flutter": {"amplitude": 30}, "breeze": {"amplitude": 20},
+       "crawl": {"max_age": 60, "speed": 0.014}, "place": {"at": [[0, 0.4]]}}]})");
+  Result<ExportScene> made = export_scene(
+      scene, time, {.detail = 1e9, .texture = 0, .instances = instances, .keys = std::move(keys)});
+  EXPECT_TRUE(made) << made.errors()[0].text();
+  DVec3 sum(0);
+  double count = 0;
+  for (const ExportPlacement& p : made->placements)
+    for (const ExportPart& part : made->meshes[p.mesh].parts) {
+      if (made->meshes[p.mesh].name.find("leaf") == std::string::npos) continue;
+      Surface surface = placed(part, p);
+      for (std::size_t v = 0; v < surface.position.size(); ++v) {
+        sum += DVec3(surface.position[v]);
+        if (!part.shifts.empty()) sum += DVec3(part.shifts[0].position[v]);
+        ++count;
+      }
+    }
+  EXPECT_GT(count, 100);
+  return Vec3(sum / count);
+}
+
+TEST(Film, leaves_flutter_merged_as_placed) {
+  for (double time : {1.0, 1.5}) {
+    Vec3 merged = middle_of_leaves(time, false);
+    EXPECT_LT(glm::distance(merged, middle_of_leaves(time, true)), 1e-5f);
+    EXPECT_LT(glm::distance(merged, middle_of_leaves(2, false, {time, 2})), 1e-5f);
+    EXPECT_GT(glm::distance(merged, middle_of_leaves(2, false)), 1e-4f);
+  }
+}
+
 TEST(Film, of_a_glb_is_an_animation_of_weights) {
   Result<ExportScene> exported = export_scene(growing(), 1.9, {.texture = 0, .keys = {0.6, 1.2, 1.9}});
   ASSERT_TRUE(exported);
