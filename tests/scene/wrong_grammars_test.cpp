@@ -38,6 +38,19 @@ const WrongPreset kWrongGrammars[] = {
       "4:6: /organisms/0/grammar/rules/0: column 7: this `[` is not closed; add a `]`; in `F -> F[+F`",
       "5:6: /organisms/0/grammar/rules/1: column 7: this `]` closes no `[`; remove it or open the branch; in "
       "`A -> F]`"}},
+    {"Brackets whose drawings are none",
+     R"({"organisms": [
+  {"kind": "coral", "form": "own",
+   "grammar": {"rules": ["0 -> F"],
+     "interpretation": ["[ -> [+",
+       "] -> -",
+       "[ : 1 > 2 -> ["]}}]})",
+     {},
+     {"5:8: /organisms/0/grammar/interpretation/1: column 1: what is drawn for `]` holds a `]` of its own; "
+      "add "
+      "it; in `] -> -`",
+      "6:8: /organisms/0/grammar/interpretation/2: column 1: a bracket is always drawn alike; remove the "
+      "condition and the weight; in `[ : 1 > 2 -> [`"}},
     {"An unknown function",
      R"~({"organisms": [
   {"kind": "coral", "form": "own",
