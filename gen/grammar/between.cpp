@@ -58,8 +58,11 @@ struct Family {
     double was = reach_of(grammar, expander, before.symbols[parent],
                           before.parameters.data() + before_at[parent], depth),
            is = 0;
-    for (std::size_t i = first; i < last; ++i)
-      is += reach_of(grammar, expander, after.symbols[i], after.parameters.data() + after_at[i], depth);
+    for (std::size_t i = first; i < last; ++i) {
+      bool bracket = after.symbols[i] == grammar.open || after.symbols[i] == grammar.close;
+      if (depth == 0 || bracket)
+        is += reach_of(grammar, expander, after.symbols[i], after.parameters.data() + after_at[i], depth);
+    }
     double axis = is > 0 ? age + (1 - age) * was / is : age;
     const Symbol& old = grammar.symbols[before.symbols[parent]];
     for (std::size_t i = first; i < last; ++i) {
