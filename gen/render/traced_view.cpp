@@ -1,6 +1,6 @@
 #include "render/traced_view.h"
 
-#include <chrono>
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -14,10 +14,10 @@ namespace frond {
 namespace fs = std::filesystem;
 
 bool TracedView::look(double now) {
-  constexpr double kPause = 1, kShare = 20;  // seconds; of the time that it takes, between two times
+  constexpr double kPause = 1,
+                   kPauseAPixel = 1e-6;  // seconds: a large picture takes some to read and to write
   if (now < next_) return false;
-  next_ = now + kPause;
-  auto begin = std::chrono::steady_clock::now();
+  next_ = now + std::max(kPause, kPauseAPixel * size_[0] * size_[1]);
   fs::path newest;
   fs::file_time_type changed = fs::file_time_type::min();
   std::error_code error;
@@ -33,10 +33,7 @@ bool TracedView::look(double now) {
   auto picture = traced_picture(newest, size_, read_scene_head(head).tone);
   if (!picture) return false;
   Result<std::string> png = png_text(*picture);
-  if (!png || !put_text(part_of(file_), file_, *png).empty()) return false;
-  std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  next_ = now + std::max(kPause, kShare * took.count());
-  return true;
+  return png && put_text(part_of(file_), file_, *png).empty();
 }
 
 }  // namespace frond
