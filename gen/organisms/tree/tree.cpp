@@ -79,16 +79,13 @@ std::vector<std::int32_t> order_model(Model& model) {
   return order;
 }
 
-Prototype sprig_prototype(const TreeParams& params) {
+/// One, or that of sprigs at the ends of branches and that of those along them.
+std::vector<Prototype> sprig_prototypes(const TreeParams& params) {
   const Foliage& leaves = params.leaves;
-  if (leaves.picture) {
-    Prototype made = leaf_prototype(pictured_leaves(params));
-    if (leaves.picture->sprig) made.name = "sprig";
-    return made;
-  }
+  if (leaves.picture) return leaf_prototypes(pictured_leaves(params));
   Prototype made{"sprig", {{Tissue::leaf, sprig_surface(leaves.sprig)}}, leaves.colors, leaves.second};
   if (params.season) add_seasons(made, *params.season);
-  return made;
+  return {made};
 }
 
 /// A sprig's frame: along it, and its upper side to the sky.
@@ -112,7 +109,8 @@ Quat sprig_turn(Vec3 heading, Vec3 side, const Foliage& leaves, bool leads, Seed
 void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
                 const std::vector<std::int32_t>& node, const TreeParams& params, Seed seed) {
   const Foliage& leaves = params.leaves;
-  model.prototypes.push_back(sprig_prototype(params));
+  model.prototypes = sprig_prototypes(params);
+  bool both = model.prototypes.size() > 1;
   if (params.season) add_blossom(model.prototypes, *params.season);
   std::size_t colors = leaves.picture ? leaves.picture->colors.size() : leaves.colors.size();
   Organs& o = model.organs;
@@ -127,7 +125,7 @@ void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
       Seed own = seed.child(2 * std::uint64_t{source} + (leads ? 1 : 0));
       float size = now.leaves[i] *
                    static_cast<float>(leaves.size * (1 + leaves.size_variation * own.child(0).range(-1, 1)));
-      o.prototype.push_back(0);
+      o.prototype.push_back(both && !leads ? 1 : 0);
       o.position.push_back(now.tip[i]);
       o.turn.push_back(sprig_turn(heading, now.side[i], leaves, leads, own));
       o.scale.push_back(Vec3(std::max(size, 1e-4f)));
