@@ -20,6 +20,9 @@ struct Seedling {
 
 struct GroveOptions {
   int years = 20;
+  /// Growth ends before the first year after which more internodes than so many would stand on all trees
+  /// together, but not before one year has passed; 0: no limit.
+  std::size_t most_internodes = 0;
   LightLaw light;
   double wind = 22;           ///< metres a second, the strongest gust in an ordinary year
   double snow = 0;            ///< kg a square metre, the heaviest load in a year

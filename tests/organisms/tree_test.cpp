@@ -222,6 +222,56 @@ TEST(Tree, APictureOfBarkStaysOnTheStemThatGrows) {
   EXPECT_LT(moved, 4) << "but where the shoot is still growing";
 }
 
+/// A grove of trees of these ages, as factors of twenty years.
+Grove grove_of(const std::vector<double>& ages, const TreeParams& params) {
+  std::vector<TreeSite> sites;
+  for (double age : ages)
+    sites.push_back({&params, Vec3(3.0f * static_cast<float>(sites.size()), 0, 0), Quat(1, 0, 0, 0), age,
+                     Seed{sites.size()}});
+  return grow_trees(sites, false, Seed{1});
+}
+
+std::size_t internodes_of(const Grove& grove) {
+  std::size_t sum = 0;
+  for (const GrownTree& tree : grove.trees) sum += tree.sizes.back().internodes;
+  return sum;
+}
+
+TEST(Tree, ABudgetMakesAllTreesOfAGroveYounger) {
+  TreeParams params;
+  params.years = 20;
+  params.budget.internodes = 1500;
+  for (const auto& ages : std::vector<std::vector<double>>{{1}, {1, 1, 1}, {1, 0.6, 0.3}}) {
+    Grove held = grove_of(ages, params);
+    EXPECT_GT(held.cycles, 3);
+    EXPECT_LT(held.cycles, 20);
+    EXPECT_LE(internodes_of(held), 1500u);
+    auto i = held.trees.begin();
+    for (double age : ages)
+      EXPECT_NEAR(static_cast<double>((i++)->sizes.size()), std::max(1.0, age * held.cycles), 0.51);
+    // As if the preset had said so many years; with one more they are too many.
+    TreeParams plain = params;
+    plain.budget = {}, plain.years = held.cycles;
+    EXPECT_EQ(internodes_of(grove_of(ages, plain)), internodes_of(held));
+    plain.years = held.cycles + 1;
+    EXPECT_GT(internodes_of(grove_of(ages, plain)), 1500u);
+  }
+}
+
+TEST(Tree, ABudgetThatIsNotReachedChangesNothing) {
+  TreeParams params = sapling(), held = params;
+  held.budget.internodes = 1'000'000;
+  EXPECT_EQ(grow_tree(held, Seed{3}).skeleton.position, grow_tree(params, Seed{3}).skeleton.position);
+}
+
+TEST(Tree, SecondsThatNobodyCountedAreTheSameOnAllMachines) {
+  GrowthBudget budget{0, 0.01};
+  EXPECT_EQ(budget.most(), 3000u);
+  budget.internodes = 500;
+  EXPECT_EQ(budget.most(), 500u);
+  EXPECT_EQ(GrowthBudget{}.most(), 0u);
+}
+
 TEST(Tree, LeavesMayBePictures) {
   TreeParams params = sapling();
   params.leaves.picture = LeafLook{};

@@ -150,34 +150,63 @@ double cycle_at(const Growth& growth, int cycles, double time) {
   return end * std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
 }
 
+std::size_t GrowthBudget::most() const {
+  constexpr double kInternodesASecond = 3e5;
+  if (internodes > 0) return static_cast<std::size_t>(internodes);
+  return static_cast<std::size_t>(std::ceil(seconds * kInternodesASecond));
+}
+
 int cycles_of(const TreeParams& params) { return growth_cycles(params.species, params.years); }
+
+namespace {
+
+/// The laws of a grove, which its first tree says.
+GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
+                           std::span<const Surface> bodies) {
+  GroveOptions options;
+  options.seed = weather;
+  options.history = history;
+  options.most_internodes = first.budget.most();
+  options.light = first.light;
+  options.wind = first.wind;
+  options.snow = first.snow;
+  for (const Surface& body : bodies) {
+    std::vector<Shade> shades = shades_of_body(body, options.light);
+    options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
+  }
+  return options;
+}
+
+}  // namespace
 
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
                  std::span<const Surface> bodies) {
-  Grove grove;
+  if (sites.empty()) return {};
   std::vector<Seedling> seedlings;
+  std::vector<int> ages;
   for (const TreeSite& site : sites) {
-    const Species& species = site.params->species;
-    int age = std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age)));
-    grove.cycles = std::max(grove.cycles, age);
-    seedlings.push_back({in_cycles(species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, age});
+    ages.push_back(std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age))));
+    seedlings.push_back(
+        {in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0});
   }
-  for (Seedling& seedling : seedlings) seedling.planted = grove.cycles - seedling.planted;
-  GroveOptions options;
-  options.years = grove.cycles;
-  options.seed = weather;
-  options.history = history;
-  if (!sites.empty()) {
-    options.light = sites[0].params->light;
-    options.wind = sites[0].params->wind;
-    options.snow = sites[0].params->snow;
-    for (const Surface& body : bodies) {
-      std::vector<Shade> shades = shades_of_body(body, options.light);
-      options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
+  const int oldest = std::ranges::max(ages);
+  GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);
+  for (Grove grove{oldest, {}};;) {
+    bool even = true;
+    for (std::size_t i = 0; i < seedlings.size(); ++i) {
+      // Where a budget makes the oldest younger, the others are younger in proportion.
+      double age = std::round(static_cast<double>(ages[i]) * grove.cycles / oldest);
+      seedlings[i].planted = grove.cycles - std::max(1, static_cast<int>(age));
+      even = even && seedlings[i].planted == 0;
     }
+    options.years = grove.cycles;
+    grove.trees = grow_grove(seedlings, options);
+    int lived = 0;
+    for (const GrownTree& tree : grove.trees) lived = std::max(lived, static_cast<int>(tree.sizes.size()));
+    bool whole = lived == grove.cycles;
+    grove.cycles = lived;
+    if (whole || even) return grove;
   }
-  grove.trees = grow_grove(seedlings, options);
-  return grove;
 }
 
 Model tree_model(const TreeParams& params, const GrownTree& tree, double year, const Filming& filming,
