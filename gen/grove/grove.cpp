@@ -149,7 +149,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   if (year < seedling.planted) return;
   if (tree.living.size() == 0) plant(tree);
   Metamers& m = tree.living;
-  Season season{s, field, seedling.seed, year};
+  Season season{s, field, seedling.seed, year, seedling.guide};
   assert(m.parent[0] == Metamers::kRoot);
   double age = year - seedling.planted;
 

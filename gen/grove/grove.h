@@ -15,7 +15,8 @@ struct Seedling {
   Vec3 foot{0};      ///< metres
   Vec3 up{0, 1, 0};  ///< direction in which it leaves the ground, of length 1
   Seed seed;
-  int planted = 0;  ///< year of the grove in which it begins to grow
+  int planted = 0;               ///< year of the grove in which it begins to grow
+  std::vector<Vec3> guide = {};  ///< a line that its stem is led along, from the foot; metres. Empty: none
 };
 
 struct GroveOptions {

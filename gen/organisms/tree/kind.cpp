@@ -165,6 +165,10 @@ void describe(Visitor& v, TreeParams& t) {
            "Growth ends with the last growth cycle that it allows, however many years are left; that of the "
            "scene's first tree counts for all");
   v.object("habit", t.species, "How it grows");
+  v.object(
+      "guide", t.guide,
+      "A line that its stem follows, from the foot; past its end and on all branches it grows by its own "
+      "laws");
   v.object("wood", t.species.wood, "Thickness, weight and strength of the wood");
   v.object("light", t.light, "The field of light; that of the scene's first tree counts for all");
   Years weather{t.wind, t.snow};
@@ -248,6 +252,10 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   GrowthStage stage() const override { return GrowthStage::in_light; }
   bool stands_on_rock() const override { return true; }
   Errors check() const override {
+    if (Errors errors = check_guide(params.guide); !errors.empty()) return errors;
+    Result<GuideAxes> guides = axes_of_guide(params.guide);
+    if (guides && axes_of(*guides).size() > 1)
+      return {{"/guide", "forks; expected one line: the stem of a tree that grows for light has one"}};
     return check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels");
   }
   Errors doubts() const override { return {}; }

@@ -160,6 +160,16 @@ int cycles_of(const TreeParams& params) { return growth_cycles(params.species, p
 
 namespace {
 
+/// The line that the stem of a tree follows, where it stands; empty where it has no guide.
+std::vector<Vec3> line_of(const TreeSite& site) {
+  Result<GuideAxes> guides = axes_of_guide(site.params->guide);
+  std::vector<GuideAxis> axes = guides ? axes_of(*guides) : std::vector<GuideAxis>{};
+  std::vector<Vec3> line;
+  if (!axes.empty() && axes[0].at.size() > 1)
+    for (const Vec3& at : axes[0].at) line.push_back(site.foot + site.lean * at);
+  return line;
+}
+
 /// The laws of a grove, which its first tree says.
 GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
                            std::span<const Surface> bodies) {
@@ -187,7 +197,7 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
   for (const TreeSite& site : sites) {
     ages.push_back(std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age))));
     seedlings.push_back(
-        {in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0});
+        {in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0, line_of(site)});
   }
   const int oldest = std::ranges::max(ages);
   GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);

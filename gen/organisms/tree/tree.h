@@ -10,6 +10,7 @@
 #include "grove/standing.h"
 #include "model/model.h"
 #include "motion/motion.h"
+#include "organisms/tree_guide.h"
 
 namespace frond {
 
@@ -40,6 +41,7 @@ struct TreeParams {
   int years = 32;  ///< its final age
   GrowthBudget budget;
   Species species;
+  TreeGuide guide;  ///< of its stem
   LightLaw light;
   double wind = 22;    ///< metres a second, the strongest gust of a year
   double snow = 0;     ///< kg a square metre
