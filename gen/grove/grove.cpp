@@ -165,7 +165,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
     share_by_priority(m, s, age, resource);
   std::size_t first = grow_shoots(m, season, tree.serial);
   thicken(m);
-  sag(m, s.wood, s.leaf_area, first);
+  sag(m, s.wood, s.leaf_area, first, !seedling.guide.empty());
 
   Strain strain = strain_of(m, s, storm, year);
   brace(m, s.wood, strain);
