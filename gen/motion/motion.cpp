@@ -176,6 +176,25 @@ float reached_share(const Skeleton& rest, std::size_t i, std::int32_t p, float f
   return span > 0 ? std::clamp((front - rest.birth[p]) / span, 0.0f, 1.0f) : 0.0f;
 }
 
+/// Scales a posed segment that starts at `base` toward the food, and rotates `turn` as it is rotated. Returns
+/// how many times as long it is now.
+float stretch(const Pull& food, Vec3 base, float share, Vec3& segment, Quat& turn) {
+  Vec3 longer = food.stretched(segment, base, share);
+  float length = glm::length(segment);
+  if (length <= 0) return 1;
+  turn = rotation_between(segment, longer) * turn;
+  segment = longer;
+  return glm::length(longer) / length;
+}
+
+/// Sets the radius of node `i` above `p`, thinner where it is stretched, so that its volume stays.
+void set_radius(std::size_t i, std::int32_t p, float radius, Pose& pose) {
+  if (!pose.stretch.empty()) radius /= std::sqrt(pose.stretch[i]);
+  if (p != Skeleton::kRoot && p == static_cast<std::int32_t>(i) - 1)
+    radius = cone_radius(radius, pose.radius[p], glm::distance(pose.position[i], pose.position[p]));
+  pose.radius[i] = radius;
+}
+
 }  // namespace
 
 void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose) {
@@ -226,25 +245,14 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
         swing = pull[i] * swing;
       }
       Vec3 posed = swing * segment;
-      if (!pose.stretch.empty()) {
-        Vec3 longer = food.stretched(posed, pose.position[p], share);
-        if (float length = glm::length(posed); length > 0) {
-          pose.stretch[i] = glm::length(longer) / length;
-          swing = rotation_between(posed, longer) * swing;
-          posed = longer;
-        }
-      }
+      if (!pose.stretch.empty()) pose.stretch[i] = stretch(food, pose.position[p], share, posed, swing);
       pose.turn[i] = swing;
       float reached = reached_share(rest, i, p, pose.front, born);
       pose.position[i] = pose.position[p] + reached * posed;
     }
     float age = std::max(pose.front - born, 0.0f);
-    pose.radius[i] =
-        rest.radius[i] * onset * (kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age));
-    if (!pose.stretch.empty()) pose.radius[i] /= std::sqrt(pose.stretch[i]);
-    if (p != Skeleton::kRoot && p == static_cast<std::int32_t>(i) - 1)
-      pose.radius[i] =
-          cone_radius(pose.radius[i], pose.radius[p], glm::distance(pose.position[i], pose.position[p]));
+    float young = kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age);
+    set_radius(i, p, rest.radius[i] * onset * young, pose);
   }
 }
 

@@ -46,6 +46,26 @@ void describe(Visitor& v, CrawlGuide& g) {
            "Distance from the curve within which strands keep");
 }
 
+/// Where strands end: nothing of it is written where there is no limit.
+template <class Visitor>
+void describe_limits(Visitor& v, Crawl& c) {
+  const Crawl open;
+  auto limit = [](const auto& own, const auto& none) {
+    return own == none ? std::nullopt : std::optional(own);
+  };
+  auto longest = limit(c.max_length, open.max_length);
+  v.number("max_length", longest, {.min = 0.001, .max = 1e6, .unit = "m"},
+           "Length of one strand at most; without it there is no limit");
+  if (longest) c.max_length = *longest;
+  auto low = limit(c.low, open.low), high = limit(c.high, open.high);
+  v.vector("low", low, {.min = -1e6, .max = 1e6, .unit = "m"},
+           "Low corner x, y, z of a box that strands do not leave");
+  v.vector("high", high, {.min = -1e6, .max = 1e6, .unit = "m"},
+           "High corner x, y, z of the box that strands do not leave");
+  if (low) c.low = *low;
+  if (high) c.high = *high;
+}
+
 template <class Visitor>
 void describe(Visitor& v, Crawl& c) {
   v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "Length of one step of a strand");
@@ -82,21 +102,7 @@ void describe(Visitor& v, Crawl& c) {
   v.number("thickest", c.thickest, {.min = 1, .max = 100},
            "Radius of an old stem at most, as a multiple of a strand's");
   v.integer("max_age", c.max_age, {.min = 1, .max = 100000}, "Number of steps of the whole growth");
-  const Crawl open;  // nothing of it is written where there is no limit
-  auto limit = [](const auto& own, const auto& none) {
-    return own == none ? std::nullopt : std::optional(own);
-  };
-  auto longest = limit(c.max_length, open.max_length);
-  v.number("max_length", longest, {.min = 0.001, .max = 1e6, .unit = "m"},
-           "Length of one strand at most; without it there is no limit");
-  if (longest) c.max_length = *longest;
-  auto low = limit(c.low, open.low), high = limit(c.high, open.high);
-  v.vector("low", low, {.min = -1e6, .max = 1e6, .unit = "m"},
-           "Low corner x, y, z of a box that strands do not leave");
-  v.vector("high", high, {.min = -1e6, .max = 1e6, .unit = "m"},
-           "High corner x, y, z of the box that strands do not leave");
-  if (low) c.low = *low;
-  if (high) c.high = *high;
+  describe_limits(v, c);
   v.number("spacing", c.spacing, {.min = 0, .max = 10, .unit = "m"},
            "Distance that strands keep from each other");
   v.integer("patience", c.patience, {.min = 1, .max = 1000},
