@@ -17,10 +17,12 @@ struct Growing {
   const Host& host;
   const GroundHeight& ground;
   const Crawl& crawl;
+  Guides guides;
   std::vector<Tip> tips;            // of all strands, living or not
   std::vector<std::int32_t> alive;  // which tips grow
   Nodes nodes;
   Crowd crowd;
+  Terrain terrain{host, ground, guides};
   std::vector<std::int32_t> last{};  // node of each strand
   std::vector<DVec3> near{};
 };
@@ -30,7 +32,7 @@ void remember(Growing& g, Tip& tip, const Laid& laid) {
   g.last[tip.strand] = g.nodes.add(laid, g.last[tip.strand], tip.strand);
   if (laid.hanging) {
     tip.hung.push_back(g.last[tip.strand]);
-  } else if (g.crawl.spacing > 0) {
+  } else if (g.crawl.spacing > 0 && g.crawl.trace) {
     g.crowd.add(
         {Vec3(laid.tread.place), Vec3(laid.tread.normal), tip.strand, static_cast<float>(laid.along)});
   }
@@ -60,6 +62,7 @@ bool branch(Growing& g, std::int32_t from, const Tread& at, std::int32_t node) {
     }
     Tip tip = sprout(t, g.crawl, seed);
     tip.parent = from;
+    tip.lead = g.tips[from].lead;
     tip.depth = g.tips[from].depth + 1;
     begin(g, std::move(tip), node);
     return true;
@@ -103,13 +106,20 @@ bool take(Growing& g, std::int32_t t) {
     set_hung(g, tip);
     tip.hung.clear();
   }
-  if (!tip.alive && tip.end != End::length && g.crawl.spacing > 0) wake(g, t);
+  if (!tip.alive && tip.end != End::length && g.crawl.spacing > 0 && g.crawl.trace) wake(g, t);
   return true;
 }
 
 void step_all(Growing& g, int step) {
   const Crowd* crowd = g.crawl.spacing > 0 ? &g.crowd : nullptr;
-  auto one = [&](std::size_t i) { advance(g.tips[g.alive[i]], g.host, g.ground, crowd, g.crawl, step); };
+  if (crowd && !g.crawl.trace) {
+    g.crowd = Crowd(g.crawl.spacing);
+    for (std::int32_t t : g.alive) {
+      const Tip& tip = g.tips[t];
+      g.crowd.add({Vec3(tip.tread.place), Vec3(tip.tread.normal), t, static_cast<float>(tip.along)});
+    }
+  }
+  auto one = [&](std::size_t i) { advance(g.tips[g.alive[i]], g.terrain, crowd, g.crawl, step); };
   // Tips only read what the last step left: the order in which they are asked does not matter.
   constexpr std::size_t kBlock = 32;
   std::size_t blocks = (g.alive.size() + kBlock - 1) / kBlock;
@@ -153,15 +163,17 @@ std::optional<Tread> begin_at(const Growing& g, const Start& start) {
 
 Strands grow_strands(const Host& host, const std::vector<Start>& starts, const Crawl& crawl, Seed seed,
                      const GroundHeight& ground) {
-  Growing g{host, ground, crawl, {}, {}, {}, Crowd(crawl.spacing > 0 ? crawl.spacing : 1), {}};
+  Crawl own = crawl;
+  if (!own.trace) own.branch_depth = 0, own.let_go = 0;
+  Growing g{host, ground, own, Guides(host, own.guides), {}, {}, {}, Crowd(own.spacing > 0 ? own.spacing : 1)};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     std::optional<Tread> tread = begin_at(g, starts[i]);
     if (!tread) continue;
-    begin(g, sprout(*tread, crawl, seed.child("start", i)), -1);
+    begin(g, sprout(*tread, own, seed.child("start", i)), -1);
     remember(g, g.tips.back(), {*tread, 0, 0, false, false});
   }
   bool room = true;
-  for (int step = 0; step < crawl.max_age && room && !g.alive.empty(); ++step) {
+  for (int step = 0; step < own.max_age && room && !g.alive.empty(); ++step) {
     step_all(g, step);
     std::size_t count = g.alive.size();
     for (std::size_t i = 0; i < count && room; ++i) room = take(g, g.alive[i]);
@@ -174,7 +186,7 @@ Strands grow_strands(const Host& host, const std::vector<Start>& starts, const C
   for (const Tip& tip : g.tips) strands.push_back({0, 0, tip.parent, tip.end});
   std::vector<int> depths;
   for (const Tip& tip : g.tips) depths.push_back(tip.depth);
-  return gather(host, ground, g.nodes, strands, depths, crawl);
+  return gather(host, ground, g.nodes, strands, depths, own);
 }
 
 }  // namespace frond

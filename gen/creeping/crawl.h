@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/assets.h"
+#include "core/curve.h"
 #include "core/seed.h"
 #include "creeping/host.h"
 #include "model/skeleton.h"
@@ -17,14 +19,31 @@ enum class Lure {
   point,  ///< a place
 };
 
-/// How strands creep, branch, keep apart and hang. Angles in radians.
+/// Curves that strands follow, drawn on a host or near it. Each is laid on the nearest surface.
+struct CrawlGuide {
+  std::vector<DVec3> points;               ///< of one curve; metres, in the world
+  FileName file;                           ///< of others
+  std::vector<std::vector<DVec3>> filed;   ///< those of the file
+  double width = 0.12;                     ///< metres to either side that strands keep within
+
+  /// The points of each, at least two.
+  std::vector<std::vector<DVec3>> curves() const {
+    std::vector<std::vector<DVec3>> all = filed;
+    if (points.size() > 1) all.push_back(points);
+    return all;
+  }
+};
+
+/// How strands creep, branch, keep apart and hang. Angles in radians. What is animated has its keys at shares of
+/// the growth, 0..1.
 struct Crawl {
   double speed = 0.02;  ///< metres per step, > 0; every strand makes one step at a time
 
   double wander = 0.3;  ///< radians, the largest random turn per step to either side
-  double bias = 0.08;   ///< 0..1, share of the turn toward the target, each step
+  Animated<double> bias{0.08};  ///< 0..1, share of the turn toward the target, each step
   Lure lure = Lure::along;
-  Vec3 toward{0, 1, 0};  ///< a direction of any length, or the place
+  Animated<Vec3> toward{Vec3(0, 1, 0)};  ///< a direction of any length, or the place
+  std::vector<CrawlGuide> guides;  ///< a strand that comes within the width of one follows it to its end
 
   double branch_every = 0.25;       ///< metres along a strand, > 0
   double branch_jitter = 0.4;       ///< 0..1: random variation of it
@@ -44,6 +63,9 @@ struct Crawl {
   int patience = 6;       ///< a strand stops after this many steps without room
   double waking = 0.7;    ///< 0..1: chance that a bud on an ended strand makes a branch after all
   std::size_t most_nodes = 4'000'000;
+  /// Whether strands stay. If not, tips keep apart from each other only where they are at the same time, turn back
+  /// where a strand would stop, and neither branch nor hang.
+  bool trace = true;
 
   bool backs = false;       ///< strands also go round the rims of open meshes to their inner sides
   double let_go = 0.1;      ///< chance that a strand lets go at an edge or where an overhang begins
@@ -58,7 +80,7 @@ struct Start {
 };
 
 /// Why a strand ended.
-enum class End { age, length, crowded, box, hung, stuck, nodes };
+enum class End { age, length, crowded, box, hung, stuck, nodes, guide };
 
 /// A run of nodes that forms one strand, and how it ended.
 struct Strand {
@@ -94,6 +116,9 @@ Strands grow_strands(const Host& host, const std::vector<Start>& starts, const C
 /// plane `above` metres over its lowest point. With `facing` (any length but 0), only where the surface faces
 /// that direction. Fewer, or none, where there is no such surface.
 std::vector<Start> starts_at_foot(const Host& host, int count, double above, Vec3 facing, Seed seed);
+
+/// The beginnings of the curves of guides, and more of them along these, evenly, up to `count`.
+std::vector<Start> starts_on_guides(const std::vector<CrawlGuide>& guides, int count);
 
 /// `count` starts spread evenly over the surface within `radius` metres of `centre`. Fewer, or none, where
 /// there is no surface.

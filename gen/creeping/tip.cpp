@@ -16,9 +16,9 @@ constexpr double kOverhang = -0.5;    // the height of the normal below which a 
 constexpr double kNoOverhang = -0.1;  // and above which it is none any more
 
 /// The direction of the lure, and how much of the bias applies here.
-DVec3 lured(const Crawl& crawl, const Tread& tread, double& share) {
-  DVec3 toward(crawl.toward);
-  share = crawl.bias;
+DVec3 lured(const Crawl& crawl, const Tread& tread, double when, double& share) {
+  DVec3 toward(crawl.toward.at(when));
+  share = crawl.bias.at(when);
   switch (crawl.lure) {
     case Lure::along:
       return toward;
@@ -31,6 +31,15 @@ DVec3 lured(const Crawl& crawl, const Tread& tread, double& share) {
       return toward - tread.place;
   }
   return toward;
+}
+
+/// A heading that follows a guide: along it in its middle, back to it near its rim.
+DVec3 guided(const Guides::View& guide, const DVec3& heading, const DVec3& normal) {
+  constexpr double kAlong = 0.25, kBack = 0.6;
+  double rim = smooth_step(0.3, 0.9, guide.distance / guide.width);
+  DVec3 toward = guide.along;
+  if (guide.distance > 0) toward += guide.toward * (2 * rim / guide.distance);
+  return leaning(heading, normal, toward, kAlong + kBack * rim);
 }
 
 /// Within the box, and a strand's radius above the ground.
@@ -47,6 +56,12 @@ void stop(Tip& tip, End why) {
 
 void block(Tip& tip, const Crawl& crawl, End why) {
   if (++tip.blocked >= crawl.patience) stop(tip, why);
+}
+
+/// Turns a tip that leaves no strand to somewhere behind it.
+void turn_back(Tip& tip, Seed draw) {
+  double angle = draw.child("back").range(0.6 * kPi, 1.4 * kPi);
+  tip.tread.heading = turned(tip.tread.heading, tip.tread.normal, angle);
 }
 
 void let_go(Tip& tip, const GroundHeight& ground, const Crawl& crawl) {
@@ -105,12 +120,14 @@ void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& 
       if (tip.laid.empty()) block(tip, crawl, End::stuck);
       return;
     }
+    bool free = in_bounds(crawl, ground, s.tread.place);
+    if (!free && !crawl.trace) return turn_back(tip, draw);
     tip.calm += s.length;
     tip.along += s.length;
     tip.tread = s.tread;
     unlaid += s.length;
     rest -= std::max(s.length, 0.02 * crawl.speed);
-    if (!in_bounds(crawl, ground, s.tread.place)) return stop(tip, End::box);
+    if (!free) return stop(tip, End::box);
     if (unlaid > std::min(least, 0.5 * lift) || rest <= least) {
       lay(tip, crawl, step + 1 - std::max(rest, 0.0) / crawl.speed);
       unlaid = 0;
@@ -213,25 +230,30 @@ std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, c
   return std::nullopt;
 }
 
-void advance(Tip& tip, const Host& host, const GroundHeight& ground, const Crowd* crowd, const Crawl& crawl,
-             int step) {
+void advance(Tip& tip, const Terrain& terrain, const Crowd* crowd, const Crawl& crawl, int step) {
   tip.laid.clear();
   tip.gripped = false;
   Seed draw = tip.seed.child(static_cast<std::uint64_t>(step));
-  if (tip.hangs) return dangle(tip, host, crawl, step);
+  if (tip.hangs) return dangle(tip, terrain.host, crawl, step);
+  const Guides& guides = terrain.guides;
+  if (tip.lead.curve < 0 && !guides.empty()) tip.lead = guides.find(tip.tread.place);
   const DVec3& normal = tip.tread.normal;
   DVec3 heading = turned(tip.tread.heading, normal, crawl.wander * draw.child(0).range(-1, 1));
   double share;
-  DVec3 lure = lured(crawl, tip.tread, share);
+  DVec3 lure = lured(crawl, tip.tread, static_cast<double>(step) / crawl.max_age, share);
   heading = leaning(heading, normal, lure, share);
+  if (tip.lead.curve >= 0) heading = guided(guides.follow(tip.tread.place, tip.lead), heading, normal);
   if (crowd) {
     std::optional<DVec3> free = heading_with_room(*crowd, tip.tread, heading,
                                                   {tip.strand, tip.parent, tip.along}, crawl.speed, tip.near);
-    if (!free) return block(tip, crawl, End::crowded);
+    if (!free) return crawl.trace ? block(tip, crawl, End::crowded) : turn_back(tip, draw);
     heading = tangent(*free, normal);
   }
   tip.tread.heading = heading;
-  creep(tip, host, ground, crawl, step, draw);
+  creep(tip, terrain.host, terrain.ground, crawl, step, draw);
+  if (tip.lead.curve < 0 || tip.hangs) return;
+  Guides::View guide = guides.follow(tip.tread.place, tip.lead);
+  if (guide.ended || guide.distance > guide.width - crawl.speed) stop(tip, End::guide);
 }
 
 }  // namespace frond

@@ -2,6 +2,7 @@
 
 #include "creeping/crawl.h"
 #include "creeping/crowd.h"
+#include "creeping/guides.h"
 #include "creeping/hang.h"
 #include "creeping/tread.h"
 
@@ -22,6 +23,7 @@ struct Tip {
   int depth = 0;
   Seed seed;
   Tread tread;
+  Guides::Lead lead;
   double along = 0;     ///< metres grown
   double next_bud = 0;  ///< metres along the strand where the next branch is due
   double calm = 0;      ///< metres since the last edge
@@ -46,9 +48,15 @@ inline double lift_of(const Crawl& crawl) { return 0.1 * crawl.radius; }
 /// A tip that begins at a tread.
 Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed);
 
-/// Step number `step` (from 0) of a tip. The ground must outlive the tip.
-void advance(Tip& tip, const Host& host, const GroundHeight& ground, const Crowd* crowd, const Crawl& crawl,
-             int step);
+/// What tips find as they grow.
+struct Terrain {
+  const Host& host;
+  const GroundHeight& ground;  ///< must outlive the tips
+  const Guides& guides;
+};
+
+/// Step number `step` (from 0) of a tip.
+void advance(Tip& tip, const Terrain& terrain, const Crowd* crowd, const Crawl& crawl, int step);
 
 /// A heading with room, near the wanted one; nothing where there is none. `near` is overwritten.
 std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,

@@ -262,6 +262,85 @@ TEST(Crawl, StepsHaveTheirLengthAndFollowTheBias) {
     EXPECT_NEAR(s.skeleton.position[i].y - 5, (s.skeleton.position[i].x + 5) / 3, 1e-4);
 }
 
+TEST(Crawl, BiasAndDirectionChangeWithTheGrowth) {
+  Host host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
+  Crawl crawl;
+  crawl.branch_depth = 0, crawl.wander = 0, crawl.max_age = 200;
+  crawl.bias = Animated<double>({{0, 0.0}, {0.4, 0.0}, {0.5, 1.0}});
+  crawl.toward = Animated<Vec3>({{0, Vec3(0, 1, 0)}, {0.7, Vec3(0, 1, 0)}, {0.75, Vec3(-1, 0, 0)}});
+  Strands s = grow_strands(host, {{DVec3(-2, 3, 0.1), DVec3(1, 0, 0)}}, crawl, Seed{1});
+  ASSERT_EQ(s.size(), 201u);
+  auto way = [&](std::size_t i) { return (s.skeleton.position[i] - s.skeleton.position[i - 1]) / 0.02f; };
+  for (std::size_t i = 1; i <= 80; ++i) EXPECT_NEAR(way(i).x, 1, 1e-2) << i;
+  for (std::size_t i = 103; i <= 140; ++i) EXPECT_NEAR(way(i).y, 1, 1e-2) << i;
+  for (std::size_t i = 153; i <= 200; ++i) EXPECT_NEAR(way(i).x, -1, 1e-2) << i;
+}
+
+/// Metres from a place to the nearest piece of a curve.
+double away_from(const std::vector<DVec3>& curve, const DVec3& place) {
+  double least = 1e9;
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    DVec3 way = curve[i + 1] - curve[i];
+    double share = std::clamp(glm::dot(place - curve[i], way) / glm::dot(way, way), 0.0, 1.0);
+    least = std::min(least, glm::distance(place, curve[i] + share * way));
+  }
+  return least;
+}
+
+TEST(Crawl, StrandsKeepWithinTheWidthOfGuidesAndFillIt) {
+  Host host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
+  // An S, drawn a little before the wall; its ends are far from each other along it and near in space.
+  std::vector<DVec3> drawn, on_wall;
+  for (int i = 0; i <= 60; ++i) {
+    double t = i / 60.0, side = std::cos(1.5 * 2 * kPi * t);
+    drawn.emplace_back(0.6 * side, 4 + 1.6 * t, 0.15);
+    on_wall.emplace_back(drawn.back().x, drawn.back().y, 0.1);
+  }
+  Crawl crawl;
+  crawl.guides = {{drawn, {}, {}, 0.12}};
+  crawl.max_age = 900, crawl.branch_every = 0.15, crawl.spacing = 0.04, crawl.let_go = 0;
+  for (std::uint64_t seed : {1u, 2u, 3u}) {
+    Strands s = grow_strands(host, starts_on_guides(crawl.guides, 4), crawl, Seed{seed});
+    ASSERT_GT(s.size(), 300u);
+    for (const Vec3& at : s.skeleton.position) EXPECT_LT(away_from(on_wall, DVec3(at)), 0.125);
+    for (const DVec3& at : on_wall) {
+      double nearest = 1e9;
+      for (const Vec3& node : s.skeleton.position) nearest = std::min(nearest, glm::distance(DVec3(node), at));
+      EXPECT_LT(nearest, 0.12) << "nothing grows at " << at.x << ", " << at.y;
+    }
+  }
+}
+
+TEST(Crawl, TipsWithoutATraceKeepApartAndTurnBack) {
+  Host host = built(ball(1, 160, 80));
+  Crawl crawl;
+  crawl.trace = false;
+  crawl.bias = 0, crawl.spacing = 0.2, crawl.max_age = 300;
+  crawl.low = Vec3(-2, -0.2f, -2);
+  Strands s = grow_strands(host, starts_around(host, 24, Vec3(0, 1, 0), 1, Seed{1}), crawl, Seed{1});
+  ASSERT_EQ(s.strands.size(), 24u);
+  double walked = 0;
+  for (const Strand& strand : s.strands) {
+    EXPECT_EQ(strand.parent, -1);
+    EXPECT_EQ(strand.end, End::age);
+    std::int32_t last = strand.first + strand.count - 1;
+    EXPECT_GT(s.skeleton.birth[last], 0.9f);
+    walked += s.skeleton.distance[last];
+  }
+  EXPECT_GT(walked / 24, 0.7 * 300 * crawl.speed) << "they hardly stop";
+  for (const Vec3& at : s.contact) EXPECT_GT(at.y, -0.25f);
+  // At the same time none is beside another; their paths may cross.
+  auto at = [&](std::size_t k, float time) {
+    const Strand& path = s.strands[k];
+    std::int32_t i = path.first;
+    while (i + 1 < path.first + path.count && s.skeleton.birth[i + 1] <= time) ++i;
+    return s.contact[i];
+  };
+  for (float time : {0.3f, 0.5f, 0.8f, 1.0f})
+    for (std::size_t a = 0; a < s.strands.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) EXPECT_GT(glm::distance(at(a, time), at(b, time)), 0.05f);
+}
+
 TEST(Crawl, RadiiFollowAgeAndWhatIsCarried) {
   Host host = built(thin_wall());
   Crawl crawl;

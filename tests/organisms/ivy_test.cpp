@@ -37,6 +37,31 @@ Ivy ivy_on_wall(const IvyParams& params, std::uint64_t seed = 1) {
   return ivy ? std::move(*ivy) : Ivy{};
 }
 
+TEST(Walkers, StandOnTheirHostAndGoTheirWay) {
+  IvyParams params = small_ivy();
+  params.crawl.trace = false;
+  params.crawl.max_age = 200, params.crawl.speed = 0.005;
+  params.facing = Vec3(0);
+  Host host = *Host::build(wall());
+  Result<Ivy> ivy = grow_ivy(params, host, {}, 12, kLevel, Seed{1});
+  ASSERT_TRUE(ivy);
+  EXPECT_EQ(ivy->model.check(), "");
+  EXPECT_EQ(ivy->model.skeleton.size(), 0u) << "they leave nothing";
+  EXPECT_EQ(ivy->model.organs.size(), ivy->strands.strands.size());
+  Organs before = walkers_at(params.walkers, ivy->strands, 0.5, Seed{2});
+  for (int step = 1; step <= 40; ++step) {
+    Organs now = walkers_at(params.walkers, ivy->strands, 0.5 + step / 100.0, Seed{2});
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      EXPECT_LT(host.closest(DVec3(now.position[i]))->distance, 0.004);
+      // Two steps of growth at most, and no jump of the body.
+      EXPECT_LT(glm::distance(now.position[i], before.position[i]), 2.2f * 0.005f);
+      EXPECT_GT(glm::dot(now.turn[i] * Vec3(0, 0, 1), before.turn[i] * Vec3(0, 0, 1)), 0.3f);
+      EXPECT_EQ(now.scale[i], before.scale[i]);
+    }
+    before = now;
+  }
+}
+
 TEST(Ivy, IsAModelWithLeavesOnItsStrands) {
   Ivy ivy = ivy_on_wall(small_ivy());
   EXPECT_EQ(ivy.model.check(), "");

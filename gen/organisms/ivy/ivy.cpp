@@ -10,6 +10,14 @@ namespace frond {
 
 namespace {
 
+/// Along the foot of a host, which is where a buried one comes out of the ground.
+std::vector<Start> starts_at_own_foot(const IvyParams& params, const Support& under, int count, Seed seed) {
+  const Host& host = under.host;
+  DVec3 middle = 0.5 * (host.low() + host.high());
+  double buried = under.ground ? std::max(under.ground(middle.x, middle.z) - host.low().y, 0.0) : 0;
+  return starts_at_foot(host, count, buried + params.above, params.facing, seed.child("foot"));
+}
+
 /// Where the plants stand on the host.
 std::vector<Start> starts_of(const IvyParams& params, const Support& under, const IvyRoots& roots, int count,
                              Seed seed) {
@@ -18,11 +26,11 @@ std::vector<Start> starts_of(const IvyParams& params, const Support& under, cons
   for (const Vec3& root : roots) starts.push_back({DVec3(root), DVec3(0)});
   int more = count - static_cast<int>(roots.size());
   if (more <= 0) return starts;
-  // The foot of a buried host is where it comes out of the ground.
-  DVec3 middle = 0.5 * (host.low() + host.high());
-  double buried = under.ground ? std::max(under.ground(middle.x, middle.z) - host.low().y, 0.0) : 0;
-  std::vector<Start> others =
-      starts_at_foot(host, more, buried + params.above, params.facing, seed.child("foot"));
+  std::vector<Start> others;
+  if (!params.crawl.guides.empty())
+    others = starts_on_guides(params.crawl.guides, more);
+  else if (params.crawl.trace)
+    others = starts_at_own_foot(params, under, more, seed);
   // A host without a foot, such as a floating one, is rooted all round.
   if (others.empty() && roots.empty())
     others =
@@ -65,6 +73,11 @@ Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& 
   Ivy ivy;
   ivy.strands = grow_strands(host, starts, params.crawl, seed.child("crawl"), ground);
   if (ivy.strands.size() < 2) return rootless(params.crawl, host);
+  if (!params.crawl.trace) {
+    ivy.model.prototypes = walker_prototypes(params.walkers);
+    ivy.model.organs = walkers_at(params.walkers, ivy.strands, 1, seed.child("walkers"));
+    return ivy;
+  }
   ivy.model.skeleton = ivy.strands.skeleton;
   ivy.model.color = bark_ages(ivy.model.skeleton, params.bark.colors.size(), params.crawl.radius);
   add_ivy_leaves(ivy.model, ivy.strands, params.leaves, under, seed.child("leaves"));

@@ -10,6 +10,7 @@
 #include "dress/dress.h"
 #include "model/model.h"
 #include "motion/motion.h"
+#include "organisms/ivy/walkers.h"
 
 namespace frond {
 
@@ -49,6 +50,7 @@ struct IvyParams {
   double above = 0.02;          ///< metres above the host's lowest point of such roots
   Crawl crawl;
   IvyLeaves leaves;
+  Walkers walkers;  ///< where `crawl` leaves no trace
   Bark bark{BarkKind::bark, {{0.31f, 0.25f, 0.18f}, {0.29f, 0.27f, 0.16f}, {0.33f, 0.31f, 0.15f}}};
   Flutter flutter;
   Breeze breeze;
@@ -65,7 +67,9 @@ struct Ivy {
 };
 
 /// Grows over a host: `count` plants, the first ones from the points of the host nearest to `roots`, the
-/// others from its foot. No part is below the ground.
+/// others from the beginnings of guides or, without any, from its foot. No part is below the ground. Where
+/// `crawl` leaves no trace, the strands are the paths of walkers, which begin all over the host, and the model
+/// holds these at the end of their paths.
 Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
                      const GroundHeight& ground, Seed seed);
 

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/parallel.h"
 #include "dress/describe.h"
+#include "geometry/obj.h"
 #include "organisms/ivy/ivy.h"
 #include "organisms/kinds.h"
 
@@ -20,15 +23,46 @@ inline constexpr Choice<IvyDetail> kIvyDetails[] = {
     {"leaves", IvyDetail::leaves, "each leaf by itself, on its own petiole"},
     {"sprigs", IvyDetail::sprigs, "several leaves at once, for ivy far away"}};
 
+/// The curves of a file: what follows on each other is one.
+Errors load_curves(const NamedFile& file, std::vector<std::vector<DVec3>>& curves) {
+  Result<LineSet> lines = read_obj_lines(file.text, file.path.string());
+  if (!lines) return lines.errors();
+  std::uint32_t last = 0;
+  for (auto [from, to] : lines->line) {
+    if (curves.empty() || from != last) curves.push_back({lines->place[from]});
+    curves.back().push_back(lines->place[to]);
+    last = to;
+  }
+  return {};
+}
+
+template <class Visitor>
+void describe(Visitor& v, CrawlGuide& g) {
+  v.list("points", g.points, "Points of one curve, in metres in the world, on the host or near it");
+  v.file(
+      "file", g.file, [&](const NamedFile& file) { return load_curves(file, g.filed); },
+      "A Wavefront OBJ file with lines (`l`), each row of them one curve, in place of points");
+  v.number("width", g.width, {.min = 0.005, .max = 100, .unit = "m"},
+           "Distance from the curve within which strands keep");
+}
+
 template <class Visitor>
 void describe(Visitor& v, Crawl& c) {
   v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "Length of one step of a strand");
   v.angle("wander", c.wander, {.min = 0, .max = 120}, "Angle by which each step turns at random, either way");
-  v.number("bias", c.bias, {.min = 0, .max = 1}, "How much of the way to the lure each step turns");
+  v.animated("bias", c.bias, {.min = 0, .max = 1},
+             "How much of the way to the lure each step turns; times of keyframes are shares of the growth, 0 "
+             "to 1");
   v.choice("lure", c.lure, kLures, "What strands turn toward");
-  v.vector("toward", c.toward, {.min = -1000, .max = 1000},
-           "The direction that strands turn toward with the lure along; the place, in metres, with the lure "
-           "point");
+  v.animated("toward", c.toward, {.min = -1000, .max = 1000},
+             "The direction that strands turn toward with the lure along; the place, in metres, with the lure "
+             "point; times of keyframes are shares of the growth, 0 to 1");
+  v.list("guides", c.guides, Count{0, 100},
+         "Curves that strands follow: those that come within the width of one keep within it to its end. "
+         "Without place.at strands begin where curves do");
+  v.boolean("trace", c.trace,
+            "Whether strands stay where they creep; if not, bodies creep there, as walkers says, and leave "
+            "nothing");
   v.number("branch_every", c.branch_every, {.min = 0.001, .max = 1000, .unit = "m"},
            "Distance along a strand from one branch to the next");
   v.number("branch_jitter", c.branch_jitter, {.min = 0, .max = 1},
@@ -100,6 +134,21 @@ void describe(Visitor& v, IvyLeaves& l) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Walkers& w) {
+  v.aspect(Aspect::look);
+  v.file(
+      "file", w.file, [&](const NamedFile& file) { return load_unit_mesh(file, w.mesh); },
+      "A Wavefront OBJ file of the body, named as seen from the preset's folder: y is up, it walks toward z; "
+      "without it a beetle walks");
+  v.number("size", w.size, {.min = 0.0005, .max = 10, .unit = "m"}, "Length of the body");
+  v.number("size_variation", w.size_variation, {.min = 0, .max = 0.9},
+           "Random change of the size, as a share of it");
+  v.list("colors", w.colors, Count{1, 16}, "Colours of the body, one for each");
+  v.color("second", w.second, "Colour of a beetle's head, legs and feelers");
+  v.number("gloss", w.gloss, {.min = 0, .max = 1}, "How much it shines");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Flutter& f) {
   v.aspect(Aspect::motion);
   v.angle("amplitude", f.amplitude, {.min = 0, .max = 60},
@@ -130,6 +179,7 @@ void describe(Visitor& v, IvyParams& i) {
   v.object("crawl", i.crawl, "How strands creep");
   v.object("leaves", i.leaves, "The leaves");
   v.object("bark", i.bark, "Surface of the strands; its colours run from old wood to shoots");
+  v.object("walkers", i.walkers, "What creeps where crawl leaves no trace");
   v.object("flutter", i.flutter, "How leaves tremble in the wind");
   v.object("breeze", i.breeze, "How hanging strands swing in the wind");
   v.object("growth", i.growth, "When it grows in the film");
@@ -148,7 +198,14 @@ class IvyGrower final : public Described<IvyParams, Grower> {
         return {{fmt::format("/crawl/high/{}", axis),
                  fmt::format("found {:g}, below the {:g} of low; expected a box that holds something",
                              crawl.high[axis], crawl.low[axis])}};
-    if (crawl.lure == Lure::point || crawl.bias <= 0 || glm::length(crawl.toward) >= 1e-3f) return {};
+    for (std::size_t i = 0; i < crawl.guides.size(); ++i)
+      if (crawl.guides[i].curves().empty() && crawl.guides[i].file.empty())
+        return {{fmt::format("/crawl/guides/{}", i), "expected at least two points, or a file of lines"}};
+    auto none = [](const auto& key) { return glm::length(key.value) < 1e-3f; };
+    auto biased = [](const auto& key) { return key.value > 0; };
+    if (crawl.lure == Lure::point || std::ranges::none_of(crawl.bias.keys(), biased) ||
+        std::ranges::none_of(crawl.toward.keys(), none))
+      return {};
     return {{"/crawl/toward", "found a vector of length 0; expected the direction that strands turn to"}};
   }
   Errors doubts() const override { return {}; }
@@ -159,6 +216,12 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     double length = std::min(crawl.max_age * crawl.speed, crawl.max_length);
     double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
     SizeEstimate ivy;
+    if (!crawl.trace) {
+      ivy.organs = ivy.parts = 1;
+      ivy.shapes = 9000;
+      ivy.held = 80 * steps;
+      return ivy;
+    }
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
     ivy.shapes = 9000;
@@ -167,7 +230,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     return ivy;
   }
   double tallest() const override { return 0; }
-  bool branches() const override { return true; }
+  bool branches() const override { return params.crawl.trace; }
   Dress dress() const override {
     Dress dress;
     dress.look.branches = {.bark = params.bark};
@@ -175,7 +238,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     dress.variation = params.bark.variation;
     return dress;
   }
-  bool develops(bool) const override { return false; }
+  bool develops(bool filmed) const override { return filmed && !params.crawl.trace; }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
   const std::vector<std::string>* hosts() const override { return &params.on; }
   std::optional<Spread> spread() const override { return std::nullopt; }
@@ -213,9 +276,30 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     specimen.brightness = 1 + worn.variation * bed.seed.child("brightness").range(-1, 1);
     specimen.motion = worn.motion;
     specimen.motion.film_length = world.film_length();
+    if (!params.crawl.trace) {
+      set_walk(specimen, std::move(ivy->strands), world, bed.seed.child("grow").child("walkers"));
+      return specimen;
+    }
     specimen.life.hanging = Hanging{std::move(ivy->strands), params.breeze};
     specimen.life.hanging->breeze.film_length = world.film_length();
     return specimen;
+  }
+
+  /// Has walkers move along their paths in a film, as long as its growth or, without one, all the time.
+  void set_walk(Specimen& specimen, Strands&& paths, const World& world, Seed seed) const {
+    Growth growth = std::exchange(specimen.motion.growth, {});
+    if (growth.duration <= 0) growth.duration = world.film_length();
+    if (!world.filmed()) return;
+    specimen.life.held = 80 * paths.size();
+    specimen.life.develop = [walkers = params.walkers, growth, seed,
+                             shapes = std::make_shared<const std::vector<Prototype>>(specimen.model.prototypes),
+                             paths = std::make_shared<const Strands>(std::move(paths))](double time) -> Result<Model> {
+      Model model;
+      model.prototypes = *shapes;
+      double share = std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
+      model.organs = walkers_at(walkers, *paths, share, seed);
+      return model;
+    };
   }
 };
 
