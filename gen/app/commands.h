@@ -150,6 +150,7 @@ struct RenderArguments {
   int jobs = 0;                       ///< processors that render; 0: all
   int threads = 0;                    ///< that generate; 0: all
   int every = 1;                      ///< each K-th frame first, then those between
+  bool watch = false;                 ///< shows what is traced in a picture
   int why = 0;                        ///< renders nothing and says why this frame is out of date
   std::optional<bool> resolve;        ///< whether frames are resolved; none: in the quality good
   std::optional<std::string> plot;    ///< SVG file to write

@@ -247,7 +247,8 @@ Errors Gallery::grammars() {
   if (!layout) return layout.errors();
   SheetJob sheet{{}, work_ / "grammars.png", kColumns, kWidth, environment_or("FROND_FFMPEG", "ffmpeg")};
   for (const fs::path& file : files_in(root_ / "presets" / "grammars")) {
-    if (file.extension() != ".json" || file.stem() == "algae") continue;  // nothing that a turtle would draw
+    bool draws = file.stem() != "algae" && file.stem() != "cells";  // words without lines
+    if (file.extension() != ".json" || !draws) continue;
     Result<fs::path> picture = grammar(file, *layout);
     if (!picture) return picture.errors();
     sheet.pictures.push_back(*picture);

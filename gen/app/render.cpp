@@ -165,6 +165,7 @@ int render_into(const RenderArguments& a, const fs::path& out) {
   settings.out = out;
   settings.format = a.format;
   settings.every = a.every;
+  settings.watch = a.watch;
   settings.jobs = a.jobs > 0 ? a.jobs : thread_count();
   settings.ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
   std::size_t noted = read_times(out).size();

@@ -116,7 +116,13 @@ void RenderRun::begin() {
     say(fmt::format("Rendering {} of {} frames; the others are up to date.", to_do_.size(), all));
   else
     say(fmt::format("Rendering {} frame{}.", all, all == 1 ? "" : "s"));
-  left_.emplace(settings_.out / "frames", manifest_.size, to_do_, settings_.jobs, seconds_now());
+  fs::path scenes = settings_.out / "frames", drawn = settings_.out / manifest_.drawn_folder();
+  left_.emplace(scenes, drawn, manifest_.size, to_do_, settings_.jobs, seconds_now());
+  if (settings_.watch && !to_do_.empty()) {
+    fs::path file = settings_.out / "watch.png";
+    watched_.emplace(file, scenes, drawn, manifest_.size);
+    say("What is traced shows in " + file.string());
+  }
   said_at_ = seconds_now();
   // Processors that no frame of their own keeps busy help with another.
   int frames = static_cast<int>(to_do_.size());
@@ -213,8 +219,9 @@ int RenderRun::end() {
   for (const char* folder : {"frames", "raw"})
     for (const fs::path& path : files_in(settings_.out / folder))
       if (path.filename().string().starts_with(".frame_")) fs::remove_all(path, error);
-  for (const char* name : {"preview.mp4", ".film.mp4.part", ".film.webm.part", ".film.gif.part",
-                           ".film.gif.part.png", ".contact.png.part", ".still.png.part", ".preview.mp4.part"})
+  for (const char* name :
+       {"preview.mp4", "watch.png", ".watch.png.part", ".film.mp4.part", ".film.webm.part", ".film.gif.part",
+        ".film.gif.part.png", ".contact.png.part", ".still.png.part", ".preview.mp4.part"})
     fs::remove(settings_.out / name, error);
   return kDone;
 }
@@ -249,6 +256,7 @@ void RenderRun::idle() {
   if (left_->done() >= wanted) return;
   double now = seconds_now();
   left_->look(now);
+  if (watched_) watched_->look(now);
   int percent = left_->percent();
   std::string text = fmt::format("{} % of the {}", percent,
                                  wanted == 1 ? std::string("picture") : fmt::format("{} frames", wanted));

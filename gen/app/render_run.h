@@ -9,6 +9,7 @@
 #include "render/frames_left.h"
 #include "render/ninja.h"
 #include "render/process.h"
+#include "render/traced_view.h"
 
 namespace frond {
 
@@ -18,6 +19,7 @@ struct RenderSettings {
   std::string format = "mp4";  ///< of the film
   int jobs = 1;                ///< processors
   int every = 1;               ///< each K-th frame first, then those between
+  bool watch = false;          ///< shows what is traced in watch.png
   std::string ffmpeg = "ffmpeg";
 };
 
@@ -60,6 +62,7 @@ class RenderRun {
   Manifest manifest_;
   std::vector<int> to_do_;
   std::optional<FramesLeft> left_;
+  std::optional<TracedView> watched_;
   std::vector<std::string> failed_;
   bool gave_up_ = false, interrupted_ = false, disk_full_ = false;
   int faults_ = 0;

@@ -101,6 +101,9 @@ void add_render(CLI::App& app, int& result) {
           "--every", to->every,
           "K: renders each K-th frame first, then those between, with a film preview.mp4 of what there is")
       ->check(CLI::Range(1, 999'999'999));
+  command->add_flag(
+      "--watch", to->watch,
+      "Shows in DIR/watch.png, once a second, the blocks that are traced of the picture so far");
   command->add_option("--plot", to->plot, "FILE.svg: draws nodes, bytes and seconds of each frame");
   command->add_option("--why", to->why, "N: renders nothing; says why frame N is out of date")
       ->check(CLI::Range(1, 999'999'999));

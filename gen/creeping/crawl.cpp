@@ -22,7 +22,7 @@ struct Growing {
   std::vector<std::int32_t> alive;  // which tips grow
   Nodes nodes;
   Crowd crowd;
-  Terrain terrain{host, ground, guides};
+  CrawlWorld world{host, ground, guides};
   std::vector<std::int32_t> last{};  // node of each strand
   std::vector<DVec3> near{};
 };
@@ -119,7 +119,7 @@ void step_all(Growing& g, int step) {
       g.crowd.add({Vec3(tip.tread.place), Vec3(tip.tread.normal), t, static_cast<float>(tip.along)});
     }
   }
-  auto one = [&](std::size_t i) { advance(g.tips[g.alive[i]], g.terrain, crowd, g.crawl, step); };
+  auto one = [&](std::size_t i) { advance(g.tips[g.alive[i]], g.world, crowd, g.crawl, step); };
   // Tips only read what the last step left: the order in which they are asked does not matter.
   constexpr std::size_t kBlock = 32;
   std::size_t blocks = (g.alive.size() + kBlock - 1) / kBlock;
@@ -165,11 +165,14 @@ Strands grow_strands(const Host& host, const std::vector<Start>& starts, const C
                      const GroundHeight& ground) {
   Crawl own = crawl;
   if (!own.trace) own.branch_depth = 0, own.let_go = 0;
-  Growing g{host, ground, own, Guides(host, own.guides), {}, {}, {}, Crowd(own.spacing > 0 ? own.spacing : 1)};
+  Growing g{host, ground, own, Guides(host, own.guides),
+            {},   {},     {},  Crowd(own.spacing > 0 ? own.spacing : 1)};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     std::optional<Tread> tread = begin_at(g, starts[i]);
     if (!tread) continue;
-    begin(g, sprout(*tread, own, seed.child("start", i)), -1);
+    Tip tip = sprout(*tread, own, seed.child("start", i));
+    if (starts[i].curve >= 0) tip.lead = g.guides.find(tread->place, starts[i].curve);
+    begin(g, std::move(tip), -1);
     remember(g, g.tips.back(), {*tread, 0, 0, false, false});
   }
   bool room = true;

@@ -21,10 +21,10 @@ enum class Lure {
 
 /// Curves that strands follow, drawn on a host or near it. Each is laid on the nearest surface.
 struct CrawlGuide {
-  std::vector<DVec3> points;               ///< of one curve; metres, in the world
-  FileName file;                           ///< of others
-  std::vector<std::vector<DVec3>> filed;   ///< those of the file
-  double width = 0.12;                     ///< metres to either side that strands keep within
+  std::vector<DVec3> points;              ///< of one curve; metres, in the world
+  FileName file;                          ///< of others
+  std::vector<std::vector<DVec3>> filed;  ///< those of the file
+  double width = 0.12;                    ///< metres to either side that strands keep within
 
   /// The points of each, at least two.
   std::vector<std::vector<DVec3>> curves() const {
@@ -34,12 +34,12 @@ struct CrawlGuide {
   }
 };
 
-/// How strands creep, branch, keep apart and hang. Angles in radians. What is animated has its keys at shares of
-/// the growth, 0..1.
+/// How strands creep, branch, keep apart and hang. Angles in radians. What is animated has its keys at shares
+/// of the growth, 0..1.
 struct Crawl {
   double speed = 0.02;  ///< metres per step, > 0; every strand makes one step at a time
 
-  double wander = 0.3;  ///< radians, the largest random turn per step to either side
+  double wander = 0.3;          ///< radians, the largest random turn per step to either side
   Animated<double> bias{0.08};  ///< 0..1, share of the turn toward the target, each step
   Lure lure = Lure::along;
   Animated<Vec3> toward{Vec3(0, 1, 0)};  ///< a direction of any length, or the place
@@ -63,8 +63,8 @@ struct Crawl {
   int patience = 6;       ///< a strand stops after this many steps without room
   double waking = 0.7;    ///< 0..1: chance that a bud on an ended strand makes a branch after all
   std::size_t most_nodes = 4'000'000;
-  /// Whether strands stay. If not, tips keep apart from each other only where they are at the same time, turn back
-  /// where a strand would stop, and neither branch nor hang.
+  /// Whether strands stay. If not, tips keep apart from each other only where they are at the same time, turn
+  /// back where a strand would stop, and neither branch nor hang.
   bool trace = true;
 
   bool backs = false;       ///< strands also go round the rims of open meshes to their inner sides
@@ -77,6 +77,7 @@ struct Crawl {
 struct Start {
   DVec3 place{0};  ///< the strand begins at the nearest point of the host
   DVec3 heading{0};
+  std::int32_t curve = -1;  ///< of the guides, in their order: which it follows; -1: the nearest
 };
 
 /// Why a strand ended.

@@ -12,7 +12,7 @@ constexpr std::size_t kWindow = 12;    // pieces that a strand may go on in a st
 constexpr double kMostPieces = 10000;  // of one piece as it is drawn
 
 /// A point of a polyline so many metres from its beginning, and the direction there.
-Start start_at(const std::vector<DVec3>& curve, double along) {
+Start start_at(const std::vector<DVec3>& curve, double along, std::int32_t number) {
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     double length = glm::distance(curve[i], curve[i + 1]);
     if (length <= 0 || (along > length && i + 2 < curve.size())) {
@@ -20,9 +20,9 @@ Start start_at(const std::vector<DVec3>& curve, double along) {
       continue;
     }
     DVec3 way = (curve[i + 1] - curve[i]) / length;
-    return {curve[i] + way * std::min(along, length), way};
+    return {curve[i] + way * std::min(along, length), way, number};
   }
-  return {curve.front(), DVec3(0)};
+  return {curve.front(), DVec3(0), number};
 }
 
 double length_of(const std::vector<DVec3>& curve) {
@@ -34,21 +34,23 @@ double length_of(const std::vector<DVec3>& curve) {
 }  // namespace
 
 std::vector<Start> starts_on_guides(const std::vector<CrawlGuide>& guides, int count) {
+  std::vector<std::vector<DVec3>> curves;
+  for (const CrawlGuide& guide : guides)
+    for (std::vector<DVec3>& curve : guide.curves()) curves.push_back(std::move(curve));
   std::vector<Start> starts;
   double all = 0;
-  for (const CrawlGuide& guide : guides)
-    for (const std::vector<DVec3>& curve : guide.curves()) {
-      starts.push_back(start_at(curve, 0));
-      all += length_of(curve);
-    }
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    starts.push_back(start_at(curves[c], 0, static_cast<std::int32_t>(c)));
+    all += length_of(curves[c]);
+  }
   int more = count - static_cast<int>(starts.size());
   double apart = all / std::max(more + 1, 1), next = apart;
-  for (const CrawlGuide& guide : guides)
-    for (const std::vector<DVec3>& curve : guide.curves()) {
-      double length = length_of(curve);
-      for (; more > 0 && next < length; next += apart, --more) starts.push_back(start_at(curve, next));
-      next -= length;
-    }
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    double length = length_of(curves[c]);
+    for (; more > 0 && next < length; next += apart, --more)
+      starts.push_back(start_at(curves[c], next, static_cast<std::int32_t>(c)));
+    next -= length;
+  }
   return starts;
 }
 
@@ -64,7 +66,7 @@ Guides::Guides(const Host& host, const std::vector<CrawlGuide>& guides) {
           if (curve.at.empty() || glm::distance(curve.at.back(), at) > 1e-9) curve.at.push_back(at);
         }
       }
-      if (curve.at.size() > 1) curves_.push_back(std::move(curve));
+      curves_.push_back(std::move(curve));
     }
 }
 
@@ -76,11 +78,12 @@ Guides::View Guides::view(const Curve& curve, std::size_t piece, const DVec3& pl
           share >= 1 && piece + 2 == curve.at.size()};
 }
 
-Guides::Lead Guides::find(const DVec3& place) const {
+Guides::Lead Guides::find(const DVec3& place, std::int32_t only) const {
   Lead lead;
   double nearest = 1;  // of the width
   for (std::size_t c = 0; c < curves_.size(); ++c)
     for (std::size_t piece = 0; piece + 1 < curves_[c].at.size(); ++piece) {
+      if (only >= 0 && static_cast<std::size_t>(only) != c) break;
       double share = view(curves_[c], piece, place).distance / curves_[c].width;
       if (share < nearest) nearest = share, lead = {static_cast<std::int32_t>(c), piece};
     }

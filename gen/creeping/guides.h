@@ -16,8 +16,8 @@ class Guides {
     std::int32_t curve = -1;  ///< -1: none
     std::size_t piece = 0;
   };
-  /// The nearest curve within whose width a place is.
-  Lead find(const DVec3& place) const;
+  /// The nearest curve within whose width a place is, or of those only the one of that number.
+  Lead find(const DVec3& place, std::int32_t only = -1) const;
 
   /// A curve as seen from a place beside it.
   struct View {
@@ -32,7 +32,7 @@ class Guides {
 
  private:
   struct Curve {
-    std::vector<DVec3> at;
+    std::vector<DVec3> at;  // fewer than two where all of it is one point
     double width;
   };
   View view(const Curve& curve, std::size_t piece, const DVec3& place) const;

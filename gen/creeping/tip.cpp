@@ -230,12 +230,12 @@ std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, c
   return std::nullopt;
 }
 
-void advance(Tip& tip, const Terrain& terrain, const Crowd* crowd, const Crawl& crawl, int step) {
+void advance(Tip& tip, const CrawlWorld& world, const Crowd* crowd, const Crawl& crawl, int step) {
   tip.laid.clear();
   tip.gripped = false;
   Seed draw = tip.seed.child(static_cast<std::uint64_t>(step));
-  if (tip.hangs) return dangle(tip, terrain.host, crawl, step);
-  const Guides& guides = terrain.guides;
+  if (tip.hangs) return dangle(tip, world.host, crawl, step);
+  const Guides& guides = world.guides;
   if (tip.lead.curve < 0 && !guides.empty()) tip.lead = guides.find(tip.tread.place);
   const DVec3& normal = tip.tread.normal;
   DVec3 heading = turned(tip.tread.heading, normal, crawl.wander * draw.child(0).range(-1, 1));
@@ -250,7 +250,7 @@ void advance(Tip& tip, const Terrain& terrain, const Crowd* crowd, const Crawl& 
     heading = tangent(*free, normal);
   }
   tip.tread.heading = heading;
-  creep(tip, terrain.host, terrain.ground, crawl, step, draw);
+  creep(tip, world.host, world.ground, crawl, step, draw);
   if (tip.lead.curve < 0 || tip.hangs) return;
   Guides::View guide = guides.follow(tip.tread.place, tip.lead);
   if (guide.ended || guide.distance > guide.width - crawl.speed) stop(tip, End::guide);

@@ -49,14 +49,14 @@ inline double lift_of(const Crawl& crawl) { return 0.1 * crawl.radius; }
 Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed);
 
 /// What tips find as they grow.
-struct Terrain {
+struct CrawlWorld {
   const Host& host;
   const GroundHeight& ground;  ///< must outlive the tips
   const Guides& guides;
 };
 
 /// Step number `step` (from 0) of a tip.
-void advance(Tip& tip, const Terrain& terrain, const Crowd* crowd, const Crawl& crawl, int step);
+void advance(Tip& tip, const CrawlWorld& world, const Crowd* crowd, const Crawl& crawl, int step);
 
 /// A heading with room, near the wanted one; nothing where there is none. `near` is overwritten.
 std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,

@@ -19,6 +19,17 @@ float thickened(const Skeleton& rest, const Pose& pose, std::int32_t i) {
   return std::max(pose.radius[i] / rest.radius[i], 1e-3f);
 }
 
+/// How many times as long a branch is at a node as at rest.
+float stretched(const Pose& pose, std::int32_t i) { return pose.stretch.empty() ? 1 : pose.stretch[i]; }
+
+/// Scales by `across` the branch and `along` it.
+glm::mat3 scaled_along(const Skeleton& rest, const Chunk& chunk, float across, float along) {
+  Vec3 way = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
+  float length2 = glm::dot(way, way);
+  glm::mat3 scale(across);
+  return length2 > 0 ? scale + glm::outerProduct(way, way) * ((along - across) / length2) : scale;
+}
+
 /// The pattern's way with the middle node of the chunk.
 void carry(const Skeleton& rest, const Pose& pose, Chunk& chunk) {
   std::int32_t middle = (chunk.first + chunk.last) / 2;
@@ -26,15 +37,11 @@ void carry(const Skeleton& rest, const Pose& pose, Chunk& chunk) {
   while (middle > chunk.first && rest.birth[middle] > pose.front) --middle;
   chunk.anchor = rest.birth[middle] > pose.front ? rest.parent[middle] : middle;
   chunk.turn = pose.turn[middle];
-  float thick = thickened(rest, pose, chunk.anchor);
-  bool still = chunk.turn == Quat(1, 0, 0, 0) && std::abs(thick - 1) < 1e-6f &&
+  float thick = thickened(rest, pose, chunk.anchor), longer = stretched(pose, chunk.anchor);
+  bool still = chunk.turn == Quat(1, 0, 0, 0) && std::abs(thick - 1) < 1e-6f && longer == 1 &&
                glm::distance(pose.position[chunk.anchor], rest.position[chunk.anchor]) < 1e-5f;
   if (still) return;
-  Vec3 along = rest.position[chunk.last] - rest.position[rest.parent[chunk.first]];
-  float length2 = glm::dot(along, along);
-  glm::mat3 stretch(thick);
-  if (length2 > 0) stretch = stretch + glm::outerProduct(along, along) * ((1 - thick) / length2);
-  chunk.matrix = glm::mat3_cast(chunk.turn) * stretch;
+  chunk.matrix = glm::mat3_cast(chunk.turn) * scaled_along(rest, chunk, thick, longer);
   chunk.shift = pose.position[chunk.anchor] - chunk.matrix * rest.position[chunk.anchor];
 }
 
@@ -85,6 +92,7 @@ class Cutter {
 float pattern_drift(const Skeleton& rest, const Pose& pose, const Chunk& chunk, std::int32_t i) {
   if (rest.birth[i] > pose.front) return 0;  // the tip is new skin
   Vec3 rested = rest.position[i] - rest.position[chunk.anchor];
+  if (!pose.stretch.empty()) rested = scaled_along(rest, chunk, 1, stretched(pose, chunk.anchor)) * rested;
   Vec3 center = pose.position[chunk.anchor] + chunk.turn * rested - pose.position[i];
   // The angle between the two turns; a skin point comes away by no more than its radius times that.
   Quat apart = chunk.turn * glm::conjugate(pose.turn[i]);

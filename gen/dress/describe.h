@@ -136,6 +136,9 @@ void describe(Visitor& v, Food& f) {
   v.aspect(Aspect::motion);
   v.angle("strength", f.strength, {.min = 0, .max = 180},
           "Angle by which a whole branch may bend toward the food, about");
+  v.number("stretch", f.stretch, {.min = 0, .max = 3},
+           "Share of its length by which a tip beside the food lengthens toward it; the rest of the colony "
+           "lengthens less, and what is longer is thinner");
   v.number("reach", f.reach, {.min = 0.02, .max = 100, .unit = "m"},
            "Distance within which the pull is weaker, so that branches do not fold up at the food");
   v.animated("position", f.position, {.min = -1000, .max = 1000, .unit = "m"},

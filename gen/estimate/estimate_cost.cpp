@@ -15,6 +15,7 @@
 #include "emit/solid.h"
 #include "estimate/estimate_ground_cost.h"
 #include "field/volume.h"
+#include "film/soft_light.h"
 #include "organisms/organism.h"
 #include "scene/bounds.h"
 #include "scene/copies.h"
@@ -150,6 +151,21 @@ double drawn_triangles(const Preset& preset, const Organism& organism, const Siz
   return kSkinShown * std::min(size.triangles, most_triangles(size.area, pixel, preset.film.quality));
 }
 
+/// Whether its tips may come out of the light of the first frame; see light_changes().
+bool moves_far(const Preset& preset, const Organism& organism, const Motion& motion) {
+  constexpr double kSway = 0.6, kBend = 0.5, kLonger = 0.3;  // of the height, for an angle of 1, a share of 1
+  Spread spread = organism.grower->spread().value_or(Spread{});
+  double tall = std::max<double>(organism.grower->tallest(), spread.up),
+         moved = kSway * motion.wave.amplitude;
+  if (!motion.food.position.constant() || motion.food.eaten)
+    moved += kBend * motion.food.strength + kLonger * motion.food.stretch;
+  if (organism.sown || moved == 0 || tall <= 0) return false;
+  Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
+  Vec3 middle(foot.x, static_cast<float>(organism.place.raise + tall / 2), foot.y);
+  double pixel = nearest_pixel(eyes(preset.film, preset.stage.camera), middle, tall / 2);
+  return moved * tall > light_reach(preset.film.quality, pixel);
+}
+
 /// How many of an entry stand.
 double number_of(const Organism& organism) {
   return std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
@@ -269,7 +285,8 @@ Result<Sums> sums_of(const Preset& preset) {
     double made = size.nodes / size.nodes_a_second + size.organs / kOrgansGrown +
                   size.triangles / kTrianglesMade + size.word.work / kModulesDerived + size.seconds;
     bool develops = grower.develops(preset.film.frames > 1);
-    sums.changing = sums.changing || dress.motion.growth.duration > 0 || develops;
+    sums.changing = sums.changing || dress.motion.growth.duration > 0 || develops ||
+                    moves_far(preset, organism, dress.motion);
     sums.add_pictures(dress.look);
     if (organism.sown)
       sums.add_sown(preset, o, size, dress, made, grows);

@@ -225,7 +225,7 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
     parts.light = kOwnLight;
     return {};
   }
-  Result<std::string> text = soft_light_text(parts.space, scene, parts.plan.surfels, 0);
+  Result<std::string> text = soft_light_text(parts.space, scene, parts.plan.surfels, 0, false);
   if (!text) return text.errors();
   if (text->empty()) return {};
   parts.light = "light_" + content_id(*text) + ".rca";
@@ -239,7 +239,7 @@ Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, 
       exposure > 0 ? exposure_time(scene.film, scene.stage.camera, frame, exposure) : scene.film.time(frame);
   if (parts.light == kOwnLight && exposure <= 1) {
     Result<std::string> light =
-        soft_light_text(parts.space, scene, parts.plan.surfels, scene.film.time(frame));
+        soft_light_text(parts.space, scene, parts.plan.surfels, scene.film.time(frame), true);
     if (!light) return light.errors();
     if (Result<bool> written = write_file(folder / light_name(frame), *light); !written)
       return written.errors();

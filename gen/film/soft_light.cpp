@@ -1,6 +1,7 @@
 #include "film/soft_light.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/bounds.h"
@@ -94,6 +95,20 @@ std::vector<Eye> some_eyes(const Scene& scene) {
   return some;
 }
 
+/// Whether a branch comes so many metres away from where it is in the first frame.
+bool moves_by(const Specimen& specimen, const Film& film, double far) {
+  constexpr int kMoments = 12;
+  if (specimen.motion.wave.amplitude == 0 && !specimen.motion.food.pulls()) return false;
+  Pose first, now;
+  pose_specimen(specimen, 0, first);
+  for (int k = 1; k < kMoments; ++k) {
+    pose_specimen(specimen, film.time(1 + k * (film.frames - 1) / (kMoments - 1)), now);
+    for (std::size_t i = 0; i < now.position.size(); ++i)
+      if (static_cast<double>(glm::distance(now.position[i], first.position[i])) > far) return true;
+  }
+  return false;
+}
+
 /// As POV-Ray packs a direction: three bytes in hexadecimal.
 constexpr const char* kPacked[] = {"fe7f7f", "007f7f", "7ffe7f",
                                    "7f007f", "7f7f00", "7f7ffe"};  // z is mirrored
@@ -131,18 +146,27 @@ SoftLight::Size estimate_light(const Scene& scene, double tall) {
       some);
 }
 
+double light_reach(Quality quality, double pixel) {
+  return kReuse * kPixels[static_cast<std::size_t>(quality)] * pixel;
+}
+
 bool light_changes(const Scene& scene) {
-  return scene.film.frames > 1 &&
-         (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, [](const Specimen& s) {
-            return s.life.changes() || s.motion.growth.duration > 0;
-          }));
+  if (scene.film.frames <= 1) return false;
+  auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
+  if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes)) return true;
+  std::vector<double> pixel = nearest_pixels(scene);
+  std::atomic<bool> leaves = false;
+  parallel_for(scene.specimens.size(), [&](std::size_t i) {
+    double far = light_reach(scene.film.quality, pixel[i]);
+    if (!leaves && moves_by(scene.specimens[i], scene.film, far)) leaves = true;
+  });
+  return leaves;
 }
 
 Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Surfels& surfels,
-                                    double time) {
+                                    double time, bool changes) {
   std::optional<Ambience> ambience = ambience_of(scene, time);
   if (!ambience) return std::string();
-  bool changes = light_changes(scene);
   Specimens now;
   for (const Specimen& specimen : scene.specimens) {
     auto one = developed(specimen, time);

@@ -13,14 +13,18 @@ namespace frond {
 /// rise to `tall` metres.
 SoftLight::Size estimate_light(const Scene& scene, double tall);
 
-/// Whether the soft light is another in each frame: where something grows or becomes another shape, or the
-/// sun moves. What only sways keeps that of the first frame.
+/// How many metres from where it was worked out soft light serves, where a pixel is so many.
+double light_reach(Quality quality, double pixel);
+
+/// Whether the soft light is another in each frame: where something grows, becomes another shape or comes so
+/// far from where it is in the first frame that it would be dark, or the sun moves. What sways a little keeps
+/// the light of the first frame.
 bool light_changes(const Scene& scene);
 
 /// The soft light of a scene at a time, as POV-Ray's radiosity keeps it in files (+RFI): each line a place, a
 /// direction and the light that comes from the half of all directions round it. Empty where the setting
-/// brings lamps of its own instead.
+/// brings lamps of its own instead. Where it `changes`, it is as fine as the camera needs at that time alone.
 Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, const Surfels& surfels,
-                                    double time);
+                                    double time, bool changes);
 
 }  // namespace frond

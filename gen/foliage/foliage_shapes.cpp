@@ -144,6 +144,25 @@ Vec3 turned(Vec3 v, Vec3 axis, double angle) { return glm::angleAxis(static_cast
 
 }  // namespace
 
+Surface leaflets_surface(std::span<const LeafletPlace> places, double width, int lobes) {
+  Surface leaflets;
+  for (const LeafletPlace& place : places) {
+    StemStation foot;
+    foot.at = place.at, foot.along = place.along;
+    Vec3 across = glm::cross(place.along, place.up);
+    if (!(glm::length(across) > 1e-3f)) across = glm::cross(place.along, Vec3(1, 0.01f, 0));
+    foot.across = turned(glm::normalize(across), place.along, place.twist);
+    foot.up = glm::cross(foot.across, foot.along);
+    auto length = static_cast<double>(place.length);
+    if (lobes > 0)
+      add_pinna(leaflets, foot, length, width * length, place.droop, lobes);
+    else
+      add_leaflet(leaflets, foot, length, width * length, place.droop);
+  }
+  set_normals(leaflets);
+  return leaflets;
+}
+
 TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
   TwigParts frond;
   std::vector<StemStation> stem = stem_of(shape.bend * (1 + 0.15 * seed.child(0).range(-1, 1)), 1.5,

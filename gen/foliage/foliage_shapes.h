@@ -33,6 +33,18 @@ struct TwigParts {
 /// The meshes of a frond; `seed` adds small irregularities. Leaflets have `uv` as a leaf has.
 TwigParts frond_foliage(const FrondShape& shape, Seed seed);
 
+/// Where a leaflet stands, and how it lies there.
+struct LeafletPlace {
+  Vec3 at, along, up;  ///< its foot, its direction at its foot, of length 1, and its upper side
+  float length;
+  double droop = 0;  ///< radians, from foot to tip
+  double twist = 0;  ///< radians, about its own direction
+};
+
+/// Leaflets as those of a frond, each as wide as that share of its length; parted into `lobes` on either
+/// side, if not 0.
+Surface leaflets_surface(std::span<const LeafletPlace> places, double width, int lobes);
+
 /// The meshes of a sprig.
 TwigParts sprig_foliage(const TwigShape& shape, Seed seed);
 

@@ -1,5 +1,6 @@
 #include "geometry/outline.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace frond {
@@ -67,6 +68,24 @@ void triangulate(std::span<const Vec3> points, std::uint32_t offset,
     tried = 0;
   }
   triangles.push_back({offset + left[0], offset + left[1], offset + left[2]});
+}
+
+void add_outline(Surface& surface, std::span<const Vec3> points, Vec3 foot) {
+  Vec3 area = outline_area(points);
+  float size = glm::length(area);
+  if (!(size > 1e-12f)) return;
+  Vec3 normal = area / size, tip = foot;
+  for (const Vec3& p : points)
+    if (glm::distance(p, foot) > glm::distance(tip, foot)) tip = p;
+  Vec3 along = tip - foot;
+  float length2 = std::max(glm::dot(along, along), 1e-12f);
+  Vec3 across = glm::cross(normal, along);
+  triangulate(points, static_cast<std::uint32_t>(surface.position.size()), surface.triangle);
+  for (const Vec3& p : points) {
+    surface.position.push_back(p);
+    surface.normal.push_back(normal);
+    surface.uv.emplace_back(glm::dot(p - foot, along) / length2, 0.5f - glm::dot(p - foot, across) / length2);
+  }
 }
 
 }  // namespace frond

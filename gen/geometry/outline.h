@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/vec.h"
+#include "model/surface.h"
 
 namespace frond {
 
@@ -19,5 +20,9 @@ Vec3 outline_area(std::span<const Vec3> points);
 /// `offset` added to each index.
 void triangulate(std::span<const Vec3> points, std::uint32_t offset,
                  std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+/// Adds an outline, three points or more, as a flat blade that points from its foot to its farthest corner:
+/// `uv` along and across it. One without an area adds nothing.
+void add_outline(Surface& surface, std::span<const Vec3> points, Vec3 foot);
 
 }  // namespace frond

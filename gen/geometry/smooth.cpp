@@ -56,4 +56,14 @@ Skeleton smooth(const Skeleton& coarse, int pieces) {
   return fine;
 }
 
+std::vector<std::int32_t> smoothed_index(const Skeleton& coarse, int pieces) {
+  std::vector<std::int32_t> index(coarse.size());
+  std::int32_t count = 0;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    count += coarse.parent[i] == Skeleton::kRoot ? 1 : pieces;
+    index[i] = count - 1;
+  }
+  return index;
+}
+
 }  // namespace frond

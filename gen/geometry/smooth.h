@@ -8,4 +8,7 @@ namespace frond {
 /// (Catmull and Rom 1974): radii and births follow linearly, a branch leaves its parent in its own direction.
 Skeleton smooth(const Skeleton& coarse, int pieces);
 
+/// Where each coarse node is among those that smooth() makes.
+std::vector<std::int32_t> smoothed_index(const Skeleton& coarse, int pieces);
+
 }  // namespace frond

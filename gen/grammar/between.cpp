@@ -14,10 +14,10 @@ std::vector<std::size_t> offsets_of(const Grammar& grammar, const Word& word) {
   return offsets;
 }
 
-/// How far a module takes the turtle, what its interpretation puts into brackets left out.
-double reach_of(const Grammar& grammar, Expander& expander, SymbolId symbol, const double* parameters) {
+/// How far a module takes the turtle, branches left out; `depth` is that of the branch it is in.
+double reach_of(const Grammar& grammar, Expander& expander, SymbolId symbol, const double* parameters,
+                int& depth) {
   double reach = 0;
-  int depth = 0;
   auto emit = [&](SymbolId id, const double* values) {
     const Symbol& info = grammar.symbols[id];
     if (info.act == Act::push) ++depth;
@@ -54,14 +54,14 @@ struct Family {
 
   void grow(std::size_t parent, std::size_t first, std::size_t last, std::vector<Unfolding>& growth) {
     if (goes_on(parent, first, last)) return;
-    double was = reach_of(grammar, expander, before.symbols[parent],
-                          before.parameters.data() + before_at[parent]),
-           is = 0;
     int depth = 0;
+    double was = reach_of(grammar, expander, before.symbols[parent],
+                          before.parameters.data() + before_at[parent], depth),
+           is = 0;
     for (std::size_t i = first; i < last; ++i) {
-      depth += after.symbols[i] == grammar.open ? 1 : after.symbols[i] == grammar.close ? -1 : 0;
-      if (depth == 0)
-        is += reach_of(grammar, expander, after.symbols[i], after.parameters.data() + after_at[i]);
+      bool bracket = after.symbols[i] == grammar.open || after.symbols[i] == grammar.close;
+      if (depth == 0 || bracket)
+        is += reach_of(grammar, expander, after.symbols[i], after.parameters.data() + after_at[i], depth);
     }
     double axis = is > 0 ? age + (1 - age) * was / is : age;
     const Symbol& old = grammar.symbols[before.symbols[parent]];

@@ -40,7 +40,8 @@ class Compiler {
     read_rules(grammar_.text.decomposition, grammar_.decomposition, "decomposition rule");
     read_rules(grammar_.text.interpretation, grammar_.interpretation, "interpretation rule");
     for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
-      find_shadowed(*set);
+      find_shadowed(*set, errors_);
+    keep_drawn_brackets();
     check_interpretation();
     read_visibility();
     read_guide();
@@ -164,7 +165,7 @@ class Compiler {
       rule.text = texts[i].text;
       rule.limit = texts[i].limit;
       Cursor reader{texts[i].text};
-      read_rule(reader, rule);
+      read_rule(reader, rule, &set == &grammar_.interpretation);
       if (rule.limit < 1)
         reader.fail(fmt::format("the limit is {}; it must be 1 or more, or left out", rule.limit), 0);
       if (&set != &grammar_.rules && rule.limit != GrammarText::kUnlimited)
@@ -187,7 +188,7 @@ class Compiler {
     if (inner.failed()) reader.fail(inner.mistake, inner.mistake_at);
   }
 
-  void read_rule(Cursor& reader, Production& rule) {
+  void read_rule(Cursor& reader, Production& rule, bool drawn) {
     std::optional<RuleParts> parts = split_rule(reader);
     if (!parts) return;
     std::vector<std::string> variables;
@@ -204,14 +205,23 @@ class Compiler {
           parts->predecessor.begin);
     rule.predecessor = predecessor[0];
     rule.variables = static_cast<int>(variables.size());
-    if (rule.predecessor == grammar_.open || rule.predecessor == grammar_.close)
-      return reader.fail("brackets cannot be rewritten", parts->predecessor.begin);
+    std::string_view bracket = rule.predecessor == grammar_.open    ? "["
+                               : rule.predecessor == grammar_.close ? "]"
+                                                                    : "";
+    if (!bracket.empty() && !drawn)
+      return reader.fail(
+          "brackets cannot be rewritten; an `interpretation` rule may say what the turtle draws for them",
+          parts->predecessor.begin);
+    if (!bracket.empty() && (parts->condition.end || parts->weight.end))
+      return reader.fail("a bracket is always drawn alike; remove the condition and the weight",
+                         parts->predecessor.begin);
     check_contexts(reader, *parts, rule);
     if (parts->condition.end) read_condition(reader, parts->condition, variables, rule);
     if (parts->weight.end) read_weight(reader, parts->weight, variables, rule);
-    if (is_empty_word(reader.text.substr(parts->successor.begin))) return;
-    within(reader, parts->successor,
-           [&](Cursor& part) { modules_.read_modules(part, variables, rule.successor, rule.arguments); });
+    if (bracket.empty() && is_empty_word(reader.text.substr(parts->successor.begin))) return;
+    within(reader, parts->successor, [&](Cursor& part) {
+      modules_.read_modules(part, variables, rule.successor, rule.arguments, bracket);
+    });
     if (!reader.failed()) note_making(rule.successor, rule.where, reader.text);
   }
 
@@ -276,24 +286,17 @@ class Compiler {
     });
   }
 
-  /// A rule that an earlier one always takes the place of can never be meant.
-  void find_shadowed(const RuleSet& set) {
-    for (const auto& of : set.of) {
-      for (std::size_t later = 1; later < of.size(); ++later) {
-        const Production& hidden = set.rules[of[later]];
-        for (std::size_t earlier = 0; earlier < later; ++earlier) {
-          const Production& first = set.rules[of[earlier]];
-          bool wider = first.context_free() || (first.left == hidden.left && first.right == hidden.right);
-          bool certain = !first.conditional && first.limit == GrammarText::kUnlimited &&
-                         !(first.weighted && hidden.weighted);
-          if (!wider || !certain) continue;
-          errors_.push_back(
-              {hidden.where, fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
-                                         "put it before, give both a weight, or remove it",
-                                         hidden.text, first.text, first.where)});
-          break;
-        }
-      }
+  /// Brackets that interpretation makes only start and end a branch: they are symbols of their own where
+  /// others are drawn by rules.
+  void keep_drawn_brackets() {
+    RuleSet& set = grammar_.interpretation;
+    for (SymbolId bracket : {grammar_.open, grammar_.close}) {
+      if (set.of[bracket].empty()) continue;
+      if (grammar_.symbols.size() == 256)
+        return errors_.push_back({"", "more than 254 different symbols beside drawn brackets; use fewer"});
+      auto plain = static_cast<SymbolId>(grammar_.symbols.size());
+      grammar_.symbols.push_back(Symbol(grammar_.symbols[bracket]));
+      for (Production& rule : set.rules) std::ranges::replace(rule.successor, bracket, plain);
     }
   }
 

@@ -82,8 +82,10 @@ std::string_view ModuleReader::take_name(Cursor& reader) const {
 }
 
 void ModuleReader::read_modules(Cursor& reader, std::span<const std::string> variables,
-                                std::vector<SymbolId>& modules, std::vector<Expression>& arguments) {
+                                std::vector<SymbolId>& modules, std::vector<Expression>& arguments,
+                                std::string_view bracket) {
   std::vector<std::size_t> open;
+  if (bracket == "]") open.push_back(reader.text.npos);  // the branch that it ends
   places.clear();
   while (!reader.at_end() && !reader.failed()) {
     std::size_t start = reader.at;
@@ -105,6 +107,10 @@ void ModuleReader::read_modules(Cursor& reader, std::span<const std::string> var
     }
     if (!reader.failed()) modules.push_back(id(name, arity, reader)), places.push_back(start);
   }
+  bool starts = bracket == "[";
+  if (starts ? open.empty() : !open.empty() && open[0] == reader.text.npos)
+    return reader.fail(fmt::format("what is drawn for `{0}` holds a `{0}` of its own; add it", bracket), 0);
+  if (starts) open.pop_back();
   if (!open.empty()) reader.fail("this `[` is not closed; add a `]`", open.back());
 }
 

@@ -23,9 +23,11 @@ class ModuleReader {
   /// Id of a name with that number of parameters; new if unknown. Fails beyond 256 ids.
   SymbolId id(std::string_view name, int arity, Cursor& reader);
 
-  /// Modules with formulas as parameters, up to the end of the text: an axiom or a successor.
+  /// Modules with formulas as parameters, up to the end of the text: an axiom or a successor. Every branch
+  /// that starts in it ends in it; only the drawing of a `bracket` starts a branch more than it ends, or one
+  /// fewer.
   void read_modules(Cursor& reader, std::span<const std::string> variables, std::vector<SymbolId>& modules,
-                    std::vector<Expression>& arguments);
+                    std::vector<Expression>& arguments, std::string_view bracket = {});
 
   /// Modules with names as parameters, up to the end of the text: a predecessor or a context.
   void read_pattern(Cursor& reader, std::vector<std::string>& variables, std::vector<SymbolId>& modules);

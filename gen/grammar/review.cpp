@@ -80,6 +80,26 @@ std::optional<Error> other_arity(const Grammar& grammar, std::size_t symbol) {
 
 }  // namespace
 
+void find_shadowed(const RuleSet& set, Errors& errors) {
+  for (const auto& of : set.of) {
+    for (std::size_t later = 1; later < of.size(); ++later) {
+      const Production& hidden = set.rules[of[later]];
+      for (std::size_t earlier = 0; earlier < later; ++earlier) {
+        const Production& first = set.rules[of[earlier]];
+        bool wider = first.context_free() || (first.left == hidden.left && first.right == hidden.right);
+        bool certain = !first.conditional && first.limit == GrammarText::kUnlimited &&
+                       !(first.weighted && hidden.weighted);
+        if (!wider || !certain) continue;
+        errors.push_back(
+            {hidden.where, fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
+                                       "put it before, give both a weight, or remove it",
+                                       hidden.text, first.text, first.where)});
+        break;
+      }
+    }
+  }
+}
+
 Errors find_endless(const Grammar& grammar) {
   Marks ends = ending(grammar);
   for (const Production& start : grammar.decomposition.rules) {

@@ -4,6 +4,9 @@
 
 namespace frond {
 
+/// Rules that an earlier one always takes the place of: they can never be meant.
+void find_shadowed(const RuleSet& set, Errors& errors);
+
 /// Decomposition rules that may never end: for any random choice and any condition, their results are
 /// decomposed again. Names one of them.
 Errors find_endless(const Grammar& grammar);

@@ -72,31 +72,46 @@ Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float str
   return glm::angleAxis(std::min(angle, std::asin(std::min(sine, 1.0f))), axis / sine);
 }
 
-/// All food that is left, and how much a part of a skeleton bends to each.
+/// All food that is left, and how much a part of a skeleton bends and stretches to each.
 class Pull {
  public:
-  Pull(const Food& food, double time, float grown) : food_(food) {
+  /// Of a skeleton whose longest branch is so many metres.
+  Pull(const Food& food, double time, float grown, float longest) : food_(food), longest_(longest) {
     strength_ = static_cast<float>(food.strength) * grown;
-    for (std::size_t i = 0; strength_ != 0 && i < food.places(); ++i)
+    stretch_ = static_cast<float>(food.stretch) * grown;
+    for (std::size_t i = 0; grown > 0 && food.pulls() && i < food.places(); ++i)
       if (float left = food.left(i, time); left > 0) meals_.push_back({food.place(i).at(time), left});
   }
 
-  bool any() const { return !meals_.empty(); }
+  bool bends() const { return strength_ != 0 && !meals_.empty(); }
+  bool stretches() const { return stretch_ != 0 && !meals_.empty(); }
 
   /// As toward_food(), to all of it, the nearest first of all.
   Quat turn(Vec3 heading, Vec3 base, float share, float step) const {
     if (meals_.size() == 1) return to(heading, base, 0, 1, share, step);
-    auto nearness = [&](std::size_t i) {
-      Vec3 to_food = meals_[i].at - base;
-      float distance2 = glm::dot(to_food, to_food);
-      return meals_[i].left / std::max(distance2 * distance2, 1e-12f);
-    };
-    float all = 0;
-    for (std::size_t i = 0; i < meals_.size(); ++i) all += nearness(i);
+    float all = nearness_of_all(base);
     Quat turned(1, 0, 0, 0);
     for (std::size_t i = 0; i < meals_.size(); ++i)
-      turned = to(turned * heading, base, i, nearness(i) / all, share, step) * turned;
+      turned = to(turned * heading, base, i, nearness(i, base) / all, share, step) * turned;
     return turned;
+  }
+
+  /// A segment that starts at `base`, `share` of the way along its branch, scaled along the direction to the
+  /// food: more the nearer it is to a tip and to the food, and not where it leads away from it.
+  Vec3 stretched(Vec3 segment, Vec3 base, float share) const {
+    float length = glm::length(segment), all = nearness_of_all(base);
+    Vec3 longer = segment;
+    for (std::size_t i = 0; i < meals_.size() && length > 0; ++i) {
+      Vec3 to_food = meals_[i].at - base;
+      float distance2 = glm::dot(to_food, to_food), reach2 = static_cast<float>(food_.reach * food_.reach);
+      if (distance2 < 1e-12f) continue;
+      Vec3 toward = to_food / std::sqrt(distance2);
+      float along = glm::dot(segment, toward) / length;
+      float near = longest_ * longest_ / (longest_ * longest_ + distance2) * distance2 / (distance2 + reach2);
+      float more = stretch_ * meals_[i].left * (nearness(i, base) / all) * share * std::sqrt(share) * near;
+      longer += toward * (more * length * along * smooth_step(0.0f, 0.5f, along));
+    }
+    return longer;
   }
 
  private:
@@ -105,14 +120,29 @@ class Pull {
     float left;
   };
 
+  float nearness(std::size_t i, Vec3 base) const {
+    Vec3 to_food = meals_[i].at - base;
+    float distance2 = glm::dot(to_food, to_food);
+    return meals_[i].left / std::max(distance2 * distance2, 1e-12f);
+  }
+  float nearness_of_all(Vec3 base) const {
+    float all = 0;
+    for (std::size_t i = 0; i < meals_.size(); ++i) all += nearness(i, base);
+    return all;
+  }
   Quat to(Vec3 heading, Vec3 base, std::size_t i, float weight, float share, float step) const {
     return toward_food(heading, base, meals_[i].at, food_, strength_ * meals_[i].left * weight, share, step);
   }
 
   const Food& food_;
-  float strength_;
+  float strength_, stretch_, longest_;
   std::vector<Meal> meals_;
 };
+
+/// The rotation that takes one direction to another, at most a right angle away.
+Quat rotation_between(Vec3 from, Vec3 to) {
+  return glm::normalize(Quat(glm::length(from) * glm::length(to) + glm::dot(from, to), glm::cross(from, to)));
+}
 
 }  // namespace
 
@@ -167,11 +197,12 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
   Current current(motion.wave, time, motion.film_length);
   float longest = std::max(rest.longest(), 1e-6f);
   float grown = std::min(pose.front, 1.0f);
-  Pull food(motion.food, time, grown);
+  Pull food(motion.food, time, grown, longest);
   float ripen = static_cast<float>(motion.growth.ripen);
   float onset = smooth_step(0.0f, static_cast<float>(kOnset), pose.front);
-  bool pulled = food.any();
+  bool pulled = food.bends();
   std::vector<Quat> pull(pulled ? n : 0);
+  pose.stretch.assign(food.stretches() ? n : 0, 1.0f);
 
   for (std::size_t i = 0; i < n; ++i) {
     float share = rest.distance[i] / longest;
@@ -194,13 +225,23 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
         pull[i] = glm::normalize(more * pull[p]);
         swing = pull[i] * swing;
       }
+      Vec3 posed = swing * segment;
+      if (!pose.stretch.empty()) {
+        Vec3 longer = food.stretched(posed, pose.position[p], share);
+        if (float length = glm::length(posed); length > 0) {
+          pose.stretch[i] = glm::length(longer) / length;
+          swing = rotation_between(posed, longer) * swing;
+          posed = longer;
+        }
+      }
       pose.turn[i] = swing;
       float reached = reached_share(rest, i, p, pose.front, born);
-      pose.position[i] = pose.position[p] + reached * (swing * segment);
+      pose.position[i] = pose.position[p] + reached * posed;
     }
     float age = std::max(pose.front - born, 0.0f);
     pose.radius[i] =
         rest.radius[i] * onset * (kYoungRadius + (1 - kYoungRadius) * smooth_step(0.0f, ripen, age));
+    if (!pose.stretch.empty()) pose.radius[i] /= std::sqrt(pose.stretch[i]);
     if (p != Skeleton::kRoot && p == static_cast<std::int32_t>(i) - 1)
       pose.radius[i] =
           cone_radius(pose.radius[i], pose.radius[p], glm::distance(pose.position[i], pose.position[p]));

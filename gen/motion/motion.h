@@ -30,15 +30,17 @@ struct FoodPlace {
   Animated<Vec3> position{Vec3(0, 1, 0)};
 };
 
-/// A pull toward food.
+/// A pull toward food: branches bend to it, lengthen toward it, or both.
 struct Food {
   double strength = 0;  ///< about the largest bend of a whole branch, radians
+  double stretch = 0;   ///< share of its length by which a tip beside the food lengthens, at most
   double reach = 0.25;  ///< metres; the pull fades nearer than this, so that tips do not spin round the food
   Animated<Vec3> position{Vec3(0, 1, 0)};
   std::vector<FoodPlace> others;  ///< further food; each part of a branch bends mostly to the nearest
   bool eaten = false;             ///< whether food that a tip has reached is eaten
   std::vector<double> reached;    ///< seconds at which a tip reaches position and the others; empty: never
 
+  bool pulls() const { return strength != 0 || stretch != 0; }
   std::size_t places() const { return 1 + others.size(); }
   const Animated<Vec3>& place(std::size_t i) const { return i == 0 ? position : others[i - 1].position; }
   /// The share of it that is left, 0..1.
@@ -73,6 +75,9 @@ struct Pose {
   /// Rotates the rest shape round a node to the posed shape: skin point x of the rest shape near node i is at
   /// position[i] + turn[i] * (x - rest.position[i]). Textures follow it.
   std::vector<Quat> turn;
+  /// How many times as long the segment that ends at a node is as at rest, growth aside; empty: all are as
+  /// long.
+  std::vector<float> stretch = {};
   float flutter = 0;        ///< radians, amplitude of the organs' flutter
   float flutter_phase = 0;  ///< radians; each organ adds its own
   float front = 0;          ///< nodes born before this have been reached; above 1 all of them
@@ -85,8 +90,8 @@ float cone_radius(float radius, float other, float length);
 /// The share of growth at a time: 0 before the start, 1 + ripen at the end, smooth in between.
 double growth_front(const Growth& growth, double time);
 
-/// Poses a skeleton; a pure function. Segments keep their lengths and the root stays in place. `pose` is
-/// overwritten; reusing it saves allocations.
+/// Poses a skeleton; a pure function. The root stays in place. Segments keep their lengths, or where food
+/// stretches them their volumes. `pose` is overwritten; reusing it saves allocations.
 void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose);
 
 }  // namespace frond

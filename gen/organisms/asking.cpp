@@ -38,7 +38,7 @@ Answer nearest_surface(const Surroundings& around, Vec3 at) {
 
 Environment environment_of(const Surroundings& around, const Food& food, const Growth& growth) {
   Vec3 meal = around.inside(food.position.at(growth.start + growth.duration));
-  bool fed = food.strength > 0;
+  bool fed = food.pulls();
   return [&around, meal, fed](const TurtleState& turtle, std::span<double> parameters) {
     Vec3 at(turtle.position);
     Answer answer;

@@ -24,17 +24,17 @@ double size_of_file(const fs::path& path) {
 
 }  // namespace
 
-FramesLeft::FramesLeft(fs::path frames, std::array<int, 2> size, const std::vector<int>& numbers, int at_once,
-                       double now)
-    : folder_(std::move(frames)),
+FramesLeft::FramesLeft(const fs::path& frames, fs::path drawn, std::array<int, 2> size,
+                       const std::vector<int>& numbers, int at_once, double now)
+    : folder_(std::move(drawn)),
       picture_bytes_(kBytesAPixel * size[0] * size[1]),
       began_(now),
       at_once_(std::min(at_once, std::max<int>(1, static_cast<int>(numbers.size())))) {
   double mean = 0;
   for (int number : numbers) {
-    Frame frame{std::max(1.0, size_of_file(folder_ / (frame_name(number) + ".pov"))), 1};
+    Frame frame{std::max(1.0, size_of_file(frames / (frame_name(number) + ".pov"))), 1};
     std::error_code error;
-    while (fs::exists(folder_ / (exposure_name(number, frame.exposures + 1) + ".pov"), error))
+    while (fs::exists(frames / (exposure_name(number, frame.exposures + 1) + ".pov"), error))
       ++frame.exposures;
     mean += frame.weight / static_cast<double>(numbers.size());
     frames_[frame_name(number)] = frame;

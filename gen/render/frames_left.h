@@ -16,9 +16,10 @@ namespace frond {
 /// rest. Times are seconds by any clock.
 class FramesLeft {
  public:
-  /// The frames of these numbers are to be rendered in a folder, so many at once, from `now` on.
-  FramesLeft(std::filesystem::path frames, std::array<int, 2> size, const std::vector<int>& numbers,
-             int at_once, double now);
+  /// The frames of these numbers, whose scenes lie in `frames`, are to be drawn in the folder `drawn`, so
+  /// many at once, from `now` on.
+  FramesLeft(const std::filesystem::path& frames, std::filesystem::path drawn, std::array<int, 2> size,
+             const std::vector<int>& numbers, int at_once, double now);
 
   void frame_done(int number);
 

@@ -131,12 +131,16 @@ ExampleScene read_example(std::string_view scene) {
 }
 
 std::string grammar_preset(std::string_view layout, std::string_view grammar) {
-  constexpr std::string_view kBud =
-      "\"organs\": [{\"symbol\": \"b\", \"shape\": \"bud\", \"size\": 0.03, \"colors\": [\"#b8622f\"]}],\n";
-  std::string preset;
+  constexpr std::array<std::string_view, 2> kOrgans[] = {
+      // where each is placed, and what it is
+      {"~b", R"({"symbol": "b", "shape": "bud", "size": 0.03, "colors": ["#b8622f"]})"},
+      {"~L", R"({"symbol": "L", "shape": "leaf", "size": 0.06, "colors": ["#6f9a34"]})"}};
+  std::string organs, preset;
+  for (auto [place, organ] : kOrgans)
+    if (grammar.find(place) != grammar.npos) organs += (organs.empty() ? "" : ", ") + std::string(organ);
   for (const std::string& line : split(layout, '\n')) {
     if (line == "@organs@")
-      preset += grammar.find("~b") == grammar.npos ? "" : kBud;
+      preset += organs.empty() ? "" : "\"organs\": [" + organs + "],\n";
     else if (line == "@grammar@")
       preset += grammar;
     else

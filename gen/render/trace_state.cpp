@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <string_view>
 
 #include "core/files.h"
+#include "core/linear.h"
 
 namespace frond {
 
@@ -22,16 +25,15 @@ constexpr std::string_view kCoarse = "PxSe";  // of a message that holds coarse 
 // Of one that holds the first block: the whole number PiId, 4 bytes long, is 0.
 constexpr std::string_view kFirstBlock("PiIdINT4\0\0\0\4\0\0\0\0PiSi", 20);
 
-}  // namespace
-
-Errors keep_traced(const fs::path& state) {
-  std::error_code error;
-  std::uintmax_t size = fs::file_size(state, error), at = kHead;
-  std::ifstream in(state, std::ios::binary);
+bool is_notes(std::ifstream& in) {
   std::array<char, kFile.size()> name{};
-  if (error || !in.read(name.data(), name.size())) return {};
-  if (std::string_view(name.data(), name.size()) != kFile) return {};
-  bool coarse = false, first = false;
+  return in.read(name.data(), name.size()) && std::string_view(name.data(), name.size()) == kFile;
+}
+
+/// Hands each whole message to `visit`, without its head. Returns where they end.
+std::uintmax_t each_message(std::ifstream& in, std::uintmax_t size,
+                            const std::function<void(std::string_view)>& visit) {
+  std::uintmax_t at = kHead;
   std::string message;
   while (at + 16 <= size) {
     std::array<unsigned char, 16> head{};
@@ -44,14 +46,87 @@ Errors keep_traced(const fs::path& state) {
     if (at + length > size) break;
     message.resize(length - head.size());
     if (!in.read(message.data(), static_cast<std::streamsize>(message.size()))) break;
-    coarse = coarse || message.substr(0, 128).find(kCoarse) != message.npos;
-    first = first || message.find(kFirstBlock) != message.npos;
+    visit(message);
     at += length;
   }
-  if (at == kHead || (coarse && !first)) at = 0;
-  if (at < size) fs::resize_file(state, at, error);
+  return at;
+}
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  for (std::size_t i = at; i < at + 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes[i]);
+  return number;
+}
+
+/// The value of an attribute of a message: its name and type are four letters each, then its length.
+std::string_view attribute(std::string_view message, std::string_view name_and_type, std::size_t unit) {
+  std::size_t at = message.find(name_and_type);
+  if (at == message.npos || at + 12 > message.size()) return {};
+  std::size_t length = unit * number_at(message, at + 8);
+  return at + 12 + length > message.size() ? std::string_view() : message.substr(at + 12, length);
+}
+
+/// Draws a block of pixels; false where it is none, or lies elsewhere.
+bool draw_block(std::string_view message, const Tone& tone, Raster& picture) {
+  constexpr std::size_t kChannels = 5;  // the last two are transparency
+  std::string_view pixels = attribute(message, "PBloVFL4", 4);
+  if (pixels.empty()) return false;
+  // What follows them is asked for behind them: they may hold any bytes.
+  std::string_view rest = message.substr(static_cast<std::size_t>(pixels.end() - message.begin()));
+  std::array<int, 4> box{};
+  for (std::size_t side = 0; std::string_view name : {"LeftINT4", "Top INT4", "RighINT4", "BottINT4"}) {
+    std::string_view value = attribute(rest, name, 1);
+    if (value.size() != 4) return false;
+    box[side++] = static_cast<int>(number_at(value, 0));
+  }
+  auto [left, top, right, bottom] = box;
+  if (left < 0 || top < 0 || right < left || bottom < top || right >= picture.width ||
+      bottom >= picture.height)
+    return false;
+  if (pixels.size() !=
+      4 * kChannels * static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(bottom - top + 1))
+    return false;
+  std::size_t at = 0;
+  for (int y = top; y <= bottom; ++y)
+    for (int x = left; x <= right; ++x, at += 4 * kChannels)
+      for (int c = 0; c < 3; ++c) {
+        auto light = std::bit_cast<float>(number_at(pixels, at + 4 * static_cast<std::size_t>(c)));
+        double shown = toned(std::clamp<double>(light, 0, 1), tone);
+        picture.data[picture.index(x, y, c)] = to_byte(srgb(Vec3(static_cast<float>(shown))).red);
+      }
+  return true;
+}
+
+}  // namespace
+
+Errors keep_traced(const fs::path& state) {
+  std::error_code error;
+  std::uintmax_t size = fs::file_size(state, error);
+  std::ifstream in(state, std::ios::binary);
+  if (error || !is_notes(in)) return {};
+  bool coarse = false, first = false;
+  std::uintmax_t end = each_message(in, size, [&](std::string_view message) {
+    coarse = coarse || message.substr(0, 128).find(kCoarse) != message.npos;
+    first = first || message.find(kFirstBlock) != message.npos;
+  });
+  if (end == kHead || (coarse && !first)) end = 0;
+  if (end < size) fs::resize_file(state, end, error);
   if (error) return {{state.string(), reason_of(error)}};
   return {};
+}
+
+std::optional<Raster> traced_picture(const fs::path& state, std::array<int, 2> size, const Tone& tone) {
+  constexpr std::uint8_t kBlank = 64;
+  std::error_code error;
+  std::uintmax_t bytes = fs::file_size(state, error);
+  std::ifstream in(state, std::ios::binary);
+  if (error || !is_notes(in)) return std::nullopt;
+  Raster picture(size[0], size[1], 3);
+  std::ranges::fill(picture.data, kBlank);
+  bool any = false;
+  each_message(in, bytes, [&](std::string_view message) { any = draw_block(message, tone, picture) || any; });
+  if (!any) return std::nullopt;
+  return picture;
 }
 
 }  // namespace frond

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 
 #include "core/result.h"
+#include "images/raster.h"
+#include "images/tone.h"
 
 namespace frond {
 
@@ -11,5 +15,10 @@ namespace frond {
 /// one coarse pixel, as large as the picture, for its first block, unless that one is done: it would cover
 /// all others, so these go, too, where the first is missing. Notes of another renderer are left alone.
 Errors keep_traced(const std::filesystem::path& state);
+
+/// The picture so far: the blocks that the notes hold, in a tone; what is not traced yet is grey. None where
+/// the notes hold no block, or are not of a picture of that size.
+std::optional<Raster> traced_picture(const std::filesystem::path& state, std::array<int, 2> size,
+                                     const Tone& tone);
 
 }  // namespace frond

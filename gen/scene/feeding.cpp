@@ -25,7 +25,7 @@ std::vector<Meal> meals_of(std::span<const Specimen> specimens) {
   std::vector<Meal> meals;
   for (std::size_t s = 0; s < specimens.size(); ++s) {
     const Food& food = specimens[s].motion.food;
-    if (!food.eaten || food.strength == 0 || specimens[s].model.skeleton.size() == 0) continue;
+    if (!food.eaten || !food.pulls() || specimens[s].model.skeleton.size() == 0) continue;
     for (std::size_t i = 0; i < food.places(); ++i) {
       auto same = std::ranges::find_if(meals, [&](const Meal& meal) { return *meal.path == food.place(i); });
       if (same == meals.end()) same = meals.insert(meals.end(), {&food.place(i), {}});

@@ -119,7 +119,7 @@ class Finder {
       note(value, pointer + at, fmt::format("it needs {}", need));
     });
     check_motion(written, pointer, "wave", "amplitude");
-    check_motion(written, pointer, "food", "strength");
+    if (!at(written, "/food/stretch")) check_motion(written, pointer, "food", "strength");
     const Value* strength = at(written, "/food/strength");
     if (strength && strength->number > 0 && strength->number <= kRadians)
       add({strength->origin, pointer + "/food/strength",

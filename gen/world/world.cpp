@@ -65,7 +65,7 @@ std::vector<FoodLeft> food_places(std::span<const Specimen> specimens, double ti
   std::vector<FoodLeft> places;
   for (const Specimen& s : specimens) {
     const Food& food = s.motion.food;
-    for (std::size_t i = 0; food.strength != 0 && i < food.places(); ++i) {
+    for (std::size_t i = 0; food.pulls() && i < food.places(); ++i) {
       FoodLeft meal{food.place(i).at(time), food.left(i, time)};
       if (meal.left > 0 && std::ranges::find(places, meal) == places.end()) places.push_back(meal);
     }

@@ -305,7 +305,8 @@ TEST(Crawl, StrandsKeepWithinTheWidthOfGuidesAndFillIt) {
     for (const Vec3& at : s.skeleton.position) EXPECT_LT(away_from(on_wall, DVec3(at)), 0.125);
     for (const DVec3& at : on_wall) {
       double nearest = 1e9;
-      for (const Vec3& node : s.skeleton.position) nearest = std::min(nearest, glm::distance(DVec3(node), at));
+      for (const Vec3& node : s.skeleton.position)
+        nearest = std::min(nearest, glm::distance(DVec3(node), at));
       EXPECT_LT(nearest, 0.12) << "nothing grows at " << at.x << ", " << at.y;
     }
   }

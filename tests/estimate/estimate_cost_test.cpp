@@ -35,7 +35,8 @@ TEST(CostEstimate, IsWithinAFactorOfTwoOfWhatIsWritten) {
     auto bytes = static_cast<double>(frame_text(scene, parts, layout, preset.film.frames)->size());
     if (has_soft_light(scene.stage) && light_changes(scene)) {
       double end = scene.film.time(preset.film.frames);
-      bytes += static_cast<double>(soft_light_text(parts.space, scene, parts.plan.surfels, end)->size());
+      bytes +=
+          static_cast<double>(soft_light_text(parts.space, scene, parts.plan.surfels, end, true)->size());
     }
     EXPECT_GE(f.nodes, nodes / 2);
     EXPECT_LE(f.nodes, nodes * 2 + 50);

@@ -102,6 +102,66 @@ TEST(Food, PassesBehindWithoutAJump) {
   EXPECT_LT(most, 5 * total / 95);
 }
 
+/// A motion that stretches toward food alone.
+Motion stretching(double stretch, Animated<Vec3> food) {
+  Motion motion;
+  motion.film_length = 4;
+  motion.food.stretch = stretch;
+  motion.food.position = std::move(food);
+  return motion;
+}
+
+TEST(Food, StretchesSegmentsTowardItAndKeepsTheirVolumes) {
+  Skeleton s = candelabrum(7, Seed{2});
+  Pose pose = posed(s, stretching(1.5, Vec3(0.6f, 1.4f, 0.2f)), 0);
+  bool longer = false;
+  for (std::size_t i = 1; i < s.size(); ++i) {
+    float rest = glm::distance(s.position[i], s.position[s.parent[i]]);
+    float length = glm::distance(pose.position[i], pose.position[s.parent[i]]);
+    EXPECT_NEAR(length, rest * pose.stretch[i], 1e-5f) << "node " << i;
+    EXPECT_NEAR(pose.radius[i] * pose.radius[i] * length, s.radius[i] * s.radius[i] * rest, 1e-6f);
+    EXPECT_GT(length, rest * 0.999f);
+    EXPECT_LT(length, rest * 2.5f);
+    longer = longer || length > 1.3f * rest;
+    // The turn leads the segment of the rest shape to where it is.
+    Vec3 led = pose.turn[i] * (s.position[i] - s.position[s.parent[i]]) * pose.stretch[i];
+    EXPECT_LT(glm::distance(pose.position[i] - pose.position[s.parent[i]], led), 1e-4f);
+  }
+  EXPECT_TRUE(longer);
+}
+
+TEST(Food, StretchesMoreTheNearerATipAndTheFood) {
+  Skeleton s = trunk(30);
+  Pose near = posed(s, stretching(1, Vec3(0, 1.8f, 0)), 0), far = posed(s, stretching(1, Vec3(0, 6, 0)), 0),
+       behind = posed(s, stretching(1, Vec3(0, -1, 0)), 0);
+  for (std::size_t i = 2; i < s.size(); ++i) {
+    EXPECT_GT(near.stretch[i], near.stretch[i - 1]);
+    EXPECT_GT(near.stretch[i], far.stretch[i]);
+    EXPECT_EQ(behind.stretch[i], 1);
+  }
+  EXPECT_GT(near.position.back().y, 1.15f);
+  EXPECT_LT(near.position.back().y, 1.8f) << "it does not grow past the food";
+}
+
+TEST(Food, StretchesWithoutAJumpAndBackWhenItIsEaten) {
+  Skeleton s = candelabrum(7, Seed{2});
+  Motion motion = stretching(1.5, Animated<Vec3>({{0, Vec3(2, 0.5f, 0.01f)}, {4, Vec3(-2, 1.5f, 0.01f)}}));
+  motion.food.reached = {2.5};
+  double total = 0;
+  float most = 0;
+  Pose last = posed(s, motion, 0);
+  for (int frame = 1; frame <= 96; ++frame) {
+    Pose now = posed(s, motion, frame / 24.0);
+    float step = 0;
+    for (std::size_t i = 0; i < s.size(); ++i)
+      step = std::max(step, glm::distance(now.position[i], last.position[i]));
+    most = std::max(most, step), total += step;
+    last = now;
+  }
+  EXPECT_LT(most, 5 * total / 96);
+  EXPECT_LT(glm::distance(last.position.back(), s.position.back()), 1e-5f);
+}
+
 TEST(Wave, OfNoSpeedStandsStill) {
   Skeleton s = trunk(10);
   Motion motion;

@@ -42,7 +42,8 @@ TEST(Walkers, StandOnTheirHostAndGoTheirWay) {
   params.crawl.trace = false;
   params.crawl.max_age = 200, params.crawl.speed = 0.005;
   params.facing = Vec3(0);
-  Host host = *Host::build(wall());
+  Result<Host> built = Host::build(wall());
+  const Host& host = *built;
   Result<Ivy> ivy = grow_ivy(params, host, {}, 12, kLevel, Seed{1});
   ASSERT_TRUE(ivy);
   EXPECT_EQ(ivy->model.check(), "");

@@ -42,7 +42,7 @@ class Left : public ::testing::Test {
 
 TEST_F(Left, OfAStillNothingIsSaidWhileItIsReadAndThenWhatTracingTakes) {
   scene(1, 5000);
-  FramesLeft left(folder, {10, 10}, {1}, 2, 100);
+  FramesLeft left(folder, folder, {10, 10}, {1}, 2, 100);
   left.look(100);
   left.look(120);
   EXPECT_FALSE(left.seconds_left(120));
@@ -61,7 +61,7 @@ TEST_F(Left, OfAFilmReadingIsReckonedForEveryFrame) {
   std::vector<int> numbers(20);
   std::iota(numbers.begin(), numbers.end(), 1);
   for (int number : numbers) scene(number, 1000);
-  FramesLeft left(folder, {10, 10}, numbers, 2, 100);
+  FramesLeft left(folder, folder, {10, 10}, numbers, 2, 100);
   left.look(100);
   traced(1, 1), traced(2, 1);  // 10 s of reading, 40 s of tracing
   left.look(110);
@@ -77,7 +77,7 @@ TEST_F(Left, LargerScenesCountForMoreAndWhatAnEarlierRunHasTracedIsNoSpeed) {
   scene(1, 1000);
   scene(2, 3000);
   traced(1, 50);
-  FramesLeft left(folder, {10, 10}, {1, 2}, 1, 100);
+  FramesLeft left(folder, folder, {10, 10}, {1, 2}, 1, 100);
   left.look(100);
   traced(1, 99);
   left.look(110);
@@ -90,7 +90,7 @@ TEST_F(Left, LargerScenesCountForMoreAndWhatAnEarlierRunHasTracedIsNoSpeed) {
 TEST_F(Left, ExposuresOfAFrameShareItsWeight) {
   scene(1, 1000);
   for (int i = 2; i <= 4; ++i) EXPECT_FALSE(write_new(folder / (exposure_name(1, i) + ".pov"), "scene"));
-  FramesLeft left(folder, {10, 10}, {1}, 1, 0);
+  FramesLeft left(folder, folder, {10, 10}, {1}, 1, 0);
   EXPECT_FALSE(write_new(folder / ".frame_0001.abc.1.exposed", "a picture"));
   left.look(1);
   EXPECT_EQ(left.percent(), 25);

@@ -100,6 +100,7 @@ TEST(GrammarPreset, HoldsTheGrammarAndWhatItPlaces) {
   std::string layout = "{\n@organs@\n\"grammar\":\n@grammar@\n}\n";
   EXPECT_EQ(grammar_preset(layout, "{\"axiom\": \"F\"}\n"), "{\n\"grammar\":\n{\"axiom\": \"F\"}\n}\n");
   EXPECT_NE(grammar_preset(layout, "{\"axiom\": \"~b\"}\n").find("\"shape\": \"bud\""), std::string::npos);
+  EXPECT_NE(grammar_preset(layout, "{\"axiom\": \"~L\"}\n").find("[{\"symbol\": \"L\""), std::string::npos);
 }
 
 TEST(Jpeg, PicturesAreLaidRowByRow) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
+#include <bit>
 #include <filesystem>
 #include <string>
 
@@ -69,6 +71,63 @@ TEST(TraceState, AnotherRenderersIsLeftAlone) {
   EXPECT_EQ(kept(std::string(700, '\0')), 700u);
   EXPECT_EQ(kept("short"), 5u);
   EXPECT_EQ(kept(""), 0u);
+}
+
+/// An attribute of a message: its name and type, then as many units as its length says.
+std::string attribute(const std::string& name_and_type, std::uint32_t length, const std::string& bytes) {
+  std::string text = name_and_type;
+  for (unsigned shift : {24u, 16u, 8u, 0u}) text += static_cast<char>(length >> shift & 255);
+  return text + bytes;
+}
+
+std::string number(std::uint32_t value) {
+  std::string bytes;
+  for (unsigned shift : {24u, 16u, 8u, 0u}) bytes += static_cast<char>(value >> shift & 255);
+  return bytes;
+}
+
+/// A block of one colour.
+std::string block(int left, int top, int right, int bottom, std::array<float, 3> light) {
+  std::string pixels;
+  int count = (right - left + 1) * (bottom - top + 1);
+  for (int i = 0; i < count; ++i)
+    for (float channel : {light[0], light[1], light[2], 0.0f, 0.0f})
+      pixels += number(std::bit_cast<std::uint32_t>(channel));
+  std::string body =
+      "RAWSOBJE" + number(9) + attribute("PBloVFL4", static_cast<std::uint32_t>(5 * count), pixels);
+  for (auto [name, value] :
+       {std::pair("LeftINT4", left), {"Top INT4", top}, {"RighINT4", right}, {"BottINT4", bottom}})
+    body += attribute(name, 4, number(static_cast<std::uint32_t>(value)));
+  return message(body);
+}
+
+std::optional<Raster> traced(const std::string& state) {
+  fs::path file = fs::path(::testing::TempDir()) / ("frond_traced_" + std::to_string(::getpid()));
+  EXPECT_FALSE(write_new(file, state));
+  std::optional<Raster> picture = traced_picture(file, {4, 3}, {});
+  fs::remove(file);
+  return picture;
+}
+
+TEST(TracedPicture, ShowsTheBlocksThereAre) {
+  std::string state = head() + block(0, 0, 1, 1, {1, 0, 0}) + block(3, 2, 3, 2, {0, 1, 0});
+  for (const std::string& cut : {std::string(), block(2, 0, 3, 1, {0, 0, 1}).substr(0, 60)}) {
+    std::optional<Raster> picture = traced(state + cut);
+    ASSERT_TRUE(picture);
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 4; ++x) {
+        bool red = x < 2 && y < 2, green = x == 3 && y == 2, blank = !red && !green;
+        EXPECT_EQ(picture->at(x, y, 0), red ? 255 : blank ? 64 : 0) << x << ' ' << y;
+        EXPECT_EQ(picture->at(x, y, 1), green ? 255 : blank ? 64 : 0) << x << ' ' << y;
+      }
+  }
+}
+
+TEST(TracedPicture, IsNoneWithoutBlocksOrOfAnotherSize) {
+  EXPECT_FALSE(traced(head()));
+  EXPECT_FALSE(traced(head() + coarse()));
+  EXPECT_FALSE(traced("something else"));
+  EXPECT_FALSE(traced(head() + block(3, 2, 4, 2, {1, 1, 1})));
 }
 
 }  // namespace frond

@@ -97,6 +97,23 @@ TEST(GardenPresets, PalmHasFrondsOfManyLeafletsAndABentTrunk) {
   EXPECT_GT(model.skeleton.position[trunk].y, 3.0);
 }
 
+TEST(GardenPresets, FrondsOfAPalmFollowTheRulesOfTheirGrammar) {
+  PlantParams palm = plants_of("grammar_palm").at(0);
+  EXPECT_EQ(texts(palm.organs.at(0).grammar->rules),
+            (std::vector<std::string>{"L ->(0.33) &&F[+++F][---F]l", "L ->(0.33) F[+++F][---F]l",
+                                      "L ->(0.34) ^^^l", "l -> &F[+++F][---F]l"}));
+  Model model = grown(palm);
+  std::set<std::size_t> leaflets;
+  for (std::uint16_t which : model.organs.prototype) {
+    const Prototype& frond = model.prototypes[which];
+    if (frond.name != "L") continue;
+    ASSERT_EQ(frond.parts.size(), 2u);  // leaflets and their stem
+    leaflets.insert(frond.parts[0].surface.position.size() / 18);
+  }
+  EXPECT_GE(model.organs.size(), 20u);
+  EXPECT_EQ(leaflets, (std::set<std::size_t>{96, 112}));  // eight for each of six or seven pairs
+}
+
 TEST(GardenPresets, GuidedPalmPassesEachPointOfItsCurve) {
   PlantParams palm = plants_of("guided_palm").at(0);
   const GuideText& guide = palm.grammar.guide;

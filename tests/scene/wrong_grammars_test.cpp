@@ -38,6 +38,53 @@ const WrongPreset kWrongGrammars[] = {
       "4:6: /organisms/0/grammar/rules/0: column 7: this `[` is not closed; add a `]`; in `F -> F[+F`",
       "5:6: /organisms/0/grammar/rules/1: column 7: this `]` closes no `[`; remove it or open the branch; in "
       "`A -> F]`"}},
+    {"Brackets whose drawings are none",
+     R"({"organisms": [
+  {"kind": "coral", "form": "own",
+   "grammar": {"rules": ["0 -> F"],
+     "interpretation": ["[ -> [+",
+       "] -> -",
+       "[ : 1 > 2 -> ["]}}]})",
+     {},
+     {"5:8: /organisms/0/grammar/interpretation/1: column 1: what is drawn for `]` holds a `]` of its own; "
+      "add "
+      "it; in `] -> -`",
+      "6:8: /organisms/0/grammar/interpretation/2: column 1: a bracket is always drawn alike; remove the "
+      "condition and the weight; in `[ : 1 > 2 -> [`"}},
+    {"An organ without its grammar",
+     R"({"organisms": [
+  {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L",
+   "shape": "grammar"}]}]})",
+     {},
+     {"2:61: /organisms/0/organs/0/grammar: is missing; the shape \"grammar\" needs it"}},
+    {"A grammar of an organ of another shape",
+     R"({"organisms": [
+  {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L",
+   "grammar": {"axiom": "F"}}]}]})",
+     {},
+     {"3:15: /organisms/0/organs/0/grammar: needs \"shape\": \"grammar\""}},
+    {"A wrong grammar of an organ",
+     R"({"organisms": [
+  {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L",
+   "shape": "grammar", "grammar": {"rules": [
+     "F -> F[+F"]}}]}]})",
+     {},
+     {"4:6: /organisms/0/organs/0/grammar/rules/0: column 7: this `[` is not closed; add a `]`; in `F -> "
+      "F[+F`"}},
+    {"Grammars of organs that draw too much, nothing, or organs",
+     R"({"organisms": [
+  {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L", "shape": "grammar",
+    "grammar": {"steps": 30, "rules": ["F -> FF"]}}]},
+  {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L", "shape": "grammar",
+    "grammar": {"axiom": "A"}}]},
+  {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L", "shape": "grammar",
+    "grammar": {"axiom": "F~K"}}]}]})",
+     {},
+     {"3:16: /organisms/0/organs/0/grammar: draws 262144 modules or segments by step 18; an organ has 200000 "
+      "at "
+      "most",
+      "5:16: /organisms/1/organs/0/grammar: draws nothing: its turtle meets no F and no outline",
+      "7:16: /organisms/2/organs/0/grammar: places an organ \"K\"; expected lines and outlines alone"}},
     {"An unknown function",
      R"~({"organisms": [
   {"kind": "coral", "form": "own",

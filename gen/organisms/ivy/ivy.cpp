@@ -23,7 +23,7 @@ std::vector<Start> starts_of(const IvyParams& params, const Support& under, cons
                              Seed seed) {
   const Host& host = under.host;
   std::vector<Start> starts;
-  for (const Vec3& root : roots) starts.push_back({DVec3(root), DVec3(0)});
+  for (const Vec3& root : roots) starts.push_back({.place = DVec3(root)});
   int more = count - static_cast<int>(roots.size());
   if (more <= 0) return starts;
   std::vector<Start> others;

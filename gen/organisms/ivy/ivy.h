@@ -68,8 +68,8 @@ struct Ivy {
 
 /// Grows over a host: `count` plants, the first ones from the points of the host nearest to `roots`, the
 /// others from the beginnings of guides or, without any, from its foot. No part is below the ground. Where
-/// `crawl` leaves no trace, the strands are the paths of walkers, which begin all over the host, and the model
-/// holds these at the end of their paths.
+/// `crawl` leaves no trace, the strands are the paths of walkers, which begin all over the host, and the
+/// model holds these at the end of their paths.
 Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
                      const GroundHeight& ground, Seed seed);
 

@@ -50,13 +50,15 @@ template <class Visitor>
 void describe(Visitor& v, Crawl& c) {
   v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "Length of one step of a strand");
   v.angle("wander", c.wander, {.min = 0, .max = 120}, "Angle by which each step turns at random, either way");
-  v.animated("bias", c.bias, {.min = 0, .max = 1},
-             "How much of the way to the lure each step turns; times of keyframes are shares of the growth, 0 "
-             "to 1");
+  v.animated(
+      "bias", c.bias, {.min = 0, .max = 1},
+      "How much of the way to the lure each step turns; times of keyframes are shares of the growth, 0 "
+      "to 1");
   v.choice("lure", c.lure, kLures, "What strands turn toward");
-  v.animated("toward", c.toward, {.min = -1000, .max = 1000},
-             "The direction that strands turn toward with the lure along; the place, in metres, with the lure "
-             "point; times of keyframes are shares of the growth, 0 to 1");
+  v.animated(
+      "toward", c.toward, {.min = -1000, .max = 1000},
+      "The direction that strands turn toward with the lure along; the place, in metres, with the lure "
+      "point; times of keyframes are shares of the growth, 0 to 1");
   v.list("guides", c.guides, Count{0, 100},
          "Curves that strands follow: those that come within the width of one keep within it to its end. "
          "Without place.at strands begin where curves do");
@@ -291,9 +293,10 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     if (growth.duration <= 0) growth.duration = world.film_length();
     if (!world.filmed()) return;
     specimen.life.held = 80 * paths.size();
-    specimen.life.develop = [walkers = params.walkers, growth, seed,
-                             shapes = std::make_shared<const std::vector<Prototype>>(specimen.model.prototypes),
-                             paths = std::make_shared<const Strands>(std::move(paths))](double time) -> Result<Model> {
+    specimen.life.develop =
+        [walkers = params.walkers, growth, seed,
+         shapes = std::make_shared<const std::vector<Prototype>>(specimen.model.prototypes),
+         paths = std::make_shared<const Strands>(std::move(paths))](double time) -> Result<Model> {
       Model model;
       model.prototypes = *shapes;
       double share = std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);

@@ -86,13 +86,15 @@ Surface lying(Surface mesh) {
   return mesh;
 }
 
-/// Where a path leads at a time; `at` is the first node that is later.
-struct Spot {
+/// Where a path leads at a time.
+struct PathPoint {
   Vec3 place, normal, heading;
   float along;  // metres
 };
 
-Spot spot_at(const Strands& paths, const Strand& path, float time) {
+/// What is on it is `size` long: the normal is the mean below it, so that it turns over an edge as it comes
+/// over it.
+PathPoint point_on(const Strands& paths, const Strand& path, float time, float size) {
   const Skeleton& s = paths.skeleton;
   auto begin = s.birth.begin() + path.first, end = begin + path.count;
   auto next = static_cast<std::int32_t>(std::upper_bound(begin, end, time) - s.birth.begin());
@@ -100,18 +102,27 @@ Spot spot_at(const Strands& paths, const Strand& path, float time) {
   std::int32_t to = std::clamp(next, path.first + 1, last), from = to - 1;
   float span = s.birth[to] - s.birth[from];
   float share = span > 0 ? std::clamp((time - s.birth[from]) / span, 0.0f, 1.0f) : 1;
-  auto heading = [&](std::int32_t i) {
-    return paths.contact[std::min(i + 1, last)] - paths.contact[std::max(i - 1, path.first)];
+  PathPoint point{glm::mix(paths.contact[from], paths.contact[to], share), Vec3(0), Vec3(0),
+                  glm::mix(s.distance[from], s.distance[to], share)};
+  auto weigh = [&](std::int32_t i) {
+    float weight = 1 - std::abs(s.distance[i] - point.along) / size;
+    if (weight <= 0) return false;
+    point.normal += weight * paths.normal[i];
+    if (i > path.first) point.heading += weight * (paths.contact[i] - paths.contact[i - 1]);
+    return true;
   };
-  return {glm::mix(paths.contact[from], paths.contact[to], share),
-          glm::normalize(glm::mix(paths.normal[from], paths.normal[to], share)),
-          glm::mix(heading(from), heading(to), share), glm::mix(s.distance[from], s.distance[to], share)};
+  for (std::int32_t i = from; i >= path.first && weigh(i); --i) continue;
+  for (std::int32_t i = to; i <= last && weigh(i); ++i) continue;
+  if (glm::length(point.normal) < 1e-3f) point.normal = paths.normal[to];
+  point.normal = glm::normalize(point.normal);
+  return point;
 }
 
 /// The rotation that takes +y to a heading and +z to a normal, as far as they are at right angles.
 Quat standing(Vec3 heading, Vec3 normal) {
   Vec3 ahead = heading - normal * glm::dot(heading, normal);
-  if (glm::length(ahead) < 1e-9f) ahead = glm::cross(normal, std::abs(normal.x) < 0.9f ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+  if (glm::length(ahead) < 1e-9f)
+    ahead = glm::cross(normal, std::abs(normal.x) < 0.9f ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
   ahead = glm::normalize(ahead);
   return glm::normalize(glm::quat_cast(glm::mat3(glm::cross(ahead, normal), ahead, normal)));
 }
@@ -136,13 +147,13 @@ Organs walkers_at(const Walkers& walkers, const Strands& paths, double share, Se
   organs.reserve(paths.strands.size());
   for (std::size_t k = 0; k < paths.strands.size(); ++k) {
     Seed own = seed.child(k);
-    Spot spot = spot_at(paths, paths.strands[k], static_cast<float>(share));
     double size = walkers.size * (1 + walkers.size_variation * own.child("size").range(-1, 1));
-    double steps = static_cast<double>(spot.along) / (kStep * size) + own.child("gait").unit();
+    PathPoint point = point_on(paths, paths.strands[k], static_cast<float>(share), static_cast<float>(size));
+    double steps = static_cast<double>(point.along) / (kStep * size) + own.child("gait").unit();
     auto moment = static_cast<std::uint16_t>(static_cast<int>((steps - std::floor(steps)) * kGaits) % kGaits);
     organs.prototype.push_back(walkers.mesh.triangle.empty() ? moment : std::uint16_t{0});
-    organs.position.push_back(spot.place);
-    organs.turn.push_back(standing(spot.heading, spot.normal));
+    organs.position.push_back(point.place);
+    organs.turn.push_back(standing(point.heading, point.normal));
     organs.scale.push_back(Vec3(static_cast<float>(size)));
     organs.node.push_back(Skeleton::kRoot);
     organs.birth.push_back(0);

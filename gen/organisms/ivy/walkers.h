@@ -21,8 +21,8 @@ struct Walkers {
 /// Their shapes: a mesh has one, a beetle one for each moment of its gait.
 std::vector<Prototype> walker_prototypes(const Walkers& walkers);
 
-/// Where they are when a share 0..1 of the time has passed in which `paths` were crept: the organs of a model,
-/// one on each path, its upper side along the normal of the surface, turned along its way.
+/// Where they are when a share 0..1 of the time has passed in which `paths` were crept: the organs of a
+/// model, one on each path, its upper side along the normal of the surface, turned along its way.
 Organs walkers_at(const Walkers& walkers, const Strands& paths, double share, Seed seed);
 
 }  // namespace frond

@@ -25,7 +25,8 @@ inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"obj", OrganShape::obj, "the mesh of a Wavefront OBJ file, its foot at the bottom"},
     {"sprig", OrganShape::sprig, "a twig with leaves in two rows"},
     {"frond", OrganShape::frond, "a feathered leaf of many leaflets, as of a palm or a fern"},
-    {"picture", OrganShape::picture, "a leaf of a known outline, as its picture shows it"}};
+    {"picture", OrganShape::picture, "a leaf of a known outline, as its picture shows it"},
+    {"grammar", OrganShape::grammar, "what a grammar of its own draws: a stem, leaflets and outlines"}};
 
 inline constexpr Choice<Stand> kStands[] = {
     {"turtle", Stand::turtle, "where the turtle starts"},
@@ -74,14 +75,16 @@ void describe(Visitor& v, OrganParams& o) {
           "Angle by which a leaf, petal, sprig or frond is bent down from foot to tip");
   v.number("wave", o.wave, {.min = 0, .max = 2}, "How much the rim is waved");
   v.integer("petals", o.petals, {.min = 1, .max = 200}, "Number of petals. Needs \"shape\": \"flower\"");
-  v.integer("leaflets", o.leaflets, {.min = 0, .max = 400},
-            "Number of leaves of a sprig or pairs of leaflets of a frond; 0 is as usual for the shape");
+  v.integer(
+      "leaflets", o.leaflets, {.min = 0, .max = 400},
+      "Number of leaves of a sprig, pairs of leaflets of a frond, or leaflets for each one that a grammar "
+      "draws; 0 is as usual for the shape");
   v.integer("lobes", o.lobes, {.min = 0, .max = 40},
             "Number of lobes on either side of a frond's leaflets, as a fern has them; 0 leaves them whole");
   v.angle("droop", o.droop, {.min = -90, .max = 180},
-          "Angle by which a frond's leaflets hang from foot to tip");
+          "Angle by which leaflets of a frond or grammar hang from foot to tip");
   v.integer("variants", o.variants, {.min = 1, .max = 12},
-            "Number of different shapes of a sprig or frond, or of a picture that curls");
+            "Number of different shapes of a sprig, frond or grammar, or of a picture that curls");
   v.angle("open", o.open, {.min = 0, .max = 150},
           "Angle between petals and the heading of the flower or bud");
   v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
@@ -92,6 +95,10 @@ void describe(Visitor& v, OrganParams& o) {
   v.object("picture", o.picture,
            "The leaf's outline, colours and mesh; size and variations are those above. Needs \"shape\": "
            "\"picture\"");
+  v.object(
+      "grammar", o.grammar,
+      "The rules that draw it: each branch of one segment is a leaflet, each outline a blade, all else its "
+      "stem, whose longest way becomes size. Needs \"shape\": \"grammar\"");
   v.object("luster", o.luster, "How it takes light; without it as is usual for its shape");
   v.number("dew", o.dew, {.min = 0, .max = 60}, "Drops of dew on a square centimetre of its upper side");
   v.aspect(Aspect::shape, "symbol", "size", "size_variation", "turn_variation");
@@ -169,11 +176,19 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     Result<Grammar> grammar = plant_grammar(params);
     if (!grammar) return pointed(params.grammar, grammar.errors());
     for (std::size_t i = 0; i < params.organs.size(); ++i) {
-      std::string pointer = fmt::format("/organs/{}/picture", i);
       const OrganParams& organ = params.organs[i];
+      std::string place = fmt::format("/organs/{}", i), pointer = place + "/picture";
       if (organ.picture.has_value() != (organ.shape == OrganShape::picture))
         return {{pointer, organ.picture ? "needs \"shape\": \"picture\""
                                         : "is missing; the shape \"picture\" needs it"}};
+      if (organ.grammar.has_value() != (organ.shape == OrganShape::grammar))
+        return {{place + "/grammar", organ.grammar ? "needs \"shape\": \"grammar\""
+                                                   : "is missing; the shape \"grammar\" needs it"}};
+      if (Errors errors = organ_faults(organ); !errors.empty()) {
+        errors = pointed(*organ.grammar, std::move(errors));
+        for (Error& error : errors) error.where = place + error.where;
+        return errors;
+      }
       if (Errors errors = check_pictures({}, organ.picture, (pointer + "/pixels").c_str()); !errors.empty())
         return errors;
     }

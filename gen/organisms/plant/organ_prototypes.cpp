@@ -6,6 +6,7 @@
 
 #include "foliage/dew.h"
 #include "foliage/foliage_shapes.h"
+#include "organisms/plant/drawn_organ.h"
 
 namespace frond {
 
@@ -84,9 +85,14 @@ TwigShape sprig_shape(const OrganParams& p) {
   return shape;
 }
 
+Seed variant_seed(const OrganParams& p, int variant) {
+  return Seed{0}.child(p.symbol, static_cast<std::uint64_t>(variant));
+}
+
 int variant_count(const OrganParams& p) {
   bool curled = p.picture && p.picture->curl > 0;
-  return p.shape == OrganShape::sprig || p.shape == OrganShape::frond || curled ? p.variants : 1;
+  bool grown = p.shape == OrganShape::sprig || p.shape == OrganShape::frond || p.shape == OrganShape::grammar;
+  return grown || curled ? p.variants : 1;
 }
 
 /// Gives a mesh without `uv` that of a petal: 0 on its axis, 1 at its rim.
@@ -94,6 +100,12 @@ void set_uv(Surface& mesh) {
   if (!mesh.uv.empty()) return;
   for (const Vec3& at : mesh.position)
     mesh.uv.emplace_back(std::min(1.0f, 2 * glm::length(Vec2(at.x, at.z))), 0.5f);
+}
+
+/// Leaves and the stem that bears them, where there are any.
+void add_twig(Prototype& to, TwigParts parts, Tissue stem) {
+  if (!parts.blades.position.empty()) to.parts.push_back({Tissue::leaf, std::move(parts.blades)});
+  if (!parts.stem.position.empty()) to.parts.push_back({stem, std::move(parts.stem)});
 }
 
 Prototype prototype(const OrganParams& p, Seed seed) {
@@ -112,13 +124,15 @@ Prototype prototype(const OrganParams& p, Seed seed) {
       add_bud(made, p);
       break;
     case OrganShape::sprig:
-    case OrganShape::frond: {
-      bool sprig = p.shape == OrganShape::sprig;
-      TwigParts parts = sprig ? sprig_foliage(sprig_shape(p), seed) : frond_foliage(frond_shape(p), seed);
-      made.parts.push_back({Tissue::leaf, std::move(parts.blades)});
-      made.parts.push_back({sprig ? Tissue::skin : Tissue::heart, std::move(parts.stem)});
+      add_twig(made, sprig_foliage(sprig_shape(p), seed), Tissue::skin);
       break;
-    }
+    case OrganShape::frond:
+      add_twig(made, frond_foliage(frond_shape(p), seed), Tissue::heart);
+      break;
+    case OrganShape::grammar:
+      if (Result<TwigParts> parts = drawn_foliage(p, seed); parts)
+        add_twig(made, std::move(*parts), Tissue::heart);
+      break;
     case OrganShape::obj:
       made.parts.push_back({Tissue::petal, p.mesh});
       set_uv(made.parts.back().surface);
@@ -147,11 +161,16 @@ Prototype prototype(const OrganParams& p, Seed seed) {
 
 }  // namespace
 
+Errors organ_faults(const OrganParams& organ) {
+  for (int i = 0; organ.grammar && i < variant_count(organ); ++i)
+    if (Result<TwigParts> parts = drawn_foliage(organ, variant_seed(organ, i)); !parts) return parts.errors();
+  return {};
+}
+
 std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   std::vector<Prototype> list;
   for (const OrganParams& organ : params.organs)
-    for (int i = 0; i < variant_count(organ); ++i)
-      list.push_back(prototype(organ, Seed{0}.child(organ.symbol, static_cast<std::uint64_t>(i))));
+    for (int i = 0; i < variant_count(organ); ++i) list.push_back(prototype(organ, variant_seed(organ, i)));
   if (params.season)
     for (Prototype& organ : list) add_seasons(organ, *params.season);
   list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});

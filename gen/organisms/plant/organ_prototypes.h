@@ -10,6 +10,9 @@ namespace frond {
 /// `@o`.
 std::vector<Prototype> organ_prototypes(const PlantParams& params);
 
+/// Why the grammar of an organ draws none: one that does not compile, or not all its variants.
+Errors organ_faults(const OrganParams& organ);
+
 /// The prototypes that may be used at a site of some name.
 struct Variants {
   int organ = -1;  ///< of `organs`; -1: the ball or the disc

@@ -49,17 +49,6 @@ void fit(Figure& f, const Stature& stature) {
   for (Site& s : f.sites) move(s.position);
 }
 
-/// Where each coarse node is among the smoothed ones: smooth() keeps their order.
-std::vector<std::int32_t> smoothed_index(const Skeleton& coarse, int pieces) {
-  std::vector<std::int32_t> index(coarse.size());
-  std::int32_t count = 0;
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    count += coarse.parent[i] == Skeleton::kRoot ? 1 : pieces;
-    index[i] = count - 1;
-  }
-  return index;
-}
-
 /// Colours of the smoothed nodes, from those of the nodes as they were drawn: those of a segment are that of
 /// its end. Empty where all are 0.
 std::vector<std::int32_t> smoothed_colors(const std::vector<std::int32_t>& drawn,
@@ -84,30 +73,16 @@ void add_blades(Model& model, const std::vector<Outline>& outlines) {
   Blades& b = model.blades;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Outline& outline = outlines[i];
-    Vec3 area = outline_area(outline.points);
-    float size = glm::length(area);
-    if (!(size > 1e-12f)) continue;
-    Vec3 normal = area / size;
     // The foot is where the outline starts; the leaf points to its farthest corner.
-    Vec3 foot = outline.points[0], tip = foot;
+    Vec3 foot = outline.points[0];
     if (outline.node != Skeleton::kRoot) {
       Vec3 base = model.skeleton.position[outline.node];
       foot = *std::min_element(outline.points.begin(), outline.points.end(), [&](Vec3 p, Vec3 q) {
         return glm::distance(p, base) < glm::distance(q, base);
       });
     }
-    for (const Vec3& p : outline.points)
-      if (glm::distance(p, foot) > glm::distance(tip, foot)) tip = p;
-    Vec3 along = tip - foot;
-    float length2 = std::max(glm::dot(along, along), 1e-12f);
-    Vec3 across = glm::cross(normal, along);
-    triangulate(outline.points, b.first.back(), b.surface.triangle);
-    for (const Vec3& p : outline.points) {
-      b.surface.position.push_back(p);
-      b.surface.normal.push_back(normal);
-      b.surface.uv.emplace_back(glm::dot(p - foot, along) / length2,
-                                0.5f - glm::dot(p - foot, across) / length2);
-    }
+    add_outline(b.surface, outline.points, foot);
+    if (b.surface.position.size() == b.first.back()) continue;
     b.first.push_back(static_cast<std::uint32_t>(b.surface.position.size()));
     b.node.push_back(outline.node);
     b.birth.push_back(birth_at(model.skeleton, outline.node, i, outlines.size()));

@@ -12,7 +12,7 @@
 
 namespace frond {
 
-enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond, picture };
+enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond, picture, grammar };
 
 /// The shape of an organ that the grammar names.
 struct OrganParams {
@@ -31,15 +31,17 @@ struct OrganParams {
   double bend = radians(40.0);   ///< of a leaf or petal along its length
   double wave = 0.3;             ///< of a leaf's rim
   int petals = 5;
-  int leaflets = 0;              ///< leaves of a sprig, pairs of leaflets of a frond; 0: default of the shape
-  int lobes = 0;                 ///< on each side of a frond's leaflets, as on ferns
-  double droop = radians(45.0);  ///< of a frond's leaflets from foot to tip
-  int variants = 3;              ///< of a sprig, frond or curled picture: number of different shapes
+  int leaflets = 0;  ///< leaves of a sprig, pairs of leaflets of a frond, leaflets for each that a grammar
+                     ///< draws; 0: default of the shape
+  int lobes = 0;     ///< on each side of a frond's leaflets, as on ferns
+  double droop = radians(45.0);  ///< of leaflets from foot to tip
+  int variants = 3;              ///< of a sprig, frond, grammar or curled picture: number of different shapes
   double open = radians(65.0);   ///< angle between petals and heading
   double heart = 0.16;           ///< radius of a flower's heart as a share of its size
   double size_variation = 0.12;  ///< random change of the size, as a share
   double turn_variation = radians(12.0);  ///< largest random tilt
   std::optional<LeafLook> picture;        ///< of the shape `picture`, except its size and variations
+  std::optional<GrammarText> grammar;     ///< what draws the shape `grammar`
   std::optional<Luster> luster;
   double dew = 0;  ///< drops per square centimetre
 };

@@ -176,7 +176,7 @@ Clearance clearance_of(const World& world, Vec3 low, Vec3 high, float cell) {
     // What grows is there in full: fish do not know that it is not there yet.
     Motion grown = s.motion;
     grown.growth = {};
-    bool moves = grown.wave.amplitude > 0 || grown.food.strength > 0;
+    bool moves = grown.wave.amplitude > 0 || grown.food.pulls();
     Pose pose;
     for (int k = 0; k < (moves ? moments : 1); ++k) {
       pose_skeleton(s.model.skeleton, grown, world.film_length() * k / moments, pose);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+
+namespace frond {
+
+/// A PNG file that shows a picture while it is traced.
+class TracedView {
+ public:
+  /// Of pictures of that size, which POV-Ray draws in the folder `drawn` from the scenes in `frames`.
+  TracedView(std::filesystem::path file, std::filesystem::path frames, std::filesystem::path drawn,
+             std::array<int, 2> size)
+      : file_(std::move(file)), frames_(std::move(frames)), drawn_(std::move(drawn)), size_(size) {}
+
+  /// Writes the blocks that there are of the picture that was worked on last: once a second, and less often
+  /// where that takes long. `now`: seconds, by any clock. Returns whether it has.
+  bool look(double now);
+
+ private:
+  std::filesystem::path file_, frames_, drawn_;
+  std::array<int, 2> size_;
+  double next_ = 0;
+};
+
+}  // namespace frond
