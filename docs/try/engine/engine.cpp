@@ -10,8 +10,8 @@
 #include "grammar/review.h"
 #include "organisms/describe_grammar.h"
 
-// The functions of the grammar engine that the page calls. Grammars come as the JSON text of a grammar file; every
-// answer is an object, with `errors` where the grammar cannot be drawn.
+// The functions of the grammar engine that the page calls. Grammars come as the JSON text of a grammar file;
+// every answer is an object, with `errors` where the grammar cannot be drawn.
 
 namespace frond {
 
@@ -27,7 +27,7 @@ struct Request {
   Limits limits;
 };
 
-/// The compiled grammar of a text; the limits are its own, where those of the page are not lower.
+/// The compiled grammar of a text. Where it has no limit of modules, that of the page is taken.
 Result<Request> read(const std::string& json, double steps, double modules) {
   Result<Document> document = parse_json(json, "grammar");
   if (!document) return document.errors();
@@ -39,7 +39,7 @@ Result<Request> read(const std::string& json, double steps, double modules) {
   Result<Grammar> grammar = compile(*text);
   if (!grammar) return grammar.errors();
   Limits limits = text->limits;
-  limits.modules = std::min(limits.modules, static_cast<std::uint64_t>(modules));
+  if (limits.modules == Limits{}.modules) limits.modules = static_cast<std::uint64_t>(modules);
   limits.bytes = std::min(limits.bytes, std::uint64_t{1} << 29);
   Forecast size = forecast(*grammar, static_cast<int>(std::ceil(steps)), Seed{text->seed}, limits);
   if (Errors errors = refuse(size, limits); !errors.empty()) return placed(errors, grammar->text);

@@ -58,7 +58,8 @@ namespace ranges {
 
 template <class Range, class Value, class Projection = identity>
 auto find(Range&& range, const Value& value, Projection projection = {}) {
-  return find_if(begin(range), end(range), [&](const auto& each) { return invoke(projection, each) == value; });
+  return find_if(begin(range), end(range),
+                 [&](const auto& each) { return invoke(projection, each) == value; });
 }
 template <class Range, class Test>
 auto find_if(Range&& range, Test test) {
@@ -90,8 +91,9 @@ auto upper_bound(Range&& range, const Value& value) {
 }
 template <class Range, class Order = std::less<>, class Projection>
 void stable_sort(Range&& range, Order, Projection projection) {
-  std::stable_sort(begin(range), end(range),
-                   [&](const auto& a, const auto& b) { return invoke(projection, a) < invoke(projection, b); });
+  std::stable_sort(begin(range), end(range), [&](const auto& a, const auto& b) {
+    return invoke(projection, a) < invoke(projection, b);
+  });
 }
 
 }  // namespace ranges

@@ -42,8 +42,8 @@ interface Answers {
 
 /** Milliseconds, once the engine has started. */
 const PATIENCE = 5000;
-/** Greatest number of modules and of segments, where the grammar's own limits are not lower. */
-export const MODULES = 300_000;
+/** Greatest number of modules and of segments of a grammar that has no limit of its own. */
+const MODULES = 300_000;
 
 const LOOP = `
 const engine = frondEngine();

@@ -33,6 +33,13 @@ function fromLine(line: string): Rule {
 /** The numbers of the lines, from 1, that hold a rule. */
 const filled = (text: string): number[] => text.split("\n").flatMap((line, i) => (line.trim() ? [i + 1] : []));
 
+/** A value on one line, with spaces as people write them. */
+function spaced(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(spaced).join(", ")}]`;
+  if (value === null || typeof value !== "object") return JSON.stringify(value);
+  return `{${Object.entries(value).map(([name, inner]) => `${JSON.stringify(name)}: ${spaced(inner)}`).join(", ")}}`;
+}
+
 /** The form of a grammar file. */
 export function formOf(text: string): Form {
   const { axiom, steps, angle, seed, rules, interpretation, decomposition, ...others } = JSON.parse(text) as Json;
@@ -45,7 +52,7 @@ export function formOf(text: string): Form {
     rules: lines(rules),
     interpretation: lines(interpretation),
     decomposition: lines(decomposition),
-    others: Object.entries(others).map(([name, value]) => `${JSON.stringify(name)}: ${JSON.stringify(value)}`).join(",\n"),
+    others: Object.entries(others).map(([name, value]) => `${JSON.stringify(name)}: ${spaced(value)}`).join(",\n"),
   };
 }
 
@@ -87,7 +94,8 @@ export function placeOf(form: Form, where: string, what: string): Place {
   const line = Number(/^grammar:(\d+)/.exec(where)?.[1] ?? 1);
   if (line > 1) return { field: "others", line: Math.min(line - 1, form.others.split("\n").length), what };
   if (/\/axiom|^axiom/.test(where)) return { field: "axiom", line: 1, what };
-  return { field: "", line: 1, what: where.startsWith("grammar") || !where ? what : `${where}: ${what}` };
+  const property = where.replace(/^grammar:\d+:\d+: \//, "");
+  return { field: "", line: 1, what: property ? `${property}: ${what}` : what };
 }
 
 /** The fragment of a link that carries a form. */

@@ -5,13 +5,14 @@ import "../../../gen/studio/page/src/styles/editors.css";
 import "./style.css";
 
 import { codeArea, type CodeArea } from "../../../gen/studio/page/src/controls/code_area";
-import { el, grouped, quiet } from "../../../gen/studio/page/src/dom";
+import { el, grouped, iconButton, quiet } from "../../../gen/studio/page/src/dom";
 import { engine, type Fault } from "./engine";
 import { EMPTY, fileOf, formOf, fromFragment, LISTS, placeOf, textOf, toFragment, type Form, type List, type Place } from "./form";
 import { shapesOf } from "./shapes";
 import { viewOn } from "./view";
 
 const FIRST = "bush";
+const GROWING = 4000; // milliseconds
 const SHOWN_WORD = 4000; // characters
 
 const files = import.meta.glob("../../../presets/grammars/*.json", { eager: true, query: "?raw", import: "default" }) as Record<string, string>;
@@ -42,7 +43,7 @@ function field(name: List | "others", label: string, about: string): HTMLElement
   return host;
 }
 
-function slider(label: string, name: "steps" | "angle", max: number, step: number, unit: string): HTMLElement {
+function slider(label: string, name: "steps" | "angle", max: number, step: number, last: HTMLElement): HTMLElement {
   const range = el<HTMLInputElement>("input.slider", { type: "range", min: "0", max: String(max), step: String(step), "aria-label": label, "data-testid": `${name}-slider` });
   const number = el<HTMLInputElement>("input.number", { type: "number", min: name === "steps" ? "0" : "-360", step: "any", "aria-label": `${label}, as a number`, "data-testid": name });
   for (const input of [range, number])
@@ -56,13 +57,25 @@ function slider(label: string, name: "steps" | "angle", max: number, step: numbe
     if (name === "steps") range.max = String(Math.max(4, form.steps <= 12 ? Math.ceil(form.steps) + 2 : Math.ceil(form.steps * 1.5)));
     else range.min = form.angle < 0 ? "-180" : "0";
   };
-  shownBy.push(() => {
-    reach();
+  shownBy.push((opened) => {
+    if (opened) reach();
     range.value = number.value = String(form[name]);
   });
-  return el("label.row-of", {}, el("span", {}, label), range, number, el("span.unit", {}, unit));
+  return el("div.row-of", {}, el("span", {}, label), range, number, last);
 }
-const shownBy: (() => void)[] = [];
+/** Shows the numbers of the form; where it was just opened, their ranges, too. */
+const shownBy: ((opened: boolean) => void)[] = [];
+
+/** Shows the steps up to the present one as a film. */
+function grow(): void {
+  const last = form.steps, began = performance.now();
+  const tick = (now: number): void => {
+    change({ steps: last * Math.min(1, Math.max(0, now - began) / GROWING) });
+    shownBy.forEach((show) => show(false));
+    if (form.steps < last) requestAnimationFrame(tick);
+  };
+  requestAnimationFrame(tick);
+}
 
 const seed = el<HTMLInputElement>("input.number", { type: "number", min: "0", step: "1", "aria-label": "Seed", "data-testid": "seed" });
 seed.addEventListener("input", () => Number.isInteger(seed.valueAsNumber) && seed.valueAsNumber >= 0 && change({ seed: seed.valueAsNumber }));
@@ -114,21 +127,26 @@ function tell(errors: Fault[], notes: Fault[]): void {
   canvas.classList.toggle("stale", errors.length > 0);
 }
 
-let asked = 0, answered = 0;
-/** Draws the form as it is now; what was typed while the engine worked is drawn next. */
+async function drawOnce(): Promise<void> {
+  const { errors, notes, ...figure } = await engine("draw", textOf(form), form.steps);
+  tell(errors, notes ?? []);
+  if (errors.length) return;
+  view?.show(shapesOf(figure));
+  const counted: [number, string][] = [[figure.segmentColors.length, "segments"], [figure.triangleColors.length, "triangles"], [figure.siteNames.length, "organs"]];
+  figures.textContent = counted.filter(([count]) => count).map(([count, what]) => `${grouped(count)} ${what}`).join(", ") || "Nothing is drawn";
+}
+
+let wanted = false, busy = false;
+/** Draws the form as it is now; what is changed while the engine works is drawn next. */
 async function draw(): Promise<void> {
-  const mine = ++asked;
-  if (mine - answered > 1) return;
-  for (; answered < asked;) {
-    answered = asked;
-    const { errors, notes, ...figure } = await engine("draw", textOf(form), form.steps);
-    tell(errors, notes ?? []);
-    if (errors.length || answered < asked) continue;
-    const shapes = shapesOf({ errors, notes, ...figure });
-    view?.show(shapes);
-    const leaves = figure.siteNames.length + figure.triangleColors.length;
-    figures.textContent = `${grouped(figure.segmentColors.length)} segments${leaves ? `, ${grouped(figure.siteNames.length)} organs and ${grouped(figure.triangleColors.length)} triangles` : ""}`;
+  wanted = true;
+  if (busy) return;
+  busy = true;
+  while (wanted) {
+    wanted = false;
+    await drawOnce();
   }
+  busy = false;
   void showWord();
 }
 
@@ -160,7 +178,7 @@ function open(next: Form, name: string): void {
     area.element.style.setProperty("--lines", String(Math.max(list === "rules" ? 5 : 2, form[list].split("\n").length) + 1));
     (host as HTMLDetailsElement).open = list === "rules" || form[list] !== "";
   }
-  shownBy.forEach((show) => show());
+  shownBy.forEach((show) => show(true));
   keep();
   void draw();
 }
@@ -174,9 +192,10 @@ function save(name: string, blob: Blob): void {
 const button = (label: string, name: string, click: () => unknown): HTMLElement => el("button", { type: "button", "data-testid": name, click }, label);
 const copy = button("Copy link", "link", async () => {
   keep.now();
-  await navigator.clipboard.writeText(location.href);
-  copy.textContent = "Copied";
-  setTimeout(() => (copy.textContent = "Copy link"), 1500);
+  // Only secure pages have a clipboard.
+  const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  copy.textContent = copied ? "Copied" : "It is in the address bar";
+  setTimeout(() => (copy.textContent = "Copy link"), 2000);
 });
 const savings = el("div.savings", {}, copy,
   button("Grammar", "save-json", () => save("grammar.json", new Blob([fileOf(form)]))),
@@ -196,8 +215,8 @@ document.body.append(
       el("label.row-of", {}, el("span", {}, "Axiom"), axiom),
       ...LISTS.slice(0, 1).map((list) => field(list, ...ABOUT[list])),
       faults,
-      slider("Steps", "steps", 10, 0.05, ""),
-      slider("Angle", "angle", 180, 0.5, "°"),
+      slider("Steps", "steps", 10, 0.05, iconButton("play", "Grow", grow, { "data-testid": "grow" })),
+      slider("Angle", "angle", 180, 0.5, el("span.unit", {}, "°")),
       el("div.row-of", {}, el("span", {}, "Seed"), reseed, seed, el("span.unit")),
       ...LISTS.slice(1).map((list) => field(list, ...ABOUT[list])),
       field("others", "Other properties", "As in a grammar file: \"width\": 0.1, \"constants\": {\"r\": 0.9}"),
@@ -215,4 +234,4 @@ window.addEventListener("hashchange", () => location.hash.slice(1) !== toFragmen
 openLink();
 
 // For tests.
-Object.assign(window, { frond: { engine, busy: () => answered < asked } });
+Object.assign(window, { frond: { engine, busy: () => busy } });

@@ -13,6 +13,8 @@ export interface Shapes {
   /** Six numbers a corner: place, colour. */
   corners: Float32Array;
   middle: Vec;
+  /** Half the size of the box around everything, with what is thick at its sides. */
+  half: Vec;
   /** Of the ball around the middle that holds everything, > 0. */
   radius: number;
   /** Whether everything lies in a plane of constant z. */
@@ -50,7 +52,7 @@ function organ(name: string, at: Vec, heading: Vec, left: Vec, scale: Vec): Vec[
 }
 
 /** Middle and extent of places. */
-function measure(segments: number[], corners: number[]): Pick<Shapes, "middle" | "radius" | "flat"> {
+function measure(segments: number[], corners: number[]): Pick<Shapes, "middle" | "half" | "radius" | "flat"> {
   const low: Vec = [Infinity, Infinity, Infinity], high: Vec = [-Infinity, -Infinity, -Infinity];
   let thickest = 0;
   const reach = (from: number[], i: number): void => {
@@ -65,13 +67,13 @@ function measure(segments: number[], corners: number[]): Pick<Shapes, "middle" |
     thickest = Math.max(thickest, segments[i + 3]!, segments[i + 7]!);
   }
   for (let i = 0; i < corners.length; i += 6) reach(corners, i);
-  if (low[0] > high[0]) return { middle: [0, 0, 0], radius: 1, flat: true };
+  if (low[0] > high[0]) return { middle: [0, 0, 0], half: [1, 1, 0], radius: 2, flat: true };
   const middle: Vec = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
-  const radius = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2;
-  return { middle, radius: radius + thickest || 1, flat: high[2] - low[2] < 1e-3 * radius };
+  const half = low.map((least, k) => (high[k]! - least) / 2 + thickest) as Vec;
+  return { middle, half, radius: Math.hypot(...half) || 1, flat: high[2] - low[2] < 1e-3 * Math.hypot(...half) };
 }
 
-export function shapesOf(figure: Figure): Shapes {
+export function shapesOf(figure: Omit<Figure, "errors" | "notes">): Shapes {
   const segments: number[] = [], corners: number[] = [];
   figure.segmentColors.forEach((color, i) => segments.push(...figure.segments.subarray(8 * i, 8 * i + 8), ...colorOf(color)));
   const corner = (at: ArrayLike<number>, color: Vec): number => corners.push(at[0]!, at[1]!, at[2]!, ...color);

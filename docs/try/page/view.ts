@@ -3,13 +3,14 @@
 import type { Shapes } from "./shapes";
 
 const FIELD = 0.5; // radians, of the view from bottom to top
+const MARGIN = 1.2;
 const FRONT = { yaw: 0, pitch: 0, zoom: 1 };
 const ASIDE = { yaw: 0.5, pitch: 0.12, zoom: 1 };
 
 const SHADE = `
 vec3 shade(vec3 color, vec3 normal) {
   float sun = max(dot(normal, normalize(vec3(-0.5, 0.6, 0.6))), 0.0);
-  return color * (0.6 + 0.22 * normal.y + 0.7 * sun) + 0.05 * sun;
+  return color * (0.75 + 0.14 * normal.y + 0.3 * sun) + 0.05 * sun;
 }`;
 
 /** A segment is a rectangle that faces the camera, shaded as the cone that it stands for; its ends are half balls. */
@@ -131,11 +132,11 @@ export function viewOn(canvas: HTMLCanvasElement): View | null {
     gl.viewport(0, 0, width, height);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     // Units are the figure's radius, so that figures of any size keep their depth.
-    const { middle, radius } = shapes;
-    const aspect = width / height;
-    const distance = 1.02 / (Math.sin(FIELD / 2) * Math.min(1, aspect) * eye.zoom);
-    const near = Math.max(0.01, distance - 1.3), far = distance + 1.3;
-    const f = 1 / Math.tan(FIELD / 2);
+    const { middle, radius, half } = shapes;
+    const aspect = width / height, f = 1 / Math.tan(FIELD / 2);
+    const aside = Math.max(half[0], half[2]) / radius;
+    const distance = (MARGIN * f * Math.max(half[1] / radius, aside / aspect) + half[2] / radius) / eye.zoom;
+    const near = Math.max(0.01, distance - 1.1), far = distance + 1.1;
     const projection = [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (near + far) / (near - far), -1, 0, 0, (2 * near * far) / (near - far), 0];
     const [cy, sy, cp, sp] = [Math.cos(eye.yaw), Math.sin(eye.yaw), Math.cos(eye.pitch), Math.sin(eye.pitch)];
     const rows = [[cy, 0, -sy], [sp * sy, cp, sp * cy], [cp * sy, -sp, cp * cy]];
