@@ -7,7 +7,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
-import {browse, frond, preset, visit} from '../studio/studio.mjs';
+import {browse, frond, load, preset, visit} from '../studio/studio.mjs';
 
 const address = pathToFileURL(path.join(process.argv[4], 'index.html')).href;
 const ENOUGH = 5_000_000; // modules, for words that the page itself would refuse
@@ -119,6 +119,17 @@ test('what is typed is drawn at once, and faults are told with their line and co
   await page.getByTestId('steps').fill('2.5');
   assert.equal(await faults(page), '');
   assert.equal(await page.getByTestId('figures').textContent(), '8 segments');
+});
+
+test('it grows by itself, and everybody can use it', async () => {
+  await page.getByTestId('grow').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="steps"]').value < 2.4);
+  await page.waitForFunction(() => document.querySelector('[data-testid="steps"]').value === '2.5');
+  await page.getByTestId('rules').fill('F -> G(');
+  assert.notEqual(await faults(page), '');
+  await page.addScriptTag({content: fs.readFileSync(load.resolve('axe-core/axe.min.js'), 'utf8')});
+  const {violations} = await page.evaluate(() => window.axe.run({preload: false}));
+  assert.deepEqual(violations.map(one => one.help), []);
 });
 
 test('a link carries the grammar', async () => {

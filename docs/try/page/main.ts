@@ -70,7 +70,8 @@ const shownBy: ((opened: boolean) => void)[] = [];
 function grow(): void {
   const last = form.steps, began = performance.now();
   const tick = (now: number): void => {
-    change({ steps: last * Math.min(1, Math.max(0, now - began) / GROWING) });
+    const share = Math.max(0, now - began) / GROWING;
+    change({ steps: share < 1 ? Math.round(last * share * 100) / 100 : last });
     shownBy.forEach((show) => show(false));
     if (form.steps < last) requestAnimationFrame(tick);
   };
@@ -100,7 +101,7 @@ choice.addEventListener("change", () => {
 
 const canvas = el<HTMLCanvasElement>("canvas", { tabIndex: 0, role: "img", "aria-label": "What the turtle draws; the arrow keys turn it", "data-testid": "view" });
 const view = viewOn(canvas);
-const faults = el("ul.faults", { role: "alert", "data-testid": "faults" });
+const faults = el("div.faults", { role: "alert", "data-testid": "faults" });
 const figures = el("p.figures", { role: "status", "data-testid": "figures" });
 const word = el("p.word.code", { tabIndex: 0, "data-testid": "word" });
 const words = el<HTMLDetailsElement>("details", {}, el("summary", {}, "The word after whole steps"), word);
@@ -122,8 +123,8 @@ function tell(errors: Fault[], notes: Fault[]): void {
   }
   axiom.setAttribute("aria-invalid", String(wrong.some((place) => place.field === "axiom")));
   faults.replaceChildren(
-    ...wrong.map((place) => el("li", {}, line(place))),
-    ...notes.map(({ where, what }) => el("li.note", {}, `Note: ${line(placeOf(form, where, what))}`)));
+    ...wrong.map((place) => el("p", {}, line(place))),
+    ...notes.map(({ where, what }) => el("p.note", {}, `Note: ${line(placeOf(form, where, what))}`)));
   canvas.classList.toggle("stale", errors.length > 0);
 }
 

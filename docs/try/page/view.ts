@@ -48,7 +48,9 @@ void main() {
   float beyond = (place.y - clamp(place.y, 0.0, place.z)) / place.w;
   float inside = 1.0 - place.x * place.x - beyond * beyond;
   if (inside < 0.0) discard;
-  shown = vec4(shade(paint, normalize(across * place.x + axis * beyond + toward * sqrt(inside))), 1);
+  // Where segments meet, their ends look as one; a segment without length is a ball.
+  vec3 ahead = place.z > 1e-4 * place.w ? toward * (sqrt(1.0 - place.x * place.x) - sqrt(inside)) : axis * beyond;
+  shown = vec4(shade(paint, normalize(across * place.x + ahead + toward * sqrt(inside))), 1);
 }`;
 
 const CORNER_VERTEX = `#version 300 es
@@ -139,7 +141,7 @@ export function viewOn(canvas: HTMLCanvasElement): View | null {
     const near = Math.max(0.01, distance - 1.1), far = distance + 1.1;
     const projection = [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (near + far) / (near - far), -1, 0, 0, (2 * near * far) / (near - far), 0];
     const [cy, sy, cp, sp] = [Math.cos(eye.yaw), Math.sin(eye.yaw), Math.cos(eye.pitch), Math.sin(eye.pitch)];
-    const rows = [[cy, 0, -sy], [sp * sy, cp, sp * cy], [cp * sy, -sp, cp * cy]];
+    const rows = [[cy, 0, -sy], [-sp * sy, cp, -sp * cy], [cp * sy, sp, cp * cy]];
     const view = [0, 1, 2].flatMap((k) => [...rows.map((row) => row[k]! / radius), 0]);
     view.push(...rows.map((row, i) => -(row[0]! * middle[0] + row[1]! * middle[1] + row[2]! * middle[2]) / radius - (i === 2 ? distance : 0)), 1);
     for (const [used, array] of [[segments, segmentArray], [triangles, cornerArray]] as const) {
@@ -178,7 +180,7 @@ export function viewOn(canvas: HTMLCanvasElement): View | null {
     if (shapes) show(shapes);
   });
   canvas.addEventListener("keydown", (event) => {
-    const step = { ArrowLeft: [0.1, 0, 1], ArrowRight: [-0.1, 0, 1], ArrowUp: [0, 0.1, 1], ArrowDown: [0, -0.1, 1], "+": [0, 0, 1.1], "-": [0, 0, 1 / 1.1] }[event.key];
+    const step = { ArrowLeft: [0.1, 0, 1], ArrowRight: [-0.1, 0, 1], ArrowUp: [0, -0.1, 1], ArrowDown: [0, 0.1, 1], "+": [0, 0, 1.1], "-": [0, 0, 1 / 1.1] }[event.key];
     if (!step) return;
     event.preventDefault();
     turn(step[0]!, step[1]!, step[2]);
