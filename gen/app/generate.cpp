@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "app/budgets.h"
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/out_folder.h"
@@ -39,6 +40,7 @@ struct Run {
   FrameRange range;
   fs::path root{}, out{};  // of Frond, and where to write
   std::string name{};      // of the preset
+  std::vector<Manifest::Budget> budgets{};
 
   FrameRange drawn() const { return arguments.alone ? range : drawn_frames(preset.film, range); }
   int frames() const { return drawn().last - drawn().first + 1; }
@@ -144,6 +146,7 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   manifest.still = jobs.still;
   manifest.render_seconds = render_seconds;
   if (film.raw) manifest.raw = {drawn.first, drawn.last};
+  manifest.budgets = run.budgets;
   for (int frame = run.range.first; frame <= run.range.last; ++frame) {
     jobs.frames.push_back(frame);
     auto i = static_cast<std::size_t>(frame - drawn.first);
@@ -250,14 +253,37 @@ Errors write_film(const Run& run, const Scene& scene, const std::string& layout,
   return {};
 }
 
+/// Reads the preset; budgets of growth that it gives in seconds become numbers of internodes, which are told
+/// and set from then on.
+Result<Preset> load_counted(PresetArguments& arguments, const fs::path& out,
+                            std::vector<Manifest::Budget>& budgets) {
+  Result<Preset> preset = load_preset(arguments);
+  if (!preset) return preset;
+  Result<std::vector<Manifest::Budget>> counted = counted_budgets(arguments, *preset, out);
+  if (!counted) return counted.errors();
+  budgets = std::move(*counted);
+  for (const Manifest::Budget& budget : budgets) {
+    tell(fmt::format(
+        "note: {}: {:g} s are counted as {} internodes; \"internodes\": {} in the preset gives the "
+        "same trees in any folder",
+        budget.pointer, budget.seconds, budget.internodes, budget.internodes));
+    arguments.sets.push_back(set_of(budget));
+  }
+  return budgets.empty() ? preset : load_preset(arguments);
+}
+
 }  // namespace
 
-int generate(const GenerateArguments& arguments) {
+int generate(const GenerateArguments& asked_for) {
+  GenerateArguments arguments = asked_for;
   limit_threads(arguments.threads);
-  Result<Preset> preset = load_preset(arguments.preset);
+  std::string name = fs::path(arguments.preset.path).stem();
+  fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
+  std::vector<Manifest::Budget> budgets;
+  Result<Preset> preset = load_counted(arguments.preset, out, budgets);
   if (!preset) return fail(preset.errors(), kWrongInput);
   preset->film.raw = is_resolved(preset->film, arguments.resolve);
-  Run run{arguments, *preset, {1, preset->film.frames}};
+  Run run{arguments, *preset, {1, preset->film.frames}, {}, out, name, budgets};
   if (arguments.frames) {
     Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
     if (!asked) return fail(asked.errors(), kWrongInput);
@@ -268,8 +294,6 @@ int generate(const GenerateArguments& arguments) {
   run.root = *root;
   Result<std::string> layout = read_file(run.root / "templates" / "frame.pov");
   if (!layout) return fail(layout.errors(), kCouldNot);
-  run.name = fs::path(arguments.preset.path).stem();
-  run.out = arguments.out.empty() ? fs::path("out") / run.name : fs::path(arguments.out);
   if (Errors errors = refuse_links(run.out); !errors.empty()) return fail(errors, kCouldNot);
 
   Errors errors;

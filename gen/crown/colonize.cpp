@@ -27,10 +27,10 @@ class Colony {
     for (std::uint32_t p = 0; p < points_.size(); ++p) grid_.add(points_[p], p);
   }
 
-  Result<Skeleton> grow() {
+  Result<Skeleton> grow(const GuideAxes& guides) {
     if (points_.empty()) return Error{"", "the envelope has no room for branches"};
     add(Vec3(0), Skeleton::kRoot, Vec3(0, 1, 0));
-    reach_envelope();
+    reach_envelope(follow(guides));
     for (std::uint64_t round = 0; round < 20000 && step(round); ++round) {
     }
     return std::move(tree_);
@@ -66,13 +66,38 @@ class Colony {
     return node;
   }
 
-  /// A stem toward the nearest point until one is in reach.
-  void reach_envelope() {
-    Vec3 goal = points_[0];
+  /// Lays the axes of guides. Returns the end of the first one.
+  std::int32_t follow(const GuideAxes& guides) {
+    std::vector<GuideAxis> axes = axes_of(guides);
+    std::vector<std::vector<std::int32_t>> nodes(axes.size());
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+      std::int32_t below = 0;
+      if (a > 0) {
+        const GuideAxis& from = axes[static_cast<std::size_t>(axes[a].off)];
+        const auto& there = nodes[static_cast<std::size_t>(axes[a].off)];
+        double share = (axes[a].from - from.from) / std::max(from.length(), 1e-9);
+        auto last = static_cast<double>(there.size() - 1);
+        below = there[static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * last))];
+      }
+      nodes[a].push_back(below);
+      double length = axes[a].length();
+      auto steps = static_cast<int>(std::min(std::ceil(length / how_.step), 1e5));
+      for (int k = 1; k <= steps; ++k) {
+        Vec3 at = axes[a].point(length * k / steps), offset = at - tree_.position[below];
+        if (glm::length(offset) < 1e-6f) continue;
+        below = add(at, below, glm::normalize(offset));
+        nodes[a].push_back(below);
+      }
+    }
+    return axes.empty() ? 0 : nodes[0].back();
+  }
+
+  /// A stem from its tip toward the nearest point until one is in reach.
+  void reach_envelope(std::int32_t tip) {
+    Vec3 goal = points_[0], from = tree_.position[tip];
     for (Vec3 p : points_)
-      if (glm::length(p) < glm::length(goal)) goal = p;
+      if (glm::distance(p, from) < glm::distance(goal, from)) goal = p;
     // Straight up first, then over to it.
-    std::int32_t tip = 0;
     auto step = static_cast<float>(how_.step);
     for (int i = 0; i < 4000; ++i) {
       for (std::size_t p = 0; p < points_.size(); ++p)
@@ -131,9 +156,10 @@ class Colony {
 
 }  // namespace
 
-Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, Seed seed) {
+Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, Seed seed,
+                          const GuideAxes& guides) {
   assert(how.step > 0 && how.influence > 0 && how.kill >= 0);
-  return Colony(envelope, how, seed).grow();
+  return Colony(envelope, how, seed).grow(guides);
 }
 
 std::vector<LeafSite> dress_tips(const Skeleton& s, double reach, double spacing, double down, Seed seed) {

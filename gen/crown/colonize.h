@@ -2,6 +2,7 @@
 
 #include "core/result.h"
 #include "core/seed.h"
+#include "crown/axes.h"
 #include "crown/crown.h"
 #include "crown/envelope.h"
 
@@ -23,8 +24,10 @@ struct Colonization {
 /// Grows one tree from the origin: first straight up or toward the envelope until its points are within
 /// reach. Every node above that stem is inside the envelope or within one step of it. Points closer than
 /// `kill` to the finished tree are removed; a remaining point is farther than `influence`, or was given up
-/// because no branch came nearer. All radii are 1; the pipe model sets them later.
-Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, Seed seed);
+/// because no branch came nearer. All radii are 1; the pipe model sets them later. With guides the stem is
+/// their axes, in the envelope or not, and growth goes on from all of these.
+Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, Seed seed,
+                          const GuideAxes& guides = {});
 
 /// Leaves at the ends of branches: every `spacing` metres within `reach` of a tip, turned by the golden
 /// angle, at angle `down` from the branch.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtx/quaternion.hpp>
 
 #include "core/curve.h"
 
@@ -147,6 +148,60 @@ DQuat StemChain::frame(double s) const {
 
 std::vector<StemChain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left) {
   return Tracer(tree, stem, left).trace();
+}
+
+namespace {
+
+/// Points at the ends of the segments of a chain, and its frames, without a twist from one to the next.
+void lay_along(const GuideAxis& axis, int segments, DQuat turn, StemChain& chain) {
+  double length = axis.length();
+  for (int k = 0; k <= segments; ++k) chain.at.emplace_back(axis.point(length * k / segments));
+  for (int k = 0; k < segments; ++k) {
+    auto s = static_cast<std::size_t>(k);
+    DVec3 way = chain.at[s + 1] - chain.at[s];
+    if (glm::length(way) > 1e-9) turn = glm::rotation(heading(turn), glm::normalize(way)) * turn;
+    chain.turn.push_back(turn);
+  }
+  chain.turn.push_back(turn);
+}
+
+}  // namespace
+
+std::vector<StemChain> guided_trunk(const WeberPenn& tree, const std::vector<GuideAxis>& axes) {
+  int res = tree.stem(0).curve_res;
+  std::vector<StemChain> chains;
+  std::vector<int> number(axes.size(), -1);  // of the chain of each axis
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const GuideAxis& axis = axes[a];
+    if (axis.at.size() < 2) continue;
+    StemChain chain;
+    DQuat turn(1, 0, 0, 0);
+    double share = 1;
+    if (a > 0) {
+      const GuideAxis& from = axes[static_cast<std::size_t>(axis.off)];
+      chain.from = number[static_cast<std::size_t>(axis.off)];
+      if (chain.from < 0) continue;
+      StemChain& parent = chains[static_cast<std::size_t>(chain.from)];
+      double along = (axis.from - from.from) / from.length() * (res - parent.first);
+      if (parent.first + 1 > res - 1) continue;  // too short to fork
+      chain.first =
+          std::clamp(parent.first + static_cast<int>(std::lround(along)), parent.first + 1, res - 1);
+      auto fork = static_cast<std::size_t>(chain.first - parent.first);
+      // Both bear half of what one would.
+      for (std::size_t s = fork; s < parent.share.size(); ++s) parent.share[s] /= 2;
+      share = parent.share[fork];
+      turn = parent.turn[fork];
+      chain.at = {parent.at[fork]};
+    }
+    StemChain laid = chain;
+    laid.at.clear();
+    lay_along(axis, res - chain.first, turn, laid);
+    if (!chain.at.empty()) laid.at[0] = chain.at[0];
+    laid.share.assign(static_cast<std::size_t>(res - chain.first), share);
+    number[a] = static_cast<int>(chains.size());
+    chains.push_back(std::move(laid));
+  }
+  return chains;
 }
 
 }  // namespace frond

@@ -50,6 +50,9 @@ struct StemChain {
   DQuat frame(double s) const;
 };
 
+/// The trunk along the axes of guides, as many segments as a trunk has; what forks off is a clone.
+std::vector<StemChain> guided_trunk(const WeberPenn& tree, const std::vector<GuideAxis>& axes);
+
 /// A stem and its clones as points; the first is the stem itself. `left` carries the rounding error of the
 /// number of splits from stem to stem of a level, within -0.5..0.5. None if there would be more than
 /// kMostNodes points.

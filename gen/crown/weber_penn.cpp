@@ -34,6 +34,8 @@ class Grower {
  public:
   explicit Grower(const WeberPenn& tree, Seed seed) : tree_(tree), seed_(seed) {
     scale_ = std::max(vary(tree.scale, tree.scale_v, seed.child("scale")), 1e-3);
+    axes_ = axes_of(tree.guides);
+    if (!axes_.empty() && axes_[0].at.size() < 2) axes_.clear();
   }
 
   Result<Crown> grow() {
@@ -44,6 +46,7 @@ class Grower {
                                    "segments or leaves",
                                    kMostNodes, kMostLeaves)};
     double tall = std::max(vary(tree_.z_scale, tree_.z_scale_v, seed_.child("tall")), 0.01);
+    if (!axes_.empty()) tall = 1;  // it is as high as it is led
     for (Vec3& p : crown_.skeleton.position) p.y *= static_cast<float>(tall);
     for (LeafSite& l : crown_.leaves) l.position.y *= static_cast<float>(tall);
     settle();
@@ -66,6 +69,11 @@ class Grower {
     double far = tree_.trunk_spread * seed.child("far").unit(),
            toward = seed.child("toward").range(0, 2 * kPi);
     trunk.foot = DVec3(far * std::cos(toward), 0, far * std::sin(toward));
+    if (i == 0 && !axes_.empty()) {
+      trunk.radius *= axes_[0].length() / trunk.length;
+      scale_ = trunk.length = axes_[0].length();
+      trunk.foot = DVec3(0);
+    }
     bare_ = std::min(tree_.base_size * scale_, trunk.length);
     draw(trunk);
   }
@@ -116,7 +124,9 @@ class Grower {
     assert(stem.length > 0 && stem.radius >= 0 && stem.level < tree_.levels);
     assert(stem.below >= Skeleton::kRoot && stem.below < static_cast<std::int32_t>(crown_.skeleton.size()));
     if (full_) return;
-    std::vector<StemChain> chains = trace_stem(tree_, stem, left_of(stem));
+    bool led = stem.level == 0 && stem.below == Skeleton::kRoot && crown_.skeleton.size() == 0;
+    std::vector<StemChain> chains =
+        led && !axes_.empty() ? guided_trunk(tree_, axes_) : trace_stem(tree_, stem, left_of(stem));
     full_ = full_ || chains.empty();
     std::vector<std::vector<std::int32_t>> node_at(chains.size());  // of each chain at the ends of segments
     bool last = stem.level + 1 >= tree_.levels;
@@ -335,6 +345,7 @@ class Grower {
 
   const WeberPenn& tree_;
   Seed seed_;
+  std::vector<GuideAxis> axes_;  // along which the first trunk is led
   double scale_ = 1, bare_ = 0;
   Crown crown_;
   bool full_ = false;

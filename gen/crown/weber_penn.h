@@ -4,6 +4,7 @@
 
 #include "core/result.h"
 #include "core/seed.h"
+#include "crown/axes.h"
 #include "crown/crown.h"
 
 namespace frond {
@@ -82,6 +83,9 @@ struct WeberPenn {
   double attraction_up = 0;  ///< of stems from the second level on; negative: they hang down
   Pruning pruning;
   int smoothing = 2;  ///< nodes for each segment
+  /// Along which the first trunk is led, its forks as clones that split off; its length is theirs, not
+  /// `scale`.
+  GuideAxes guides = {};
 
   const StemLevel& stem(int n) const { return level[static_cast<std::size_t>(n < 3 ? n : 3)]; }
 };

@@ -124,15 +124,28 @@ Surface DrawnBranches::coat_surface(Vec3 eye, double pixel) const {
 
 std::vector<bool> DrawnBranches::coatless(double pixel) const { return left_out(rest(), tube_shape(pixel)); }
 
-Boughs DrawnBranches::boughs() const {
+Boughs DrawnBranches::boughs_at(const std::vector<Vec3>& position) const {
   Boughs boughs;
-  add_boughs(boughs, rest(), pose.position, pose.radius, pose.front, static_cast<float>(traits.style.blend));
+  add_boughs(boughs, rest(), position, pose.radius, pose.front, static_cast<float>(traits.style.blend));
   return boughs;
 }
 
+std::vector<Vec3> DrawnBranches::unmoved() const {
+  std::vector<Vec3> position = rest().position;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    auto p = static_cast<std::size_t>(rest().parent[i]);
+    if (rest().parent[i] == Skeleton::kRoot || rest().birth[i] <= pose.front) continue;
+    position[i] = position[p] + glm::conjugate(pose.turn[i]) * (pose.position[i] - pose.position[p]);
+  }
+  return position;
+}
+
 Result<FusedMesh> DrawnBranches::body() const {
-  Boughs limbs = boughs();
+  bool rough = traits.style.build == Build::rough;
+  std::vector<Vec3> unmoved_at = rough ? unmoved() : std::vector<Vec3>();
+  Boughs limbs = rough ? boughs_at(unmoved_at) : boughs();
   if (limbs.cones.empty()) return FusedMesh{};
+  if (rough) return roughen(limbs, volume(), {unmoved_at, pose.position, pose.turn});
   if (traits.style.build == Build::fused) return fuse(limbs, volume());
   Result<Cubes> cubes = cubes_of(limbs, volume());
   if (!cubes) return cubes.errors();

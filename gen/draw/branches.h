@@ -17,7 +17,7 @@ enum class BranchForm {
   none,
   sweeps,  ///< chunks, see cut_chunks()
   coat,    ///< one mesh with a picture, and sweeps where they are too thin for that
-  body     ///< fused, or of cubes
+  body     ///< fused, rough, or of cubes
 };
 
 /// The branches of an organism in a pose. Refers to what it is made from.
@@ -48,11 +48,19 @@ struct DrawnBranches {
   TubeShape tube_shape(double pixel) const;
 
   /// Those that growth has reached, as a volume is made from them.
-  Boughs boughs() const;
-  VolumeOptions volume() const { return {traits.style.voxel, traits.style.adaptivity, traits.style.limit}; }
-  /// All of them as one body, fused or of cubes, and the node of each vertex. An error where the volume
-  /// passes the limit of its style.
+  Boughs boughs() const { return boughs_at(pose.position); }
+  VolumeOptions volume() const {
+    const Style& style = traits.style;
+    return {style.voxel, style.adaptivity, style.limit, style.roughness};
+  }
+  /// All of them as one body, fused, rough or of cubes, and the node of each vertex. An error where the
+  /// volume passes the limit of its style.
   Result<FusedMesh> body() const;
+
+ private:
+  Boughs boughs_at(const std::vector<Vec3>& position) const;
+  /// Where the nodes would be if nothing but growth moved them.
+  std::vector<Vec3> unmoved() const;
 };
 
 /// The colours of branches, for whoever draws them plainly. Refers to them.

@@ -210,10 +210,16 @@ void describe(Visitor& v, LeafLook& l) {
          "Radii of the outline at even angles, from the tip round to the stalk. Needs \"shape\": \"own\"");
   v.number("width", l.width, {.min = 0.1, .max = 4},
            "Factor of the leaf's width; 1 leaves the shape as it is");
+  v.number("stalk", l.stalk, {.min = 0, .max = 0.8},
+           "Length of the stalk as a share of the whole leaf; without it as is usual for its shape");
   v.number("size", l.size, {.min = 0.001, .max = 10, .unit = "m"},
            "Length of a leaf, or of a whole sprig where sprig is true");
   v.boolean("sprig", l.sprig, "Whether sprigs of several leaves stand where single leaves would");
   v.object("sprigs", l.sprigs, "How leaves are arranged on a sprig. Needs \"sprig\": true");
+  v.boolean(
+      "end_sprigs", l.end_sprigs,
+      "Whether only sprigs at the ends of branches carry a leaf at their tip, and those along them none. "
+      "Needs \"sprig\": true");
   v.list("colors", l.colors, Count{1, 16}, "Colours of the leaves; each leaf takes one of them");
   v.color("veins", l.veins, "Colour of the veins and the stalk");
   v.color("rim", l.rim, "Colour toward the rim of a leaf");

@@ -53,6 +53,7 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color) {
     leaf.outline = leaf_outline(leaf_names()[static_cast<std::size_t>(look.shape)]);
   }
   leaf.outline.width *= look.width;
+  if (look.stalk) leaf.outline.stalk = *look.stalk;
   leaf.sprig = look.sprig;
   leaf.sprigs = look.sprigs;
   LeafTint tint = leaf_tint(look, color);
@@ -75,6 +76,28 @@ Prototype leaf_prototype(const LeafLook& look, double phase) {
   return made;
 }
 
+std::optional<LeafLook> side_sprigs(const LeafLook& look) {
+  if (!look.sprig || !look.end_sprigs || !look.sprigs.end_leaf) return std::nullopt;
+  LeafLook side = look;
+  side.end_sprigs = side.sprigs.end_leaf = false;
+  return side;
+}
+
+std::vector<Prototype> leaf_prototypes(const LeafLook& look) {
+  std::vector<Prototype> all{leaf_prototype(look)};
+  if (auto side = side_sprigs(look)) all.push_back(leaf_prototype(*side));
+  if (look.sprig)
+    for (Prototype& prototype : all) prototype.name = "sprig";
+  return all;
+}
+
+LeafLook shown_in(const LeafLook& look, const std::string& picture) {
+  std::optional<LeafLook> side = side_sprigs(look);
+  for (std::size_t i = 0; side && i < side->looks(); ++i)
+    if (picture_name(*side, i) == picture) return *side;
+  return look;
+}
+
 std::vector<Drawing> leaf_drawings(const LeafLook& look) {
   constexpr double kSecondsAPixel = 1.8e-6;
   std::vector<Drawing> drawings;
@@ -89,6 +112,7 @@ std::vector<Drawing> leaf_drawings(const LeafLook& look) {
     };
     drawings.push_back({{picture_name(look, i)}, std::move(draw), pixels, kSecondsAPixel * pixels});
   }
+  if (auto side = side_sprigs(look)) std::ranges::move(leaf_drawings(*side), std::back_inserter(drawings));
   return drawings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,9 +37,11 @@ struct LeafLook {
   LeafShape shape = LeafShape::birch;
   std::vector<double> outline;  ///< of the shape `own`: radii from the tip to the stalk, as in LeafOutline
   double width = 1;             ///< factor
+  std::optional<double> stalk;  ///< length as a share of the whole leaf; none: that of its shape
   double size = 0.08;           ///< metres, of a leaf or a sprig
   bool sprig = false;           ///< sprigs rather than leaves
   Sprig sprigs;
+  bool end_sprigs = false;  ///< sprigs along branches have no leaf at their tip, those at ends do
   std::vector<Color> colors{{0.26f, 0.44f, 0.11f}, {0.31f, 0.48f, 0.13f}, {0.38f, 0.50f, 0.14f}};
   Color veins{0.56f, 0.66f, 0.30f};
   Color rim{0.42f, 0.50f, 0.15f};
@@ -62,7 +65,16 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color);
 /// A leaf as an organ of a model, with the names of its pictures; `phase`, radians, varies the curl.
 Prototype leaf_prototype(const LeafLook& look, double phase = 0);
 
-/// The pictures of its prototype in the same order, each drawn separately.
+/// The sprigs along branches, where they are others than those at their ends.
+std::optional<LeafLook> side_sprigs(const LeafLook& look);
+
+/// Its prototype and, behind it, that of side_sprigs().
+std::vector<Prototype> leaf_prototypes(const LeafLook& look);
+
+/// The look that a picture of a prototype shows: itself, or that of side_sprigs().
+LeafLook shown_in(const LeafLook& look, const std::string& picture);
+
+/// The pictures of its prototypes in the same order, each drawn separately.
 std::vector<Drawing> leaf_drawings(const LeafLook& look);
 
 }  // namespace frond

@@ -228,7 +228,9 @@ std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t
           .material;
     int pixels = std::min(options_.texture, 2 * look.leaves->pixels);
     return keep((card ? "card " : "") + shown[color], made, name, shown[color],
-                [leaves = *look.leaves, color, pixels] { return leaf_pictures(leaves, color, pixels); })
+                [leaves = shown_in(*look.leaves, shown[color]), color, pixels] {
+                  return leaf_pictures(leaves, color, pixels);
+                })
         .material;
   }
   if (tissue == Tissue::dew) made.color = {1, 1, 1}, made.gloss = 1.2, made.transmission = 0.95;

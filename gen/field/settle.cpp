@@ -15,6 +15,9 @@ constexpr int kNewtonSteps = 2;
 constexpr float kEnough = 0.01f;          // voxels from the surface
 constexpr float kMost = 0.6f;             // voxels that a vertex is moved at most
 constexpr float kMargin = kMost + 0.87f;  // and from the middle of its own voxel
+constexpr float kShared =
+    1;  // voxels by which a branch that carries a vertex may be farther than the nearest
+static_assert(kShared <= 2 * kMost, "what is near a vertex is only found so far");
 
 /// A vertex and where it is: the block, of that the part, and of that the eighth.
 struct Placed {
@@ -54,31 +57,54 @@ void settle_vertex(const Boughs& boughs, const Nearby& near, float voxel, FusedM
   mesh.node[v] = boughs.cones[static_cast<std::size_t>(sample.cone)].node;
 }
 
-/// Settles the vertices of a range; those in one place share what is near it.
-class Settler {
- public:
-  Settler(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh)
-      : boughs_(boughs), blocks_(blocks), mesh_(mesh) {}
+/// The way that the branches near a vertex carry it, the nearest most; notes the node of that one. It changes
+/// steadily from place to place, also between branches that only touch.
+Vec3 carry_vertex(const Boughs& boughs, const Nearby& near, const Carriage& carriage, float voxel, Vec3 at,
+                  std::int32_t& node) {
+  const Cone* nearest = &boughs.cones[near.cones[0]];
+  float least = distance(*nearest, at);
+  for (std::uint32_t c : near.cones)
+    if (float d = distance(boughs.cones[c], at); d < least) least = d, nearest = &boughs.cones[c];
+  node = nearest->node;
+  Vec3 sum(0);
+  float weights = 0;
+  for (std::uint32_t c : near.cones) {
+    float share = 1 - (distance(boughs.cones[c], at) - least) / (kShared * voxel);
+    if (share <= 0) continue;
+    auto n = static_cast<std::size_t>(boughs.cones[c].node);
+    sum += share * share * (carriage.posed[n] + carriage.turn[n] * (at - carriage.rest[n]) - at);
+    weights += share * share;
+  }
+  return sum / weights;
+}
 
-  void settle(std::size_t from, std::size_t to) {
-    assert(from <= to && to <= mesh_.surface.position.size());
+/// Finds what is near the vertices of a range; those in one place share it.
+class NearFinder {
+ public:
+  NearFinder(const Boughs& boughs, const Blocks& blocks, std::span<const Vec3> position)
+      : boughs_(boughs), blocks_(blocks), position_(position) {}
+
+  /// Calls visit(near, v) for each vertex that has a branch near it; it may move that vertex.
+  template <class Visit>
+  void look(std::size_t from, std::size_t to, const Visit& visit) {
+    assert(from <= to && to <= position_.size());
     std::vector<Placed> own;
     for (std::size_t v = from; v < to; ++v) {
-      Cell cell = voxel_at(mesh_.surface.position[v], blocks_.voxel);
+      Cell cell = voxel_at(position_[v], blocks_.voxel);
       own.push_back({block_key(cell), octant(cell, 2), octant(cell, 1), static_cast<std::uint32_t>(v)});
     }
     std::sort(own.begin(), own.end(), [](const Placed& a, const Placed& b) {
       return std::tie(a.block, a.part, a.eighth, a.vertex) < std::tie(b.block, b.part, b.eighth, b.vertex);
     });
     for (std::size_t i = 0; i < own.size(); ++i) {
-      look(own[i], i == 0 ? nullptr : &own[i - 1]);
-      if (!near_.cones.empty()) settle_vertex(boughs_, near_, blocks_.voxel, mesh_, own[i].vertex);
+      go_to(own[i], i == 0 ? nullptr : &own[i - 1]);
+      if (!near_.cones.empty()) visit(near_, own[i].vertex);
     }
   }
 
  private:
   /// Finds what is near a vertex, unless it is where the last one was.
-  void look(const Placed& at, const Placed* last) {
+  void go_to(const Placed& at, const Placed* last) {
     bool block = !last || at.block != last->block, part = block || at.part != last->part;
     if (block) {
       FoundBlock found = find_block(blocks_, block_origin(at.block));
@@ -99,19 +125,37 @@ class Settler {
 
   const Boughs& boughs_;
   const Blocks& blocks_;
-  FusedMesh& mesh_;
+  std::span<const Vec3> position_;
   Nearby listed_, part_, near_;
 };
+
+/// Calls visit(near, v) for all vertices of a mesh, on all threads.
+template <class Visit>
+void visit_vertices(const Boughs& boughs, const Blocks& blocks, const FusedMesh& mesh, const Visit& visit) {
+  std::size_t count = mesh.surface.position.size(), parts = count / kPartVertices + 1;
+  parallel_for(parts, [&](std::size_t p) {
+    NearFinder(boughs, blocks, mesh.surface.position).look(count * p / parts, count * (p + 1) / parts, visit);
+  });
+}
 
 }  // namespace
 
 void settle(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh) {
-  std::size_t count = mesh.surface.position.size(), parts = count / kPartVertices + 1;
-  mesh.surface.normal.assign(count, Vec3(0, 1, 0));
-  mesh.node.assign(count, 0);
-  parallel_for(parts, [&](std::size_t p) {
-    Settler(boughs, blocks, mesh).settle(count * p / parts, count * (p + 1) / parts);
+  mesh.surface.normal.assign(mesh.surface.position.size(), Vec3(0, 1, 0));
+  mesh.node.assign(mesh.surface.position.size(), 0);
+  visit_vertices(boughs, blocks, mesh, [&](const Nearby& near, std::uint32_t v) {
+    settle_vertex(boughs, near, blocks.voxel, mesh, v);
   });
+}
+
+std::vector<Vec3> carried_by(const Boughs& boughs, const Blocks& blocks, const Carriage& carriage,
+                             FusedMesh& mesh) {
+  std::vector<Vec3> way(mesh.surface.position.size(), Vec3(0));
+  mesh.node.assign(way.size(), 0);
+  visit_vertices(boughs, blocks, mesh, [&](const Nearby& near, std::uint32_t v) {
+    way[v] = carry_vertex(boughs, near, carriage, blocks.voxel, mesh.surface.position[v], mesh.node[v]);
+  });
+  return way;
 }
 
 }  // namespace frond

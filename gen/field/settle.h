@@ -8,4 +8,9 @@ namespace frond {
 /// normals and nodes. So the mesh of a moving body moves smoothly, whatever its triangles are.
 void settle(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh);
 
+/// Sets the nodes of the vertices of a mesh that lies as its boughs do at rest, and gives the way from there
+/// to where the branches near each vertex carry it; metres.
+std::vector<Vec3> carried_by(const Boughs& boughs, const Blocks& blocks, const Carriage& carriage,
+                             FusedMesh& mesh);
+
 }  // namespace frond

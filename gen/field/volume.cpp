@@ -16,6 +16,7 @@
 #include "core/parallel.h"
 #include "field/settle.h"
 #include "field/whole.h"
+#include "geometry/crease.h"
 
 // The only place that sees OpenVDB.
 
@@ -27,8 +28,10 @@ struct Volume::Grid {
 
 namespace {
 
-constexpr float kBand = 3;      // voxels to each side of the surface
-constexpr float kMeshBand = 2;  // what a mesh needs of them
+constexpr float kBand = 3;               // voxels to each side of the surface
+constexpr float kMeshBand = 2;           // what a mesh needs of them
+constexpr float kRoughest = 0.1f;        // voxels to which distances are limited at roughness 1
+constexpr double kEdge = radians(30.0);  // between faces of a rough skin, from which there is an edge
 // Voxels; the radius of branches is no less, or there would be none of them between the voxels' middles.
 constexpr float kThinnest = 0.87f;
 constexpr const char* kName = "surface";
@@ -63,24 +66,25 @@ struct Filled {
   bool inside = false;
 };
 
-Filled leaf_of(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found) {
+Filled leaf_of(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found, float most) {
   std::array<float, kBlockVoxels> distance;
   Filling filling = fill_block(boughs, blocks, found, distance);
   if (filling != Filling::crossed) return {nullptr, filling == Filling::inside};
-  auto leaf = std::make_unique<Leaf>(coord(block_origin(found.block->key)), blocks.band, false);
+  auto leaf = std::make_unique<Leaf>(coord(block_origin(found.block->key)), most, false);
   for (openvdb::Index i = 0; i < kBlockVoxels; ++i) {
-    float d = distance[i];
+    float d = distance[i], value = std::clamp(d, -most, most);
     if (d > -blocks.band && d < blocks.band)
-      leaf->setValueOn(i, d);
+      leaf->setValueOn(i, value);
     else
-      leaf->setValueOff(i, d);
+      leaf->setValueOff(i, value);
   }
   return {std::move(leaf), false};
 }
 
-Volume fill_volume(const Boughs& boughs, const Blocks& blocks) {
+/// The distances of the blocks, none of them above `most` to either side; metres.
+Volume fill_volume(const Boughs& boughs, const Blocks& blocks, float most) {
   prepare();
-  auto grid = openvdb::FloatGrid::create(blocks.band);
+  auto grid = openvdb::FloatGrid::create(most);
   grid->setName(kName);
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   grid->setTransform(openvdb::math::Transform::createLinearTransform(blocks.voxel));
@@ -88,13 +92,13 @@ Volume fill_volume(const Boughs& boughs, const Blocks& blocks) {
   for (const BlockList& list : blocks.lists) {
     std::vector<Filled> filled(list.blocks.size());
     parallel_for(filled.size(), [&](std::size_t i) {
-      filled[i] = leaf_of(boughs, blocks, {&list, &list.blocks[i]});
+      filled[i] = leaf_of(boughs, blocks, {&list, &list.blocks[i]}, most);
     });
     for (std::size_t i = 0; i < filled.size(); ++i) {
       if (filled[i].leaf)
         tree.addLeaf(filled[i].leaf.release());
       else if (filled[i].inside)
-        tree.addTile(1, coord(block_origin(list.blocks[i].key)), -blocks.band, false);
+        tree.addTile(1, coord(block_origin(list.blocks[i].key)), -most, false);
     }
   }
   openvdb::tools::signedFloodFill(tree);
@@ -125,6 +129,49 @@ Surface contour(const openvdb::FloatGrid& grid, double adaptivity) {
       add(q[0], q[1], q[3]), add(q[1], q[2], q[3]);
   }
   return surface;
+}
+
+/// The distance at a place in voxels, linear between their middles, and its slope.
+float between(const openvdb::FloatGrid::ConstAccessor& read, Vec3 at, Vec3& slope) {
+  Vec3 low = glm::floor(at), share = at - low;
+  openvdb::Coord first(static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(low.z));
+  float sum = 0;
+  slope = Vec3(0);
+  for (int c = 0; c < 8; ++c) {
+    openvdb::Coord corner(c & 1, c >> 1 & 1, c >> 2);
+    float value = read.getValue(first + corner);
+    Vec3 part, sign;
+    for (int a = 0; a < 3; ++a) {
+      part[a] = corner[a] ? share[a] : 1 - share[a];
+      sign[a] = corner[a] ? 1.0f : -1.0f;
+    }
+    sum += value * part.x * part.y * part.z;
+    slope += value * sign * Vec3(part.y * part.z, part.x * part.z, part.x * part.y);
+  }
+  return sum;
+}
+
+/// Moves the vertices of a mesh onto the surface where the distances, linear between voxels, are 0: that
+/// changes as steadily as they do, whatever the triangles are.
+void settle_between(const openvdb::FloatGrid& grid, Surface& surface) {
+  constexpr std::size_t kPart = 8000;  // vertices
+  constexpr int kSteps = 3;
+  constexpr float kMost = 0.5f;  // voxels that a vertex is moved at most
+  auto voxel = static_cast<float>(grid.voxelSize().x());
+  std::size_t count = surface.position.size(), parts = count / kPart + 1;
+  parallel_for(parts, [&](std::size_t p) {
+    openvdb::FloatGrid::ConstAccessor read = grid.getConstAccessor();
+    for (std::size_t v = count * p / parts; v < count * (p + 1) / parts; ++v) {
+      Vec3 start = surface.position[v] / voxel, shift(0), slope;
+      for (int step = 0; step < kSteps; ++step) {
+        float value = between(read, start + shift, slope), steep = glm::dot(slope, slope);
+        if (steep <= 0) break;
+        shift -= slope * (value / steep);
+        if (float length = glm::length(shift); length > kMost) shift *= kMost / length;
+      }
+      surface.position[v] = (start + shift) * voxel;
+    }
+  });
 }
 
 /// Leaves what is seen from outside.
@@ -183,7 +230,7 @@ Result<Volume> volume_of(const Boughs& boughs, const VolumeOptions& options) {
   return guarded("", [&]() -> Result<Volume> {
     auto voxel = static_cast<float>(options.voxel);
     Boughs held = at_least_as_thick(boughs, kThinnest * voxel);
-    return fill_volume(held, gather_blocks(held, voxel, kBand * voxel));
+    return fill_volume(held, gather_blocks(held, voxel, kBand * voxel), kBand * voxel);
   });
 }
 
@@ -203,12 +250,40 @@ Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options) {
     Blocks blocks = gather_blocks(held, voxel, kMeshBand * voxel);
     FusedMesh mesh;
     {
-      Volume volume = fill_volume(held, blocks);
+      Volume volume = fill_volume(held, blocks, blocks.band);
       mesh.surface = contour(*volume.grid().level_set, options.adaptivity);
     }
     settle(held, blocks, mesh);
     keep_outsides(mesh, held);
     return mesh;
+  });
+}
+
+Result<FusedMesh> roughen(const Boughs& boughs, const VolumeOptions& options, const Carriage& carriage) {
+  if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
+  return guarded("", [&]() -> Result<FusedMesh> {
+    auto voxel = static_cast<float>(options.voxel);
+    Boughs held = at_least_as_thick(boughs, kThinnest * voxel);
+    Blocks blocks = gather_blocks(held, voxel, kMeshBand * voxel);
+    float most = voxel * glm::mix(1.0f, kRoughest, static_cast<float>(options.roughness));
+    FusedMesh mesh;
+    {
+      Volume volume = fill_volume(held, blocks, most);
+      mesh.surface = contour(*volume.grid().level_set, 0);
+      settle_between(*volume.grid().level_set, mesh.surface);
+    }
+    // What is left out and where there are edges is decided at rest; until then normals hold the way.
+    mesh.surface.normal = carried_by(held, blocks, carriage, mesh);
+    keep_outsides(mesh, held);
+    std::vector<std::uint32_t> source;
+    FusedMesh carried{creased(mesh.surface, kEdge, &source), {}};
+    for (std::size_t v = 0; v < source.size(); ++v) {
+      carried.node.push_back(mesh.node[source[v]]);
+      carried.surface.position[v] += mesh.surface.normal[source[v]];
+      Vec3& normal = carried.surface.normal[v];
+      normal = carriage.turn[static_cast<std::size_t>(carried.node[v])] * normal;
+    }
+    return carried;
   });
 }
 

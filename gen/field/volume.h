@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "core/result.h"
 #include "field/blocks.h"
@@ -14,6 +15,7 @@ struct VolumeOptions {
   double voxel = 0.01;      ///< metres, side of a voxel
   double adaptivity = 0.1;  ///< 0: triangles of a voxel's size everywhere .. 1: as few as curvature allows
   double limit = 4e9;       ///< bytes of memory; estimates above it are refused
+  double roughness = 0;     ///< of roughen(): 0 the plain mesh of the volume .. 1 the steps of its voxels
 };
 
 /// Estimated size of a volume with its mesh.
@@ -61,6 +63,21 @@ struct FusedMesh {
 /// The boughs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as in OpenVDB's
 /// VolumeToMesh), the vertices then moved onto the exact surface of the boughs.
 Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options);
+
+/// Where the nodes of a skeleton are at rest and in a pose: what lies at x near node i at rest is then at
+/// posed[i] + turn[i] * (x - rest[i]). Metres, one entry per node.
+struct Carriage {
+  std::span<const Vec3> rest, posed;
+  std::span<const Quat> turn;
+};
+
+/// The boughs as a mesh that keeps the steps of the grid. The distances of a level set are limited to a part
+/// of a voxel, from 1 at roughness 0, where that makes no difference, to 0.1 at roughness 1, where the mesh
+/// has terraces along the grid. Its vertices are at the zero of these distances, linear between the voxels,
+/// within a voxel of the smooth surface; where the mesh has edges each face has its own. `boughs` are at
+/// rest, and so is the grid; the vertices are carried from there by the branches near them, so that the skin
+/// neither slides nor flickers where these move. Adaptivity is not used.
+Result<FusedMesh> roughen(const Boughs& boughs, const VolumeOptions& options, const Carriage& carriage);
 
 /// The zero surface of a volume as a mesh, normals from its triangles.
 Result<Surface> mesh_of(const Volume& volume, double adaptivity);

@@ -18,7 +18,7 @@ Vec3 unit_or(Vec3 v, Vec3 otherwise) {
 
 }  // namespace
 
-Surface creased(const Surface& from, double angle) {
+Surface creased(const Surface& from, double angle, std::vector<std::uint32_t>* source) {
   std::vector<Vec3> area(from.triangle.size());
   std::vector<std::uint32_t> first(from.position.size() + 1, 0), around(from.triangle.size() * 3);
   for (std::size_t f = 0; f < from.triangle.size(); ++f) {
@@ -50,6 +50,7 @@ Surface creased(const Surface& from, double angle) {
         made[v].push_back(found);
         to.position.push_back(from.position[v]);
         to.normal.push_back(normal);
+        if (source) source->push_back(v);
         if (!from.uv.empty()) to.uv.push_back(from.uv[v]);
       }
       to.triangle[f][k] = found;

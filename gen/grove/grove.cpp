@@ -149,7 +149,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   if (year < seedling.planted) return;
   if (tree.living.size() == 0) plant(tree);
   Metamers& m = tree.living;
-  Season season{s, field, seedling.seed, year};
+  Season season{s, field, seedling.seed, year, seedling.guide};
   assert(m.parent[0] == Metamers::kRoot);
   double age = year - seedling.planted;
 
@@ -165,7 +165,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
     share_by_priority(m, s, age, resource);
   std::size_t first = grow_shoots(m, season, tree.serial);
   thicken(m);
-  sag(m, s.wood, s.leaf_area, first);
+  sag(m, s.wood, s.leaf_area, first, !seedling.guide.empty());
 
   Strain strain = strain_of(m, s, storm, year);
   brace(m, s.wood, strain);
@@ -175,6 +175,13 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   tree.bytes = std::max(tree.bytes, m.size() * kBytesAMetamer);
   drop(tree, falls, options.history);
   tree.sizes.push_back(size_of(m, s.wood));
+}
+
+/// Those that stand on all trees.
+std::size_t internodes_of(const std::vector<Tree>& trees) {
+  std::size_t sum = 0;
+  for (const Tree& tree : trees) sum += tree.sizes.empty() ? 0 : tree.sizes.back().internodes;
+  return sum;
 }
 
 /// The radii of each metamer, year by year; `index` is where in the tree the one of a serial number is.
@@ -275,7 +282,9 @@ std::vector<GrownTree> grow_grove(const std::vector<Seedling>& seedlings, const 
   assert(options.years >= 0);
   for (std::size_t i = 0; i < trees.size(); ++i) trees[i].seedling = &seedlings[i];
   LightField field(options.light);
+  std::vector<Tree> before;
   for (int year = 0; year < options.years; ++year) {
+    if (options.most_internodes > 0) before = trees;
     cast_light(field, trees, options, year);
     Seed weather = options.seed.child("weather").child(static_cast<std::uint64_t>(year));
     double from = 2 * kPi * static_cast<double>(weather.child(0).bits() % kGustsFrom) / kGustsFrom;
@@ -284,6 +293,10 @@ std::vector<GrownTree> grow_grove(const std::vector<Seedling>& seedlings, const 
         Vec3(static_cast<float>(speed * std::cos(from)), 0, static_cast<float>(speed * std::sin(from))),
         options.snow * weather.child(2).range(0.5, 1.0)};
     parallel_for(trees.size(), [&](std::size_t i) { live_a_year(trees[i], field, options, storm, year); });
+    if (options.most_internodes > 0 && year > 0 && internodes_of(trees) > options.most_internodes) {
+      trees = std::move(before);
+      break;
+    }
   }
   parallel_for(trees.size(), [&](std::size_t i) {
     if (trees[i].living.size() == 0) plant(trees[i]);

@@ -15,11 +15,15 @@ struct Seedling {
   Vec3 foot{0};      ///< metres
   Vec3 up{0, 1, 0};  ///< direction in which it leaves the ground, of length 1
   Seed seed;
-  int planted = 0;  ///< year of the grove in which it begins to grow
+  int planted = 0;               ///< year of the grove in which it begins to grow
+  std::vector<Vec3> guide = {};  ///< a line that its stem is led along, from the foot; metres. Empty: none
 };
 
 struct GroveOptions {
   int years = 20;
+  /// Growth ends before the first year after which more internodes than so many would stand on all trees
+  /// together, but not before one year has passed; 0: no limit.
+  std::size_t most_internodes = 0;
   LightLaw light;
   double wind = 22;           ///< metres a second, the strongest gust in an ordinary year
   double snow = 0;            ///< kg a square metre, the heaviest load in a year

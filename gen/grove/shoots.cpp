@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "core/parallel.h"
 
@@ -68,6 +70,29 @@ float reach(const Metamers& t, const Species& s, std::size_t i) {
   return static_cast<float>(1 - smooth_step(0.72, 1.0, far));
 }
 
+/// The direction in which a guide leads from a place: to the point `ahead` of the one nearest to it; none
+/// past its end.
+std::optional<Vec3> led(std::span<const Vec3> guide, Vec3 place, float ahead) {
+  float nearest = std::numeric_limits<float>::max();
+  std::size_t at = 0;
+  Vec3 on(0);
+  for (std::size_t i = 1; i < guide.size(); ++i) {
+    Vec3 way = guide[i] - guide[i - 1];
+    float length2 = glm::dot(way, way);
+    if (length2 <= 0) continue;
+    float share = glm::dot(place - guide[i - 1], way) / length2;
+    Vec3 point = guide[i - 1] + std::clamp(share, 0.0f, 1.0f) * way;
+    // Past the end it is free.
+    bool past = i + 1 == guide.size() && share >= 1;
+    if (float far = glm::distance(point, place); far < nearest) nearest = far, at = past ? 0 : i, on = point;
+  }
+  if (at == 0) return std::nullopt;
+  for (; at + 1 < guide.size() && glm::distance(on, guide[at]) < ahead; ++at)
+    ahead -= glm::distance(on, guide[at]), on = guide[at];
+  Vec3 way = guide[at] - on;
+  return normalized(on + normalized(way, Vec3(0)) * std::min(ahead, glm::length(way)) - place, Vec3(0, 1, 0));
+}
+
 std::vector<Shoot> sprouting(const Metamers& t, const Season& season) {
   const Species& s = season.species;
   std::vector<Shoot> shoots;
@@ -75,11 +100,13 @@ std::vector<Shoot> sprouting(const Metamers& t, const Season& season) {
     if (t.has(i, Metamers::dead) || trails(t, i)) continue;
     for (bool leader : {true, false}) {
       if (!t.has(i, leader ? Metamers::leading : Metamers::bud)) continue;
+      bool stem = leader && t.order[i] == 0;
       float v = (leader ? t.to_leader[i] : t.to_side[i]);
+      // A stem that is led, even aslant, keeps the lead.
+      if (stem && led(season.guide, t.tip[i], 1)) v = std::max(v, static_cast<float>(s.vigour));
       if (v < 1) continue;
       v *= reach(t, s, i);
       if (v < 1) continue;
-      bool stem = leader && t.order[i] == 0;
       int longest = stem || s.longest_branch_shoot == 0 ? s.longest_shoot : s.longest_branch_shoot;
       int count = std::min(static_cast<int>(v), longest);
       float stretch = std::min(v / static_cast<float>(count), kLongest);
@@ -125,6 +152,8 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
         direction + pull * (k == 0 ? 1.0f : kLater) + random_vector(own) * static_cast<float>(s.wander);
     aim.y *= level;
     direction = normalized(aim, direction);
+    if (!season.guide.empty() && order == 0 && shoot.leader)
+      if (auto way = led(season.guide, place, 2 * shoot.length)) direction = *way;
     if (place.y + direction.y * shoot.length < t.tip[0].y + kAboveGround && direction.y < 0)
       direction = normalized(Vec3(direction.x, 0.02f, direction.z), Vec3(1, 0, 0));
     double turn = order == 0 ? s.phyllotaxis : s.branch_phyllotaxis;

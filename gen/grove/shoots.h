@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/seed.h"
 #include "grove/light.h"
 #include "grove/metamers.h"
@@ -13,6 +15,7 @@ struct Season {
   const LightField& field;
   Seed seed;  ///< of the tree
   int year = 0;
+  std::span<const Vec3> guide = {};  ///< see Seedling
 };
 
 /// Measures the light at every living bud, exp(-shadow) by Beer and Lambert, without the shade of its own

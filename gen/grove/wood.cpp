@@ -104,7 +104,7 @@ float pipe_radius(const Wood& wood, float pipe) {
          std::pow(std::max(pipe, 1e-6f), 1 / static_cast<float>(wood.exponent));
 }
 
-void sag(Metamers& t, const Wood& wood, double leaf_area, std::size_t first) {
+void sag(Metamers& t, const Wood& wood, double leaf_area, std::size_t first, bool tied) {
   assert(first <= t.size() && wood.stiffness > 0);
   std::size_t n = t.size() - first;
   std::vector<Load> load(n);
@@ -119,6 +119,7 @@ void sag(Metamers& t, const Wood& wood, double leaf_area, std::size_t first) {
     Vec3 moment = load[k].about(t.tip[p]);
     float inertia = static_cast<float>(kPi) / 4 * r * r * r * r, size = glm::length(moment);
     float angle = size * glm::length(offset[k]) / (static_cast<float>(wood.stiffness) * inertia);
+    if (tied && t.order[i] == 0) continue;
     if (size > 1e-9f) turn[k] = glm::angleAxis(std::min(angle, kMostBend), moment / size);
     if (p >= first) load[p - first].add(load[k]);
   }

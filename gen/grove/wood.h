@@ -40,7 +40,7 @@ inline constexpr float kLeafPipe = 0.15f;
 float pipe_radius(const Wood& wood, float pipe);
 
 /// Bends this year's shoots, metamers `first` and after, under their weight: each internode by M l / (E I).
-/// Older wood does not bend any more.
-void sag(Metamers& tree, const Wood& wood, double leaf_area, std::size_t first);
+/// Older wood does not bend any more, nor a stem that is `tied`.
+void sag(Metamers& tree, const Wood& wood, double leaf_area, std::size_t first, bool tied = false);
 
 }  // namespace frond

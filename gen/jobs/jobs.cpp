@@ -190,6 +190,12 @@ std::string manifest_text(const Manifest& manifest) {
   line("render_seconds", number_text(manifest.render_seconds, 2));
   if (manifest.raw[0] > 0)
     line("raw", "[" + std::to_string(manifest.raw[0]) + ", " + std::to_string(manifest.raw[1]) + "]");
+  std::string budgets;
+  for (const Manifest::Budget& budget : manifest.budgets)
+    budgets += (budgets.empty() ? "{\"pointer\": " : ", {\"pointer\": ") + json_quoted(budget.pointer) +
+               ", \"seconds\": " + number_text(budget.seconds, 6) +
+               ", \"internodes\": " + std::to_string(budget.internodes) + "}";
+  if (!budgets.empty()) line("budgets", "[" + budgets + "]");
   text += "  \"frames\": [";
   std::string_view between = "\n    ";
   for (const Manifest::Frame& frame : manifest.frames) {

@@ -79,6 +79,12 @@ struct Manifest {
     double time = 0;        ///< seconds from the first frame of the preset
     std::size_t nodes = 0;  ///< number of skeleton nodes reached by growth
   };
+  /// A budget of growth in seconds, as it was counted when the film was first generated.
+  struct Budget {
+    std::string pointer;  ///< JSON pointer of the budget in the preset
+    double seconds = 0;   ///< that the preset allows
+    int internodes = 0;   ///< that they allowed on the machine where it was counted
+  };
   std::string version;  ///< of frond
   std::string preset;   ///< the preset's file name without .json
   std::string title;
@@ -90,6 +96,7 @@ struct Manifest {
   bool still = false;
   double render_seconds = 0;     ///< per frame, estimated for a processor as ours
   std::array<int, 2> raw{0, 0};  ///< first and last of the raw frames of which they are resolved; 0: none
+  std::vector<Budget> budgets;
   std::vector<Frame> frames;
 
   /// Where what POV-Ray draws is kept, and the first and last of it.

@@ -45,6 +45,13 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& file_na
       take_two(root, "size", manifest.size) && take_number(root, "render_seconds", manifest.render_seconds) &&
       take(root, "still", Value::Type::boolean, [&](const Value& value) { manifest.still = value.boolean; });
   take_two(root, "raw", manifest.raw);
+  if (const Value* budgets = root.find("budgets"))
+    for (const Value& item : budgets->items) {
+      Manifest::Budget& budget = manifest.budgets.emplace_back();
+      whole = whole && take_text(item, "pointer", budget.pointer) &&
+              take_number(item, "seconds", budget.seconds) &&
+              take_number(item, "internodes", budget.internodes);
+    }
   const Value* frames = root.find("frames");
   if (!whole || !frames || !frames->is(Value::Type::list) || frames->items.empty())
     return Error{file_name, "is no manifest that `frond generate` has written"};

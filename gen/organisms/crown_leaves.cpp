@@ -6,8 +6,8 @@ void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeDres
                 Seed seed) {
   if (sites.empty()) return;
   const LeafLook& look = dress.leaves;
-  model.prototypes.push_back(leaf_prototype(leaves_of(dress)));
-  if (look.sprig) model.prototypes[0].name = "sprig";
+  model.prototypes = leaf_prototypes(leaves_of(dress));
+  bool both = model.prototypes.size() > 1;
   if (dress.season) add_blossom(model.prototypes, *dress.season);
   Organs& o = model.organs;
   o.reserve(sites.size());
@@ -18,7 +18,7 @@ void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeDres
       return glm::angleAxis(static_cast<float>(look.turn_variation * own.child(k).range(-1, 1)), axis);
     };
     auto vary = static_cast<float>(1 + look.size_variation * own.child(3).range(-1, 1));
-    o.prototype.push_back(0);
+    o.prototype.push_back(both && model.skeleton.to_tip[site.node] > 0 ? 1 : 0);
     o.position.push_back(site.position);
     o.turn.push_back(
         glm::normalize(site.turn * tilt(0, Vec3(1, 0, 0)) * tilt(1, Vec3(0, 1, 0)) * tilt(2, Vec3(0, 0, 1))));

@@ -67,6 +67,7 @@ void describe(Visitor& v, Sowing& s) {
 inline constexpr Choice<Build> kBuilds[] = {
     {"sweeps", Build::sweeps, "each branch by itself"},
     {"fused", Build::fused, "branches grown into one body, rounded at the forks"},
+    {"rough", Build::rough, "one body whose skin has the steps of a coarse grid"},
     {"voxels", Build::voxels, "built of cubes"}};
 
 template <class Visitor>
@@ -101,15 +102,19 @@ template <class Visitor>
 void describe(Visitor& v, Style& s) {
   v.shorthand("build");
   v.choice("build", s.build, kBuilds, "What branches are drawn as");
-  v.number("voxel", s.voxel, {.min = 0, .max = 100, .unit = "m"},
-           "Size of a voxel of a fused body, or of a cube; 0 takes it from the size of the organism. Needs "
-           "build other than sweeps");
+  v.number(
+      "voxel", s.voxel, {.min = 0, .max = 100, .unit = "m"},
+      "Size of a voxel of a fused or rough body, or of a cube; 0 takes it from the size of the organism. "
+      "Needs build other than sweeps");
   v.number("blend", s.blend, {.min = 0, .max = 3},
            "How far branches flow into each other at forks, as a share of the thinner one's radius. Needs "
-           "\"build\": \"fused\"");
+           "\"build\": \"fused\" or \"rough\"");
   v.number("adaptivity", s.adaptivity, {.min = 0, .max = 1},
            "How unequal the triangles of a fused body may be: 0 all alike, 1 few where the body is flat. "
            "Needs \"build\": \"fused\"");
+  v.number("roughness", s.roughness, {.min = 0, .max = 1},
+           "How much of the grid the skin of a rough body shows: 0 is the plain mesh of its volume, 1 has "
+           "steps as high as a voxel. Needs \"build\": \"rough\"");
   v.number(
       "limit", s.limit, {.min = 1e6, .max = 1e15, .unit = "bytes"},
       "Memory that one volume may take; one that would need more is refused. Needs build other than sweeps");

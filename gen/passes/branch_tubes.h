@@ -8,8 +8,8 @@
 
 namespace frond {
 
-/// The branches of an organism in a pose, made to be traced: cones with round ends or, where they are fused
-/// or of cubes, their body.
+/// The branches of an organism in a pose, made to be traced: cones with round ends or, where they are fused,
+/// rough or of cubes, their body.
 class BranchTubes {
  public:
   /// Refers to the branches. An error as of DrawnBranches::body().

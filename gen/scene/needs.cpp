@@ -45,7 +45,10 @@ bool is_met(const Need& need, const Value& object, const std::string& path) {
     return beside ? beside->is(Value::Type::list) || beside->number > 0 : known->second.initial != "0";
   std::string value = beside ? spelled(*beside) : known->second.initial;
   std::erase(value, '"');
-  return (value == need.value) == (need.of == Need::Of::equal);
+  if (need.of == Need::Of::other) return value != need.value;
+  for (std::string_view any = need.value; !any.empty();)
+    if (take_until(any, "\" or \"") == value) return true;
+  return false;
 }
 
 class NeedFinder {

@@ -9,12 +9,13 @@
 
 namespace frond {
 
-/// What the sentence of a property says that it does nothing without: `Needs "shape": "own"`, `Needs "sprig":
-/// true`, `Needs a patch above 0`, `Needs fading other than diffuse`. Always of a property beside it.
+/// What the sentence of a property says that it does nothing without: `Needs "shape": "own"`, `Needs "build":
+/// "fused" or "rough"`, `Needs "sprig": true`, `Needs a patch above 0`, `Needs fading other than diffuse`.
+/// Always of a property beside it.
 struct Need {
   std::string_view name;  ///< of that property
   enum class Of { equal, other, above_0 } of = Of::equal;
-  std::string_view value;  ///< as JSON, but for a text without its quotes
+  std::string_view value;  ///< as JSON, but for a text without its first and last quote
   std::string_view words;  ///< what follows the word "Needs"
 };
 

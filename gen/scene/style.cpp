@@ -12,7 +12,7 @@ namespace frond {
 Style settled(Style style, const Skeleton& rest) {
   if (style.voxel > 0 || rest.size() == 0) return style;
   double size = std::max(bounds_of(rest.position).longest(), 0.01f);
-  style.voxel = size / (style.build == Build::voxels ? 44 : 160);
+  style.voxel = size / (style.build == Build::voxels ? 44 : style.build == Build::rough ? 90 : 160);
   return style;
 }
 

@@ -22,7 +22,7 @@ void push(std::vector<std::uint8_t>& to, const Color& c) {
   to.push_back(255);
 }
 
-/// Branches that have grown together, or cubes.
+/// Branches that have grown together, smooth or rough, or cubes.
 Result<DrawnPart> body_part(const DrawnBranches& branches) {
   Result<FusedMesh> mesh = branches.body();
   if (!mesh) return mesh.errors();
@@ -33,7 +33,7 @@ Result<DrawnPart> body_part(const DrawnBranches& branches) {
   DrawnPart part;
   part.head["kind"] = "mesh";
   part.head["material"] = material_json({.color = {}, .gloss = branches.look().gloss()});
-  if (branches.traits.style.build == Build::fused)
+  if (branches.traits.style.build != Build::voxels)
     if (auto tile = tile_of(branches.look())) part.head["material"]["tile"] = json_of(*tile);
   part.add_surface("", mesh->surface);
   part.add("/colors", painted);

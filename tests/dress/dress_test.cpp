@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "core/linear.h"
 #include "dress/skin_colors.h"
 
@@ -84,6 +87,38 @@ TEST(Drawings, AreOfAllThatShowsPictures) {
   std::vector<Drawing> all = drawings(look);
   EXPECT_EQ(all.size(), leaves + 1);
   EXPECT_EQ(all.back().names.front(), bark_color_name(*look.branches.coat));
+}
+
+TEST(Leaves, HaveOtherSprigsAtTheEndsOfBranches) {
+  LeafLook look;
+  look.end_sprigs = true;
+  EXPECT_EQ(leaf_prototypes(look).size(), 1u) << "single leaves have no ends";
+  look.sprig = true;
+  std::vector<Prototype> both = leaf_prototypes(look);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_GT(both[0].parts[0].surface.triangle.size(), both[1].parts[0].surface.triangle.size());
+  // Each has its own pictures, which are drawn and known by their names.
+  std::set<std::string> drawn;
+  for (const Drawing& drawing : leaf_drawings(look)) drawn.insert(drawing.names.begin(), drawing.names.end());
+  EXPECT_EQ(drawn.size(), 2 * look.looks());
+  for (const Prototype& p : both)
+    for (const std::string& picture : p.parts[0].pictures) {
+      EXPECT_TRUE(drawn.contains(picture));
+      EXPECT_EQ(shown_in(look, picture).sprigs.end_leaf, &p == &both[0]);
+    }
+  look.sprigs.end_leaf = false;
+  EXPECT_EQ(leaf_prototypes(look).size(), 1u) << "none has a leaf at its tip";
+}
+
+TEST(Leaves, HaveStalksAsLongAsAsked) {
+  LeafLook look;
+  double usual = leaf_image(look, 0).outline.stalk;
+  look.stalk = 0.5;
+  EXPECT_DOUBLE_EQ(leaf_image(look, 0).outline.stalk, 0.5);
+  // The blade begins where the stalk ends.
+  std::vector<Vec2> rim = leaf_rim(leaf_image(look, 0).outline, 12);
+  EXPECT_GT(std::ranges::min(rim, {}, &Vec2::y).y, 0.4f);
+  EXPECT_LT(usual, 0.4);
 }
 
 }  // namespace

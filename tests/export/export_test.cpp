@@ -115,7 +115,7 @@ TEST(ExportScene, grows_with_time_and_is_near_what_was_foreseen) {
 }
 
 TEST(ExportScene, follows_the_style) {
-  for (const char* style : {R"("fused")", R"({"build": "voxels", "voxel": 0.03})"}) {
+  for (const char* style : {R"("fused")", R"("rough")", R"({"build": "voxels", "voxel": 0.03})"}) {
     Scene scene = garden(style);
     ExportScene exported = export_scene_of(scene);
     const Surface& coral = exported.meshes[0].parts[0].surface;

@@ -1,4 +1,4 @@
-// Fused and voxel bodies as a 3D printer needs them.
+// Fused, rough and voxel bodies as a 3D printer needs them.
 
 #include <gtest/gtest.h>
 #include <tiny_obj_loader.h>
@@ -69,10 +69,10 @@ TEST_P(Printed, bodies_are_one_piece_while_they_grow) {
   for (double time : {0.3, 0.7, 1.1}) expect_printable(scene, time, "growing at " + std::to_string(time));
 }
 
-INSTANTIATE_TEST_SUITE_P(Presets, Printed, testing::Values("fused.json", "voxel.json"));
+INSTANTIATE_TEST_SUITE_P(Presets, Printed, testing::Values("fused.json", "rough.json", "voxel.json"));
 
 TEST(Printed, bodies_thinner_than_a_voxel_hold_together) {
-  for (const char* build : {"fused", "voxels"}) {
+  for (const char* build : {"fused", "rough", "voxels"}) {
     Scene scene = scene_of("voxel.json",
                            {std::string("/organisms/0/body={\"build\": \"") + build + "\", \"voxel\": 0.02}",
                             "/organisms/0/thickness/radius=0.004"});

@@ -92,6 +92,50 @@ TEST(Grove, SameBytesAtAnyNumberOfThreads) {
 }
 
 /// The tree of a film is that of the still, with what has gone.
+std::size_t standing_on(const std::vector<GrownTree>& trees) {
+  std::size_t sum = 0;
+  for (const GrownTree& t : trees) sum += t.sizes.empty() ? 0 : t.sizes.back().internodes;
+  return sum;
+}
+
+TEST(Grove, ABudgetEndsGrowthWithTheLastYearThatItAllows) {
+  std::vector<Seedling> list = row(3, 2);
+  list[2].planted = 4;
+  for (std::size_t most : {60u, 700u, 3000u}) {
+    GroveOptions options;
+    options.years = 40, options.most_internodes = most, options.history = most == 700;
+    std::vector<GrownTree> held = grow_grove(list, options);
+    auto years = static_cast<int>(held[0].sizes.size());
+    ASSERT_GT(years, 1);
+    ASSERT_LT(years, 40);
+    EXPECT_LE(standing_on(held), most);
+    // It is the grove of so many years, and one more would have passed the budget.
+    options.years = years, options.most_internodes = 0;
+    std::vector<GrownTree> plain = grow_grove(list, options);
+    for (std::size_t i = 0; i < list.size(); ++i) expect_equal(held[i], plain[i]);
+    options.years = years + 1;
+    EXPECT_GT(standing_on(grow_grove(list, options)), most);
+  }
+}
+
+TEST(Grove, ABudgetHoldsAtAnyNumberOfThreads) {
+  GroveOptions options;
+  options.years = 40, options.most_internodes = 2000;
+  limit_threads(1);
+  std::vector<GrownTree> one = grow_grove(row(4, 2), options);
+  limit_threads(0);
+  std::vector<GrownTree> all = grow_grove(row(4, 2), options);
+  for (std::size_t i = 0; i < one.size(); ++i) expect_equal(one[i], all[i]);
+}
+
+TEST(Grove, ABudgetLeavesAtLeastOneYearAndMayBeTooLargeToCount) {
+  GroveOptions options;
+  options.years = 6, options.most_internodes = 1;
+  EXPECT_EQ(grow_grove(row(1, 1), options)[0].sizes.size(), 1u);
+  options.most_internodes = SIZE_MAX;
+  EXPECT_EQ(grow_grove(row(1, 1), options)[0].sizes.size(), 6u);
+}
+
 TEST(Grove, HistoryChangesNothing) {
   GroveOptions options;
   options.years = 18;

@@ -203,10 +203,12 @@ TEST(ManifestText, IsReadAsItWasWritten) {
   manifest.still = true;
   manifest.render_seconds = 1.25;
   manifest.raw = {3, 12};
+  manifest.budgets = {{"/organisms/0/budget", 1.5, 52000}, {"/organisms/2/budget", 3, 7}};
   manifest.frames = {{7, 0.25, 100}, {8, 0.5, 0}};
   Result<Manifest> read = read_manifest(manifest_text(manifest), "manifest.json");
   ASSERT_TRUE(read);
   EXPECT_EQ(manifest_text(*read), manifest_text(manifest));
+  EXPECT_EQ(read->budgets[1].internodes, 7);
   EXPECT_FALSE(read_manifest("{}", "manifest.json"));
   EXPECT_FALSE(read_manifest("{", "manifest.json"));
 }

@@ -53,6 +53,47 @@ TEST(Tree, LeavesRideOnYoungShoots) {
   EXPECT_EQ(grow_tree(params, Seed{3}).organs.size(), 0u);
 }
 
+TEST(Tree, StemsFollowTheirGuideAndGoOnPastItsEnd) {
+  TreeParams params = sapling();
+  params.years = 22;
+  for (Vec3 at : {Vec3(0.2f, 0.8f, 0), Vec3(0.8f, 1.5f, 0), Vec3(1.6f, 1.8f, 0.3f), Vec3(2.2f, 2.6f, 0.8f)}) {
+    GuidePoint point;
+    point.at = DVec3(at);
+    point.parent = static_cast<std::int32_t>(params.guide.points.size()) - 1;
+    params.guide.points.push_back(point);
+  }
+  GuideAxis line = axes_of(*axes_of_guide(params.guide))[0];
+  for (std::uint64_t seed : {1u, 2u, 3u}) {
+    Vec3 foot(5, 1, -2);
+    Grove grove =
+        grow_trees(std::vector<TreeSite>{{&params, foot, Quat(1, 0, 0, 0), 1, Seed{seed}}}, false, Seed{9});
+    const GrownTree& tree = grove.trees[0];
+    double farthest = 0, reached = 1e9, free = 0;
+    std::size_t off = 0;
+    for (std::size_t i = 1; i < tree.size(); ++i) {
+      if (tree.order[i] != 0) {
+        ++off;
+        continue;
+      }
+      double away = 1e9, along = 0;
+      for (int k = 0; k <= 200; ++k) {
+        double far = glm::distance(line.point(line.length() * k / 200), tree.tip[i] - foot);
+        if (far < away) away = far, along = line.length() * k / 200;
+      }
+      // What has come past the end of the guide is free.
+      if (along < 0.99 * line.length())
+        farthest = std::max(farthest, away);
+      else
+        free = std::max(free, away);
+      reached = std::min<double>(reached, glm::distance(line.at.back(), tree.tip[i] - foot));
+    }
+    EXPECT_LT(farthest, 0.04 * line.length()) << "seed " << seed;
+    EXPECT_LT(reached, 0.1 * line.length()) << "it comes to the guide's end";
+    EXPECT_GT(free, 0.2) << "and grows on";
+    EXPECT_GT(off, 200u) << "branches are its own";
+  }
+}
+
 TEST(Tree, HangingSprigsHang) {
   auto pointing = [](double hang) {
     TreeParams params = sapling();
@@ -220,6 +261,56 @@ TEST(Tree, APictureOfBarkStaysOnTheStemThatGrows) {
   }
   EXPECT_GT(same, 30) << "thin or thick, a place on the stem shows the same part of the picture";
   EXPECT_LT(moved, 4) << "but where the shoot is still growing";
+}
+
+/// A grove of trees of these ages, as factors of twenty years.
+Grove grove_of(const std::vector<double>& ages, const TreeParams& params) {
+  std::vector<TreeSite> sites;
+  for (double age : ages)
+    sites.push_back({&params, Vec3(3.0f * static_cast<float>(sites.size()), 0, 0), Quat(1, 0, 0, 0), age,
+                     Seed{sites.size()}});
+  return grow_trees(sites, false, Seed{1});
+}
+
+std::size_t internodes_of(const Grove& grove) {
+  std::size_t sum = 0;
+  for (const GrownTree& tree : grove.trees) sum += tree.sizes.back().internodes;
+  return sum;
+}
+
+TEST(Tree, ABudgetMakesAllTreesOfAGroveYounger) {
+  TreeParams params;
+  params.years = 20;
+  params.budget.internodes = 1500;
+  for (const auto& ages : std::vector<std::vector<double>>{{1}, {1, 1, 1}, {1, 0.6, 0.3}}) {
+    Grove held = grove_of(ages, params);
+    EXPECT_GT(held.cycles, 3);
+    EXPECT_LT(held.cycles, 20);
+    EXPECT_LE(internodes_of(held), 1500u);
+    auto i = held.trees.begin();
+    for (double age : ages)
+      EXPECT_NEAR(static_cast<double>((i++)->sizes.size()), std::max(1.0, age * held.cycles), 0.51);
+    // As if the preset had said so many years; with one more they are too many.
+    TreeParams plain = params;
+    plain.budget = {}, plain.years = held.cycles;
+    EXPECT_EQ(internodes_of(grove_of(ages, plain)), internodes_of(held));
+    plain.years = held.cycles + 1;
+    EXPECT_GT(internodes_of(grove_of(ages, plain)), 1500u);
+  }
+}
+
+TEST(Tree, ABudgetThatIsNotReachedChangesNothing) {
+  TreeParams params = sapling(), held = params;
+  held.budget.internodes = 1'000'000;
+  EXPECT_EQ(grow_tree(held, Seed{3}).skeleton.position, grow_tree(params, Seed{3}).skeleton.position);
+}
+
+TEST(Tree, SecondsThatNobodyCountedAreTheSameOnAllMachines) {
+  GrowthBudget budget{0, 0.01};
+  EXPECT_EQ(budget.most(), 3000u);
+  budget.internodes = 500;
+  EXPECT_EQ(budget.most(), 500u);
+  EXPECT_EQ(GrowthBudget{}.most(), 0u);
 }
 
 TEST(Tree, LeavesMayBePictures) {

@@ -67,8 +67,10 @@ TEST(IdleSettings, HowToDrawBranchesThatThereAreNotIsNoted) {
              "p.json:2:99: /organisms/2/body: does nothing here: this kind has no branches, which it is for",
              "p.json:3:39: /organisms/3/body: does nothing here: copies that are sown are drawn branch by "
              "branch",
-             "p.json:4:38: /organisms/4/body/blend: does nothing here: it needs \"build\": \"fused\"",
-             "p.json:4:112: /organisms/5/body/blend: does nothing here: it needs \"build\": \"fused\""}));
+             "p.json:4:38: /organisms/4/body/blend: does nothing here: it needs \"build\": \"fused\" or "
+             "\"rough\"",
+             "p.json:4:112: /organisms/5/body/blend: does nothing here: it needs \"build\": \"fused\" or "
+             "\"rough\""}));
   // A whole reef may be fused, whatever stands among it.
   EXPECT_EQ(
       notes_of(R"({"defaults": {"body": "fused"}, "organisms": [{"kind": "table"}, {"kind": "coral"}]})"),

@@ -320,6 +320,24 @@ body_preset() {
   [[ "$output" == "note: idle.json:1:65: "* ]]
 }
 
+@test "a budget of growth in seconds is counted once for a film" {
+  echo '{"film": {"frames": 1, "size": [20, 16]}, "scene": {"setting": "forest"}, "organisms": [
+    {"kind": "tree", "years": 60, "budget": {"seconds": 0.02}, "place": {"at": [[0, 0]]}}]}' > tree.json
+  run "$frond" generate tree.json -o out -q
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"/organisms/0/budget: 0.02 s are counted as "*" internodes"* ]]
+  grep -q '"budgets": \[{"pointer": "/organisms/0/budget", "seconds": 0.02, "internodes": ' out/manifest.json
+  # What a folder says counts, and gives the bytes that the number in the preset gives.
+  sed -i 's/"internodes": [0-9]*/"internodes": 321/' out/manifest.json
+  "$frond" generate tree.json -o out -q 2> said
+  grep -q "counted as 321 internodes" said
+  cp out/frames/frame_0001.pov again.pov
+  "$frond" generate tree.json -o out -q
+  cmp again.pov out/frames/frame_0001.pov
+  "$frond" generate tree.json -o given -q --set /organisms/0/budget/internodes=321
+  cmp again.pov given/frames/frame_0001.pov
+}
+
 @test "a frame generated alone is the frame of the whole film" {
   "$frond" generate "$root/tests/presets/tiny_film.json" -o all -q --threads 2
   "$frond" generate "$root/tests/presets/tiny_film.json" -o one -q --frames 4 --threads 1

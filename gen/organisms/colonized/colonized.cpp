@@ -90,13 +90,15 @@ Result<Envelope> envelope_of(const EnvelopeParams& p) {
 
 Errors check_colonized(const ColonizedParams& params) {
   Result<Envelope> envelope = envelope_of(params.envelope);
-  return envelope ? Errors{} : envelope.errors();
+  return envelope ? check_guide(params.guide) : envelope.errors();
 }
 
 Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed) {
   Result<Envelope> envelope = envelope_of(params.envelope);
   if (!envelope) return envelope.errors();
-  Result<Skeleton> coarse = colonize(*envelope, params.growth_into, seed.child("tree"));
+  Result<GuideAxes> guides = axes_of_guide(params.guide);
+  if (!guides) return guides.errors();
+  Result<Skeleton> coarse = colonize(*envelope, params.growth_into, seed.child("tree"), *guides);
   if (!coarse) return coarse.errors();
   set_orders(*coarse);
   order_branches(*coarse);

@@ -7,6 +7,7 @@
 #include "crown/colonize.h"
 #include "dress/dress.h"
 #include "geometry/girth.h"
+#include "organisms/tree_guide.h"
 
 namespace frond {
 
@@ -30,6 +31,7 @@ struct EnvelopeParams {
 struct ColonizedParams {
   EnvelopeParams envelope;
   Colonization growth_into;
+  TreeGuide guide;  ///< of its first limbs
   Girth thickness{GirthFrom::pipe, 0.13, 2.4, Curve(), 0.0025, 0.5};
   int smoothing = 2;
   double leaf_reach = 0.55;          ///< metres from a tip within which leaves grow; 0: no leaves

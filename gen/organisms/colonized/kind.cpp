@@ -55,6 +55,9 @@ template <class Visitor>
 void describe(Visitor& v, ColonizedParams& p) {
   v.object("envelope", p.envelope, "The room that the crown fills");
   v.object("colonize", p.growth_into, "How branches find their way");
+  v.object(
+      "guide", p.guide,
+      "Lines that its first limbs follow, from the foot; what hangs off them grows by the kind's own laws");
   v.object("thickness", p.thickness, "Thickness of the branches");
   v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},
             "Number of nodes that each segment is rounded with");

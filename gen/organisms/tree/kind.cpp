@@ -135,6 +135,18 @@ void describe(Visitor& v, Foliage& f) {
   v.aspect(Aspect::look, "kind", "leaves", "leaf", "width", "open", "droop", "colors", "second");
 }
 
+template <class Visitor>
+void describe(Visitor& v, GrowthBudget& b) {
+  v.shorthand("internodes");
+  v.integer(
+      "internodes", b.internodes, {.min = 0, .max = 100'000'000},
+      "Number of internodes that may stand on all trees that grow together; 0 is as many as seconds allow");
+  v.number(
+      "seconds", b.seconds, {.min = 0, .max = 1e6, .unit = "s"},
+      "Seconds of processor that growing may take, where internodes is 0; `frond generate` counts once how "
+      "many internodes that is, and notes it in the film's folder");
+}
+
 /// The weather of the years as presets group it.
 struct Years {
   double wind, snow;
@@ -149,7 +161,14 @@ void describe(Visitor& v, Years& y) {
 template <class Visitor>
 void describe(Visitor& v, TreeParams& t) {
   v.integer("years", t.years, {.min = 1, .max = 500}, "Age of the tree in the end");
+  v.object("budget", t.budget,
+           "Growth ends with the last growth cycle that it allows, however many years are left; that of the "
+           "scene's first tree counts for all");
   v.object("habit", t.species, "How it grows");
+  v.object(
+      "guide", t.guide,
+      "A line that its stem follows, from the foot; past its end and on all branches it grows by its own "
+      "laws");
   v.object("wood", t.species.wood, "Thickness, weight and strength of the wood");
   v.object("light", t.light, "The field of light; that of the scene's first tree counts for all");
   Years weather{t.wind, t.snow};
@@ -223,6 +242,8 @@ void hurry(TreeParams& tree, double share) {
   tree.species.wood.twig_radius /= fewer;
   tree.light.voxel /= fewer;
   tree.leaves.size /= fewer;
+  if (std::size_t most = tree.budget.most())
+    tree.budget.internodes = static_cast<int>(std::clamp(share * static_cast<double>(most), 1., 1e8));
 }
 
 /// Trees of a scene grow together, in one light.
@@ -231,6 +252,10 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   GrowthStage stage() const override { return GrowthStage::in_light; }
   bool stands_on_rock() const override { return true; }
   Errors check() const override {
+    if (Errors errors = check_guide(params.guide); !errors.empty()) return errors;
+    Result<GuideAxes> guides = axes_of_guide(params.guide);
+    if (guides && axes_of(*guides).size() > 1)
+      return {{"/guide", "forks; expected one line: the stem of a tree that grows for light has one"}};
     return check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels");
   }
   Errors doubts() const override { return {}; }
@@ -261,6 +286,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     living.years = std::min(params.years, std::max(1, static_cast<int>(params.species.lifespan)));
     double bare = (params.years - living.years) / std::max(0.5, params.species.wood.deadwood);
     double grown = estimate_tree_nodes(living, seed);
+    if (std::size_t most = params.budget.most()) grown = std::min(grown, static_cast<double>(most));
     tree.nodes = grown * std::exp(-bare);
     tree.word.modules = tree.word.segments = tree.nodes;
     if (params.leaves.size > 0 && bare == 0) tree.organs = tree.parts = 1.1 * tree.nodes;

@@ -79,16 +79,13 @@ std::vector<std::int32_t> order_model(Model& model) {
   return order;
 }
 
-Prototype sprig_prototype(const TreeParams& params) {
+/// One, or that of sprigs at the ends of branches and that of those along them.
+std::vector<Prototype> sprig_prototypes(const TreeParams& params) {
   const Foliage& leaves = params.leaves;
-  if (leaves.picture) {
-    Prototype made = leaf_prototype(pictured_leaves(params));
-    if (leaves.picture->sprig) made.name = "sprig";
-    return made;
-  }
+  if (leaves.picture) return leaf_prototypes(pictured_leaves(params));
   Prototype made{"sprig", {{Tissue::leaf, sprig_surface(leaves.sprig)}}, leaves.colors, leaves.second};
   if (params.season) add_seasons(made, *params.season);
-  return made;
+  return {made};
 }
 
 /// A sprig's frame: along it, and its upper side to the sky.
@@ -112,7 +109,8 @@ Quat sprig_turn(Vec3 heading, Vec3 side, const Foliage& leaves, bool leads, Seed
 void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
                 const std::vector<std::int32_t>& node, const TreeParams& params, Seed seed) {
   const Foliage& leaves = params.leaves;
-  model.prototypes.push_back(sprig_prototype(params));
+  model.prototypes = sprig_prototypes(params);
+  bool both = model.prototypes.size() > 1;
   if (params.season) add_blossom(model.prototypes, *params.season);
   std::size_t colors = leaves.picture ? leaves.picture->colors.size() : leaves.colors.size();
   Organs& o = model.organs;
@@ -127,7 +125,7 @@ void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
       Seed own = seed.child(2 * std::uint64_t{source} + (leads ? 1 : 0));
       float size = now.leaves[i] *
                    static_cast<float>(leaves.size * (1 + leaves.size_variation * own.child(0).range(-1, 1)));
-      o.prototype.push_back(0);
+      o.prototype.push_back(both && !leads ? 1 : 0);
       o.position.push_back(now.tip[i]);
       o.turn.push_back(sprig_turn(heading, now.side[i], leaves, leads, own));
       o.scale.push_back(Vec3(std::max(size, 1e-4f)));
@@ -152,34 +150,73 @@ double cycle_at(const Growth& growth, int cycles, double time) {
   return end * std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
 }
 
+std::size_t GrowthBudget::most() const {
+  constexpr double kInternodesASecond = 3e5;
+  if (internodes > 0) return static_cast<std::size_t>(internodes);
+  return static_cast<std::size_t>(std::ceil(seconds * kInternodesASecond));
+}
+
 int cycles_of(const TreeParams& params) { return growth_cycles(params.species, params.years); }
+
+namespace {
+
+/// The line that the stem of a tree follows, where it stands; empty where it has no guide.
+std::vector<Vec3> line_of(const TreeSite& site) {
+  Result<GuideAxes> guides = axes_of_guide(site.params->guide);
+  std::vector<GuideAxis> axes = guides ? axes_of(*guides) : std::vector<GuideAxis>{};
+  std::vector<Vec3> line;
+  if (!axes.empty() && axes[0].at.size() > 1)
+    for (const Vec3& at : axes[0].at) line.push_back(site.foot + site.lean * at);
+  return line;
+}
+
+/// The laws of a grove, which its first tree says.
+GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
+                           std::span<const Surface> bodies) {
+  GroveOptions options;
+  options.seed = weather;
+  options.history = history;
+  options.most_internodes = first.budget.most();
+  options.light = first.light;
+  options.wind = first.wind;
+  options.snow = first.snow;
+  for (const Surface& body : bodies) {
+    std::vector<Shade> shades = shades_of_body(body, options.light);
+    options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
+  }
+  return options;
+}
+
+}  // namespace
 
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
                  std::span<const Surface> bodies) {
-  Grove grove;
+  if (sites.empty()) return {};
   std::vector<Seedling> seedlings;
+  std::vector<int> ages;
   for (const TreeSite& site : sites) {
-    const Species& species = site.params->species;
-    int age = std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age)));
-    grove.cycles = std::max(grove.cycles, age);
-    seedlings.push_back({in_cycles(species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, age});
+    ages.push_back(std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age))));
+    seedlings.push_back(
+        {in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0, line_of(site)});
   }
-  for (Seedling& seedling : seedlings) seedling.planted = grove.cycles - seedling.planted;
-  GroveOptions options;
-  options.years = grove.cycles;
-  options.seed = weather;
-  options.history = history;
-  if (!sites.empty()) {
-    options.light = sites[0].params->light;
-    options.wind = sites[0].params->wind;
-    options.snow = sites[0].params->snow;
-    for (const Surface& body : bodies) {
-      std::vector<Shade> shades = shades_of_body(body, options.light);
-      options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
+  const int oldest = std::ranges::max(ages);
+  GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);
+  for (Grove grove{oldest, {}};;) {
+    bool even = true;
+    for (std::size_t i = 0; i < seedlings.size(); ++i) {
+      // Where a budget makes the oldest younger, the others are younger in proportion.
+      double age = std::round(static_cast<double>(ages[i]) * grove.cycles / oldest);
+      seedlings[i].planted = grove.cycles - std::max(1, static_cast<int>(age));
+      even = even && seedlings[i].planted == 0;
     }
+    options.years = grove.cycles;
+    grove.trees = grow_grove(seedlings, options);
+    int lived = 0;
+    for (const GrownTree& tree : grove.trees) lived = std::max(lived, static_cast<int>(tree.sizes.size()));
+    bool whole = lived == grove.cycles;
+    grove.cycles = lived;
+    if (whole || even) return grove;
   }
-  grove.trees = grow_grove(seedlings, options);
-  return grove;
 }
 
 Model tree_model(const TreeParams& params, const GrownTree& tree, double year, const Filming& filming,

@@ -10,6 +10,7 @@
 #include "grove/standing.h"
 #include "model/model.h"
 #include "motion/motion.h"
+#include "organisms/tree_guide.h"
 
 namespace frond {
 
@@ -25,10 +26,22 @@ struct Foliage {
   Color second{0.45f, 0.55f, 0.25f};  ///< of the veins
 };
 
+/// How far a tree may grow, as a limit of what it costs.
+struct GrowthBudget {
+  int internodes = 0;  ///< that may stand on all trees that grow together; 0: as many as `seconds` allow
+  double seconds = 0;  ///< of processor time; counts where internodes is 0. 0: no limit
+
+  /// The number of internodes that it allows; 0: no limit. Seconds count by the pace of an ordinary machine,
+  /// so that the result is the same on all.
+  std::size_t most() const;
+};
+
 /// A tree that grows by light among all other trees of the scene.
 struct TreeParams {
   int years = 32;  ///< its final age
+  GrowthBudget budget;
   Species species;
+  TreeGuide guide;  ///< of its stem
   LightLaw light;
   double wind = 22;    ///< metres a second, the strongest gust of a year
   double snow = 0;     ///< kg a square metre
@@ -54,12 +67,12 @@ struct TreeSite {
 
 /// A grown grove: one tree per site.
 struct Grove {
-  int cycles = 0;  ///< number of growth cycles, see grove/age.h: those of the tree with most
+  int cycles = 0;  ///< number of growth cycles, see grove/age.h: of the oldest tree
   std::vector<GrownTree> trees;
 };
 
-/// Grows all trees in one field of light, shaded also by the bodies. Light law and weather are those of the
-/// first site. `history`: for films.
+/// Grows all trees in one field of light, shaded also by the bodies. Light law, weather and budget are those
+/// of the first site. `history`: for films.
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
                  std::span<const Surface> bodies = {});
 

@@ -12,7 +12,11 @@
 namespace frond {
 
 Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed) {
-  Result<Crown> crown = grow_weber_penn(params.tree, seed.child("tree"));
+  WeberPenn led = params.tree;
+  Result<GuideAxes> guides = axes_of_guide(params.guide);
+  if (!guides) return guides.errors();
+  led.guides = std::move(*guides);
+  Result<Crown> crown = grow_weber_penn(led, seed.child("tree"));
   if (!crown) return crown.errors();
   Model model;
   model.skeleton = std::move(crown->skeleton);
@@ -145,6 +149,9 @@ void describe(Visitor& v, WeberPenn& t) {
 template <class Visitor>
 void describe(Visitor& v, WeberPennParams& p) {
   v.object("tree", p.tree, "The shape of the tree");
+  v.object("guide", p.guide,
+           "Lines that the first trunk follows, its forks as clones that split off, from the foot; what "
+           "hangs off them grows by the kind's own laws");
   v.file(
       "arbaro", p.arbaro, [&](const NamedFile& file) { return load_species(file, p.tree); },
       "An XML file of Arbaro, named as seen from the preset's folder, in place of tree");
@@ -158,6 +165,7 @@ constexpr double kMostNodes = 8e6;
 class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
  public:
   Errors check() const override {
+    if (Errors errors = check_guide(params.guide); !errors.empty()) return errors;
     if (estimate_nodes(params.tree) < kMostNodes) return check_pictures(params.dress);
     return {{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}};
   }

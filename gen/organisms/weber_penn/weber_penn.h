@@ -5,12 +5,14 @@
 #include "core/assets.h"
 #include "crown/weber_penn.h"
 #include "dress/dress.h"
+#include "organisms/tree_guide.h"
 
 namespace frond {
 
 /// A tree by the parameters of Weber and Penn.
 struct WeberPennParams {
   WeberPenn tree;
+  TreeGuide guide;  ///< of the first trunk
   FileName arbaro;  ///< an Arbaro file whose values replace `tree`, relative to the preset's folder
   TreeDress dress;
 };

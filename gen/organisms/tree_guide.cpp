@@ -1,0 +1,27 @@
+#include "organisms/tree_guide.h"
+
+namespace frond {
+
+Result<GuideAxes> axes_of_guide(const TreeGuide& text) {
+  GuideAxes axes;
+  if (text.empty()) return axes;
+  for (const GuidePoint& point : text.points)
+    if (point.radius || point.angle || point.elasticity || point.tropism)
+      return Error{"/points",
+                   "a tree is led through places alone; expected points without radius, angle, "
+                   "elasticity and tropism"};
+  Result<Guide> guide = guide_of(text);
+  if (!guide) return guide.errors();
+  for (const GuidePoint& point : guide->points) axes.points.push_back({Vec3(point.at), point.parent});
+  return axes;
+}
+
+Errors check_guide(const TreeGuide& guide) {
+  Result<GuideAxes> axes = axes_of_guide(guide);
+  if (axes) return {};
+  Errors errors = axes.errors();
+  for (Error& error : errors) error.where = "/guide" + error.where;
+  return errors;
+}
+
+}  // namespace frond
