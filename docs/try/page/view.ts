@@ -2,10 +2,17 @@
 
 import type { Shapes } from "./shapes";
 
+/** Radians, and a factor. */
+interface Eye {
+  yaw: number;
+  pitch: number;
+  zoom: number;
+}
+
 const FIELD = 0.5; // radians, of the view from bottom to top
 const MARGIN = 1.2;
-const FRONT = { yaw: 0, pitch: 0, zoom: 1 };
-const ASIDE = { yaw: 0.5, pitch: 0.12, zoom: 1 };
+const FRONT: Eye = { yaw: 0, pitch: 0, zoom: 1 };
+const ASIDE: Eye = { yaw: 0.5, pitch: 0.12, zoom: 1 };
 
 const SHADE = `
 vec3 shade(vec3 color, vec3 normal) {
@@ -105,6 +112,39 @@ function attributes(gl: WebGL2RenderingContext, stride: number, parts: [number, 
   return buffer;
 }
 
+/** The matrices of a camera that has all of the shapes in view. Their unit is the radius of the shapes. */
+function matrices({ middle, radius, half }: Shapes, eye: Eye, aspect: number): { view: number[]; projection: number[] } {
+  const f = 1 / Math.tan(FIELD / 2);
+  const aside = Math.max(half[0], half[2]) / radius;
+  const distance = (MARGIN * f * Math.max(half[1] / radius, aside / aspect) + half[2] / radius) / eye.zoom;
+  const near = Math.max(0.01, distance - 1.1), far = distance + 1.1;
+  const projection = [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (near + far) / (near - far), -1, 0, 0, (2 * near * far) / (near - far), 0];
+  const [cy, sy, cp, sp] = [Math.cos(eye.yaw), Math.sin(eye.yaw), Math.cos(eye.pitch), Math.sin(eye.pitch)];
+  const rows = [[cy, 0, -sy], [-sp * sy, cp, -sp * cy], [cp * sy, sp, cp * cy]];
+  const view = [0, 1, 2].flatMap((k) => [...rows.map((row) => row[k]! / radius), 0]);
+  view.push(...rows.map((row, i) => -(row[0]! * middle[0] + row[1]! * middle[1] + row[2]! * middle[2]) / radius - (i === 2 ? distance : 0)), 1);
+  return { view, projection };
+}
+
+/** Calls `turn` with radians and a factor as the pointer, the wheel and keys ask for it, and `reset` on a double click. */
+function listen(canvas: HTMLCanvasElement, turn: (yaw: number, pitch: number, zoom: number) => void, reset: () => void): void {
+  canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+  canvas.addEventListener("pointermove", (event) => {
+    if (canvas.hasPointerCapture(event.pointerId)) turn(-event.movementX * 0.008, event.movementY * 0.008, 1);
+  });
+  canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    turn(0, 0, Math.exp(-event.deltaY * 0.0012));
+  }, { passive: false });
+  canvas.addEventListener("dblclick", reset);
+  canvas.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: [0.1, 0, 1], ArrowRight: [-0.1, 0, 1], ArrowUp: [0, -0.1, 1], ArrowDown: [0, 0.1, 1], "+": [0, 0, 1.1], "-": [0, 0, 1 / 1.1] }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    turn(step[0]!, step[1]!, step[2]!);
+  });
+}
+
 /** Null where the browser has no WebGL 2. */
 export function viewOn(canvas: HTMLCanvasElement): View | null {
   const gl = canvas.getContext("webgl2", { antialias: true });
@@ -133,17 +173,7 @@ export function viewOn(canvas: HTMLCanvasElement): View | null {
     if (canvas.height !== height) canvas.height = height;
     gl.viewport(0, 0, width, height);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    // Units are the figure's radius, so that figures of any size keep their depth.
-    const { middle, radius, half } = shapes;
-    const aspect = width / height, f = 1 / Math.tan(FIELD / 2);
-    const aside = Math.max(half[0], half[2]) / radius;
-    const distance = (MARGIN * f * Math.max(half[1] / radius, aside / aspect) + half[2] / radius) / eye.zoom;
-    const near = Math.max(0.01, distance - 1.1), far = distance + 1.1;
-    const projection = [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (near + far) / (near - far), -1, 0, 0, (2 * near * far) / (near - far), 0];
-    const [cy, sy, cp, sp] = [Math.cos(eye.yaw), Math.sin(eye.yaw), Math.cos(eye.pitch), Math.sin(eye.pitch)];
-    const rows = [[cy, 0, -sy], [-sp * sy, cp, -sp * cy], [cp * sy, sp, cp * cy]];
-    const view = [0, 1, 2].flatMap((k) => [...rows.map((row) => row[k]! / radius), 0]);
-    view.push(...rows.map((row, i) => -(row[0]! * middle[0] + row[1]! * middle[1] + row[2]! * middle[2]) / radius - (i === 2 ? distance : 0)), 1);
+    const { view, projection } = matrices(shapes, eye, width / height);
     for (const [used, array] of [[segments, segmentArray], [triangles, cornerArray]] as const) {
       gl.useProgram(used);
       gl.uniformMatrix4fv(gl.getUniformLocation(used, "view"), false, view);
@@ -153,7 +183,7 @@ export function viewOn(canvas: HTMLCanvasElement): View | null {
         gl.drawArrays(gl.TRIANGLES, 0, shapes.corners.length / 6);
       } else {
         gl.uniform1f(gl.getUniformLocation(used, "pixel"), (2 * Math.tan(FIELD / 2) * ratio) / height);
-        gl.uniform1f(gl.getUniformLocation(used, "scale"), 1 / radius);
+        gl.uniform1f(gl.getUniformLocation(used, "scale"), 1 / shapes.radius);
         gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, shapes.segments.length / 11);
       }
     }
@@ -161,29 +191,15 @@ export function viewOn(canvas: HTMLCanvasElement): View | null {
   const repaint = (): void => {
     waiting ||= requestAnimationFrame(paint);
   };
-  const turn = (yaw: number, pitch: number, zoom = 1): void => {
+  const turn = (yaw: number, pitch: number, zoom: number): void => {
     turned = true;
     eye = { yaw: eye.yaw + yaw, pitch: Math.max(-1.5, Math.min(1.5, eye.pitch + pitch)), zoom: Math.max(0.3, Math.min(20, eye.zoom * zoom)) };
     repaint();
   };
 
-  canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
-  canvas.addEventListener("pointermove", (event) => {
-    if (canvas.hasPointerCapture(event.pointerId)) turn(-event.movementX * 0.008, event.movementY * 0.008);
-  });
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    turn(0, 0, Math.exp(-event.deltaY * 0.0012));
-  }, { passive: false });
-  canvas.addEventListener("dblclick", () => {
+  listen(canvas, turn, () => {
     turned = false;
     if (shapes) show(shapes);
-  });
-  canvas.addEventListener("keydown", (event) => {
-    const step = { ArrowLeft: [0.1, 0, 1], ArrowRight: [-0.1, 0, 1], ArrowUp: [0, -0.1, 1], ArrowDown: [0, 0.1, 1], "+": [0, 0, 1.1], "-": [0, 0, 1 / 1.1] }[event.key];
-    if (!step) return;
-    event.preventDefault();
-    turn(step[0]!, step[1]!, step[2]);
   });
   new ResizeObserver(repaint).observe(canvas);
 
