@@ -8,7 +8,7 @@ usage() {
   cat <<TEXT
 Usage: scripts/format.sh [--check]
 
-Formats the C++ files of gen/, tests/ and bench/ by .clang-format. With --check it changes nothing: exit code 1
+Formats the C++ files of gen/, tests/, bench/ and docs/ by .clang-format. With --check it changes nothing: exit code 1
 where a file is not formatted, 0 otherwise.
 TEXT
 }
@@ -21,7 +21,7 @@ case ${1:-} in
   *) bad_usage "unknown argument '$1'" ;;
 esac
 cd -- "$root"
-sources() { find gen tests bench \( -name '*.cpp' -o -name '*.h' \) -print0; }
+sources() { find gen tests bench docs \( -name '*.cpp' -o -name '*.h' \) -print0; }
 if [[ -z $check ]]; then
   sources | xargs -0 -r clang-format -i
   exit 0

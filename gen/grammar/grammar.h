@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -20,8 +21,8 @@ namespace frond {
 
 /// Limits on the size of a word, after which a derivation stops.
 struct Limits {
-  std::size_t modules = 200'000'000;
-  std::size_t bytes = std::size_t{4} << 30;
+  std::uint64_t modules = 200'000'000;
+  std::uint64_t bytes = std::uint64_t{4} << 30;
 };
 
 /// A grammar as its author writes it.

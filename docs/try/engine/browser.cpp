@@ -1,0 +1,18 @@
+#include "core/parallel.h"
+#include "geometry/obj.h"
+
+// What the grammar engine uses of other modules, as it is in a browser: one thread and no files.
+
+namespace frond {
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+int thread_count() { return 1; }
+
+Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
+  return Error{name, "no files are read here"};
+}
+
+}  // namespace frond

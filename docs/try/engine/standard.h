@@ -1,0 +1,103 @@
+#pragma once
+
+// What the sources use of the C++20 library and the one of emscripten 3.1.6 (libc++ 13) does not have. Every
+// source is compiled with this header included first.
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <version>
+
+#if _LIBCPP_VERSION < 15000
+
+namespace std {
+
+/// Reads what std::strtod reads in the locale "C", as far as std::from_chars would: neither space, plus sign
+/// nor hexadecimal digits.
+inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+  const char* digits = first != last && *first == '-' ? first + 1 : first;
+  auto is_digit = [&](const char* c) { return c < last && *c >= '0' && *c <= '9'; };
+  bool number = is_digit(digits) || (digits < last && *digits == '.' && is_digit(digits + 1));
+  if (!number) return {first, errc::invalid_argument};
+  const char* end = digits;
+  while (is_digit(end)) ++end;
+  if (end < last && *end == '.') ++end;
+  while (is_digit(end)) ++end;
+  if (end < last && (*end == 'e' || *end == 'E')) {
+    const char* power = end + 1;
+    if (power < last && (*power == '+' || *power == '-')) ++power;
+    if (is_digit(power)) end = power;
+    while (is_digit(end)) ++end;
+  }
+  errno = 0;
+  double read = strtod(string(first, end).c_str(), nullptr);
+  if (errno == ERANGE) return {end, errc::result_out_of_range};
+  value = read;
+  return {end, errc{}};
+}
+
+/// The fewest digits that read back as the same number. There must be room for them.
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format format) {
+  auto room = static_cast<size_t>(last - first);
+  int digits = 1, length = 0;
+  do length = snprintf(first, room, "%.*e", digits - 1, value);
+  while (strtod(first, nullptr) != value && ++digits <= 17);
+  int power = atoi(strchr(first, 'e') + 1);
+  length = format == chars_format::fixed ? snprintf(first, room, "%.*f", max(digits - 1 - power, 0), value)
+                                         : snprintf(first, room, "%.*g", digits, value);
+  return {first + length, errc{}};
+}
+
+namespace ranges {
+
+template <class Range, class Value, class Projection = identity>
+auto find(Range&& range, const Value& value, Projection projection = {}) {
+  return find_if(begin(range), end(range),
+                 [&](const auto& each) { return invoke(projection, each) == value; });
+}
+template <class Range, class Test>
+auto find_if(Range&& range, Test test) {
+  return std::find_if(begin(range), end(range), test);
+}
+template <class Range, class Test>
+bool all_of(Range&& range, Test test) {
+  return std::all_of(begin(range), end(range), test);
+}
+template <class Range, class Test>
+bool any_of(Range&& range, Test test) {
+  return std::any_of(begin(range), end(range), test);
+}
+template <class Range, class Test>
+bool none_of(Range&& range, Test test) {
+  return std::none_of(begin(range), end(range), test);
+}
+template <class Range, class Value>
+void replace(Range&& range, const Value& from, const Value& to) {
+  std::replace(begin(range), end(range), from, to);
+}
+template <class Range, class Test, class Value>
+void replace_if(Range&& range, Test test, const Value& to) {
+  std::replace_if(begin(range), end(range), test, to);
+}
+template <class Range, class Value>
+auto upper_bound(Range&& range, const Value& value) {
+  return std::upper_bound(begin(range), end(range), value);
+}
+template <class Range, class Order = std::less<>, class Projection>
+void stable_sort(Range&& range, Order, Projection projection) {
+  std::stable_sort(begin(range), end(range), [&](const auto& a, const auto& b) {
+    return invoke(projection, a) < invoke(projection, b);
+  });
+}
+
+}  // namespace ranges
+
+}  // namespace std
+
+#endif

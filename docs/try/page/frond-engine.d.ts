@@ -1,0 +1,4 @@
+declare module "frond-engine" {
+  const source: string;
+  export default source;
+}
