@@ -165,7 +165,12 @@ template <class Visitor>
 void describe(Visitor& v, Breeze& b) {
   v.aspect(Aspect::motion);
   v.angle("amplitude", b.amplitude, {.min = 0, .max = 60},
-          "Angle by which the free end of a hanging strand swings");
+          "Angle by which the free end of a hanging strand swings, where speed is 0");
+  v.number("speed", b.speed, {.min = 0, .max = 30, .unit = "m/s"},
+           "Mean speed of a wind with gusts in which hanging strands are simulated as chains with weight and "
+           "stiffness; 0 lets them swing by amplitude");
+  v.number("gust", b.gust, {.min = 0.2, .max = 1000, .unit = "m"},
+           "Distance from one gust of that wind to the next; gusts travel at its speed");
   v.direction("direction", b.direction, Across::xz, "Direction of the wind; only x and z count");
 }
 
@@ -282,8 +287,14 @@ class IvyGrower final : public Described<IvyParams, Grower> {
       set_walk(specimen, std::move(ivy->strands), world, bed.seed.child("grow").child("walkers"));
       return specimen;
     }
-    specimen.life.hanging = Hanging{std::move(ivy->strands), params.breeze};
-    specimen.life.hanging->breeze.film_length = world.film_length();
+    Hanging& hanging = specimen.life.hanging.emplace(Hanging{std::move(ivy->strands), params.breeze});
+    hanging.breeze.film_length = world.film_length();
+    if (params.breeze.speed > 0) {
+      Breeze wind = hanging.breeze;
+      if (!world.filmed()) wind.film_length = 0;
+      hanging.paths =
+          std::make_shared<const SwingPaths>(swing_paths(hanging.strands, wind, params.crawl.stiffness));
+    }
     return specimen;
   }
 
