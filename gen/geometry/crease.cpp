@@ -55,6 +55,7 @@ Surface creased(const Surface& from, double angle) {
       to.triangle[f][k] = found;
     }
   }
+  to.paint = from.paint;
   return to;
 }
 
