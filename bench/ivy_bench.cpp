@@ -2,7 +2,7 @@
 
 #include "core/parallel.h"
 #include "creeping/crawl.h"
-#include "creeping/swing.h"
+#include "creeping/swing_paths.h"
 #include "creeping/tread.h"
 #include "rocks/stone.h"
 
@@ -83,6 +83,19 @@ void Swing(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(s.size()));
 }
 BENCHMARK(Swing);
+
+void SwingByPaths(benchmark::State& state) {
+  Crawl crawl;
+  crawl.let_go = 1;
+  Strands s = grow_strands(host(), starts_around(host(), 12, Vec3(0), 10, Seed{3}), crawl, Seed{1});
+  SwingPaths paths = swing_paths(s, {.speed = 2, .film_length = 5}, crawl.stiffness);
+  std::vector<Vec3> position;
+  std::vector<Quat> turn;
+  double time = 0;
+  for (auto _ : state) swing_strands(s, paths, time += 0.04, position, turn);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(s.size()));
+}
+BENCHMARK(SwingByPaths);
 
 }  // namespace
 }  // namespace frond

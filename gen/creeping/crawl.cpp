@@ -51,7 +51,7 @@ void begin(Growing& g, Tip tip, std::int32_t below) {
 bool branch(Growing& g, std::int32_t from, const Tread& at, std::int32_t node) {
   assert(from >= 0 && from < static_cast<std::int32_t>(g.tips.size()) && node >= 0);
   Seed seed = g.tips[from].seed.child("branch", static_cast<std::uint64_t>(g.tips[from].branches++));
-  double side = seed.child("side").unit() < 0.5 ? -1 : 1, spacing = g.crawl.spacing;
+  double side = seed.child("side").unit() < 0.5 ? -1 : 1, spacing = spacing_at(g.crawl, g.host, at);
   for (double sign : {side, -side}) {
     Tread t = at;
     t.heading = turned(t.heading, t.normal, sign * g.crawl.branch_angle);
@@ -155,7 +155,8 @@ std::optional<Tread> begin_at(const Growing& g, const Start& start) {
   };
   for (int i = 0; i < 4 && tread && sunk() > 0; ++i)
     tread = tread_at(g.host, tread->place + DVec3(0, sunk() + lift, 0), start.heading, lift);
-  if (tread && (sunk() > 0 || g.host.inside(tread->place))) return std::nullopt;
+  if (tread && (sunk() > 0 || g.host.inside(tread->place) || barred(g.crawl, g.host, *tread)))
+    return std::nullopt;
   return tread;
 }
 

@@ -7,7 +7,7 @@
 #include "core/assets.h"
 #include "core/curve.h"
 #include "core/seed.h"
-#include "creeping/host.h"
+#include "creeping/mask.h"
 #include "model/skeleton.h"
 
 namespace frond {
@@ -67,6 +67,8 @@ struct Crawl {
   /// back where a strand would stop, and neither branch nor hang.
   bool trace = true;
 
+  std::optional<CrawlMask> mask;  ///< scales bias, spacing and leaves by what is painted on the host
+
   bool backs = false;       ///< strands also go round the rims of open meshes to their inner sides
   double let_go = 0.1;      ///< chance that a strand lets go at an edge or where an overhang begins
   double hang_most = 1;     ///< metres, maximum length of a hanging strand
@@ -101,6 +103,7 @@ struct Strands {
   std::vector<std::uint8_t> hanging;  ///< 1: held only by its neighbours
   std::vector<float> room;            ///< of hanging nodes, metres of space to host and ground; else 0
   std::vector<std::int32_t> of;       ///< the strand of each node
+  std::vector<float> mask;  ///< if it scales leaves, its value at each node, 1 where it hangs; else empty
   std::vector<Strand> strands;
 
   std::size_t size() const { return skeleton.size(); }

@@ -149,6 +149,8 @@ Strands gather(const Host& host, const GroundHeight& ground, const Nodes& nodes,
     out.skeleton.birth.back() = end > 0 ? static_cast<float>(laid.time / end) : 0;
     out.hanging.push_back(laid.hanging);
     out.of.push_back(number[s]);
+    if (crawl.mask && crawl.mask->scaling("leaves"))
+      out.mask.push_back(laid.hanging ? 1.0f : static_cast<float>(mask_at(crawl, host, laid.tread)));
   }
   set_tip_distances(out.skeleton);
   return out;

@@ -183,6 +183,7 @@ Host& Host::operator=(Host&& other) noexcept {
   neighbour_ = std::move(other.neighbour_);
   solid_ = std::move(other.solid_);
   vertex_normal_ = std::move(other.vertex_normal_);
+  paint_ = std::move(other.paint_);
   low_ = other.low_;
   high_ = other.high_;
   closed_ = other.closed_;
@@ -199,6 +200,7 @@ void Host::take(Soup&& soup) {
   vertex_ = std::move(soup.vertex);
   neighbour_ = std::move(soup.neighbour);
   solid_ = std::move(soup.solid);
+  paint_ = std::move(soup.paint);
   closed_ = std::all_of(solid_.begin(), solid_.end(), [](auto s) { return s != 0; });
   vertex_normal_.assign(soup.vertices, Vec3(0));
   Vec3 low = corners_[0][0], high = low;
@@ -264,6 +266,21 @@ DVec3 Host::face_normal(std::uint32_t triangle) const {
   assert(triangle < corners_.size());
   const auto& c = corners_[triangle];
   return glm::normalize(glm::cross(DVec3(c[1]) - DVec3(c[0]), DVec3(c[2]) - DVec3(c[0])));
+}
+
+Vec3 Host::paint(std::uint32_t triangle, const DVec3& point) const {
+  if (paint_.empty()) return kUnpainted;
+  const auto& c = corners_[triangle];
+  const auto& p = paint_[triangle];
+  DVec3 one = DVec3(c[1]) - DVec3(c[0]), two = DVec3(c[2]) - DVec3(c[0]), across = glm::cross(one, two);
+  DVec3 off = (point - DVec3(c[0])) / glm::dot(across, across);
+  auto v = static_cast<float>(glm::dot(glm::cross(off, two), across));
+  auto w = static_cast<float>(glm::dot(glm::cross(one, off), across));
+  return p[0] * (1 - v - w) + p[1] * v + p[2] * w;
+}
+
+bool Host::has_paint(int channel) const {
+  return std::ranges::any_of(paint_, [&](const auto& corners) { return !std::isnan(corners[0][channel]); });
 }
 
 /// Tells outside from inside at any feature (Baerentzen and Aanaes 2005).

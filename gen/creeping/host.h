@@ -75,6 +75,12 @@ class Host {
   const std::vector<std::array<Vec3, 3>>& triangles() const { return corners_; }
   DVec3 face_normal(std::uint32_t triangle) const;
 
+  /// The paint of the surface (model/surface.h) at a point of a triangle, between that of its corners.
+  Vec3 paint(std::uint32_t triangle, const DVec3& point) const;
+  /// Whether some corner has texture coordinates, or a grey.
+  bool has_texture() const { return has_paint(0); }
+  bool has_grey() const { return has_paint(2); }
+
   /// Whether a side of a triangle is the back of an open part, such as the inner side of a scan.
   bool behind(std::uint32_t triangle, const DVec3& normal) const {
     return !solid_[triangle] && glm::dot(face_normal(triangle), normal) < -0.3;
@@ -84,6 +90,7 @@ class Host {
   struct Tree;
   Host();
   void take(Soup&& soup);
+  bool has_paint(int channel) const;
   double openness(std::uint32_t triangle, double side) const;
   DVec3 feature_normal(std::uint32_t triangle, int feature) const;
 
@@ -92,6 +99,7 @@ class Host {
   std::vector<std::array<std::uint32_t, 3>> neighbour_;  // across the edges 01, 12, 20, or kNoTriangle
   std::vector<std::uint8_t> solid_;                      // part of a closed piece
   std::vector<Vec3> vertex_normal_;                      // weighted by angle, not of length 1
+  std::vector<std::array<Vec3, 3>> paint_;               // of each triangle's corners; may be empty
   DVec3 low_{0}, high_{0};
   bool closed_ = false;
   std::unique_ptr<Tree> tree_;

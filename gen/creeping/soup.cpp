@@ -71,6 +71,7 @@ void keep_triangles(const Surface& surface, const std::vector<std::uint32_t>& pl
     auto [a, b, c] = surface.triangle[t];
     soup.vertex.push_back({place[a], place[b], place[c]});
     soup.corners.push_back({surface.position[a], surface.position[b], surface.position[c]});
+    if (!surface.paint.empty()) soup.paint.push_back(surface.paint[t]);
   }
 }
 
@@ -149,6 +150,7 @@ void flip(Soup& soup, std::uint32_t t) {
   std::swap(soup.vertex[t][1], soup.vertex[t][2]);
   std::swap(soup.corners[t][1], soup.corners[t][2]);
   std::swap(soup.neighbour[t][0], soup.neighbour[t][2]);
+  if (!soup.paint.empty()) std::swap(soup.paint[t][1], soup.paint[t][2]);
 }
 
 Soup mend_surface(const Surface& surface) {

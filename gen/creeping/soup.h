@@ -16,6 +16,7 @@ struct Soup {
   std::vector<std::array<std::uint32_t, 3>> neighbour;  ///< across the edges 01, 12 and 20, or ~0u
   std::vector<std::uint8_t> solid;                      ///< part of a closed piece
   std::vector<std::uint32_t> piece;                     ///< connected triangles have the same number
+  std::vector<std::array<Vec3, 3>> paint;               ///< as that of the surface; may be empty
   std::size_t vertices = 0, pieces = 0;
 };
 

@@ -5,31 +5,11 @@
 #include <cmath>
 
 #include "core/loop.h"
+#include "creeping/hung_chain.h"
 
 namespace frond {
 
 namespace {
-
-constexpr double kGravity = 9.81;
-
-/// A run of hanging nodes: `first` .. `last`, held by the parent of the first and, where it took hold again,
-/// by the node after the last.
-struct Run {
-  std::int32_t first, last;
-  bool bridged;
-};
-
-std::vector<Run> runs_of(const Strands& s) {
-  std::vector<Run> runs;
-  for (const Strand& strand : s.strands)
-    for (std::int32_t i = strand.first, end = strand.first + strand.count; i < end; ++i) {
-      if (!s.hanging[i]) continue;
-      std::int32_t first = i;
-      while (i + 1 < end && s.hanging[i + 1]) ++i;
-      runs.push_back({first, i, i + 1 < end});
-    }
-  return runs;
-}
 
 /// The turn by small angles about two level axes at once.
 Quat tilt(const Vec3& along, double push, double side) {
@@ -40,6 +20,18 @@ Quat tilt(const Vec3& along, double push, double side) {
 
 }  // namespace
 
+std::vector<HangingRun> hanging_runs(const Strands& s) {
+  std::vector<HangingRun> runs;
+  for (const Strand& strand : s.strands)
+    for (std::int32_t i = strand.first, end = strand.first + strand.count; i < end; ++i) {
+      if (!s.hanging[i]) continue;
+      std::int32_t first = i;
+      while (i + 1 < end && s.hanging[i + 1]) ++i;
+      runs.push_back({first, i, i + 1 < end});
+    }
+  return runs;
+}
+
 void swing_strands(const Strands& strands, const Breeze& breeze, double time, std::vector<Vec3>& position,
                    std::vector<Quat>& turn) {
   const Skeleton& rest = strands.skeleton;
@@ -48,7 +40,7 @@ void swing_strands(const Strands& strands, const Breeze& breeze, double time, st
   turn.assign(rest.size(), Quat(1, 0, 0, 0));
   Vec3 flat(breeze.direction.x, 0, breeze.direction.z);
   Vec3 wind = glm::length(flat) > 0 ? glm::normalize(flat) : Vec3(1, 0, 0);
-  for (const Run& run : runs_of(strands)) {
+  for (const HangingRun& run : hanging_runs(strands)) {
     std::int32_t root = rest.parent[run.first];
     assert(run.first <= run.last && run.last < static_cast<std::int32_t>(rest.size()));
     if (root == Skeleton::kRoot) continue;

@@ -120,7 +120,7 @@ void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& 
       if (tip.laid.empty()) block(tip, crawl, End::stuck);
       return;
     }
-    bool free = in_bounds(crawl, ground, s.tread.place);
+    bool free = in_bounds(crawl, ground, s.tread.place) && !barred(crawl, host, s.tread);
     if (!free && !crawl.trace) return turn_back(tip, draw);
     tip.calm += s.length;
     tip.along += s.length;
@@ -161,6 +161,7 @@ void grip(Tip& tip, const Host& host, const Crawl& crawl) {
   t.place = t.contact + t.normal * lift_of(crawl);
   t.heading = tangent(last, t.normal);
   t.triangle = under->triangle;
+  if (barred(crawl, host, t)) return stop(tip, End::box);
   tip.hangs = false;
   tip.gripped = true;
   tip.calm = 0;
@@ -199,9 +200,10 @@ Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed) {
   return tip;
 }
 
-std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,
-                                       const Crowd::Own& own, double step, std::vector<DVec3>& near) {
-  double spacing = crowd.spacing(), probe = std::max(step, 0.5 * spacing);
+std::optional<DVec3> heading_with_room(const Crowd& crowd, double spacing, const Tread& tread,
+                                       const DVec3& heading, const Crowd::Own& own, double step,
+                                       std::vector<DVec3>& near) {
+  double probe = std::max(step, 0.5 * spacing);
   crowd.gather(tread.place, tread.normal, own, spacing + probe, near);
   if (near.empty()) return heading;
   Crowd::View straight = crowd.view(near, tread.place + heading * probe);
@@ -241,10 +243,12 @@ void advance(Tip& tip, const CrawlWorld& world, const Crowd* crowd, const Crawl&
   DVec3 heading = turned(tip.tread.heading, normal, crawl.wander * draw.child(0).range(-1, 1));
   double share;
   DVec3 lure = lured(crawl, tip.tread, static_cast<double>(step) / crawl.max_age, share);
+  if (crawl.mask && crawl.mask->scaling("bias")) share *= mask_at(crawl, world.host, tip.tread);
   heading = leaning(heading, normal, lure, share);
   if (tip.lead.curve >= 0) heading = guided(guides.follow(tip.tread.place, tip.lead), heading, normal);
   if (crowd) {
-    std::optional<DVec3> free = heading_with_room(*crowd, tip.tread, heading,
+    double spacing = spacing_at(crawl, world.host, tip.tread);
+    std::optional<DVec3> free = heading_with_room(*crowd, spacing, tip.tread, heading,
                                                   {tip.strand, tip.parent, tip.along}, crawl.speed, tip.near);
     if (!free) return crawl.trace ? block(tip, crawl, End::crowded) : turn_back(tip, draw);
     heading = tangent(*free, normal);

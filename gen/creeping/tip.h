@@ -45,6 +45,19 @@ struct Tip {
 /// How far off the surface strands creep: the smallest radius, that of the youngest node.
 inline double lift_of(const Crawl& crawl) { return 0.1 * crawl.radius; }
 
+/// The value of the mask at a tread; 1 without one.
+inline double mask_at(const Crawl& crawl, const Host& host, const Tread& tread) {
+  return crawl.mask ? crawl.mask->at(host, tread.triangle, tread.contact) : 1;
+}
+inline bool barred(const Crawl& crawl, const Host& host, const Tread& tread) {
+  return crawl.mask && crawl.mask->stops > 0 && mask_at(crawl, host, tread) < crawl.mask->stops;
+}
+/// The distance that strands keep from each other there.
+inline double spacing_at(const Crawl& crawl, const Host& host, const Tread& tread) {
+  bool scaled = crawl.mask && crawl.mask->scaling("spacing");
+  return scaled ? crawl.spacing * mask_at(crawl, host, tread) : crawl.spacing;
+}
+
 /// A tip that begins at a tread.
 Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed);
 
@@ -58,8 +71,10 @@ struct CrawlWorld {
 /// Step number `step` (from 0) of a tip.
 void advance(Tip& tip, const CrawlWorld& world, const Crowd* crowd, const Crawl& crawl, int step);
 
-/// A heading with room, near the wanted one; nothing where there is none. `near` is overwritten.
-std::optional<DVec3> heading_with_room(const Crowd& crowd, const Tread& tread, const DVec3& heading,
-                                       const Crowd::Own& own, double step, std::vector<DVec3>& near);
+/// A heading with `spacing` metres of room, at most the crowd's, near the wanted one; nothing where there is
+/// none. `near` is overwritten.
+std::optional<DVec3> heading_with_room(const Crowd& crowd, double spacing, const Tread& tread,
+                                       const DVec3& heading, const Crowd::Own& own, double step,
+                                       std::vector<DVec3>& near);
 
 }  // namespace frond

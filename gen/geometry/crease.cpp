@@ -56,6 +56,7 @@ Surface creased(const Surface& from, double angle, std::vector<std::uint32_t>* s
       to.triangle[f][k] = found;
     }
   }
+  to.paint = from.paint;
   return to;
 }
 

@@ -153,6 +153,20 @@ class Vertices {
   bool complete_ = true;
 };
 
+/// What is painted at a corner of a face.
+Vec3 paint_of(const tinyobj::attrib_t& given, const tinyobj::index_t& corner) {
+  Vec3 paint = kUnpainted;
+  auto texture = static_cast<std::size_t>(std::max(corner.texcoord_index, 0)) * 2,
+       color = static_cast<std::size_t>(std::max(corner.vertex_index, 0)) * 3;
+  if (corner.texcoord_index >= 0 && texture + 1 < given.texcoords.size())
+    paint.x = given.texcoords[texture], paint.y = given.texcoords[texture + 1];
+  if (color + 2 < given.colors.size())
+    paint.z = std::clamp(
+        0.2126f * given.colors[color] + 0.7152f * given.colors[color + 1] + 0.0722f * given.colors[color + 2],
+        0.0f, 1.0f);
+  return paint;
+}
+
 /// The same lines, each without its comment.
 std::string without_comments(std::string_view text) {
   std::string bare;
@@ -173,6 +187,7 @@ Errors parse(tinyobj::ObjReader& reader, std::string_view text, const std::strin
   if (Errors errors = Checker(name).check(bare); !errors.empty()) return errors;
   tinyobj::ObjReaderConfig config;
   config.triangulate = true;
+  config.vertex_color = false;  // none where not all have one
   if (reader.ParseFromString(bare, "", config)) return {};
   return {{name, "is no OBJ file that can be read"}};
 }
@@ -190,6 +205,7 @@ void turn_outward(Surface& s) {
   for (auto [from, to] : edges)
     if (!edges.contains({to, from})) return;
   for (auto& triangle : s.triangle) std::swap(triangle[1], triangle[2]);
+  for (auto& paint : s.paint) std::swap(paint[1], paint[2]);
 }
 
 }  // namespace
@@ -198,7 +214,9 @@ Result<Surface> read_obj(std::string_view text, const std::string& name) {
   tinyobj::ObjReader reader;
   if (Errors errors = parse(reader, text, name); !errors.empty()) return errors;
   Surface surface;
-  Vertices vertices(reader.GetAttrib(), surface);
+  const tinyobj::attrib_t& given = reader.GetAttrib();
+  Vertices vertices(given, surface);
+  bool painted = !given.texcoords.empty() || !given.colors.empty();
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     const auto& corners = shape.mesh.indices;
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
@@ -210,6 +228,9 @@ Result<Surface> read_obj(std::string_view text, const std::string& name) {
       if (!(glm::dot(area, area) > 0) || !std::isfinite(glm::dot(area, area))) continue;
       surface.triangle.push_back(
           {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+      if (painted)
+        surface.paint.push_back(
+            {paint_of(given, corners[i]), paint_of(given, corners[i + 1]), paint_of(given, corners[i + 2])});
     }
   }
   if (surface.triangle.empty()) return Error{name, "holds no face that could be drawn"};

@@ -14,8 +14,9 @@ namespace frond {
 
 /// A Wavefront OBJ text as one mesh: all objects, faces of any number of corners, with its normals or,
 /// without any, smooth face normals except across edges of more than 40 degrees; closed meshes are turned
-/// outward. Materials are ignored, faces without area dropped. Invalid numbers, missing corners and a text
-/// without a usable face are errors, which call the text `name` and give the line.
+/// outward. Texture coordinates (`vt`) and the colours of vertices (`v x y z r g b`, if all have some; as
+/// grey) become its paint. Materials are ignored, faces without area dropped. Invalid numbers, missing
+/// corners and a text without a usable face are errors, which call the text `name` and give the line.
 Result<Surface> read_obj(std::string_view text, const std::string& name = "");
 
 /// Polylines over numbered points.

@@ -85,6 +85,7 @@ class Raiser {
 Surface raised(const Surface& smooth, const Relief& relief) {
   Surface out = smooth;
   out.triangle.clear();
+  out.paint.clear();
   Raiser raiser(smooth, relief, out);
   std::vector<std::array<std::uint32_t, 3>> near;
   std::vector<float> widths;

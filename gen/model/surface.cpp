@@ -10,6 +10,7 @@ namespace frond {
 std::string Surface::check() const {
   if (normal.size() != position.size()) return "the arrays differ in length";
   if (!uv.empty() && uv.size() != position.size()) return "not every vertex has a place on the texture";
+  if (!paint.empty() && paint.size() != triangle.size()) return "not every triangle has its paint";
   for (std::size_t i = 0; i < position.size(); ++i) {
     if (!std::isfinite(glm::dot(position[i], position[i])))
       return fmt::format("vertex {} is not at a finite place", i);
@@ -25,12 +26,26 @@ std::string Surface::check() const {
   return {};
 }
 
+namespace {
+
+/// Adds the paint of more triangles, before these are added.
+void append_paint(Surface& to, const Surface& more) {
+  if (to.paint.empty() && more.paint.empty()) return;
+  constexpr std::array<Vec3, 3> none{kUnpainted, kUnpainted, kUnpainted};
+  to.paint.resize(to.triangle.size(), none);
+  to.paint.insert(to.paint.end(), more.paint.begin(), more.paint.end());
+  to.paint.resize(to.triangle.size() + more.triangle.size(), none);
+}
+
+}  // namespace
+
 void append(Surface& to, const Surface& more) {
   assert(to.position.empty() || to.uv.empty() == more.uv.empty());
   auto offset = static_cast<std::uint32_t>(to.position.size());
   to.position.insert(to.position.end(), more.position.begin(), more.position.end());
   to.normal.insert(to.normal.end(), more.normal.begin(), more.normal.end());
   to.uv.insert(to.uv.end(), more.uv.begin(), more.uv.end());
+  append_paint(to, more);
   for (auto [a, b, c] : more.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
 }
 
@@ -42,6 +57,7 @@ void append_placed(Surface& to, const Surface& more, Vec3 at, Quat turn, Vec3 sc
   for (const Vec3& p : more.position) to.position.push_back(at + turn * (p * scale));
   for (const Vec3& n : more.normal) to.normal.push_back(glm::normalize(turn * (n / scale)));
   to.uv.insert(to.uv.end(), more.uv.begin(), more.uv.end());
+  append_paint(to, more);
   for (auto [a, b, c] : more.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
 }
 

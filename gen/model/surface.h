@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,16 @@ struct Surface {
   std::vector<Vec3> normal;
   std::vector<std::array<std::uint32_t, 3>> triangle;
   std::vector<Vec2> uv;  ///< texture coordinates of each vertex; may be empty
+  /// For each corner of each triangle what masks find there: texture coordinates u and v (v upward) and a
+  /// grey 0..1, NaN where it has none; may be empty.
+  std::vector<std::array<Vec3, 3>> paint{};
 
   /// Checks all invariants: one line for the first violation, empty if there is none.
   std::string check() const;
 };
+
+/// The paint of a corner without any.
+inline constexpr Vec3 kUnpainted{std::numeric_limits<float>::quiet_NaN()};
 
 /// Appends a mesh; both have `uv` or neither, unless the target is empty.
 void append(Surface& to, const Surface& more);

@@ -45,6 +45,7 @@ std::size_t bytes_of(const Specimen& specimen) {
     const Strands& s = h->strands;
     bytes += bytes_of(s.skeleton) + bytes_of(s.normal) + bytes_of(s.contact) + bytes_of(s.age) +
              bytes_of(s.hanging) + bytes_of(s.room) + bytes_of(s.of) + bytes_of(s.strands);
+    if (h->paths) bytes += bytes_of(h->paths->node) + bytes_of(h->paths->tilt);
   }
   return bytes;
 }
@@ -88,7 +89,10 @@ void pose_specimen(const Specimen& specimen, double time, Pose& pose) {
   // A creeper is revealed along strands that the wind has moved.
   std::vector<Quat> turn;
   Skeleton moved = rest;
-  swing_strands(hanging->strands, hanging->breeze, time, moved.position, turn);
+  if (hanging->paths)
+    swing_strands(hanging->strands, *hanging->paths, time, moved.position, turn);
+  else
+    swing_strands(hanging->strands, hanging->breeze, time, moved.position, turn);
   pose_skeleton(moved, specimen.motion, time, pose);
   for (std::size_t i = 0; i < turn.size(); ++i) pose.turn[i] = pose.turn[i] * turn[i];
 }

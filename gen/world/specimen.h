@@ -7,7 +7,7 @@
 
 #include "core/result.h"
 #include "creeping/crawl.h"
-#include "creeping/swing.h"
+#include "creeping/swing_paths.h"
 #include "dress/dress.h"
 #include "land/ground.h"
 #include "model/model.h"
@@ -19,6 +19,7 @@ namespace frond {
 struct Hanging {
   Strands strands;
   Breeze breeze;
+  std::shared_ptr<const SwingPaths> paths{};  ///< where its motion is simulated
 };
 
 /// How the shape of a specimen changes over the film, besides growth and swaying.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace frond {
 namespace {
 
@@ -19,6 +21,21 @@ TEST(ReadObj, KeepsTheNormalsThatAreGiven) {
   Result<Surface> mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\n");
   ASSERT_TRUE(mesh.ok());
   EXPECT_NEAR(mesh->normal[0].y, 0.6f, 1e-5);
+}
+
+TEST(ReadObj, TakesTextureCoordinatesAndColorsAsPaint) {
+  const std::string faces = "f 1/1 2/2 3/3\n", texture = "vt 0 0\nvt 1 0\nvt 0.25 1\n";
+  Result<Surface> mesh = read_obj("v 0 0 0 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0 0 1 0\n" + texture + faces);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_EQ(mesh->check(), "");
+  ASSERT_EQ(mesh->paint.size(), 1u);
+  EXPECT_EQ(Vec2(mesh->paint[0][2]), Vec2(0.25f, 1));
+  EXPECT_NEAR(mesh->paint[0][1].z, 1, 1e-5);
+  EXPECT_NEAR(mesh->paint[0][2].z, 0.7152f, 1e-5);
+  mesh = read_obj("v 0 0 0 0 0 0\nv 1 0 0\nv 0 1 0 0 1 0\n" + texture + faces);
+  EXPECT_TRUE(std::isnan(mesh->paint[0][0].z)) << "not all vertices have a colour";
+  mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_TRUE(mesh->paint.empty());
 }
 
 TEST(ReadObj, PartsSharpEdgesWhereNoNormalsAreGiven) {

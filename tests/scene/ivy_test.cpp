@@ -116,6 +116,36 @@ TEST(IvyScene, UnfoldsWithoutJumps) {
     EXPECT_NEAR(last.size[i], ivy.model.organs.scale[i].x, 1e-5);
 }
 
+TEST(IvyScene, MasksNeedPaintOnTheHost) {
+  auto said = [](const std::string& mask) {
+    Result<Scene> scene = build_scene(
+        *read_ivy(kIvyWall + "," + R"({"kind": "ivy", "crawl": {"max_age": 20, "mask": )" + mask + "}}"));
+    return scene.ok() ? "" : scene.errors()[0].text();
+  };
+  EXPECT_NE(
+      said("{}").find("/organisms/1/crawl/mask: what the ivy grows on has no vertex colours; expected a "
+                      "mesh whose OBJ file has them"),
+      std::string::npos)
+      << said("{}");
+}
+
+TEST(IvyScene, SwingsInGustsAsAFilmThatRepeats) {
+  Scene scene = *build_scene(*read_ivy(
+      kIvyWall + "," +
+      R"({"kind": "ivy", "count": 3, "crawl": {"max_age": 70, "let_go": 1}, "breeze": {"speed": 2}})"));
+  const Specimen& ivy = scene.specimens[1];
+  ASSERT_TRUE(ivy.life.hanging->paths);
+  EXPECT_GT(ivy.life.hanging->paths->node.size(), 20u);
+  Shown first = shown(ivy, 0), again = shown(ivy, scene.film.length()), between = shown(ivy, 0.9);
+  float apart = 0, moved = 0;
+  for (std::size_t i = 0; i < first.tip.size(); ++i) {
+    apart = std::max(apart, glm::distance(first.tip[i], again.tip[i]));
+    moved = std::max(moved, glm::distance(first.tip[i], between.tip[i]));
+  }
+  EXPECT_LT(apart, 1e-4f);
+  EXPECT_GT(moved, 2e-3f);
+}
+
 TEST(IvyScene, LoopsOnceItIsGrown) {
   Scene scene = *build_scene(
       *read_ivy(kIvyWall + "," + R"({"kind": "ivy", "count": 3, "crawl": {"max_age": 70, "let_go": 1},

@@ -313,6 +313,10 @@ const WrongPreset kWrongValues[] = {
      {},
      {"1:69: /organisms/0/crawl/toward: found a vector of length 0; expected the direction that strands turn "
       "to"}},
+    {"A mask of ivy that scales what it cannot",
+     R"({"organisms": [{"kind": "ivy", "crawl": {"mask": {"scales": ["bias", "speed"]}}}]})",
+     {},
+     {R"(1:70: /organisms/0/crawl/mask/scales/1: found "speed"; expected one of bias, spacing, leaves)"}},
     {"Ivy on what is not there",
      R"({"organisms": [{"kind": "wall"}, {"kind": "ivy", "on": ["wall"]}]})",
      {},

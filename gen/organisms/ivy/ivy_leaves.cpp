@@ -127,6 +127,7 @@ std::vector<Bud> buds_along(const Plan& plan, double step) {
       next += step * own.child(7).range(0.7, 1.3);
       ++count;
       if (s.distance[i] < plan.leaves.bare * own.child(8).range(0.6, 1.5)) continue;
+      if (!plan.strands.mask.empty() && own.child(10).unit() >= plan.strands.mask[i]) continue;
       buds.push_back(bud_at(plan, i, count, own));
       Bud& bud = buds.back();
       bud.id = static_cast<std::uint32_t>(own.bits());

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "core/parallel.h"
 #include "dress/describe.h"
 #include "geometry/obj.h"
+#include "images/raster.h"
 #include "organisms/ivy/ivy.h"
 #include "organisms/kinds.h"
 
@@ -66,6 +68,33 @@ void describe_limits(Visitor& v, Crawl& c) {
   if (high) c.high = *high;
 }
 
+/// The grey of a picture.
+Errors load_mask(const NamedFile& file, CrawlMask& mask) {
+  Result<Raster> picture = read_png(file.text);
+  if (!picture) return {{file.path.string(), picture.errors().front().what + "; expected a PNG file"}};
+  mask.width = picture->width;
+  mask.height = picture->height;
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      auto of = [&](int c) { return picture->at(x, y, picture->channels < 3 ? 0 : c); };
+      mask.grey.push_back(
+          static_cast<std::uint8_t>(std::lround(0.2126 * of(0) + 0.7152 * of(1) + 0.0722 * of(2))));
+    }
+  return {};
+}
+
+template <class Visitor>
+void describe(Visitor& v, CrawlMask& m) {
+  v.file(
+      "file", m.file, [&](const NamedFile& file) { return load_mask(file, m); },
+      "A PNG file, laid on by the texture coordinates of a mesh (`vt`) or over the face of a wall; its grey "
+      "counts. Without it, the grey of a mesh's vertex colours (`v x y z r g b`)");
+  v.list("scales", m.scales, Count{0, 3},
+         "What it scales, from nothing in black to all in white: bias, spacing, leaves");
+  v.number("stops", m.stops, {.min = 0, .max = 1},
+           "Strands neither begin nor go where the grey is below this; 0 stops none");
+}
+
 template <class Visitor>
 void describe(Visitor& v, Crawl& c) {
   v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "Length of one step of a strand");
@@ -82,6 +111,7 @@ void describe(Visitor& v, Crawl& c) {
   v.list("guides", c.guides, Count{0, 100},
          "Curves that strands follow: those that come within the width of one keep within it to its end. "
          "Without place.at strands begin where curves do");
+  v.object("mask", c.mask, "A grey on the host that scales what ivy does there");
   v.boolean("trace", c.trace,
             "Whether strands stay where they creep; if not, bodies creep there, as walkers says, and leave "
             "nothing");
@@ -171,7 +201,12 @@ template <class Visitor>
 void describe(Visitor& v, Breeze& b) {
   v.aspect(Aspect::motion);
   v.angle("amplitude", b.amplitude, {.min = 0, .max = 60},
-          "Angle by which the free end of a hanging strand swings");
+          "Angle by which the free end of a hanging strand swings, where speed is 0");
+  v.number("speed", b.speed, {.min = 0, .max = 30, .unit = "m/s"},
+           "Mean speed of a wind with gusts in which hanging strands are simulated as chains with weight and "
+           "stiffness; 0 lets them swing by amplitude");
+  v.number("gust", b.gust, {.min = 0.2, .max = 1000, .unit = "m"},
+           "Distance from one gust of that wind to the next; gusts travel at its speed");
   v.direction("direction", b.direction, Across::xz, "Direction of the wind; only x and z count");
 }
 
@@ -209,6 +244,12 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     for (std::size_t i = 0; i < crawl.guides.size(); ++i)
       if (crawl.guides[i].curves().empty() && crawl.guides[i].file.empty())
         return {{fmt::format("/crawl/guides/{}", i), "expected at least two points, or a file of lines"}};
+    if (crawl.mask)
+      for (std::size_t i = 0; i < crawl.mask->scales.size(); ++i)
+        if (std::ranges::find(kMaskScales, crawl.mask->scales[i]) == std::end(kMaskScales))
+          return {{fmt::format("/crawl/mask/scales/{}", i),
+                   fmt::format("found \"{}\"; expected one of {}", crawl.mask->scales[i],
+                               fmt::join(kMaskScales, ", "))}};
     auto none = [](const auto& key) { return glm::length(key.value) < 1e-3f; };
     auto biased = [](const auto& key) { return key.value > 0; };
     if (crawl.lure == Lure::point || std::ranges::none_of(crawl.bias.keys(), biased) ||
@@ -276,6 +317,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
       roots.emplace_back(at.x, ground(at.x, at.y) + organism.place.raise, at.y);
     auto host = world.host(params.on, "what the ivy grows on");
     if (!host) return Error{"/on", host.errors().front().what};
+    if (Errors errors = mask_faults(**host); !errors.empty()) return errors;
     Result<Ivy> ivy = grow_ivy(params, **host, roots, organism.count, ground, bed.seed.child("grow"));
     if (!ivy) return ivy.errors();
     Specimen specimen{{organism.name, bed.entry}, std::move(ivy->model)};
@@ -288,9 +330,27 @@ class IvyGrower final : public Described<IvyParams, Grower> {
       set_walk(specimen, std::move(ivy->strands), world, bed.seed.child("grow").child("walkers"));
       return specimen;
     }
-    specimen.life.hanging = Hanging{std::move(ivy->strands), params.breeze};
-    specimen.life.hanging->breeze.film_length = world.film_length();
+    Hanging& hanging = specimen.life.hanging.emplace(Hanging{std::move(ivy->strands), params.breeze});
+    hanging.breeze.film_length = world.film_length();
+    if (params.breeze.speed > 0) {
+      Breeze wind = hanging.breeze;
+      if (!world.filmed()) wind.film_length = 0;
+      hanging.paths =
+          std::make_shared<const SwingPaths>(swing_paths(hanging.strands, wind, params.crawl.stiffness));
+    }
     return specimen;
+  }
+
+  Errors mask_faults(const Host& host) const {
+    const std::optional<CrawlMask>& mask = params.crawl.mask;
+    if (!mask || (mask->file.empty() ? host.has_grey() : host.has_texture())) return {};
+    if (mask->file.empty())
+      return {{"/crawl/mask",
+               "what the ivy grows on has no vertex colours; expected a mesh whose OBJ file has "
+               "them at all vertices (`v x y z r g b`), or a file here"}};
+    return {{"/crawl/mask/file",
+             "what the ivy grows on has no texture coordinates; expected a wall, or a mesh "
+             "whose OBJ file has them (`vt`)"}};
   }
 
   /// Has walkers move along their paths in a film, as long as its growth or, without one, all the time.

@@ -65,6 +65,13 @@ Model build_wall_model(const WallParams& params, Seed seed) {
   mortar.scale = 0.05, mortar.moss = params.weathering;
   model.solids.place(model.solids.add_shape({creased(wall.mortar, radians(40.0)), mortar}));
   model.hull = std::move(wall.hull);
+  for (const auto& triangle : model.hull.triangle) {
+    auto paint = [&](std::uint32_t corner) {
+      const Vec3& at = model.hull.position[corner];
+      return Vec3(0.5 + at.x / params.shape.width, at.y / params.shape.height, kUnpainted.z);
+    };
+    model.hull.paint.push_back({paint(triangle[0]), paint(triangle[1]), paint(triangle[2])});
+  }
   return model;
 }
 
