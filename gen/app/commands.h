@@ -194,7 +194,7 @@ struct StudioArguments {
 };
 
 /// Each is one command of the program; all return an ExitCode. Data goes to stdout, messages to stderr.
-int generate(const GenerateArguments& arguments);
+int generate(GenerateArguments arguments);
 int write_textures(const TextureArguments& arguments);
 int look(const LookArguments& arguments);
 int resolve(const ResolveArguments& arguments);

@@ -274,8 +274,7 @@ Result<Preset> load_counted(PresetArguments& arguments, const fs::path& out,
 
 }  // namespace
 
-int generate(const GenerateArguments& asked_for) {
-  GenerateArguments arguments = asked_for;
+int generate(GenerateArguments arguments) {
   limit_threads(arguments.threads);
   std::string name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/polyline.h"
+
 namespace frond {
 
 namespace {
@@ -11,24 +13,9 @@ constexpr double kPiece = 0.25;        // of the width: the longest piece of a c
 constexpr std::size_t kWindow = 12;    // pieces that a strand may go on in a step, or fall back
 constexpr double kMostPieces = 10000;  // of one piece as it is drawn
 
-/// A point of a polyline so many metres from its beginning, and the direction there.
-Start start_at(const std::vector<DVec3>& curve, double along, std::int32_t number) {
-  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-    double length = glm::distance(curve[i], curve[i + 1]);
-    if (length <= 0 || (along > length && i + 2 < curve.size())) {
-      along -= length;
-      continue;
-    }
-    DVec3 way = (curve[i + 1] - curve[i]) / length;
-    return {curve[i] + way * std::min(along, length), way, number};
-  }
-  return {curve.front(), DVec3(0), number};
-}
-
-double length_of(const std::vector<DVec3>& curve) {
-  double length = 0;
-  for (std::size_t i = 0; i + 1 < curve.size(); ++i) length += glm::distance(curve[i], curve[i + 1]);
-  return length;
+Start start_at(const std::vector<DVec3>& curve, double far, std::int32_t number) {
+  PolylinePoint<DVec3> point = polyline_point(std::span<const DVec3>(curve), far);
+  return {point.at, point.along, number};
 }
 
 }  // namespace
@@ -41,12 +28,12 @@ std::vector<Start> starts_on_guides(const std::vector<CrawlGuide>& guides, int c
   double all = 0;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     starts.push_back(start_at(curves[c], 0, static_cast<std::int32_t>(c)));
-    all += length_of(curves[c]);
+    all += polyline_length(std::span<const DVec3>(curves[c]));
   }
   int more = count - static_cast<int>(starts.size());
   double apart = all / std::max(more + 1, 1), next = apart;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    double length = length_of(curves[c]);
+    double length = polyline_length(std::span<const DVec3>(curves[c]));
     for (; more > 0 && next < length; next += apart, --more)
       starts.push_back(start_at(curves[c], next, static_cast<std::int32_t>(c)));
     next -= length;
@@ -81,12 +68,13 @@ Guides::View Guides::view(const Curve& curve, std::size_t piece, const DVec3& pl
 Guides::Lead Guides::find(const DVec3& place, std::int32_t only) const {
   Lead lead;
   double nearest = 1;  // of the width
-  for (std::size_t c = 0; c < curves_.size(); ++c)
+  for (std::size_t c = 0; c < curves_.size(); ++c) {
+    if (only >= 0 && static_cast<std::size_t>(only) != c) continue;
     for (std::size_t piece = 0; piece + 1 < curves_[c].at.size(); ++piece) {
-      if (only >= 0 && static_cast<std::size_t>(only) != c) break;
       double share = view(curves_[c], piece, place).distance / curves_[c].width;
       if (share < nearest) nearest = share, lead = {static_cast<std::int32_t>(c), piece};
     }
+  }
   return lead;
 }
 

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 
+#include "core/polyline.h"
+
 namespace frond {
 
-double GuideAxis::length() const {
-  double sum = 0;
-  for (std::size_t i = 1; i < at.size(); ++i) sum += static_cast<double>(glm::distance(at[i - 1], at[i]));
-  return sum;
-}
+double GuideAxis::length() const { return polyline_length(std::span<const Vec3>(at)); }
 
-Vec3 GuideAxis::point(double along) const {
-  for (std::size_t i = 1; i < at.size(); ++i) {
-    auto step = static_cast<double>(glm::distance(at[i - 1], at[i]));
-    if (along <= step && step > 0)
-      return glm::mix(at[i - 1], at[i], static_cast<float>(std::max(along, 0.0) / step));
-    along -= step;
-  }
-  return at.back();
-}
+Vec3 GuideAxis::point(double along) const { return polyline_point(std::span<const Vec3>(at), along).at; }
 
 std::vector<GuideAxis> axes_of(const GuideAxes& guides) {
   constexpr float kSame = 1e-6f;  // metres

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtx/quaternion.hpp>
 
 #include "core/curve.h"
 
@@ -159,7 +158,7 @@ void lay_along(const GuideAxis& axis, int segments, DQuat turn, StemChain& chain
   for (int k = 0; k < segments; ++k) {
     auto s = static_cast<std::size_t>(k);
     DVec3 way = chain.at[s + 1] - chain.at[s];
-    if (glm::length(way) > 1e-9) turn = glm::rotation(heading(turn), glm::normalize(way)) * turn;
+    if (glm::length(way) > 1e-9) turn = DQuat(heading(turn), way) * turn;
     chain.turn.push_back(turn);
   }
   chain.turn.push_back(turn);

@@ -138,16 +138,22 @@ WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate
   return {kBlockBytes * blocks, kBlockHeld * blocks, share * kBlockSeconds * blocks};
 }
 
+/// Metres that a pixel is where the camera comes nearest to an organism so tall, which reaches so far from
+/// its middle.
+double pixel_at(const Preset& preset, const Organism& organism, double tall, double reach) {
+  Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
+  Vec3 middle(foot.x, static_cast<float>(organism.place.raise + tall / 2), foot.y);
+  return nearest_pixel(eyes(preset.film, preset.stage.camera), middle, reach);
+}
+
 /// Triangles of a body that are written: no finer than the camera sees them.
 double drawn_triangles(const Preset& preset, const Organism& organism, const SizeEstimate& size) {
   constexpr double kBodyShown = 0.4, kSkinShown = 0.55;  // share that is left, as measured over the presets
   if (size.area <= 0) return kBodyShown * size.triangles;
-  Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
   Spread spread = organism.grower->spread().value_or(Spread{});
-  Vec3 middle(foot.x, static_cast<float>(organism.place.raise) + spread.up / 2, foot.y);
   // Where others grow beside it, it fills less of the space that it would claim alone.
   float reach = 0.75f * std::max(spread.across, spread.up / 2);
-  double pixel = nearest_pixel(eyes(preset.film, preset.stage.camera), middle, reach);
+  double pixel = pixel_at(preset, organism, spread.up, reach);
   return kSkinShown * std::min(size.triangles, most_triangles(size.area, pixel, preset.film.quality));
 }
 
@@ -160,9 +166,7 @@ bool moves_far(const Preset& preset, const Organism& organism, const Motion& mot
   if (!motion.food.position.constant() || motion.food.eaten)
     moved += kBend * motion.food.strength + kLonger * motion.food.stretch;
   if (organism.sown || moved == 0 || tall <= 0) return false;
-  Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
-  Vec3 middle(foot.x, static_cast<float>(organism.place.raise + tall / 2), foot.y);
-  double pixel = nearest_pixel(eyes(preset.film, preset.stage.camera), middle, tall / 2);
+  double pixel = pixel_at(preset, organism, tall, tall / 2);
   return moved * tall > light_reach(preset.film.quality, pixel);
 }
 

@@ -221,7 +221,7 @@ Errors write_drawings(const Scene& scene, const fs::path& folder, const Watch& w
 
 Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder) {
   if (!has_soft_light(scene.stage)) return {};
-  if (light_changes(scene)) {
+  if (light_changes(scene, parts.pixel)) {
     parts.light = kOwnLight;
     return {};
   }

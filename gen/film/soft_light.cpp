@@ -150,11 +150,10 @@ double light_reach(Quality quality, double pixel) {
   return kReuse * kPixels[static_cast<std::size_t>(quality)] * pixel;
 }
 
-bool light_changes(const Scene& scene) {
+bool light_changes(const Scene& scene, std::span<const double> pixel) {
   if (scene.film.frames <= 1) return false;
   auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
   if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes)) return true;
-  std::vector<double> pixel = nearest_pixels(scene);
   std::atomic<bool> leaves = false;
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     double far = light_reach(scene.film.quality, pixel[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "draw/surfels.h"
@@ -18,8 +19,8 @@ double light_reach(Quality quality, double pixel);
 
 /// Whether the soft light is another in each frame: where something grows, becomes another shape or comes so
 /// far from where it is in the first frame that it would be dark, or the sun moves. What sways a little keeps
-/// the light of the first frame.
-bool light_changes(const Scene& scene);
+/// the light of the first frame. `pixel`: nearest_pixels().
+bool light_changes(const Scene& scene, std::span<const double> pixel);
 
 /// The soft light of a scene at a time, as POV-Ray's radiosity keeps it in files (+RFI): each line a place, a
 /// direction and the light that comes from the half of all directions round it. Empty where the setting

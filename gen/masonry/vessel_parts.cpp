@@ -4,6 +4,7 @@
 
 #include "core/bezier.h"
 #include "core/noise.h"
+#include "core/polyline.h"
 #include "masonry/vessel.h"
 
 namespace frond {
@@ -44,8 +45,7 @@ glm::dvec2 heading(const std::vector<glm::dvec2>& line, std::size_t i, bool afte
 std::array<glm::dvec2, 4> fit(const std::vector<glm::dvec2>& line, std::size_t from, std::size_t to,
                               double& error) {
   glm::dvec2 a = line[from], b = line[to], out = heading(line, from, true), in = heading(line, to, false);
-  double length = 0;
-  for (std::size_t i = from; i < to; ++i) length += glm::distance(line[i], line[i + 1]);
+  double length = polyline_length(std::span(line).subspan(from, to - from + 1));
   std::array<glm::dvec2, 4> best{};
   error = 1e300;
   for (double handle : {0.30, 0.32, 1.0 / 3, 0.345, 0.36, 0.38}) {

@@ -139,11 +139,6 @@ class Pull {
   std::vector<Meal> meals_;
 };
 
-/// The rotation that takes one direction to another, at most a right angle away.
-Quat rotation_between(Vec3 from, Vec3 to) {
-  return glm::normalize(Quat(glm::length(from) * glm::length(to) + glm::dot(from, to), glm::cross(from, to)));
-}
-
 }  // namespace
 
 float Food::left(std::size_t i, double time) const {
@@ -182,7 +177,7 @@ float stretch(const Pull& food, Vec3 base, float share, Vec3& segment, Quat& tur
   Vec3 longer = food.stretched(segment, base, share);
   float length = glm::length(segment);
   if (length <= 0) return 1;
-  turn = rotation_between(segment, longer) * turn;
+  turn = Quat(segment, longer) * turn;
   segment = longer;
   return glm::length(longer) / length;
 }

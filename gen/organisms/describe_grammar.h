@@ -106,6 +106,17 @@ inline constexpr std::string_view kGuideLineSchema = R"json({
   }
 })json";
 
+/// What gives the line of a guide in place of points.
+template <class Visitor>
+void describe_line(Visitor& v, GuideText& g) {
+  v.list("bezier", g.bezier, "Control points of a Bézier curve of any degree, in place of points");
+  v.integer("samples", g.samples, {.min = 1, .max = 100000},
+            "Number of pieces that the Bézier curve is cut into");
+  v.file(
+      "file", g.file, [&](const NamedFile& file) { return load_guide(file, g); },
+      "An OBJ file of lines, named as seen from this file's folder, in place of points");
+}
+
 template <class Visitor>
 void describe(Visitor& v, GuideText& g) {
   v.custom(
@@ -115,12 +126,7 @@ void describe(Visitor& v, GuideText& g) {
   v.list("parent", g.parent,
          "Number of the point that comes before each point, -1 for none; without it each follows the one "
          "before it");
-  v.list("bezier", g.bezier, "Control points of a Bézier curve of any degree, in place of points");
-  v.integer("samples", g.samples, {.min = 1, .max = 100000},
-            "Number of pieces that the Bézier curve is cut into");
-  v.file(
-      "file", g.file, [&](const NamedFile& file) { return load_guide(file, g); },
-      "An OBJ file of lines, named as seen from this file's folder, in place of points");
+  describe_line(v, g);
   v.number("tolerance", g.tolerance, {.min = 0, .max = 1e6},
            "Distance to a point at which it counts as reached");
   v.number("leniency", g.leniency, {.min = 0, .max = 10, .above_min = true},

@@ -14,12 +14,7 @@ void describe(Visitor& v, TreeGuide& g) {
       "points", g.points, read_guide_line, kGuideLineSchema,
       "A line of points [x, y, z] in metres from the foot, y up; one that forks is {at, children}, children "
       "being lines of points that start there");
-  v.list("bezier", g.bezier, "Control points of a Bézier curve of any degree, in place of points");
-  v.integer("samples", g.samples, {.min = 1, .max = 100000},
-            "Number of pieces that the Bézier curve is cut into");
-  v.file(
-      "file", g.file, [&](const NamedFile& file) { return load_guide(file, g); },
-      "An OBJ file of lines, named as seen from this file's folder, in place of points");
+  describe_line(v, g);
 }
 
 /// Its axes; none of an empty guide. An error where points carry more than places.

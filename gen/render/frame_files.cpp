@@ -15,6 +15,11 @@ namespace frond {
 
 namespace fs = std::filesystem;
 
+std::string unfinished_frame(const fs::path& file) {
+  std::string name = file.filename();
+  return name.starts_with(".frame_") ? name.substr(1, name.find('.', 1) - 1) : std::string();
+}
+
 FrameFiles::FrameFiles(fs::path folder, std::string name, const std::string& key, std::size_t exposures)
     : folder_(std::move(folder)), name_(std::move(name)), base_(name_ + "." + key), many_(exposures > 1) {
   plain = folder_ / (base_ + ".plain");

@@ -7,6 +7,9 @@
 
 namespace frond {
 
+/// The frame that an unfinished file is of: `frame_0001` of `.frame_0001.KEY.kept`. Empty for others.
+std::string unfinished_frame(const std::filesystem::path& file);
+
 /// What lies beside a picture while it is unfinished: `.frame_0001.KEY.` and an ending, where the key stands
 /// for all that the picture is made of.
 class FrameFiles {

@@ -6,6 +6,7 @@
 
 #include "core/files.h"
 #include "core/frame_name.h"
+#include "render/frame_files.h"
 
 namespace frond {
 
@@ -54,9 +55,9 @@ void FramesLeft::frame_done(int number) {
 void FramesLeft::look(double now) {
   noted_ = 0;
   for (const fs::path& path : files_in(folder_)) {
-    std::string file = path.filename(), type = path.extension();
-    if (!file.starts_with(".frame_") || (type != ".kept" && type != ".exposed")) continue;
-    auto found = frames_.find(file.substr(1, file.find('.', 1) - 1));
+    std::string type = path.extension();
+    if (type != ".kept" && type != ".exposed") continue;
+    auto found = frames_.find(unfinished_frame(path));
     if (found == frames_.end()) continue;
     double share = type == ".exposed" ? 1 : std::min(1.0, size_of_file(path) / picture_bytes_);
     noted_ += found->second.weight * share / found->second.exposures;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/files.h"
+#include "render/frame_files.h"
 #include "render/place.h"
 #include "render/scene_head.h"
 #include "render/trace_state.h"
@@ -27,8 +28,8 @@ bool TracedView::look(double now) {
     if (!error && time > changed) newest = path, changed = time;
   }
   if (newest.empty()) return false;
-  std::string name = newest.filename(), head;
-  std::ifstream scene(frames_ / (name.substr(1, name.find('.', 1) - 1) + ".pov"));
+  std::string head;
+  std::ifstream scene(frames_ / (unfinished_frame(newest) + ".pov"));
   std::getline(scene, head);
   auto picture = traced_picture(newest, size_, read_scene_head(head).tone);
   if (!picture) return false;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/linear.h"
+#include "core/polyline.h"
 #include "settings/describe_plot.h"
 #include "settings/lawn.h"
 #include "settings/plot_bounds.h"
@@ -30,8 +31,7 @@ constexpr double kLand = 150;  // metres from the middle
 
 void check_gravel(Errors& list, const Garden& garden) {
   const std::vector<Vec2>& points = garden.path.points;
-  double length = 0, side = 10 * garden.gravel;
-  for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
+  double length = polyline_length(std::span<const Vec2>(points)), side = 10 * garden.gravel;
   double patches = length * garden.path.width / (side * side);
   if (patches > kMostPatches)
     list.push_back(

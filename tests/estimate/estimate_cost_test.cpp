@@ -33,7 +33,7 @@ TEST(CostEstimate, IsWithinAFactorOfTwoOfWhatIsWritten) {
     FrameParts parts = prepare_frames(scene);
     auto nodes = static_cast<double>(scene.nodes());
     auto bytes = static_cast<double>(frame_text(scene, parts, layout, preset.film.frames)->size());
-    if (has_soft_light(scene.stage) && light_changes(scene)) {
+    if (has_soft_light(scene.stage) && light_changes(scene, parts.pixel)) {
       double end = scene.film.time(preset.film.frames);
       bytes +=
           static_cast<double>(soft_light_text(parts.space, scene, parts.plan.surfels, end, true)->size());

@@ -2,16 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include "draw/eyes.h"
+
 namespace frond {
 namespace {
 
 /// Whether the soft light of a coral that moves so is another in each frame.
 bool changes(const std::string& motion) {
-  return light_changes(*build_scene(*read_preset(
+  Scene scene = *build_scene(*read_preset(
       R"({"film": {"frames": 24}, "scene": {"camera": {"location": [0, 0.6, 3], "look_at": [0, 0.4, 0]}},
           "organisms": [{"kind": "coral", "steps": 3, "height": 0.6, "place": {"at": [[0, 0]]}, )" +
           motion + "}]}",
-      "light.json", {})));
+      "light.json", {}));
+  return light_changes(scene, nearest_pixels(scene));
 }
 
 TEST(SoftLight, IsThatOfEachFrameWhereBranchesWouldLeaveIt) {

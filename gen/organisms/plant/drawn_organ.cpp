@@ -55,14 +55,6 @@ DrawnStem stem_of(const Skeleton& drawn) {
 /// Axes at a node of a stem: across, along it, and its upper side.
 using StemAxes = glm::mat3;
 
-/// A vector turned as the shortest rotation turns `from` to `to`, both of length 1.
-Vec3 carried(Vec3 v, Vec3 from, Vec3 to) {
-  float c = glm::dot(from, to);
-  if (c < -0.999f) return v;
-  Vec3 axis = glm::cross(from, to);
-  return v * c + glm::cross(axis, v) + axis * (glm::dot(axis, v) / (1 + c));
-}
-
 /// The axes at each node: those of the organ at its foot, carried along without a twist.
 std::vector<StemAxes> axes_of(const Skeleton& stem) {
   std::vector<StemAxes> axes(stem.size(), StemAxes(1));
@@ -76,7 +68,8 @@ std::vector<StemAxes> axes_of(const Skeleton& stem) {
       continue;
     }
     along = glm::normalize(along);
-    Vec3 up = glm::normalize(carried(below[2], below[1], along));
+    bool back = glm::dot(below[1], along) < -0.999f;  // where no rotation is the shortest
+    Vec3 up = back ? below[2] : glm::normalize(Quat(below[1], along) * below[2]);
     axes[i] = StemAxes(glm::cross(along, up), along, up);
   }
   return axes;

@@ -253,8 +253,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   bool stands_on_rock() const override { return true; }
   Errors check() const override {
     if (Errors errors = check_guide(params.guide); !errors.empty()) return errors;
-    Result<GuideAxes> guides = axes_of_guide(params.guide);
-    if (guides && axes_of(*guides).size() > 1)
+    if (axes_of(*axes_of_guide(params.guide)).size() > 1)
       return {{"/guide", "forks; expected one line: the stem of a tree that grows for light has one"}};
     return check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels");
   }
