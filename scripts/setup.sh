@@ -13,7 +13,8 @@ test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev bats clang-format s
 node_packages=()
 command -v node >/dev/null || node_packages+=(nodejs)
 command -v npm >/dev/null || node_packages+=(npm)
-large_packages=(blender python3-numpy chromium emscripten slurmctld slurmd slurm-client parallel openssh-client openssh-server)
+large_packages=(blender python3-numpy chromium emscripten slurmctld slurmd slurm-client parallel openssh-client openssh-server
+  pybind11-dev python3-dev python3-pip python3-wheel python3-matplotlib python3-nbformat mypy)
 
 usage() {
   cat <<TEXT
@@ -24,7 +25,7 @@ and needs neither root nor network.
 
   --tests   also what scripts/test.sh needs
   --studio  also node and npm, and builds the page of \`frond studio\` with them; scripts/build.sh then takes it in
-  --all     also what scripts/test.sh --all needs: the page, Chromium, Blender, emscripten, judges from
+  --all     also what scripts/test.sh --all needs: the page, Chromium, Blender, emscripten, pybind11, judges from
             npm in build/, and Slurm, GNU parallel and sshd, of which the tests start their own
   --quiet   one line only, and none where nothing is missing; apt's own words are shown if it fails
   --help    this text

@@ -11,6 +11,9 @@ import sys
 
 MAX_LINES = 400
 
+# What stands on top of all modules: the command line, and the module for Python.
+PROGRAMS = ("app", "python")
+
 # A kind of organism is a folder of its own below this module; nobody outside knows its parameters.
 KINDS = "organisms"
 
@@ -26,6 +29,7 @@ RESERVED = {
     "OpenEXR/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),
     "Imath/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),
     "CLI/": lambda path: path.parent.name == "app",
+    "pybind11/": lambda path: path.parent.name == "python",
 }
 
 BANNED = {
@@ -102,9 +106,9 @@ def check_file(path, shown, modules):
         if include.group(1) == "<":
             continue
         target = name.split("/")[0]
-        if "/" not in name or target not in modules and target != "app":
+        if "/" not in name or target not in modules and target not in PROGRAMS:
             yield f'{where}: "{name}" is not in a module; project headers are named "module/file.h"'
-        elif module != "app" and target not in modules.get(module, ()):
+        elif module not in PROGRAMS and target not in modules.get(module, ()):
             yield f"{where}: {module} must not include {target}; see gen/CMakeLists.txt"
     for table, searched in ((BANNED, without_comments(text)), (LEFT_BEHIND, text)):
         for pattern, why in table.items():
@@ -148,7 +152,7 @@ def main():
         if len(shown.parts) != (4 if shown.parts[1] == KINDS and len(shown.parts) > 3 else 3):
             faults.append(f"{shown}: gen/ has two levels, gen/<module>/<file>, and {KINDS} a third, its kinds")
             continue
-        if shown.parts[1] not in modules and shown.parts[1] != "app":
+        if shown.parts[1] not in modules and shown.parts[1] not in PROGRAMS:
             faults.append(f"{shown}: {shown.parts[1]} is no module of gen/CMakeLists.txt")
         faults.extend(check_file(path, shown, modules))
         for name in types_of(path.read_text(encoding="utf-8")):

@@ -8,13 +8,9 @@
 #include "core/files.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
-#include "grammar/import.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
-#include "organisms/describe_grammar.h"
-#include "preset/fault.h"
-#include "preset/json.h"
-#include "preset/reader.h"
+#include "organisms/grammar_file.h"
 
 namespace frond {
 
@@ -27,29 +23,17 @@ struct Loaded {
   Seed seed;
 };
 
-/// A grammar in another tool's form. What of it means nothing here is told.
-Result<Grammar> import_file(const std::string& path, const std::string& text) {
-  Result<Import> import = import_grammar(path, text);
-  if (!import) return import.errors();
-  for (const std::string& note : import->notes) tell(fmt::format("{}: note: {}", path, note));
-  import->grammar.where = path;
-  return compile(import->grammar);
-}
-
 /// The grammar of a file: a grammar itself, or that of the first organism of a preset that has one.
 Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets) {
-  Result<std::string> text = read_file(path);
-  if (!text) return text.errors();
-  if (!path.ends_with(".json")) return import_file(path, *text);
   if (is_grammar(path)) {
-    Result<Document> document = parse_json(*text, path);
-    if (!document) return document.errors();
+    Result<std::string> text = read_file(path);
+    if (!text) return text.errors();
     Result<Assets> files = assets_of(path, assets);
     if (!files) return files.errors();
-    Result<GrammarText> grammar = read_preset<GrammarText>(*document, nullptr, &*files);
-    if (!grammar) return grammar.errors();
-    grammar->where = fmt::format("{}: /steps", origin_at(document->root, "/steps").text());
-    return compile(*grammar);
+    Result<GrammarFile> file = read_grammar(*text, path, *files);
+    if (!file) return file.errors();
+    for (const std::string& note : file->notes) tell(fmt::format("{}: note: {}", path, note));
+    return compile(file->grammar);
   }
   PresetArguments named;
   named.path = path;
@@ -60,13 +44,6 @@ Result<Grammar> load_grammar(const std::string& path, const std::optional<std::s
   for (const Organism& organism : preset->organisms)
     if (auto grammar = organism.grower->grammar()) return *grammar;
   return Error{path, "the preset has no organism that grows by a grammar"};
-}
-
-/// A mistake in a rule knows the rule; here it learns the file.
-Errors in_file(Errors errors, const std::string& path) {
-  for (Error& error : errors)
-    if (!error.where.starts_with(path)) error.where = path + (error.where.empty() ? "" : ": " + error.where);
-  return errors;
 }
 
 /// Says why a derivation came to no end.

@@ -1,0 +1,34 @@
+#include "organisms/grammar_file.h"
+
+#include <fmt/format.h>
+
+#include "grammar/import.h"
+#include "organisms/describe_grammar.h"
+#include "preset/fault.h"
+#include "preset/json.h"
+#include "preset/reader.h"
+
+namespace frond {
+
+Result<GrammarFile> read_grammar(std::string_view text, const std::string& path, const Assets& files) {
+  if (!path.ends_with(".json")) {
+    Result<Import> import = import_grammar(path, text);
+    if (!import) return import.errors();
+    import->grammar.where = path;
+    return GrammarFile{std::move(import->grammar), std::move(import->notes)};
+  }
+  Result<Document> document = parse_json(text, path);
+  if (!document) return document.errors();
+  Result<GrammarText> grammar = read_preset<GrammarText>(*document, nullptr, &files);
+  if (!grammar) return grammar.errors();
+  grammar->where = fmt::format("{}: /steps", origin_at(document->root, "/steps").text());
+  return GrammarFile{std::move(*grammar), {}};
+}
+
+Errors in_file(Errors errors, const std::string& path) {
+  for (Error& error : errors)
+    if (!error.where.starts_with(path)) error.where = path + (error.where.empty() ? "" : ": " + error.where);
+  return errors;
+}
+
+}  // namespace frond
