@@ -97,6 +97,21 @@ bool draw_block(std::string_view message, const Tone& tone, Raster& picture) {
   return true;
 }
 
+/// A colour picture at a size, each pixel the nearest of it; grey without one.
+Raster enlarged(const Raster* picture, std::array<int, 2> size) {
+  constexpr std::uint8_t kBlank = 64;
+  Raster large(size[0], size[1], 3);
+  if (!picture || picture->channels != 3) {
+    std::ranges::fill(large.data, kBlank);
+    return large;
+  }
+  for (int y = 0; y < size[1]; ++y)
+    for (int x = 0; x < size[0]; ++x)
+      std::copy_n(&picture->data[picture->index(x * picture->width / size[0], y * picture->height / size[1])],
+                  3, &large.data[large.index(x, y)]);
+  return large;
+}
+
 }  // namespace
 
 Errors keep_traced(const fs::path& state) {
@@ -115,14 +130,13 @@ Errors keep_traced(const fs::path& state) {
   return {};
 }
 
-std::optional<Raster> traced_picture(const fs::path& state, std::array<int, 2> size, const Tone& tone) {
-  constexpr std::uint8_t kBlank = 64;
+std::optional<Raster> traced_picture(const fs::path& state, std::array<int, 2> size, const Tone& tone,
+                                     const Raster* below) {
   std::error_code error;
   std::uintmax_t bytes = fs::file_size(state, error);
   std::ifstream in(state, std::ios::binary);
   if (error || !is_notes(in)) return std::nullopt;
-  Raster picture(size[0], size[1], 3);
-  std::ranges::fill(picture.data, kBlank);
+  Raster picture = enlarged(below, size);
   bool any = false;
   each_message(in, bytes, [&](std::string_view message) { any = draw_block(message, tone, picture) || any; });
   if (!any) return std::nullopt;

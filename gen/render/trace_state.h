@@ -16,9 +16,10 @@ namespace frond {
 /// all others, so these go, too, where the first is missing. Notes of another renderer are left alone.
 Errors keep_traced(const std::filesystem::path& state);
 
-/// The picture so far: the blocks that the notes hold, in a tone; what is not traced yet is grey. None where
-/// the notes hold no block, or are not of a picture of that size.
+/// The picture so far: the blocks that the notes hold, in a tone; what is not traced yet is as in `below`, a
+/// colour picture that is enlarged to this size, or grey. None where the notes hold no block, or are not of a
+/// picture of that size.
 std::optional<Raster> traced_picture(const std::filesystem::path& state, std::array<int, 2> size,
-                                     const Tone& tone);
+                                     const Tone& tone, const Raster* below = nullptr);
 
 }  // namespace frond

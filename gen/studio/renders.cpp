@@ -11,6 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 
 #include "core/files.h"
@@ -19,6 +20,9 @@
 #include "core/text.h"
 #include "film/film_files.h"
 #include "jobs/jobs.h"
+#include "render/scene_head.h"
+#include "render/trace_state.h"
+
 extern char** environ;
 
 namespace frond {
@@ -35,6 +39,7 @@ constexpr int kPreview = 4;          // times smaller
 constexpr const char* kText = "preset.json";
 constexpr int kLeastForPreview = 320;  // pixels wide
 constexpr auto kLook = std::chrono::milliseconds(100);
+constexpr auto kShow = std::chrono::seconds(1);  // from one picture of what is traced to the next
 
 /// Starts a program with both outputs in a file; 0 where it cannot.
 pid_t spawn(const std::vector<std::string>& words, const fs::path& log, const fs::path& folder,
@@ -74,16 +79,20 @@ pid_t spawn(const std::vector<std::string>& words, const fs::path& log, const fs
   return failed ? 0 : child;
 }
 
-/// The share of a picture that POV-Ray has noted as traced.
-double traced(const fs::path& folder, const std::string& name, std::array<int, 2> size) {
+/// POV-Ray's notes of what it has traced of a picture; empty where there are none.
+fs::path notes_of(const fs::path& folder, const std::string& name) {
   for (const fs::path& file : files_in(folder)) {
     std::string own = file.filename().string();
-    if (!own.starts_with('.' + name + '.') || !own.ends_with(".pov-state")) continue;
-    std::error_code error;
-    auto bytes = static_cast<double>(fs::file_size(file, error));
-    return error ? 0 : std::min(1.0, bytes / (kBytesAPixel * size[0] * size[1]));
+    if (own.starts_with('.' + name + '.') && own.ends_with(".pov-state")) return file;
   }
-  return 0;
+  return {};
+}
+
+/// The share of a picture that the notes hold.
+double traced(const fs::path& notes, std::array<int, 2> size) {
+  std::error_code error;
+  auto bytes = static_cast<double>(fs::file_size(notes, error));
+  return error ? 0 : std::min(1.0, bytes / (kBytesAPixel * size[0] * size[1]));
 }
 
 }  // namespace
@@ -262,18 +271,40 @@ Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags
   if (child == 0) return {Error{words[0], "cannot be started"}};
   int status = 0;
   bool told = false;
+  Clock::time_point show = Clock::now() + kShow;
   while (waitpid(child, &status, WNOHANG) == 0) {
     if (job.cancelled && !told) kill(child, SIGTERM), told = true;
-    double share = traced(job.folder / "frames", name, size);
+    fs::path notes = notes_of(job.folder / "frames", name);
+    double share = traced(notes, size);
     {
       std::lock_guard lock(in_work_);
       job.progress = std::max(job.progress, share);  // the notes are gone before the picture is there
+    }
+    if (job.preview && share > 0 && Clock::now() >= show) {
+      Clock::time_point began = Clock::now();
+      show_traced(job, notes, size);
+      show = Clock::now() + std::max<Clock::duration>(kShow, 10 * (Clock::now() - began));
     }
     std::this_thread::sleep_for(kLook);
   }
   if (status == 0 || job.cancelled) return {};
   Result<std::string> said = read_file(log);
   return {Error{"", said && !said->empty() ? *said : "POV-Ray could not render it"}};
+}
+
+/// Lays what is traced of the picture over the small one.
+void Renders::show_traced(Job& job, const fs::path& notes, std::array<int, 2> size) {
+  fs::path frames = job.folder / "frames", file = job.folder / "traced.png";
+  Result<std::string> small = read_file(frames / "preview.png");
+  Result<Raster> below = small ? read_png(*small) : small.errors();
+  std::string head;
+  std::ifstream scene(frames / (frame_name(job.frame) + ".pov"));
+  std::getline(scene, head);
+  auto picture = traced_picture(notes, size, read_scene_head(head).tone, below ? &*below : nullptr);
+  Result<std::string> png = picture ? png_text(*picture) : Error{"", "nothing is traced"};
+  if (!png || !write_file(file, *png)) return;
+  std::lock_guard lock(in_work_);
+  job.picture = file;
 }
 
 std::optional<Json> Renders::state(const std::string& id) {

@@ -28,7 +28,7 @@ class Renders {
   std::optional<Json> state(const std::string& id);
   Json list();
   std::optional<Doc> doc(const std::string& id);
-  /// The picture as it is: a small one, and then the whole.
+  /// The picture as it is: a small one, over which what is traced is laid, and then the whole.
   Result<std::string> picture(const std::string& id);
   bool cancel(const std::string& id);
 
@@ -39,6 +39,7 @@ class Renders {
   Errors make(Job& job);
   Errors write(Job& job);
   Errors render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name);
+  void show_traced(Job& job, const std::filesystem::path& notes, std::array<int, 2> size);
 
   const Documents& documents_;
   Scenes& scenes_;

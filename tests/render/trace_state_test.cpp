@@ -101,12 +101,22 @@ std::string block(int left, int top, int right, int bottom, std::array<float, 3>
   return message(body);
 }
 
-std::optional<Raster> traced(const std::string& state) {
+std::optional<Raster> traced(const std::string& state, const Raster* below = nullptr) {
   fs::path file = fs::path(::testing::TempDir()) / ("frond_traced_" + std::to_string(::getpid()));
   EXPECT_FALSE(write_new(file, state));
-  std::optional<Raster> picture = traced_picture(file, {4, 3}, {});
+  std::optional<Raster> picture = traced_picture(file, {4, 3}, {}, below);
   fs::remove(file);
   return picture;
+}
+
+TEST(TracedPicture, LiesOverASmallerOne) {
+  Raster small(2, 1, 3);
+  small.data = {10, 20, 30, 40, 50, 60};
+  std::optional<Raster> picture = traced(head() + block(0, 0, 1, 1, {1, 0, 0}), &small);
+  ASSERT_TRUE(picture);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 4; ++x)
+      EXPECT_EQ(picture->at(x, y, 2), x < 2 && y < 2 ? 0 : x < 2 ? 30 : 60) << x << ' ' << y;
 }
 
 TEST(TracedPicture, ShowsTheBlocksThereAre) {

@@ -66,3 +66,19 @@ test('a render keeps the text that it was made from', async () => {
   assert.equal(state, 'done', message);
   assert.equal((await ask(studio, 'GET', `api/render/${id}/doc`)).json.text, text);
 });
+
+test('what is traced shows over the small picture, in the size of the whole', async () => {
+  const {file} = presets.find(p => p.name === 'trees/seasons');
+  const doc = {text: (await ask(studio, 'GET', `api/preset?file=${encodeURIComponent(file)}`)).json.text, file};
+  const {json: {id}} = await ask(studio, 'POST', 'api/render', {doc, time: 0, size: [1280, 720], quality: 'best'});
+  const widths = new Set();
+  for (let state = {state: 'growing'}; !widths.has(1280);) {
+    state = (await ask(studio, 'GET', `api/render/${id}`)).json;
+    assert.ok(['growing', 'rendering'].includes(state.state), `${state.state} ${state.message}: it was to take longer`);
+    const {status, body} = await ask(studio, 'GET', `api/render/${id}/picture`);
+    if (status === 200) widths.add(body.readUInt32BE(16));
+    await new Promise(done => setTimeout(done, 200));
+  }
+  assert.deepEqual([...widths], [320, 1280]);
+  await ask(studio, 'DELETE', `api/render/${id}`);
+});

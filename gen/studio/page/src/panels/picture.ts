@@ -62,7 +62,7 @@ export function picturePane(acts: { goBack(id: string): void; cancel(id: string)
       back.hidden = running;
       bar.value = now?.progress ?? 1;
       if (render.state === "done") load(render, "whole");
-      else if (now?.preview) load(render, `preview ${Math.floor((now.progress ?? 0) * 20)}`);
+      else if (now?.preview) load(render, `preview ${Math.floor((now.progress ?? 0) * 100)}`);
       state.textContent = stateText(render, now);
       state.classList.toggle("wrong", render.state === "failed");
     },
