@@ -18,14 +18,13 @@ int main(int count, char** words) {
   }
   const Model& model = scene->specimens[0].model;
   const Skeleton& s = model.skeleton;
-  DVec3 sum(0), leaves(0);
+  DVec3 sum(0);
   double radii = 0, height = 0, segments = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (s.parent[i] == Skeleton::kRoot) continue;
     ++segments, sum += DVec3(s.position[i]), radii += s.radius[i];
     height = std::max<double>(height, s.position[i].y);
   }
-  for (Vec3 at : model.organs.position) leaves += DVec3(at);
   fmt::print(R"({{"segments": {}, "height": {}, "sum": [{}, {}, {}], "radii": {}, "organs": {}}})", segments, height,
              sum.x, sum.y, sum.z, radii, model.organs.size());
 }

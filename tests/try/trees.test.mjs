@@ -53,6 +53,7 @@ test('trees are those of the program at every age', async () => {
       const ours = await grown(species, seed, years), theirs = program(species, seed, years), name = `${species} ${seed}, ${years} years`;
       assert.deepEqual(ours.errors, [], name);
       assert.equal(ours.segments, theirs.segments, name);
+      assert.equal(ours.organs, theirs.organs, name);
       const near = (a, b, most) => assert.ok(Math.abs(a - b) <= most, `${name}: ${a}, not ${b}`);
       near(ours.height, theirs.height, 1e-5 * theirs.height);
       near(ours.radii, theirs.radii, 1e-4 * theirs.radii);

@@ -1,7 +1,8 @@
-#include <cmath>
+#include <algorithm>
 #include <memory>
 
 #include "grove/age.h"
+#include "grove/earlier.h"
 #include "organisms/tree/describe.h"
 #include "try/engine/answers.h"
 #include "try/engine/lit_tree.h"
@@ -12,7 +13,6 @@ namespace frond {
 
 namespace {
 
-constexpr double kSecondsACycle = 1e6;  // of film: what has broken off is gone at once
 const Vec3 kSun = glm::normalize(Vec3(-0.55f, 0.75f, 0.5f));
 
 /// The tree of a preset as it has grown up.
@@ -57,33 +57,24 @@ Result<GrownUp> grow_up(const std::string& json, double seed, double most) {
   return grown;
 }
 
-/// The growth cycle of an age; between whole years on the way from one to the next.
-double cycle_of(const GrownUp& grown, double years) {
-  std::size_t last = grown.cycles.size() - 1;
-  auto before = std::min(static_cast<std::size_t>(std::max(years, 0.0)), last);
-  double from = grown.cycles[before], to = grown.cycles[std::min(before + 1, last)];
-  return from + (to - from) * std::clamp(years - static_cast<double>(before), 0.0, 1.0);
-}
-
 val arrays(const std::vector<std::vector<float>>& all) {
   val out = val::array();
   for (const std::vector<float>& one : all) out.call<void>("push", copied(one));
   return out;
 }
 
-/// The tree at an age in years and a time of the year, 0..1. At whole years it is the one that a preset with
-/// these `years` shows.
-val tree_at(const std::string& json, double seed, double most, double years, double time) {
+/// The tree at an age in years and a time of the year, 0..1: the one that a preset with these `years` shows.
+val tree_at(const std::string& json, double seed, double most, int years, double time) {
   static std::unique_ptr<GrownUp> grown;  // the last one: ages are looked up in it
   if (!grown || grown->json != json || grown->seed != seed || grown->most != most) {
     Result<GrownUp> fresh = grow_up(json, seed, most);
     if (!fresh) return failed(fresh.errors());
     grown = std::make_unique<GrownUp>(std::move(*fresh));
   }
-  const GrownTree& tree = grown->grove.trees[0];
-  double cycle = cycle_of(*grown, years);
-  Model model = tree_model(grown->params, tree, cycle, {.seconds_a_year = kSecondsACycle},
-                           grown->planting.child("look"));
+  auto age = static_cast<std::size_t>(std::clamp<int>(years, 1, static_cast<int>(grown->cycles.size()) - 1));
+  int cycles = grown->cycles[age];
+  GrownTree tree = earlier(grown->grove.trees[0], cycles);
+  Model model = tree_model(grown->params, tree, cycle_at({}, cycles, 0), {}, grown->planting.child("look"));
   Seasons seasons = *grown->params.season;
   seasons.at = Animated<double>{time};
   in_season(model, seasons, 0, grown->planting.child("season"), [](double, double) { return 0.0; });
@@ -96,8 +87,7 @@ val tree_at(const std::string& json, double seed, double most, double years, dou
   for (int k = 0; k < 3; ++k) sun.call<void>("push", kSun[k]);
   out.set("sun", sun);
   out.set("cycles", copied(grown->cycles));
-  auto lived = std::min(static_cast<std::size_t>(cycle), tree.sizes.size());
-  Size size = lived > 0 ? tree.sizes[lived - 1] : Size{};
+  const Size& size = tree.sizes.back();
   out.set("internodes", static_cast<double>(size.internodes));
   out.set("height", size.height), out.set("stem", size.breast_diameter);
   return out;

@@ -11,7 +11,6 @@ const MONTHS = ["January", "February", "March", "April", "May", "June", "July", 
 
 interface Choice {
   species: string;
-  /** May be fractional while it grows. */
   years: number;
   seed: number;
   /** Of the year, 0..1. */
@@ -61,27 +60,21 @@ function fill(typing?: HTMLInputElement): void {
   };
   kind.value = choice.species;
   years.max = age.max = String(tree ? tree.cycles.length - 1 : species.get(choice.species)!.years);
-  put(years, Math.round(choice.years)), put(age, Math.round(choice.years));
+  put(years, choice.years), put(age, choice.years);
   put(time, choice.time), put(seed, choice.seed);
   month.textContent = MONTHS[Math.min(11, Math.floor(choice.time * 12))]!;
   time.setAttribute("aria-valuetext", month.textContent);
-}
-
-/** The age at which it has gone through that many cycles of growth. */
-function ageAt(cycles: Int32Array, cycle: number): number {
-  const year = cycles.findIndex((gone) => gone >= cycle);
-  if (year <= 0) return Math.max(year, 0);
-  return year - 1 + (cycle - cycles[year - 1]!) / (cycles[year]! - cycles[year - 1]!);
 }
 
 /** Shows its life up to the present age as a film, each cycle of growth in the same time. */
 async function grow(): Promise<void> {
   const { years: last, species: grown, seed: from } = choice, cycles = tree?.cycles;
   if (!cycles || busy) return;
-  const end = cycles[Math.min(last, cycles.length - 1)]!, began = performance.now();
+  const ages = [...cycles.keys()].filter((year) => year > 0 && year < last && cycles[year]! > cycles[year - 1]!);
+  const began = performance.now();
   for (let share = 0; share < 1 && choice.species === grown && choice.seed === from;) {
-    share = Math.min(1, (performance.now() - began) / GROWING);
-    choice = { ...choice, years: share < 1 ? ageAt(cycles, share * end) : last };
+    share = (performance.now() - began) / GROWING;
+    choice = { ...choice, years: ages[Math.floor(share * ages.length)] ?? last };
     fill();
     await draw();
     await new Promise(requestAnimationFrame);
@@ -134,7 +127,7 @@ async function draw(): Promise<void> {
 
 // Links and files
 
-const fragment = (): string => new URLSearchParams({ tree: choice.species, years: String(Math.round(choice.years)), seed: String(choice.seed), season: String(choice.time) }).toString();
+const fragment = (): string => new URLSearchParams({ tree: choice.species, years: String(choice.years), seed: String(choice.seed), season: String(choice.time) }).toString();
 const keep = quiet(400, () => panel.isConnected && history.replaceState(null, "", `#${fragment()}`));
 
 function change(changed: Partial<Choice>, typing?: HTMLInputElement): void {

@@ -11,8 +11,8 @@ const FAR = 5; // of what is seen, in radii of the frame
 const LEAST = 2.4; // metres: the height of the frame of a seedling
 
 /** A person of 1.75 m as segments, for scale: x and y of both ends with their radii. */
-const PERSON = [[0, 1.63, 0.105, 0, 1.66, 0.1], [0, 1.32, 0.17, 0, 0.98, 0.14], [-0.09, 0.92, 0.1, -0.11, 0.06, 0.06],
-  [0.09, 0.92, 0.1, 0.11, 0.06, 0.06], [-0.23, 1.38, 0.06, -0.27, 0.85, 0.045], [0.23, 1.38, 0.06, 0.27, 0.85, 0.045]];
+const PERSON = [[0, 1.63, 0.105, 0, 1.66, 0.1], [0, 1.32, 0.17, 0, 1.02, 0.15], [-0.08, 0.98, 0.1, -0.11, 0.06, 0.06],
+  [0.08, 0.98, 0.1, 0.11, 0.06, 0.06], [-0.23, 1.38, 0.06, -0.27, 0.85, 0.045], [0.23, 1.38, 0.06, 0.27, 0.85, 0.045]];
 
 /** Linear light of a sunny day on a surface, then as sRGB. `normal` and `sun` in the same axes, `up` how far it faces the sky. */
 const LIGHT = `
