@@ -52,8 +52,10 @@ GrownTree earlier(const GrownTree& tree, int years) {
     scar.on = static_cast<std::uint32_t>(index[scar.on]);
     then.scars.push_back(scar);
   }
-  then.sizes.assign(tree.sizes.begin(), tree.sizes.begin() + std::min<std::ptrdiff_t>(years, std::ssize(tree.sizes)));
-  then.grown = tree.grown, then.broken = tree.broken, then.stem_broke = tree.stem_broke, then.bytes = tree.bytes;
+  then.sizes.assign(tree.sizes.begin(),
+                    tree.sizes.begin() + std::min<std::ptrdiff_t>(years, std::ssize(tree.sizes)));
+  then.grown = tree.grown, then.broken = tree.broken, then.stem_broke = tree.stem_broke,
+  then.bytes = tree.bytes;
   return then;
 }
 

@@ -25,6 +25,6 @@ int main(int count, char** words) {
     ++segments, sum += DVec3(s.position[i]), radii += s.radius[i];
     height = std::max<double>(height, s.position[i].y);
   }
-  fmt::print(R"({{"segments": {}, "height": {}, "sum": [{}, {}, {}], "radii": {}, "organs": {}}})", segments, height,
-             sum.x, sum.y, sum.z, radii, model.organs.size());
+  fmt::print(R"({{"segments": {}, "height": {}, "sum": [{}, {}, {}], "radii": {}, "organs": {}}})", segments,
+             height, sum.x, sum.y, sum.z, radii, model.organs.size());
 }

@@ -10,8 +10,8 @@ namespace frond {
 
 namespace {
 
-constexpr int kMostNeedles = 16;   // of a sprig
-constexpr float kDiamond = 1.3f;   // by which a leaf of two triangles is wider, to cover as much
+constexpr int kMostNeedles = 16;    // of a sprig
+constexpr float kDiamond = 1.3f;    // by which a leaf of two triangles is wider, to cover as much
 constexpr double kFieldCells = 40;  // of a field of light along the tree
 
 /// What casts shade, and how far it is in shade itself, for light that falls along one direction.
@@ -78,7 +78,8 @@ std::vector<Shade> shades_of_model(const Model& model, const std::vector<Surface
   for (const Surface& shape : shapes) areas.push_back(area(shape));
   const Organs& o = model.organs;
   for (std::size_t i = 0; i < o.size(); ++i)
-    shades.push_back({o.position[i], shade_amount(law, areas[o.prototype[i]] * o.scale[i].x * o.scale[i].x, 0)});
+    shades.push_back(
+        {o.position[i], shade_amount(law, areas[o.prototype[i]] * o.scale[i].x * o.scale[i].x, 0)});
   const Skeleton& s = model.skeleton;
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (s.parent[i] == Skeleton::kRoot) continue;
@@ -98,7 +99,9 @@ Color branch_color(const TreeParams& params, float radius) {
   return mixed(twig, mixed(bark.color, bark.second, 0.25f), smooth_step(0.7f * thin, 2 * thin, radius));
 }
 
-void put_color(std::vector<float>& out, const Color& color) { put(out, {color.red, color.green, color.blue}); }
+void put_color(std::vector<float>& out, const Color& color) {
+  put(out, {color.red, color.green, color.blue});
+}
 
 }  // namespace
 
@@ -119,7 +122,8 @@ LitTree lit_tree(const Model& model, const TreeParams& params, Vec3 sun) {
   Bounds bounds = bounds_of(model);
   float extent = std::max({bounds.high.y, bounds.high.x - bounds.low.x, bounds.high.z - bounds.low.z, 0.5f});
   LightLaw law;
-  law.voxel = std::max(extent / kFieldCells, params.leaves.size);  // of what a sprig takes it shades little itself
+  law.voxel =
+      std::max(extent / kFieldCells, params.leaves.size);  // of what a sprig takes it shades little itself
   law.base = 1.005;
   std::vector<Shade> shades = shades_of_model(model, shapes, law);
   lit.ground_half = 1.5f * extent;
@@ -145,13 +149,16 @@ LitTree lit_tree(const Model& model, const TreeParams& params, Vec3 sun) {
     put(out, o.position[i]);
     put(out, {o.turn[i].x, o.turn[i].y, o.turn[i].z}), out.push_back(o.turn[i].w);
     out.push_back(o.scale[i].x);
-    std::size_t colors = organ.summer > 0 && o.color[i] >= 0 && o.loose.empty() ? organ.summer : organ.colors.size();
+    std::size_t colors =
+        organ.summer > 0 && o.color[i] >= 0 && o.loose.empty() ? organ.summer : organ.colors.size();
     put_color(out, organ.colors[color_index(o.color[i], colors)]);
     put_light(out, o.position[i]);
   }
   for (int row = 0; row < kGroundSide; ++row)
     for (int column = 0; column < kGroundSide; ++column) {
-      auto along = [&](int k) { return lit.ground_half * (2.0f * static_cast<float>(k) / (kGroundSide - 1) - 1); };
+      auto along = [&](int k) {
+        return lit.ground_half * (2.0f * static_cast<float>(k) / (kGroundSide - 1) - 1);
+      };
       put_light(lit.ground, Vec3(along(column), 0, along(row)));
     }
   return lit;
