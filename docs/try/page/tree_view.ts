@@ -21,7 +21,7 @@ vec3 daylight(vec3 color, vec3 normal, float up, vec2 lit, float through) {
   vec3 albedo = pow(color, vec3(2.2));
   float facing = dot(normal, sun);
   vec3 direct = vec3(2.9, 2.65, 2.2) * lit.x * (max(facing, 0.0) + through * max(-facing, 0.0));
-  vec3 sky = vec3(0.62, 0.74, 0.92) * (0.12 + 0.88 * lit.y) * (0.75 + 0.25 * up);
+  vec3 sky = vec3(0.62, 0.74, 0.92) * (0.3 + 0.7 * lit.y) * (0.75 + 0.25 * up);
   vec3 light = albedo * (direct + sky + vec3(0.10, 0.11, 0.06));
   return pow(1.0 - exp(-1.25 * light), vec3(1.0 / 2.2));
 }`;
