@@ -122,8 +122,8 @@ LitTree lit_tree(const Model& model, const TreeParams& params, Vec3 sun) {
   Bounds bounds = bounds_of(model);
   float extent = std::max({bounds.high.y, bounds.high.x - bounds.low.x, bounds.high.z - bounds.low.z, 0.5f});
   LightLaw law;
-  law.voxel =
-      std::max(extent / kFieldCells, params.leaves.size);  // of what a sprig takes it shades little itself
+  // A sprig hardly shades itself where a cell is as large.
+  law.voxel = std::max(extent / kFieldCells, params.leaves.size);
   law.base = 1.005;
   std::vector<Shade> shades = shades_of_model(model, shapes, law);
   lit.ground_half = 1.5f * extent;
@@ -149,9 +149,7 @@ LitTree lit_tree(const Model& model, const TreeParams& params, Vec3 sun) {
     put(out, o.position[i]);
     put(out, {o.turn[i].x, o.turn[i].y, o.turn[i].z}), out.push_back(o.turn[i].w);
     out.push_back(o.scale[i].x);
-    std::size_t colors =
-        organ.summer > 0 && o.color[i] >= 0 && o.loose.empty() ? organ.summer : organ.colors.size();
-    put_color(out, organ.colors[color_index(o.color[i], colors)]);
+    put_color(out, organ.colors[color_index(o.color[i], organ.colors.size())]);
     put_light(out, o.position[i]);
   }
   for (int row = 0; row < kGroundSide; ++row)

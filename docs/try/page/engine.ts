@@ -137,6 +137,6 @@ export const engine = <Call extends Exclude<keyof Answers, "tree">>(name: Call, 
 /** Greatest number of internodes that stand on a tree: with more it does not turn smoothly. */
 export const INTERNODES = 150_000;
 
-/** The tree of a preset, which grows where it is not the one that was asked for before. Age in years; `time` of the year, 0..1. */
+/** The tree of a preset, which grows where it is not the one that was asked for before. Age in whole years; `time` of the year, 0..1. */
 export const treeOf = (json: string, seed: number, age: number, time: number): Promise<Tree> =>
   call("tree", [json, seed, INTERNODES, age, time], PATIENCE_WITH_TREES, "choose another tree");

@@ -126,11 +126,55 @@ function grid(side: number): { places: Float32Array; triangles: Uint32Array } {
   return { places: new Float32Array(places), triangles: new Uint32Array(triangles) };
 }
 
-/** Something to draw: what it is made of is filled in by `show`. */
+/** Something to draw, with the program that draws it. */
 interface Drawn {
   program: WebGLProgram;
   array: WebGLVertexArrayObject;
   draw(): void;
+}
+
+interface Programs {
+  ground: WebGLProgram;
+  branches: WebGLProgram;
+  organs: WebGLProgram;
+}
+
+/** All that is drawn of a tree, in this order, and its buffers, which are to be deleted with it. */
+function drawnOf(gl: WebGL2RenderingContext, { ground, branches, organs }: Programs, tree: Tree): { drawn: Drawn[]; buffers: WebGLBuffer[] } {
+  const buffers: WebGLBuffer[] = [];
+  const begin = (): WebGLVertexArrayObject => {
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    return array;
+  };
+  const fill = (numbers: Float32Array, stride: number, parts: [number, number, number][], divisor: number): void => {
+    buffers.push(attributes(gl, stride, parts, divisor));
+    gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
+  };
+  function groundOf(light: Float32Array): Drawn {
+    const array = begin(), { places, triangles } = grid(Math.sqrt(light.length / 2));
+    fill(places, 2, [[0, 2, 0]], 0);
+    fill(light, 2, [[1, 2, 0]], 0);
+    buffers.push(gl.createBuffer());
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers.at(-1)!);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+    return { program: ground, array, draw: () => gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0) };
+  }
+  function branchesOf(segments: Float32Array): Drawn {
+    const array = begin(), count = segments.length / STRIDE;
+    fill(SEGMENT_CORNERS, 2, [[0, 2, 0]], 0);
+    fill(segments, STRIDE, [[1, 4, 0], [2, 4, 4], [3, 3, 8], [4, 2, 11]], 1);
+    return { program: branches, array, draw: () => gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count) };
+  }
+  function organsOf(shape: Float32Array, placed: Float32Array): Drawn {
+    const array = begin(), count = placed.length / STRIDE;
+    fill(shape, 6, [[0, 3, 0], [1, 3, 3]], 0);
+    fill(placed, STRIDE, [[2, 3, 0], [3, 4, 3], [4, 1, 7], [5, 3, 8], [6, 2, 11]], 1);
+    return { program: organs, array, draw: () => gl.drawArraysInstanced(gl.TRIANGLES, 0, shape.length / 6, count) };
+  }
+  const drawn = [groundOf(tree.ground), branchesOf(tree.segments), branchesOf(new Float32Array(person(tree))),
+    ...tree.shapes.map((shape, i) => organsOf(shape, tree.organs[i]!))];
+  return { drawn, buffers };
 }
 
 /** Null where the browser has no WebGL 2. */
@@ -138,49 +182,17 @@ export function treeViewOn(canvas: HTMLCanvasElement): TreeView | null {
   const context = canvas.getContext("webgl2", { antialias: true });
   if (!context) return null;
   const gl: WebGL2RenderingContext = context;
-  const branches = program(gl, SEGMENT_VERTEX, BRANCH_FRAGMENT), organs = program(gl, ORGAN_VERTEX, ORGAN_FRAGMENT);
-  const ground = program(gl, GROUND_VERTEX, GROUND_FRAGMENT);
+  const programs: Programs = {
+    ground: program(gl, GROUND_VERTEX, GROUND_FRAGMENT),
+    branches: program(gl, SEGMENT_VERTEX, BRANCH_FRAGMENT),
+    organs: program(gl, ORGAN_VERTEX, ORGAN_FRAGMENT),
+  };
   gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
 
   let tree: Tree | null = null, frame: Frame | null = null;
-  let drawn: Drawn[] = [];
-  const buffers: WebGLBuffer[] = [];
+  let { drawn, buffers }: ReturnType<typeof drawnOf> = { drawn: [], buffers: [] };
   let eye = { ...ASIDE };
   let waiting = 0;
-
-  const filled = (numbers: Float32Array, stride: number, parts: [number, number, number][], divisor: number): void => {
-    buffers.push(attributes(gl, stride, parts, divisor));
-    gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
-  };
-  const begin = (): WebGLVertexArrayObject => {
-    const array = gl.createVertexArray();
-    gl.bindVertexArray(array);
-    return array;
-  };
-
-  function groundOf({ ground: light }: Tree): Drawn {
-    const array = begin(), { places, triangles } = grid(Math.sqrt(light.length / 2));
-    filled(places, 2, [[0, 2, 0]], 0);
-    filled(light, 2, [[1, 2, 0]], 0);
-    buffers.push(gl.createBuffer());
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers.at(-1)!);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
-    return { program: ground, array, draw: () => gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0) };
-  }
-  function branchesOf(all: Tree): Drawn {
-    const array = begin(), beside = person(all), numbers = new Float32Array(all.segments.length + beside.length);
-    numbers.set(all.segments);
-    numbers.set(beside, all.segments.length);
-    filled(SEGMENT_CORNERS, 2, [[0, 2, 0]], 0);
-    filled(numbers, STRIDE, [[1, 4, 0], [2, 4, 4], [3, 3, 8], [4, 2, 11]], 1);
-    return { program: branches, array, draw: () => gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, numbers.length / STRIDE) };
-  }
-  function organsOf(shape: Float32Array, placed: Float32Array): Drawn {
-    const array = begin();
-    filled(shape, 6, [[0, 3, 0], [1, 3, 3]], 0);
-    filled(placed, STRIDE, [[2, 3, 0], [3, 4, 3], [4, 1, 7], [5, 3, 8], [6, 2, 11]], 1);
-    return { program: organs, array, draw: () => gl.drawArraysInstanced(gl.TRIANGLES, 0, shape.length / 6, placed.length / STRIDE) };
-  }
 
   function paint(): void {
     waiting = 0;
@@ -199,7 +211,7 @@ export function treeViewOn(canvas: HTMLCanvasElement): TreeView | null {
       gl.uniform1f(place("size"), tree.groundHalf);
       gl.bindVertexArray(array);
       // What is seen through the ground is not hidden by it.
-      for (const ability of [gl.BLEND, gl.DEPTH_TEST]) gl[(ability === gl.BLEND) === (used === ground) ? "enable" : "disable"](ability);
+      for (const ability of [gl.BLEND, gl.DEPTH_TEST]) gl[(ability === gl.BLEND) === (used === programs.ground) ? "enable" : "disable"](ability);
       draw();
     }
   }
@@ -218,10 +230,10 @@ export function treeViewOn(canvas: HTMLCanvasElement): TreeView | null {
   return {
     show: (next) => {
       for (const { array } of drawn) gl.deleteVertexArray(array);
-      for (const buffer of buffers.splice(0)) gl.deleteBuffer(buffer);
+      for (const buffer of buffers) gl.deleteBuffer(buffer);
       tree = next;
       frame = frameOf(next);
-      drawn = [groundOf(next), branchesOf(next), ...next.shapes.map((shape, i) => organsOf(shape, next.organs[i]!))];
+      ({ drawn, buffers } = drawnOf(gl, programs, next));
       repaint();
     },
     picture: () => {
