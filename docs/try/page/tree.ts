@@ -43,7 +43,10 @@ kind.addEventListener("change", () => show({ ...begin(kind.value), time: choice.
 
 const years = el<HTMLInputElement>("input.slider", { type: "range", min: "1", step: "1", "aria-label": "Years", "data-testid": "years-slider" });
 const age = el<HTMLInputElement>("input.number", { type: "number", min: "1", step: "1", "aria-label": "Years, as a number", "data-testid": "years" });
-for (const input of [years, age]) input.addEventListener("input", () => input.valueAsNumber >= 1 && change({ years: Math.round(input.valueAsNumber) }, input));
+for (const input of [years, age]) {
+  input.addEventListener("input", () => input.valueAsNumber >= 1 && change({ years: Math.round(input.valueAsNumber) }, input));
+  input.addEventListener("change", () => fill());
+}
 
 const time = el<HTMLInputElement>("input.slider", { type: "range", min: "0", max: "1", step: "0.01", "aria-label": "Time of the year", "data-testid": "time" });
 time.addEventListener("input", () => change({ time: time.valueAsNumber }, time));
@@ -106,7 +109,7 @@ async function drawOnce(): Promise<void> {
   shown = key;
   canvas.classList.remove("stale");
   const oldest = answer.cycles.length - 1;
-  if (choice.years > oldest) choice = { ...choice, years: oldest };
+  if (choice.species === asked.species && choice.seed === asked.seed) choice = { ...choice, years: Math.min(choice.years, oldest) };
   fill(document.activeElement instanceof HTMLInputElement ? document.activeElement : undefined);
   view?.show(answer);
   const stem = answer.stem > 0 ? `, stem of ${Math.round(answer.stem * 100)} cm` : "";
