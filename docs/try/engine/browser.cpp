@@ -1,9 +1,12 @@
 #include "core/parallel.h"
 #include "geometry/obj.h"
 
-// What the grammar engine uses of other modules, as it is in a browser: one thread and no files.
+// What the engine uses of other modules, as it is in a browser: one thread and no files.
 
 namespace frond {
+
+extern const char* const kCodeId;
+const char* const kCodeId = "browser";  // of names of pictures, which are not drawn here
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   for (std::size_t i = 0; i < count; ++i) body(i);

@@ -1,5 +1,3 @@
-#include <emscripten/bind.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +7,7 @@
 #include "grammar/picture.h"
 #include "grammar/review.h"
 #include "organisms/describe_grammar.h"
+#include "try/engine/answers.h"
 
 // The functions of the grammar engine that the page calls. Grammars come as the JSON text of a grammar file;
 // every answer is an object, with `errors` where the grammar cannot be drawn.
@@ -16,8 +15,6 @@
 namespace frond {
 
 namespace {
-
-using emscripten::val;
 
 /// A grammar ready to derive, and what is asked of it.
 struct Request {
@@ -45,30 +42,6 @@ Result<Request> read(const std::string& json, double steps, double modules) {
   if (Errors errors = refuse(size, limits); !errors.empty()) return placed(errors, grammar->text);
   return Request{std::move(*grammar), steps, Seed{text->seed}, limits};
 }
-
-val list(const Errors& errors) {
-  val out = val::array();
-  for (const Error& error : errors) {
-    val one = val::object();
-    one.set("where", error.where), one.set("what", error.what);
-    out.call<void>("push", one);
-  }
-  return out;
-}
-
-val failed(const Errors& errors) {
-  val out = val::object();
-  out.set("errors", list(errors));
-  return out;
-}
-
-/// An array of JavaScript's own, which stays when the memory of the engine grows.
-template <class T>
-val copied(const std::vector<T>& numbers) {
-  return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
-}
-
-void put(std::vector<float>& out, Vec3 v) { out.insert(out.end(), {v.x, v.y, v.z}); }
 
 /// Segments as their two ends, each with its radius, and outlines as triangles.
 val picture_of(const Figure& figure) {

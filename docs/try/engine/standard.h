@@ -89,6 +89,14 @@ template <class Range, class Value>
 auto upper_bound(Range&& range, const Value& value) {
   return std::upper_bound(begin(range), end(range), value);
 }
+template <class Range, class Out>
+auto move(Range&& range, Out to) {
+  return std::move(begin(range), end(range), to);
+}
+template <class Range>
+auto max(const Range& range) {
+  return *std::max_element(begin(range), end(range));
+}
 template <class Range, class Order = std::less<>, class Projection>
 void stable_sort(Range&& range, Order, Projection projection) {
   std::stable_sort(begin(range), end(range), [&](const auto& a, const auto& b) {

@@ -1,4 +1,4 @@
-/** The grammar engine in a thread of its own, which is stopped when it takes too long. */
+/** The engine in a thread of its own, which is stopped when it takes too long. */
 
 import source from "frond-engine";
 
@@ -34,14 +34,38 @@ export interface Svg {
   svg: string;
 }
 
+/** A tree at one age. Light is that of the sun and that of the sky, 0..1 each. */
+export interface Tree {
+  errors: Fault[];
+  /** Thirteen numbers each: x, y, z and radius of both ends, colour, light. */
+  segments: Float32Array;
+  /** Triangles of sprigs and flowers, six numbers a corner: place and normal. */
+  shapes: Float32Array[];
+  /** Of each shape, thirteen numbers each: place, turn, size, colour, light. */
+  organs: Float32Array[];
+  /** Light on a square of ground around the foot, two numbers each, row by row; half the side of that square in metres. */
+  ground: Float32Array;
+  groundHalf: number;
+  /** Toward the sun. */
+  sun: [number, number, number];
+  /** Cycles of growth gone through by each year of its life, from 0 on. */
+  cycles: Int32Array;
+  /** As foresters count: metres, the stem at 1.3 m. */
+  internodes: number;
+  height: number;
+  stem: number;
+}
+
 interface Answers {
   draw: Figure;
+  tree: Tree;
   derive: Word;
   svg: Svg;
 }
 
 /** Milliseconds, once the engine has started. */
 const PATIENCE = 5000;
+const PATIENCE_WITH_TREES = 60_000;
 /** Greatest number of modules and of segments of a grammar that has no limit of its own. */
 const MODULES = 300_000;
 
@@ -78,18 +102,19 @@ function stop(): void {
   worker = null;
 }
 
-async function ask<Call extends keyof Answers>(call: Call, json: string, steps: number, modules: number): Promise<Answers[Call]> {
+/** `less` is what helps where it takes too long. */
+async function ask<Call extends keyof Answers>(call: Call, words: unknown[], patience: number, less: string): Promise<Answers[Call]> {
   const asked = worker ?? start();
   await ready;
   const wait = next(asked);
-  asked.postMessage({ call, words: [json, steps, modules] });
+  asked.postMessage({ call, words });
   let timer = 0;
   const late = new Promise<never>((_, failed) => {
-    timer = window.setTimeout(() => failed(new Error(`this takes longer than ${PATIENCE / 1000} seconds; use fewer steps`)), PATIENCE);
+    timer = window.setTimeout(() => failed(new Error(`this takes longer than ${patience / 1000} seconds; ${less}`)), patience);
   });
   try {
     const { data } = await Promise.race([wait, late]);
-    if (data.broken !== undefined) throw new Error("this takes more memory than there is; use fewer steps");
+    if (data.broken !== undefined) throw new Error(`this takes more memory than there is; ${less}`);
     return data.answer as Answers[Call];
   } catch (error) {
     stop();
@@ -99,9 +124,19 @@ async function ask<Call extends keyof Answers>(call: Call, json: string, steps: 
   }
 }
 
-/** Calls a function of engine.cpp; one after the other. */
-export function engine<Call extends keyof Answers>(call: Call, json: string, steps: number, modules = MODULES): Promise<Answers[Call]> {
-  const answer = queue.then(() => ask(call, json, steps, modules));
+function call<Call extends keyof Answers>(...asked: [call: Call, words: unknown[], patience: number, less: string]): Promise<Answers[Call]> {
+  const answer = queue.then(() => ask(...asked));
   queue = answer;
   return answer;
 }
+
+/** Calls a function of engine.cpp; one after the other. */
+export const engine = <Call extends Exclude<keyof Answers, "tree">>(name: Call, json: string, steps: number, modules = MODULES): Promise<Answers[Call]> =>
+  call(name, [json, steps, modules], PATIENCE, "use fewer steps");
+
+/** Greatest number of internodes that stand on a tree: with more it does not turn smoothly. */
+export const INTERNODES = 150_000;
+
+/** The tree of a preset, which grows where it is not the one that was asked for before. Age in whole years; `time` of the year, 0..1. */
+export const treeOf = (json: string, seed: number, age: number, time: number): Promise<Tree> =>
+  call("tree", [json, seed, INTERNODES, age, time], PATIENCE_WITH_TREES, "choose another tree");
