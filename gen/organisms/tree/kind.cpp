@@ -8,6 +8,7 @@
 #include "dress/picture_bounds.h"
 #include "grove/age.h"
 #include "organisms/kinds.h"
+#include "organisms/tree/topple.h"
 #include "organisms/tree/tree.h"
 
 namespace frond {
@@ -174,6 +175,10 @@ void describe(Visitor& v, TreeParams& t) {
   Years weather{t.wind, t.snow};
   v.object("weather", weather, "What loads the wood; that of the scene's first tree counts for all");
   t.wind = weather.wind, t.snow = weather.snow;
+  v.number(
+      "anchorage", t.species.anchorage, {.min = 0, .max = 10000, .unit = "N m/kg"},
+      "Moment that the roots hold for each kilogram of the stem; a tree whose load passes it falls. 0 holds "
+      "any load");
   v.number("flare", t.flare, {.min = 0, .max = 4}, "How much wider the foot of the stem is, as a share");
   v.integer("roots", t.roots, {.min = 0, .max = 24}, "Number of roots that run out above the ground");
   v.number(
@@ -356,7 +361,11 @@ class TreeGrower final : public Described<TreeParams, Grower> {
                        age * own.child(2).range(0.75, 0.95), own.child("tree")});
     }
     Grove grove = grow_trees(sites, false, seed.child("weather"));
-    return tree_model(params, grove.trees[0], cycle_at({}, grove.cycles, 0), {}, seed.child("look"));
+    const GrownTree& grown = grove.trees[0];
+    double cycle = cycle_at({}, grove.cycles, 0);
+    Model model = tree_model(params, grown, cycle, {}, seed.child("look"));
+    if (grown.uprooting.time <= cycle) lay_down(model, tree_fall(params, grown, Heights()));
+    return model;
   }
   float copy_depth(const Model& model) const override {
     return model.skeleton.size() == 0 ? 0 : 0.3f * model.skeleton.radius[0];
@@ -367,18 +376,34 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     return 1 + organism.place.size_variation * seed.child(purpose).range(-1, 1);
   }
 
+  /// The fall of an uprooted tree, from when it begins.
+  static Fall tree_fall(const TreeParams& params, const GrownTree& grown, const Heights& ground) {
+    return fall_of(standing(grown, params.species, grown.uprooting.time, {}), grown, params.species,
+                   [&](double x, double z) { return ground(x, z); });
+  }
+
   /// Gives a tree its model, and its life where that is filmed.
   static void stand(Specimen& tree, const TreeParams& params, GrownTree&& grown, int cycles,
                     const World& world, Seed look) {
     bool grows = world.filmed() && params.growth.duration > 0;
     double cycle = world.filmed() ? cycles + 0.5 : cycle_at(params.growth, cycles, world.film_length());
-    tree.model = tree_model(params, grown, cycle, filming_of(params.growth, cycles, 0), look);
+    Filming filming = filming_of(params.growth, cycles, 0);
+    double leafy = 0;
+    if (grown.uprooting.time <= cycle) {
+      Fall fall = tree_fall(params, grown, *world.ground());
+      leafy = grows ? fall.length() : 0;
+      fall.start = grows ? tree.motion.growth.start + grown.uprooting.time * filming.seconds_a_year : -1e9;
+      tree.life.fall = std::make_shared<const Fall>(std::move(fall));
+      tree.life.ground = world.ground();
+    }
+    tree.model = tree_model(params, grown, cycle, filming, look);
     if (!grows) return;
     tree.life.held = grown.held();
     tree.life.develop = [params, grown = std::make_shared<const GrownTree>(std::move(grown)), cycles, look,
-                         growth = tree.motion.growth](double time) -> Result<Model> {
-      return tree_model(params, *grown, cycle_at(growth, cycles, time), filming_of(growth, cycles, time),
-                        look);
+                         leafy, growth = tree.motion.growth](double time) -> Result<Model> {
+      Filming now = filming_of(growth, cycles, time);
+      now.leafy = leafy;
+      return tree_model(params, *grown, cycle_at(growth, cycles, time), now, look);
     };
   }
 };
