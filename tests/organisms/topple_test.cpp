@@ -16,9 +16,8 @@ struct Overturned {
   Standing now;
 
   Overturned() {
-    params.years = 16;
-    params.wind = 40;
-    params.species.anchorage = 60;
+    params.years = 24;
+    params.species.anchorage = 100;
     TreeSite site{&params, Vec3(0), Quat(1, 0, 0, 0), 1, Seed{8}};
     tree = grow_trees({&site, 1}, true, Seed{1}).trees[0];
     now = standing(tree, params.species, tree.uprooting.time, {});
