@@ -200,34 +200,6 @@ constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a f
 
 constexpr double kGrownASecond = 3e5;  // nodes of a tree of twenty cycles; each is a look at all of it
 
-/// As large as a tree must be for its later growth to be told from it.
-constexpr double kToldBy = 60'000;
-
-/// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once it is large
-/// its nodes increase by a power of its cycles, which two or three goes tell. So it is grown until then, and
-/// the cycles that are left are reckoned.
-double estimate_tree_nodes(const TreeParams& params, Seed seed) {
-  constexpr double kSteepest = 4;  // power, of large trees: the crown widens, and its leaves shade each other
-  TreeParams young = params;
-  young.species = in_cycles(params.species);
-  const int cycles = cycles_of(params);
-  double before = 0, nodes = 0;
-  int since = 0;
-  young.years = std::min(cycles, 10);
-  for (;;) {
-    before = nodes;
-    nodes = static_cast<double>(grow_tree(young, seed).skeleton.size());
-    if (young.years == cycles) return nodes;
-    if (nodes > kToldBy) break;
-    since = young.years;
-    // A crown that is not closed yet grows by a third to a half in a cycle.
-    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
-    young.years = std::min(cycles, young.years + more);
-  }
-  double power = since > 0 ? std::log(nodes / before) / std::log(double(young.years) / since) : kSteepest;
-  return nodes * std::pow(double(cycles) / young.years, std::clamp(power, 0.0, kSteepest));
-}
-
 Filming filming_of(const Growth& growth, int cycles, double time) {
   Filming filming;
   if (growth.duration <= 0) return filming;

@@ -269,4 +269,27 @@ Model grow_tree(const TreeParams& params, Seed seed) {
   return tree_model(params, grove.trees[0], cycle_at({}, grove.cycles, 0), {}, seed.child("look"));
 }
 
+double estimate_tree_nodes(const TreeParams& params, Seed seed) {
+  constexpr double kToldBy = 60'000;  // nodes: as large as it must be for its later growth to be told from it
+  constexpr double kSteepest = 4;  // power, of large trees: the crown widens, and its leaves shade each other
+  TreeParams young = params;
+  young.species = in_cycles(params.species);
+  const int cycles = cycles_of(params);
+  double before = 0, nodes = 0;
+  int since = 0;
+  young.years = std::min(cycles, 10);
+  for (;;) {
+    before = nodes;
+    nodes = static_cast<double>(grow_tree(young, seed).skeleton.size());
+    if (young.years == cycles) return nodes;
+    if (nodes > kToldBy) break;
+    since = young.years;
+    // A crown that is not closed yet grows by a third to a half in a cycle.
+    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
+    young.years = std::min(cycles, young.years + more);
+  }
+  double power = since > 0 ? std::log(nodes / before) / std::log(double(young.years) / since) : kSteepest;
+  return nodes * std::pow(double(cycles) / young.years, std::clamp(power, 0.0, kSteepest));
+}
+
 }  // namespace frond
