@@ -79,6 +79,7 @@ std::vector<double> nearest_pixels(const Scene& scene) {
     if (box.empty()) return;
     if (b.model.solids.size() > 0) least = nearest_pixel(all, box.middle(), glm::length(box.size()) / 2);
     look_at(b.model.skeleton.position);
+    look_at(fallen_nodes(b));
     look_at(b.model.blades.surface.position);
     if (b.model.skeleton.size() == 0) look_at(b.model.organs.position);
     // A school swims elsewhere at each time.

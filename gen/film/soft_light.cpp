@@ -35,6 +35,7 @@ Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels)
     for (std::size_t i = 0; i < m.organs.size(); ++i)
       room.take(m.organs.position[i],
                 std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
+    for (const Vec3& at : fallen_nodes(*b)) room.take(at, 0.3f);
     room.take(bounds_of(m.solids));
     for (const Vec3& at : m.blades.surface.position) room.take(at);
   }

@@ -46,6 +46,7 @@ struct Tree {
   std::vector<Size> sizes;
   std::size_t broken = 0, bytes = 0;
   int stem_broke = -1;
+  Uprooting uprooting;
 };
 
 void plant(Tree& tree) {
@@ -68,6 +69,7 @@ std::vector<Shade> shades_of(const Tree& tree, const LightLaw& law, int year) {
   const Metamers& m = tree.living;
   const Species& s = tree.seedling->species;
   std::vector<Shade> list;
+  if (tree.uprooting.happens()) return list;  // what lies on the ground shades nobody
   bool filling = law.fading == Fading::even;
   float leafy = shade_amount(law, s.leaf_area, 0);
   for (std::size_t i = 1; i < m.size(); ++i) {
@@ -147,6 +149,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   const Seedling& seedling = *tree.seedling;
   const Species& s = seedling.species;
   if (year < seedling.planted) return;
+  if (tree.uprooting.happens()) return tree.sizes.push_back({0, 0, tree.sizes.back().internodes});
   if (tree.living.size() == 0) plant(tree);
   Metamers& m = tree.living;
   Season season{s, field, seedling.seed, year, seedling.guide};
@@ -175,6 +178,8 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   tree.bytes = std::max(tree.bytes, m.size() * kBytesAMetamer);
   drop(tree, falls, options.history);
   tree.sizes.push_back(size_of(m, s.wood));
+  tree.uprooting = uprooting_of(m, s, storm, year);
+  if (tree.uprooting.happens()) die(m, tree.uprooting.time);
 }
 
 /// Those that stand on all trees.
@@ -208,6 +213,7 @@ GrownTree grown_tree(Tree& tree) {
   g.grown = tree.serial - 1;
   g.broken = tree.broken;
   g.stem_broke = tree.stem_broke;
+  g.uprooting = tree.uprooting;
   g.bytes = tree.bytes;
   g.sizes = std::move(tree.sizes);
 

@@ -5,6 +5,7 @@
 #include "core/seed.h"
 #include "grove/light.h"
 #include "grove/species.h"
+#include "grove/uproot.h"
 #include "grove/wood.h"
 
 namespace frond {
@@ -67,6 +68,7 @@ struct GrownTree {
   std::vector<std::uint32_t> first_ring;
   std::vector<float> ring;
 
+  Uprooting uprooting;      ///< when it has lost its balance; the tree is as it stood
   std::vector<Scar> scars;  ///< of boughs at least five twigs thick, on remaining parts
   std::vector<Size> sizes;  ///< at the end of each year since it was planted
 

@@ -57,6 +57,7 @@ struct Species {
   double height = 30;            ///< metres; growth ends near it
   double dome = 0.8;             ///< weight of the width relative to the height: 0 flat tops .. 1 round ones
   double lifespan = 400;         ///< years until the tree dies of age
+  double anchorage = 0;          ///< N m, the moment that its roots hold per kg of stem; 0: any
 
   Wood wood;
 

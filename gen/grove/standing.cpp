@@ -78,8 +78,11 @@ class Stander {
   float leaves(std::size_t i) const {
     if (t_.parent[i] == GrownTree::kRoot) return 0;
     float end = std::max(t_.born[i] + static_cast<float>(s_.leaf_years), led_until_[i]);
-    end = std::min(end, t_.died[i]);
-    return smooth_step(0.0f, kUnfold, year_ - t_.born[i]) * (1 - smooth_step(0.0f, kWither, year_ - end));
+    auto leafy = static_cast<float>(filming_.leafy / std::max(filming_.seconds_a_year, 1e-6));
+    if (t_.died[i] != t_.uprooting.time || end < t_.died[i]) leafy = 0;
+    end = std::min(end, t_.died[i]) + leafy;
+    return smooth_step(0.0f, kUnfold, year_ - t_.born[i]) *
+           (1 - smooth_step(0.0f, std::max(kWither, leafy), year_ - end));
   }
 
   /// The year by which what has broken off is on its way.

@@ -19,6 +19,7 @@ struct Standing {
 struct Filming {
   double seconds_a_year = 1;  ///< seconds of film per year; falling takes place in film time
   double lie = 1.2;           ///< seconds after which a fallen part has disappeared
+  double leafy = 0;           ///< seconds for which an uprooted tree keeps its leaves, and then withers
   double overtime = 0;        ///< seconds since the years stopped, in which only falling parts move
 };
 

@@ -60,6 +60,12 @@ Load load_of(Vec3 from, Vec3 to, float height, float radius, float leaf_area, co
   return load;
 }
 
+Load load_at(const Limbs& limbs, std::size_t i, const Wood& wood, const Weather& weather) {
+  Vec3 foot = limbs.tip[limbs.parent[i]];
+  float height = (foot.y + limbs.tip[i].y) / 2 - limbs.tip[0].y;
+  return load_of(foot, limbs.tip[i], height, limbs.radius[i], limbs.leaf_area[i], wood, weather);
+}
+
 float bent(Vec3 moment, Vec3 axis) {
   float length = glm::length(axis);
   if (length < 1e-9f) return glm::length(moment);
@@ -80,13 +86,19 @@ std::vector<float> bending_stress(const Limbs& limbs, const Wood& wood, const We
     if (p < 0) continue;
     assert(p < static_cast<std::int32_t>(i) && limbs.radius[i] > 0);
     Vec3 foot = limbs.tip[p];
-    float height = (foot.y + limbs.tip[i].y) / 2 - limbs.tip[0].y;
-    load[i].add(load_of(foot, limbs.tip[i], height, limbs.radius[i], limbs.leaf_area[i], wood, weather));
+    load[i].add(load_at(limbs, i, wood, weather));
     float r = limbs.radius[i], moment = bent(load[i].about(foot), limbs.tip[i] - foot);
     stress[i] = 4 * moment / (static_cast<float>(kPi) * r * r * r);
     load[p].add(load[i]);
   }
   return stress;
+}
+
+Vec3 moment_at_foot(const Limbs& limbs, const Wood& wood, const Weather& weather) {
+  Load load;
+  for (std::size_t i = 1; i < limbs.tip.size(); ++i) load.add(load_at(limbs, i, wood, weather));
+  Vec3 moment = limbs.tip.empty() ? Vec3(0) : load.about(limbs.tip[0]);
+  return Vec3(moment.x, 0, moment.z);
 }
 
 void thicken(Metamers& t) {

@@ -28,6 +28,9 @@ struct Weather {
 /// weight of wood, leaves and snow and the wind drag above it; 0 for entries without a parent.
 std::vector<float> bending_stress(const Limbs& limbs, const Wood& wood, const Weather& weather);
 
+/// The moment of all loads about the foot, N m: a level vector, at right angles to where they push the tree.
+Vec3 moment_at_foot(const Limbs& limbs, const Wood& wood, const Weather& weather);
+
 /// Recomputes the pipes of each internode, in units of a twig's: r^n = sum of r_i^n at forks, plus the pipes
 /// of its own leaf along an axis (Shinozaki 1964, with Leonardo's n). Pipes of shed branches stay: radii
 /// never decrease.

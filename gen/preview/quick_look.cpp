@@ -248,7 +248,10 @@ class FloorDepth {
 /// The sun's picture takes in what stands.
 ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
   Bounds box;
-  for (const Specimen& s : scene.specimens) box.take(bounds_of(s.model));
+  for (const Specimen& s : scene.specimens) {
+    box.take(bounds_of(s.model));
+    for (const Vec3& at : fallen_nodes(s)) box.take(at);
+  }
   Vec3 eye = scene.stage.camera.location.at(0);
   for (const SownStand& stand : scene.stands)
     for (const Vec3& p : stand.copies.foot)

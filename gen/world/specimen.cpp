@@ -81,8 +81,22 @@ Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, doub
   return std::make_shared<const Specimen>(std::move(now));
 }
 
+namespace {
+
+void pose_falling(const Specimen& specimen, double time, Pose& pose) {
+  const Life& life = specimen.life;
+  Motion calmed = specimen.motion;
+  calmed.wave.amplitude *= life.fall->sway(time);
+  pose_skeleton(specimen.model.skeleton, calmed, time, pose);
+  auto ground = [&](double x, double z) { return (*life.ground)(x, z); };
+  turn_fallen(*life.fall, specimen.model.skeleton, time, ground, pose);
+}
+
+}  // namespace
+
 void pose_specimen(const Specimen& specimen, double time, Pose& pose) {
   const Skeleton& rest = specimen.model.skeleton;
+  if (specimen.life.fall && specimen.life.ground) return pose_falling(specimen, time, pose);
   const std::optional<Hanging>& hanging = specimen.life.hanging;
   bool swings = hanging && std::ranges::any_of(hanging->strands.hanging, [](auto held) { return held != 0; });
   if (!swings) return pose_skeleton(rest, specimen.motion, time, pose);
@@ -95,6 +109,12 @@ void pose_specimen(const Specimen& specimen, double time, Pose& pose) {
     swing_strands(hanging->strands, hanging->breeze, time, moved.position, turn);
   pose_skeleton(moved, specimen.motion, time, pose);
   for (std::size_t i = 0; i < turn.size(); ++i) pose.turn[i] = pose.turn[i] * turn[i];
+}
+
+std::vector<Vec3> fallen_nodes(const Specimen& specimen) {
+  Pose pose;
+  if (const auto& fall = specimen.life.fall) pose_specimen(specimen, fall->start + fall->length(), pose);
+  return pose.position;
 }
 
 std::string Specimen::check() const {

@@ -11,6 +11,7 @@
 #include "dress/dress.h"
 #include "land/ground.h"
 #include "model/model.h"
+#include "motion/fall.h"
 #include "world/style.h"
 
 namespace frond {
@@ -29,7 +30,8 @@ struct Life {
   std::function<Result<Model>(double)> develop;
   std::optional<Seasons> season;  ///< if given, its organs are in full summer leaf
   Seed season_seed;
-  std::shared_ptr<const Heights> ground;  ///< on which its leaves fall
+  std::shared_ptr<const Heights> ground;  ///< on which its leaves fall, and it itself
+  std::shared_ptr<const Fall> fall;       ///< of a tree that loses its balance
   std::optional<Hanging> hanging;
   std::size_t held = 0;  ///< bytes of memory of `develop`, if significant
 
@@ -72,5 +74,8 @@ Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, doub
 
 /// Its branches at a time.
 void pose_specimen(const Specimen& specimen, double time, Pose& pose);
+
+/// Where its nodes are once it has fallen; empty if it does not fall.
+std::vector<Vec3> fallen_nodes(const Specimen& specimen);
 
 }  // namespace frond

@@ -169,6 +169,10 @@ void describe(Visitor& v, TreeParams& t) {
   Years weather{t.wind, t.snow};
   v.object("weather", weather, "What loads the wood; that of the scene's first tree counts for all");
   t.wind = weather.wind, t.snow = weather.snow;
+  v.number(
+      "anchorage", t.species.anchorage, {.min = 0, .max = 10000, .unit = "N m/kg"},
+      "Moment that the roots hold for each kilogram of the stem; a tree whose load passes it falls. 0 holds "
+      "any load");
   v.number("flare", t.flare, {.min = 0, .max = 4}, "How much wider the foot of the stem is, as a share");
   v.integer("roots", t.roots, {.min = 0, .max = 24}, "Number of roots that run out above the ground");
   v.number(

@@ -8,6 +8,7 @@
 #include "grove/age.h"
 #include "organisms/kinds.h"
 #include "organisms/tree/describe.h"
+#include "organisms/tree/topple.h"
 
 namespace frond {
 
@@ -17,34 +18,6 @@ constexpr int kNeighbours = 6;
 constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a field of light
 
 constexpr double kGrownASecond = 3e5;  // nodes of a tree of twenty cycles; each is a look at all of it
-
-/// As large as a tree must be for its later growth to be told from it.
-constexpr double kToldBy = 60'000;
-
-/// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once it is large
-/// its nodes increase by a power of its cycles, which two or three goes tell. So it is grown until then, and
-/// the cycles that are left are reckoned.
-double estimate_tree_nodes(const TreeParams& params, Seed seed) {
-  constexpr double kSteepest = 4;  // power, of large trees: the crown widens, and its leaves shade each other
-  TreeParams young = params;
-  young.species = in_cycles(params.species);
-  const int cycles = cycles_of(params);
-  double before = 0, nodes = 0;
-  int since = 0;
-  young.years = std::min(cycles, 10);
-  for (;;) {
-    before = nodes;
-    nodes = static_cast<double>(grow_tree(young, seed).skeleton.size());
-    if (young.years == cycles) return nodes;
-    if (nodes > kToldBy) break;
-    since = young.years;
-    // A crown that is not closed yet grows by a third to a half in a cycle.
-    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
-    young.years = std::min(cycles, young.years + more);
-  }
-  double power = since > 0 ? std::log(nodes / before) / std::log(double(young.years) / since) : kSteepest;
-  return nodes * std::pow(double(cycles) / young.years, std::clamp(power, 0.0, kSteepest));
-}
 
 Filming filming_of(const Growth& growth, int cycles, double time) {
   Filming filming;
@@ -179,7 +152,11 @@ class TreeGrower final : public Described<TreeParams, Grower> {
                        age * own.child(2).range(0.75, 0.95), own.child("tree")});
     }
     Grove grove = grow_trees(sites, false, seed.child("weather"));
-    return tree_model(params, grove.trees[0], cycle_at({}, grove.cycles, 0), {}, seed.child("look"));
+    const GrownTree& grown = grove.trees[0];
+    double cycle = cycle_at({}, grove.cycles, 0);
+    Model model = tree_model(params, grown, cycle, {}, seed.child("look"));
+    if (grown.uprooting.time <= cycle) lay_down(model, tree_fall(params, grown, Heights()));
+    return model;
   }
   float copy_depth(const Model& model) const override {
     return model.skeleton.size() == 0 ? 0 : 0.3f * model.skeleton.radius[0];
@@ -190,18 +167,34 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     return 1 + organism.place.size_variation * seed.child(purpose).range(-1, 1);
   }
 
+  /// The fall of an uprooted tree, from when it begins.
+  static Fall tree_fall(const TreeParams& params, const GrownTree& grown, const Heights& ground) {
+    return fall_of(standing(grown, params.species, grown.uprooting.time, {}), grown, params.species,
+                   [&](double x, double z) { return ground(x, z); });
+  }
+
   /// Gives a tree its model, and its life where that is filmed.
   static void stand(Specimen& tree, const TreeParams& params, GrownTree&& grown, int cycles,
                     const World& world, Seed look) {
     bool grows = world.filmed() && params.growth.duration > 0;
     double cycle = world.filmed() ? cycles + 0.5 : cycle_at(params.growth, cycles, world.film_length());
-    tree.model = tree_model(params, grown, cycle, filming_of(params.growth, cycles, 0), look);
+    Filming filming = filming_of(params.growth, cycles, 0);
+    double leafy = 0;
+    if (grown.uprooting.time <= cycle) {
+      Fall fall = tree_fall(params, grown, *world.ground());
+      leafy = grows ? fall.length() : 0;
+      fall.start = grows ? tree.motion.growth.start + grown.uprooting.time * filming.seconds_a_year : -1e9;
+      tree.life.fall = std::make_shared<const Fall>(std::move(fall));
+      tree.life.ground = world.ground();
+    }
+    tree.model = tree_model(params, grown, cycle, filming, look);
     if (!grows) return;
     tree.life.held = grown.held();
     tree.life.develop = [params, grown = std::make_shared<const GrownTree>(std::move(grown)), cycles, look,
-                         growth = tree.motion.growth](double time) -> Result<Model> {
-      return tree_model(params, *grown, cycle_at(growth, cycles, time), filming_of(growth, cycles, time),
-                        look);
+                         leafy, growth = tree.motion.growth](double time) -> Result<Model> {
+      Filming now = filming_of(growth, cycles, time);
+      now.leafy = leafy;
+      return tree_model(params, *grown, cycle_at(growth, cycles, time), now, look);
     };
   }
 };

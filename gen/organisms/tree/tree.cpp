@@ -6,6 +6,7 @@
 #include "grove/age.h"
 #include "grove/bodies.h"
 #include "organisms/tree/knots.h"
+#include "organisms/tree/topple.h"
 
 namespace frond {
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double kSummer = 0.5;          // of a cycle: when it is looked at in the end
 constexpr float kSmallestSprig = 0.04f;  // share of its size
 constexpr int kRootNodes = 5;
+constexpr int kPlateRoots = 36;
 
 /// The foot of the stem: wider toward the ground.
 float flared(const TreeParams& params, float base, float height) {
@@ -64,6 +66,30 @@ void add_roots(Skeleton& s, const TreeParams& params, Seed seed) {
       float high = base * (0.55f * (1 - t) * (1 - t) - 0.36f * t);
       below = s.add(foot + out * far + across * (bend * far * t) + Vec3(0, high, 0),
                     thick * (1.15f - 0.75f * t), below, static_cast<std::uint16_t>(1));
+    }
+  }
+}
+
+/// The roots within the ground that an uprooted tree lifts: level ones to the edge of the plate, and sinkers.
+void add_root_plate(Skeleton& s, Seed seed) {
+  if (s.size() < 2) return;
+  const float base = s.radius[0], reach = kRootPlate * s.radius[1];
+  const Vec3 foot = s.position[0];
+  for (int k = 0; k < kPlateRoots; ++k) {
+    Seed own = seed.child(static_cast<std::uint64_t>(k));
+    double turn = 2 * kPi * (k + own.child(0).range(-0.4, 0.4)) / kPlateRoots;
+    Vec3 out(static_cast<float>(std::cos(turn)), 0, static_cast<float>(std::sin(turn)));
+    auto far = reach * static_cast<float>(own.child(1).range(0.55, 0.98));
+    auto deep =
+        reach * static_cast<float>(k % 3 == 0 ? own.child(2).range(0.3, 0.5) : own.child(2).range(0.04, 0.2));
+    auto bend = static_cast<float>(own.child(3).range(-0.5, 0.5));
+    float thick = base * static_cast<float>(own.child(4).range(0.08, 0.2));
+    std::int32_t below = 0;
+    for (int i = 1; i <= kRootNodes; ++i) {
+      float t = static_cast<float>(i) / kRootNodes;
+      Vec3 aside = Vec3(-out.z, 0, out.x) * (bend * far * t * (1 - t));
+      below = s.add(foot + out * (far * t) + aside - Vec3(0, 1.2f * thick + deep * t * t, 0),
+                    thick * (1.1f - 0.9f * t), below, static_cast<std::uint16_t>(1));
     }
   }
 }
@@ -225,6 +251,7 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
   Model model;
   std::vector<std::int32_t> node = add_branches(model, now, tree, params);
   add_roots(model.skeleton, params, seed.child("root"));
+  if (tree.uprooting.happens()) add_root_plate(model.skeleton, seed.child("root plate"));
   std::vector<Knot> knots =
       add_knots(model.skeleton, now, tree, node, params.knots, year, seed.child("knot"));
   std::vector<std::int32_t> order = order_model(model);
@@ -240,6 +267,29 @@ Model grow_tree(const TreeParams& params, Seed seed) {
   TreeSite site{&params, Vec3(0), Quat(1, 0, 0, 0), 1, seed.child("tree")};
   Grove grove = grow_trees({&site, 1}, false, seed.child("weather"));
   return tree_model(params, grove.trees[0], cycle_at({}, grove.cycles, 0), {}, seed.child("look"));
+}
+
+double estimate_tree_nodes(const TreeParams& params, Seed seed) {
+  constexpr double kToldBy = 60'000;  // nodes: as large as it must be for its later growth to be told from it
+  constexpr double kSteepest = 4;  // power, of large trees: the crown widens, and its leaves shade each other
+  TreeParams young = params;
+  young.species = in_cycles(params.species);
+  const int cycles = cycles_of(params);
+  double before = 0, nodes = 0;
+  int since = 0;
+  young.years = std::min(cycles, 10);
+  for (;;) {
+    before = nodes;
+    nodes = static_cast<double>(grow_tree(young, seed).skeleton.size());
+    if (young.years == cycles) return nodes;
+    if (nodes > kToldBy) break;
+    since = young.years;
+    // A crown that is not closed yet grows by a third to a half in a cycle.
+    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
+    young.years = std::min(cycles, young.years + more);
+  }
+  double power = since > 0 ? std::log(nodes / before) / std::log(double(young.years) / since) : kSteepest;
+  return nodes * std::pow(double(cycles) / young.years, std::clamp(power, 0.0, kSteepest));
 }
 
 }  // namespace frond

@@ -93,4 +93,9 @@ LeafLook pictured_leaves(const TreeParams& params);
 /// One tree by itself, its foot at the origin.
 Model grow_tree(const TreeParams& params, Seed seed);
 
+/// Nodes of a tree by light. What light leaves of it is not known before it has grown; but once it is large
+/// its nodes increase by a power of its cycles, which two or three goes tell. So it is grown until then, and
+/// the cycles that are left are reckoned.
+double estimate_tree_nodes(const TreeParams& params, Seed seed);
+
 }  // namespace frond

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "grove/standing.h"
+#include "model/model.h"
+#include "motion/fall.h"
+
+namespace frond {
+
+/// How far the root plate of an uprooted tree reaches from the stem, in radii of the stem's foot. Wind-thrown
+/// trees with stems of 0.5 m radius lift plates of about 2.5 m (Mattheck and Breloer 1994).
+inline constexpr float kRootPlate = 5;
+
+/// The edge of the root plate on the side to which an uprooted tree falls, on the slope of the ground there:
+/// the fall without its course.
+Fall hinge_of(const Standing& now, Vec3 toward, const GroundHeight& ground);
+
+/// The tree as a body that turns about that hinge. It stops at the first limb or piece of the stem that meets
+/// the ground and bears the load; those that do not bear it break, and lie on the ground. The load is the
+/// force that the ground must give there to hold the tree, twice, as for any load that is put on suddenly.
+/// The mass is that of the wood and leaves, without the root plate.
+Overturning overturning_of(const Standing& now, const GrownTree& tree, const Species& species,
+                           const Fall& hinge, const GroundHeight& ground);
+
+/// All of the fall of a tree that is uprooted, which stands as `now` when it begins. Its start is 0.
+Fall fall_of(const Standing& now, const GrownTree& tree, const Species& species, const GroundHeight& ground);
+
+/// Turns a model at rest as it lies in the end on level ground, for copies, which have no fall of their own.
+void lay_down(Model& model, const Fall& fall);
+
+}  // namespace frond
