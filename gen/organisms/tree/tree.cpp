@@ -6,6 +6,7 @@
 #include "grove/age.h"
 #include "grove/bodies.h"
 #include "organisms/tree/knots.h"
+#include "world/obstacles.h"
 
 namespace frond {
 
@@ -184,6 +185,10 @@ GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
     std::vector<Shade> shades = shades_of_body(body, options.light);
     options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
   }
+  if (!bodies.empty())
+    options.detour = [obstacles = Obstacles(bodies)](Vec3 from, Vec3 to, float clearance) {
+      return obstacles.way(from, to, clearance);
+    };
   return options;
 }
 
