@@ -90,7 +90,7 @@ TEST(RoundBodies, NoStemOfAWeberPennTreeTouchesThem) {
 TEST(RoundBodies, NoBranchOfAColonizedTreeTouchesThem) {
   ColonizedParams p;
   p.envelope.base = 0.5, p.envelope.height = 2.2, p.envelope.width = 2.4;
-  p.growth_into.attractors = 500, p.growth_into.influence = 0.9, p.growth_into.step = 0.1;
+  p.growth_into.attractors = 300, p.growth_into.influence = 0.9, p.growth_into.step = 0.1;
   p.growth_into.kill = 0.2;
   p.thickness.radius = 0.06;
   p.leaf_spacing = 0.2;
@@ -103,9 +103,11 @@ TEST(RoundBodies, NoInternodeOfATreeTouchesThem) {
   TreeParams p;
   p.years = 9, p.roots = 0, p.knots = 0;
   expect_free([&](const Yard& yard, Seed seed, bool round) {
-    TreeSite site{&p, Vec3(0), Quat(1, 0, 0, 0), 1, seed};
-    Grove grove = grow_trees({&site, 1}, false, seed, round ? yard.around : std::vector<Surface>{});
-    return tree_model(p, grove.trees[0], grove.cycles, {}, seed);
+    GroveOptions options;
+    options.years = p.years;
+    if (round) options.detour = yard.detour();
+    return tree_model(p, grow_grove({{p.species, Vec3(0), Vec3(0, 1, 0), seed}}, options)[0], p.years, {},
+                      seed);
   });
 }
 
