@@ -24,6 +24,7 @@ class Colony {
         distance_(points_.size(), kFar),
         patience_(points_.size(), kPatience),
         seed_(seed.child("grow")) {
+    if (how.detour) std::erase_if(points_, [&](Vec3 p) { return !how.detour(p, p, 0); });
     for (std::uint32_t p = 0; p < points_.size(); ++p) grid_.add(points_[p], p);
   }
 
@@ -59,6 +60,7 @@ class Colony {
       if (distance_[p] < 0) return;
       float d = glm::distance(points_[p], at);
       if (d > influence || d >= distance_[p]) return;
+      if (how_.detour && how_.detour(at, points_[p], kBarkGap) != points_[p]) return;
       distance_[p] = d <= kill ? -1 : d;
       nearest_[p] = node;
       patience_[p] = kPatience;
@@ -107,8 +109,15 @@ class Colony {
       Vec3 up(0, std::max(offset.y, 0.0f), 0);
       Vec3 direction =
           glm::normalize(glm::length(up) > step ? glm::normalize(offset) + Vec3(0, 1, 0) : offset);
-      tip = add(at + direction * step, tip, direction);
+      std::optional<Vec3> end = way(at, at + direction * step);
+      if (!end || (*end != at + direction * step && glm::distance(*end, goal) >= glm::distance(at, goal)))
+        return;
+      tip = add(*end, tip, direction);
     }
+  }
+
+  std::optional<Vec3> way(Vec3 from, Vec3 to) const {
+    return how_.detour ? how_.detour(from, to, static_cast<float>(how_.step / 2)) : to;
   }
 
   /// One segment for each node that points attract; false when none does.
@@ -137,7 +146,8 @@ class Colony {
       if (glm::length(sum) < 1e-4f) sum = toward_[static_cast<std::size_t>(node)];
       Vec3 direction = glm::normalize(sum);
       assert(std::abs(glm::length(direction) - 1) < 1e-3f);
-      add(at + direction * static_cast<float>(how_.step), node, direction);
+      std::optional<Vec3> end = way(at, at + direction * static_cast<float>(how_.step));
+      if (end) add(*end, node, direction);
     }
     return true;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "crown/axes.h"
@@ -19,6 +20,7 @@ struct Colonization {
   double jitter = 0.1;      ///< random part of each direction
   double crowding = 0;      ///< -1 more points inside .. 1 more points at the rim
   int most_nodes = 400000;  ///< growth stops at this number in any case
+  Detour detour = {};       ///< what segments bend round, half a step away, and points do not attract through
 };
 
 /// Grows one tree from the origin: first straight up or toward the envelope until its points are within

@@ -11,7 +11,8 @@ namespace {
 
 class Tracer {
  public:
-  Tracer(const WeberPenn& tree, const Stem& stem, double& left) : tree_(tree), stem_(stem), left_(left) {}
+  Tracer(const WeberPenn& tree, const Stem& stem, double& left, const Detour& detour)
+      : tree_(tree), stem_(stem), left_(left), detour_(detour) {}
 
   std::vector<StemChain> trace() {
     StemChain first;
@@ -41,6 +42,7 @@ class Tracer {
     for (int s = chain.first; s < res && points_ <= kMostNodes; ++s) {
       course.turn = bend(course.turn, level, stem_, s, seed.child("bend", static_cast<std::uint64_t>(s))) *
                     about_x(course.give_back);
+      if (detour_) course.turn = aside(chain.at.back(), course.turn, (s + 0.5) / res);
       chain.turn.push_back(course.turn);
       chain.share.push_back(course.share);
       chain.at.push_back(chain.at.back() + heading(course.turn) * (stem_.length / res));
@@ -121,11 +123,23 @@ class Tracer {
     return glm::angleAxis(angle, side / length) * turn;
   }
 
+  /// The heading of a segment that begins at a point, at a share of the stem's length, turned along what is
+  /// in its way.
+  DQuat aside(DVec3 from, DQuat turn, double share) const {
+    DVec3 ahead = heading(turn) * (stem_.length / tree_.stem(stem_.level).curve_res);
+    double radius = taper_radius(tree_.stem(stem_.level).taper, stem_.radius, stem_.length, share);
+    Vec3 to(from + ahead);
+    std::optional<Vec3> way = detour_(Vec3(from), to, static_cast<float>(radius) + kBarkGap);
+    if (!way || *way == to) return turn;
+    return glm::normalize(DQuat(glm::normalize(ahead), glm::normalize(DVec3(*way) - from)) * turn);
+  }
+
   const WeberPenn& tree_;
   const Stem& stem_;
   std::vector<StemChain> chains_;
   std::size_t points_ = 0;
   double& left_;
+  const Detour& detour_;
 };
 
 }  // namespace
@@ -145,8 +159,9 @@ DQuat StemChain::frame(double s) const {
   return glm::slerp(turn[i], turn[i + 1], place_of - static_cast<double>(i));
 }
 
-std::vector<StemChain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left) {
-  return Tracer(tree, stem, left).trace();
+std::vector<StemChain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left,
+                                  const Detour& detour) {
+  return Tracer(tree, stem, left, detour).trace();
 }
 
 namespace {

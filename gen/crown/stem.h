@@ -54,8 +54,9 @@ struct StemChain {
 std::vector<StemChain> guided_trunk(const WeberPenn& tree, const std::vector<GuideAxis>& axes);
 
 /// A stem and its clones as points; the first is the stem itself. `left` carries the rounding error of the
-/// number of splits from stem to stem of a level, within -0.5..0.5. None if there would be more than
-/// kMostNodes points.
-std::vector<StemChain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left);
+/// number of splits from stem to stem of a level, within -0.5..0.5. It bends aside where the detour asks.
+/// None if there would be more than kMostNodes points.
+std::vector<StemChain> trace_stem(const WeberPenn& tree, const Stem& stem, double& left,
+                                  const Detour& detour = {});
 
 }  // namespace frond

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "crown/aside.h"
 #include "crown/stem.h"
 
 namespace frond {
@@ -36,6 +37,14 @@ class Grower {
     scale_ = std::max(vary(tree.scale, tree.scale_v, seed.child("scale")), 1e-3);
     axes_ = axes_of(tree.guides);
     if (!axes_.empty() && axes_[0].at.size() < 2) axes_.clear();
+    tall_ = std::max(vary(tree.z_scale, tree.z_scale_v, seed.child("tall")), 0.01);
+    if (!axes_.empty()) tall_ = 1;  // it is as high as it is led
+    if (tree.detour)
+      stretched_ = [this, up = Vec3(1, tall_, 1)](Vec3 from, Vec3 to,
+                                                  float clearance) -> std::optional<Vec3> {
+        std::optional<Vec3> way = tree_.detour(from * up, to * up, clearance);
+        return way && *way != to * up ? *way / up : way ? std::optional(to) : way;
+      };
   }
 
   Result<Crown> grow() {
@@ -45,10 +54,8 @@ class Grower {
       return Error{"", fmt::format("the tree has more than {} nodes or {} leaves; fewer branches, splits, "
                                    "segments or leaves",
                                    kMostNodes, kMostLeaves)};
-    double tall = std::max(vary(tree_.z_scale, tree_.z_scale_v, seed_.child("tall")), 0.01);
-    if (!axes_.empty()) tall = 1;  // it is as high as it is led
-    for (Vec3& p : crown_.skeleton.position) p.y *= static_cast<float>(tall);
-    for (LeafSite& l : crown_.leaves) l.position.y *= static_cast<float>(tall);
+    for (Vec3& p : crown_.skeleton.position) p.y *= static_cast<float>(tall_);
+    for (LeafSite& l : crown_.leaves) l.position.y *= static_cast<float>(tall_);
     settle();
     return std::move(crown_);
   }
@@ -102,7 +109,7 @@ class Grower {
     };
     auto fits_in = [&] {
       double left = left_of(stem);
-      return inside(trace_stem(tree_, stem, left));
+      return inside(trace_stem(tree_, stem, left, stretched_));
     };
     for (int i = 0; i < 40 && !fits_in(); ++i) set_length(stem.length * 0.9);
     bool fits = fits_in();
@@ -125,8 +132,9 @@ class Grower {
     assert(stem.below >= Skeleton::kRoot && stem.below < static_cast<std::int32_t>(crown_.skeleton.size()));
     if (full_) return;
     bool led = stem.level == 0 && stem.below == Skeleton::kRoot && crown_.skeleton.size() == 0;
-    std::vector<StemChain> chains =
-        led && !axes_.empty() ? guided_trunk(tree_, axes_) : trace_stem(tree_, stem, left_of(stem));
+    std::vector<StemChain> chains = led && !axes_.empty()
+                                        ? guided_trunk(tree_, axes_)
+                                        : trace_stem(tree_, stem, left_of(stem), stretched_);
     full_ = full_ || chains.empty();
     std::vector<std::vector<std::int32_t>> node_at(chains.size());  // of each chain at the ends of segments
     bool last = stem.level + 1 >= tree_.levels;
@@ -333,6 +341,7 @@ class Grower {
     Skeleton& s = crown_.skeleton;
     std::vector<std::int32_t> order = order_branches(s);
     for (LeafSite& leaf : crown_.leaves) leaf.node = order[static_cast<std::size_t>(leaf.node)];
+    if (tree_.detour) bend_aside(crown_, tree_.detour);
     for (std::size_t i = 0; i < s.size(); ++i) {
       std::int32_t p = s.parent[i];
       s.distance[i] = p == Skeleton::kRoot ? 0 : s.distance[p] + glm::distance(s.position[p], s.position[i]);
@@ -345,8 +354,9 @@ class Grower {
 
   const WeberPenn& tree_;
   Seed seed_;
+  Detour stretched_;             // of the tree before its height is changed
   std::vector<GuideAxis> axes_;  // along which the first trunk is led
-  double scale_ = 1, bare_ = 0;
+  double scale_ = 1, bare_ = 0, tall_ = 1;
   Crown crown_;
   bool full_ = false;
   std::array<double, kStemLevels> left_{};  // of splits, by level

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "crown/axes.h"
@@ -86,6 +87,7 @@ struct WeberPenn {
   /// Along which the first trunk is led, its forks as clones that split off; its length is theirs, not
   /// `scale`.
   GuideAxes guides = {};
+  Detour detour = {};  ///< what stems bend round; what has no way on is cut off
 
   const StemLevel& stem(int n) const { return level[static_cast<std::size_t>(n < 3 ? n : 3)]; }
 };

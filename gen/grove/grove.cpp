@@ -6,6 +6,7 @@
 
 #include "core/bytes.h"
 #include "core/parallel.h"
+#include "grove/aside.h"
 #include "grove/metamers.h"
 #include "grove/resource.h"
 #include "grove/shed.h"
@@ -169,6 +170,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   std::size_t first = grow_shoots(m, season, tree.serial);
   thicken(m);
   sag(m, s.wood, s.leaf_area, first, !seedling.guide.empty());
+  if (options.detour) bend_aside(m, s.wood, options.detour, first);
 
   Strain strain = strain_of(m, s, storm, year);
   brace(m, s.wood, strain);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/detour.h"
 #include "core/seed.h"
 #include "grove/light.h"
 #include "grove/species.h"
@@ -31,6 +32,7 @@ struct GroveOptions {
   Seed seed;                  ///< of the weather
   bool history = false;       ///< keep dead parts and the rings of every year, for films
   std::vector<Shade> bodies;  ///< of walls, houses and rocks among the trees, see shades_of_body
+  Detour detour = {};         ///< round the same bodies
 };
 
 /// The place where a bough fell off.

@@ -10,6 +10,8 @@ namespace frond {
 
 namespace {
 
+constexpr float kNear = 0.1f;  // metres round a tree in which bodies count
+
 /// How deep something stands in the ground: as deep as it is thick, or as a small one bears.
 float depth_of(const Model& model) {
   if (model.skeleton.size() == 0) return 0;
@@ -29,6 +31,20 @@ Placement placement_of(const Organism& organism, const Planting& planting) {
   Quat slope = slopes ? Quat(Vec3(0, 1, 0), glm::normalize(up)) : Quat(1, 0, 0, 0);
   return {planting.foot, lean_of(organism, planting.seed) * slope * yaw_of(organism, planting),
           size_of(organism, planting.seed)};
+}
+
+/// Round the bodies that come near to a model at its place, in its own space; empty where none does.
+Detour detour_near(const Model& model, const World& world, const Placement& p) {
+  Bounds box;
+  for (Vec3 at : model.skeleton.position) box.take(p.foot + p.turn * (at * p.size), kNear);
+  std::shared_ptr<const Obstacles> obstacles = world.obstacles();
+  if (!obstacles->near(box)) return {};
+  return [obstacles, p](Vec3 from, Vec3 to, float clearance) -> std::optional<Vec3> {
+    Vec3 end = p.foot + p.turn * (to * p.size);
+    std::optional<Vec3> way = obstacles->way(p.foot + p.turn * (from * p.size), end, clearance * p.size);
+    if (!way || *way == end) return way ? std::optional(to) : way;
+    return (glm::conjugate(p.turn) * (*way - p.foot)) / p.size;
+  };
 }
 
 void follow_ground(Solids& solids, const World& world, float foot_height) {
@@ -89,6 +105,9 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
     if (!model) return model.errors();
     if (model->solids.follow_ground) placement.turn = yaw_of(organism, planting);
     if (organism.place.raise <= 0) placement.foot.y -= grower.copy_depth(*model) * placement.size;
+    if (grower.stage() == GrowthStage::round_bodies)
+      if (Detour detour = detour_near(*model, world, placement)) model = grower.grow_round(detour, seed);
+    if (!model) return model.errors();
     Specimen specimen{{organism.name, bed.entry}, std::move(*model)};
     transform(specimen.model, placement.foot, placement.turn, placement.size);
     if (specimen.model.solids.follow_ground && organism.place.raise == 0)

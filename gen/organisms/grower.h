@@ -36,11 +36,12 @@ struct Organism;
 
 /// Kinds grow in this order; those of one stage see the results of earlier stages, but not each other.
 enum class GrowthStage {
-  free,      ///< bodies, and organisms that need only a place
-  in_space,  ///< organisms that compete for space, beside and on bodies
-  in_light,  ///< organisms that compete for light and are shaded by bodies
-  creeping,  ///< organisms that find their own place on bodies
-  swimming   ///< animals that move among everything else
+  free,          ///< bodies, and organisms that need only a place
+  round_bodies,  ///< organisms that bend round bodies
+  in_space,      ///< organisms that compete for space, beside and on bodies
+  in_light,      ///< organisms that compete for light and are shaded by bodies
+  creeping,      ///< organisms that find their own place on bodies
+  swimming       ///< animals that move among everything else
 };
 
 /// Whether organisms of a stage find their own places: all of an entry then grow as one.
@@ -166,6 +167,8 @@ class LoneGrower : public Grower {
   virtual Result<Model> grow_standing(const World&, const Planting&, const Placement&, Seed seed) const {
     return grow_alone(seed);
   }
+  /// The same round what stands in the way, upright, its foot at the origin; for the stage round_bodies.
+  virtual Result<Model> grow_round(const Detour&, Seed seed) const { return grow_alone(seed); }
   /// The shape at a time of a film, fully revealed, see Life; empty: growth is only revealed.
   virtual std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const = 0;
 

@@ -16,7 +16,7 @@ namespace frond {
 #define FROND_KINDS(row)                                                                                \
   row(coral) row(massive) row(columnar) row(foliose) row(table) row(encrusting) row(tube) row(mushroom) \
       row(fan) row(shell) row(plant) row(rock) row(pebbles) row(wall) row(column) row(mesh) row(bridge) \
-          row(vase) row(weber_penn) row(colonized) row(tree) row(ivy) row(school)
+          row(vase) row(trellis) row(weber_penn) row(colonized) row(tree) row(ivy) row(school)
 
 #define FROND_DECLARE(name) Kind<Organism> name##_kind();
 FROND_KINDS(FROND_DECLARE)

@@ -33,8 +33,8 @@ class SceneBuilder {
   }
 
   Errors grow_all(const std::vector<Bed>& beds, World& world) {
-    for (GrowthStage stage : {GrowthStage::free, GrowthStage::in_space, GrowthStage::in_light,
-                              GrowthStage::creeping, GrowthStage::swimming}) {
+    for (GrowthStage stage : {GrowthStage::free, GrowthStage::round_bodies, GrowthStage::in_space,
+                              GrowthStage::in_light, GrowthStage::creeping, GrowthStage::swimming}) {
       std::vector<Bed> growing;
       std::ranges::copy_if(beds, std::back_inserter(growing),
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
@@ -78,7 +78,7 @@ class SceneBuilder {
   Errors grow_stage(GrowthStage stage, const std::vector<Bed>& beds, World& world) {
     std::vector<std::vector<Bed>> groups;
     // Each by itself, whatever grows beside it, or by what its rivals claim.
-    if (cache_ && (stage == GrowthStage::free || stage == GrowthStage::in_space))
+    if (cache_ && stage <= GrowthStage::in_space)
       for (const Bed& bed : beds) groups.push_back({bed});
     else
       groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });

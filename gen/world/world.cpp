@@ -17,6 +17,7 @@ constexpr double kSkyFar = 200;              // metres; what is beyond hides not
 void World::add(std::vector<Specimen> grown) {
   std::move(grown.begin(), grown.end(), std::back_inserter(standing_));
   hosts_.clear();
+  obstacles_.reset();
 }
 
 std::vector<Surface> World::bodies() const {
@@ -43,6 +44,12 @@ Result<std::shared_ptr<const Host>> World::host(const std::vector<std::string>& 
   if (!host) return host.errors();
   known = std::make_shared<const Host>(std::move(*host));
   return known;
+}
+
+std::shared_ptr<const Obstacles> World::obstacles() const {
+  std::scoped_lock lock(hosts_in_work_);
+  if (!obstacles_) obstacles_ = std::make_shared<const Obstacles>(bodies());
+  return obstacles_;
 }
 
 double World::open_sky(const DVec3& at) const {

@@ -9,6 +9,7 @@
 
 #include "creeping/host.h"
 #include "land/scatter.h"
+#include "world/obstacles.h"
 #include "world/specimen.h"
 #include "world/territory.h"
 
@@ -51,6 +52,9 @@ class World {
   Result<std::shared_ptr<const Host>> host(const std::vector<std::string>& names,
                                            std::string_view asker) const;
 
+  /// The bodies, without those of the setting, as what limbs bend round. Made once.
+  std::shared_ptr<const Obstacles> obstacles() const;
+
   /// The share of the sky that bodies leave open above a point, 0..1, each direction weighted by its height.
   double open_sky(const DVec3& at) const;
 
@@ -72,6 +76,7 @@ class World {
   Surface stones_;
   mutable std::mutex hosts_in_work_;
   mutable std::map<std::vector<std::string>, std::shared_ptr<const Host>> hosts_;
+  mutable std::shared_ptr<const Obstacles> obstacles_;
 };
 
 /// Food at a time, with the share that is not eaten yet, > 0.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "crown/aside.h"
 #include "geometry/obj.h"
 #include "geometry/smooth.h"
 #include "organisms/crown_leaves.h"
@@ -93,12 +94,27 @@ Errors check_colonized(const ColonizedParams& params) {
   return envelope ? check_guide(params.guide) : envelope.errors();
 }
 
-Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed) {
+namespace {
+
+/// What rounding has brought nearer to bodies than its thickness, moved off them.
+void bend_round(Skeleton& skeleton, const Detour& detour) {
+  Crown bare{std::move(skeleton), {}};
+  bend_aside(bare, detour);
+  skeleton = std::move(bare.skeleton);
+  set_tip_distances(skeleton);
+  set_births(skeleton);
+}
+
+}  // namespace
+
+Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, const Detour& detour) {
   Result<Envelope> envelope = envelope_of(params.envelope);
   if (!envelope) return envelope.errors();
   Result<GuideAxes> guides = axes_of_guide(params.guide);
   if (!guides) return guides.errors();
-  Result<Skeleton> coarse = colonize(*envelope, params.growth_into, seed.child("tree"), *guides);
+  Colonization how = params.growth_into;
+  how.detour = detour;
+  Result<Skeleton> coarse = colonize(*envelope, how, seed.child("tree"), *guides);
   if (!coarse) return coarse.errors();
   set_orders(*coarse);
   order_branches(*coarse);
@@ -112,6 +128,7 @@ Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed) {
   set_tip_distances(model.skeleton);
   set_births(model.skeleton);
   set_girth(model.skeleton, params.thickness, 0.1f);
+  if (detour) bend_round(model.skeleton, detour);
   if (params.leaf_reach > 0) {
     std::vector<LeafSite> sites = dress_tips(model.skeleton, params.leaf_reach, params.leaf_spacing,
                                              params.leaf_down, seed.child("sites"));

@@ -40,7 +40,8 @@ struct ColonizedParams {
   TreeDress dress;
 };
 
-Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed);
+/// One tree, its foot at the origin, round what is in its way.
+Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, const Detour& detour = {});
 
 /// The envelope of a room; an error if something is missing.
 Result<Envelope> envelope_of(const EnvelopeParams& params);

@@ -95,7 +95,11 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
   Dress dress() const override { return dress_of(params.dress, params.leaf_reach > 0); }
   bool develops(bool) const override { return params.dress.season.has_value(); }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
+  GrowthStage stage() const override { return GrowthStage::round_bodies; }
   Result<Model> grow_alone(Seed seed) const override { return grow_colonized_tree(params, seed); }
+  Result<Model> grow_round(const Detour& detour, Seed seed) const override {
+    return grow_colonized_tree(params, seed, detour);
+  }
   std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 

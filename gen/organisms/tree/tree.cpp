@@ -7,6 +7,7 @@
 #include "grove/bodies.h"
 #include "organisms/tree/knots.h"
 #include "organisms/tree/topple.h"
+#include "world/obstacles.h"
 
 namespace frond {
 
@@ -210,6 +211,10 @@ GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
     std::vector<Shade> shades = shades_of_body(body, options.light);
     options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
   }
+  if (!bodies.empty())
+    options.detour = [obstacles = Obstacles(bodies)](Vec3 from, Vec3 to, float clearance) {
+      return obstacles.way(from, to, clearance);
+    };
   return options;
 }
 

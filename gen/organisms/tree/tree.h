@@ -71,8 +71,8 @@ struct Grove {
   std::vector<GrownTree> trees;
 };
 
-/// Grows all trees in one field of light, shaded also by the bodies. Light law, weather and budget are those
-/// of the first site. `history`: for films.
+/// Grows all trees in one field of light, shaded also by the bodies, which their limbs bend round. Light law,
+/// weather and budget are those of the first site. `history`: for films.
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
                  std::span<const Surface> bodies = {});
 

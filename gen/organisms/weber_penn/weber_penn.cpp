@@ -11,11 +11,12 @@
 
 namespace frond {
 
-Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed) {
+Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed, const Detour& detour) {
   WeberPenn led = params.tree;
   Result<GuideAxes> guides = axes_of_guide(params.guide);
   if (!guides) return guides.errors();
   led.guides = std::move(*guides);
+  led.detour = detour;
   Result<Crown> crown = grow_weber_penn(led, seed.child("tree"));
   if (!crown) return crown.errors();
   Model model;
@@ -188,7 +189,11 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
   }
   bool develops(bool) const override { return params.dress.season.has_value(); }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
+  GrowthStage stage() const override { return GrowthStage::round_bodies; }
   Result<Model> grow_alone(Seed seed) const override { return grow_weber_penn_tree(params, seed); }
+  Result<Model> grow_round(const Detour& detour, Seed seed) const override {
+    return grow_weber_penn_tree(params, seed, detour);
+  }
   std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 

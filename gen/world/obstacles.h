@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/bounds.h"
+#include "core/detour.h"
+#include "creeping/host.h"
+
+namespace frond {
+
+/// Bodies as what limbs bend round, see core/detour.h. Metres; thread-safe.
+class Obstacles {
+ public:
+  Obstacles() = default;  ///< none
+  explicit Obstacles(std::span<const Surface> bodies);
+
+  /// Whether a box comes near to that of a body.
+  bool near(const Bounds& box) const;
+
+  /// A Detour. What begins inside a closed body is let out.
+  std::optional<Vec3> way(Vec3 from, Vec3 to, float clearance) const;
+
+ private:
+  std::shared_ptr<const Host> host_;  // of all of them
+  std::vector<Bounds> boxes_;         // of each
+};
+
+}  // namespace frond
