@@ -9,8 +9,8 @@
 
 namespace frond {
 
-/// A rectangle about `at`, turned about the vertical: `size.x` along its x, `size.y` along its z, which leads
-/// out of a room. A line has no depth, a point no size.
+/// A rectangle about `at`, turned about the vertical: `size.x` along its own x, `size.y` along its own z. A
+/// line has no depth, a point no size.
 struct PlanSite {
   Vec2 at{0}, size{0};
   double turn = 0;  ///< radians, from +z toward +x
@@ -23,14 +23,15 @@ inline constexpr std::string_view kPlanGate = "gate", kPlanCorners = "corners", 
 /// Ways as few straight pieces, unturned. They end where rooms begin.
 std::vector<PlanSite> way_sites(const PlanText& text, const GroundPlan& plan);
 
-/// All rooms of a kind; without its inset, as every name below.
+/// A room without its inset, turned so that its z leads out where one came in.
 PlanSite room_site(const PlanText& text, const PlanRoom& room);
 
-/// What things stand in by that name: rooms, the gate, the four corners, or the doors of rooms.
+/// The sites that things stand in by that name: rooms, the gate, the four corners, or the doors of rooms, as
+/// wide as openings.
 std::vector<PlanSite> sites_in(const PlanText& text, const GroundPlan& plan, std::string_view name);
 
-/// What things stand along by that name: the walls round the plan, or the edges of rooms. Straight lines,
-/// open where ways come in, each turned so that its z leads out.
+/// The lines that things stand along by that name: the walls round the plan, or the edges of rooms; open
+/// where ways come in, each turned so that its z leads out.
 std::vector<PlanSite> sites_along(const PlanText& text, const GroundPlan& plan, std::string_view name);
 
 }  // namespace frond
