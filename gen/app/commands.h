@@ -100,6 +100,12 @@ struct GrammarArguments {
   std::optional<std::string> assets;   ///< as of a preset
 };
 
+struct PlanArguments {
+  PresetArguments preset;
+  std::string out;  ///< SVG file; empty: <preset name>_plan.svg
+  int seeds = 1;    ///< how many plans, side by side
+};
+
 struct TextureArguments {
   PresetArguments preset;  ///< its path may be empty: every bark and leaf that there is
   std::string out;         ///< folder; empty: out/textures
@@ -210,6 +216,7 @@ int farm(const FarmArguments& arguments);
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);
 int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
+int draw_plans(const PlanArguments& arguments);
 int list_everything(bool json);
 int print_schema();
 int describe_properties(const std::vector<std::string>& words, bool json);

@@ -23,7 +23,7 @@ struct Loaded {
   Seed seed;
 };
 
-/// The grammar of a file: a grammar itself, or that of the first organism of a preset that has one.
+/// The grammar of a file: a grammar itself, or that of a preset's plan or of its first organism that has one.
 Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets) {
   if (is_grammar(path)) {
     Result<std::string> text = read_file(path);
@@ -41,6 +41,7 @@ Result<Grammar> load_grammar(const std::string& path, const std::optional<std::s
   Result<Preset> preset = load_preset(named);
   if (!preset) return preset.errors();
   tell_notes(preset->notes);
+  if (preset->plan) return compile_plan(*preset->plan);
   for (const Organism& organism : preset->organisms)
     if (auto grammar = organism.grower->grammar()) return *grammar;
   return Error{path, "the preset has no organism that grows by a grammar"};

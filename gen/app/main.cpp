@@ -235,6 +235,17 @@ void add_turtle(CLI::App& app, int& result) {
   command->callback([&result, to] { result = walk_turtle(*to); });
 }
 
+void add_plan(CLI::App& app, int& result) {
+  auto to = std::make_shared<PlanArguments>();
+  auto* command = app.add_subcommand("plan", "Draws the plan of a preset that has one, as SVG");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out, "FILE.svg (<preset name>_plan.svg)");
+  command->add_option("--seeds", to->seeds, "N: the plans of that many seeds, from the preset's on (1)")
+      ->check(CLI::Range(1, 100));
+  command->footer("Example:\n  frond plan presets/garden/walled.json --seeds 4 -o plans.svg");
+  command->callback([&result, to] { result = draw_plans(*to); });
+}
+
 void add_catalogue(CLI::App& app, int& result) {
   auto* schema_command = app.add_subcommand("schema", "Prints the JSON Schema of presets");
   schema_command->callback([&result] { result = print_schema(); });
@@ -315,10 +326,10 @@ int run(int count, char** words) {
       "above the program's own.");
   int result = kDone;
   for (auto add :
-       {add_new,     add_describe, add_look,      add_render,  add_sheet, add_generate, add_resolve,
-        add_passes,  add_export,   add_textures,  add_develop, add_check, add_info,     add_files,
-        add_confine, add_frame,    add_film,      add_compare, add_task,  add_farm,     add_gallery,
-        add_derive,  add_turtle,   add_catalogue, add_studio})
+       {add_new,     add_describe, add_look,     add_render,    add_sheet, add_generate, add_resolve,
+        add_passes,  add_export,   add_textures, add_develop,   add_check, add_info,     add_files,
+        add_confine, add_frame,    add_film,     add_compare,   add_task,  add_farm,     add_gallery,
+        add_derive,  add_turtle,   add_plan,     add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

@@ -25,7 +25,8 @@ std::string sky_and_pond_text(const Scene& scene, double time) {
 SettingText garden_text() {
   return {{"meadow", "garden"}, sky_and_pond_text, [](const PovSpace& space, const Scene& scene) {
             return lawn_text(space, scene, scene.stage.block<Meadow>().grass,
-                             scene.stage.block<Garden>().gravel_color);
+                             scene.stage.block<Garden>().gravel_color,
+                             scene.stage.block<Garden>().earth_color);
           }};
 }
 

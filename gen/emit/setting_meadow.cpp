@@ -30,7 +30,7 @@ std::string summer_text(const Scene& scene, double time) {
 
 SettingText meadow_text() {
   return {{"meadow"}, summer_text, [](const PovSpace& space, const Scene& scene) {
-            return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}) +
+            return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}, {}) +
                    (sun_moves(scene.stage) ? "" : mountain_text(space, scene.stage));
           }};
 }

@@ -1,5 +1,7 @@
 #include "emit/setting_parts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -172,17 +174,23 @@ void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, Sur
 
 }  // namespace
 
-std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel) {
+std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,
+                      const Color& earth) {
   const auto& lawn = ground_as<Lawn>(*scene.ground);
   std::string green = color_text(grass);
   std::string text = floor_text(space, scene, "Meadow_Ground(" + green + ")");
   append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}");
   append_turf(text, space, lawn, &Turf::leaves, "Leaf", "texture{Meadow_Leaf(" + green + ")}");
   append_turf(text, space, lawn, &Turf::flowers, "Bloom", "texture{Meadow_Bloom()}");
-  if (lawn.gravel_patches.empty()) return text;
-  append_shapes(text, space, lawn.gravel, "Gravel");
-  append_patches(text, space, lawn.gravel_patches, "Gravel",
-                 "texture{Garden_Gravel(" + color_text(gravel) + ")}");
+  auto append_ground = [&](const std::vector<Surface>& shapes, const std::vector<Patch>& patches,
+                           std::string_view name, const Color& color) {
+    if (patches.empty()) return;
+    append_shapes(text, space, shapes, name);
+    append_patches(text, space, patches, name,
+                   fmt::format("texture{{Garden_{}({})}}", name, color_text(color)));
+  };
+  append_ground(lawn.gravel, lawn.gravel_patches, "Gravel", gravel);
+  append_ground(lawn.earth, lawn.earth_patches, "Earth", earth);
   return text;
 }
 

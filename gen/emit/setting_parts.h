@@ -52,7 +52,8 @@ std::string globals_text(std::string_view prefix);
 /// The backdrop of underwater as `Water_Backdrop`.
 std::string backdrop_text(const Daylight& light);
 
-/// A lawn of a colour, with its grass and gravel.
-std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel);
+/// A lawn of a colour, with its grass, gravel and bare earth.
+std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,
+                      const Color& earth);
 
 }  // namespace frond

@@ -56,8 +56,8 @@ Surface pad_surface() {
 
 }  // namespace
 
-Plot::Plot(const PondShape& pond, const PathShape& path, Seed seed)
-    : pond_(pond), half_width_(path.width / 2), seed_(seed) {
+Plot::Plot(const PondShape& pond, const PathShape& path, Seed seed, std::vector<GroundArea> areas)
+    : pond_(pond), half_width_(path.width / 2), areas_(std::move(areas)), seed_(seed) {
   if (path.points.size() < 2) return;
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
     for (int k = 0; k < kPieces; ++k)
@@ -86,7 +86,31 @@ double Plot::path_middle_distance(Vec2 at) const {
   return best;
 }
 
+bool Plot::has_area(GroundArea::Kind kind) const {
+  return std::ranges::find(areas_, kind, &GroundArea::kind) != areas_.end();
+}
+
+/// Their edges are cut with a spade: nearly straight.
+double Plot::area_distance(Vec2 at, GroundArea::Kind kind) const {
+  double best = kFar;
+  for (const GroundArea& area : areas_) {
+    if (area.kind != kind) continue;
+    Vec2 away = glm::abs(at - area.center) - area.size / 2.0f;
+    double edge = std::max(away.x, away.y);
+    best = std::min(best, edge < 0 ? edge : glm::length(glm::max(away, Vec2(0))));
+  }
+  return best > 1 ? best : best + 0.02 * noise(Vec3(at.x * 5, 3, at.y * 5));
+}
+
+double Plot::earth_distance(Vec2 at) const { return area_distance(at, GroundArea::Kind::earth); }
+
 double Plot::path_distance(Vec2 at) const {
+  double area = area_distance(at, GroundArea::Kind::gravel);
+  if (path_.size() < 2) return area;
+  return std::min(area, curve_distance(at));
+}
+
+double Plot::curve_distance(Vec2 at) const {
   double best = path_middle_distance(at);
   if (best > 2 * half_width_ + 1) return best - half_width_;
   return best - half_width_ + 0.07 * noise(Vec3(at.x * 1.6f, 5, at.y * 1.6f)) +
@@ -97,6 +121,7 @@ double Plot::height(Vec2 at, double lawn) const {
   double pond = pond_distance(at), path = has_path() ? path_distance(at) : kFar;
   double height = lawn * smooth_step(0.0, 2.5, pond) * (0.35 + 0.65 * smooth_step(-0.2, 1.5, path));
   height -= 0.025 * (1 - smooth_step(-0.12, 0.10, path));
+  if (has_earth()) height += 0.05 * (1 - smooth_step(-0.3, 0.0, earth_distance(at)));
   // No puddle: the water's disc is wider than the pond.
   if (pond > 0.35) height = std::max(height, pond_.level + 0.06);
   if (pond < 0.35) height -= pond_.depth * smooth_step(0.0, 1.0, (0.35 - pond) / 1.6);

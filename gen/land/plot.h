@@ -22,32 +22,48 @@ struct PathShape {
   double width = 1.2;        ///< metres
 };
 
+/// A rectangle in a lawn with another ground.
+struct GroundArea {
+  enum class Kind { gravel, earth };
+  Kind kind = Kind::gravel;
+  Vec2 center{0}, size{1};  ///< x, z in metres
+};
+
 /// The ground plan of a garden.
 class Plot {
  public:
   Plot() = default;
-  Plot(const PondShape& pond, const PathShape& path, Seed seed);
+  Plot(const PondShape& pond, const PathShape& path, Seed seed, std::vector<GroundArea> areas = {});
 
   /// Approximate distance to the shore, metres; negative in the pond.
   double pond_distance(Vec2 at) const;
   /// Metres to the middle line of the path.
   double path_middle_distance(Vec2 at) const;
-  /// Metres to the edge of the path, which is uneven; negative on it.
+  /// Metres to the edge of the path or of an area of gravel, which is uneven; negative on it.
   double path_distance(Vec2 at) const;
+  /// The same of areas of earth.
+  double earth_distance(Vec2 at) const;
 
   /// The height of ground that was at height `lawn`: level round the pond and under the path, a basin in the
-  /// pond.
+  /// pond, raised a little where it is earth.
   double height(Vec2 at, double lawn) const;
 
   const PondShape& pond() const { return pond_; }
   bool has_pond() const { return pond_.size.x > 0 && pond_.size.y > 0; }
-  bool has_path() const { return path_.size() > 1; }
+  bool has_path() const { return path_.size() > 1 || has_area(GroundArea::Kind::gravel); }
+  bool has_earth() const { return has_area(GroundArea::Kind::earth); }
   const std::vector<Vec2>& path() const { return path_; }
+  const std::vector<GroundArea>& areas() const { return areas_; }
 
  private:
+  bool has_area(GroundArea::Kind kind) const;
+  double area_distance(Vec2 at, GroundArea::Kind kind) const;
+  double curve_distance(Vec2 at) const;  // to the edge of the path
+
   PondShape pond_;
   double half_width_ = 0;
   std::vector<Vec2> path_;  // the middle line as short segments
+  std::vector<GroundArea> areas_;
   Seed seed_;
 };
 

@@ -75,6 +75,15 @@ void describe(Visitor& v, Place& p) {
   v.list("at", p.at,
          "Places [x, z] of the first ones, within 30 m of the middle or anywhere on the land of a forest; "
          "the others are scattered");
+  v.text(
+      "in", p.in,
+      "Name of rooms of the plan, or \"gate\", \"corners\" or \"doors\": `count` stand in each of them, the "
+      "first at the places of `at`, which then count from its middle, z out of the room, and the others "
+      "scattered");
+  v.text(
+      "along", p.along,
+      "Name of rooms of the plan along whose edges they stand, or \"walls\" for the line round it: walls as "
+      "long as each edge, all else twice `spacing` apart");
   v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"},
            "Middle of the ring in which the others are scattered, x and z");
   v.number("inner", p.inner, {.min = 0, .max = 28, .unit = "m"}, "Inner radius of the ring");

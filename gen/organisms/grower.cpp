@@ -20,7 +20,7 @@ float depth_of(const Model& model) {
 
 Quat yaw_of(const Organism& organism, const Planting& planting) {
   const Place& place = organism.place;
-  double turn = place.turn + place.turn_variation * planting.seed.child("turn").range(-1, 1);
+  double turn = planting.turn + place.turn + place.turn_variation * planting.seed.child("turn").range(-1, 1);
   return glm::angleAxis(static_cast<float>(turn), Vec3(0, 1, 0));
 }
 

@@ -47,12 +47,21 @@ enum class GrowthStage {
 /// Whether organisms of a stage find their own places: all of an entry then grow as one.
 inline bool finds_own_place(GrowthStage stage) { return stage >= GrowthStage::creeping; }
 
+/// A straight line on the ground along which something is built, from end to end.
+struct PlaceLine {
+  Vec2 at{0};         ///< its middle
+  double turn = 0;    ///< radians; 0 is along x
+  double length = 0;  ///< metres
+};
+
 /// A place for one organism.
 struct Planting {
   Seed seed;
-  Vec3 foot{0};                  ///< on the ground or on its rock, including the preset's `raise`
-  Vec3 normal{0, 1, 0};          ///< of the surface below it, if that is a body
-  std::size_t claim = SIZE_MAX;  ///< index of its claim in the world's territories, if it has one
+  Vec3 foot{0};                           ///< on the ground or on its rock, including the preset's `raise`
+  Vec3 normal{0, 1, 0};                   ///< of the surface below it, if that is a body
+  std::size_t claim = SIZE_MAX;           ///< index of its claim in the world's territories, if it has one
+  double turn = 0;                        ///< radians about the vertical, besides that of the preset
+  std::span<const PlaceLine> lines = {};  ///< that it is built along; empty: it stands by itself
 };
 
 /// Position, rotation and size factor of an organism.
@@ -147,6 +156,9 @@ class Grower {
   /// A coarser version that grows in about `share`, 0..1, of the time, for previews while it is edited; none
   /// if not needed.
   virtual std::shared_ptr<const Grower> coarse(double /*share*/) const { return nullptr; }
+
+  /// A version of that length in metres, of what is built along lines; none of all else.
+  virtual std::shared_ptr<const Grower> as_long_as(double /*length*/) const { return nullptr; }
 
   /// Grows all plantings of all beds, in their order. All beds are of this kind, the first belongs to this
   /// grower.

@@ -2,6 +2,7 @@
 
 #include "organisms/describe.h"
 #include "organisms/kinds.h"
+#include "scene/describe_plan.h"
 #include "scene/preset.h"
 #include "settings/settings.h"
 
@@ -122,6 +123,9 @@ void describe(Visitor& v, Preset& p) {
             "Seed of everything random: another number gives another reef, tree or wood by the same rules");
   v.object("film", p.film, "Length, size and quality of the film");
   v.object("scene", p.stage, "Everything but the organisms: surroundings, light and camera");
+  v.object("plan", p.plan,
+           "A plan of rooms and ways that a grammar lays out by the preset's seed; the ground of a garden "
+           "follows it");
   v.inheriting_list({}, p.organisms, organism_kinds(),
                     "What grows and stands in the scene, one entry for each kind of thing");
 }

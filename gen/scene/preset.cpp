@@ -14,6 +14,7 @@
 #include "preset/schema.h"
 #include "scene/bounds.h"
 #include "scene/describe.h"
+#include "scene/furnish.h"
 #include "scene/idle.h"
 
 namespace frond {
@@ -216,7 +217,8 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
     Value kind = merged_organism(other->root, 0);
     for (std::string_view own : {"count", "sown", "species"}) kind.remove(own);
     if (Value* place = kind.find("place"))
-      for (std::string_view own : {"at", "on", "center", "inner", "radius"}) place->remove(own);
+      for (std::string_view own : {"at", "in", "along", "on", "center", "inner", "radius"})
+        place->remove(own);
     organism.remove("species");
     organism = overlay(kind, organism);
   }
@@ -266,6 +268,8 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
   double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
+  for (Error& error : furnish(*preset, reach, doubtful))
+    faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     const Value& written = preset->written->find("organisms")->items[i];
     check_organism(preset->organisms[i], written, i, reach, faults, doubtful);

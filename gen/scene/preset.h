@@ -10,6 +10,7 @@
 
 #include "core/result.h"
 #include "organisms/organism.h"
+#include "plan/plan.h"
 #include "settings/stage.h"
 
 namespace frond {
@@ -23,6 +24,7 @@ struct Preset {
   std::uint64_t seed = 1;
   Film film;
   Stage stage;
+  std::optional<PlanText> plan;
   std::vector<Organism> organisms;
 
   std::string text;                          ///< what it was read from, overrides included, as canonical JSON

@@ -71,6 +71,8 @@ std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
       Vec2 at = plot.spots[i].at;
       float foot = ground.seat(at, rock, seed) + static_cast<float>(organism.place.raise);
       plot.bed.plantings.push_back({seed, Vec3(at.x, foot, at.y)});
+      plot.bed.plantings.back().lines = organism.place.lines;
+      if (i < organism.place.turns.size()) plot.bed.plantings.back().turn = organism.place.turns[i];
     }
     beds.push_back(std::move(plot.bed));
   }

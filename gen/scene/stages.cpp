@@ -172,8 +172,10 @@ class SceneBuilder {
       looks += keys.look;
       text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, keys.shape, keys.motion);
       for (const Planting& p : bed.plantings) {
-        text += fmt::format(" {} {} {} {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z, p.normal.x,
-                            p.normal.y, p.normal.z);
+        text += fmt::format(" {} {} {} {} {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z, p.normal.x,
+                            p.normal.y, p.normal.z, p.turn);
+        for (const PlaceLine& l : p.lines)
+          text += fmt::format(" {} {} {} {}", l.at.x, l.at.y, l.turn, l.length);
         if (p.claim >= territories.size()) continue;
         for (std::size_t rival : territories.rivals(p.claim)) {
           const Claim& c = territories.claim(rival);

@@ -38,4 +38,15 @@ void describe(Visitor& v, PathShape& p) {
   v.number("width", p.width, {.min = 0.1, .max = 20, .unit = "m"}, "Width of the path");
 }
 
+inline constexpr Choice<GroundArea::Kind> kAreaKinds[] = {
+    {"gravel", GroundArea::Kind::gravel, "as on the path"},
+    {"earth", GroundArea::Kind::earth, "as in a bed of flowers, raised a little"}};
+
+template <class Visitor>
+void describe(Visitor& v, GroundArea& a) {
+  v.choice("kind", a.kind, kAreaKinds, "What lies on the area");
+  v.vector("center", a.center, {.min = -30, .max = 30, .unit = "m"}, "Middle of the area, x and z");
+  v.vector("size", a.size, {.min = 0.05, .max = 60, .unit = "m"}, "Extent of the area along x and along z");
+}
+
 }  // namespace frond

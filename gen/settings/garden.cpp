@@ -20,9 +20,12 @@ void describe(Visitor& v, Garden& g) {
   describe_place(v, g.when);
   v.object("pond", g.pond, "The pond");
   v.object("path", g.path, "The gravel path");
+  v.list("areas", g.areas, Count{0, 1000},
+         "Rectangles of gravel or of bare earth in the lawn; a plan adds its ways and rooms to them");
   v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Number of leaves of water lilies on the pond");
   v.number("gravel", g.gravel, {.min = 0.02, .max = 1, .unit = "m"}, "Size of the stones on the path");
   v.color("gravel_color", g.gravel_color, "Colour of the stones on the path");
+  v.color("earth_color", g.earth_color, "Colour of bare earth");
 }
 
 namespace {
@@ -32,7 +35,10 @@ constexpr double kLand = 150;  // metres from the middle
 void check_gravel(Errors& list, const Garden& garden) {
   const std::vector<Vec2>& points = garden.path.points;
   double length = polyline_length(std::span<const Vec2>(points)), side = 10 * garden.gravel;
-  double patches = length * garden.path.width / (side * side);
+  double gravel = length * garden.path.width;
+  for (const GroundArea& area : garden.areas)
+    if (area.kind == GroundArea::Kind::gravel) gravel += static_cast<double>(area.size.x * area.size.y);
+  double patches = gravel / (side * side);
   if (patches > kMostPatches)
     list.push_back(
         {"/garden/gravel",
@@ -68,8 +74,8 @@ SettingRow garden_setting() {
       [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         const auto& garden = stage.block<Garden>();
         return std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach,
-                                      Plot(garden.pond, garden.path, seed.child("plot")), garden.lilies,
-                                      garden.gravel, garden.path.width, seed);
+                                      Plot(garden.pond, garden.path, seed.child("plot"), garden.areas),
+                                      garden.lilies, garden.gravel, garden.path.width, seed);
       },
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();

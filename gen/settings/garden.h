@@ -11,9 +11,10 @@ struct Garden {
   Moment when;  ///< its own hour counts for nothing
   PondShape pond;
   PathShape path;
+  std::vector<GroundArea> areas;
   int lilies = 0;        ///< number of water lily leaves on the pond
   double gravel = 0.05;  ///< metres, the stones of the path
-  Color gravel_color{0.62f, 0.57f, 0.49f};
+  Color gravel_color{0.62f, 0.57f, 0.49f}, earth_color{0.33f, 0.25f, 0.18f};
 };
 
 }  // namespace frond

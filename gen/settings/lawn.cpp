@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/noise.h"
 
@@ -19,6 +20,7 @@ constexpr double kMostBlades = 1'000'000;  // in all shapes of patches of one mi
 /// edge runs through.
 constexpr int kHalvings = 2;
 constexpr double kCover = 1.05;  // blades that stand for one
+constexpr double kClod = 0.05;   // metres, of the earth in beds
 
 /// Lays squares of `side` metres, in sizes down to side / 2^kHalvings, wherever `edge` (metres to the edge,
 /// below 0 inside) says so. Shapes are numbered: kTurfShapes of each of `stands`, and those of each size, the
@@ -137,6 +139,7 @@ Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double r
 void Lawn::strew(TakenSpots&) {
   sow(seed_.child("turf"));
   lay_gravel(seed_.child("gravel"));
+  lay_earth(seed_.child("earth"));
 }
 
 namespace {
@@ -164,7 +167,7 @@ std::vector<Sward> mixture(std::vector<Sward> plants, int stand, const Seed& see
 void Lawn::sow(Seed seed) {
   if (shape_.blade <= 0 || shape_.blades <= 0) return;
   double thin = quality_ == Quality::draft ? 0.6 : 1.0, side = 5 * shape_.blade;
-  int sizes = plot_.has_pond() || plot_.has_path() ? kHalvings + 1 : 1;
+  int sizes = plot_.has_pond() || plot_.has_path() || plot_.has_earth() ? kHalvings + 1 : 1;
   for (int i = 0; i < kTurfShapes * kTurfStands * sizes; ++i) {
     int stand = i / kTurfShapes % kTurfStands;
     int halved = i / (kTurfShapes * kTurfStands);
@@ -188,7 +191,8 @@ void Lawn::sow(Seed seed) {
   };
   auto edge = [&](Vec2 at) {
     double path = plot_.has_path() ? plot_.path_distance(at) : 1e6;
-    return std::max(-path, 0.02 - plot_.pond_distance(at));
+    double bed = plot_.has_earth() ? plot_.earth_distance(at) : 1e6;
+    return std::max({-path, -bed, 0.02 - plot_.pond_distance(at)});
   };
   Paving paving{heights(), seed, edge, turf_patches, kTurfStands, stand};
   int reach = static_cast<int>(std::ceil(shape_.extent / side));
@@ -203,25 +207,59 @@ void Lawn::sow(Seed seed) {
   }
 }
 
-/// Covers the path with gravel.
-void Lawn::lay_gravel(Seed seed) {
-  if (!plot_.has_path()) return;
-  double side = 10 * stone_;
+namespace {
+
+/// Patches of stones of about `stone` metres, in all sizes of squares.
+std::vector<Surface> stone_patches(double stone, Seed seed) {
+  std::vector<Surface> shapes;
   for (int i = 0; i < kTurfShapes * (kHalvings + 1); ++i)
-    gravel.push_back(gravel_surface(1.06 * side / (1 << i / kTurfShapes), stone_,
+    shapes.push_back(gravel_surface(1.06 * 10 * stone / (1 << i / kTurfShapes), stone,
                                     seed.child("shape").child(static_cast<std::uint64_t>(i))));
-  Vec2 low = plot_.path()[0], high = low;
-  for (Vec2 at : plot_.path()) low = glm::min(low, at), high = glm::max(high, at);
-  double margin = path_width_;
-  // A path that leads across the pond, over a bridge, ends at the shores.
-  auto edge = [&](Vec2 at) { return std::max(plot_.path_distance(at), 0.1 - plot_.pond_distance(at)); };
-  Paving paving{heights(), seed, edge, gravel_patches};
+  return shapes;
+}
+
+/// Covers what of the box of `points` and `margin` metres round them is inside of the paving's edge.
+void pave(Paving paving, std::span<const Vec2> points, double margin, double side) {
+  Vec2 low = points[0], high = low;
+  for (Vec2 at : points) low = glm::min(low, at), high = glm::max(high, at);
   auto columns = static_cast<int>(std::ceil((high.x - low.x + 2 * margin) / side)),
        rows = static_cast<int>(std::ceil((high.y - low.y + 2 * margin) / side));
   for (int i = 0; i <= rows * columns; ++i) {
     Vec2 at(low.x - margin + (i % columns) * side, low.y - margin + (i / columns) * side);
-    paving.lay(at, side, 0, seed.child("patch", static_cast<std::uint64_t>(i)));
+    paving.lay(at, side, 0, paving.seed.child("patch", static_cast<std::uint64_t>(i)));
   }
+}
+
+/// The corners of the areas of a kind.
+std::vector<Vec2> corners_of(const Plot& plot, GroundArea::Kind kind) {
+  std::vector<Vec2> corners;
+  for (const GroundArea& area : plot.areas())
+    if (area.kind == kind)
+      corners.push_back(area.center - area.size / 2.0f), corners.push_back(area.center + area.size / 2.0f);
+  return corners;
+}
+
+}  // namespace
+
+/// Covers the path with gravel.
+void Lawn::lay_gravel(Seed seed) {
+  if (!plot_.has_path()) return;
+  gravel = stone_patches(stone_, seed);
+  std::vector<Vec2> points = corners_of(plot_, GroundArea::Kind::gravel);
+  points.insert(points.end(), plot_.path().begin(), plot_.path().end());
+  // A path that leads across the pond, over a bridge, ends at the shores.
+  auto edge = [&](Vec2 at) { return std::max(plot_.path_distance(at), 0.1 - plot_.pond_distance(at)); };
+  pave({heights(), seed, edge, gravel_patches}, points, path_width_, 10 * stone_);
+}
+
+/// Covers the beds with clods, where no path leads across.
+void Lawn::lay_earth(Seed seed) {
+  if (!plot_.has_earth()) return;
+  earth = stone_patches(kClod, seed);
+  auto edge = [&](Vec2 at) {
+    return std::max({plot_.earth_distance(at), -plot_.path_distance(at), 0.1 - plot_.pond_distance(at)});
+  };
+  pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), kClod, 10 * kClod);
 }
 
 float Lawn::seat(Vec2 at, double, Seed) {
@@ -249,6 +287,9 @@ std::vector<Patches> Lawn::patches() const {
   }
   list.push_back({{}, &gravel_patches});
   for (const Surface& one : gravel) list.back().shapes.push_back(&one);
+  if (earth.empty()) return list;
+  list.push_back({{}, &earth_patches});
+  for (const Surface& one : earth) list.back().shapes.push_back(&one);
   return list;
 }
 
@@ -259,9 +300,10 @@ LowCover Lawn::low_cover() const {
 
 std::size_t Lawn::bytes() const {
   std::size_t bytes = Grounds::bytes() + bytes_of(turf) + bytes_of(turf_patches) + bytes_of(gravel) +
-                      bytes_of(gravel_patches) + bytes_of(water_);
+                      bytes_of(gravel_patches) + bytes_of(earth) + bytes_of(earth_patches) + bytes_of(water_);
   for (const Turf& one : turf) bytes += bytes_of(one.blades) + bytes_of(one.leaves) + bytes_of(one.flowers);
   for (const Surface& stones : gravel) bytes += bytes_of(stones);
+  for (const Surface& clods : earth) bytes += bytes_of(clods);
   return bytes;
 }
 

@@ -55,17 +55,18 @@ class Lawn final : public Grounds {
     return {};
   }
 
-  /// The pond and the path; none in a meadow.
+  /// The pond, the path and the beds; none in a meadow.
   const Plot& plot() const { return plot_; }
 
   std::vector<Turf> turf;
   std::vector<Patch> turf_patches;
-  std::vector<Surface> gravel;
-  std::vector<Patch> gravel_patches;
+  std::vector<Surface> gravel, earth;
+  std::vector<Patch> gravel_patches, earth_patches;
 
  private:
   void sow(Seed seed);
   void lay_gravel(Seed seed);
+  void lay_earth(Seed seed);
 
   LawnShape shape_;
   Quality quality_;

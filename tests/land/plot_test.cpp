@@ -56,6 +56,24 @@ TEST(Plot, DistancesAreAboutTrue) {
   EXPECT_GT(Plot().path_distance({0, 0}), 1000);
 }
 
+TEST(Plot, AreasHaveStraightEdges) {
+  Plot p({}, {}, Seed{3},
+         {{GroundArea::Kind::gravel, {0, 0}, {4, 1}}, {GroundArea::Kind::earth, {0, 3}, {2, 2}}});
+  EXPECT_TRUE(p.has_path());
+  EXPECT_TRUE(p.has_earth());
+  for (int i = 0; i < 1000; ++i) {
+    Vec2 at = somewhere(i);
+    bool gravel = std::abs(at.x) < 2 && std::abs(at.y) < 0.5f,
+         earth = std::abs(at.x) < 1 && std::abs(at.y - 3) < 1;
+    double to_gravel = p.path_distance(at), to_earth = p.earth_distance(at);
+    EXPECT_TRUE(std::abs(to_gravel) < 0.03 || (to_gravel < 0) == gravel);
+    EXPECT_TRUE(std::abs(to_earth) < 0.03 || (to_earth < 0) == earth);
+  }
+  EXPECT_NEAR(p.path_distance({5, 0}), 3, 1e-5);
+  EXPECT_GT(p.height({0, 3}, 0.1), 0.1) << "a bed is raised";
+  EXPECT_FALSE(Plot().has_earth());
+}
+
 TEST(Plot, LiliesFloatOnTheirPondApartFromEachOther) {
   Plot p = plot();
   Solids lilies = water_lilies(p, 50, Seed{1});

@@ -359,6 +359,37 @@ const WrongPreset kWrongValues[] = {
      {"1:33: /defaults/wave/speed: found -1; expected a number from 0 to 20 1/s"}},
 };
 
+// Plans, and what is placed by them.
+const WrongPreset kWrongPlans[] = {
+    {"A place in a plan that is not there",
+     R"({"organisms": [{"kind": "vase", "place": {"in": "bed"}}]})",
+     {},
+     {R"(1:49: /organisms/0/place/in: no plan that has "bed"; expected a "plan" in the preset)"}},
+    {"Rooms that are not there",
+     R"({"plan": {"rooms": [{"symbol": "B", "name": "bed"}]},
+ "organisms": [{"kind": "vase", "place": {"in": "bad"}}, {"kind": "wall", "place": {"along": "gate"}},
+  {"kind": "vase", "place": {"in": "bed", "along": "bed"}}]})",
+     {},
+     {R"(2:49: /organisms/0/place/in: the plan has no "bad"; expected one of bed, gate, corners, doors; did you mean "bed"?)",
+      R"(2:94: /organisms/1/place/along: the plan has no "gate"; expected one of bed, walls)",
+      R"(3:36: /organisms/2/place/in: stands beside "along"; expected one of the two)"}},
+    {"Measures of a plan that do not fit",
+     R"({"plan": {"size": [40, 9], "way": 1.5,
+ "rooms": [{"symbol": "B", "name": "bed", "inset": 0.6}, {"symbol": "F", "name": "court"}]}})",
+     {},
+     {"1:19: /plan/size: cells of 2 m reach 41 m from the middle; expected 30 m at most, by fewer or smaller "
+      "ones",
+      "1:35: /plan/way: ways of 1.5 m do not pass openings of 1.3 m; expected narrower ways or a wider "
+      "opening",
+      "2:52: /plan/rooms/0/inset: leaves 0.8 m of a cell, too little for openings of 1.3 m; expected less, a "
+      "narrower opening or larger cells",
+      R"(2:69: /plan/rooms/1/symbol: "F" means something to the turtle; expected another symbol)"}},
+    {"A rule of a plan",
+     R"({"plan": {"grammar": {"axiom": "W", "rules": ["W -> F[W"]}}})",
+     {},
+     {"1:47: /plan/grammar/rules/0: column 7: this `[` is not closed; add a `]`; in `W -> F[W`"}},
+};
+
 // Overrides of the command line.
 const WrongPreset kWrongOverrides[] = {
     {"Bad overrides",
@@ -389,6 +420,7 @@ const WrongPreset kWrongOverrides[] = {
 TEST(WrongPresets, Text) { expect_messages(kWrongTexts); }
 TEST(WrongPresets, Names) { expect_messages(kWrongNames); }
 TEST(WrongPresets, Values) { expect_messages(kWrongValues); }
+TEST(WrongPresets, Plans) { expect_messages(kWrongPlans); }
 TEST(WrongPresets, Overrides) { expect_messages(kWrongOverrides); }
 
 }  // namespace

@@ -41,6 +41,16 @@ setup() {
   [ "$(grep -c '<text' tree.svg)" -ge 9 ]
 }
 
+@test "plan draws the plans of several seeds" {
+  run "$frond" plan "$root/presets/garden/walled.json" --seeds 3 -o plans.svg
+  [ "$status" -eq 0 ]
+  [ "$output" = plans.svg ]
+  [ "$(grep -c '<g ' plans.svg)" -eq 3 ]
+  run "$frond" plan "$root/presets/bush.json"
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"bush.json: the preset has no plan" ]]
+}
+
 @test "grammars of other tools are read" {
   printf 'Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> AB\nB --> A\nendlsystem\n' > algae.l
   run --separate-stderr "$frond" derive algae.l

@@ -51,27 +51,71 @@ std::uint16_t shape_of(WallPart part, Seed seed) {
   return 0;
 }
 
-}  // namespace
-
-Model build_wall_model(const WallParams& params, Seed seed) {
+/// Adds a wall, moved there; the shapes of its blocks are those of the model already.
+void add_wall(Model& model, const WallParams& params, Seed seed, Vec3 foot, Quat turn) {
   Wall wall = build_wall(params.shape, seed.child("wall"));
-  Model model;
-  add_block_shapes(model.solids, params, seed.child("shapes"));
   for (std::size_t i = 0; i < wall.blocks.size(); ++i) {
     const WallBlock& block = wall.blocks[i];
-    model.solids.place(shape_of(block.part, seed.child("tone", i)), block.middle, block.turn, block.size);
+    model.solids.place(shape_of(block.part, seed.child("tone", i)), foot + turn * block.middle,
+                       turn * block.turn, block.size);
   }
   Material mortar{Matter::mortar, params.mortar, toned(params.mortar, 0.55, 0.02)};
   mortar.scale = 0.05, mortar.moss = params.weathering;
-  model.solids.place(model.solids.add_shape({creased(wall.mortar, radians(40.0)), mortar}));
-  model.hull = std::move(wall.hull);
-  for (const auto& triangle : model.hull.triangle) {
+  model.solids.place(model.solids.add_shape({creased(wall.mortar, radians(40.0)), mortar}), foot, turn);
+  for (const auto& triangle : wall.hull.triangle) {
     auto paint = [&](std::uint32_t corner) {
-      const Vec3& at = model.hull.position[corner];
+      const Vec3& at = wall.hull.position[corner];
       return Vec3(0.5 + at.x / params.shape.width, at.y / params.shape.height, kUnpainted.z);
     };
-    model.hull.paint.push_back({paint(triangle[0]), paint(triangle[1]), paint(triangle[2])});
+    wall.hull.paint.push_back({paint(triangle[0]), paint(triangle[1]), paint(triangle[2])});
   }
+  for (Vec3& p : wall.hull.position) p = foot + turn * p;
+  for (Vec3& n : wall.hull.normal) n = turn * n;
+  append(model.hull, wall.hull);
+}
+
+Vec2 along(const PlaceLine& line) {
+  return Vec2(static_cast<float>(std::cos(line.turn)), static_cast<float>(-std::sin(line.turn)));
+}
+
+/// Whether a line across this one ends where this one does, on the side of that sign.
+bool meets_at(std::span<const PlaceLine> lines, const PlaceLine& line, double side) {
+  auto end_of = [](const PlaceLine& l, double sign) {
+    return l.at + static_cast<float>(sign * l.length / 2) * along(l);
+  };
+  return std::ranges::any_of(lines, [&](const PlaceLine& other) {
+    auto nearest = std::min(glm::distance(end_of(other, 1), end_of(line, side)),
+                            glm::distance(end_of(other, -1), end_of(line, side)));
+    return std::abs(glm::dot(along(other), along(line))) < 0.5f && nearest < 0.01f;
+  });
+}
+
+/// Walls along lines that are level, each as high in the ground as its middle. Where two meet, the one along
+/// x fills the corner.
+Model build_walls(const WallParams& params, const World& world, const Planting& planting, Seed seed) {
+  Model model;
+  add_block_shapes(model.solids, params, seed.child("shapes"));
+  for (std::size_t i = 0; i < planting.lines.size(); ++i) {
+    const PlaceLine& line = planting.lines[i];
+    WallParams own = params;
+    double corner = std::abs(along(line).x) > 0.5f ? params.shape.thickness / 2 : 0;
+    double before = meets_at(planting.lines, line, -1) ? corner : 0,
+           behind = meets_at(planting.lines, line, 1) ? corner : 0;
+    own.shape.width = line.length + before + behind;
+    Vec2 at = line.at + static_cast<float>((behind - before) / 2) * along(line);
+    double height = world.height(at) - world.height({planting.foot.x, planting.foot.z});
+    add_wall(model, own, seed.child("line", i), Vec3(at.x, height, at.y),
+             glm::angleAxis(static_cast<float>(line.turn), Vec3(0, 1, 0)));
+  }
+  return model;
+}
+
+}  // namespace
+
+Model build_wall_model(const WallParams& params, Seed seed) {
+  Model model;
+  add_block_shapes(model.solids, params, seed.child("shapes"));
+  add_wall(model, params, seed, Vec3(0), Quat(1, 0, 0, 0));
   return model;
 }
 
@@ -127,6 +171,13 @@ class WallGrower final : public Described<WallParams, BodyBuilder> {
     return wall;
   }
   Result<Model> grow_alone(Seed seed) const override { return build_wall_model(params, seed); }
+  Result<Model> grow_standing(const World& world, const Planting& planting, const Placement&,
+                              Seed seed) const override {
+    return planting.lines.empty() ? grow_alone(seed) : build_walls(params, world, planting, seed);
+  }
+  std::shared_ptr<const Grower> as_long_as(double length) const override {
+    return changed(*this, [&](WallParams& own) { own.shape.width = length; });
+  }
 };
 
 }  // namespace
