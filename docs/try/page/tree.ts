@@ -27,7 +27,7 @@ interface Species {
 const files = import.meta.glob("../../../presets/trees/*.json", { eager: true, query: "?raw", import: "default" }) as Record<string, string>;
 const numberOf = (text: string, name: string): number => Number(new RegExp(`"${name}":\\s*(\\d+)`).exec(text)?.[1] ?? 1);
 const species = new Map<string, Species>(Object.entries(files)
-  .filter(([, text]) => text.split('"kind": "tree"').length === 2)
+  .filter(([, text]) => text.split('"kind": "tree"').length === 2 && /"kind": "(\w+)"/.exec(text)![1] === "tree")
   .map(([path, text]) => [/(\w+)\.json$/.exec(path)![1]!, { text, years: numberOf(text, "years"), seed: numberOf(text, "seed") }]));
 
 const begin = (name: string): Choice => ({ species: name, years: species.get(name)!.years, seed: species.get(name)!.seed, time: 0.5 });
