@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/bounds.h"
 #include "closed.h"
+#include "core/bounds.h"
 #include "solidity.h"
 
 namespace frond {
