@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "creeping/host.h"
 #include "geometry/far.h"
 #include "pieces.h"
 #include "scene_at.h"
@@ -69,6 +70,24 @@ INSTANTIATE_TEST_SUITE_P(
                     Measures{"column", 1, 0, 0.5743, 6.622}, Measures{"bridge", 181, 0, 5.941, 184.83},
                     Measures{"vase", 1, 0, 0.001822, 0.5213}),
     [](const auto& kind) { return std::string(kind.param.kind); });
+
+TEST(BesideBodies, TreesOfAllKindsKeepOutOfThemWhereTheyStand) {
+  std::string text = R"({"film": {"frames": 1}, "seed": 2, "scene": {"setting": "studio"}, "organisms": [
+    {"kind": "wall", "width": 6, "height": 2, "place": {"at": [[0, 0]], "turn_variation": 0}})";
+  for (const char* kind : {R"("weber_penn", "tree": {"scale": 3})", R"("tree", "years": 8, "roots": 0)",
+                           R"("colonized", "envelope": {"base": 0.5}, "colonize": {"attractors": 600})"})
+    text +=
+        std::string(R"(, {"kind": )") + kind + R"(, "count": 2, "place": {"at": [[-1, 0.4], [1, -0.4]]}})";
+  Scene scene = *build_scene(*read_preset(text + "]}", "beside.json", {}));
+  Host wall = taken(Host::build(skin_of(scene.specimens[0].model)));
+  std::size_t nodes = 0;
+  for (const Specimen& s : scene.specimens)
+    for (Vec3 at : s.model.skeleton.position) {
+      ++nodes;
+      EXPECT_FALSE(wall.inside(DVec3(at))) << s.entry;
+    }
+  EXPECT_GT(nodes, 1000u);
+}
 
 }  // namespace
 }  // namespace frond

@@ -36,6 +36,7 @@ const std::map<std::string_view, std::string_view> kSmall = {
     {"column", R"({"height": 1})"},
     {"mesh", R"({"file": "presets/models/arch.obj"})"},
     {"bridge", R"({"length": 3, "posts": 2})"},
+    {"trellis", R"({})"},
     {"vase", R"({"bands": [{}], "sides": 12, "rings": 24, "soil": 0.5})"},
     {"weber_penn", R"({"tree": {"levels": 2, "scale": 2, "branches": {"branches": 6}, "leaves": 3},
                        "coat": {"pixels": 16}, "leaves": {"pixels": 16}, "season": {"blossom": {}}})"},
