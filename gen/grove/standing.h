@@ -19,8 +19,8 @@ struct Standing {
 struct Filming {
   double seconds_a_year = 1;  ///< seconds of film per year; falling takes place in film time
   double lie = 1.2;           ///< seconds after which a fallen part has disappeared
-  double leafy = 0;           ///< seconds for which an uprooted tree keeps its leaves, and then withers
   double overtime = 0;        ///< seconds since the years stopped, in which only falling parts move
+  double leafy = 0;           ///< seconds for which an uprooted tree keeps its leaves, and then withers
 };
 
 /// The tree at a time in years, which may be fractional: shoots lengthen, the cross-section of wood grows

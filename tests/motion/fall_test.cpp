@@ -78,10 +78,10 @@ Skeleton limbed() {
   Skeleton s;
   std::int32_t below = s.add(Vec3(1, 0, 2), 0.15f, Skeleton::kRoot, 0);
   std::vector<std::int32_t> stem{below};
-  for (int i = 1; i <= 20; ++i)
+  for (float i = 1; i <= 20; ++i)
     stem.push_back(below = s.add(Vec3(1, 0.5f * i, 2 + 0.01f * i), 0.15f - 0.006f * i, below, 0));
   for (int k = 4; k < 20; ++k) {
-    float turn = 2.4f * k;
+    float turn = 2.4f * static_cast<float>(k);
     Vec3 out(std::cos(turn), 0.6f, std::sin(turn));
     below = stem[static_cast<std::size_t>(k)];
     for (int i = 0; i < 8; ++i) below = s.add(s.position[below] + 0.2f * out, 0.02f, below, 1);
