@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "grammar/derive.h"
-#include "grammar/review.h"
 
 namespace frond {
 
@@ -130,7 +129,7 @@ Result<Grammar> compile_plan(const PlanText& text) {
 
 Result<GroundPlan> derive_plan(const PlanText& text, const Grammar& grammar, Seed seed) {
   Result<Word> word = derive(grammar, grammar.text.steps, seed, grammar.text.limits);
-  if (!word) return placed(word.errors(), grammar.text);
+  if (!word) return word.errors();
   GroundPlan plan;
   plan.size = text.size;
   Walker(text, grammar, plan).walk(interpret(grammar, *word, seed));

@@ -43,10 +43,15 @@ std::vector<GroundArea> areas_of(const PlanText& text, const GroundPlan& plan) {
   return areas;
 }
 
+/// Metres that one of them keeps free round itself.
+double kept_free(const Organism& organism) {
+  return organism.sown ? organism.sown->where.radius : organism.place.spacing;
+}
+
 /// Places in sites: those that are given, and `count` of them by more at random that keep apart.
 void place_in(Organism& organism, const std::vector<PlanSite>& sites, TakenSpots& taken, Seed seed) {
   std::vector<Vec2> given = std::exchange(organism.place.at, {});
-  auto room = static_cast<float>(organism.sown ? organism.sown->where.radius : organism.place.spacing);
+  auto room = static_cast<float>(kept_free(organism));
   auto stand = [&](const PlanSite& site, Vec2 at) {
     organism.place.at.push_back(at);
     organism.place.turns.push_back(site.turn);
@@ -70,14 +75,14 @@ void place_in(Organism& organism, const std::vector<PlanSite>& sites, TakenSpots
 /// Places along lines: one that is built along all of them, or rows of many.
 void place_along(Organism& organism, const std::vector<PlanSite>& lines, TakenSpots& taken) {
   Place& place = organism.place;
-  double all = 0, step = std::max(2 * place.spacing, 0.05);
+  double all = 0, room = kept_free(organism), step = std::max(2 * room, 0.05);
   for (const PlanSite& line : lines) all += static_cast<double>(line.size.x);
   place.at.clear();
   if (auto built = lines.empty() ? nullptr : organism.grower->as_long_as(all)) {
     organism.grower = std::move(built);
     for (const PlanSite& line : lines) place.lines.push_back({line.at, line.turn, line.size.x});
     place.at.emplace_back(0);
-    place.turn = place.turn_variation = place.size_variation = place.lean = 0;
+    place.turn = place.turn_variation = place.size_variation = place.lean = place.spacing = 0;
     return;
   }
   for (const PlanSite& line : lines) {
@@ -86,7 +91,7 @@ void place_along(Organism& organism, const std::vector<PlanSite>& lines, TakenSp
     for (int i = 0; i < count; ++i) {
       place.at.push_back(point_in(line, Vec2(length * ((i + 0.5) / count - 0.5), 0)));
       place.turns.push_back(line.turn);
-      taken.take({place.at.back(), static_cast<float>(place.spacing)});
+      taken.take({place.at.back(), static_cast<float>(room)});
     }
   }
 }

@@ -67,8 +67,8 @@ const WrongPreset kWrongNames[] = {
      R"({"titel": "Reef",
  "flim": {}})",
      {},
-     {R"(1:2: /titel: unknown property "titel"; expected one of title, base, seed, film, scene, defaults, force, organisms; did you mean "title"?)",
-      R"(2:2: /flim: unknown property "flim"; expected one of title, base, seed, film, scene, defaults, force, organisms; did you mean "film"?)"}},
+     {R"(1:2: /titel: unknown property "titel"; expected one of many names; did you mean "title"?)",
+      R"(2:2: /flim: unknown property "flim"; expected one of many names; did you mean "film"?)"}},
     {"An unknown key of film",
      R"({"film": {"frame": 1, "Quality": "best"}})",
      {},
@@ -384,6 +384,14 @@ const WrongPreset kWrongPlans[] = {
       "2:52: /plan/rooms/0/inset: leaves 0.8 m of a cell, too little for openings of 1.3 m; expected less, a "
       "narrower opening or larger cells",
       R"(2:69: /plan/rooms/1/symbol: "F" means something to the turtle; expected another symbol)"}},
+    {"A plan of too long a word",
+     R"({"plan": {
+ "grammar": {"axiom": "W", "steps": 20, "rules": ["W -> FWW"]}}})",
+     {},
+     {"2:13: /plan/grammar: step 16 would have 131071 modules or segments, past the limit of 100000 modules "
+      "and "
+      "4294967296 bytes; the last step would have 2.1 million (16.78 MB): use at most 15 steps, or raise "
+      "`limits`"}},
     {"A rule of a plan",
      R"({"plan": {"grammar": {"axiom": "W", "rules": ["W -> F[W"]}}})",
      {},
