@@ -56,9 +56,10 @@ struct PlaceLine {
 /// A place for one organism.
 struct Planting {
   Seed seed;
-  Vec3 foot{0};                           ///< on the ground or on its rock, including the preset's `raise`
-  Vec3 normal{0, 1, 0};                   ///< of the surface below it, if that is a body
-  std::size_t claim = SIZE_MAX;           ///< index of its claim in the world's territories, if it has one
+  Vec3 foot{0};                  ///< on the ground or on its rock, including the preset's `raise`
+  Vec3 normal{0, 1, 0};          ///< of the surface below it, if that is a body
+  std::size_t claim = SIZE_MAX;  ///< index of its claim in the world's territories, if it has one
+
   double turn = 0;                        ///< radians about the vertical, besides that of the preset
   std::span<const PlaceLine> lines = {};  ///< that it is built along; empty: it stands by itself
 };

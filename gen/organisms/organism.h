@@ -14,22 +14,24 @@ namespace frond {
 
 /// Where the organisms of one entry stand: the first at given places, the others scattered in a ring.
 struct Place {
-  std::vector<Vec2> at;          ///< x, z in metres
-  Vec2 center{0};                ///< x, z of the ring
-  double inner = 0;              ///< metres
-  double radius = 2;             ///< metres, the outer edge
-  double spacing = 0.35;         ///< metres round each that are kept free
-  double size_variation = 0.2;   ///< random change of the size, as a share
-  double turn = 0;               ///< about the vertical
-  double turn_variation = kPi;   ///< random change of the turn, plus or minus
-  double lean = radians(6.0);    ///< largest random lean
-  double raise = 0;              ///< metres above the ground
-  std::string in, along;         ///< names of a plan's sites, whose places are then in `at`
-  std::vector<double> turns;     ///< of `at`, besides the turn below; empty: none
+  std::vector<Vec2> at;         ///< x, z in metres
+  Vec2 center{0};               ///< x, z of the ring
+  double inner = 0;             ///< metres
+  double radius = 2;            ///< metres, the outer edge
+  double spacing = 0.35;        ///< metres round each that are kept free
+  double size_variation = 0.2;  ///< random change of the size, as a share
+  double turn = 0;              ///< about the vertical
+  double turn_variation = kPi;  ///< random change of the turn, plus or minus
+  double lean = radians(6.0);   ///< largest random lean
+  double raise = 0;             ///< metres above the ground
+  std::vector<std::string> on;  ///< names of bodies that it stands on, for colonies; empty: on the ground
+  double upright = 0.6;         ///< on a slope of such a body: 1 vertical .. 0 at right angles to it
+  double rock = 0.5;            ///< metres, width of the rock below each; 0: none
+
+  // By a plan, which also sets `at`, see scene/furnish.h:
+  std::string in, along;         ///< names of its sites; empty: none
+  std::vector<double> turns;     ///< of `at`, besides the turn above; empty: none
   std::vector<PlaceLine> lines;  ///< that the one at the origin is built along; empty: it stands by itself
-  std::vector<std::string> on;   ///< names of bodies that it stands on, for colonies; empty: on the ground
-  double upright = 0.6;          ///< on a slope of such a body: 1 vertical .. 0 at right angles to it
-  double rock = 0.5;             ///< metres, width of the rock below each; 0: none
 };
 
 /// One entry of a preset's `organisms`.

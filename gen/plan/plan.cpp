@@ -57,7 +57,7 @@ class Walker {
     if (now_.stuck) return;
     auto whole = [&](int i, double otherwise, double unit, double most) {
       double given = symbol.arity > i ? parameters[i] / unit : otherwise;
-      return static_cast<int>(std::lround(std::clamp(given, -most, most)));
+      return std::isfinite(given) ? static_cast<int>(std::lround(std::clamp(given, -most, most))) : 0;
     };
     if (symbol.act == Act::yaw_left) now_.heading = quarters(now_.heading + whole(0, 1, 90, 1e6));
     if (symbol.act == Act::yaw_right) now_.heading = quarters(now_.heading - whole(0, 1, 90, 1e6));

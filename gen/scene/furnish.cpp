@@ -21,6 +21,7 @@ Vec2 point_in(const PlanSite& site, Vec2 own) {
   return site.at + Vec2(c * own.x + s * own.y, c * own.y - s * own.x);
 }
 
+/// Errors whose pointers are below another one.
 Errors below(const std::string& pointer, Errors errors) {
   for (Error& error : errors)
     if (error.where.empty() || error.where.starts_with('/')) error.where.insert(0, pointer);
@@ -48,7 +49,7 @@ double kept_free(const Organism& organism) {
   return organism.sown ? organism.sown->where.radius : organism.place.spacing;
 }
 
-/// Places in sites: those that are given, and `count` of them by more at random that keep apart.
+/// Places in sites: in each those that are given, and more at random that keep apart, `count` in all.
 void place_in(Organism& organism, const std::vector<PlanSite>& sites, TakenSpots& taken, Seed seed) {
   std::vector<Vec2> given = std::exchange(organism.place.at, {});
   auto room = static_cast<float>(kept_free(organism));
