@@ -390,7 +390,7 @@ const WrongPreset kWrongPlans[] = {
      {},
      {"2:13: /plan/grammar: step 16 would have 131071 modules or segments, past the limit of 100000 modules "
       "and "
-      "4294967296 bytes; the last step would have 2.1 million (16.78 MB): use at most 15 steps, or raise "
+      "4294967296 bytes; the last step would have 2.1 million (2.1 MB): use at most 15 steps, or raise "
       "`limits`"}},
     {"A rule of a plan",
      R"({"plan": {"grammar": {"axiom": "W", "rules": ["W -> F[W"]}}})",
