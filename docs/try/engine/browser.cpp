@@ -1,7 +1,8 @@
 #include "core/parallel.h"
 #include "geometry/obj.h"
+#include "world/obstacles.h"
 
-// What the engine uses of other modules, as it is in a browser: one thread and no files.
+// What the engine uses of other modules, as it is in a browser: one thread, no files and no bodies beside trees.
 
 namespace frond {
 
@@ -17,5 +18,8 @@ int thread_count() { return 1; }
 Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
   return Error{name, "no files are read here"};
 }
+
+Obstacles::Obstacles(std::span<const Surface>) {}
+std::optional<Vec3> Obstacles::way(Vec3, Vec3 to, float) const { return to; }
 
 }  // namespace frond
