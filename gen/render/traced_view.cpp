@@ -14,6 +14,16 @@ namespace frond {
 
 namespace fs = std::filesystem;
 
+Result<std::string> traced_png(const fs::path& state, const fs::path& scene, std::array<int, 2> size,
+                               const Raster* below) {
+  std::string head;
+  std::ifstream text(scene);
+  std::getline(text, head);
+  auto picture = traced_picture(state, size, read_scene_head(head).tone, below);
+  if (!picture) return Error{state.string(), "nothing is traced yet"};
+  return png_text(*picture);
+}
+
 bool TracedView::look(double now) {
   constexpr double kPause = 1,
                    kPauseAPixel = 1e-6;  // seconds: a large picture takes some to read and to write
@@ -28,12 +38,7 @@ bool TracedView::look(double now) {
     if (!error && time > changed) newest = path, changed = time;
   }
   if (newest.empty()) return false;
-  std::string head;
-  std::ifstream scene(frames_ / (unfinished_frame(newest) + ".pov"));
-  std::getline(scene, head);
-  auto picture = traced_picture(newest, size_, read_scene_head(head).tone);
-  if (!picture) return false;
-  Result<std::string> png = png_text(*picture);
+  Result<std::string> png = traced_png(newest, frames_ / (unfinished_frame(newest) + ".pov"), size_);
   return png && put_text(part_of(file_), file_, *png).empty();
 }
 

@@ -3,7 +3,14 @@
 #include <array>
 #include <filesystem>
 
+#include "core/result.h"
+#include "images/raster.h"
+
 namespace frond {
+
+/// traced_picture() as a PNG, in the tone that its scene asks for. An error where nothing is traced.
+Result<std::string> traced_png(const std::filesystem::path& state, const std::filesystem::path& scene,
+                               std::array<int, 2> size, const Raster* below = nullptr);
 
 /// A PNG file that shows a picture while it is traced.
 class TracedView {

@@ -11,7 +11,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
 #include "core/files.h"
@@ -20,8 +19,7 @@
 #include "core/text.h"
 #include "film/film_files.h"
 #include "jobs/jobs.h"
-#include "render/scene_head.h"
-#include "render/trace_state.h"
+#include "render/traced_view.h"
 
 extern char** environ;
 
@@ -297,11 +295,8 @@ void Renders::show_traced(Job& job, const fs::path& notes, std::array<int, 2> si
   fs::path frames = job.folder / "frames", file = job.folder / "traced.png";
   Result<std::string> small = read_file(frames / "preview.png");
   Result<Raster> below = small ? read_png(*small) : small.errors();
-  std::string head;
-  std::ifstream scene(frames / (frame_name(job.frame) + ".pov"));
-  std::getline(scene, head);
-  auto picture = traced_picture(notes, size, read_scene_head(head).tone, below ? &*below : nullptr);
-  Result<std::string> png = picture ? png_text(*picture) : Error{"", "nothing is traced"};
+  Result<std::string> png =
+      traced_png(notes, frames / (frame_name(job.frame) + ".pov"), size, below ? &*below : nullptr);
   if (!png || !write_file(file, *png)) return;
   std::lock_guard lock(in_work_);
   job.picture = file;

@@ -1,8 +1,7 @@
 #include "core/parallel.h"
 #include "geometry/obj.h"
-#include "world/obstacles.h"
 
-// What the engine uses of other modules, as it is in a browser: one thread, no files and no bodies beside trees.
+// What the engine uses of other modules, as it is in a browser: one thread and no files.
 
 namespace frond {
 
@@ -18,8 +17,5 @@ int thread_count() { return 1; }
 Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
   return Error{name, "no files are read here"};
 }
-
-Obstacles::Obstacles(std::span<const Surface>) {}
-std::optional<Vec3> Obstacles::way(Vec3, Vec3 to, float) const { return to; }
 
 }  // namespace frond

@@ -122,7 +122,12 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       }
     }
     std::vector<Surface> bodies = world.bodies();
-    Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies);
+    Detour detour;
+    if (!bodies.empty())
+      detour = [obstacles = world.obstacles()](Vec3 from, Vec3 to, float clearance) {
+        return obstacles->way(from, to, clearance);
+      };
+    Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies, detour);
 
     std::vector<Specimen> trees(all.size());
     parallel_for(all.size(), [&](std::size_t i) {

@@ -7,7 +7,6 @@
 #include "grove/bodies.h"
 #include "organisms/tree/knots.h"
 #include "organisms/tree/topple.h"
-#include "world/obstacles.h"
 
 namespace frond {
 
@@ -211,17 +210,13 @@ GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
     std::vector<Shade> shades = shades_of_body(body, options.light);
     options.bodies.insert(options.bodies.end(), shades.begin(), shades.end());
   }
-  if (!bodies.empty())
-    options.detour = [obstacles = Obstacles(bodies)](Vec3 from, Vec3 to, float clearance) {
-      return obstacles.way(from, to, clearance);
-    };
   return options;
 }
 
 }  // namespace
 
-Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
-                 std::span<const Surface> bodies) {
+Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, std::span<const Surface> bodies,
+                 const Detour& detour) {
   if (sites.empty()) return {};
   std::vector<Seedling> seedlings;
   std::vector<int> ages;
@@ -232,6 +227,7 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
   }
   const int oldest = std::ranges::max(ages);
   GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);
+  options.detour = detour;
   for (Grove grove{oldest, {}};;) {
     bool even = true;
     for (std::size_t i = 0; i < seedlings.size(); ++i) {

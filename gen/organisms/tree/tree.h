@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "dress/dress.h"
@@ -71,10 +72,10 @@ struct Grove {
   std::vector<GrownTree> trees;
 };
 
-/// Grows all trees in one field of light, shaded also by the bodies, which their limbs bend round. Light law,
-/// weather and budget are those of the first site. `history`: for films.
+/// Grows all trees in one field of light, shaded also by the bodies; limbs bend round what the detour tells
+/// of. Light law, weather and budget are those of the first site. `history`: for films.
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
-                 std::span<const Surface> bodies = {});
+                 std::span<const Surface> bodies = {}, const Detour& detour = {});
 
 /// A tree at a time in cycles of the grove, at its place: branches and sprigs of leaves. After the last cycle
 /// it is in the summer that follows.
