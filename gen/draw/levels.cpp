@@ -18,8 +18,9 @@ namespace frond {
 namespace {
 
 constexpr int kWholeFrom = 4;         // the first level at which copies are not cut
-constexpr int kStretch = 24;          // frames
-constexpr int kBeyond = 12;           // frames before and after it that are heeded
+constexpr int kHeld = 24;             // frames for which a copy keeps its levels
+constexpr int kGroups = 6;            // of copies: they change their levels one after the other
+constexpr int kBeyond = 12;           // frames before and after those that are heeded
 constexpr double kLeastPixels = 1.2;  // of a copy; what is smaller is left out
 constexpr double kUnseen = 2;         // as coarse is what only throws a shadow
 constexpr double kPenumbra = 0.004;   // metres of grain for each that a shadow falls: half its blur
@@ -58,11 +59,14 @@ ModelBlocks blocks_of(const std::vector<Surfel>& surfels) {
 Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.quality)) {
   const Film& film = scene.film;
   bool one = !moves(scene.stage.camera, film.length());
-  stretch_ = one ? film.frames : kStretch;
+  groups_ = one ? 1 : kGroups;
+  stretch_ = one ? film.frames : kHeld / kGroups;
+  stretches_ = static_cast<std::size_t>((film.frames + stretch_ - 1) / stretch_);
   if (one) eyes_ = {{eye_at(scene, 0)}};
-  for (int first = 1; !one && first <= film.frames; first += kStretch) {
+  while (eyes_.size() < stretches_ + groups_ - 1) {
+    int end = stretch_ * static_cast<int>(eyes_.size() + 1) + 1;
     std::vector<Eye>& eyes = eyes_.emplace_back();
-    for (int frame = first - kBeyond; frame < first + kStretch + kBeyond; frame += 3)
+    for (int frame = end - kHeld - kBeyond; frame < end + kBeyond; frame += 3)
       eyes.push_back(eye_at(scene, film.time(std::clamp(frame, 1, film.frames))));
   }
   constexpr int kSuns = 12;
@@ -88,9 +92,10 @@ bool Views::shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const 
   });
 }
 
-std::vector<Drawn> Views::drawn(std::size_t stretch, const SownStand& stand, int model,
+/// Of the copies whose levels change after a stretch, what is drawn until then.
+std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int model,
                                 const ModelBlocks& blocks) const {
-  const std::vector<Eye>& eyes = eyes_[stretch];
+  const std::vector<Eye>& eyes = eyes_[last];
   const Copies& copies = stand.copies;
   Bounds box;
   for (int b = 0; b < blocks.count(); ++b) box.take(blocks.middle(b));
@@ -126,7 +131,7 @@ std::vector<Drawn> Views::drawn(std::size_t stretch, const SownStand& stand, int
   };
   std::vector<std::vector<Drawn>> each(copies.size());
   parallel_for(copies.size(), [&](std::size_t i) {
-    if (copies.model[i] != model) return;
+    if (copies.model[i] != model || i % groups_ != last % groups_) return;
     std::vector<int> level = levels_of(i);
     auto add = [&](int block, int of) {
       each[i].push_back(
@@ -147,10 +152,13 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& s
   const SownStand& sown = scene_.stands[stand];
   ModelBlocks blocks = blocks_of(surfels);
   ModelPlan result;
+  result.drawn.resize(stretches_);
   std::set<std::pair<int, int>> used;
-  for (std::size_t k = 0; k < eyes_.size(); ++k) {
-    result.drawn.push_back(drawn(k, sown, model, blocks));
-    for (const Drawn& one : result.drawn.back()) used.insert({one.level, one.block});
+  for (std::size_t last = 0; last < eyes_.size(); ++last) {
+    std::vector<Drawn> some = drawn(last, sown, model, blocks);
+    for (const Drawn& one : some) used.insert({one.level, one.block});
+    for (std::size_t k = last + 1 - std::min(last + 1, groups_); k <= last && k < stretches_; ++k)
+      result.drawn[k].insert(result.drawn[k].end(), some.begin(), some.end());
   }
   // Where near copies ask for its blocks and far ones for all of it, it is read but once.
   bool joined = blocks.count() > 1 && used.contains({kWholeFrom, ModelFile::kWhole});
@@ -166,7 +174,7 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& s
 CopyPlan Views::empty_plan() const {
   CopyPlan plan;
   plan.stretch = stretch_;
-  plan.drawn.assign(eyes_.size(), std::vector<std::vector<Drawn>>(scene_.stands.size()));
+  plan.drawn.assign(stretches_, std::vector<std::vector<Drawn>>(scene_.stands.size()));
   plan.surfels.resize(scene_.stands.size());
   return plan;
 }

@@ -39,8 +39,9 @@ struct Drawn {
   std::int16_t level = 0;
 };
 
-/// What is drawn of copies in each stretch of a film: within one it is the same, so that nothing pops; from
-/// one to the next what changes is about as large as a pixel.
+/// What is drawn of copies in each stretch of a film, some frames long. Each copy keeps its levels over
+/// several stretches, and from one stretch to the next few copies change theirs, by about the size of a
+/// pixel, so that nothing pops.
 struct CopyPlan {
   int stretch = 1;                                     ///< frames
   std::vector<std::vector<std::vector<Drawn>>> drawn;  ///< of each stretch, of each stand
@@ -80,14 +81,15 @@ class Views {
   static void add(CopyPlan& plan, std::size_t stand, const ModelPlan& model);
 
  private:
-  std::vector<Drawn> drawn(std::size_t stretch, const SownStand& stand, int model,
+  std::vector<Drawn> drawn(std::size_t last, const SownStand& stand, int model,
                            const ModelBlocks& blocks) const;
   bool shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const;
 
   const Scene& scene_;
-  std::vector<std::vector<Eye>> eyes_;
-  std::vector<Vec3> suns_;  // directions that light comes from in the film
+  std::vector<std::vector<Eye>> eyes_;  // of the frames that levels hold for, by the last stretch of these
+  std::vector<Vec3> suns_;              // directions that light comes from in the film
   int stretch_ = 1;
+  std::size_t stretches_ = 1, groups_ = 1;
   double coarse_ = 1;
 };
 
