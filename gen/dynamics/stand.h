@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/seed.h"
+#include "core/vec.h"
+#include "dynamics/species.h"
+
+// Stand dynamics: the trees of a piece of land over centuries
+// ===========================================================
+// Each tree is an individual with a place; a step is a year. Trees compete for light, which is a field over
+// the whole land, grow in height and in girth as the light allows, seed themselves, and die of shade, age,
+// storms and snow; what has died stands or lies until it has rotted. Models of this family: JABOWA (Botkin
+// 1972), SORTIE (Pacala 1996), iLand (Seidl 2012).
+//
+//     StandOptions options;
+//     options.species = {species(TreeName::birch), species(TreeName::beech)};
+//     StandHistory history = simulate_stand(options, level_land(), Seed{1});
+//     for (std::uint32_t i : living_at(history, 120.5)) draw(history.lives[i], size_at(history, i, 120.5));
+//
+// Metres and years; x and z from the middle of the land; azimuths in radians from +z toward +x.
+
+namespace frond {
+
+/// What happens to the whole stand in a year.
+struct StandEvent {
+  int year = 1;
+  double storm = 0;            ///< strength, 0 none .. 1 the storm of a century (gusts of 45 m/s)
+  double cut = 0;              ///< share that is felled and carried away, largest trees first
+  std::optional<TreeName> of;  ///< only these are cut; none: all
+};
+
+/// Trees that stand on the land at year 0, at random places.
+struct StandPlanting {
+  TreeName name = TreeName::beech;
+  double density = 2000;  ///< a hectare
+};
+
+struct StandOptions {
+  Vec2 area{200, 200};  ///< metres along x and z
+  int years = 200;
+  double cell = 2;  ///< metres, the side of a cell of the fields of light and of seedlings
+  std::vector<TreeSpecies> species;
+  std::vector<StandPlanting> planted;
+  bool seeding = true;      ///< whether trees come up by themselves
+  double storms = 1;        ///< factor of natural storms' and snow's loads; 0 none
+  double temperature = 13;  ///< degrees, the growing season's mean at height 0; 6.5 K less a kilometre higher
+  std::vector<StandEvent> events;
+};
+
+/// The ground at a place.
+struct StandGround {
+  double height = 0;      ///< metres
+  double moisture = 0.5;  ///< 0 dry .. 1 wet
+};
+using StandLand = std::function<StandGround(double x, double z)>;
+
+enum class DeathCause { none, suppressed, age, storm, snow, struck, cut };
+
+/// How large a tree is in a year.
+struct TreeSize {
+  float year = 0;
+  float height = 0;        ///< metres
+  float diameter = 0;      ///< metres, at breast height
+  float crown_radius = 0;  ///< metres
+  float crown_base = 0;    ///< metres, height of the lowest living branches
+};
+
+/// The life of a tree, and what becomes of its wood.
+struct TreeLife {
+  static constexpr float kNever = std::numeric_limits<float>::infinity();
+
+  std::uint32_t species = 0;  ///< index in StandHistory::species
+  float x = 0, z = 0;
+  float born = 0;       ///< year in which it came up; may be before 0
+  float died = kNever;  ///< from then on it has no leaves
+  float fell = kNever;  ///< from then on it lies; a snag stands before. It was carried away where it was cut
+  float rotted = kNever;  ///< from then on there is nothing left
+  float azimuth = 0;      ///< direction in which it falls
+  float broken = 0;       ///< metres above the ground, where its stem breaks; 0: it falls with its roots
+  DeathCause cause = DeathCause::none;
+  std::uint32_t first = 0, sizes = 0;  ///< its course in StandHistory::sizes
+};
+
+/// All that happened. Trees that die as seedlings, below breast height, are not in it.
+struct StandHistory {
+  Vec2 area{0};
+  int years = 0;
+  std::vector<TreeSpecies> species;
+  std::vector<TreeLife> lives;  ///< by the year in which they reached breast height
+  std::vector<TreeSize>
+      sizes;  ///< of each life at its birth, at breast height, in each fifth year and at its end
+};
+
+/// A dead tree in a year.
+struct Deadwood {
+  std::uint32_t life = 0;
+  bool lies = false;
+  float decay = 0;  ///< 0 as it died .. 1 rotted
+};
+
+/// Level land of middling moisture.
+StandLand level_land();
+
+/// Simulates all years. The same bytes at any number of threads.
+StandHistory simulate_stand(const StandOptions& options, const StandLand& land, Seed seed);
+
+/// The size of a tree, continuous over the years of its life; before it, nothing; after its death, as it
+/// died.
+TreeSize size_at(const StandHistory& history, std::uint32_t life, double year);
+
+/// Lives that are lived in a year, and those whose wood is still there, in the order of `lives`.
+std::vector<std::uint32_t> living_at(const StandHistory& history, double year);
+std::vector<Deadwood> deadwood_at(const StandHistory& history, double year);
+
+/// Dry mass of a stem and its branches, kg: by the volume of a stem of that diameter and height.
+double tree_mass(const TreeSpecies& species, const TreeSize& size);
+
+}  // namespace frond
