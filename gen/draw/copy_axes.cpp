@@ -32,7 +32,7 @@ bool sways(const SownStand& stand, const Film& film) {
 }
 
 glm::mat3 copy_axes(const SownStand& stand, const Film& film, std::size_t i, double time) {
-  glm::mat3 axes = glm::mat3_cast(stand.copies.turn[i]);
+  glm::mat3 axes = glm::mat3_cast(stand.copies.turn_at(i, time));
   if (!sways(stand, film)) return axes;
   Vec2 lean = bent(stand.dress.motion.wave, film.length(), stand.copies.foot[i], time);
   for (int axis = 0; axis < 3; ++axis) axes[axis] += Vec3(lean.x, 0, lean.y) * axes[axis].y;

@@ -62,9 +62,10 @@ Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.
   groups_ = one ? 1 : kGroups;
   stretch_ = one ? film.frames : kHeld / kGroups;
   stretches_ = static_cast<std::size_t>((film.frames + stretch_ - 1) / stretch_);
-  if (one) eyes_ = {{eye_at(scene, 0)}};
+  if (one) eyes_ = {{eye_at(scene, 0)}}, times_ = {{0, film.length()}};
   while (eyes_.size() < stretches_ + groups_ - 1) {
     int end = stretch_ * static_cast<int>(eyes_.size() + 1) + 1;
+    times_.emplace_back(film.time(end - kHeld), film.time(end));
     std::vector<Eye>& eyes = eyes_.emplace_back();
     for (int frame = end - kHeld - kBeyond; frame < end + kBeyond; frame += 3)
       eyes.push_back(eye_at(scene, film.time(std::clamp(frame, 1, film.frames))));
@@ -103,11 +104,23 @@ std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int mo
   float around = glm::distance(box.low, middle) + blocks.radius();
   auto levels_of = [&](std::size_t i) {
     std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
-    float scale = copies.scale[i], radius = scale * blocks.radius();
-    auto placed = [&](Vec3 at) { return copies.foot[i] + copies.turn[i] * (scale * at); };
+    float scale = copies.scale[i], radius = blocks.radius();
+    bool falls = false;  // then it may lie anywhere round its foot
+    if (!copies.span.empty()) {
+      const CopySpan& span = copies.span[i];
+      if (span.begin >= times_[last].second || span.end <= times_[last].first) return level;
+      scale *= std::max({span.first.x, span.first.y, span.last.x, span.last.y});
+      falls = span.fall != nullptr;
+    }
+    if (falls) radius += around + glm::length(middle);
+    radius *= scale;
+    auto placed = [&](Vec3 at) {
+      return falls ? copies.foot[i] : copies.foot[i] + copies.turn[i] * (scale * at);
+    };
     Vec3 center = placed(middle);
-    bool seen = std::ranges::any_of(
-        eyes, [&](const Eye& eye) { return in_view(eye, center, scale * around + kMargin); });
+    bool seen = std::ranges::any_of(eyes, [&](const Eye& eye) {
+      return in_view(eye, center, std::max(scale * around, radius) + kMargin);
+    });
     if (!seen && !shades(eyes, center, scale * around)) return level;
     double finest = 1e30;
     for (int b = 0; b < blocks.count(); ++b) {

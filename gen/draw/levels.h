@@ -87,7 +87,8 @@ class Views {
 
   const Scene& scene_;
   std::vector<std::vector<Eye>> eyes_;  // of the frames that levels hold for, by the last stretch of these
-  std::vector<Vec3> suns_;              // directions that light comes from in the film
+  std::vector<std::pair<double, double>> times_;  // of these frames, from and to, seconds
+  std::vector<Vec3> suns_;                        // directions that light comes from in the film
   int stretch_ = 1;
   std::size_t stretches_ = 1, groups_ = 1;
   double coarse_ = 1;

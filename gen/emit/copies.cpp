@@ -30,7 +30,7 @@ std::string tints_text(std::size_t stand, const Organism& organism) {
 
 /// Whether its copies are others in each frame.
 bool moves(const SownStand& stand, const Film& film) {
-  return sways(stand, film) || copy_growth(stand.organism, film, 0).has_value();
+  return !stand.copies.span.empty() || sways(stand, film) || copy_growth(stand.organism, film, 0).has_value();
 }
 
 /// Whether each copy carries its pattern with it, as the skin of colonies must; else what is drawn on copies
@@ -106,8 +106,10 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
       groups;  // model, level, block, tint: lines without what they place
   for (const Drawn& one : plan.drawn[stretch][which]) {
     std::size_t i = one.copy;
+    if (!copies.there(i, time)) continue;
     glm::mat3 frame = copy_axes(stand, scene.film, i, time);
-    frame *= copies.scale[i] * (carries ? 1 : unit);
+    Vec3 scale = copies.scale_at(i, time) * (carries ? 1 : unit);
+    for (int axis = 0; axis < 3; ++axis) frame[axis] *= scale[axis];
     std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i]}];
     if (append_matrix(lines, space, frame, copies.foot[i])) lines += "}\n";
   }

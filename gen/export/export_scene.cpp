@@ -235,7 +235,7 @@ Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOp
         std::ranges::find(exported.absent, name) == exported.absent.end())
       exported.absent.push_back(name);
   }
-  if (Errors errors = add_sown(maker, scene); !errors.empty()) return errors;
+  if (Errors errors = add_sown(maker, scene, time); !errors.empty()) return errors;
   if (exported.placements.empty())
     return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
   if (!options.keys.empty() && std::ranges::none_of(exported.meshes, &ExportMesh::moves))

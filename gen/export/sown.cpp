@@ -25,20 +25,22 @@ struct SownModel {
   std::vector<ExportPlacement> copies;  // of no mesh yet
 };
 
-std::vector<SownModel> models_of(const Scene& scene) {
+std::vector<SownModel> models_of(const Scene& scene, double time) {
   std::vector<SownModel> models;
   std::map<std::string, std::size_t> index;  // by the model
   for (const SownStand& stand : scene.stands) {
     std::map<int, std::size_t> own;  // by its number in this stand
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {
+      if (!stand.copies.there(i, time)) continue;
       int which = stand.copies.model[i];
       auto [at, fresh] = own.try_emplace(which);
       if (fresh) {
         at->second = index.try_emplace(copy_id(stand.organism, which), models.size()).first->second;
         if (at->second == models.size()) models.push_back({&stand, which, {}});
       }
-      models[at->second].copies.push_back(
-          {0, stand.copies.foot[i], glm::normalize(stand.copies.turn[i]), Vec3(stand.copies.scale[i])});
+      models[at->second].copies.push_back({0, stand.copies.foot[i],
+                                           glm::normalize(stand.copies.turn_at(i, time)),
+                                           stand.copies.scale_at(i, time)});
     }
   }
   return models;
@@ -125,8 +127,8 @@ std::vector<ExportPart> parts_of(Maker& maker, const Look& look, SownShape& shap
 
 }  // namespace
 
-Errors add_sown(Maker& maker, const Scene& scene) {
-  std::vector<SownModel> models = models_of(scene);
+Errors add_sown(Maker& maker, const Scene& scene, double time) {
+  std::vector<SownModel> models = models_of(scene, time);
   auto shapes = each_grown<std::vector<SownShape>>(
       models, [&](const Look& look, Model& model) { return shapes_of(look, model, maker.options); });
   if (!shapes) return shapes.errors();
@@ -146,8 +148,8 @@ Errors add_sown(Maker& maker, const Scene& scene) {
   return {};
 }
 
-Result<std::vector<SownBranches>> sown_branches(const Scene& scene) {
-  std::vector<SownModel> models = models_of(scene);
+Result<std::vector<SownBranches>> sown_branches(const Scene& scene, double time) {
+  std::vector<SownModel> models = models_of(scene, time);
   auto grown =
       each_grown<Skeleton>(models, [](const Look&, Model& model) { return std::move(model.skeleton); });
   if (!grown) return grown.errors();

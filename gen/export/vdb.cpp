@@ -76,7 +76,7 @@ Result<Volume> export_volume(const Scene& scene, double time, const ExportOption
     if (drawn.branches && drawn.model.skeleton.size() > 1)
       add_branches(all, *drawn.branches, options.voxel <= 0);
   }
-  Result<std::vector<SownBranches>> sown = sown_branches(scene);
+  Result<std::vector<SownBranches>> sown = sown_branches(scene, time);
   if (!sown) return sown.errors();
   for (const SownBranches& model : *sown)
     for (const ExportPlacement& copy : model.copies)

@@ -27,7 +27,7 @@ constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throw
 using Specimens = std::vector<std::shared_ptr<const Specimen>>;
 
 /// The room that a scene takes, metres.
-Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels) {
+Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels, double time) {
   Bounds room;
   for (const auto& b : now) {
     const Model& m = b->model;
@@ -48,7 +48,10 @@ Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels)
       reach.push_back(far);
     }
     for (std::size_t i = 0; i < copies.size(); ++i)
-      room.take(copies.foot[i], copies.scale[i] * reach[copies.model[i]]);
+      if (copies.there(i, time)) {
+        Vec3 scale = copies.scale_at(i, time);
+        room.take(copies.foot[i], std::max(scale.x, scale.y) * reach[copies.model[i]]);
+      }
   }
   for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
   Vec3 far(kFarthest, 1e6f, kFarthest);
@@ -76,14 +79,16 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
       to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
 }
 
-void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels) {
+void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, double time) {
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const Copies& copies = scene.stands[s].copies;
     parallel_for(copies.size(), [&](std::size_t i) {
-      float scale = copies.scale[i];
+      if (!copies.there(i, time)) return;
+      Vec3 each = copies.scale_at(i, time);
+      Quat turn = copies.turn_at(i, time);
       for (const Surfel& surfel : surfels[s][copies.model[i]])
-        grid.add(copies.foot[i] + copies.turn[i] * (scale * surfel.at), scale * scale * surfel.area,
-                 kDiffuse * surfel.albedo, kAllFacings, scale * surfel.bulk, scale * surfel.wide);
+        grid.add(copies.foot[i] + turn * (each * surfel.at), each.x * each.y * surfel.area,
+                 kDiffuse * surfel.albedo, kAllFacings, each.x * surfel.bulk, each.x * surfel.wide);
     });
   }
 }
@@ -154,7 +159,10 @@ double light_reach(Quality quality, double pixel) {
 bool light_changes(const Scene& scene, std::span<const double> pixel) {
   if (scene.film.frames <= 1) return false;
   auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
-  if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes)) return true;
+  auto come_and_go = [](const SownStand& s) { return !s.copies.span.empty(); };
+  if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes) ||
+      std::ranges::any_of(scene.stands, come_and_go))
+    return true;
   std::atomic<bool> leaves = false;
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     double far = light_reach(scene.film.quality, pixel[i]);
@@ -174,11 +182,11 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
     now.push_back(*one);
   }
   std::vector<Eye> some = some_eyes(scene), here{eye_at(scene, time)};
-  Bounds room = room_of(scene, now, surfels);
+  Bounds room = room_of(scene, now, surfels, time);
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
   for (const auto& specimen : now) sample_surfels(IntoGrid{grid}, DrawList(*specimen, time));
-  add_copies(grid, scene, surfels);
+  add_copies(grid, scene, surfels, time);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
   std::vector<std::string> texts((probes.size() + 4095) / 4096);

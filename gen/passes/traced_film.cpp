@@ -201,10 +201,13 @@ std::vector<Placed> TracedFilm::Parts::copies_at(double time) const {
   for (std::size_t s = 0; s < drawn.size(); ++s) {
     const Copies& copies = scene.stands[s].copies;
     for (const Drawn& one : drawn[s]) {
+      if (!copies.there(one.copy, time)) continue;
       Placed& thing = things.emplace_back();
       thing.thing = {ThingKind::copy, static_cast<std::uint32_t>(s), one.copy};
       thing.meshes = models.at({static_cast<int>(s), copies.model[one.copy], one.level, one.block});
-      thing.axes = copies.scale[one.copy] * copy_axes(scene.stands[s], scene.film, one.copy, time);
+      thing.axes = copy_axes(scene.stands[s], scene.film, one.copy, time);
+      Vec3 scale = copies.scale_at(one.copy, time);
+      for (int axis = 0; axis < 3; ++axis) thing.axes[axis] *= scale[axis];
       thing.at = copies.foot[one.copy];
     }
   }

@@ -152,7 +152,7 @@ Vec3 color_of(const Look& look) {
 
 /// The land's stones and all copies, in bits.
 template <class Sink>
-void sample_others(const Sink& sink, const Scene& scene) {
+void sample_others(const Sink& sink, const Scene& scene, double time) {
   SurfelSampler<Sink> to{sink};
   for (const Strewn& strewn : scene.ground->strewn())
     for (const Strewn::At& at : strewn.at)
@@ -169,12 +169,12 @@ void sample_others(const Sink& sink, const Scene& scene) {
         trunk.position.push_back(Vec3(0.012f * tall * std::cos(turn), up, 0.012f * tall * std::sin(turn)));
     trunk.triangle = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 0}, {5, 0, 1}};
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-      Vec3 foot = stand.copies.foot[i];
-      float scale = stand.copies.scale[i];
-      to.surface(round, color, true, foot + Vec3(0, scale * 0.5f * (tall + bare), 0), stand.copies.turn[i],
+      if (!stand.copies.there(i, time)) continue;
+      Vec3 foot = stand.copies.foot[i], scale = stand.copies.scale_at(i, time);
+      Quat turn = stand.copies.turn_at(i, time);
+      to.surface(round, color, true, foot + turn * Vec3(0, scale.y * 0.5f * (tall + bare), 0), turn,
                  scale * Vec3(wide, 0.5f * (tall - bare), wide));
-      if (bare > 0)
-        to.surface(trunk, stand.dress.look.branches.albedo(), true, foot, Quat(1, 0, 0, 0), Vec3(scale));
+      if (bare > 0) to.surface(trunk, stand.dress.look.branches.albedo(), true, foot, turn, scale);
     }
   }
 }
@@ -279,8 +279,8 @@ Raster quick_look(const Scene& scene, double time) {
     sample_surfels(sun, drawn);
     sample_surfels(picture_sink, drawn);
   }
-  sample_others(sun, scene);
-  sample_others(picture_sink, scene);
+  sample_others(sun, scene, time);
+  sample_others(picture_sink, scene, time);
 
   FloorDepth floor(scene.ground->floor(), lens, width, height);
   Raster picture(width, height, 3);

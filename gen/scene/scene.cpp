@@ -142,6 +142,19 @@ Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::
 
 }  // namespace
 
+Quat Copies::turn_at(std::size_t i, double time) const {
+  if (span.empty() || !span[i].fall) return turn[i];
+  return glm::angleAxis(span[i].fall->angle(time), span[i].fall->axis) * turn[i];
+}
+
+Vec3 Copies::scale_at(std::size_t i, double time) const {
+  if (span.empty()) return Vec3(scale[i]);
+  const CopySpan& s = span[i];
+  auto share = static_cast<float>(std::clamp((time - s.begin) / std::max(s.end - s.begin, 1e-9), 0.0, 1.0));
+  Vec2 size = glm::mix(s.first, s.last, share);
+  return scale[i] * Vec3(size.x, size.y, size.x);
+}
+
 std::size_t Scene::nodes() const {
   std::size_t sum = 0;
   for (const Specimen& s : specimens) sum += s.model.skeleton.size();
@@ -154,7 +167,8 @@ std::size_t Scene::bytes() const {
   for (const Specimen& s : specimens) bytes += bytes_of(s);
   for (const SownStand& stand : stands) {
     const Copies& c = stand.copies;
-    bytes += bytes_of(c.model) + bytes_of(c.foot) + bytes_of(c.turn) + bytes_of(c.scale) + bytes_of(c.tint);
+    bytes += bytes_of(c.model) + bytes_of(c.foot) + bytes_of(c.turn) + bytes_of(c.scale) + bytes_of(c.tint) +
+             bytes_of(c.span);
   }
   return bytes;
 }
@@ -165,7 +179,7 @@ std::string Scene::check() const {
   for (const SownStand& stand : stands) {
     const Copies& c = stand.copies;
     if (c.foot.size() != c.size() || c.turn.size() != c.size() || c.scale.size() != c.size() ||
-        c.tint.size() != c.size())
+        c.tint.size() != c.size() || (!c.span.empty() && c.span.size() != c.size()))
       return stand.organism.name + ": the arrays of the copies differ in length";
     for (std::size_t i = 0; i < c.size(); ++i)
       if (c.model[i] >= stand.organism.sown->models || c.tint[i] >= kTints || !(c.scale[i] > 0))

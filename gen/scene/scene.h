@@ -10,11 +10,19 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/fall.h"
 #include "scene/preset.h"
 #include "settings/setting.h"
 #include "world/specimen.h"
 
 namespace frond {
+
+/// When a copy is there and how it changes meanwhile, where copies come and go over a film.
+struct CopySpan {
+  double begin = 0, end = 0;         ///< seconds; at the end it is no longer there
+  Vec2 first{1}, last{1};            ///< factors of its width and height at both; in proportion between
+  std::shared_ptr<const Fall> fall;  ///< as which it falls over about its foot; null: it stands
+};
 
 /// Copies of the models of a stand: a structure of arrays. Metres.
 struct Copies {
@@ -23,8 +31,14 @@ struct Copies {
   std::vector<Quat> turn;
   std::vector<float> scale;
   std::vector<std::uint8_t> tint;  ///< 0..kTints - 1
+  std::vector<CopySpan> span;      ///< empty: all stand there over the whole film
 
   std::size_t size() const { return model.size(); }
+  bool there(std::size_t i, double time) const {
+    return span.empty() || (time >= span[i].begin && time < span[i].end);
+  }
+  Quat turn_at(std::size_t i, double time) const;
+  Vec3 scale_at(std::size_t i, double time) const;
 };
 inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
 

@@ -208,9 +208,11 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& mod
     std::vector<std::uint8_t> tints;
     const Copies& c = stand->copies;
     for (std::size_t k = 0; k < c.size(); ++k) {
-      if (c.model[k] != which) continue;
-      places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, c.turn[k].x, c.turn[k].y,
-                                   c.turn[k].z, c.turn[k].w, c.scale[k], c.scale[k], c.scale[k]});
+      if (c.model[k] != which || !c.there(k, request.time)) continue;
+      Quat turn = c.turn_at(k, request.time);
+      Vec3 scale = c.scale_at(k, request.time);
+      places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, turn.x, turn.y, turn.z, turn.w,
+                                   scale.x, scale.y, scale.z});
       for (std::uint8_t byte : tint_bytes(tint_shift(stand->organism.sown->tint, c.tint[k])))
         tints.push_back(byte);
     }
