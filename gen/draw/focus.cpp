@@ -61,8 +61,7 @@ std::optional<float> depth_of_copies(const SownStand& stand, const Lens& lens, d
   float nearest = kNoDepth, depth = kNoDepth;
   for (std::size_t i = 0; i < stand.copies.size(); ++i) {
     if (!stand.copies.there(i, time)) continue;
-    float half =
-        0.5f * stand.copies.scale_at(i, time).y * static_cast<float>(stand.organism.grower->tallest());
+    float half = 0.5f * stand.copies.scale_at(i, time).y * static_cast<float>(stand.tallest());
     Vec3 seen = lens.seen(stand.copies.foot[i] + stand.copies.turn_at(i, time) * Vec3(0, half, 0));
     if (seen.z < kBeforeLens) continue;
     float off = std::hypot(seen.x * lens.wide, seen.y * lens.high);

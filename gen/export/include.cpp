@@ -37,7 +37,7 @@ Bounds box_of(const Specimen& specimen) {
 }
 
 double tall_of(const SownStand& stand) {
-  double height = stand.organism.grower->tallest();
+  double height = stand.tallest();
   return height > 0 ? height : 8 * stand.organism.sown->where.radius;
 }
 

@@ -161,6 +161,10 @@ class Grower {
   /// A version of that length in metres, of what is built along lines; none of all else.
   virtual std::shared_ptr<const Grower> as_long_as(double /*length*/) const { return nullptr; }
 
+  /// A version of that age in years, which died before the last `dead` of them, of what grows over years;
+  /// none of all else.
+  virtual std::shared_ptr<const Grower> at_age(double /*years*/, double /*dead*/) const { return nullptr; }
+
   /// Grows all plantings of all beds, in their order. All beds are of this kind, the first belongs to this
   /// grower.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,

@@ -161,7 +161,7 @@ void sample_others(const Sink& sink, const Scene& scene, double time) {
   for (const SownStand& stand : scene.stands) {
     Vec3 color = color_of(stand.dress.look);
     auto wide = static_cast<float>(stand.organism.sown->where.radius),
-         tall = std::clamp(static_cast<float>(stand.organism.grower->tallest()), 0.3f * wide, 9 * wide);
+         tall = std::clamp(static_cast<float>(stand.tallest()), 0.3f * wide, 9 * wide);
     float bare = tall > 3 * wide ? 0.3f * tall : 0;  // of a trunk
     Surface trunk;
     for (float turn : {0.0f, 2.1f, 4.2f})
@@ -255,7 +255,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
   Vec3 eye = scene.stage.camera.location.at(0);
   for (const SownStand& stand : scene.stands)
     for (const Vec3& p : stand.copies.foot)
-      if (glm::distance(p, eye) < 80) box.take(p), box.take(p + Vec3(0, stand.organism.grower->tallest(), 0));
+      if (glm::distance(p, eye) < 80) box.take(p), box.take(p + Vec3(0, stand.tallest(), 0));
   if (box.empty()) box = {Vec3(-1), Vec3(1)};
   ToSun sun{{}, {}, toward, box.middle(), 0.5f * glm::length(box.size()) + 0.01f, pixels};
   sun.right = glm::normalize(glm::cross(std::abs(toward.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0), toward));

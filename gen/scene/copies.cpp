@@ -142,6 +142,32 @@ Surface merged_solid(const Solids& solids, std::size_t shape) {
   return out;
 }
 
+/// The radius within which nineteen in twenty of some places are about the vertical through the origin.
+float crown_of(const std::vector<Vec3>& places) {
+  std::vector<float> radius;
+  for (const Vec3& p : places) radius.push_back(glm::length(Vec2(p.x, p.z)));
+  auto at = radius.begin() + std::ssize(radius) * 19 / 20;
+  std::ranges::nth_element(radius, at);
+  return *at;
+}
+
+/// Stretches a plant to a size: its leaves keep their shape.
+void fit_to(Model& model, const ModelSize& size) {
+  Skeleton& bones = model.skeleton;
+  if (bones.size() < 2) return;
+  float height = 1e-3f;
+  for (const Vec3& p : bones.position) height = std::max(height, p.y);
+  float across = size.crown / std::max(crown_of(bones.position), 1e-3f), up = size.height / height;
+  float thick = size.stem / std::max(2 * bones.radius[0], 1e-5f);
+  auto stretch = [&](std::vector<Vec3>& places) {
+    for (Vec3& p : places) p *= Vec3(across, up, across);
+  };
+  stretch(bones.position), stretch(model.organs.position), stretch(model.blades.surface.position);
+  // Twigs are as thick as they are on any tree.
+  for (float& r : bones.radius) r *= std::lerp(1.0f, thick, std::min(1.0f, r / bones.radius[0]));
+  for (Vec3& s : model.organs.scale) s *= std::clamp(std::cbrt(across * across * up), 0.7f, 1.6f);
+}
+
 }  // namespace
 
 int level_for(double grain) {
@@ -152,8 +178,11 @@ int level_for(double grain) {
 
 std::string copy_id(const Organism& organism, int which) {
   Keys keys = organism.grower->keys();
-  return made_id(fmt::format("{} {} {} {} {}", keys.shape, keys.look, copy_seed(organism, which).key,
-                             organism.sown->crowd, organism.place.size_variation));
+  std::string id = fmt::format("{} {} {} {} {}", keys.shape, keys.look, copy_seed(organism, which).key,
+                               organism.sown->crowd, organism.place.size_variation);
+  if (const auto& size = organism.sown->size)
+    id += fmt::format(" {} {} {}", size->height, size->crown, size->stem);
+  return made_id(id);
 }
 
 TintShift tint_shift(const CopyTint& tint, int number) {
@@ -167,6 +196,7 @@ Result<Model> grow_copy(const Organism& organism, int which) {
   Result<Model> model = organism.grower->grow_copy(organism, seed);
   if (!model) return model;
   if (auto season = organism.grower->dress().season) in_season(*model, *season, 0, seed.child("season"));
+  if (organism.sown->size) fit_to(*model, *organism.sown->size);
   float depth = organism.grower->copy_depth(*model);
   auto lower = [&](std::vector<Vec3>& places) {
     for (Vec3& p : places) p.y -= depth;

@@ -145,7 +145,7 @@ std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>&
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {
       float scale = stand.copies.scale[i],
             wide = scale * static_cast<float>(stand.organism.sown->where.radius),
-            tall = scale * static_cast<float>(stand.organism.grower->tallest());
+            tall = scale * static_cast<float>(stand.tallest());
       outside.add(stand.copies.foot[i]);
       outside.add(stand.copies.foot[i] + Vec3(0, std::max(tall - wide, 0.0f), 0), wide);
     }

@@ -50,7 +50,7 @@ bool seen(const Scene& scene, double time) {
   }
   for (const SownStand& stand : scene.stands)
     for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-      auto tall = static_cast<float>(stand.organism.grower->tallest()) * stand.copies.scale[i];
+      auto tall = static_cast<float>(stand.tallest()) * stand.copies.scale[i];
       for (float part : {0.0f, 0.25f, 0.5f, 0.75f})
         if (in_picture(stand.copies.foot[i] + Vec3(0, part * tall, 0))) return true;
     }

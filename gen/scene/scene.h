@@ -48,6 +48,11 @@ struct SownStand {
   Organism organism;      ///< that one
   Dress dress;            ///< what it wears
   Copies copies;
+
+  /// How high a model is at most, about, metres; 0: unknown.
+  double tallest() const {
+    return organism.sown->size ? double{organism.sown->size->height} : organism.grower->tallest();
+  }
 };
 
 /// All that stands before the camera, grown; nothing of it depends on the frame.

@@ -53,7 +53,7 @@ std::vector<GrownSize> sizes_of(const Scene& scene, const Preset& preset) {
     size.count = stand.copies.size();
     float scale = 0;
     for (float s : stand.copies.scale) scale = std::max(scale, s);
-    size.height = static_cast<double>(scale) * stand.organism.grower->tallest();
+    size.height = static_cast<double>(scale) * stand.tallest();
     size.width = 2.0 * static_cast<double>(scale) * stand.organism.sown->where.radius;
   }
   return sizes;

@@ -144,6 +144,16 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     return {std::make_move_iterator(trees.begin()), std::make_move_iterator(trees.end())};
   }
 
+  std::shared_ptr<const Grower> at_age(double years, double dead) const override {
+    return changed(*this, [&](TreeParams& p) {
+      p.years = std::max(1, static_cast<int>(std::lround(years)));
+      p.growth.duration = 0;
+      if (dead <= 0) return;
+      p.species.lifespan = p.years;
+      p.years += static_cast<int>(std::lround(dead));
+    });
+  }
+
   /// One that grew up among others at the distance that the sowing says.
   Result<Model> grow_copy(const Organism& organism, Seed seed) const override {
     double crowd = organism.sown->crowd, age = age_of(organism, seed, "age");

@@ -1,0 +1,252 @@
+#include "scene/woodland.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/curve.h"
+#include "core/parallel.h"
+#include "land/plant_grid.h"
+
+namespace frond {
+
+namespace {
+
+constexpr float kLeast = 0.6f;    // metres, height of the smallest trees of the library
+constexpr float kTaller = 1.35f;  // from one height of the library to the next
+constexpr double kBare = 4;       // years that its dead trees are dead
+constexpr double kWilting = 1.5;  // years for which what was thrown keeps its leaves
+constexpr float kRotten = 0.3f;   // width that is left of a log at its end
+constexpr float kFlare = 1.3f;    // how much thicker a stem is at its foot than at breast height
+constexpr double kSpread = 2;     // years in which what grows below the trees comes up or dies back
+constexpr float kCover = 2;       // metres: lower trees shade nothing
+constexpr double kHidden = 0.75;  // share of the sky that one crown hides from what is below its middle
+constexpr float kSprout = 0.02f;  // factor of the size as it comes up
+
+/// A height of the library, and what trees of that height measure on average.
+struct Stature {
+  float height = 1, diameter = 0.01f, crown = 0.5f;  // metres
+  double age = 1;                                    // years
+};
+
+float middle_of(std::vector<float>& values) {
+  auto at = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, at);
+  return *at;
+}
+
+/// The heights that trees of a species reach.
+std::vector<Stature> statures_of(const StandHistory& history, std::uint32_t species) {
+  std::vector<Stature> list;
+  for (float height = kLeast;; height *= kTaller) {
+    std::vector<float> ages, diameters, crowns;
+    for (const TreeLife& life : history.lives) {
+      if (life.species != species) continue;
+      for (std::uint32_t k = life.first + 1; k < life.first + life.count; ++k) {
+        const TreeSize &a = history.sizes[k - 1], &b = history.sizes[k];
+        if (a.height > height || b.height <= height) continue;
+        float t = (height - a.height) / (b.height - a.height);
+        ages.push_back(std::lerp(a.year, b.year, t) - life.born);
+        diameters.push_back(std::lerp(a.diameter, b.diameter, t));
+        crowns.push_back(std::lerp(a.crown_radius, b.crown_radius, t));
+        break;
+      }
+    }
+    if (ages.empty()) return list;
+    list.push_back({height, middle_of(diameters), middle_of(crowns), std::max(1.0f, middle_of(ages))});
+  }
+}
+
+/// A stretch of a life in which one model stands for it.
+struct Chapter {
+  std::size_t stature = 0;
+  bool dead = false;
+  double from = 0, to = 0;  // years
+};
+
+/// From which years on a life has which stature, until it dies.
+std::vector<Chapter> chapters_of(const StandHistory& history, const TreeLife& life,
+                                 const std::vector<Stature>& statures) {
+  std::vector<Chapter> chapters{{0, false, life.born, std::min<double>(life.died, history.years + 1)}};
+  for (std::uint32_t k = life.first + 1; k < life.first + life.count; ++k) {
+    const TreeSize &a = history.sizes[k - 1], &b = history.sizes[k];
+    while (chapters.back().stature + 1 < statures.size()) {
+      std::size_t now = chapters.back().stature;
+      float next = std::sqrt(statures[now].height * statures[now + 1].height);
+      if (b.height <= next) break;
+      double year = std::lerp(a.year, b.year, std::max(0.0f, (next - a.height) / (b.height - a.height)));
+      double end = chapters.back().to;
+      if (year >= end) return chapters;
+      chapters.back().to = year;
+      chapters.push_back({now + 1, false, year, end});
+    }
+  }
+  return chapters;
+}
+
+/// Places the lives of a stand's history as copies of the library's models.
+class Library {
+ public:
+  Library(const Preset& preset, const Grounds& ground, const StandHistory& history, const StandFilm& film)
+      : preset_(preset), heights_(ground.heights()), history_(history), film_(film) {}
+
+  void add(Scene& scene, std::uint32_t species, std::size_t entry) {
+    statures_ = statures_of(history_, species);
+    if (statures_.empty()) return;
+    const Organism& organism = preset_.organisms[entry];
+    std::vector<SownStand> stands;
+    for (bool dead : {false, true})
+      for (const Stature& stature : statures_) stands.push_back(stand_of(organism, entry, stature, dead));
+    for (std::uint32_t i = 0; i < history_.lives.size(); ++i)
+      if (history_.lives[i].species == species) place(stands, i);
+    for (SownStand& stand : stands)
+      if (stand.copies.size() > 0) scene.stands.push_back(std::move(stand));
+  }
+
+ private:
+  SownStand stand_of(const Organism& organism, std::size_t entry, const Stature& stature, bool dead) const {
+    SownStand stand{entry, organism, {}, {}};
+    if (auto aged = organism.grower->at_age(stature.age, dead ? kBare : 0)) stand.organism.grower = aged;
+    stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
+    stand.organism.sown->where.radius = stature.crown;
+    stand.organism.place.size_variation = 0;
+    stand.dress = stand.organism.grower->dress();
+    return stand;
+  }
+
+  Vec2 factors(std::uint32_t i, double year, const Stature& stature) const {
+    TreeSize size = size_at(history_, i, year);
+    return glm::max(Vec2(size.crown_radius / stature.crown, size.height / stature.height), Vec2(kSprout));
+  }
+
+  std::shared_ptr<const Fall> fall_of(const TreeLife& life, float height) const {
+    Fall fall;
+    fall.start = film_.time(life.fell);
+    Vec3 toward(std::sin(life.azimuth), 0, std::cos(life.azimuth));
+    fall.axis = glm::cross(Vec3(0, 1, 0), toward);
+    float reach = 0.7f * height;
+    double rise = heights_(life.x + reach * toward.x, life.z + reach * toward.z) - heights_(life.x, life.z);
+    // A slender pole, for each kg of it.
+    double weight = 9.81 * height / 2;
+    fall.course =
+        course_of({height * height / 3, weight, 0.02, 0.02 * weight, 0.3, kPi / 2 - std::atan2(rise, reach)});
+    return std::make_shared<const Fall>(std::move(fall));
+  }
+
+  void place(std::vector<SownStand>& stands, std::uint32_t i) const {
+    const TreeLife& life = history_.lives[i];
+    std::vector<Chapter> chapters = chapters_of(history_, life, statures_);
+    std::size_t last = chapters.back().stature;
+    std::shared_ptr<const Fall> fall;
+    if (life.died <= history_.years && life.cause != DeathCause::cut) {
+      double rotted = std::min<double>(life.rotted, history_.years + 1),
+             fell = std::min<double>(life.fell, rotted);
+      if (fell < rotted) fall = fall_of(life, size_at(history_, i, life.died).height);
+      double wilted = std::min(fell <= life.died ? life.died + kWilting : life.died, rotted);
+      if (wilted > life.died) chapters.push_back({last, false, life.died, wilted});
+      if (fell > wilted) chapters.push_back({last, true, wilted, fell}), wilted = fell;
+      if (rotted > wilted) chapters.push_back({last, true, wilted, rotted});
+    }
+    for (const Chapter& c : chapters) add_copy(stands, i, c, c.from >= life.fell ? fall : nullptr);
+  }
+
+  void add_copy(std::vector<SownStand>& stands, std::uint32_t i, const Chapter& c,
+                std::shared_ptr<const Fall> fall) const {
+    const TreeLife& life = history_.lives[i];
+    if (c.to <= c.from || film_.time(c.to) <= 0 || film_.time(c.from) > film_.length) return;
+    const Stature& stature = statures_[c.stature];
+    SownStand& stand = stands[c.stature + (c.dead ? statures_.size() : 0)];
+    Seed seed = Seed{preset_.seed}.child("life", i);
+    CopySpan span{film_.time(c.from), film_.time(c.to), factors(i, c.from, stature),
+                  factors(i, c.to, stature), std::move(fall)};
+    if (c.dead && span.fall) span.last *= Vec2(kRotten, 1);
+    Copies& copies = stand.copies;
+    copies.model.push_back(static_cast<std::uint16_t>(
+        seed.child("model").bits() % static_cast<std::uint64_t>(stand.organism.sown->models)));
+    copies.foot.emplace_back(life.x, heights_(life.x, life.z), life.z);
+    copies.turn.push_back(
+        glm::angleAxis(static_cast<float>(seed.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0)));
+    copies.scale.push_back(1);
+    copies.tint.push_back(static_cast<std::uint8_t>(seed.child("tint").bits() % kTints));
+    copies.span.push_back(std::move(span));
+  }
+
+  const Preset& preset_;
+  const Heights& heights_;
+  const StandHistory& history_;
+  StandFilm film_;
+  std::vector<Stature> statures_;
+};
+
+/// The crowns of a stand in a year.
+PlantGrid crowns_at(const StandHistory& history, double year) {
+  PlantGrid crowns(std::max(history.area.x, history.area.y));
+  for (std::uint32_t i : living_at(history, year)) {
+    const TreeLife& life = history.lives[i];
+    TreeSize size = size_at(history, i, year);
+    if (size.height > kCover) crowns.add({life.x, life.z}, size.crown_radius, size.diameter / 2);
+  }
+  return crowns;
+}
+
+/// The share of the sky that crowns hide from a place.
+double hidden(const PlantGrid& crowns, Vec2 at) {
+  double open = 1;
+  crowns.each_within(at, 1, [&](const PlantGrid::Plant& crown) {
+    double far = glm::distance(at, crown.at) / std::max(crown.radius, 0.1f);
+    open *= 1 - kHidden * (1 - smooth_step(0.7, 1.0, far));
+  });
+  return 1 - open;
+}
+
+/// Of what is sown below the trees, each copy shows in the years in which it gets the shade that it likes: it
+/// comes up and dies back within kSpread years.
+Copies undergrowth(const SownStand& stand, const std::vector<PlantGrid>& crowns, const StandFilm& film) {
+  const Copies& all = stand.copies;
+  Vec2 likes = stand.organism.sown->where.shade;
+  std::vector<std::vector<CopySpan>> spans(all.size());
+  parallel_for(all.size(), [&](std::size_t i) {
+    Vec2 at(all.foot[i].x, all.foot[i].z);
+    std::optional<double> since;
+    for (std::size_t k = 0; k <= crowns.size(); ++k) {
+      double year = film.from + kSpread * static_cast<double>(k);
+      bool suits = k < crowns.size();
+      if (suits) {
+        double shade = hidden(crowns[k], at);
+        suits = shade >= likes.x && shade <= likes.y;
+      }
+      if (suits && !since) since = year - (k == 0 ? kSpread : 0);
+      if (suits || !since) continue;
+      double up = film.time(*since), grown = film.time(*since + kSpread);
+      double down = film.time(year), gone = film.time(year + kSpread);
+      spans[i].push_back({up, grown, Vec2(kSprout), Vec2(1), nullptr});
+      spans[i].push_back({grown, down, Vec2(1), Vec2(1), nullptr});
+      spans[i].push_back({down, gone, Vec2(1), Vec2(kSprout), nullptr});
+      since.reset();
+    }
+  });
+  Copies now;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (CopySpan& span : spans[i]) {
+      if (span.end <= span.begin) continue;
+      now.model.push_back(all.model[i]), now.foot.push_back(all.foot[i]), now.turn.push_back(all.turn[i]);
+      now.scale.push_back(all.scale[i]), now.tint.push_back(all.tint[i]), now.span.push_back(std::move(span));
+    }
+  return now;
+}
+
+}  // namespace
+
+void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history,
+                const std::vector<std::size_t>& entries, const StandFilm& film) {
+  std::vector<PlantGrid> crowns;
+  for (double year = film.from; year < film.to + kSpread; year += kSpread)
+    crowns.push_back(crowns_at(history, std::min<double>(year, history.years)));
+  for (SownStand& stand : scene.stands)
+    if (stand.organism.sown->where.layer != Layer::canopy) stand.copies = undergrowth(stand, crowns, film);
+  Library library(preset, ground, history, film);
+  for (std::uint32_t species = 0; species < entries.size(); ++species)
+    library.add(scene, species, entries[species]);
+}
+
+}  // namespace frond
