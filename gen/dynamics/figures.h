@@ -20,7 +20,7 @@ struct StandFigures {
 
 StandFigures figures_at(const StandHistory& history, double year);
 
-/// Areas that no crown covers which is higher than a third of the highest trees (their 95th percentile), in
+/// Areas that no crown covers which is higher than half of the highest trees (their 95th percentile), in
 /// m2, joined over the sides of cells of 2 m; single cells are left out.
 std::vector<double> gaps_at(const StandHistory& history, double year);
 

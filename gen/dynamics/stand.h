@@ -26,12 +26,12 @@
 
 namespace frond {
 
-/// What happens to the whole stand in a year.
+/// What happens to the stand in a year.
 struct StandEvent {
   int year = 1;
-  double storm = 0;            ///< strength, 0 none .. 1 the storm of a century (gusts of 45 m/s)
-  double cut = 0;              ///< share that is felled and carried away, largest trees first
-  std::optional<TreeName> of;  ///< only these are cut; none: all
+  double storm = 0;             ///< strength, 0 none .. 1 gusts of 45 m/s, the storm of a century
+  std::optional<TreeName> cut;  ///< of these trees some are felled and carried away
+  double share = 0.5;           ///< of them, drawn by lot
 };
 
 /// Trees that stand on the land at year 0, at random places.
@@ -83,7 +83,7 @@ struct TreeLife {
   float azimuth = 0;      ///< direction in which it falls
   float broken = 0;       ///< metres above the ground, where its stem breaks; 0: it falls with its roots
   DeathCause cause = DeathCause::none;
-  std::uint32_t first = 0, sizes = 0;  ///< its course in StandHistory::sizes
+  std::uint32_t first = 0, count = 0;  ///< its course in StandHistory::sizes
 };
 
 /// All that happened. Trees that die as seedlings, below breast height, are not in it.
@@ -92,8 +92,8 @@ struct StandHistory {
   int years = 0;
   std::vector<TreeSpecies> species;
   std::vector<TreeLife> lives;  ///< by the year in which they reached breast height
-  std::vector<TreeSize>
-      sizes;  ///< of each life at its birth, at breast height, in each fifth year and at its end
+  /// Of each life at its birth, at breast height, in each fifth year and at its end.
+  std::vector<TreeSize> sizes{};
 };
 
 /// A dead tree in a year.
@@ -117,7 +117,7 @@ TreeSize size_at(const StandHistory& history, std::uint32_t life, double year);
 std::vector<std::uint32_t> living_at(const StandHistory& history, double year);
 std::vector<Deadwood> deadwood_at(const StandHistory& history, double year);
 
-/// Dry mass of a stem and its branches, kg: by the volume of a stem of that diameter and height.
-double tree_mass(const TreeSpecies& species, const TreeSize& size);
+/// Dry mass of a stem, kg. It holds 0.45 of the cylinder of its diameter and height.
+double stem_mass(const TreeSpecies& species, const TreeSize& size);
 
 }  // namespace frond
