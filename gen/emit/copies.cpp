@@ -160,18 +160,23 @@ ObjectText stands_text(const PovSpace& space, const Scene& scene, const CopyPlan
 
 }  // namespace
 
-std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch) {
+std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch,
+                                std::optional<double> time) {
   std::string text;
   std::set<std::pair<bool, std::string>>
       names;  // two stands may share a model; what is put together comes last
-  for (std::size_t s = 0; s < scene.stands.size() && !plan.drawn.empty(); ++s)
+  for (std::size_t s = 0; s < scene.stands.size() && !plan.drawn.empty(); ++s) {
+    const Copies& copies = scene.stands[s].copies;
+    if (copies.span.empty() == time.has_value()) continue;
     for (Drawn one : plan.drawn[stretch][s]) {
-      int model = scene.stands[s].copies.model[one.copy];
+      if (time && !copies.there(one.copy, *time)) continue;
+      int model = copies.model[one.copy];
       const ModelFile& file = plan.file(s, model, one);
       if (!names.insert({file.blocks > 0, file.name}).second) continue;
       for (one.block = 0; one.block < file.blocks; ++one.block)
         names.insert({false, plan.file(s, model, one).name});
     }
+  }
   for (const auto& [joined, name] : names) text += "#include \"" + name + "\"\n";
   return text;
 }
@@ -185,7 +190,9 @@ ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const Co
 
 ObjectText swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
                                double time) {
-  return stands_text(space, scene, plan, plan.stretch_of(frame), time, true);
+  std::size_t stretch = plan.stretch_of(frame);
+  ObjectText all{model_includes_text(scene, plan, stretch, time)};
+  return all += stands_text(space, scene, plan, stretch, time, true);
 }
 
 }  // namespace frond

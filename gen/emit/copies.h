@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "draw/levels.h"
@@ -7,8 +8,10 @@
 
 namespace frond {
 
-/// The `#include` lines of the models that a stretch of the film shows.
-std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch);
+/// The `#include` lines of the models that a stretch of the film shows; with a time, of those whose copies come
+/// and go, and without one of the others.
+std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch,
+                                std::optional<double> time = {});
 /// For a stretch of the film: the tints of the stands and all copies of stands that stand still.
 ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                              std::size_t stretch);

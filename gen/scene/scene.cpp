@@ -20,7 +20,9 @@
 #include "scene/sowing.h"
 #include "scene/specimen_cache.h"
 #include "scene/stages.h"
+#include "scene/stand.h"
 #include "scene/style.h"
+#include "scene/woodland.h"
 #include "settings/settings.h"
 #include "world/world.h"
 
@@ -207,6 +209,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   watch.step();
   ground->strew(taken);
   sow_stands(scene, preset, *ground, taken.list());
+  if (preset.stand) draw_stand(scene, preset, *ground, stand_history(preset, *ground));
   std::vector<Bed> beds = set_feet(std::move(plots), *ground);
   watch.step();
 

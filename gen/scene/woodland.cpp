@@ -138,7 +138,7 @@ class Library {
     std::vector<Chapter> chapters = chapters_of(history_, life, statures_);
     std::size_t last = chapters.back().stature;
     std::shared_ptr<const Fall> fall;
-    if (life.died <= history_.years && life.cause != DeathCause::cut) {
+    if (life.died <= static_cast<float>(history_.years) && life.cause != DeathCause::cut) {
       double rotted = std::min<double>(life.rotted, history_.years + 1),
              fell = std::min<double>(life.fell, rotted);
       if (fell < rotted) fall = fall_of(life, size_at(history_, i, life.died).height);
@@ -237,16 +237,22 @@ Copies undergrowth(const SownStand& stand, const std::vector<PlantGrid>& crowns,
 
 }  // namespace
 
-void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history,
-                const std::vector<std::size_t>& entries, const StandFilm& film) {
+void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history) {
+  const StandText& text = *preset.stand;
+  Vec2 shown = text.shown.value_or(Vec2(0, text.years));
+  bool still = preset.film.frames <= 1;
+  // A still is a film that hardly moves.
+  StandFilm film{still ? shown.y - 0.01 : double{shown.x}, double{shown.y}, preset.film.length()};
   std::vector<PlantGrid> crowns;
   for (double year = film.from; year < film.to + kSpread; year += kSpread)
     crowns.push_back(crowns_at(history, std::min<double>(year, history.years)));
   for (SownStand& stand : scene.stands)
     if (stand.organism.sown->where.layer != Layer::canopy) stand.copies = undergrowth(stand, crowns, film);
   Library library(preset, ground, history, film);
-  for (std::uint32_t species = 0; species < entries.size(); ++species)
-    library.add(scene, species, entries[species]);
+  for (std::uint32_t k = 0; k < text.species.size(); ++k)
+    for (std::size_t entry = 0; entry < preset.organisms.size(); ++entry)
+      if (!text.species[k].organism.empty() && preset.organisms[entry].name == text.species[k].organism)
+        library.add(scene, k, entry);
 }
 
 }  // namespace frond

@@ -17,13 +17,12 @@ struct StandFilm {
   double time(double year) const { return length * (year - from) / std::max(1e-6, to - from); }  ///< seconds
 };
 
-/// Draws the trees of a stand over its years as copies that come, grow, die, fall and rot: adds to
-/// `scene.stands`. `entries` are the organisms that each of its species is drawn as. Each has a library: its
+/// Draws the trees of a preset's stand over its years as copies that come, grow, die, fall and rot: adds to
+/// `scene.stands`. Each of its species has a library: the organism that it names, its
 /// models, grown to the ages at which trees of the stand reach a few heights, alive and dead, and fitted to
 /// what such trees measure there on average. A tree goes through them as it grows taller. Its copies are
 /// scaled so that height and crown are those of the tree at any time, also where one takes over from another.
 /// What is sown below the trees shows in the years in which the shade suits it.
-void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history,
-                const std::vector<std::size_t>& entries, const StandFilm& film);
+void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history);
 
 }  // namespace frond

@@ -1,0 +1,143 @@
+#include "scene/woodland.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "scene/scene.h"
+#include "scene/stand.h"
+
+namespace frond {
+namespace {
+
+/// A hundred years of a small wood in ten seconds.
+const char* const kText = R"({
+  "seed": 5, "film": {"frames": 240, "fps": 24, "size": [160, 90], "quality": "draft"},
+  "scene": {"setting": "forest", "camera": {"location": [0, 3, 40], "look_at": [0, 4, 0]},
+            "forest": {"terrain": {"size": 100, "hills": 2}}},
+  "stand": {"area": [40, 40], "years": 100, "species": [{"name": "birch", "organism": "birch"},
+            {"name": "beech", "organism": "beech"}, "spruce"], "events": [{"year": 60, "storm": 1}]},
+  "organisms": [
+    {"kind": "tree", "name": "birch", "count": 0, "sown": {"models": 2}},
+    {"kind": "tree", "name": "beech", "count": 0, "sown": {"models": 3}},
+    {"kind": "vase", "name": "shade plant", "count": 80,
+     "sown": {"models": 1, "where": {"layer": "herbs", "radius": 0.2, "shade": [0.5, 1]}}}]})";
+
+class Woodland : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    Result<Preset> preset = read_preset(kText, "test.json", {});
+    ASSERT_TRUE(preset) << preset.errors().front().text();
+    Result<Scene> built = build_scene(*preset);
+    ASSERT_TRUE(built) << built.errors().front().text();
+    scene = new Scene(std::move(*built));
+    history = new StandHistory(stand_history(*preset, *scene->ground));
+  }
+  static void TearDownTestSuite() {
+    delete scene;
+    delete history;
+  }
+  /// Seconds of the film at a year.
+  static double at(double year) { return year / 10; }
+
+  /// Copies of trees that are there at a year, by their place: height, and whether they stand upright.
+  struct Seen {
+    double height = 0, crown = 0;
+    bool upright = true;
+    int copies = 0;
+  };
+  static std::map<std::pair<float, float>, Seen> seen(double year) {
+    std::map<std::pair<float, float>, Seen> all;
+    for (const SownStand& stand : scene->stands) {
+      if (!stand.organism.sown->size) continue;
+      const Copies& c = stand.copies;
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        if (!c.there(i, at(year))) continue;
+        Seen& one = all[{c.foot[i].x, c.foot[i].z}];
+        one.height = c.scale_at(i, at(year)).y * stand.organism.sown->size->height;
+        one.crown = c.scale_at(i, at(year)).x * stand.organism.sown->size->crown;
+        one.upright = (c.turn_at(i, at(year)) * Vec3(0, 1, 0)).y > 0.99f;
+        ++one.copies;
+      }
+    }
+    return all;
+  }
+
+  static Scene* scene;
+  static StandHistory* history;
+};
+Scene* Woodland::scene = nullptr;
+StandHistory* Woodland::history = nullptr;
+
+TEST_F(Woodland, DrawsEachLivingTreeOnceAsLargeAsItIs) {
+  EXPECT_TRUE(scene->check().empty()) << scene->check();
+  int drawn = 0;
+  for (double year : {12.3, 40.1, 77.7, 99.9}) {
+    auto all = seen(year);
+    for (std::uint32_t i : living_at(*history, year)) {
+      const TreeLife& life = history->lives[i];
+      auto found = all.find({life.x, life.z});
+      if (life.species == 2) {
+        EXPECT_EQ(found, all.end()) << "the spruce is drawn as nothing";
+        continue;
+      }
+      ASSERT_NE(found, all.end()) << i;
+      EXPECT_EQ(found->second.copies, 1);
+      EXPECT_TRUE(found->second.upright);
+      TreeSize size = size_at(*history, i, year);
+      EXPECT_NEAR(found->second.height, size.height, 0.2 * size.height + 0.1) << i << " in " << year;
+      ++drawn;
+    }
+  }
+  EXPECT_GT(drawn, 300);
+}
+
+TEST_F(Woodland, GrowsWithoutAJump) {
+  constexpr double kStep = 0.05;  // years: a frame shows ten of them
+  int followed = 0;
+  auto before = seen(30);
+  for (double year = 30 + kStep; year < 33; year += kStep) {
+    auto now = seen(year);
+    for (const auto& [place, one] : now) {
+      auto old = before.find(place);
+      if (old == before.end() || !one.upright || !old->second.upright) continue;
+      EXPECT_NEAR(one.height, old->second.height, 0.02 * one.height + 0.05);
+      EXPECT_NEAR(one.crown, old->second.crown, 0.03 * one.crown + 0.05);
+      ++followed;
+    }
+    before = std::move(now);
+  }
+  EXPECT_GT(followed, 1000);
+}
+
+TEST_F(Woodland, DeadTreesFallAndRot) {
+  int lie = 0, gone = 0;
+  for (const TreeLife& life : history->lives) {
+    if (life.species == 2 || life.died >= 80 || life.cause == DeathCause::cut) continue;
+    double fallen = life.fell + 40;  // four seconds later
+    if (fallen < std::min(life.rotted, 99.0f)) {
+      auto all = seen(fallen);
+      auto found = all.find({life.x, life.z});
+      if (found != all.end() && found->second.copies == 1) EXPECT_FALSE(found->second.upright), ++lie;
+    }
+    if (life.rotted < 99) EXPECT_FALSE(seen(life.rotted + 0.5).contains({life.x, life.z})), ++gone;
+  }
+  EXPECT_GT(lie + gone, 5);
+}
+
+TEST_F(Woodland, WhatLikesShadeComesWithIt) {
+  auto herbs = [&](double year) {
+    int count = 0;
+    for (const SownStand& stand : scene->stands) {
+      if (stand.organism.sown->size) continue;
+      for (std::size_t i = 0; i < stand.copies.size(); ++i) count += stand.copies.there(i, at(year));
+    }
+    return count;
+  };
+  EXPECT_EQ(herbs(1), 0) << "on open land";
+  EXPECT_GT(herbs(50), 20);
+}
+
+}  // namespace
+}  // namespace frond
