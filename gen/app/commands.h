@@ -106,6 +106,12 @@ struct PlanArguments {
   int seeds = 1;    ///< how many plans, side by side
 };
 
+struct StandArguments {
+  PresetArguments preset;
+  std::string out;   ///< SVG, or CSV by its name; empty: <preset name>_stand.svg
+  double year = -1;  ///< of the map and of the distributions; negative: the last one
+};
+
 struct TextureArguments {
   PresetArguments preset;  ///< its path may be empty: every bark and leaf that there is
   std::string out;         ///< folder; empty: out/textures
@@ -217,6 +223,7 @@ int info_grammar(const std::string& path, const std::optional<std::string>& asse
 int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int draw_plans(const PlanArguments& arguments);
+int draw_stand(const StandArguments& arguments);
 int list_everything(bool json);
 int print_schema();
 int describe_properties(const std::vector<std::string>& words, bool json);

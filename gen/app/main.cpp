@@ -246,6 +246,18 @@ void add_plan(CLI::App& app, int& result) {
   command->callback([&result, to] { result = draw_plans(*to); });
 }
 
+void add_stand(CLI::App& app, int& result) {
+  auto to = std::make_shared<StandArguments>();
+  auto* command =
+      app.add_subcommand("stand", "Simulates the stand of a preset that has one, and plots it as SVG or CSV");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out, "FILE.svg or FILE.csv (<preset name>_stand.svg)");
+  command->add_option("--year", to->year, "N: the year of the map and the distributions (the last)")
+      ->check(CLI::NonNegativeNumber);
+  command->footer("Example:\n  frond stand presets/forest/clearing.json --year 120 -o stand.svg");
+  command->callback([&result, to] { result = draw_stand(*to); });
+}
+
 void add_catalogue(CLI::App& app, int& result) {
   auto* schema_command = app.add_subcommand("schema", "Prints the JSON Schema of presets");
   schema_command->callback([&result] { result = print_schema(); });
@@ -326,10 +338,10 @@ int run(int count, char** words) {
       "above the program's own.");
   int result = kDone;
   for (auto add :
-       {add_new,     add_describe, add_look,     add_render,    add_sheet, add_generate, add_resolve,
-        add_passes,  add_export,   add_textures, add_develop,   add_check, add_info,     add_files,
-        add_confine, add_frame,    add_film,     add_compare,   add_task,  add_farm,     add_gallery,
-        add_derive,  add_turtle,   add_plan,     add_catalogue, add_studio})
+       {add_new,     add_describe, add_look,     add_render,  add_sheet,     add_generate, add_resolve,
+        add_passes,  add_export,   add_textures, add_develop, add_check,     add_info,     add_files,
+        add_confine, add_frame,    add_film,     add_compare, add_task,      add_farm,     add_gallery,
+        add_derive,  add_turtle,   add_plan,     add_stand,   add_catalogue, add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

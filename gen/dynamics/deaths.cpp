@@ -33,7 +33,7 @@ void strike(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees, co
 }  // namespace
 
 TreeDeath quiet_death(const StandTree& tree, const TreeSpecies& species, double year, Seed seed) {
-  double scale = 0.06 + 0.022 * (5 - species.tolerance);
+  double scale = 0.073 + 0.022 * (5 - species.tolerance);
   double suppressed = 0.3 * std::exp(-tree.vigour / scale);
   double age = (year - tree.born) / species.lifespan;
   double old = 4 * age * age * age / species.lifespan;
@@ -43,8 +43,8 @@ TreeDeath quiet_death(const StandTree& tree, const TreeSpecies& species, double 
 }
 
 double wind_load(const StandTree& tree, const TreeSpecies& species, double speed, double exposure) {
-  speed *= std::sqrt(std::min(tree.height / 20, 1.0));  // weaker near the ground
-  double drag = 0.35 * std::min(25 / std::max(speed, 1.0), 1.0) * (species.evergreen ? 1 : 0.35);
+  speed *= std::min(tree.height / 20, 1.0);  // weak near the ground
+  double drag = 0.35 * std::min(25 / std::max(speed, 1.0), 1.0) * (species.evergreen ? 1 : 0.6);
   double area = 4.0 / 3 * tree.crown_radius * tree.crown_length();
   double arm = tree.crown_base + 0.4 * tree.crown_length();
   // A quarter is added by the weight of the tree that leans.
@@ -59,7 +59,7 @@ double exposure_of(const Canopy& canopy, const StandTree& tree, double toward) {
     std::size_t cell = canopy.grid.at(tree.x - 5 * i * std::sin(toward), tree.z - 5 * i * std::cos(toward));
     shelter += std::min(static_cast<double>(canopy.top[cell]) / tree.height, 1.0) / 8;
   }
-  return 1 - 0.65 * shelter;
+  return 1 - 0.8 * shelter;
 }
 
 void blow(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees,

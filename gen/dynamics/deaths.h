@@ -22,11 +22,11 @@ struct Gust {
 };
 
 /// Load of a gust on a tree over what its roots hold. The crown's drag is 0.35 up to 25 m/s and bends out of
-/// the wind beyond (Rudnicki et al. 2004); bare crowns have a third of it. Roots hold in proportion to the
+/// the wind beyond (Rudnicki et al. 2004); bare crowns have 0.6 of it. Roots hold in proportion to the
 /// fresh stem (Nicoll et al. 2006), more where the tree is stout. `exposure` is 1 in the open.
 double wind_load(const StandTree& tree, const TreeSpecies& species, double speed, double exposure);
 
-/// 1 in the open .. 0.35 in a closed stand, by how high the canopy is 5 to 40 m against the wind.
+/// 1 in the open .. 0.2 in a closed stand, by how high the canopy is 5 to 40 m against the wind.
 double exposure_of(const Canopy& canopy, const StandTree& tree, double toward);
 
 /// Trees that a gust throws or breaks, and those that these strike as they fall. Those that have died already

@@ -1,6 +1,7 @@
 #include "dynamics/growth.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace frond {
 
@@ -19,9 +20,12 @@ double open_gain(const TreeSpecies& species, double diameter) {
 }
 
 void raise_crown(StandTree& tree, const TreeSpecies& species, const Canopy& canopy) {
-  double needed = 0.8 * std::exp(-kExtinction * species.leaf_area);
-  // The light of the cell at the foot of the crown, in the tree's own shade.
-  double light = canopy.light_above(canopy.grid.at(tree.x, tree.z), tree.crown_base);
+  const StandGrid& grid = canopy.grid;
+  // The light among the lowest branches, in the tree's own shade.
+  double out = 0.7 * tree.crown_radius, light = 0;
+  for (auto [dx, dz] : {std::pair(-out, 0.0), {out, 0.0}, {0.0, -out}, {0.0, out}})
+    light += canopy.light_above(grid.at(tree.x + dx, tree.z + dz), tree.crown_base) / 4;
+  double needed = 0.9 * std::exp(-kExtinction * species.leaf_area);
   double rise = light < needed ? 0.6 * (1 - light / needed) : 0;
   double least = (1 - kOpenCrown) * tree.height, most = (1 - kLeastCrown) * tree.height;
   tree.crown_base = std::clamp(std::max(tree.crown_base + rise, least), 0.0, most);

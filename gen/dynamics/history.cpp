@@ -1,8 +1,22 @@
 #include <algorithm>
 
+#include "core/curve.h"
 #include "dynamics/stand.h"
 
 namespace frond {
+
+namespace {
+
+/// The slope of a course at its point i, harmonic mean of those beside it (Fritsch and Butland 1984): what
+/// only rises goes on rising. 0 at its ends.
+float course_slope(std::span<const TreeSize> sizes, std::size_t i, float TreeSize::*of) {
+  if (i == 0 || i + 1 >= sizes.size()) return 0;
+  float before = (sizes[i].*of - sizes[i - 1].*of) / std::max(sizes[i].year - sizes[i - 1].year, 1e-3f);
+  float after = (sizes[i + 1].*of - sizes[i].*of) / std::max(sizes[i + 1].year - sizes[i].year, 1e-3f);
+  return before * after > 0 ? 2 * before * after / (before + after) : 0;
+}
+
+}  // namespace
 
 TreeSize size_at(const StandHistory& history, std::uint32_t life, double year) {
   const TreeLife& lived = history.lives[life];
@@ -10,12 +24,20 @@ TreeSize size_at(const StandHistory& history, std::uint32_t life, double year) {
   auto when = static_cast<float>(year);
   auto after = std::ranges::upper_bound(sizes, when, {}, &TreeSize::year);
   if (after == sizes.begin()) return {.year = when};
-  const TreeSize& a = *(after - 1);
-  const TreeSize& b = after == sizes.end() ? a : *after;
-  float t = b.year > a.year ? (when - a.year) / (b.year - a.year) : 0;
-  auto mix = [&](float TreeSize::*of) { return a.*of + (b.*of - a.*of) * t; };
-  return {when, mix(&TreeSize::height), mix(&TreeSize::diameter), mix(&TreeSize::crown_radius),
-          mix(&TreeSize::crown_base)};
+  auto i = static_cast<std::size_t>(after - sizes.begin()) - 1, next = std::min(i + 1, sizes.size() - 1);
+  const TreeSize &a = sizes[i], &b = sizes[next];
+  float span = b.year - a.year;
+  Hermite w =
+      hermite(span > 0 ? std::min((year - static_cast<double>(a.year)) / static_cast<double>(span), 1.0) : 0);
+  auto at = [&](float TreeSize::*of) {
+    auto slope = [&](std::size_t point) {
+      return static_cast<double>(course_slope(sizes, point, of) * span);
+    };
+    return static_cast<float>(w.start * static_cast<double>(a.*of) + w.end * static_cast<double>(b.*of) +
+                              w.start_slope * slope(i) + w.end_slope * slope(next));
+  };
+  return {when, at(&TreeSize::height), at(&TreeSize::diameter), at(&TreeSize::crown_radius),
+          at(&TreeSize::crown_base)};
 }
 
 std::vector<std::uint32_t> living_at(const StandHistory& history, double year) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/result.h"
 #include "core/seed.h"
 #include "core/vec.h"
 #include "dynamics/species.h"
@@ -51,6 +52,29 @@ struct StandOptions {
   double temperature = 13;  ///< degrees, the growing season's mean at height 0; 6.5 K less a kilometre higher
   std::vector<StandEvent> events;
 };
+
+/// A species of the table as an author changes it; what is not given is as in the table.
+struct TreeText {
+  TreeName name = TreeName::beech;
+  std::optional<double> height, girth_gain, tolerance, lifespan, anchorage, reach, seeds, arrival, coldest,
+      moisture;
+};
+
+/// A stand as its author writes it; what StandOptions has, and the moisture of the ground.
+struct StandText {
+  Vec2 area{200, 200};
+  int years = 200;
+  std::vector<TreeText> species;  ///< none: all of the table
+  std::vector<StandPlanting> planted;
+  bool seeding = true;
+  double storms = 1, temperature = 13, moisture = 0.5;
+  std::vector<StandEvent> events;
+};
+StandOptions options_of(const StandText& text);
+
+/// Faults of a stand, each at a pointer below it: species that are named twice, planted or cut ones that it
+/// does not have, events after its last year.
+Errors stand_faults(const StandText& text);
 
 /// The ground at a place.
 struct StandGround {

@@ -3,6 +3,7 @@
 #include "organisms/describe.h"
 #include "organisms/kinds.h"
 #include "scene/describe_plan.h"
+#include "scene/describe_stand.h"
 #include "scene/preset.h"
 #include "settings/settings.h"
 
@@ -126,6 +127,8 @@ void describe(Visitor& v, Preset& p) {
   v.object("plan", p.plan,
            "A plan of rooms and ways that a grammar lays out by the preset's seed; the ground of a garden "
            "follows it");
+  v.object("stand", p.stand,
+           "The trees of a piece of land over centuries, simulated year by year; `frond stand` draws its figures");
   v.inheriting_list({}, p.organisms, organism_kinds(),
                     "What grows and stands in the scene, one entry for each kind of thing");
 }

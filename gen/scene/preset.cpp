@@ -270,6 +270,11 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
   for (Error& error : furnish(*preset, reach, doubtful))
     faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
+  if (preset->stand)
+    for (Error& error : stand_faults(*preset->stand)) {
+      std::string pointer = "/stand" + error.where;
+      faults.add({origin_at(*preset->written, pointer), pointer, std::move(error.what)});
+    }
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     const Value& written = preset->written->find("organisms")->items[i];
     check_organism(preset->organisms[i], written, i, reach, faults, doubtful);

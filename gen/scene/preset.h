@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "dynamics/stand.h"
 #include "organisms/organism.h"
 #include "plan/plan.h"
 #include "settings/stage.h"
@@ -25,6 +26,7 @@ struct Preset {
   Film film;
   Stage stage;
   std::optional<PlanText> plan;
+  std::optional<StandText> stand;
   std::vector<Organism> organisms;
 
   std::string text;                          ///< what it was read from, overrides included, as canonical JSON
