@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/result.h"
@@ -56,6 +57,7 @@ struct StandOptions {
 /// A species of the table as an author changes it; what is not given is as in the table.
 struct TreeText {
   TreeName name = TreeName::beech;
+  std::string organism;  ///< "name" of the organism that is drawn; empty: none
   std::optional<double> height, girth_gain, tolerance, lifespan, anchorage, reach, seeds, arrival, coldest,
       moisture;
 };
@@ -64,6 +66,7 @@ struct TreeText {
 struct StandText {
   Vec2 area{200, 200};
   int years = 200;
+  std::optional<Vec2> shown;  ///< years that a film shows, first and last; none: all
   std::vector<TreeText> species;  ///< none: all of the table
   std::vector<StandPlanting> planted;
   bool seeding = true;

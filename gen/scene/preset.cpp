@@ -100,6 +100,24 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
     check(preset.stage.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
 }
 
+/// What the trees of the stand are to be drawn as and is not there, or is not sown.
+void check_stand(const Preset& preset, Faults& faults) {
+  auto add = [&](const std::string& pointer, std::string what) {
+    faults.add({origin_at(*preset.written, pointer), pointer, std::move(what)});
+  };
+  for (Error& error : stand_faults(*preset.stand)) add("/stand" + error.where, std::move(error.what));
+  std::vector<std::string_view> names;
+  for (const Organism& organism : preset.organisms)
+    if (organism.sown && !organism.name.empty()) names.push_back(organism.name);
+  for (std::size_t i = 0; i < preset.stand->species.size(); ++i) {
+    const std::string& name = preset.stand->species[i].organism;
+    if (name.empty() || std::ranges::find(names, name) != names.end()) continue;
+    std::string what = fmt::format("no organism \"{}\" that is sown, to draw these trees as", name);
+    what += names.empty() ? "; expected the \"name\" of one with \"sown\"" : expected_names(name, names);
+    add(fmt::format("/stand/species/{}/organism", i), std::move(what));
+  }
+}
+
 /// What would be too much of something.
 void check_bounds(const Preset& preset, Faults& faults) {
   Errors errors = settings()[preset.stage.setting].answers.check(preset.stage, preset.film);
@@ -270,11 +288,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
   for (Error& error : furnish(*preset, reach, doubtful))
     faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
-  if (preset->stand)
-    for (Error& error : stand_faults(*preset->stand)) {
-      std::string pointer = "/stand" + error.where;
-      faults.add({origin_at(*preset->written, pointer), pointer, std::move(error.what)});
-    }
+  if (preset->stand) check_stand(*preset, faults);
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     const Value& written = preset->written->find("organisms")->items[i];
     check_organism(preset->organisms[i], written, i, reach, faults, doubtful);
