@@ -202,8 +202,12 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
   pose.front = static_cast<float>(growth_front(motion.growth, time));
 
   pose.flutter = pose.flutter_phase = 0;
+  std::optional<WindLoads> wind;
   std::optional<LimbSway> limbs;
-  if (motion.limbs && motion.wave.amplitude != 0) {
+  if (motion.sway) {
+    wind.emplace(rest, *motion.sway, time, motion.exposure);
+    wind->set_flutter(pose);
+  } else if (motion.limbs && motion.wave.amplitude != 0) {
     limbs.emplace(rest, motion.wave, time, motion.film_length);
     set_flutter(motion.wave, time, motion.film_length, pose);
   }
@@ -222,7 +226,8 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
     float share = rest.distance[i] / longest;
     assert(rest.parent[i] < static_cast<std::int32_t>(i) && "parents precede children");
     std::int32_t p = rest.parent[i];
-    Quat swing = limbs             ? limbs->turn(i, pose.turn)
+    Quat swing = wind              ? wind->turn(i, pose.turn)
+                 : limbs           ? limbs->turn(i, pose.turn)
                  : current.still() ? Quat(1, 0, 0, 0)
                                    : current.turn(rest.position[i], share);
     float born = std::min(rest.birth[i], pose.front);

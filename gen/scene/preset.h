@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/events.h"
 #include "core/result.h"
 #include "organisms/organism.h"
 #include "plan/plan.h"
@@ -24,6 +25,7 @@ struct Preset {
   std::uint64_t seed = 1;
   Film film;
   Stage stage;
+  std::vector<Event> events;  ///< in the lives of its trees
   std::optional<PlanText> plan;
   std::vector<Organism> organisms;
 

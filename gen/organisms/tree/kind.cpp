@@ -97,6 +97,8 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     if (params.leaves.size > 0 && params.leaves.picture) dress.look.leaves = pictured_leaves(params);
     dress.season = params.season;
     dress.motion = {params.growth, params.wave, {}, 1, true};
+    const Wood& wood = params.species.wood;
+    dress.motion.wood = SwayWood{wood.density, wood.stiffness, wood.leaf_mass};
     dress.variation = params.bark.variation;
     return dress;
   }
