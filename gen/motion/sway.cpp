@@ -30,12 +30,6 @@ struct Beam {
   float righting = 0;  // of what hangs: the turn by its weight for each radian that it is tilted
 };
 
-/// The answer of an oscillator to a swing of that rate, times its stiffness.
-std::complex<double> transfer(const Mode& mode, double rate) {
-  double r = rate / mode.rate;
-  return 1.0 / std::complex<double>(1 - r * r, 2 * mode.damping * r);
-}
-
 class SwayMaker {
  public:
   SwayMaker(const Model& model, Sway& out)
@@ -235,6 +229,11 @@ class SwayMaker {
 };
 
 }  // namespace
+
+std::complex<double> transfer(const Mode& mode, double rate) {
+  double r = rate / mode.rate;
+  return 1.0 / std::complex<double>(1 - r * r, 2 * mode.damping * r);
+}
 
 std::vector<float> leaf_areas(const Model& model) {
   std::vector<double> shape;

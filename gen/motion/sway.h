@@ -35,6 +35,9 @@ struct Mode {
   double frequency() const { return rate / (2 * kPi); }  ///< swings a second
 };
 
+/// The answer of an oscillator to a swing of that rate: its amplitude and phase, 1 where it follows.
+std::complex<double> transfer(const Mode& mode, double rate);
+
 /// A stem or limb: nodes of one order that hang together.
 struct SwayLimb {
   std::int32_t first = 0;    ///< its lowest node

@@ -33,6 +33,7 @@ struct SownStand {
   std::size_t entry = 0;  ///< which of the preset's organisms
   Organism organism;      ///< that one
   Dress dress;            ///< what it wears
+  std::shared_ptr<const WindField> wind = {};  ///< in which its copies sway; none: they do not
   Copies copies;
 };
 

@@ -98,17 +98,36 @@ float stopping_angle(const Standing& now, const GrownTree& tree, const Wood& woo
 
 }  // namespace
 
-Fall hinge_of(const Standing& now, Vec3 toward, const GroundHeight& ground) {
+CutFace cut_of(const Standing& now, const GrownTree& tree) {
+  assert(now.size() > 0);
+  CutFace cut{now.tip[0], now.radius[std::min<std::size_t>(1, now.size() - 1)], 0};
+  if (!tree.uprooting.felled) return cut;
+  float top = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (tree.order[now.source[i]] == 0) top = std::max(top, now.tip[i].y - now.tip[0].y);
+  cut.height = std::min(kStump, top / 2);
+  for (std::size_t i = 1; i < now.size(); ++i) {
+    float from = now.foot[i].y - now.tip[0].y, to = now.tip[i].y - now.tip[0].y;
+    if (tree.order[now.source[i]] > 0 || from > cut.height || to <= cut.height) continue;
+    cut.at = glm::mix(now.foot[i], now.tip[i], (cut.height - from) / (to - from));
+    cut.radius = now.radius[i];
+    break;
+  }
+  return cut;
+}
+
+Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground) {
   assert(now.size() > 1);
-  Vec3 foot = now.tip[0];
-  double far = std::max(kRootPlate * now.radius[1], 0.05f);
+  const CutFace cut = cut_of(now, tree);
+  const Vec3 foot = now.tip[0], toward = tree.uprooting.toward;
+  double far = std::max((tree.uprooting.felled ? 1 : kRootPlate) * now.radius[1], 0.05f);
   auto slope = [&](double x, double z) {
     return static_cast<float>((ground(foot.x + x, foot.z + z) - ground(foot.x - x, foot.z - z)) / (2 * far));
   };
   Vec3 normal = glm::normalize(Vec3(-slope(far, 0), 1, -slope(0, far)));
   Vec3 along = glm::normalize(toward - normal * glm::dot(toward, normal));
   Fall fall;
-  fall.hinge = foot + along * static_cast<float>(far);
+  fall.hinge = cut.at + along * static_cast<float>(far);
   fall.axis = glm::cross(normal, along);
   return fall;
 }
@@ -140,7 +159,7 @@ Overturning overturning_of(const Standing& now, const GrownTree& tree, const Spe
 }
 
 Fall fall_of(const Standing& now, const GrownTree& tree, const Species& species, const GroundHeight& ground) {
-  Fall fall = hinge_of(now, tree.uprooting.toward, ground);
+  Fall fall = hinge_of(now, tree, ground);
   fall.course = course_of(overturning_of(now, tree, species, fall, ground));
   return fall;
 }
