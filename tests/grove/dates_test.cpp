@@ -12,8 +12,13 @@ namespace {
 std::vector<GrownTree> grown(const Dates& dates, int trees = 1, double wind = 14) {
   std::vector<Seedling> seedlings;
   for (int i = 0; i < trees; ++i)
-    seedlings.push_back({{}, Vec3(6.0f * static_cast<float>(i), 0, 0), Vec3(0, 1, 0),
-                         Seed{static_cast<std::uint64_t>(i) + 8}, 0, {}, i % 2 == 0 ? "oak" : "ash"});
+    seedlings.push_back({{},
+                         Vec3(6.0f * static_cast<float>(i), 0, 0),
+                         Vec3(0, 1, 0),
+                         Seed{static_cast<std::uint64_t>(i) + 8},
+                         0,
+                         {},
+                         i % 2 == 0 ? "oak" : "ash"});
   GroveOptions options;
   options.years = 13, options.wind = wind, options.history = true, options.dates = dates;
   return grow_grove(seedlings, options);
@@ -61,11 +66,12 @@ TEST(Dates, AShareOfAnEntryIsFelled) {
 }
 
 TEST(Dates, PruningLeavesNoLimbBelow) {
-  Dates dates{{{11, {.year = 12, .storm = 0, .cut = {}, .prune = Prune{"", 1.2}}}}, {}};
+  Dates dates{{{11, {.year = 12, .storm = 0, .cut = {}, .prune = Prune{"", 2.5}}}}, {}};
   auto low_limbs = [](const GrownTree& t, float from) {
     int count = 0;
     for (std::size_t i = 1; i < t.size(); ++i)
-      count += t.order[i] == 1 && t.order[t.parent[i]] == 0 && t.fell[i] > from && t.tip[t.parent[i]].y < 1.2f;
+      count +=
+          t.order[i] == 1 && t.order[t.parent[i]] == 0 && t.fell[i] > from && t.tip[t.parent[i]].y < 2.5f;
     return count;
   };
   EXPECT_GT(low_limbs(grown({})[0], 12.95f), 0);

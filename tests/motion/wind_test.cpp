@@ -27,7 +27,8 @@ TEST(Wind, KeepsItsDeviationAndRepeats) {
     }
   EXPECT_NEAR(sum / steps, 0, 0.02);
   EXPECT_NEAR(std::sqrt(squares / steps), 0.3, 0.06);
-  for (double t : {0.0, 1.7}) EXPECT_NEAR(field.gust(Vec3(5, 0, 9), t), field.gust(Vec3(5, 0, 9), t + length), 1e-6);
+  for (double t : {0.0, 1.7})
+    EXPECT_NEAR(field.gust(Vec3(5, 0, 9), t), field.gust(Vec3(5, 0, 9), t + length), 1e-6);
 }
 
 TEST(Wind, AStormComesAndGoes) {

@@ -29,7 +29,7 @@ Measured conifer(const std::string& name, int years) {
   Sway sway = sway_of(model, {wood.density, wood.stiffness, wood.leaf_mass}, wind);
   EXPECT_GT(sway.stem().damping, 0.05);
   EXPECT_LT(sway.stem().damping, 0.2);
-  EXPECT_GT(sway.stem_second.rate, 2 * sway.stem().rate);
+  EXPECT_GT(sway.stem_second.rate, 1.1 * sway.stem().rate);
   return {100 * size.breast_diameter / (size.height * size.height), sway.stem().frequency()};
 }
 
@@ -41,15 +41,13 @@ TEST(TreeSway, ConifersSwingAsFastAsMeasuredOnes) {
     for (int years : {18, 24, 30, 40, 50}) trees.push_back(conifer(name, years));
   double n = static_cast<double>(trees.size()), x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   for (auto [shape, frequency] : trees) {
-    RecordProperty("tree", std::to_string(shape) + " " + std::to_string(frequency));
-    std::printf("%g %g\n", shape, frequency);
     x += shape / n, y += frequency / n;
     xx += shape * shape / n, xy += shape * frequency / n, yy += frequency * frequency / n;
   }
   double slope = (xy - x * y) / (xx - x * x), r2 = slope * (xy - x * y) / (yy - y * y);
-  std::printf("slope %g r2 %g offset %g\n", slope, r2, y - slope * x);
-  EXPECT_NEAR(slope, 3.4317, 0.4 * 3.4317);
-  EXPECT_GT(r2, 0.8);
+  EXPECT_NEAR(slope, 3.4317, 0.15 * 3.4317);
+  EXPECT_NEAR(y, 0.0948 + 3.4317 * x, 0.1 * y);
+  EXPECT_GT(r2, 0.9);
 }
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace {
 Scene windy(const std::string& organisms, const std::string& more = "") {
   Result<Preset> preset = read_preset(
       R"({"film": {"frames": 48, "fps": 24}, "scene": {"setting": "meadow", "wind": {"speed": 12, "direction": [0, 0, 2]}},
-          "organisms": [)" + organisms + "]" + more + "}",
+          "organisms": [)" +
+          organisms + "]" + more + "}",
       "test.json", {});
   if (!preset) ADD_FAILURE() << preset.errors().front().text();
   Result<Scene> built = build_scene(*preset);
@@ -28,8 +29,10 @@ TEST(SceneWind, TreesWithoutAWaveFollowIt) {
 }
 
 TEST(SceneWind, AFilmOfAGrowingTreeInAStormDoesNotJump) {
-  Scene scene = windy(R"({"kind": "tree", "years": 8, "anchorage": 40, "place": {"at": [[0, 0]]},
-      "growth": {"start": -14, "duration": 17}})", R"(, "events": [{"year": 7, "storm": 1}])");
+  Scene scene = windy(
+      R"({"kind": "tree", "years": 8, "anchorage": 40, "weather": {"wind": 6}, "place": {"at": [[0, 0]]},
+      "growth": {"start": -14, "duration": 17}})",
+      R"(, "events": [{"year": 7, "storm": 1}])");
   const Specimen& tree = scene.specimens.at(0);
   ASSERT_FALSE(tree.motion.sway->wind->gales.empty());
   ASSERT_TRUE(tree.life.fall) << "the storm throws it";
@@ -52,8 +55,9 @@ TEST(SceneWind, AFilmOfAGrowingTreeInAStormDoesNotJump) {
 }
 
 TEST(SceneWind, FelledTreesLeaveAStump) {
-  Scene scene = windy(R"({"kind": "tree", "name": "oak", "count": 2, "years": 8, "place": {"at": [[0, 0], [6, 0]]}})",
-                      R"(, "events": [{"year": 6, "cut": {"share": 0.5}}])");
+  Scene scene =
+      windy(R"({"kind": "tree", "name": "oak", "count": 2, "years": 8, "place": {"at": [[0, 0], [6, 0]]}})",
+            R"(, "events": [{"year": 6, "cut": {"share": 0.5}}])");
   int felled = 0;
   for (const Specimen& tree : scene.specimens) {
     if (!tree.life.fall) continue;
