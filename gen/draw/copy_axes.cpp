@@ -36,7 +36,8 @@ Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
 Vec2 blown(const WindField& wind, Vec3 at, double time) {
   double mean = wind.mean(time), swing = 0;
   for (const Gust& g : wind.gusts) {
-    std::complex<double> push = std::polar(g.share, g.rate * time - g.wave.x * at.x - g.wave.y * at.z + g.phase);
+    std::complex<double> push =
+        std::polar(g.share, g.rate * time - g.wave.x * at.x - g.wave.y * at.z + g.phase);
     swing += (push * transfer({2 * kPi * kCopySway, kCopyDamping}, g.rate)).real();
   }
   double lean = kCopyGive * drag_pressure(mean) * (1 + drag_power(mean) * swing);
@@ -53,8 +54,8 @@ glm::mat3 copy_axes(const SownStand& stand, const Film& film, std::size_t i, dou
   glm::mat3 axes = glm::mat3_cast(stand.copies.turn[i]);
   if (!sways(stand, film)) return axes;
   Vec3 foot = stand.copies.foot[i];
-  Vec2 lean = stand.wind ? blown(*stand.wind, foot, time)
-                         : bent(stand.dress.motion.wave, film.length(), foot, time);
+  Vec2 lean =
+      stand.wind ? blown(*stand.wind, foot, time) : bent(stand.dress.motion.wave, film.length(), foot, time);
   for (int axis = 0; axis < 3; ++axis) axes[axis] += Vec3(lean.x, 0, lean.y) * axes[axis].y;
   return axes;
 }

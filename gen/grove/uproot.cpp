@@ -8,8 +8,8 @@ namespace {
 
 constexpr float kAfterStorm = 1.95f;  // years from the beginning of the year; by 1.9 all is down
 
-constexpr double kHinge = 20;         // N m a kg of stem: what the wood holds that fellers leave uncut
-constexpr double kWedge = 1.1;        // of that, by what drives it over
+constexpr double kHinge = 20;   // N m a kg of stem: what the wood holds that fellers leave uncut
+constexpr double kWedge = 1.1;  // of that, by what drives it over
 
 double stem_mass(const Metamers& t, const Wood& wood) {
   double volume = 0;

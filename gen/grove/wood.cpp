@@ -11,7 +11,7 @@ namespace frond {
 namespace {
 
 constexpr float kGravity = 9.81f;
-constexpr float kMostBend = 0.5f;   // radians that one internode may sag
+constexpr float kMostBend = 0.5f;  // radians that one internode may sag
 
 /// Forces above a place, with their moments about the origin.
 struct Load {

@@ -67,7 +67,7 @@ struct Motion {
   double film_length = 1;  ///< seconds; what `loop` refers to
   bool limbs = false;      ///< each limb swings about its own base, as trees do, and leaves flutter
   Flutter flutter = {};
-  double unfold = 0;  ///< share of the growth in which a leaf unfolds; 0: as for ripening
+  double unfold = 0;                      ///< share of the growth in which a leaf unfolds; 0: as for ripening
   std::optional<SwayWood> wood = {};      ///< of what the wind bends
   std::shared_ptr<const Sway> sway = {};  ///< how it gives way to the wind of the scene; none: it does not
   double exposure = 1;                    ///< the share of that wind that reaches it
@@ -87,8 +87,8 @@ struct Pose {
   /// How many times as long the segment that ends at a node is as at rest, growth aside; empty: all are as
   /// long.
   std::vector<float> stretch = {};
-  float flutter = 0;        ///< radians, amplitude of the organs' flutter
-  float flutter_phase = 0;  ///< radians; each organ adds its own
+  float flutter = 0;              ///< radians, amplitude of the organs' flutter
+  float flutter_phase = 0;        ///< radians; each organ adds its own
   std::vector<float> gusts = {};  ///< of each limb of Motion::sway, the factor of its flutter
   float front = 0;                ///< nodes born before this have been reached; above 1 all of them
 };

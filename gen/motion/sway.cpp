@@ -12,25 +12,25 @@ namespace frond {
 
 namespace {
 
-constexpr double kWeight = 9.81;        // m/s2
-// Standing trees are softer than clear pieces of their wood: knots, and roots that yield. So much of it is left
-// that conifers swing as fast as Moore and Maguire (2004) have measured.
+constexpr double kWeight = 9.81;  // m/s2
+// Standing trees are softer than clear pieces of their wood: knots, and roots that yield. So much of it is
+// left that conifers swing as fast as Moore and Maguire (2004) have measured.
 constexpr double kStanding = 0.45;
-constexpr double kWoodDamping = 0.05;   // of wood and roots, as a share of the critical one
-constexpr int kFirstTurns = 6;          // of Stodola's iteration
+constexpr double kWoodDamping = 0.05;  // of wood and roots, as a share of the critical one
+constexpr int kFirstTurns = 6;         // of Stodola's iteration
 constexpr int kSecondTurns = 16;
-constexpr double kTremble = 2.3;          // swings of a leaf a second
-constexpr double kTrembleAngle = 0.03;    // radians for each metre a second of wind
-constexpr double kMostTremble = 0.45;     // radians
-constexpr float kGusty = 1.5f;            // how much more leaves tremble in a gust
+constexpr double kTremble = 2.3;        // swings of a leaf a second
+constexpr double kTrembleAngle = 0.03;  // radians for each metre a second of wind
+constexpr double kMostTremble = 0.45;   // radians
+constexpr float kGusty = 1.5f;          // how much more leaves tremble in a gust
 
 /// A segment as a beam.
 struct Beam {
-  float length = 0;         // metres
-  float flex = 0;           // length / (E I): radians for each N m
-  float mass = 0, area = 0;  // of all above its lower end; square metres of drag
+  float length = 0;            // metres
+  float flex = 0;              // length / (E I): radians for each N m
+  float mass = 0, area = 0;    // of all above its lower end; square metres of drag
   float moment = 0, drag = 0;  // at its middle, of its limb: kg m, and m3 of drag
-  float righting = 0;  // of what hangs: the turn by its weight for each radian that it is tilted
+  float righting = 0;          // of what hangs: the turn by its weight for each radian that it is tilted
 };
 
 class SwayMaker {
@@ -81,8 +81,9 @@ class SwayMaker {
       b.flex = b.length / (stiffness * pi / 4 * r * r * r * r);
       float mass = density * pi * r * r * b.length + static_cast<float>(out_.wood.leaf_mass) * leaves[i];
       float faster = wind_at(rest_.position[i].y - along.y / 2 - rest_.position[0].y, 1);
-      float area = faster * faster * (kBareDrag * 2 * r * glm::length(glm::cross(along, out_.wind->along)) +
-                                      kLeafDrag * kSunlit * leaves[i]);
+      float area = faster * faster *
+                   (kBareDrag * 2 * r * glm::length(glm::cross(along, out_.wind->along)) +
+                    kLeafDrag * kSunlit * leaves[i]);
       b.moment = moment[i] + b.mass * b.length / 2 + mass * b.length / 8;
       b.drag = drag[i] + b.area * b.length / 2 + area * b.length / 8;
       moment[i] += (b.mass + mass / 2) * b.length, drag[i] += (b.area + area / 2) * b.length;
@@ -200,7 +201,8 @@ class SwayMaker {
     double reach = drag_of(second, false) / (rate2 * own);
     for (std::size_t i : stem_)
       if (same_limb(i))
-        out_.second[i] = static_cast<float>(reach * (slope[i] - slope[static_cast<std::size_t>(rest_.parent[i])]));
+        out_.second[i] =
+            static_cast<float>(reach * (slope[i] - slope[static_cast<std::size_t>(rest_.parent[i])]));
   }
 
   void answer() {
@@ -212,7 +214,8 @@ class SwayMaker {
       Vec3 at = rest_.position[static_cast<std::size_t>(limb.first)];
       for (std::size_t k = 0; k < gusts.size(); ++k) {
         const Gust& g = gusts[k];
-        std::complex<double> felt = std::polar(g.share, g.phase - double{g.wave.x} * at.x - double{g.wave.y} * at.z);
+        std::complex<double> felt =
+            std::polar(g.share, g.phase - double{g.wave.x} * at.x - double{g.wave.y} * at.z);
         std::complex<double> own = transfer(limb.mode, g.rate);
         out_.response[row * gusts.size() + k] = std::complex<float>(felt * own);
         if (row == 0)
@@ -269,7 +272,8 @@ WindLoads::WindLoads(const Skeleton& rest, const Sway& sway, double time, double
   pressure_ = static_cast<float>(exposure * drag_pressure(mean_));
   power_ = static_cast<float>(drag_power(mean_));
   std::vector<std::complex<float>> now;
-  for (const Gust& g : sway.wind->gusts) now.emplace_back(std::polar(1.0, std::remainder(g.rate * time, 2 * kPi)));
+  for (const Gust& g : sway.wind->gusts)
+    now.emplace_back(std::polar(1.0, std::remainder(g.rate * time, 2 * kPi)));
   assert(!now.empty());
   swing_.resize(sway.response.size() / now.size());
   for (std::size_t row = 0; row < swing_.size(); ++row)

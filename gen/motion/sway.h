@@ -40,9 +40,9 @@ std::complex<double> transfer(const Mode& mode, double rate);
 
 /// A stem or limb: nodes of one order that hang together.
 struct SwayLimb {
-  std::int32_t first = 0;    ///< its lowest node
-  Mode mode;                 ///< its first one
-  std::int32_t gusts = 0;    ///< the row of `response` that it follows
+  std::int32_t first = 0;  ///< its lowest node
+  Mode mode;               ///< its first one
+  std::int32_t gusts = 0;  ///< the row of `response` that it follows
 };
 
 /// How a model gives way to a wind. A pure function of both; one entry for each node where nothing else is
@@ -50,13 +50,13 @@ struct SwayLimb {
 struct Sway {
   std::shared_ptr<const WindField> wind;
   SwayWood wood;
-  std::vector<float> give;           ///< radians a pascal by which a segment turns against the one below it
-  std::vector<float> second;         ///< the same in the second mode; of the stem's nodes, else 0
-  std::vector<std::int32_t> limb;    ///< index into limbs
-  std::vector<SwayLimb> limbs;       ///< the stem is the first
-  Mode stem_second;                  ///< the stem's second mode
-  /// Of each row, the amplitude and phase of the answer to each gust of the wind at time 0; then a last row for
-  /// what the stem's second mode adds to the first.
+  std::vector<float> give;         ///< radians a pascal by which a segment turns against the one below it
+  std::vector<float> second;       ///< the same in the second mode; of the stem's nodes, else 0
+  std::vector<std::int32_t> limb;  ///< index into limbs
+  std::vector<SwayLimb> limbs;     ///< the stem is the first
+  Mode stem_second;                ///< the stem's second mode
+  /// Of each row, the amplitude and phase of the answer to each gust of the wind at time 0; then a last row
+  /// for what the stem's second mode adds to the first.
   std::vector<std::complex<float>> response;
 
   /// The stem's first mode.

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostGusts = 16;
 constexpr double kSlowest = 0.03, kFastest = 4;  // gusts a second
 constexpr double kScale = 40;                    // metres, of the gusts that hold most of the energy
-constexpr double kSlant = 0.6;    // of the wave number along the wind: the one across it, at most
+constexpr double kSlant = 0.6;   // of the wave number along the wind: the one across it, at most
 constexpr double kLightAir = 1;  // metres a second: what carries gusts where there is no wind
 
 /// n S(n) of a wind of deviation 1.
@@ -36,7 +36,8 @@ double WindField::mean(double time) const {
 double WindField::gust(Vec3 place, double time) const {
   double sum = 0;
   for (const Gust& g : gusts)
-    sum += g.share * std::cos(g.rate * time - glm::dot(glm::dvec2(g.wave), glm::dvec2(place.x, place.z)) + g.phase);
+    sum += g.share *
+           std::cos(g.rate * time - glm::dot(glm::dvec2(g.wave), glm::dvec2(place.x, place.z)) + g.phase);
   return sum;
 }
 
@@ -57,7 +58,8 @@ WindField wind_field(const Wind& wind, double film_length, Seed seed, std::vecto
     double variance = karman(frequency, carried);  // of a band as wide as the step, which all share
     sum += variance;
     double number = 2 * kPi * frequency / carried, across = number * own.child(0).range(-kSlant, kSlant);
-    Vec2 wave(field.along.x * number - field.along.z * across, field.along.z * number + field.along.x * across);
+    Vec2 wave(field.along.x * number - field.along.z * across,
+              field.along.z * number + field.along.x * across);
     field.gusts.push_back({2 * kPi * frequency, wave, own.child(1).range(0, 2 * kPi), variance});
   }
   for (Gust& g : field.gusts) g.share = wind.gusts * std::sqrt(2 * g.share / sum);

@@ -89,12 +89,14 @@ void describe(Visitor& v, Camera& c) {
 template <class Visitor>
 void describe(Visitor& v, Wind& w) {
   v.aspect(Aspect::motion);
-  v.number("speed", w.speed, {.min = 0, .max = 60, .unit = "m/s", .sense = "3 a breeze, 8 a fresh wind, 20 a gale"},
+  v.number("speed", w.speed,
+           {.min = 0, .max = 60, .unit = "m/s", .sense = "3 a breeze, 8 a fresh wind, 20 a gale"},
            "Mean speed of the wind ten metres above the ground");
   v.number("gusts", w.gusts, {.min = 0, .max = 0.6, .sense = "0.15 over the sea, 0.3 over woods"},
            "How gusty it is: the standard deviation of its speed as a share of the mean");
   v.direction("direction", w.direction, Across::xz, "Direction in which it blows; only x and z count");
-  v.boolean("loop", w.loop, "Whether the gusts repeat after the film, so that it can be repeated without a jump");
+  v.boolean("loop", w.loop,
+            "Whether the gusts repeat after the film, so that it can be repeated without a jump");
 }
 
 template <class Visitor>
@@ -116,8 +118,9 @@ void describe(Visitor& v, Stage& s) {
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
   v.choice("setting", s.setting, names, "The surroundings, which bring their own light and ground");
   v.object("camera", s.camera, "The camera");
-  v.object("wind", s.wind,
-           "The wind over the land, in which trees without a wave of their own sway by their wood and leaves");
+  v.object(
+      "wind", s.wind,
+      "The wind over the land, in which trees without a wave of their own sway by their wood and leaves");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const SettingRow& row = settings()[i];
     // Only who writes the schema asks for it: it takes longer than reading.

@@ -23,7 +23,8 @@ namespace {
 std::string dates_text(const Preset& preset) {
   std::string text;
   for (const Event& event : preset.events) text += keys_of(event).all();
-  if (const auto& wind = preset.stage.wind) text += fmt::format(" {} {}", wind->direction.x, wind->direction.z);
+  if (const auto& wind = preset.stage.wind)
+    text += fmt::format(" {} {}", wind->direction.x, wind->direction.z);
   return text;
 }
 

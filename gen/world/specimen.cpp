@@ -71,7 +71,8 @@ Surface skin_of(const Model& model) {
 
 void take_wind(Specimen& specimen, std::shared_ptr<const WindField> wind) {
   Motion& motion = specimen.motion;
-  motion.sway = std::make_shared<const Sway>(sway_of(specimen.model, motion.wood.value_or(SwayWood{}), std::move(wind)));
+  motion.sway = std::make_shared<const Sway>(
+      sway_of(specimen.model, motion.wood.value_or(SwayWood{}), std::move(wind)));
 }
 
 Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, double time) {

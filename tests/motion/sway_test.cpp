@@ -93,6 +93,24 @@ TEST(Sway, StrongerWindBendsMoreAndNeverPastItself) {
   }
 }
 
+TEST(Sway, WhatBreaksOffIsWhereTheLimbWasAndComesToRestOnTheGround) {
+  Model whole = with_limbs(), broken = whole;
+  Skeleton& s = broken.skeleton;
+  std::size_t piece = 201;
+  Vec3 foot = s.position[static_cast<std::size_t>(s.parent[piece])];
+  for (float height : {foot.y, 0.0f}) {
+    std::int32_t at = broken.skeleton.add(Vec3(foot.x, height, foot.z), 0.01f, Skeleton::kRoot, 1);
+    broken.skeleton.add(Vec3(foot.x, height, foot.z + 1), 0.01f, at, 1);
+  }
+  set_tip_distances(s);
+  Pose before = posed(whole.skeleton, in_wind(whole, windy(20)), 1);
+  Pose after = posed(s, in_wind(broken, windy(20)), 1);
+  auto stood = static_cast<std::size_t>(whole.skeleton.parent[piece]);
+  EXPECT_GT(glm::distance(before.position[stood], foot), 0.05f);
+  EXPECT_LT(glm::distance(after.position[s.size() - 4], before.position[stood]), 0.02f);
+  EXPECT_LT(glm::distance(after.position[s.size() - 2], s.position[s.size() - 2]), 1e-5f);
+}
+
 TEST(Sway, RepeatsWithTheFilm) {
   Model m = with_limbs();
   Motion motion = in_wind(m, windy(12, 6));

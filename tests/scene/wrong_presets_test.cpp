@@ -200,7 +200,7 @@ const WrongPreset kWrongValues[] = {
     {"A pruning of one that is nearly named",
      R"({"events": [{"year": 3, "prune": {"entry": "oka"}}], "organisms": [{"kind": "tree", "name": "oak"}]})",
      {},
-     {R"(1:45: /events/0/prune/entry: no organism "oka" to prune; expected oak; did you mean "oak"?)"}},
+     {R"(1:44: /events/0/prune/entry: no organism "oka" to prune; expected oak; did you mean "oak"?)"}},
     {"A focus on what is not there",
      R"({"scene": {"camera": {"focus": "seed haed", "shutter": 1.5, "shutter_samples": 0}},
  "organisms": [{"kind": "coral", "name": "seed head"}]})",

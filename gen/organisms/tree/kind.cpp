@@ -114,8 +114,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     if (params.growth.duration <= 0 || cycle > cycles) return std::nullopt;
     double seconds = filming_of(params.growth, cycles, 0).seconds_a_year;
     return StormTime{params.growth.start + (cycle + kStormHeight) * seconds,
-                     std::max(kShortestStorm, kStormHeight * seconds),
-                     storm_gust(params.wind, event.storm)};
+                     std::max(kShortestStorm, kStormHeight * seconds), storm_gust(params.wind, event.storm)};
   }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
   const std::vector<std::string>* hosts() const override { return nullptr; }
@@ -142,8 +141,8 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       detour = [obstacles = world.obstacles()](Vec3 from, Vec3 to, float clearance) {
         return obstacles->way(from, to, clearance);
       };
-    Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies, detour,
-                             world.events(), world.storms_toward());
+    Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies, detour, world.events(),
+                             world.storms_toward());
 
     std::vector<Specimen> trees(all.size());
     parallel_for(all.size(), [&](std::size_t i) {

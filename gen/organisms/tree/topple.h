@@ -20,8 +20,8 @@ struct CutFace {
 };
 CutFace cut_of(const Standing& now, const GrownTree& tree);
 
-/// The edge of the root plate, or of the stump, on the side to which an uprooted tree falls, on the slope of the ground there:
-/// the fall without its course.
+/// The edge of the root plate, or of the stump, on the side to which an uprooted tree falls, on the slope of
+/// the ground there: the fall without its course.
 Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground);
 
 /// The tree as a body that turns about that hinge. It stops at the first limb or piece of the stem that meets

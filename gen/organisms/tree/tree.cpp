@@ -240,17 +240,18 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, st
   std::vector<int> ages;
   for (const TreeSite& site : sites) {
     ages.push_back(std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age))));
-    seedlings.push_back(
-        {in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0, line_of(site),
-         site.name});
+    seedlings.push_back({in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0,
+                         line_of(site), site.name});
   }
   const int oldest = std::ranges::max(ages);
   GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);
   options.detour = detour;
   options.dates.toward = toward;
-  const Species& first = sites[static_cast<std::size_t>(std::ranges::max_element(ages) - ages.begin())].params->species;
+  const Species& first =
+      sites[static_cast<std::size_t>(std::ranges::max_element(ages) - ages.begin())].params->species;
   for (const Event& event : events)
-    options.dates.events.push_back({std::max(0, static_cast<int>(cycle_at_age(first, event.year)) - 1), event});
+    options.dates.events.push_back(
+        {std::max(0, static_cast<int>(cycle_at_age(first, event.year)) - 1), event});
   for (Grove grove{oldest, {}};;) {
     bool even = true;
     for (std::size_t i = 0; i < seedlings.size(); ++i) {
