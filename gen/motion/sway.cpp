@@ -237,8 +237,8 @@ class SwayMaker {
 }  // namespace
 
 std::complex<double> transfer(const Mode& mode, double rate) {
-  double r = rate / mode.rate;
-  return 1.0 / std::complex<double>(1 - r * r, 2 * mode.damping * r);
+  double r = rate / mode.rate, real = 1 - r * r, imaginary = 2 * mode.damping * r;
+  return std::complex<double>(real, -imaginary) / (real * real + imaginary * imaginary);
 }
 
 std::vector<float> leaf_areas(const Model& model) {
