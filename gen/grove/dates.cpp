@@ -35,7 +35,7 @@ std::vector<std::uint8_t> felled_in(const Dates& dates, int year, std::span<cons
     for (std::size_t i = 0; i < names.size(); ++i)
       if (stands[i] && !felled[i] && concerns(event.cut->entry, names[i]))
         drawn.emplace_back(seed.child("cut", e).child(i).bits(), i);
-    std::ranges::sort(drawn);
+    std::sort(drawn.begin(), drawn.end());
     drawn.resize(static_cast<std::size_t>(std::lround(event.cut->share * static_cast<double>(drawn.size()))));
     for (auto [_, i] : drawn) felled[i] = true;
   }

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "organisms/tree/tree.h"
+
 namespace frond {
 
 namespace {
@@ -97,24 +99,6 @@ float stopping_angle(const Standing& now, const GrownTree& tree, const Wood& woo
 }
 
 }  // namespace
-
-CutFace cut_of(const Standing& now, const GrownTree& tree) {
-  assert(now.size() > 0);
-  CutFace cut{now.tip[0], now.radius[std::min<std::size_t>(1, now.size() - 1)], 0};
-  if (!tree.uprooting.felled) return cut;
-  float top = 0;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (tree.order[now.source[i]] == 0) top = std::max(top, now.tip[i].y - now.tip[0].y);
-  cut.height = std::min(kStump, top / 2);
-  for (std::size_t i = 1; i < now.size(); ++i) {
-    float from = now.foot[i].y - now.tip[0].y, to = now.tip[i].y - now.tip[0].y;
-    if (tree.order[now.source[i]] > 0 || from > cut.height || to <= cut.height) continue;
-    cut.at = glm::mix(now.foot[i], now.tip[i], (cut.height - from) / (to - from));
-    cut.radius = now.radius[i];
-    break;
-  }
-  return cut;
-}
 
 Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground) {
   assert(now.size() > 1);

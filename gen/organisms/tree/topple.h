@@ -10,16 +10,6 @@ namespace frond {
 /// trees with stems of 0.5 m radius lift plates of about 2.5 m (Mattheck and Breloer 1994).
 inline constexpr float kRootPlate = 5;
 
-/// The height at which trees are felled, metres, at most half of their own.
-inline constexpr float kStump = 0.35f;
-
-/// Where the stem of a tree is cut, or its foot if it is not: the place and the radius there.
-struct CutFace {
-  Vec3 at{0};
-  float radius = 0, height = 0;
-};
-CutFace cut_of(const Standing& now, const GrownTree& tree);
-
 /// The edge of the root plate, or of the stump, on the side to which an uprooted tree falls, on the slope of
 /// the ground there: the fall without its course.
 Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground);

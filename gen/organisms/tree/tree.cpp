@@ -1,6 +1,7 @@
 #include "organisms/tree/tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "grove/age.h"
@@ -9,6 +10,24 @@
 #include "organisms/tree/topple.h"
 
 namespace frond {
+
+CutFace cut_of(const Standing& now, const GrownTree& tree) {
+  assert(now.size() > 0);
+  CutFace cut{now.tip[0], now.radius[std::min<std::size_t>(1, now.size() - 1)], 0};
+  if (!tree.uprooting.felled) return cut;
+  float top = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (tree.order[now.source[i]] == 0) top = std::max(top, now.tip[i].y - now.tip[0].y);
+  cut.height = std::min(kStump, top / 2);
+  for (std::size_t i = 1; i < now.size(); ++i) {
+    float from = now.foot[i].y - now.tip[0].y, to = now.tip[i].y - now.tip[0].y;
+    if (tree.order[now.source[i]] > 0 || from > cut.height || to <= cut.height) continue;
+    cut.at = glm::mix(now.foot[i], now.tip[i], (cut.height - from) / (to - from));
+    cut.radius = now.radius[i];
+    break;
+  }
+  return cut;
+}
 
 namespace {
 
@@ -248,7 +267,8 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, st
   options.detour = detour;
   options.dates.toward = toward;
   const Species& first =
-      sites[static_cast<std::size_t>(std::ranges::max_element(ages) - ages.begin())].params->species;
+      sites[static_cast<std::size_t>(std::max_element(ages.begin(), ages.end()) - ages.begin())]
+          .params->species;
   for (const Event& event : events)
     options.dates.events.push_back(
         {std::max(0, static_cast<int>(cycle_at_age(first, event.year)) - 1), event});

@@ -85,6 +85,16 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
 Model tree_model(const TreeParams& params, const GrownTree& tree, double cycle, const Filming& filming,
                  Seed seed);
 
+/// The height at which trees are felled, metres, at most half of their own.
+inline constexpr float kStump = 0.35f;
+
+/// Where the stem of a tree is cut, or its foot if it is not: the place and the radius there.
+struct CutFace {
+  Vec3 at{0};
+  float radius = 0, height = 0;
+};
+CutFace cut_of(const Standing& now, const GrownTree& tree);
+
 /// The growth cycles that a tree of these parameters goes through.
 int cycles_of(const TreeParams& params);
 
