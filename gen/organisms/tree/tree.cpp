@@ -13,7 +13,7 @@ namespace frond {
 
 CutFace cut_of(const Standing& now, const GrownTree& tree) {
   assert(now.size() > 0);
-  CutFace cut{now.tip[0], now.radius[std::min<std::size_t>(1, now.size() - 1)], 0};
+  CutFace cut{now.tip[0], 0};
   if (!tree.uprooting.felled) return cut;
   float top = 0;
   for (std::size_t i = 0; i < now.size(); ++i)
@@ -23,7 +23,6 @@ CutFace cut_of(const Standing& now, const GrownTree& tree) {
     float from = now.foot[i].y - now.tip[0].y, to = now.tip[i].y - now.tip[0].y;
     if (tree.order[now.source[i]] > 0 || from > cut.height || to <= cut.height) continue;
     cut.at = glm::mix(now.foot[i], now.tip[i], (cut.height - from) / (to - from));
-    cut.radius = now.radius[i];
     break;
   }
   return cut;

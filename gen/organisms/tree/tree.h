@@ -88,10 +88,10 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double cycle, 
 /// The height at which trees are felled, metres, at most half of their own.
 inline constexpr float kStump = 0.35f;
 
-/// Where the stem of a tree is cut, or its foot if it is not: the place and the radius there.
+/// Where the stem of a tree is cut, or its foot if it is not.
 struct CutFace {
   Vec3 at{0};
-  float radius = 0, height = 0;
+  float height = 0;  ///< metres above the foot
 };
 CutFace cut_of(const Standing& now, const GrownTree& tree);
 
