@@ -165,11 +165,11 @@ def pages():
     for name, doc in settings:
         made[f"settings/{name}.md"] = page(name, sentence_of(doc), topics, blocks.get(name, [f"scene/{name}"]), MADE)
     made["settings/preset.md"] = page("The preset itself", "What every preset has besides its organisms and its "
-                                      "setting.", topics, ["film", "scene/camera", "plan"],
+                                      "setting.", topics, ["film", "scene/camera", "scene/wind", "events", "plan"],
                                       "## The top\n\n" + table([t for t in topics if "/" not in t["path"]], "") + MADE)
     index = "".join(f"* [{name}]({name}.md): {doc}\n" for name, doc in settings)
     made["settings/README.md"] = ("# Settings\n\n" + index +
-                                  "* [preset](preset.md): film, camera and the rest of a preset\n" + MADE)
+                                  "* [preset](preset.md): film, camera, wind, events and the rest of a preset\n" + MADE)
     return made
 
 

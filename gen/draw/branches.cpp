@@ -53,7 +53,7 @@ bool DrawnBranches::one_texture() const {
   if (!look().bark || look().ringed() || look().young_length() > 0 ||
       (!model.color.empty() && look().colors() > 1))
     return false;
-  return !look().patterned() || (traits.motion.wave.amplitude == 0 && traits.motion.growth.duration <= 0);
+  return !look().patterned() || (!traits.motion.sways() && traits.motion.growth.duration <= 0);
 }
 
 namespace {

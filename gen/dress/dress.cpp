@@ -116,6 +116,7 @@ Dress dress_of(const TreeDress& tree, bool leafy) {
   if (leafy) dress.look.leaves = leaves_of(tree);
   dress.season = tree.season;
   dress.motion = {tree.growth, tree.wave, {}, 1};
+  dress.motion.wood.emplace();
   dress.variation = tree.bark.variation;
   return dress;
 }

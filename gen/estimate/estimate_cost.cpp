@@ -20,6 +20,7 @@
 #include "scene/bounds.h"
 #include "scene/copies.h"
 #include "scene/style.h"
+#include "scene/wind.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -231,7 +232,8 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
   view.longest = std::max(view.longest, made);
   // What is too far or out of view is left out.
   double lines = 0.4 * count * 2.5 * kPlacement;
-  bool sways = dress.motion.wave.amplitude > 0 && preset.film.frames > 1;
+  bool sways =
+      (dress.motion.wave.amplitude > 0 || in_wind(dress.motion, preset.stage)) && preset.film.frames > 1;
   (sways ? text : still) += lines;
   f.scene_memory += 40 * count;
   growing = std::max(growing, grows + 2 * model);

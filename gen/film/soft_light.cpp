@@ -104,7 +104,7 @@ std::vector<Eye> some_eyes(const Scene& scene) {
 /// Whether a branch comes so many metres away from where it is in the first frame.
 bool moves_by(const Specimen& specimen, const Film& film, double far) {
   constexpr int kMoments = 12;
-  if (specimen.motion.wave.amplitude == 0 && !specimen.motion.food.pulls()) return false;
+  if (!specimen.motion.sways() && !specimen.motion.food.pulls()) return false;
   Pose first, now;
   pose_specimen(specimen, 0, first);
   for (int k = 1; k < kMoments; ++k) {

@@ -24,6 +24,11 @@ int growth_cycles(const Species& s, double years) {
   return static_cast<int>(std::max(1.0, cycles));
 }
 
+double cycle_at_age(const Species& s, double years) {
+  double lived = std::min(years, s.lifespan), grown_up = std::max(lived / s.youth, 1.0);
+  return s.pace * std::min(lived, s.youth) + s.pace * s.youth * std::log(grown_up) + years - lived;
+}
+
 Species in_cycles(const Species& s) {
   Species counted = s;
   counted.maturity = cycles_alive(s, s.maturity);

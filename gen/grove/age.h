@@ -11,6 +11,9 @@ namespace frond {
 /// one year, as wood rots in calendar time.
 int growth_cycles(const Species& species, double years);
 
+/// The cycle, counted from 0, that such a tree is in at an age in years: its share that is over is told, too.
+double cycle_at_age(const Species& species, double years);
+
 /// The same species with its times in cycles instead of years.
 Species in_cycles(const Species& species);
 

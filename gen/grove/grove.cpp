@@ -18,7 +18,6 @@ namespace {
 
 constexpr float kBough = 5;            // times as thick as a twig: what leaves a scar where it comes off
 constexpr float kBreastHeight = 1.3f;  // metres, at which foresters measure stems
-constexpr int kGustsFrom = 8;          // directions that storms come from
 // Of the state, and of what the pass over loads needs besides.
 constexpr std::size_t kBytesAMetamer = 2 * sizeof(Vec3) + 2 * sizeof(std::int32_t) + 7 * sizeof(float) + 2 +
                                        sizeof(Shade) + 9 * sizeof(float) + 1;
@@ -175,6 +174,7 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   Strain strain = strain_of(m, s, storm, year);
   brace(m, s.wood, strain);
   Falls falls = find_falls(m, s, strain, seedling.seed, year);
+  prune(m, pruned_in(options.dates, year, seedling.name), seedling.seed, year, falls);
   if (falls.stem && tree.stem_broke < 0) tree.stem_broke = year;
   if (options.history) tree.rings.push_back({m.serial, m.pipe});
   tree.bytes = std::max(tree.bytes, m.size() * kBytesAMetamer);
@@ -182,6 +182,24 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   tree.sizes.push_back(size_of(m, s.wood));
   tree.uprooting = uprooting_of(m, s, storm, year);
   if (tree.uprooting.happens()) die(m, tree.uprooting.time);
+}
+
+/// Fells trees as the events of a year say.
+void fell(std::vector<Tree>& trees, const GroveOptions& options, int year) {
+  if (options.dates.events.empty()) return;
+  std::vector<std::string> names;
+  std::vector<std::uint8_t> stands;
+  for (const Tree& tree : trees) {
+    names.push_back(tree.seedling->name);
+    stands.push_back(tree.living.size() > 1 && !tree.uprooting.happens());
+  }
+  std::vector<std::uint8_t> felled = felled_in(options.dates, year, names, stands, options.seed);
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    if (!felled[i]) continue;
+    Tree& tree = trees[i];
+    tree.uprooting = felling_of(tree.living, tree.seedling->species, options.dates.toward, year);
+    die(tree.living, tree.uprooting.time);
+  }
 }
 
 /// Those that stand on all trees.
@@ -294,13 +312,9 @@ std::vector<GrownTree> grow_grove(const std::vector<Seedling>& seedlings, const 
   for (int year = 0; year < options.years; ++year) {
     if (options.most_internodes > 0) before = trees;
     cast_light(field, trees, options, year);
-    Seed weather = options.seed.child("weather").child(static_cast<std::uint64_t>(year));
-    double from = 2 * kPi * static_cast<double>(weather.child(0).bits() % kGustsFrom) / kGustsFrom;
-    double speed = options.wind * weather.child(1).range(0.7, 1.0);
-    Weather storm{
-        Vec3(static_cast<float>(speed * std::cos(from)), 0, static_cast<float>(speed * std::sin(from))),
-        options.snow * weather.child(2).range(0.5, 1.0)};
+    Weather storm = weather_of(options.wind, options.snow, options.dates, options.seed, year);
     parallel_for(trees.size(), [&](std::size_t i) { live_a_year(trees[i], field, options, storm, year); });
+    fell(trees, options, year);
     if (options.most_internodes > 0 && year > 0 && internodes_of(trees) > options.most_internodes) {
       trees = std::move(before);
       break;

@@ -4,6 +4,7 @@
 
 #include "core/detour.h"
 #include "core/seed.h"
+#include "grove/dates.h"
 #include "grove/light.h"
 #include "grove/species.h"
 #include "grove/uproot.h"
@@ -19,6 +20,7 @@ struct Seedling {
   Seed seed;
   int planted = 0;               ///< year of the grove in which it begins to grow
   std::vector<Vec3> guide = {};  ///< a line that its stem is led along, from the foot; metres. Empty: none
+  std::string name = {};         ///< by which events name it
 };
 
 struct GroveOptions {
@@ -33,6 +35,7 @@ struct GroveOptions {
   bool history = false;       ///< keep dead parts and the rings of every year, for films
   std::vector<Shade> bodies;  ///< of walls, houses and rocks among the trees, see shades_of_body
   Detour detour = {};         ///< round the same bodies
+  Dates dates = {};           ///< what happens once
 };
 
 /// The place where a bough fell off.

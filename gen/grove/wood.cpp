@@ -4,20 +4,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/drag.h"
+
 namespace frond {
 
 namespace {
 
 constexpr float kGravity = 9.81f;
-constexpr float kAir = 1.2f;        // kg/m3
-constexpr float kBareDrag = 1.0f;   // drag coefficient of a bare branch across the wind
-constexpr float kLeafDrag = 0.25f;  // of leaves, which fold together and hide each other (Vogel 1989)
-constexpr float kSunlit = 0.35f;  // of the leaf area, what meets the wind or the snow: leaves stand in layers
-constexpr float kMostBend = 0.5f;   // radians that one internode may sag
-constexpr float kWindHeight = 10;   // metres above ground at which winds are told
-constexpr float kSheltered = 0.2f;  // exponent of the wind's growth with height
-constexpr float kGiving = 0.7f;     // leaves give way: drag grows with the speed to 2 less this (Vogel 1989)
-constexpr float kCalm = 10;         // metres a second up to which they do not
+constexpr float kMostBend = 0.5f;  // radians that one internode may sag
 
 /// Forces above a place, with their moments about the origin.
 struct Load {
@@ -33,11 +27,6 @@ struct Load {
   /// About a place.
   Vec3 about(Vec3 at) const { return moment - glm::cross(at, force); }
 };
-
-/// The wind at a height above ground, metres a second.
-float wind_at(float height, float speed) {
-  return speed * std::pow(std::clamp(height / kWindHeight, 0.02f, 2.0f), kSheltered);
-}
 
 /// Of an internode; `height` is that of its middle above ground.
 Load load_of(Vec3 from, Vec3 to, float height, float radius, float leaf_area, const Wood& wood,

@@ -190,6 +190,20 @@ void set_radius(std::size_t i, std::int32_t p, float radius, Pose& pose) {
   pose.radius[i] = radius;
 }
 
+/// The lowest node of a piece that has broken off is moved aside as the stem is at its height: where the limb
+/// was when it broke, and back at rest on the ground.
+void carry_broken(const Skeleton& rest, const Sway& sway, std::size_t i, Pose& pose) {
+  float height = rest.position[i].y;
+  std::size_t below = 0, above = 0;
+  while (above < i && sway.limb[above] == 0 && rest.position[above].y <= height) below = above++;
+  if (above == 0 || above == i || sway.limb[above] != 0) above = below;
+  float step = rest.position[above].y - rest.position[below].y;
+  float share = step > 0 ? (height - rest.position[below].y) / step : 0;
+  Vec3 low = pose.position[below] - rest.position[below], high = pose.position[above] - rest.position[above];
+  pose.position[i] += glm::mix(low, high, share);
+  pose.turn[i] = glm::slerp(pose.turn[below], pose.turn[above], share);
+}
+
 }  // namespace
 
 void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose& pose) {
@@ -202,8 +216,12 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
   pose.front = static_cast<float>(growth_front(motion.growth, time));
 
   pose.flutter = pose.flutter_phase = 0;
+  std::optional<WindLoads> wind;
   std::optional<LimbSway> limbs;
-  if (motion.limbs && motion.wave.amplitude != 0) {
+  if (motion.sway) {
+    wind.emplace(rest, *motion.sway, time, motion.exposure);
+    wind->set_flutter(pose);
+  } else if (motion.limbs && motion.wave.amplitude != 0) {
     limbs.emplace(rest, motion.wave, time, motion.film_length);
     set_flutter(motion.wave, time, motion.film_length, pose);
   }
@@ -222,7 +240,8 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
     float share = rest.distance[i] / longest;
     assert(rest.parent[i] < static_cast<std::int32_t>(i) && "parents precede children");
     std::int32_t p = rest.parent[i];
-    Quat swing = limbs             ? limbs->turn(i, pose.turn)
+    Quat swing = wind              ? wind->turn(i, pose.turn)
+                 : limbs           ? limbs->turn(i, pose.turn)
                  : current.still() ? Quat(1, 0, 0, 0)
                                    : current.turn(rest.position[i], share);
     float born = std::min(rest.birth[i], pose.front);
@@ -230,6 +249,7 @@ void pose_skeleton(const Skeleton& rest, const Motion& motion, double time, Pose
       if (pulled) pull[i] = Quat(1, 0, 0, 0);
       pose.turn[i] = swing;
       pose.position[i] = rest.position[i];
+      if (wind && i > 0) carry_broken(rest, *motion.sway, i, pose);
     } else {
       Vec3 segment = rest.position[i] - rest.position[p];
       if (pulled) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/curve.h"
 #include "core/vec.h"
 #include "model/skeleton.h"
+#include "motion/sway.h"
 
 namespace frond {
 
@@ -64,7 +67,13 @@ struct Motion {
   double film_length = 1;  ///< seconds; what `loop` refers to
   bool limbs = false;      ///< each limb swings about its own base, as trees do, and leaves flutter
   Flutter flutter = {};
-  double unfold = 0;  ///< share of the growth in which a leaf unfolds; 0: as for ripening
+  double unfold = 0;                      ///< share of the growth in which a leaf unfolds; 0: as for ripening
+  std::optional<SwayWood> wood = {};      ///< of what the wind bends
+  std::shared_ptr<const Sway> sway = {};  ///< how it gives way to the wind of the scene; none: it does not
+  double exposure = 1;                    ///< the share of that wind that reaches it
+
+  /// Whether it moves by a wave of its own or by the wind.
+  bool sways() const { return wave.amplitude != 0 || sway; }
 };
 
 /// A skeleton at one time, node by node. Nodes not reached by growth yet are at the growing tip of their
@@ -78,9 +87,10 @@ struct Pose {
   /// How many times as long the segment that ends at a node is as at rest, growth aside; empty: all are as
   /// long.
   std::vector<float> stretch = {};
-  float flutter = 0;        ///< radians, amplitude of the organs' flutter
-  float flutter_phase = 0;  ///< radians; each organ adds its own
-  float front = 0;          ///< nodes born before this have been reached; above 1 all of them
+  float flutter = 0;              ///< radians, amplitude of the organs' flutter
+  float flutter_phase = 0;        ///< radians; each organ adds its own
+  std::vector<float> gusts = {};  ///< of each limb of Motion::sway, the factor of its flutter
+  float front = 0;                ///< nodes born before this have been reached; above 1 all of them
 };
 
 /// Limits a radius at one end of a branch segment so that neither end sphere contains the other: otherwise

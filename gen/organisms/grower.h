@@ -9,6 +9,7 @@
 #include <typeinfo>
 #include <vector>
 
+#include "core/events.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "dress/dress.h"
@@ -109,6 +110,12 @@ inline constexpr double kTreeNodesASecond = 5e4;
 /// Called after each grown organism, from several threads.
 using Step = std::function<void()>;
 
+/// A storm in a film.
+struct StormTime {
+  double time = 0, lasts = 1;  ///< seconds: its height, and from there to where it is a third as strong
+  double gust = 0;             ///< metres a second, the strongest
+};
+
 /// The parameters of an organism and the functions of its kind. Pure functions.
 class Grower {
  public:
@@ -153,6 +160,9 @@ class Grower {
   bool swims() const { return stage() == GrowthStage::swimming; }
   /// Its claim in the space that colonies compete for; none: it does not compete.
   virtual std::optional<Spread> spread() const = 0;
+
+  /// When and how strongly the storm of an event blows in a film; none where its years are not filmed.
+  virtual std::optional<StormTime> storm_of(const Event&) const { return std::nullopt; }
 
   /// A coarser version that grows in about `share`, 0..1, of the time, for previews while it is edited; none
   /// if not needed.

@@ -22,7 +22,7 @@ const OrganPlace kHere{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)};
 /// Whether it is the same at all times.
 bool stands_still(const Specimen& b) {
   const Motion& motion = b.motion;
-  return motion.wave.amplitude == 0 && motion.growth.duration <= 0 && !motion.food.pulls() &&
+  return !motion.sways() && motion.growth.duration <= 0 && !motion.food.pulls() &&
          motion.flutter.amplitude == 0 && !b.life.changes() && !b.life.hanging;
 }
 

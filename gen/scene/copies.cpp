@@ -217,6 +217,7 @@ std::optional<Growth> copy_growth(const Organism& organism, const Film& film, in
 std::optional<Model> grown_by(const Model& model, const Motion& motion, double time) {
   Motion growing = motion;
   growing.wave.amplitude = 0, growing.food = {}, growing.limbs = false, growing.flutter.amplitude = 0;
+  growing.sway = nullptr;
   auto front = static_cast<float>(growth_front(growing.growth, time));
   if (front <= 0) return std::nullopt;
   if (static_cast<double>(front) >= 1 + growing.growth.ripen) return model;

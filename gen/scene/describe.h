@@ -1,6 +1,7 @@
 #pragma once
 
 #include "organisms/describe.h"
+#include "organisms/describe_events.h"
 #include "organisms/kinds.h"
 #include "scene/describe_plan.h"
 #include "scene/describe_stand.h"
@@ -87,6 +88,19 @@ void describe(Visitor& v, Camera& c) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Wind& w) {
+  v.aspect(Aspect::motion);
+  v.number("speed", w.speed,
+           {.min = 0, .max = 60, .unit = "m/s", .sense = "3 a breeze, 8 a fresh wind, 20 a gale"},
+           "Mean speed of the wind ten metres above the ground");
+  v.number("gusts", w.gusts, {.min = 0, .max = 0.6, .sense = "0.15 over the sea, 0.3 over woods"},
+           "How gusty it is: the standard deviation of its speed as a share of the mean");
+  v.direction("direction", w.direction, Across::xz, "Direction in which it blows; only x and z count");
+  v.boolean("loop", w.loop,
+            "Whether the gusts repeat after the film, so that it can be repeated without a jump");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Floor& f) {
   v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"},
            "Height of the dunes, or of the lawn's swells");
@@ -105,6 +119,9 @@ void describe(Visitor& v, Stage& s) {
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
   v.choice("setting", s.setting, names, "The surroundings, which bring their own light and ground");
   v.object("camera", s.camera, "The camera");
+  v.object(
+      "wind", s.wind,
+      "The wind over the land, in which trees without a wave of their own sway by their wood and leaves");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const SettingRow& row = settings()[i];
     // Only who writes the schema asks for it: it takes longer than reading.
@@ -124,6 +141,8 @@ void describe(Visitor& v, Preset& p) {
             "Seed of everything random: another number gives another reef, tree or wood by the same rules");
   v.object("film", p.film, "Length, size and quality of the film");
   v.object("scene", p.stage, "Everything but the organisms: surroundings, light and camera");
+  v.list("events", p.events, Count{0, 1000},
+         "What happens once in the lives of the trees of the kind tree: storms, fellings, prunings");
   v.object("plan", p.plan,
            "A plan of rooms and ways that a grammar lays out by the preset's seed; the ground of a garden "
            "follows it");

@@ -81,7 +81,7 @@ void check_hosts(const Preset& preset, Faults& faults) {
   }
 }
 
-/// What the camera is to fit or to focus on and is not there.
+/// What the camera is to fit or to focus on, or events concern, and is not there.
 void check_named(const Preset& preset, const Value& root, Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
@@ -93,6 +93,13 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
         names.empty() ? "; expected the \"name\" of one, and none here has one" : expected_names(name, names);
     faults.add({origin_at(root, pointer), pointer, std::move(what)});
   };
+  for (std::size_t i = 0; i < preset.events.size(); ++i) {
+    const Event& event = preset.events[i];
+    if (event.cut && !event.cut->entry.empty())
+      check(event.cut->entry, fmt::format("/events/{}/cut/entry", i), "fell");
+    if (event.prune && !event.prune->entry.empty())
+      check(event.prune->entry, fmt::format("/events/{}/prune/entry", i), "prune");
+  }
   const std::optional<Focus>& focus = preset.stage.camera.focus;
   if (focus && !focus->organism.empty()) check(focus->organism, "/scene/camera/focus", "focus on");
   names.insert(names.begin(), kFitAll);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/events.h"
 #include "core/result.h"
 #include "dynamics/stand.h"
 #include "organisms/organism.h"
@@ -25,6 +26,7 @@ struct Preset {
   std::uint64_t seed = 1;
   Film film;
   Stage stage;
+  std::vector<Event> events;  ///< in the lives of its trees
   std::optional<PlanText> plan;
   std::optional<StandText> stand;
   std::vector<Organism> organisms;

@@ -22,6 +22,7 @@
 #include "scene/stages.h"
 #include "scene/stand.h"
 #include "scene/style.h"
+#include "scene/wind.h"
 #include "scene/woodland.h"
 #include "settings/settings.h"
 #include "world/world.h"
@@ -214,6 +215,9 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   watch.step();
 
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
+  std::optional<Vec3> storms_toward;
+  if (const auto& wind = preset.stage.wind) storms_toward = wind_field(*wind, 0, seed).along;
+  world.schedule(preset.events, storms_toward);
   world.add(ground->furnishings());
   Result<GrownStages> grown = grow_in(world, preset, beds, *ground, watch, cache, only);
   if (!grown) return grown.errors();
@@ -226,6 +230,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   scene.specimens = in_order(std::move(world).take_all(), preset);
   shade(scene.specimens);
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
+  blow(scene, preset);
   if (!preset.stage.camera.fit.empty() && scene.missing.empty()) {
     Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),
                           preset.film.aspect(), ground->heights());

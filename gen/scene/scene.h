@@ -44,9 +44,10 @@ inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
 
 /// An organism that is sown: where its copies stand. Its models are grown when they are written.
 struct SownStand {
-  std::size_t entry = 0;  ///< which of the preset's organisms
-  Organism organism;      ///< that one
-  Dress dress;            ///< what it wears
+  std::size_t entry = 0;                       ///< which of the preset's organisms
+  Organism organism;                           ///< that one
+  Dress dress;                                 ///< what it wears
+  std::shared_ptr<const WindField> wind = {};  ///< in which its copies sway; none: they do not
   Copies copies;
 
   /// How high a model is at most, about, metres; 0: unknown.

@@ -49,7 +49,7 @@ void sow_stands(Scene& scene, const Preset& preset, const Grounds& ground, std::
     const Organism& organism = preset.organisms[o];
     if (!organism.sown || organism.count == 0) continue;
     Seed seed = Seed{preset.seed}.child("organism", o);
-    scene.stands.push_back({o, organism, organism.grower->dress(), {}});
+    scene.stands.push_back({o, organism, organism.grower->dress(), {}, {}});
     orders.push_back({organism.sown->where, organism.count, organism.place.size_variation,
                       organism.sown->models, organism.place.at, seed});
   }

@@ -10,6 +10,7 @@
 #include "core/content.h"
 #include "core/parallel.h"
 #include "organisms/describe.h"
+#include "organisms/describe_events.h"
 #include "organisms/kinds.h"
 #include "scene/settle.h"
 #include "scene/specimen_cache.h"
@@ -17,6 +18,15 @@
 namespace frond {
 
 namespace {
+
+/// What stands for the events of a preset and for where storms blow.
+std::string dates_text(const Preset& preset) {
+  std::string text;
+  for (const Event& event : preset.events) text += keys_of(event).all();
+  if (const auto& wind = preset.stage.wind)
+    text += fmt::format(" {} {}", wind->direction.x, wind->direction.z);
+  return text;
+}
 
 /// Grows the beds of a scene stage by stage and adds them to the world.
 class SceneBuilder {
@@ -30,6 +40,7 @@ class SceneBuilder {
     land_ = content_id(land);
     surroundings_ =
         fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.stage.setting);
+    if (!preset.events.empty()) surroundings_ += dates_text(preset);
   }
 
   Errors grow_all(const std::vector<Bed>& beds, World& world) {

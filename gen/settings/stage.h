@@ -9,6 +9,7 @@
 
 #include "core/curve.h"
 #include "core/vec.h"
+#include "motion/wind.h"
 
 namespace frond {
 
@@ -93,6 +94,7 @@ struct Stage {
 
   std::size_t setting = 0;  ///< index of a row of settings()
   Camera camera;
+  std::optional<Wind> wind;  ///< over the land; none: what sways has waves of its own
   Floor floor;
   std::vector<std::any> blocks;  ///< one per setting
 

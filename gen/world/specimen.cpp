@@ -41,6 +41,9 @@ std::size_t bytes_of(const Specimen& specimen) {
   const Life& life = specimen.life;
   std::size_t bytes = bytes_of(specimen.model) + bytes_of(specimen.name) + life.held;
   if (life.ground) bytes += life.ground->bytes();
+  if (const auto& sway = specimen.motion.sway)
+    bytes += bytes_of(sway->give) + bytes_of(sway->second) + bytes_of(sway->limb) + bytes_of(sway->limbs) +
+             bytes_of(sway->response);
   if (const auto& h = life.hanging) {
     const Strands& s = h->strands;
     bytes += bytes_of(s.skeleton) + bytes_of(s.normal) + bytes_of(s.contact) + bytes_of(s.age) +
@@ -66,6 +69,12 @@ Surface skin_of(const Model& model) {
   return skin;
 }
 
+void take_wind(Specimen& specimen, std::shared_ptr<const WindField> wind) {
+  Motion& motion = specimen.motion;
+  motion.sway = std::make_shared<const Sway>(
+      sway_of(specimen.model, motion.wood.value_or(SwayWood{}), std::move(wind)));
+}
+
 Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, double time) {
   const Life& life = specimen.life;
   if (!life.changes()) return std::shared_ptr<const Specimen>(std::shared_ptr<void>(), &specimen);
@@ -78,6 +87,7 @@ Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, doub
     if (life.ground) ground = [&](double x, double z) { return (*life.ground)(x, z); };
     in_season(now.model.organs, now.model.prototypes, *life.season, time, life.season_seed, ground);
   }
+  if (const auto& sway = specimen.motion.sway) take_wind(now, sway->wind);
   return std::make_shared<const Specimen>(std::move(now));
 }
 
@@ -87,6 +97,7 @@ void pose_falling(const Specimen& specimen, double time, Pose& pose) {
   const Life& life = specimen.life;
   Motion calmed = specimen.motion;
   calmed.wave.amplitude *= life.fall->sway(time);
+  calmed.exposure *= life.fall->sway(time);
   pose_skeleton(specimen.model.skeleton, calmed, time, pose);
   auto ground = [&](double x, double z) { return (*life.ground)(x, z); };
   turn_fallen(*life.fall, specimen.model.skeleton, time, ground, pose);

@@ -69,6 +69,9 @@ void transform(Model& model, Vec3 foot, Quat turn, float size);
 /// The outer surface of its bodies, without `uv`; empty if it has none.
 Surface skin_of(const Model& model);
 
+/// Lets it sway in a wind, by its wood and leaves.
+void take_wind(Specimen& specimen, std::shared_ptr<const WindField> wind);
+
 /// The specimen at a time, with life and season applied; itself, not a copy, where it does not change.
 Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, double time);
 

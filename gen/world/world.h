@@ -3,10 +3,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/events.h"
 #include "creeping/host.h"
 #include "land/scatter.h"
 #include "world/obstacles.h"
@@ -27,6 +29,13 @@ class World {
         filmed_(filmed) {}
 
   Seed seed() const { return seed_; }
+  /// What happens once to its trees, and where storms blow, if the scene says so.
+  const std::vector<Event>& events() const { return events_; }
+  const std::optional<Vec3>& storms_toward() const { return storms_toward_; }
+  void schedule(std::vector<Event> events, std::optional<Vec3> storms_toward) {
+    events_ = std::move(events), storms_toward_ = storms_toward;
+  }
+
   double film_length() const { return film_length_; }  ///< seconds
   bool filmed() const { return filmed_; }              ///< whether there is more than one frame
 
@@ -69,6 +78,8 @@ class World {
   TakenSpots taken_;
   Seed seed_;
   std::shared_ptr<const Heights> ground_;
+  std::vector<Event> events_;
+  std::optional<Vec3> storms_toward_;
   double film_length_;
   bool filmed_;
   std::vector<Specimen> standing_;

@@ -33,7 +33,7 @@ TEST(Topple, TurnsTowardWhereTheLoadPushed) {
   const auto& [params, tree, now] = overturned();
   ASSERT_TRUE(tree.uprooting.happens());
   for (double slope : {0.0, 0.3}) {
-    Fall fall = hinge_of(now, tree.uprooting.toward, [&](double x, double) { return slope * x; });
+    Fall fall = hinge_of(now, tree, [&](double x, double) { return slope * x; });
     Vec3 moved = glm::angleAxis(0.1f, fall.axis) * Vec3(0, 1, 0);
     EXPECT_GT(glm::dot(moved, tree.uprooting.toward), 0.09f);
     EXPECT_NEAR(fall.hinge.y, slope * fall.hinge.x, 1e-3) << "the edge of the plate is on the ground";

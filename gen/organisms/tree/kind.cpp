@@ -17,6 +17,9 @@ namespace {
 constexpr int kNeighbours = 6;
 constexpr double kMostLightCells = 50'000'000;  // tiles in the directory of a field of light
 
+constexpr double kStormHeight = 0.5;    // of a cycle, in the course of which comes down what a storm breaks
+constexpr double kShortestStorm = 0.8;  // seconds of a film
+
 constexpr double kGrownASecond = 3e5;  // nodes of a tree of twenty cycles; each is a look at all of it
 
 Filming filming_of(const Growth& growth, int cycles, double time) {
@@ -97,11 +100,21 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     if (params.leaves.size > 0 && params.leaves.picture) dress.look.leaves = pictured_leaves(params);
     dress.season = params.season;
     dress.motion = {params.growth, params.wave, {}, 1, true};
+    const Wood& wood = params.species.wood;
+    dress.motion.wood = SwayWood{wood.density, wood.stiffness, wood.leaf_mass};
     dress.variation = params.bark.variation;
     return dress;
   }
   bool develops(bool filmed) const override {
     return params.season || (params.growth.duration > 0 && filmed);
+  }
+  std::optional<StormTime> storm_of(const Event& event) const override {
+    const int cycles = cycles_of(params);
+    double cycle = std::max(1.0, std::floor(cycle_at_age(params.species, event.year)));
+    if (params.growth.duration <= 0 || cycle > cycles) return std::nullopt;
+    double seconds = filming_of(params.growth, cycles, 0).seconds_a_year;
+    return StormTime{params.growth.start + (cycle + kStormHeight) * seconds,
+                     std::max(kShortestStorm, kStormHeight * seconds), storm_gust(params.wind, event.storm)};
   }
   std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
   const std::vector<std::string>* hosts() const override { return nullptr; }
@@ -118,7 +131,8 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       for (const Planting& planting : bed.plantings) {
         all.emplace_back(&bed, &planting);
         sites.push_back({&own, planting.foot, lean_of(*bed.organism, planting.seed),
-                         age_of(*bed.organism, planting.seed, "size"), planting.seed.child("grow")});
+                         age_of(*bed.organism, planting.seed, "size"), planting.seed.child("grow"),
+                         bed.organism->name});
       }
     }
     std::vector<Surface> bodies = world.bodies();
@@ -127,7 +141,8 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       detour = [obstacles = world.obstacles()](Vec3 from, Vec3 to, float clearance) {
         return obstacles->way(from, to, clearance);
       };
-    Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies, detour);
+    Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies, detour, world.events(),
+                             world.storms_toward());
 
     std::vector<Specimen> trees(all.size());
     parallel_for(all.size(), [&](std::size_t i) {

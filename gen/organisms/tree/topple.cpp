@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "organisms/tree/tree.h"
+
 namespace frond {
 
 namespace {
@@ -98,17 +100,18 @@ float stopping_angle(const Standing& now, const GrownTree& tree, const Wood& woo
 
 }  // namespace
 
-Fall hinge_of(const Standing& now, Vec3 toward, const GroundHeight& ground) {
+Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground) {
   assert(now.size() > 1);
-  Vec3 foot = now.tip[0];
-  double far = std::max(kRootPlate * now.radius[1], 0.05f);
+  const CutFace cut = cut_of(now, tree);
+  const Vec3 foot = now.tip[0], toward = tree.uprooting.toward;
+  double far = std::max((tree.uprooting.felled ? 1 : kRootPlate) * now.radius[1], 0.05f);
   auto slope = [&](double x, double z) {
     return static_cast<float>((ground(foot.x + x, foot.z + z) - ground(foot.x - x, foot.z - z)) / (2 * far));
   };
   Vec3 normal = glm::normalize(Vec3(-slope(far, 0), 1, -slope(0, far)));
   Vec3 along = glm::normalize(toward - normal * glm::dot(toward, normal));
   Fall fall;
-  fall.hinge = foot + along * static_cast<float>(far);
+  fall.hinge = cut.at + along * static_cast<float>(far);
   fall.axis = glm::cross(normal, along);
   return fall;
 }
@@ -140,7 +143,7 @@ Overturning overturning_of(const Standing& now, const GrownTree& tree, const Spe
 }
 
 Fall fall_of(const Standing& now, const GrownTree& tree, const Species& species, const GroundHeight& ground) {
-  Fall fall = hinge_of(now, tree.uprooting.toward, ground);
+  Fall fall = hinge_of(now, tree, ground);
   fall.course = course_of(overturning_of(now, tree, species, fall, ground));
   return fall;
 }

@@ -10,9 +10,9 @@ namespace frond {
 /// trees with stems of 0.5 m radius lift plates of about 2.5 m (Mattheck and Breloer 1994).
 inline constexpr float kRootPlate = 5;
 
-/// The edge of the root plate on the side to which an uprooted tree falls, on the slope of the ground there:
-/// the fall without its course.
-Fall hinge_of(const Standing& now, Vec3 toward, const GroundHeight& ground);
+/// The edge of the root plate, or of the stump, on the side to which an uprooted tree falls, on the slope of
+/// the ground there: the fall without its course.
+Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground);
 
 /// The tree as a body that turns about that hinge. It stops at the first limb or piece of the stem that meets
 /// the ground and bears the load; those that do not bear it break, and lie on the ground. The load is the

@@ -1,6 +1,7 @@
 #include "organisms/tree/tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "grove/age.h"
@@ -9,6 +10,23 @@
 #include "organisms/tree/topple.h"
 
 namespace frond {
+
+CutFace cut_of(const Standing& now, const GrownTree& tree) {
+  assert(now.size() > 0);
+  CutFace cut{now.tip[0], 0};
+  if (!tree.uprooting.felled) return cut;
+  float top = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (tree.order[now.source[i]] == 0) top = std::max(top, now.tip[i].y - now.tip[0].y);
+  cut.height = std::min(kStump, top / 2);
+  for (std::size_t i = 1; i < now.size(); ++i) {
+    float from = now.foot[i].y - now.tip[0].y, to = now.tip[i].y - now.tip[0].y;
+    if (tree.order[now.source[i]] > 0 || from > cut.height || to <= cut.height) continue;
+    cut.at = glm::mix(now.foot[i], now.tip[i], (cut.height - from) / (to - from));
+    break;
+  }
+  return cut;
+}
 
 namespace {
 
@@ -30,28 +48,46 @@ std::vector<std::int32_t> add_branches(Model& model, const Standing& now, const 
   std::vector<std::int32_t> node(now.size());
   s.reserve(now.size() + 64);
   float base = now.size() > 1 ? now.radius[1] : 0.001f, ground = now.size() > 0 ? now.tip[0].y : 0;
+  const CutFace cut = now.size() > 0 ? cut_of(now, tree) : CutFace{};
   for (std::size_t i = 0; i < now.size(); ++i) {
     std::uint16_t order = tree.order[now.source[i]];
     float radius = now.radius[i];
+    if (i > 0 && order == 0 && now.tip[i].y - ground <= cut.height) {
+      node[i] = 0;  // it is part of the stump
+      continue;
+    }
     if (i == 0) radius = base;
-    if (order == 0) radius *= flared(params, base, now.tip[i].y - ground);
+    Vec3 tip = i == 0 ? cut.at : now.tip[i];
+    if (order == 0) radius *= flared(params, base, tip.y - ground);
     std::int32_t below = now.parent[i];
     if (below != GrownTree::kRoot) {
       bool broke = glm::distance(now.tip[below], now.foot[i]) > 1e-4f;
       below = broke ? s.add(now.foot[i], radius, Skeleton::kRoot, order) : node[below];
     }
-    node[i] = s.add(now.tip[i], radius, below, order);
+    node[i] = s.add(tip, radius, below, order);
     std::size_t source = now.source[i] == 0 && tree.size() > 1 ? 1 : now.source[i];
     model.girth.resize(s.size(), tree.radius[source]);
   }
   return node;
 }
 
-/// Roots that run out from the stem and into the ground.
-void add_roots(Skeleton& s, const TreeParams& params, Seed seed) {
+/// What stays of a tree that is felled, below the cut; gives the node at its foot.
+std::int32_t add_stump(Skeleton& s, const Standing& now, const TreeParams& params) {
+  const float base = now.radius[1];
+  const Vec3 foot = now.tip[0], face = s.position[0];
+  std::int32_t below = s.add(foot, base * flared(params, base, 0), Skeleton::kRoot, 0), lowest = below;
+  for (int k = 1; k <= kRootNodes; ++k) {
+    Vec3 at = glm::mix(foot, face, static_cast<float>(k) / kRootNodes);
+    below = s.add(at, base * flared(params, base, at.y - foot.y), below, 0);
+  }
+  return lowest;
+}
+
+/// Roots that run out from the foot of the stem and into the ground.
+void add_roots(Skeleton& s, const TreeParams& params, std::int32_t at, Seed seed) {
   if (s.size() < 2 || params.roots == 0) return;
-  float base = s.radius[0];
-  Vec3 foot = s.position[0];
+  float base = s.radius[static_cast<std::size_t>(at)];
+  Vec3 foot = s.position[static_cast<std::size_t>(at)];
   for (int k = 0; k < params.roots; ++k) {
     Seed own = seed.child(static_cast<std::uint64_t>(k));
     double turn = 2 * kPi * (k + own.child(0).range(-0.3, 0.3)) / params.roots;
@@ -60,7 +96,7 @@ void add_roots(Skeleton& s, const TreeParams& params, Seed seed) {
     float length = base * static_cast<float>(own.child(1).range(0.9, 1.7));
     float thick = base * static_cast<float>(own.child(2).range(0.20, 0.32));
     auto bend = static_cast<float>(own.child(3).range(-0.4, 0.4));
-    std::int32_t below = 0;
+    std::int32_t below = at;
     for (int i = 1; i <= kRootNodes; ++i) {
       float t = static_cast<float>(i) / kRootNodes, far = base * 0.5f + length * t;
       float high = base * (0.55f * (1 - t) * (1 - t) - 0.36f * t);
@@ -216,18 +252,25 @@ GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
 }  // namespace
 
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, std::span<const Surface> bodies,
-                 const Detour& detour) {
+                 const Detour& detour, std::span<const Event> events, std::optional<Vec3> toward) {
   if (sites.empty()) return {};
   std::vector<Seedling> seedlings;
   std::vector<int> ages;
   for (const TreeSite& site : sites) {
     ages.push_back(std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age))));
-    seedlings.push_back(
-        {in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0, line_of(site)});
+    seedlings.push_back({in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0,
+                         line_of(site), site.name});
   }
   const int oldest = std::ranges::max(ages);
   GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);
   options.detour = detour;
+  options.dates.toward = toward;
+  const Species& first =
+      sites[static_cast<std::size_t>(std::max_element(ages.begin(), ages.end()) - ages.begin())]
+          .params->species;
+  for (const Event& event : events)
+    options.dates.events.push_back(
+        {std::max(0, static_cast<int>(cycle_at_age(first, event.year)) - 1), event});
   for (Grove grove{oldest, {}};;) {
     bool even = true;
     for (std::size_t i = 0; i < seedlings.size(); ++i) {
@@ -251,8 +294,9 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
   Standing now = standing(tree, params.species, year, filming);
   Model model;
   std::vector<std::int32_t> node = add_branches(model, now, tree, params);
-  add_roots(model.skeleton, params, seed.child("root"));
-  if (tree.uprooting.happens()) add_root_plate(model.skeleton, seed.child("root plate"));
+  const bool felled = tree.uprooting.felled && now.size() > 1;
+  add_roots(model.skeleton, params, felled ? add_stump(model.skeleton, now, params) : 0, seed.child("root"));
+  if (tree.uprooting.happens() && !felled) add_root_plate(model.skeleton, seed.child("root plate"));
   std::vector<Knot> knots =
       add_knots(model.skeleton, now, tree, node, params.knots, year, seed.child("knot"));
   std::vector<std::int32_t> order = order_model(model);

@@ -64,6 +64,7 @@ struct TreeSite {
   Quat lean{1, 0, 0, 0};  ///< of its first shoot
   double age = 1;         ///< factor of its years
   Seed seed;
+  std::string name = {};  ///< by which events name it
 };
 
 /// A grown grove: one tree per site.
@@ -73,14 +74,26 @@ struct Grove {
 };
 
 /// Grows all trees in one field of light, shaded also by the bodies; limbs bend round what the detour tells
-/// of. Light law, weather and budget are those of the first site. `history`: for films.
+/// of. Light law, weather and budget are those of the first site. `history`: for films. `events` have their
+/// years by the age of the oldest tree, and `toward` is where their storms blow, if it is known.
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather,
-                 std::span<const Surface> bodies = {}, const Detour& detour = {});
+                 std::span<const Surface> bodies = {}, const Detour& detour = {},
+                 std::span<const Event> events = {}, std::optional<Vec3> toward = {});
 
 /// A tree at a time in cycles of the grove, at its place: branches and sprigs of leaves. After the last cycle
 /// it is in the summer that follows.
 Model tree_model(const TreeParams& params, const GrownTree& tree, double cycle, const Filming& filming,
                  Seed seed);
+
+/// The height at which trees are felled, metres, at most half of their own.
+inline constexpr float kStump = 0.35f;
+
+/// Where the stem of a tree is cut, or its foot if it is not.
+struct CutFace {
+  Vec3 at{0};
+  float height = 0;  ///< metres above the foot
+};
+CutFace cut_of(const Standing& now, const GrownTree& tree);
 
 /// The growth cycles that a tree of these parameters goes through.
 int cycles_of(const TreeParams& params);

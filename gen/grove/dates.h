@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/events.h"
+#include "core/seed.h"
+#include "grove/shed.h"
+
+// Dated events in a grove.
+
+namespace frond {
+
+/// An event of the year of a grove in which it takes effect: what it breaks comes down during the year after.
+struct DatedEvent {
+  int year = 0;
+  Event event;
+};
+
+/// The events of a grove.
+struct Dates {
+  std::vector<DatedEvent> events;
+  std::optional<Vec3> toward;  ///< where storms blow and what is felled falls; none: anywhere
+};
+
+/// The storm of a year whose strongest gust is `wind` where no event makes it stronger. The random direction
+/// and strength of ordinary years do not depend on events.
+Weather weather_of(double wind, double snow, const Dates& dates, Seed seed, int year);
+
+/// Of trees of these names, those that are felled in a year. `stands`: whether a tree can be.
+std::vector<std::uint8_t> felled_in(const Dates& dates, int year, std::span<const std::string> names,
+                                    std::span<const std::uint8_t> stands, Seed seed);
+
+/// The height under which a tree of that name loses its limbs in a year, metres; 0: none are taken off.
+double pruned_in(const Dates& dates, int year, const std::string& name);
+
+/// Lets the limbs fall that leave the stem below that height.
+void prune(const Metamers& tree, double below, Seed seed, int year, Falls& falls);
+
+}  // namespace frond

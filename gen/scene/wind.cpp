@@ -1,0 +1,48 @@
+#include "scene/wind.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+
+namespace frond {
+
+namespace {
+
+constexpr double kGustFactor = 2.5;  // deviations by which the strongest gust of a storm exceeds its mean
+
+/// The storms of a film.
+std::vector<Gale> gales_of(const Preset& preset, double gusts) {
+  std::vector<Gale> gales;
+  for (const Event& event : preset.events) {
+    if (event.storm <= 0) continue;
+    for (const Organism& organism : preset.organisms) {
+      std::optional<StormTime> storm = organism.grower->storm_of(event);
+      if (!storm) continue;
+      gales.push_back({storm->time, storm->lasts, storm->gust / (1 + kGustFactor * gusts)});
+      break;
+    }
+  }
+  return gales;
+}
+
+}  // namespace
+
+bool in_wind(const Motion& motion, const Stage& stage) {
+  return stage.wind && motion.wood && motion.wave.amplitude == 0;
+}
+
+void blow(Scene& scene, const Preset& preset) {
+  const std::optional<Wind>& wind = scene.stage.wind;
+  if (!wind) return;
+  bool filmed = preset.film.frames > 1;
+  auto field = std::make_shared<const WindField>(
+      wind_field(*wind, filmed ? preset.film.length() : 0, Seed{preset.seed}.child("wind"),
+                 filmed ? gales_of(preset, wind->gusts) : std::vector<Gale>{}));
+  parallel_for(scene.specimens.size(), [&](std::size_t i) {
+    if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.stage)) take_wind(s, field);
+  });
+  for (SownStand& stand : scene.stands)
+    if (in_wind(stand.dress.motion, scene.stage)) stand.wind = field;
+}
+
+}  // namespace frond

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene/scene.h"
+
+namespace frond {
+
+/// Whether what moves so, sways in the wind of a stage: trees that have no wave of their own.
+bool in_wind(const Motion& motion, const Stage& stage);
+
+/// Lets the trees of a grown scene sway in its wind, if it has one. Storms of its events blow at the second
+/// of the film at which their year passes for the first tree that grows in it.
+void blow(Scene& scene, const Preset& preset);
+
+}  // namespace frond
