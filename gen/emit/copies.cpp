@@ -12,6 +12,7 @@
 #include "draw/copy_axes.h"
 #include "emit/copy_models.h"
 #include "emit/solid.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -124,6 +125,7 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
       std::string object, look;
       append_part_name(object, made.name, static_cast<std::size_t>(part));
       look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
+      look += snow_over(is_snowy(scene.stage));
       if (carries) {
         object += " scale ";
         append(object, unit, 6);

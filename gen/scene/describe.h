@@ -99,6 +99,18 @@ void describe(Visitor& v, Floor& f) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Snow& s) {
+  v.animated("depth", s.depth, {.min = 0, .max = 2, .unit = "m"},
+             "Depth of the snow on open level ground; with keyframes it falls and melts");
+  v.animated("frost", s.frost, {.min = 0, .max = 1},
+             "How white hoarfrost makes leaves, twigs and blades of grass");
+  v.angle("wind", s.wind, {.min = -360, .max = 360},
+          "Direction that the wind comes from which brought the snow: 0 from +z, 90 from +x");
+  v.number("drift", s.drift, {.min = 0, .max = 1},
+           "How much of the snow the wind has carried into the lee of what stands there: 0 calm, 1 a storm");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Stage& s) {
   std::vector<Choice<std::size_t>> names;
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
@@ -111,6 +123,7 @@ void describe(Visitor& v, Stage& s) {
     v.custom(row.block, s.blocks[i], row.read, schema, row.block_doc);
   }
   v.object("floor", s.floor, "The ground of the sea and the lawn, for underwater, meadow and garden");
+  v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 
 template <class Visitor>
