@@ -6,7 +6,9 @@
 
 #include "core/text.h"
 #include "emit/branch_materials.h"
+#include "emit/setting_parts.h"
 #include "emit/solid.h"
+#include "settings/forest.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -66,8 +68,21 @@ std::string snow_text(const Stage& stage, double time) {
 
 }  // namespace
 
+namespace {
+
+/// The colours of the ground at that time of the year.
+std::string year_text(const Stage& stage, double time) {
+  if (!stage.year) return {};
+  double year = stage.year->at(time);
+  return fmt::format("#declare {} = {};\n#declare {} = {};\n", kYearGrass,
+                     color_text(grass_at(stage.block<Meadow>().grass, year)), kYearLitter,
+                     color_text(litter_at(stage.block<Forest>().litter, year)));
+}
+
+}  // namespace
+
 std::string setting_text(const Scene& scene, double time) {
-  return snow_text(scene.stage, time) + text_of(scene.stage).surroundings(scene, time);
+  return snow_text(scene.stage, time) + year_text(scene.stage, time) + text_of(scene.stage).surroundings(scene, time);
 }
 
 bool has_pictures(const Stage& stage) { return text_of(stage).pictures; }

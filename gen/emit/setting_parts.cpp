@@ -119,7 +119,7 @@ std::string lamp_text(const Sky& sky) {
 }
 
 std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air, double snow) {
-  Color grass = mixed(meadow.grass, Color{1, 0.94f, 1}, static_cast<float>(snow));
+  Color grass = mixed(meadow.grass, Color{0.97f, 0.955f, 1}, static_cast<float>(snow));
   return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(grass) +
          "," + lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
          number_text(meadow.hills) + "," + number_text(meadow.hills_distance) + ")";
@@ -185,7 +185,7 @@ void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, Sur
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,
                       const Color& earth) {
   const auto& lawn = ground_as<Lawn>(*scene.ground);
-  std::string green = color_text(grass);
+  std::string green = scene.stage.year ? std::string(kYearGrass) : color_text(grass);
   std::string text = floor_text(space, scene, "Meadow_Ground(" + green + ")");
   std::string snow(snow_over(is_snowy(scene.stage)));
   append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}" + snow);

@@ -52,6 +52,9 @@ std::string globals_text(std::string_view prefix);
 /// The backdrop of underwater as `Water_Backdrop`.
 std::string backdrop_text(const Daylight& light);
 
+/// What of the year the ground shows is declared by each frame under these names.
+inline constexpr std::string_view kYearGrass = "Year_Grass", kYearLitter = "Year_Litter";
+
 /// A lawn of a colour, with its grass, gravel and bare earth.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,
                       const Color& earth);

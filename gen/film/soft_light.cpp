@@ -11,6 +11,7 @@
 #include "draw/ambience.h"
 #include "draw/eyes.h"
 #include "draw/surfel_sampler.h"
+#include "scene/copies.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -76,13 +77,15 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
       to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
 }
 
-void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels) {
+void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, double time) {
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const Copies& copies = scene.stands[s].copies;
+    std::optional<Seasons> seasons = copy_seasons(scene.stands[s].organism, scene.film);
+    float leaves = seasons ? static_cast<float>(leaf_area_share(*seasons, seasons->at.at(time))) : 1;
     parallel_for(copies.size(), [&](std::size_t i) {
       float scale = copies.scale[i];
       for (const Surfel& surfel : surfels[s][copies.model[i]])
-        grid.add(copies.foot[i] + copies.turn[i] * (scale * surfel.at), scale * scale * surfel.area,
+        grid.add(copies.foot[i] + copies.turn[i] * (scale * surfel.at), scale * scale * surfel.area * (surfel.bulk > 0 ? 1 : leaves),
                  kDiffuse * surfel.albedo, kAllFacings, scale * surfel.bulk, scale * surfel.wide);
     });
   }
@@ -154,7 +157,10 @@ double light_reach(Quality quality, double pixel) {
 bool light_changes(const Scene& scene, std::span<const double> pixel) {
   if (scene.film.frames <= 1) return false;
   auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
-  if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes)) return true;
+  auto turns = [&](const SownStand& s) { return copy_seasons(s.organism, scene.film).has_value(); };
+  if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes) ||
+      std::ranges::any_of(scene.stands, turns))
+    return true;
   std::atomic<bool> leaves = false;
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     double far = light_reach(scene.film.quality, pixel[i]);
@@ -178,7 +184,7 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
   for (const auto& specimen : now) sample_surfels(IntoGrid{grid}, DrawList(*specimen, time));
-  add_copies(grid, scene, surfels);
+  add_copies(grid, scene, surfels, time);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
   std::vector<std::string> texts((probes.size() + 4095) / 4096);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "core/bounds.h"
 #include "core/noise.h"
@@ -13,8 +15,8 @@ namespace frond {
 
 namespace {
 
-constexpr float kBare = -1e30f;    // height where there is nothing
-constexpr float kSink = 0.004f;    // metres below what it lies on, at which snow of no depth is
+constexpr float kBare = -1e30f;               // height where there is nothing
+constexpr float kSink = 0.004f;               // metres below what it lies on, at which snow of no depth is
 constexpr std::size_t kCapCells = 1'500'000;  // of a grid at most
 
 /// Calls `at(column, row, height)` for each point of a grid under a triangle, points `cell` apart from `low`.
@@ -66,12 +68,13 @@ std::vector<SnowFall> falls() {
 
 }  // namespace
 
-double lying_share(double up) {
-  return smooth_step(std::cos(radians(55.0)), std::cos(radians(30.0)), up);
-}
+double lying_share(double up) { return smooth_step(std::cos(radians(55.0)), std::cos(radians(30.0)), up); }
 
 Overhead::Overhead(Vec2 center, float side, float cell)
-    : low_(center - side / 2), cell_(cell), side_(std::max(1, static_cast<int>(std::ceil(side / cell)))), highest_(kBare) {
+    : low_(center - side / 2),
+      cell_(cell),
+      side_(std::max(1, static_cast<int>(std::ceil(side / cell)))),
+      highest_(kBare) {
   auto count = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   bottom_.assign(count, -kBare);
   top_.assign(count, kBare);
@@ -150,6 +153,7 @@ struct CapGrid {
   Vec2 low{0};
   float cell = 0.02f;
   glm::ivec2 size{0};
+  float depth = 0.1f;                   // of the snow; it bridges steps of nearly half of that
   std::vector<float> top, share, edge;  // edge: metres to where it ends or drops
 
   std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * size.x + column); }
@@ -162,7 +166,7 @@ struct CapGrid {
             low.y + static_cast<float>(row) * cell};
   }
   /// Height by which neighbours count as parts of one face.
-  float step() const { return 1.5f * cell; }
+  float step() const { return std::max(1.5f * cell, 0.45f * depth); }
 
   template <class Each>
   void each(const Each& each) const {
@@ -172,12 +176,17 @@ struct CapGrid {
   }
 };
 
-CapGrid cap_grid(const Surface& body, float cell) {
+CapGrid cap_grid(const Surface& body, float depth, float cell) {
   Bounds box = bounds_of(body.position);
   Vec3 wide = box.size();
   cell = std::max(cell, std::sqrt(wide.x * wide.z / static_cast<float>(kCapCells)));
-  CapGrid grid{Vec2(box.low.x, box.low.z) - cell, cell,
-               glm::ivec2(static_cast<int>(wide.x / cell) + 3, static_cast<int>(wide.z / cell) + 3), {}, {}, {}};
+  CapGrid grid{Vec2(box.low.x, box.low.z) - cell,
+               cell,
+               glm::ivec2(static_cast<int>(wide.x / cell) + 3, static_cast<int>(wide.z / cell) + 3),
+               depth,
+               {},
+               {},
+               {}};
   grid.top.assign(static_cast<std::size_t>(grid.size.x) * static_cast<std::size_t>(grid.size.y), kBare);
   for (const auto& t : body.triangle)
     rasterize(corners(body, t), grid.low, cell, grid.size, [&](int column, int row, float height) {
@@ -196,9 +205,8 @@ void find_edges(CapGrid& grid, float most) {
   grid.each([&](int column, int row) {
     float own = grid.top[grid.index(column, row)];
     for (auto [x, y] : kNeighbours)
-      if (!grid.there(column + x, row + y) ||
-          grid.top[grid.index(column + x, row + y)] < own - grid.step())
-        grid.edge[grid.index(column, row)] = 0;
+      if (!grid.there(column + x, row + y) || grid.top[grid.index(column + x, row + y)] < own - grid.step())
+        grid.edge[grid.index(column, row)] = grid.cell / 2;
   });
   auto relax = [&](int column, int row) {
     if (!grid.there(column, row)) return;
@@ -217,17 +225,18 @@ void find_edges(CapGrid& grid, float most) {
     for (int column = grid.size.x; column-- > 0;) relax(column, row);
 }
 
-/// Cosine of the slope at a point, of what of the face is near: an edge does not tilt it.
+/// Cosine of the slope at a point, over the width that snow evens out: an edge does not tilt it.
 float upward(const CapGrid& grid, int column, int row) {
-  float own = grid.top[grid.index(column, row)];
+  int far = std::max(1, static_cast<int>(0.4f * grid.depth / grid.cell));
+  float wide = static_cast<float>(far) * grid.cell, own = grid.top[grid.index(column, row)];
   auto slope = [&](int x, int y) {
     float sum = 0;
     int count = 0;
     for (int side : {-1, 1}) {
-      int c = column + side * x, r = row + side * y;
+      int c = column + side * far * x, r = row + side * far * y;
       if (!grid.there(c, r)) continue;
-      float rise = (grid.top[grid.index(c, r)] - own) * static_cast<float>(side) / grid.cell;
-      if (std::abs(rise) <= grid.step() / grid.cell) sum += rise, ++count;
+      float rise = grid.top[grid.index(c, r)] - own;
+      if (std::abs(rise) <= grid.step() + 1.5f * wide) sum += rise * static_cast<float>(side) / wide, ++count;
     }
     return count > 0 ? sum / static_cast<float>(count) : 0;
   };
@@ -247,7 +256,7 @@ void round_off(CapGrid& grid, float depth) {
     next = top;
     grid.each([&](int column, int row) {
       std::size_t i = grid.index(column, row);
-      if (grid.edge[i] <= 0) return;
+      if (grid.edge[i] < grid.cell) return;
       float sum = 2 * top[i], weight = 2;
       for (auto [x, y] : kNeighbours)
         if (grid.there(column + x, row + y)) {
@@ -263,6 +272,24 @@ void round_off(CapGrid& grid, float depth) {
     std::size_t i = grid.index(column, row);
     if (grid.share[i] > 0) grid.share[i] = std::max(0.0f, (top[i] - grid.top[i]) / depth);
   });
+}
+
+/// Lets the rim of a sheet down to what it lies on.
+void add_skirt(SnowSheet& sheet) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (auto [a, b, c] : sheet.triangle) sides.insert({{a, b}, {b, c}, {c, a}});
+  std::map<std::uint32_t, std::uint32_t> below;
+  auto foot = [&](std::uint32_t i) {
+    auto [at, fresh] = below.try_emplace(i, static_cast<std::uint32_t>(sheet.bare.size()));
+    if (fresh) sheet.bare.push_back(Vec3(sheet.bare[i])), sheet.share.push_back(0);
+    return at->second;
+  };
+  for (auto [a, b] : sides) {
+    if (sides.contains({b, a})) continue;
+    std::uint32_t under_a = foot(a), under_b = foot(b);
+    sheet.triangle.push_back({b, a, under_a});
+    sheet.triangle.push_back({b, under_a, under_b});
+  }
 }
 
 SnowSheet sheet_of(const CapGrid& grid) {
@@ -297,6 +324,7 @@ SnowSheet sheet_of(const CapGrid& grid) {
       add(a, c, b);
       add(b, c, d);
     }
+  add_skirt(sheet);
   return sheet;
 }
 
@@ -304,8 +332,8 @@ SnowSheet sheet_of(const CapGrid& grid) {
 
 SnowSheet snow_on_body(const Surface& body, double depth, float cell, const OpennessAt& openness) {
   if (body.triangle.empty() || depth <= 0) return {};
-  CapGrid grid = cap_grid(body, cell);
   auto deep = static_cast<float>(depth);
+  CapGrid grid = cap_grid(body, deep, cell);
   find_edges(grid, deep);
   grid.share.assign(grid.top.size(), 0);
   parallel_for(static_cast<std::size_t>(grid.size.y), [&](std::size_t r) {
@@ -338,7 +366,8 @@ struct SquareField {
   /// Without a jump to 1 beyond its edge.
   float operator()(Vec2 p) const {
     Vec2 x = (p - low) / cell;
-    float inside = std::min({x.x, x.y, static_cast<float>(side - 1) - x.x, static_cast<float>(side - 1) - x.y});
+    float inside =
+        std::min({x.x, x.y, static_cast<float>(side - 1) - x.x, static_cast<float>(side - 1) - x.y});
     if (inside <= 0) return 1;
     glm::ivec2 i(glm::min(glm::floor(x), Vec2(static_cast<float>(side - 2))));
     Vec2 f = x - Vec2(i);
@@ -357,7 +386,8 @@ void blur(SquareField& field, int times) {
         float sum = 0;
         for (int y = -1; y <= 1; ++y)
           for (int x = -1; x <= 1; ++x)
-            sum += field.of(std::clamp(column + x, 0, field.side - 1), std::clamp(row + y, 0, field.side - 1));
+            sum +=
+                field.of(std::clamp(column + x, 0, field.side - 1), std::clamp(row + y, 0, field.side - 1));
         next.of(column, row) = sum / 9;
       }
     });
@@ -377,7 +407,8 @@ float drifted(const SnowLand& land, const Overhead& bodies, const SnowWind& wind
     }
     return static_cast<double>(most);
   };
-  double lee = smooth_step(0.05, 0.7, steepest(-wind.toward)), before = smooth_step(0.1, 1.2, steepest(wind.toward));
+  double lee = smooth_step(0.05, 0.7, steepest(-wind.toward)),
+         before = smooth_step(0.1, 1.2, steepest(wind.toward));
   return static_cast<float>(1 + wind.drift * (1.1 * lee - 0.7 * before));
 }
 

@@ -123,6 +123,9 @@ void describe(Visitor& v, Stage& s) {
     v.custom(row.block, s.blocks[i], row.read, schema, row.block_doc);
   }
   v.object("floor", s.floor, "The ground of the sea and the lawn, for underwater, meadow and garden");
+  v.animated("year", s.year, {.min = -1000, .max = 1000, .unit = "years", .sense = "winter is 0, summer 0.5"},
+             "Time of the year of lawns and forest floors, and of every `season` that has none of its own: 0 new "
+             "year, 0.5 midsummer; not given: always summer");
   v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 

@@ -11,8 +11,8 @@ namespace frond {
 namespace {
 
 constexpr int kRings[] = {180, 260, 340};  // of the mesh on the ground, of each Quality
-constexpr float kAround = 20;              // metres from its middle within which bodies shelter and trunks have hollows
-constexpr double kRadius = 45;             // metres beyond the camera's way
+constexpr float kAround = 20;   // metres from its middle within which bodies shelter and trunks have hollows
+constexpr double kRadius = 45;  // metres beyond the camera's way
 
 Vec2 level(Vec3 p) { return {p.x, p.z}; }
 
@@ -58,14 +58,16 @@ std::vector<SnowTrunk> trunks_of(const Scene& scene, Vec2 middle) {
   for (const SownStand& stand : scene.stands)
     for (std::size_t i = 0; i < stand.copies.size(); ++i)
       if (stand.organism.sown->where.layer == Layer::canopy)
-        add(stand.copies.foot[i], 0.5f * stand.copies.scale[i] * static_cast<float>(stand.organism.sown->where.stem));
+        add(stand.copies.foot[i],
+            0.5f * stand.copies.scale[i] * static_cast<float>(stand.organism.sown->where.stem));
   return trunks;
 }
 
 Model snow_model(const std::vector<SnowSheet>& sheets, double depth) {
   Model model;
   for (const SnowSheet& sheet : sheets)
-    model.solids.place(model.solids.add_shape({snow_surface(sheet, depth), {.matter = Matter::snow, .color = {0.97f, 0.975f, 0.985f}}}));
+    model.solids.place(model.solids.add_shape(
+        {snow_surface(sheet, depth), {.matter = Matter::snow, .color = {0.97f, 0.975f, 0.985f}}}));
   return model;
 }
 
@@ -89,7 +91,8 @@ std::optional<Specimen> lying_snow(const Scene& scene, Grounds& ground, Seed see
   SnowWind wind{-Vec2(std::sin(snow.wind), std::cos(snow.wind)), snow.drift};
   std::vector<SnowSheet> sheets{snow_on_ground(land, bodies, wind, seed)};
   for (const Surface& skin : skins) {
-    auto cell = static_cast<float>(std::clamp(1.2 * nearest_pixel_of(scene, bounds_of(skin.position)), 0.008, 0.06));
+    auto cell =
+        static_cast<float>(std::clamp(1.2 * nearest_pixel_of(scene, bounds_of(skin.position)), 0.008, 0.06));
     SnowSheet cap = snow_on_body(skin, deepest, cell, [&](Vec3 at) { return bodies.openness(at); });
     if (!cap.triangle.empty()) sheets.push_back(std::move(cap));
   }

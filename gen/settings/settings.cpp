@@ -140,6 +140,7 @@ Stage stage_at(const Stage& stage, double time) {
     if (Animated<double>* hour = hour_of(now)) *hour = hour->at(time);
   now.snow.depth = stage.snow.depth.at(time);
   now.snow.frost = stage.snow.frost.at(time);
+  if (now.year) now.year = now.year->at(time);
   return now;
 }
 

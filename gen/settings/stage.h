@@ -107,6 +107,7 @@ struct Stage {
   Camera camera;
   Floor floor;
   Snow snow;  ///< read by settings under the open sky
+  std::optional<Animated<double>> year;  ///< the time of the year, see Seasons; none: it is always summer
   std::vector<std::any> blocks;  ///< one per setting
 
   /// The block of that type, which belongs to one of the settings.
