@@ -39,8 +39,8 @@ auto order(const ModelFile& f) { return std::tuple(f.stand, f.model, f.level, f.
 
 }  // namespace
 
-std::string model_file_name(const Organism& organism, int model, int level, int block) {
-  return fmt::format("model_{}_{}{}.inc", copy_id(organism, model), level,
+std::string model_file_name(const Organism& organism, int model, int level, int block, bool bare) {
+  return fmt::format("model_{}_{}{}.inc", copy_id(organism, model, bare), level,
                      block == ModelFile::kWhole ? "" : fmt::format("_{}", block));
 }
 
@@ -177,7 +177,8 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& s
   bool joined = blocks.count() > 1 && used.contains({kWholeFrom, ModelFile::kWhole});
   for (int b = 0; joined && b < blocks.count(); ++b) used.insert({kWholeFrom, b});
   for (auto [level, block] : used) {
-    std::string name = model_file_name(sown.organism, model, level, block);
+    std::string name = model_file_name(sown.organism, model, level, block,
+                                       copy_seasons(sown.organism, scene_.film).has_value());
     int from = joined && level == kWholeFrom && block == ModelFile::kWhole ? blocks.count() : 0;
     result.files.push_back({stand, model, level, block, from, std::move(name), {}});
   }

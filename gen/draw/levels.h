@@ -30,7 +30,8 @@ struct ModelFile {
   static constexpr int kWhole = -1;
 };
 /// What such a file is called.
-std::string model_file_name(const Organism& organism, int model, int level, int block = ModelFile::kWhole);
+std::string model_file_name(const Organism& organism, int model, int level, int block = ModelFile::kWhole,
+                            bool bare = false);
 
 /// A copy, or a block of it, and its level.
 struct Drawn {
@@ -48,7 +49,8 @@ struct CopyPlan {
   std::vector<ModelFile> files;                        ///< that are needed: by stand, model, level and block
   std::vector<std::string> summaries;                  ///< names of the files that tell the same of models
   Surfels surfels;                                     ///< of all models that stand
-  /// Models that the film sees grow, by stand and number: what is there of them is written in each frame.
+  /// Models that the film sees grow or change their leaves, by stand and number: what is there of them is
+  /// written in each frame. Of those that change their leaves it holds nothing else.
   std::map<std::pair<std::size_t, int>, std::shared_ptr<const Model>> growing;
 
   std::size_t stretch_of(int frame) const {

@@ -297,6 +297,13 @@ void describe(Visitor& v, Blossom& b) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Flowering& f) {
+  v.number("at", f.at, {.min = 0, .max = 1, .unit = "years"},
+           "Time of the year at which the flowers of the plant itself open");
+  v.number("lasts", f.lasts, {.min = 0.001, .max = 0.9, .unit = "years"}, "How long these flowers last");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Seasons& s) {
   v.shorthand("at");
   v.animated("at", s.at, {.min = -1000, .max = 1000, .unit = "years", .sense = kSeasonTimes},
@@ -318,6 +325,8 @@ void describe(Visitor& v, Seasons& s) {
   v.list("autumn", s.autumn, Count{1, 16},
          "Colours that leaves go through in autumn; some stop at the first, others reach the last");
   v.object("blossom", s.blossom, "Flowers where leaves stand; without it there are none");
+  v.object("flowering", s.flowering,
+           "When the flowers and fruits of the plant itself are there; without it they stay all year");
   v.aspect(Aspect::look, "young", "autumn");
 }
 

@@ -112,7 +112,9 @@ class Moment {
       const Prototype& shape = prototypes_[full_.prototype[i]];
       bool leaf = !shape.parts.empty() && shape.parts[0].tissue == Tissue::leaf;
       Seed own = seed.child("leaf", full_.id[i]).child(full_.prototype[i]);
-      if (!leaf || s_.evergreen)
+      if (!leaf && s_.flowering && shape.name != kBlossom)
+        add_own_flower(i, own);
+      else if (!leaf || s_.evergreen)
         add(i, full_.prototype[i], {full_.position[i], full_.turn[i], 0}, full_.scale[i], full_.color[i]);
       else
         add_leaf(i, shape, own);
@@ -152,6 +154,20 @@ class Moment {
     Flight at{full_.position[i], full_.turn[i], 0};
     if (state.fallen > 0) at = flight(at.position, at.turn, state.fallen, own, ground_);
     add(i, full_.prototype[i], at, full_.scale[i] * size, color_at(shape, full_.color[i], state.hue));
+  }
+
+  /// A flower or fruit of the plant itself.
+  void add_own_flower(std::size_t i, Seed own) {
+    constexpr double kOpen = 0.02;  // years in which it opens, and in which it withers
+    double half = s_.spread / 2;
+    Turn turn = turn_of(year_, s_.flowering->at - half);
+    double opens = half * (1 + own.child(turn.which).range(-1, 1));
+    double withers = std::min(opens + kOpen + s_.flowering->lasts, 1 - kOpen);
+    double size =
+        smooth_step(opens, opens + kOpen, turn.age) * (1 - smooth_step(withers, withers + kOpen, turn.age));
+    if (size < static_cast<double>(kLeast)) return;
+    add(i, full_.prototype[i], {full_.position[i], full_.turn[i], 0},
+        full_.scale[i] * static_cast<float>(size), full_.color[i]);
   }
 
   void add_flower(std::size_t i, Seed own) {
@@ -237,6 +253,17 @@ LeafState leaf_state(const Seasons& s, double year, Seed leaf) {
   state.hue = static_cast<float>(static_cast<double>(s.autumn.size()) * (to * turned + (1 - to) * withered) -
                                  (1 - smooth_step(opens, opens + kDarken, age)));
   return state;
+}
+
+double leaf_area_share(const Seasons& seasons, double year) {
+  constexpr int kLeaves = 64;
+  if (seasons.evergreen) return 1;
+  double sum = 0;
+  for (std::uint64_t i = 0; i < kLeaves; ++i) {
+    LeafState state = leaf_state(seasons, year, Seed{i});
+    sum += static_cast<double>(state.size * state.size * (1 - state.fallen));
+  }
+  return sum / kLeaves;
 }
 
 void in_season(Organs& organs, const std::vector<Prototype>& prototypes, const Seasons& seasons, double time,

@@ -23,6 +23,12 @@ struct Blossom {
   double lasts = 0.05;  ///< years until the petals fall
 };
 
+/// When a herb's own flowers and fruits are there.
+struct Flowering {
+  double at = 0.3;     ///< time of the year at which they open
+  double lasts = 0.1;  ///< years until they wither
+};
+
 /// The year of a tree or herb. Times of the year: 0 new year, 0.25 the first of April, 0.5 midsummer; they
 /// vary between leaves. In the south everything is half a year later.
 struct Seasons {
@@ -37,6 +43,7 @@ struct Seasons {
   Color young{0.66f, 0.76f, 0.30f};
   std::vector<Color> autumn{{0.85f, 0.66f, 0.14f}, {0.80f, 0.42f, 0.10f}, {0.50f, 0.30f, 0.16f}};
   std::optional<Blossom> blossom;
+  std::optional<Flowering> flowering;  ///< of organs that are no leaves; none: they are there all year
 };
 
 /// Appends the colours of other seasons to a leaf's own; does nothing for other organs.
@@ -53,6 +60,9 @@ struct LeafState {
   float fallen = 0;  ///< 0 on its twig .. 1 on the ground
 };
 LeafState leaf_state(const Seasons& seasons, double year, Seed leaf);
+
+/// Share of the full leaf area that is on the twigs, 0..1.
+double leaf_area_share(const Seasons& seasons, double year);
 
 /// Height of the ground at x, z; empty: leaves do not lie on it.
 using GroundAt = std::function<double(double, double)>;

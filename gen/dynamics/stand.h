@@ -66,7 +66,7 @@ struct TreeText {
 struct StandText {
   Vec2 area{200, 200};
   int years = 200;
-  std::optional<Vec2> shown;  ///< years that a film shows, first and last; none: all
+  std::optional<Vec2> shown;      ///< years that a film shows, first and last; none: all
   std::vector<TreeText> species;  ///< none: all of the table
   std::vector<StandPlanting> planted;
   bool seeding = true;

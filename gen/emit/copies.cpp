@@ -12,6 +12,7 @@
 #include "draw/copy_axes.h"
 #include "emit/copy_models.h"
 #include "emit/solid.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -30,7 +31,8 @@ std::string tints_text(std::size_t stand, const Organism& organism) {
 
 /// Whether its copies are others in each frame.
 bool moves(const SownStand& stand, const Film& film) {
-  return !stand.copies.span.empty() || sways(stand, film) || copy_growth(stand.organism, film, 0).has_value();
+  return !stand.copies.span.empty() || sways(stand, film) || copy_growth(stand.organism, film, 0) ||
+         copy_seasons(stand.organism, film);
 }
 
 /// Whether each copy carries its pattern with it, as the skin of colonies must; else what is drawn on copies
@@ -44,44 +46,57 @@ bool carries_pattern(const SownStand& stand, const Film& film) {
 class StandParts {
  public:
   StandParts(const Scene& scene, const CopyPlan& plan, std::size_t which, double time)
-      : film_(scene.film), stand_(scene.stands[which]), plan_(plan), which_(which), time_(time) {}
+      : film_(scene.film),
+        stand_(scene.stands[which]),
+        plan_(plan),
+        which_(which),
+        time_(time),
+        seasons_(copy_seasons(stand_.organism, film_)) {}
 
-  std::string name;
-  std::vector<int> parts;
+  std::vector<std::string> parts;  ///< their names
 
   /// Takes those of a model, of one level and block; `text` gets what has to be declared for them.
   void take(std::string& text, int model, const Drawn& one) {
     const ModelFile& file = plan_.file(which_, model, one);
     if (model_ != model) grow(model);
-    if (whole_) {
-      name = declared_name(file), parts = file.parts;
-      return;
-    }
     std::string own = fmt::format("Growing{}_{}_{}_{}", which_, model, one.level, one.block + 1);
-    if (own == name) return;  // in another tint
-    name = own, parts.clear();
-    if (!now_) return;
+    if (!whole_ && own == name_) return;  // in another tint
+    name_ = own, parts.clear();
+    if (whole_ || seasons_) add(declared_name(file), file.parts);
+    if (whole_ || !now_) return;
     ModelBlocks blocks = blocks_of(plan_.surfels[which_][static_cast<std::size_t>(model)]);
     ModelFile here;
     here.level = one.level, here.block = one.block;
     const Look& look = stand_.dress.look;
-    parts = append_parts(text, name, look, *now_, copy_parts(look, *now_, kLevels[one.level], &blocks), here);
+    const Organs* leaves = seasons_ ? &leaves_ : nullptr;
+    add(own, append_parts(text, own, look, *now_,
+                          copy_parts(look, *now_, kLevels[one.level], &blocks, leaves), here));
   }
 
   /// How far the model has grown, 0..1.
   double front() const { return front_; }
 
  private:
+  void add(const std::string& name, const std::vector<int>& numbers) {
+    for (int part : numbers) append_part_name(parts.emplace_back(), name, static_cast<std::size_t>(part));
+  }
+
   void grow(int model) {
     model_ = model, whole_ = true, front_ = 1;
     auto growing = plan_.growing.find({which_, model});
     if (growing == plan_.growing.end()) return;
+    if (seasons_) {
+      whole_ = false, now_ = growing->second;
+      leaves_ = copy_organs(stand_.organism, model, *now_, *seasons_, time_);
+      return;
+    }
     Motion motion = stand_.dress.motion;
     motion.growth = *copy_growth(stand_.organism, film_, model);
     double front = growth_front(motion.growth, time_);
     front_ = std::min(front, 1.0);
     whole_ = front >= 1 + motion.growth.ripen;
-    if (!whole_) now_ = grown_by(*growing->second, motion, time_);
+    std::optional<Model> grown = whole_ ? std::nullopt : grown_by(*growing->second, motion, time_);
+    now_ = grown ? std::make_shared<const Model>(std::move(*grown)) : nullptr;
   }
 
   const Film& film_;
@@ -89,10 +104,13 @@ class StandParts {
   const CopyPlan& plan_;
   std::size_t which_;
   double time_;
+  std::optional<Seasons> seasons_;  // where its leaves change
+  std::string name_;
   int model_ = -1;  // the last one that was taken
   bool whole_ = true;
   double front_ = 1;
-  std::optional<Model> now_;  // what there is of it, if not all
+  std::shared_ptr<const Model> now_;  // what there is of it, if not all
+  Organs leaves_;                     // of that, at this time of the year
 };
 
 /// All copies of a stand: one union for each part of each model, level, block and tint.
@@ -122,10 +140,9 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
     auto [model, level, block, tint] = key;
     made.take(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
     if (carries && !made.parts.empty()) append_front(text, made.front());
-    for (int part : made.parts) {
-      std::string object, look;
-      append_part_name(object, made.name, static_cast<std::size_t>(part));
-      look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
+    for (std::string object : made.parts) {
+      std::string look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
+      look += snow_over(is_snowy(scene.stage));
       if (carries) {
         object += " scale ";
         append(object, unit, 6);

@@ -8,8 +8,8 @@
 
 namespace frond {
 
-/// The `#include` lines of the models that a stretch of the film shows; with a time, of those whose copies come
-/// and go, and without one of the others.
+/// The `#include` lines of the models that a stretch of the film shows; with a time, of those whose copies
+/// come and go, and without one of the others.
 std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch,
                                 std::optional<double> time = {});
 /// For a stretch of the film: the tints of the stands and all copies of stands that stand still.

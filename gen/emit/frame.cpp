@@ -1,5 +1,7 @@
 #include "emit/frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -149,7 +151,7 @@ std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const Chu
       texts[0] += "}\n";
   };
   write_chunks(b, options, 1, append, [&](std::size_t, const std::string& text) { group.add(text); });
-  return group.close(skin_texture(index) + "}\n");
+  return group.close(fmt::format("{}{}}}\n", skin_texture(index), snow_over(b.traits.snowy)));
 }
 
 /// The same of all other chunks: those that show no pattern share textures.
@@ -169,6 +171,7 @@ std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const Ch
     if (!own && (!whole || b.slanted(chunk))) {
       text += ' ';
       append_chunk_texture(text, space, b, chunk, index);
+      if (!whole) text += snow_over(b.traits.snowy);
     }
     text += "}\n";
   };
@@ -178,12 +181,13 @@ std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const Ch
     else
       plain[kind - 1] += text;
   });
-  std::size_t groups = group.close(whole ? skin_texture(index) + "}\n" : "}\n");
+  std::string_view snow = snow_over(b.traits.snowy);
+  std::size_t groups = group.close(whole ? fmt::format("{}{}}}\n", skin_texture(index), snow) : "}\n");
   for (std::size_t k = 0; k < plain.size(); ++k) {
     if (plain[k].empty()) continue;
     out(group_opening(plain[k]));
     out(plain[k]);
-    out(shared.text(k, index) + "}\n");
+    out(fmt::format("{}{}}}\n", shared.text(k, index), snow));
     ++groups;
   }
   return groups;

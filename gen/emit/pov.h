@@ -39,6 +39,9 @@ inline constexpr int kDecimals = 4;  ///< of places, in POV-Ray units
 /// written.
 int decimals_for(const PovSpace& space, double pixel);
 
+/// The texture of snow, over that of an object; none where none lies.
+inline std::string_view snow_over(bool snowy) { return snowy ? "texture{Snow_Over}" : ""; }
+
 /// Appends `<x,y,z>` of a place in the world.
 void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals = kDecimals);
 

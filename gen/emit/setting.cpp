@@ -1,9 +1,14 @@
 #include "emit/setting.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/text.h"
 #include "emit/branch_materials.h"
+#include "emit/setting_parts.h"
 #include "emit/solid.h"
+#include "settings/forest.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -37,6 +42,7 @@ std::string includes_text(const Scene& scene) {
   if (any([](const Specimen& s) { return s.style.build == Build::voxels; })) names.push_back("voxel");
   if (any([](const Specimen& s) { return s.life.hanging.has_value(); })) names.push_back("ivy");
   for (std::string_view name : solid_includes(scene)) names.push_back(name);
+  if (is_snowy(scene.stage)) add_missing(names, {"snow"});
   std::string text;
   for (std::string_view name : names) {
     if (!text.empty()) text += '\n';
@@ -51,8 +57,34 @@ std::optional<FloorTexture> floor_texture(const Stage& stage) {
   return FloorTexture{text.includes, text.bare_floor};
 }
 
+namespace {
+
+/// What the textures of snow ask for, and that which lies over others.
+std::string snow_text(const Stage& stage, double time) {
+  if (!is_snowy(stage)) return {};
+  return fmt::format(
+      "#declare Frond_Snow = {};\n#declare Frond_Frost = {};\n#declare Snow_Over = texture{{Snow_Layer()}}\n",
+      number_text(stage.snow.depth.at(time)), number_text(stage.snow.frost.at(time)));
+}
+
+}  // namespace
+
+namespace {
+
+/// The colours of the ground at that time of the year.
+std::string year_text(const Stage& stage, double time) {
+  if (!stage.year) return {};
+  double year = stage.year->at(time);
+  return fmt::format("#declare {} = {};\n#declare {} = {};\n", kYearGrass,
+                     color_text(grass_at(stage.block<Meadow>().grass, year)), kYearLitter,
+                     color_text(litter_at(stage.block<Forest>().litter, year)));
+}
+
+}  // namespace
+
 std::string setting_text(const Scene& scene, double time) {
-  return text_of(scene.stage).surroundings(scene, time);
+  return snow_text(scene.stage, time) + year_text(scene.stage, time) +
+         text_of(scene.stage).surroundings(scene, time);
 }
 
 bool has_pictures(const Stage& stage) { return text_of(stage).pictures; }

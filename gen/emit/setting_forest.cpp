@@ -20,7 +20,8 @@ std::string wood_text(const Scene& scene, double time) {
 
 std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
   const ForestCover& cover = ground_as<ForestGround>(*scene.ground).cover;
-  std::string litter = color_text(scene.stage.block<Forest>().litter);
+  std::string litter =
+      scene.stage.year ? std::string(kYearLitter) : color_text(scene.stage.block<Forest>().litter);
   std::string green = color_text(scene.stage.block<Forest>().green);
   std::string text = floor_text(space, scene, "Forest_Ground(" + litter + "," + green + ")");
   append_shapes(text, space, cover.litter, "Litter");

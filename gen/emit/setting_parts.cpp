@@ -42,7 +42,14 @@ std::string floor_text(const PovSpace& space, const Scene& scene, std::string_vi
   append_mesh(text, space, drawn_floor(scene));
   text += "\ntexture{";
   text += texture;
-  return text + "}}\n";
+  text += '}';
+  for (const Specimen& s : scene.specimens) {
+    const std::vector<Solid>& shapes = s.model.solids.shapes;
+    if (shapes.empty() || shapes[0].material.matter != Matter::snow) continue;
+    Bounds box = bounds_of(shapes[0].surface.position);  // of the ground
+    text += "texture{Snow_Far(" + direction_text(box.middle()) + "," + number_text(box.size().x / 2) + ")}";
+  }
+  return text + "}\n";
 }
 
 namespace {
@@ -111,9 +118,10 @@ std::string lamp_text(const Sky& sky) {
   return direction_text(sky.lamp) + "," + vectors_text({sky.lamplight});
 }
 
-std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air) {
-  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(meadow.grass) +
-         "," + lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
+std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air, double snow) {
+  Color grass = mixed(meadow.grass, Color{0.97f, 0.955f, 1}, static_cast<float>(snow));
+  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(grass) + "," +
+         lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
          number_text(meadow.hills) + "," + number_text(meadow.hills_distance) + ")";
 }
 
@@ -177,10 +185,11 @@ void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, Sur
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,
                       const Color& earth) {
   const auto& lawn = ground_as<Lawn>(*scene.ground);
-  std::string green = color_text(grass);
+  std::string green = scene.stage.year ? std::string(kYearGrass) : color_text(grass);
   std::string text = floor_text(space, scene, "Meadow_Ground(" + green + ")");
-  append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}");
-  append_turf(text, space, lawn, &Turf::leaves, "Leaf", "texture{Meadow_Leaf(" + green + ")}");
+  std::string snow(snow_over(is_snowy(scene.stage)));
+  append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}" + snow);
+  append_turf(text, space, lawn, &Turf::leaves, "Leaf", "texture{Meadow_Leaf(" + green + ")}" + snow);
   append_turf(text, space, lawn, &Turf::flowers, "Bloom", "texture{Meadow_Bloom()}");
   auto append_ground = [&](const std::vector<Surface>& shapes, const std::vector<Patch>& patches,
                            std::string_view name, const Color& color) {

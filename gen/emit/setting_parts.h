@@ -42,8 +42,8 @@ std::string sky_text(const Sky& sky, double clouds);
 std::string air_text(const Sky& sky);
 std::string lamp_text(const Sky& sky);
 
-/// That sky with hills and haze under it; `air`: light of the haze.
-std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air);
+/// That sky with hills and haze under it; `air`: light of the haze; `snow`: share of the land that is white.
+std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air, double snow);
 
 /// `<r,g,b>` of linear light: an argument of macros.
 std::string vector_text(Vec3 light);
@@ -51,6 +51,9 @@ std::string vector_text(Vec3 light);
 std::string globals_text(std::string_view prefix);
 /// The backdrop of underwater as `Water_Backdrop`.
 std::string backdrop_text(const Daylight& light);
+
+/// What of the year the ground shows is declared by each frame under these names.
+inline constexpr std::string_view kYearGrass = "Year_Grass", kYearLitter = "Year_Litter";
 
 /// A lawn of a colour, with its grass, gravel and bare earth.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,

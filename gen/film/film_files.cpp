@@ -53,7 +53,7 @@ class ModelWriter {
   ModelWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder), views_(scene) {
     for (std::size_t s = 0; s < scene.stands.size(); ++s)
       for (int model : models_of(scene.stands[s])) {
-        std::string id = copy_id(scene.stands[s].organism, model);
+        std::string id = id_of(s, model);
         SownModel& one = models_[id];
         one.uses.push_back({s, {}});
         one.number = model;
@@ -81,6 +81,11 @@ class ModelWriter {
   }
 
  private:
+  std::string id_of(std::size_t stand, int model) const {
+    const Organism& organism = scene_.stands[stand].organism;
+    return copy_id(organism, model, copy_seasons(organism, scene_.film).has_value());
+  }
+
   /// Those that its copies are of.
   static std::set<int> models_of(const SownStand& stand) {
     return {stand.copies.model.begin(), stand.copies.model.end()};
@@ -113,19 +118,31 @@ class ModelWriter {
 
   /// Whether the film sees it grow.
   bool grows(const SownModel& one) const {
-    return std::ranges::any_of(one.uses, [&](const SownModel::Use& use) {
-      return copy_growth(scene_.stands[use.stand].organism, scene_.film, one.number).has_value();
-    });
+    return turns(one) || std::ranges::any_of(one.uses, [&](const SownModel::Use& use) {
+             return copy_growth(scene_.stands[use.stand].organism, scene_.film, one.number).has_value();
+           });
+  }
+
+  /// Whether the film sees its leaves change.
+  bool turns(const SownModel& one) const {
+    return copy_seasons(scene_.stands[one.uses[0].stand].organism, scene_.film).has_value();
   }
 
   Errors grow(SownModel& one) const {
     const SownStand& stand = scene_.stands[one.uses[0].stand];
-    Result<Model> model = grow_copy(stand.organism, one.number);
+    Result<Model> model = grow_copy(stand.organism, one.number, turns(one));
     if (!model) return model.errors();
     if (one.missing.empty()) {
       one.summary.surfels = surfels_of(stand.dress.look, *model);
       if (Errors errors = write_summary(one); !errors.empty()) return errors;
       plan(one);
+    }
+    if (turns(one)) {
+      // Its files hold the wood, frames the leaves.
+      auto leaves = std::make_shared<Model>();
+      leaves->prototypes = model->prototypes;
+      leaves->organs = std::exchange(model->organs, {});
+      one.grown = std::move(leaves);
     }
     bool living = std::ranges::any_of(model->solids.shapes,
                                       [](const Solid& s) { return is_of_reef(s.material.matter); });
@@ -134,7 +151,7 @@ class ModelWriter {
       Errors errors = write_level(one, files, living ? for_level(*model, files[0].level) : *model);
       if (!errors.empty()) return errors;
     }
-    if (!grows(one)) return {};
+    if (one.grown || !grows(one)) return {};
     int finest = kLevelCount - 1;
     for (const SownModel::Use& use : one.uses)
       for (const ModelFile& file : use.plan.files) finest = std::min(finest, file.level);
@@ -163,7 +180,7 @@ class ModelWriter {
     CopyPlan plan = views_.empty_plan();
     for (std::size_t s = 0; s < scene_.stands.size(); ++s)
       for (int model : models_of(scene_.stands[s])) {
-        const SownModel& one = models_.at(copy_id(scene_.stands[s].organism, model));
+        const SownModel& one = models_.at(id_of(s, model));
         std::size_t first = plan.files.size();
         Views::add(plan, s, std::ranges::find(one.uses, s, &SownModel::Use::stand)->plan);
         for (std::size_t f = first; f < plan.files.size(); ++f)

@@ -11,6 +11,7 @@
 #include "draw/ambience.h"
 #include "draw/eyes.h"
 #include "draw/surfel_sampler.h"
+#include "scene/copies.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -82,13 +83,16 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
 void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, double time) {
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const Copies& copies = scene.stands[s].copies;
+    std::optional<Seasons> seasons = copy_seasons(scene.stands[s].organism, scene.film);
+    float leaves = seasons ? static_cast<float>(leaf_area_share(*seasons, seasons->at.at(time))) : 1;
     parallel_for(copies.size(), [&](std::size_t i) {
       if (!copies.there(i, time)) return;
       Vec3 each = copies.scale_at(i, time);
       Quat turn = copies.turn_at(i, time);
       for (const Surfel& surfel : surfels[s][copies.model[i]])
-        grid.add(copies.foot[i] + turn * (each * surfel.at), each.x * each.y * surfel.area,
-                 kDiffuse * surfel.albedo, kAllFacings, each.x * surfel.bulk, each.x * surfel.wide);
+        grid.add(copies.foot[i] + turn * (each * surfel.at),
+                 each.x * each.y * surfel.area * (surfel.bulk > 0 ? 1 : leaves), kDiffuse * surfel.albedo,
+                 kAllFacings, each.x * surfel.bulk, each.x * surfel.wide);
     });
   }
 }
@@ -159,9 +163,11 @@ double light_reach(Quality quality, double pixel) {
 bool light_changes(const Scene& scene, std::span<const double> pixel) {
   if (scene.film.frames <= 1) return false;
   auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
-  auto come_and_go = [](const SownStand& s) { return !s.copies.span.empty(); };
+  auto turns = [&](const SownStand& s) {
+    return !s.copies.span.empty() || copy_seasons(s.organism, scene.film);
+  };
   if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes) ||
-      std::ranges::any_of(scene.stands, come_and_go))
+      std::ranges::any_of(scene.stands, turns))
     return true;
   std::atomic<bool> leaves = false;
   parallel_for(scene.specimens.size(), [&](std::size_t i) {

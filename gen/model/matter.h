@@ -33,6 +33,7 @@ enum class Matter {
   // Materials with a picture by `uv`; `second` is multiplied with it.
   shell,
   mantle,  ///< soft tissue of a clam
+  snow,    ///< that lies
 };
 
 /// What a material is, beside how it looks.
@@ -79,7 +80,8 @@ inline constexpr MatterRow kMatters[] = {
     {Matter::sponge, "reef", "Reef_Sponge", 24, Nature::tissue},
     {Matter::reef, "reef", "Reef_Rock", 5, Nature::reef},
     {Matter::shell, "shell", "Shell_Porcelain", 0},
-    {Matter::mantle, "shell", "Shell_Mantle", 0}};
+    {Matter::mantle, "shell", "Shell_Mantle", 0},
+    {Matter::snow, "snow", "Snow_Lying", 0}};
 
 constexpr const MatterRow& row_of(Matter matter) { return kMatters[static_cast<std::size_t>(matter)]; }
 

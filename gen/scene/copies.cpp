@@ -68,18 +68,41 @@ FarShape far_shape(const Surface& shape, double size, double count, const CopyDe
   return far;
 }
 
+/// One of `stride` organs of a prototype, which stands for all of them: indices in `now`, if there is one.
+std::vector<std::size_t> chosen(const Model& model, std::size_t which, int stride, const Organs* now) {
+  std::vector<std::size_t> list;
+  const Organs& all = model.organs;
+  std::size_t next = 0;
+  int rank = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.prototype[i] != which) continue;
+    bool stands = rank++ % stride == stride / 2;
+    if (!now) {
+      if (stands) list.push_back(i);
+      continue;
+    }
+    // Those that are there are in the same order.
+    while (next < now->size() && now->prototype[next] != which) ++next;
+    if (next == now->size() || now->id[next] != all.id[i]) continue;
+    if (stands) list.push_back(next);
+    ++next;
+  }
+  // What the model in full leaf does not bear.
+  for (std::size_t i = 0; now && rank == 0 && i < now->size(); ++i)
+    if (now->prototype[i] == which && Seed{now->id[i]}.bits() % static_cast<std::uint64_t>(stride) == 0)
+      list.push_back(i);
+  return list;
+}
+
 /// Adds one of `stride` organs of a prototype in place of all of them.
 void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape& far, int stride,
-           const ModelBlocks* blocks) {
+           const ModelBlocks* blocks, const Organs* now) {
   Surface& out = part.surface;
-  const Organs& o = model.organs;
+  const Organs& o = now ? *now : model.organs;
   auto colors = static_cast<std::int32_t>(model.prototypes[which].colors.size());
-  int rank = 0;
   float larger = std::sqrt(static_cast<float>(stride));
-  for (std::size_t i = 0; i < o.size(); ++i) {
-    if (o.prototype[i] != which) continue;
+  for (std::size_t i : chosen(model, which, stride, now)) {
     Seed own{o.id[i]};
-    if (rank++ % stride != stride / 2) continue;
     auto first = static_cast<std::uint32_t>(out.position.size());
     glm::mat3 frame = glm::mat3_cast(o.turn[i]), normals = frame;
     for (int axis = 0; axis < 3; ++axis) frame[axis] *= o.scale[i][axis] * larger;
@@ -101,7 +124,8 @@ void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape
 
 /// All organs of one prototype, each part of them as one mesh; dew is left out, which from there is not seen.
 std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const CopyDetail& detail,
-                                    const ModelBlocks* blocks) {
+                                    const ModelBlocks* blocks, const Organs* now) {
+  constexpr double kFlower = 0.035;  // metres across, of those that come before the leaves
   const Prototype& prototype = model.prototypes[which];
   const Organs& o = model.organs;
   double size = 0;
@@ -109,6 +133,7 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
   for (std::size_t i = 0; i < o.size(); ++i)
     if (o.prototype[i] == which) size += std::max({o.scale[i].x, o.scale[i].y, o.scale[i].z}), ++count;
   std::vector<CopyPart> parts(prototype.parts.size());
+  if (count == 0 && now) count = static_cast<int>(o.size()) + 1, size = kFlower * count;
   if (count == 0) return parts;
   std::vector<FarShape> shapes;
   int stride = 1;
@@ -119,7 +144,8 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
   }
   stride = std::min(stride, count);  // one is left at least
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (prototype.parts[k].tissue != Tissue::dew) merge(parts[k], model, which, shapes[k], stride, blocks);
+    if (prototype.parts[k].tissue != Tissue::dew)
+      merge(parts[k], model, which, shapes[k], stride, blocks, now);
   return parts;
 }
 
@@ -176,10 +202,10 @@ int level_for(double grain) {
   return level;
 }
 
-std::string copy_id(const Organism& organism, int which) {
+std::string copy_id(const Organism& organism, int which, bool bare) {
   Keys keys = organism.grower->keys();
-  std::string id = fmt::format("{} {} {} {} {}", keys.shape, keys.look, copy_seed(organism, which).key,
-                               organism.sown->crowd, organism.place.size_variation);
+  std::string id = fmt::format("{} {} {} {} {}{}", keys.shape, keys.look, copy_seed(organism, which).key,
+                               organism.sown->crowd, organism.place.size_variation, bare ? " bare" : "");
   if (const auto& size = organism.sown->size)
     id += fmt::format(" {} {} {}", size->height, size->crown, size->stem);
   return made_id(id);
@@ -191,11 +217,34 @@ TintShift tint_shift(const CopyTint& tint, int number) {
   return {tint.hue * spread(5), 1 + tint.saturation * spread(7), 1 + tint.value * spread(1)};
 }
 
-Result<Model> grow_copy(const Organism& organism, int which) {
-  Seed seed = copy_seed(organism, which).child("copy", kShapes);
+namespace {
+
+Seed model_seed(const Organism& organism, int which) {
+  return copy_seed(organism, which).child("copy", kShapes);
+}
+
+}  // namespace
+
+std::optional<Seasons> copy_seasons(const Organism& organism, const Film& film) {
+  std::optional<Seasons> seasons = organism.grower->dress().season;
+  if (film.frames <= 1 || !seasons || seasons->at.constant()) return std::nullopt;
+  if (seasons->evergreen && !seasons->blossom && !seasons->flowering) return std::nullopt;
+  return seasons;
+}
+
+Organs copy_organs(const Organism& organism, int which, const Model& full, const Seasons& seasons,
+                   double time) {
+  Organs now = full.organs;
+  in_season(now, full.prototypes, seasons, time, model_seed(organism, which).child("season"));
+  return now;
+}
+
+Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
+  Seed seed = model_seed(organism, which);
   Result<Model> model = organism.grower->grow_copy(organism, seed);
   if (!model) return model;
-  if (auto season = organism.grower->dress().season) in_season(*model, *season, 0, seed.child("season"));
+  if (auto season = organism.grower->dress().season; season && !full_leaf)
+    in_season(*model, *season, 0, seed.child("season"));
   if (organism.sown->size) fit_to(*model, *organism.sown->size);
   float depth = organism.grower->copy_depth(*model);
   auto lower = [&](std::vector<Vec3>& places) {
@@ -295,7 +344,7 @@ Surface in_block(const CopyPart& part, int block) {
 }
 
 std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail,
-                                 const ModelBlocks* blocks) {
+                                 const ModelBlocks* blocks, const Organs* now) {
   std::vector<CopyPart> parts;
   auto add = [&](CopyPart::Kind kind, std::size_t which, std::size_t part, Surface surface) {
     if (surface.triangle.empty()) return;
@@ -320,7 +369,7 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
   for (const Prototype& prototype : model.prototypes) shapes += prototype.parts.size();
   each.leaves /= static_cast<double>(std::max<std::size_t>(1, shapes));
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
-    std::vector<CopyPart> merged = merged_organs(model, p, each, blocks);
+    std::vector<CopyPart> merged = merged_organs(model, p, each, blocks, now);
     for (std::size_t k = 0; k < merged.size(); ++k)
       if (!merged[k].surface.triangle.empty())
         parts.push_back(

@@ -54,9 +54,16 @@ struct CopyPart {
 };
 
 /// Grows model `which` of a sown organism, its foot at the origin. A tree with `crowd` grows up among six
-/// neighbours. Its leaves are in the season that the film begins in. What it is made of depends on the
-/// organism and its `seeds` alone, not on the scene's seed.
-Result<Model> grow_copy(const Organism& organism, int which);
+/// neighbours. Its leaves are in the season that the film begins in, or in full leaf. What it is made of
+/// depends on the organism and its `seeds` alone, not on the scene's seed.
+Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf = false);
+
+/// The year of a sown organism whose leaves change over a film; nothing where they stay as they are.
+std::optional<Seasons> copy_seasons(const Organism& organism, const Film& film);
+
+/// The organs at a time of model `which`, which is in full leaf.
+Organs copy_organs(const Organism& organism, int which, const Model& full, const Seasons& seasons,
+                   double time);
 
 /// How the copies of model `which` of a sown organism grow over a film, all of them together; nothing where
 /// they stand as they are.
@@ -65,8 +72,9 @@ std::optional<Growth> copy_growth(const Organism& organism, const Film& film, in
 /// A model with what growth has reached of it at a time; nothing before it begins.
 std::optional<Model> grown_by(const Model& model, const Motion& motion, double time);
 
-/// What stands for model `which` of a sown organism in names: it differs where the model or its look does.
-std::string copy_id(const Organism& organism, int which);
+/// What stands for model `which` of a sown organism in names: it differs where the model or its look does. In
+/// `bare` files are no leaves.
+std::string copy_id(const Organism& organism, int which, bool bare = false);
 
 /// How a model is drawn.
 struct CopyDetail {
@@ -83,9 +91,10 @@ inline constexpr CopyDetail kLevels[kLevelCount] = {{0.0005, 6e5},  {0.002, 6e5}
 int level_for(double grain);
 
 /// A model as meshes. What is left of its leaves has the area of all of them. With blocks it is known of
-/// which each triangle is; an organ is not cut.
+/// which each triangle is; an organ is not cut. With `now`, organs of the model at some time, these are
+/// drawn: those which stand for others are the same at all times.
 std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail,
-                                 const ModelBlocks* blocks = nullptr);
+                                 const ModelBlocks* blocks = nullptr, const Organs* now = nullptr);
 
 /// What of a part is in a block.
 Surface in_block(const CopyPart& part, int block);

@@ -114,6 +114,18 @@ void describe(Visitor& v, Floor& f) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Snow& s) {
+  v.animated("depth", s.depth, {.min = 0, .max = 2, .unit = "m"},
+             "Depth of the snow on open level ground; with keyframes it falls and melts");
+  v.animated("frost", s.frost, {.min = 0, .max = 1},
+             "How white hoarfrost makes leaves, twigs and blades of grass");
+  v.angle("wind", s.wind, {.min = -360, .max = 360},
+          "Direction that the wind comes from which brought the snow: 0 from +z, 90 from +x");
+  v.number("drift", s.drift, {.min = 0, .max = 1},
+           "How much of the snow the wind has carried into the lee of what stands there: 0 calm, 1 a storm");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Stage& s) {
   std::vector<Choice<std::size_t>> names;
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
@@ -129,6 +141,11 @@ void describe(Visitor& v, Stage& s) {
     v.custom(row.block, s.blocks[i], row.read, schema, row.block_doc);
   }
   v.object("floor", s.floor, "The ground of the sea and the lawn, for underwater, meadow and garden");
+  v.animated(
+      "year", s.year, {.min = -1000, .max = 1000, .unit = "years", .sense = "winter is 0, summer 0.5"},
+      "Time of the year of lawns and forest floors, and of every `season` that has none of its own: 0 new "
+      "year, 0.5 midsummer; not given: always summer");
+  v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 
 template <class Visitor>
@@ -146,8 +163,9 @@ void describe(Visitor& v, Preset& p) {
   v.object("plan", p.plan,
            "A plan of rooms and ways that a grammar lays out by the preset's seed; the ground of a garden "
            "follows it");
-  v.object("stand", p.stand,
-           "The trees of a piece of land over centuries, simulated year by year; `frond stand` draws its figures");
+  v.object(
+      "stand", p.stand,
+      "The trees of a piece of land over centuries, simulated year by year; `frond stand` draws its figures");
   v.inheriting_list({}, p.organisms, organism_kinds(),
                     "What grows and stands in the scene, one entry for each kind of thing");
 }

@@ -24,7 +24,8 @@ void describe(Visitor& v, TreeText& t) {
   v.choice("name", t.name, kTreeNames, "The species; what is not given here is as in docs/stand.md");
   v.required("name");
   v.text("organism", t.organism,
-         "Name of the organism that these trees are drawn as, one with `sown` and a `count` of 0; not given: they are not drawn");
+         "Name of the organism that these trees are drawn as, one with `sown` and a `count` of 0; not given: "
+         "they are not drawn");
   v.number("height", t.height, {.min = 2, .max = 100, .unit = "m"}, "Height of the tallest trees");
   v.number("girth_gain", t.girth_gain, {.min = 0.1, .max = 10, .unit = "cm"},
            "How much girth a tree in the open adds in a year");
@@ -70,7 +71,8 @@ void describe(Visitor& v, StandText& s) {
   v.vector("area", s.area, {.min = 10, .max = 1000, .unit = "m"}, "How long the land is along x and along z");
   v.integer("years", s.years, {.min = 1, .max = 2000}, "How many years are simulated");
   v.vector("shown", s.shown, {.min = 0, .max = 2000, .unit = "years"},
-             "The years that a film shows, first and last; not given: all that are simulated. A still shows the last");
+           "The years that a film shows, first and last; not given: all that are simulated. A still shows "
+           "the last");
   v.list("species", s.species, "The species that come up; not given: all that there are");
   v.list("planted", s.planted, "Trees that are planted at the beginning, at random places");
   v.boolean("seeding", s.seeding, "Whether trees come up by themselves");

@@ -44,6 +44,8 @@ class Finder {
     bool set = setting && setting->origin.line == 0;
     for (const SettingRow& row : settings()) check_block(row.block, set);
     check_block("floor", set);
+    check_block("snow", set);
+    check_block("year", set);
     const Value* organisms = preset_.written->find("organisms");
     for (std::size_t i = 0; i < preset_.organisms.size(); ++i)
       check(preset_.organisms[i], organisms->items[i], fmt::format("/organisms/{}", i));

@@ -250,6 +250,18 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
   return errors;
 }
 
+/// The time of the year that the scene tells is that of all seasons that have none of their own.
+void pass_on_year(Value& root) {
+  const Value* scene = root.find("scene");
+  const Value* year = scene && scene->is(Value::Type::object) ? scene->find("year") : nullptr;
+  if (!year) return;
+  Value at = make_object(), season = make_object(), all = make_object();
+  at.set("at", *year);
+  season.set("season", std::move(at));
+  all.set("defaults", std::move(season));
+  root = overlay(all, root);
+}
+
 /// The document with the defaults in its organisms.
 Value with_defaults(Value root) {
   Value* organisms = root.find("organisms");
@@ -285,6 +297,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   errors = lay_on_base(document->root, file_name, assets);
   if (!errors.empty() || !set_all("")) return errors;
   if (errors = lay_on_species(document->root, file_name, assets); !errors.empty()) return errors;
+  pass_on_year(document->root);
 
   Faults faults, doubtful;
   Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets);

@@ -17,6 +17,7 @@
 #include "scene/inside.h"
 #include "scene/remarks.h"
 #include "scene/shading.h"
+#include "scene/snow.h"
 #include "scene/sowing.h"
 #include "scene/specimen_cache.h"
 #include "scene/stages.h"
@@ -244,6 +245,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
     scene.stage.camera = std::move(moved);
   }
   ground->lay_litter(scene.stage.camera);
+  std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
   scene.ground = std::move(ground);
   note_camera(scene, preset);
   note_growth(scene);
@@ -252,6 +254,8 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
       std::ranges::move(drawings(organism.grower->dress().look), std::back_inserter(scene.drawings));
   if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;
   note_fit(scene);
+  for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.stage);
+  if (snow) scene.specimens.push_back(std::move(*snow));
   assert(scene.check().empty());
   return scene;
 }

@@ -110,7 +110,7 @@ SettingRow forest_setting() {
       "forest", "wooded hills at any hour of the day", "forest",
       "Hour and land, for forest; clouds and haze are the meadow's",
       {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/moon", "/meadow/zenith",
-       "/meadow/horizon"},
+       "/meadow/horizon", "/snow", "/year"},
       [](const Stage& stage) {
         const TerrainShape& land = stage.block<Forest>().terrain;
         return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};

@@ -100,4 +100,11 @@ ForestCover strew_floor(const Film& film, const Camera& camera, const ForestLand
   return cover;
 }
 
+Color litter_at(const Color& mean, double year) {
+  static const Curve kFresh({{-0.1, 0.8}, {0.15, 0.25}, {0.5, 0}, {0.8, 0.15}, {0.9, 1}, {1.15, 0.25}});
+  constexpr Color kFallen{0.70f, 0.42f, 0.18f};
+  auto fresh = static_cast<float>(kFresh(year - std::floor(year)));
+  return mixed(mean, kFallen, 0.6f * fresh);
+}
+
 }  // namespace frond

@@ -31,4 +31,7 @@ struct ForestCover {
 ForestCover strew_floor(const Film& film, const Camera& camera, const ForestLand& land, double moss,
                         Seed seed);
 
+/// The colour of fallen leaves at a time of the year: bright when they have just come down, dark by summer.
+Color litter_at(const Color& mean, double year);
+
 }  // namespace frond

@@ -29,6 +29,9 @@ struct LawnShape {
   double bare = 0;  ///< share of patches with a spot of bare earth
 };
 
+/// The colour of grass at a time of the year: its own in May, drier in late summer, straw in winter.
+Color grass_at(const Color& summer, double year);
+
 /// Errors for more grass than memory or POV-Ray can hold, at pointers below the scene.
 Errors check_grass(const LawnShape& shape);
 /// Adds the grass to the estimate.

@@ -27,6 +27,21 @@ void describe_rest(KeyWriter& v, std::any& block) {
   }
 }
 
+double Snow::deepest() const {
+  double most = 0;  // between keys it is between their values
+  for (const auto& key : depth.keys()) most = std::max(most, key.value);
+  return most;
+}
+
+bool is_snowy(const Stage& stage) {
+  const auto& reads = settings()[stage.setting].answers.reads;
+  auto some = [](const Animated<double>& a) {
+    return std::ranges::any_of(a.keys(), [](const auto& key) { return key.value > 0; });
+  };
+  return (some(stage.snow.depth) || some(stage.snow.frost)) &&
+         std::ranges::find(reads, "/snow") != reads.end();
+}
+
 Stage::Stage() {
   for (const SettingRow& row : settings()) blocks.push_back(row.initial);
 }
@@ -124,6 +139,9 @@ Stage stage_at(const Stage& stage, double time) {
   Stage now = stage;
   if (auto hour_of = settings()[stage.setting].answers.hour)
     if (Animated<double>* hour = hour_of(now)) *hour = hour->at(time);
+  now.snow.depth = stage.snow.depth.at(time);
+  now.snow.frost = stage.snow.frost.at(time);
+  if (now.year) now.year = now.year->at(time);
   return now;
 }
 
@@ -134,7 +152,21 @@ bool sun_moves(const Stage& stage) {
   return hour && !hour->constant();
 }
 
-Daylight drawn_daylight(const Stage& stage) { return settings()[stage.setting].answers.daylight(stage); }
+double snow_cover(const Stage& stage) {
+  return is_snowy(stage) ? smooth_step(0.0, 0.05, stage.snow.depth.at(0)) : 0;
+}
+
+Daylight drawn_daylight(const Stage& stage) {
+  constexpr float kAlbedo = 0.82f;  // of fresh snow with what stands in it
+  Daylight light = settings()[stage.setting].answers.daylight(stage);
+  if (auto cover = static_cast<float>(snow_cover(stage)); cover > 0) {
+    light.thrown_back = glm::mix(light.thrown_back, Vec3(kAlbedo), cover);
+    light.below =
+        light.thrown_back * (0.5f * light.sunlight * light.sun.y + 0.4f * (light.above + light.aside));
+    light.ground = mixed(light.ground, Color{0.94f, 0.95f, 0.97f}, cover);
+  }
+  return light;
+}
 
 Daylight daylight_of(Stage stage) {
   stage.camera.highlights = 0;

@@ -23,9 +23,14 @@ std::size_t row_of(std::string_view name);
 
 /// Whether the hour of the day changes over the film.
 bool sun_moves(const Stage& stage);
-/// The stage with the hour of that time, seconds, as if it never changed; without it the film's beginning
-/// counts.
+/// The stage with the hour and the snow of that time, seconds, as if they never changed; without it the
+/// film's beginning counts.
 Stage stage_at(const Stage& stage, double time);
+
+/// Whether there is snow or hoarfrost at some time.
+bool is_snowy(const Stage& stage);
+/// Share of the land that snow whitens at the beginning of the film, 0..1.
+double snow_cover(const Stage& stage);
 
 /// The lighting of a stage as POV-Ray draws it, and as its finished picture shows it.
 Daylight drawn_daylight(const Stage& stage);

@@ -87,6 +87,18 @@ struct Floor {
   double extent = 7;                  ///< metres round the origin in which they lie
 };
 
+/// Snow that lies, and hoarfrost.
+struct Snow {
+  Animated<double> depth{0.0};  ///< metres, on open level ground
+  Animated<double> frost{0.0};  ///< 0 none .. 1: how white hoarfrost makes what is thin
+  double wind = 0;              ///< radians, where the wind comes from: 0 from +z, 90 degrees from +x
+  double drift = 0.4;           ///< 0 calm .. 1: how much of it the wind carries to where there is lee
+
+  /// The largest depth of a film, metres.
+  double deepest() const;
+  bool constant() const { return depth.constant() && frost.constant(); }
+};
+
 /// Everything but the organisms. Each setting has a block of parameters that is read only by it and by
 /// settings based on it.
 struct Stage {
@@ -96,7 +108,9 @@ struct Stage {
   Camera camera;
   std::optional<Wind> wind;  ///< over the land; none: what sways has waves of its own
   Floor floor;
-  std::vector<std::any> blocks;  ///< one per setting
+  Snow snow;                             ///< read by settings under the open sky
+  std::optional<Animated<double>> year;  ///< the time of the year, see Seasons; none: it is always summer
+  std::vector<std::any> blocks;          ///< one per setting
 
   /// The block of that type, which belongs to one of the settings.
   template <class Block>

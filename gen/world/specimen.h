@@ -50,6 +50,7 @@ struct Traits {
   Motion motion{};
   Style style{};  ///< its voxel is never 0
   Life life{};
+  bool snowy = false;  ///< whether snow lies on what of it looks up
 };
 
 /// One grown organism or built body at its place. Always moved as a whole, never field by field.

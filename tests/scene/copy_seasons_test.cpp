@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/copies.h"
+
+namespace frond {
+namespace {
+
+Organism sown_tree(const std::string& season) {
+  std::string text =
+      R"({"film": {"frames": 48}, "organisms": [{"kind": "tree", "years": 9, "sown": {"models": 2}, "season": )" +
+      season + "}]}";
+  Result<Preset> preset = read_preset(text, "test.json", {});
+  if (!preset) ADD_FAILURE() << preset.errors().front().text();
+  return preset->organisms.at(0);
+}
+
+const std::string kYear = R"("at": [[0, 0], [1, 1]])";
+
+// Of its leaves, m2, at times of the year.
+std::vector<double> leaf_areas(const Organism& o, double grain, int steps) {
+  Film film{.frames = 48};
+  Seasons seasons = *copy_seasons(o, film);
+  Model full = *grow_copy(o, 0, true);
+  full.skeleton = {};
+  std::vector<double> areas;
+  for (int i = 0; i <= steps; ++i) {
+    Organs now = copy_organs(o, 0, full, seasons, static_cast<double>(i) / steps);
+    double sum = 0;
+    for (const CopyPart& part : copy_parts(o.grower->dress().look, full, {grain, 1e9}, nullptr, &now))
+      if (part.which == 0) sum += area(part.surface);
+    areas.push_back(sum);
+  }
+  return areas;
+}
+
+TEST(CopySeasons, LeavesComeAndGoWithoutAJump) {
+  Organism o = sown_tree("{" + kYear + "}");
+  constexpr int kSteps = 120;
+  for (double grain : {0.002, 0.05}) {
+    std::vector<double> areas = leaf_areas(o, grain, kSteps);
+    double most = *std::ranges::max_element(areas);
+    ASSERT_GT(most, 0.1);
+    EXPECT_EQ(areas[kSteps / 10], 0) << "it is bare in February";
+    for (int i = 1; i <= kSteps; ++i) {
+      double year = static_cast<double>(i) / kSteps, change = areas[i] - areas[i - 1];
+      if (year < 0.6) {
+        EXPECT_GE(change, -1e-6 * most) << year;
+      } else if (year > 0.78) {
+        EXPECT_LE(change, 1e-6 * most) << year;
+      }
+      EXPECT_LT(std::abs(change), 0.25 * most) << year;
+    }
+    EXPECT_NEAR(areas[kSteps / 2], most, 1e-4 * most);
+    EXPECT_LT(areas[kSteps], 1e-3 * most);
+  }
+}
+
+TEST(CopySeasons, FarLeavesStandForTheSameOnesAllYear) {
+  Organism o = sown_tree("{" + kYear + "}");
+  Model full = *grow_copy(o, 0, true);
+  Seasons seasons = *copy_seasons(o, Film{.frames = 48});
+  auto leaves = [&](double time, const Organs* now) {
+    (void)time;
+    std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, full, {0.05, 1e9}, nullptr, now);
+    for (CopyPart& part : parts)
+      if (part.kind == CopyPart::Kind::organ) return part.surface.position;
+    return std::vector<Vec3>();
+  };
+  Organs summer = copy_organs(o, 0, full, seasons, 0.5);
+  EXPECT_EQ(leaves(0.5, &summer), leaves(0.5, nullptr)) << "in summer all are there";
+}
+
+TEST(CopySeasons, AreNoneOfWhatStaysAsItIs) {
+  Film film{.frames = 48}, still{.frames = 1};
+  EXPECT_TRUE(copy_seasons(sown_tree("{" + kYear + "}"), film));
+  EXPECT_FALSE(copy_seasons(sown_tree("{" + kYear + R"(, "evergreen": true})"), film));
+  EXPECT_FALSE(copy_seasons(sown_tree("0.5"), film));
+  EXPECT_FALSE(copy_seasons(sown_tree("{" + kYear + "}"), still));
+}
+
+TEST(CopySeasons, TheYearOfTheSceneIsThatOfSeasonsWithoutTheirOwn) {
+  std::string text =
+      R"({"film": {"frames": 48}, "scene": {"setting": "forest", "year": [[0, 0], [2, 1]]}, "organisms": [
+      {"kind": "tree"}, {"kind": "tree", "season": {"fall": 0.8}}, {"kind": "tree", "season": 0.7}, {"kind": "rock"}]})";
+  Result<Preset> preset = read_preset(text, "test.json", {});
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  auto at = [&](std::size_t i) { return preset->organisms[i].grower->dress().season->at; };
+  EXPECT_EQ(at(0).at(2), 1);
+  EXPECT_EQ(at(1).at(2), 1);
+  EXPECT_EQ(at(2).at(2), 0.7);
+}
+
+}  // namespace
+}  // namespace frond
