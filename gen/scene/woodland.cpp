@@ -105,7 +105,8 @@ class Library {
 
  private:
   SownStand stand_of(const Organism& organism, std::size_t entry, const Stature& stature, bool dead) const {
-    SownStand stand{entry, organism, {}, {}};
+    SownStand stand;
+    stand.entry = entry, stand.organism = organism;
     if (auto aged = organism.grower->at_age(stature.age, dead ? kBare : 0)) stand.organism.grower = aged;
     stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
     stand.organism.sown->where.radius = stature.crown;
