@@ -127,8 +127,9 @@ void describe(Visitor& v, Preset& p) {
   v.object("plan", p.plan,
            "A plan of rooms and ways that a grammar lays out by the preset's seed; the ground of a garden "
            "follows it");
-  v.object("stand", p.stand,
-           "The trees of a piece of land over centuries, simulated year by year; `frond stand` draws its figures");
+  v.object(
+      "stand", p.stand,
+      "The trees of a piece of land over centuries, simulated year by year; `frond stand` draws its figures");
   v.inheriting_list({}, p.organisms, organism_kinds(),
                     "What grows and stands in the scene, one entry for each kind of thing");
 }

@@ -369,7 +369,8 @@ const WrongPreset kWrongStands[] = {
       "2:17: /stand/area/1: found 5000; expected a number from 10 to 1000 m",
       R"(2:36: /stand/planted/0: no "name"; expected this property to be given)",
       R"(2:66: /stand/events/0: no "year"; expected this property to be given)",
-      "2:76: /stand/events/0/storm: found 2; expected a number from 0 to 1 (1 the storm of a century, gusts of 45 m/s)"}},
+      "2:76: /stand/events/0/storm: found 2; expected a number from 0 to 1 (1 the storm of a century, gusts "
+      "of 45 m/s)"}},
     {"Species that do not come up",
      R"({"stand": {"years": 100, "species": ["oak", "beech", "oak"],
   "planted": [{"name": "fir"}], "events": [{"year": 120, "cut": "pine"}]}})",
