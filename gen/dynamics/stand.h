@@ -140,7 +140,8 @@ StandHistory simulate_stand(const StandOptions& options, const StandLand& land, 
 /// died.
 TreeSize size_at(const StandHistory& history, std::uint32_t life, double year);
 
-/// Lives that are lived in a year, and those whose wood is still there, in the order of `lives`.
+/// Lives that are lived in a year, seedlings of later trees among them, and those whose wood is still there,
+/// in the order of `lives`.
 std::vector<std::uint32_t> living_at(const StandHistory& history, double year);
 std::vector<Deadwood> deadwood_at(const StandHistory& history, double year);
 
