@@ -156,7 +156,8 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& s
   bool joined = blocks.count() > 1 && used.contains({kWholeFrom, ModelFile::kWhole});
   for (int b = 0; joined && b < blocks.count(); ++b) used.insert({kWholeFrom, b});
   for (auto [level, block] : used) {
-    std::string name = model_file_name(sown.organism, model, level, block, copy_seasons(sown.organism, scene_.film).has_value());
+    std::string name = model_file_name(sown.organism, model, level, block,
+                                       copy_seasons(sown.organism, scene_.film).has_value());
     int from = joined && level == kWholeFrom && block == ModelFile::kWhole ? blocks.count() : 0;
     result.files.push_back({stand, model, level, block, from, std::move(name), {}});
   }

@@ -163,10 +163,11 @@ class Moment {
     Turn turn = turn_of(year_, s_.flowering->at - half);
     double opens = half * (1 + own.child(turn.which).range(-1, 1));
     double withers = std::min(opens + kOpen + s_.flowering->lasts, 1 - kOpen);
-    double size = smooth_step(opens, opens + kOpen, turn.age) * (1 - smooth_step(withers, withers + kOpen, turn.age));
+    double size =
+        smooth_step(opens, opens + kOpen, turn.age) * (1 - smooth_step(withers, withers + kOpen, turn.age));
     if (size < static_cast<double>(kLeast)) return;
-    add(i, full_.prototype[i], {full_.position[i], full_.turn[i], 0}, full_.scale[i] * static_cast<float>(size),
-        full_.color[i]);
+    add(i, full_.prototype[i], {full_.position[i], full_.turn[i], 0},
+        full_.scale[i] * static_cast<float>(size), full_.color[i]);
   }
 
   void add_flower(std::size_t i, Seed own) {

@@ -62,8 +62,9 @@ namespace {
 /// What the textures of snow ask for, and that which lies over others.
 std::string snow_text(const Stage& stage, double time) {
   if (!is_snowy(stage)) return {};
-  return fmt::format("#declare Frond_Snow = {};\n#declare Frond_Frost = {};\n#declare Snow_Over = texture{{Snow_Layer()}}\n",
-                     number_text(stage.snow.depth.at(time)), number_text(stage.snow.frost.at(time)));
+  return fmt::format(
+      "#declare Frond_Snow = {};\n#declare Frond_Frost = {};\n#declare Snow_Over = texture{{Snow_Layer()}}\n",
+      number_text(stage.snow.depth.at(time)), number_text(stage.snow.frost.at(time)));
 }
 
 }  // namespace
@@ -74,7 +75,7 @@ namespace {
 std::string year_text(const Stage& stage, double time) {
   if (!stage.year) return {};
   double year = stage.year->at(time);
-  return fmt::format("#declare {} = {};\n#declare {} = {};\n", kYearGrass,
+  return fmt::format("#declare {} = color {};\n#declare {} = color {};\n", kYearGrass,
                      color_text(grass_at(stage.block<Meadow>().grass, year)), kYearLitter,
                      color_text(litter_at(stage.block<Forest>().litter, year)));
 }
@@ -82,7 +83,8 @@ std::string year_text(const Stage& stage, double time) {
 }  // namespace
 
 std::string setting_text(const Scene& scene, double time) {
-  return snow_text(scene.stage, time) + year_text(scene.stage, time) + text_of(scene.stage).surroundings(scene, time);
+  return snow_text(scene.stage, time) + year_text(scene.stage, time) +
+         text_of(scene.stage).surroundings(scene, time);
 }
 
 bool has_pictures(const Stage& stage) { return text_of(stage).pictures; }

@@ -120,8 +120,8 @@ std::string lamp_text(const Sky& sky) {
 
 std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air, double snow) {
   Color grass = mixed(meadow.grass, Color{0.97f, 0.955f, 1}, static_cast<float>(snow));
-  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(grass) +
-         "," + lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
+  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(grass) + "," +
+         lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
          number_text(meadow.hills) + "," + number_text(meadow.hills_distance) + ")";
 }
 

@@ -85,8 +85,9 @@ void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, dou
     parallel_for(copies.size(), [&](std::size_t i) {
       float scale = copies.scale[i];
       for (const Surfel& surfel : surfels[s][copies.model[i]])
-        grid.add(copies.foot[i] + copies.turn[i] * (scale * surfel.at), scale * scale * surfel.area * (surfel.bulk > 0 ? 1 : leaves),
-                 kDiffuse * surfel.albedo, kAllFacings, scale * surfel.bulk, scale * surfel.wide);
+        grid.add(copies.foot[i] + copies.turn[i] * (scale * surfel.at),
+                 scale * scale * surfel.area * (surfel.bulk > 0 ? 1 : leaves), kDiffuse * surfel.albedo,
+                 kAllFacings, scale * surfel.bulk, scale * surfel.wide);
     });
   }
 }

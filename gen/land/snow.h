@@ -12,8 +12,9 @@
 
 namespace frond {
 
-/// Share of the snow that stays on a face whose normal rises by `up`, the cosine of its slope: all of it up to
-/// 30 degrees, none from 55 degrees on, where it slides off (McClung and Schaerer, The Avalanche Handbook).
+/// Share of the snow that stays on a face whose normal rises by `up`, the cosine of its slope: all of it up
+/// to 30 degrees, none from 55 degrees on, where it slides off (McClung and Schaerer, The Avalanche
+/// Handbook).
 double lying_share(double up);
 
 /// What the wind does with falling snow.
@@ -82,8 +83,8 @@ struct SnowLand {
   std::vector<SnowTrunk> trunks;
 };
 
-/// The snow on the ground: less below what shelters it, hollow at trunks, drifts in the lee of `bodies` and none
-/// before them (Winstral and others 2002), waves of wind-blown snow between.
+/// The snow on the ground: less below what shelters it, hollow at trunks, drifts in the lee of `bodies` and
+/// none before them (Winstral and others 2002), waves of wind-blown snow between.
 SnowSheet snow_on_ground(const SnowLand& land, const Overhead& bodies, const SnowWind& wind, Seed seed);
 
 }  // namespace frond

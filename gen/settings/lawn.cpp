@@ -57,7 +57,15 @@ struct Paving {
 }  // namespace
 
 Color grass_at(const Color& summer, double year) {
-  static const Curve kDry({{-0.1, 0.45}, {0.1, 0.7}, {0.22, 0.5}, {0.36, 0}, {0.5, 0.08}, {0.66, 0.34}, {0.78, 0.15}, {0.9, 0.45}, {1.1, 0.7}});
+  static const Curve kDry({{-0.1, 0.45},
+                           {0.1, 0.7},
+                           {0.22, 0.5},
+                           {0.36, 0},
+                           {0.5, 0.08},
+                           {0.66, 0.34},
+                           {0.78, 0.15},
+                           {0.9, 0.45},
+                           {1.1, 0.7}});
   constexpr Color kStraw{0.60f, 0.54f, 0.36f};
   return mixed(summer, kStraw, static_cast<float>(kDry(year - std::floor(year))));
 }

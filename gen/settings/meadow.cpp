@@ -76,7 +76,8 @@ void describe(Visitor& v, Meadow& m) {
 SettingRow meadow_setting() {
   return setting_row<Meadow>(
       "meadow", "grass under a summer sky", "meadow", "Sky and grass, for meadow",
-      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/year"}, [](const Stage&) { return Extent{.sown = kLawnSown}; },
+      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/year"},
+      [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) { return check_grass(stage.block<Meadow>().lawn); },
       [](const Stage& stage, const Film& film) {
         GroundSizeEstimate ground{.triangles = 48'180};

@@ -38,7 +38,8 @@ bool is_snowy(const Stage& stage) {
   auto some = [](const Animated<double>& a) {
     return std::ranges::any_of(a.keys(), [](const auto& key) { return key.value > 0; });
   };
-  return (some(stage.snow.depth) || some(stage.snow.frost)) && std::ranges::find(reads, "/snow") != reads.end();
+  return (some(stage.snow.depth) || some(stage.snow.frost)) &&
+         std::ranges::find(reads, "/snow") != reads.end();
 }
 
 Stage::Stage() {
@@ -151,14 +152,17 @@ bool sun_moves(const Stage& stage) {
   return hour && !hour->constant();
 }
 
-double snow_cover(const Stage& stage) { return is_snowy(stage) ? smooth_step(0.0, 0.05, stage.snow.depth.at(0)) : 0; }
+double snow_cover(const Stage& stage) {
+  return is_snowy(stage) ? smooth_step(0.0, 0.05, stage.snow.depth.at(0)) : 0;
+}
 
 Daylight drawn_daylight(const Stage& stage) {
   constexpr float kAlbedo = 0.82f;  // of fresh snow with what stands in it
   Daylight light = settings()[stage.setting].answers.daylight(stage);
   if (auto cover = static_cast<float>(snow_cover(stage)); cover > 0) {
     light.thrown_back = glm::mix(light.thrown_back, Vec3(kAlbedo), cover);
-    light.below = light.thrown_back * (0.5f * light.sunlight * light.sun.y + 0.4f * (light.above + light.aside));
+    light.below =
+        light.thrown_back * (0.5f * light.sunlight * light.sun.y + 0.4f * (light.above + light.aside));
     light.ground = mixed(light.ground, Color{0.94f, 0.95f, 0.97f}, cover);
   }
   return light;

@@ -46,8 +46,7 @@ double volume(const SnowSheet& sheet, double depth) {
   for (auto [a, b, c] : sheet.triangle) {
     auto p = [&](std::uint32_t i) { return glm::dvec3(sheet.bare[i]); };
     double area = std::abs((p(b).x - p(a).x) * (p(c).z - p(a).z) - (p(c).x - p(a).x) * (p(b).z - p(a).z)) / 2;
-    for (std::uint32_t i : {a, b, c})
-      sum += area / 3 * std::max(0.0f, snow.position[i].y - sheet.bare[i].y);
+    for (std::uint32_t i : {a, b, c}) sum += area / 3 * std::max(0.0f, snow.position[i].y - sheet.bare[i].y);
   }
   return sum;
 }
@@ -139,12 +138,14 @@ TEST(Snow, DriftsIntoTheLee) {
   land.trunks.clear();
   Overhead wall(Vec2(0), 20, 0.1f);
   wall.take(block({0.15f, 0.5f, 3}));
-  SnowSheet calm = snow_on_ground(land, wall, {}, Seed{1}), windy = snow_on_ground(land, wall, {Vec2(1, 0), 1}, Seed{1});
+  SnowSheet calm = snow_on_ground(land, wall, {}, Seed{1}),
+            windy = snow_on_ground(land, wall, {Vec2(1, 0), 1}, Seed{1});
   auto mean = [&](const SnowSheet& snow, float from, float to) {
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < snow.bare.size(); ++i)
-      if (const Vec3& p = snow.bare[i]; p.x > from && p.x < to && std::abs(p.z) < 1) sum += snow.share[i], ++count;
+      if (const Vec3& p = snow.bare[i]; p.x > from && p.x < to && std::abs(p.z) < 1)
+        sum += snow.share[i], ++count;
     return sum / count;
   };
   EXPECT_GT(mean(windy, 0.6f, 2), 1.2 * mean(calm, 0.6f, 2));

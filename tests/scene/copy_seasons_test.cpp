@@ -9,8 +9,9 @@ namespace frond {
 namespace {
 
 Organism sown_tree(const std::string& season) {
-  std::string text = R"({"film": {"frames": 48}, "organisms": [{"kind": "tree", "years": 9, "sown": {"models": 2}, "season": )" +
-                     season + "}]}";
+  std::string text =
+      R"({"film": {"frames": 48}, "organisms": [{"kind": "tree", "years": 9, "sown": {"models": 2}, "season": )" +
+      season + "}]}";
   Result<Preset> preset = read_preset(text, "test.json", {});
   if (!preset) ADD_FAILURE() << preset.errors().front().text();
   return preset->organisms.at(0);
@@ -81,7 +82,8 @@ TEST(CopySeasons, AreNoneOfWhatStaysAsItIs) {
 }
 
 TEST(CopySeasons, TheYearOfTheSceneIsThatOfSeasonsWithoutTheirOwn) {
-  std::string text = R"({"film": {"frames": 48}, "scene": {"setting": "forest", "year": [[0, 0], [2, 1]]}, "organisms": [
+  std::string text =
+      R"({"film": {"frames": 48}, "scene": {"setting": "forest", "year": [[0, 0], [2, 1]]}, "organisms": [
       {"kind": "tree"}, {"kind": "tree", "season": {"fall": 0.8}}, {"kind": "tree", "season": 0.7}, {"kind": "rock"}]})";
   Result<Preset> preset = read_preset(text, "test.json", {});
   ASSERT_TRUE(preset) << preset.errors().front().text();

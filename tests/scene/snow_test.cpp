@@ -11,9 +11,11 @@ namespace frond {
 namespace {
 
 Scene scene_with(const std::string& snow, const std::string& setting = "garden") {
-  std::string text = R"({"film": {"frames": 24, "size": [160, 90]}, "scene": {"setting": ")" + setting +
-                     R"(", "camera": {"location": [0, 1.6, 6], "look_at": [0, 0.4, 0]}, "meadow": {"blade": 0},
-      "garden": {"pond": {"center": [3, 0], "size": [1, 1]}})" + snow + R"(}, "organisms": [
+  std::string text =
+      R"({"film": {"frames": 24, "size": [160, 90]}, "scene": {"setting": ")" + setting +
+      R"(", "camera": {"location": [0, 1.6, 6], "look_at": [0, 0.4, 0]}, "meadow": {"blade": 0},
+      "garden": {"pond": {"center": [3, 0], "size": [1, 1]}})" +
+      snow + R"(}, "organisms": [
       {"kind": "vase", "name": "vase", "soil": 0.9, "height": 0.6, "place": {"at": [[0, 0]]}}]})";
   Result<Preset> preset = read_preset(text, "test.json", {});
   if (!preset) ADD_FAILURE() << preset.errors().front().text();
@@ -35,7 +37,8 @@ TEST(SceneSnow, IsThereOnlyWhereItIsAskedForUnderTheOpenSky) {
     const Specimen* snow = snow_of(scene);
     ASSERT_TRUE(snow) << setting;
     EXPECT_EQ(snow->check(), "");
-    EXPECT_TRUE(std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.snowy || s.name == "snow"; }));
+    EXPECT_TRUE(
+        std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.snowy || s.name == "snow"; }));
   }
 }
 
