@@ -107,9 +107,12 @@ float Overhead::openness(Vec3 at) const {
 }
 
 Surface snow_surface(const SnowSheet& sheet, double depth) {
+  constexpr double kThin =
+      0.05;  // metres, below which it goes in patches, as floors are drawn less exactly than that
+  auto sink = static_cast<float>(kSink + kThin * (1 - smooth_step(0.0, kThin, depth)));
   Surface surface{sheet.bare, {}, sheet.triangle, {}};
   for (std::size_t i = 0; i < sheet.bare.size(); ++i)
-    surface.position[i].y += static_cast<float>(depth) * sheet.share[i] - kSink;
+    surface.position[i].y += static_cast<float>(depth) * sheet.share[i] - sink;
   set_normals(surface);
   return surface;
 }
