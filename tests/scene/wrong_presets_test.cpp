@@ -372,22 +372,22 @@ const WrongPreset kWrongValues[] = {
 const WrongPreset kWrongStands[] = {
     {"A stand with what it does not have",
      R"({"stand": {"years": 100, "species": ["oak", "beech", "oak", "elm"],
-  "area": [200, 5000], "planted": [{"density": 100}], "events": [{"storm": 2}]}})",
+  "area": [200, 5000], "planted": [{"density": 100}]}})",
      {},
      {R"(1:61: /stand/species/3: found the text "elm"; expected one of birch, aspen, rowan, oak, pine, beech, spruce, fir)",
       "2:17: /stand/area/1: found 5000; expected a number from 10 to 1000 m",
-      R"(2:36: /stand/planted/0: no "name"; expected this property to be given)",
-      R"(2:66: /stand/events/0: no "year"; expected this property to be given)",
-      "2:76: /stand/events/0/storm: found 2; expected a number from 0 to 1 (1 the storm of a century, gusts "
-      "of 45 m/s)"}},
+      R"(2:36: /stand/planted/0: no "name"; expected this property to be given)"}},
     {"Species that do not come up",
      R"({"stand": {"years": 100, "species": ["oak", "beech", "oak"],
-  "planted": [{"name": "fir"}], "events": [{"year": 120, "cut": "pine"}]}})",
+  "planted": [{"name": "fir"}]}})",
      {},
      {R"(1:54: /stand/species/2/name: a second "oak"; expected each species once)",
-      R"(2:24: /stand/planted/0/name: "fir" is not among the species of the stand; expected one of them)",
-      "2:53: /stand/events/0/year: found 120, after the last year of the stand; expected 100 at most",
-      R"(2:65: /stand/events/0/cut: "pine" is not among the species of the stand; expected one of them)"}},
+      R"(2:24: /stand/planted/0/name: "fir" is not among the species of the stand; expected one of them)"}},
+    {"Trees that are drawn as nothing",
+     R"({"stand": {"species": [{"name": "oak", "organism": "oka"}]},
+  "organisms": [{"kind": "tree", "name": "oak", "count": 0, "sown": {}}]})",
+     {},
+     {R"(1:51: /stand/species/0/organism: no organism "oka" that is sown, to draw these trees as; did you mean "oak"?)"}},
 };
 
 // Plans, and what is placed by them.

@@ -52,12 +52,12 @@ setup() {
 }
 
 @test "stand plots the years of a wood" {
-  run "$frond" stand "$root/presets/forest/clearing.json" --set /stand/years=30 --set /stand/events=[] \
+  run "$frond" stand "$root/presets/forest/clearing.json" --set /stand/years=30 --set /events=[] \
     --set '/stand/area=[40, 40]' --year 20 -o stand.svg
   [ "$status" -eq 0 ]
   [ "$output" = stand.svg ]
   grep -q 'The stand in year 20:' stand.svg
-  "$frond" stand "$root/presets/forest/clearing.json" --set /stand/years=30 --set /stand/events=[] \
+  "$frond" stand "$root/presets/forest/clearing.json" --set /stand/years=30 --set /events=[] \
     --set '/stand/area=[40, 40]' -o stand.csv
   [ "$(wc -l <stand.csv)" -eq 7 ]
   run "$frond" stand "$root/presets/bush.json"
