@@ -9,7 +9,8 @@ namespace {
 
 void Wood(benchmark::State& state) {
   auto side = static_cast<float>(state.range(0));
-  StandOptions options{.area = {side, side}};
+  StandOptions options;
+  options.area = {side, side};
   options.species.assign(tree_species().begin(), tree_species().end());
   StandHistory history;
   for (auto _ : state) history = simulate_stand(options, level_land(), Seed{1});

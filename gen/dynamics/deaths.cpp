@@ -33,7 +33,7 @@ void strike(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees, co
 }  // namespace
 
 TreeDeath quiet_death(const StandTree& tree, const TreeSpecies& species, double year, Seed seed) {
-  double scale = 0.073 + 0.022 * (5 - species.tolerance);
+  double scale = 0.085 + 0.02 * (5 - species.tolerance);
   double suppressed = 0.3 * std::exp(-tree.vigour / scale);
   double age = (year - tree.born) / species.lifespan;
   double old = 4 * age * age * age / species.lifespan;

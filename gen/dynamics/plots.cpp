@@ -170,26 +170,27 @@ std::string map_svg(double left, double top, const StandHistory& history, double
       left, top - 14, wide, deep, left + kPanelWidth / 2, top + scale * deep / 2, scale, -wide / 2, -deep / 2,
       wide, deep, -wide / 2, -deep / 2, wide, deep);
   std::vector<std::pair<TreeSize, std::uint32_t>> trees;
-  for (std::uint32_t i : living_at(history, year)) trees.emplace_back(size_at(history, i, year), i);
+  for (std::uint32_t i : living_at(history, year))
+    if (TreeSize size = size_at(history, i, year); size.height > 3) trees.emplace_back(size, i);
   std::ranges::stable_sort(trees, {}, [](const auto& tree) { return tree.first.height; });
+  out += "<g stroke=\"#0003\" stroke-width=\"0.2\">\n";
   for (const auto& [size, i] : trees)
-    out += fmt::format(
-        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\" fill=\"{}\" stroke=\"#0003\" "
-        "stroke-width=\"0.2\"/>\n",
-        history.lives[i].x, history.lives[i].z, size.crown_radius,
-        color_of(history.species[history.lives[i].species]));
+    out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\" fill=\"{}\"/>\n", history.lives[i].x,
+                       history.lives[i].z, size.crown_radius,
+                       color_of(history.species[history.lives[i].species]));
+  out += "</g>\n<g stroke=\"#4a3526\">\n";
   for (const Deadwood& dead : deadwood_at(history, year)) {
     const TreeLife& life = history.lives[dead.life];
     TreeSize size = size_at(history, dead.life, year);
-    if (!dead.lies || size.diameter < 0.1f) continue;
+    if (!dead.lies || size.diameter < 0.2f) continue;
     float length = size.height - life.broken;
     out += fmt::format(
-        "<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}\" stroke=\"#4a3526\" stroke-width=\"{:.2f}\" "
+        "<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}\" stroke-width=\"{:.2f}\" "
         "opacity=\"{:.2f}\"/>\n",
-        life.x, life.z, length * std::sin(life.azimuth), length * std::cos(life.azimuth),
-        std::max(size.diameter, 0.25f), 1 - 0.7f * dead.decay);
+        life.x, life.z, length * std::sin(life.azimuth), length * std::cos(life.azimuth), size.diameter,
+        1 - 0.7f * dead.decay);
   }
-  return out + "</g>\n";
+  return out + "</g>\n</g>\n";
 }
 
 std::string legend_svg(const StandHistory& history, double x, double y) {

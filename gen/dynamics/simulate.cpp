@@ -154,7 +154,6 @@ void take_dead(StandNow& now, const std::vector<TreeDeath>& deaths, int year, Se
     Seed own = seed.child(tree.life);
     bool stormy = deaths[i].cause == DeathCause::storm || deaths[i].cause == DeathCause::struck;
     double died = year - (stormy ? 0.1 : own.child(2).unit());
-    // It had come to breast height a year before, at the latest.
     bury(now, tree, deaths[i], died, own);
   }
   now.trees.resize(kept);
@@ -163,6 +162,8 @@ void take_dead(StandNow& now, const std::vector<TreeDeath>& deaths, int year, Se
 void step(StandNow& now, int year) {
   Seed seed = now.seed.child("year", static_cast<std::uint64_t>(year));
   Canopy canopy = canopy_of(now.trees, now.species, now.grid);
+  // What dies in a year has not grown in it.
+  take_dead(now, deaths_of(now, canopy, year, seed), year, seed.child("dead"));
   parallel_for(now.trees.size(),
                [&](std::size_t i) { grow_year(now.trees[i], now.species[now.trees[i].species], canopy); });
   std::vector<Recruit> recruits;
@@ -173,7 +174,6 @@ void step(StandNow& now, int year) {
     recruits = grow_seedlings(now.seedlings, now.species, {canopy, bed, now.logs, now.trees, now.site}, year,
                               seed.child("seedlings"));
   }
-  take_dead(now, deaths_of(now, canopy, year, seed), year, seed.child("dead"));
   if (year % 5 == 0 || year == now.options.years)
     for (const StandTree& tree : now.trees) note(now, tree, year);
   for (const Recruit& recruit : recruits) add_tree(now, recruit, year);

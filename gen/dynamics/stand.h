@@ -71,12 +71,12 @@ struct StandText {
   std::vector<StandPlanting> planted;
   bool seeding = true;
   double storms = 1, temperature = 13, moisture = 0.5;
-  std::vector<StandEvent> events;
 };
+/// Without events, which are not the stand's own.
 StandOptions options_of(const StandText& text);
 
-/// Faults of a stand, each at a pointer below it: species that are named twice, planted or cut ones that it
-/// does not have, events after its last year.
+/// Faults of a stand, each at a pointer below it: species that are named twice, planted ones that it does not
+/// have.
 Errors stand_faults(const StandText& text);
 
 /// The ground at a place.
@@ -140,7 +140,8 @@ StandHistory simulate_stand(const StandOptions& options, const StandLand& land, 
 /// died.
 TreeSize size_at(const StandHistory& history, std::uint32_t life, double year);
 
-/// Lives that are lived in a year, and those whose wood is still there, in the order of `lives`.
+/// Lives that are lived in a year, seedlings of later trees among them, and those whose wood is still there,
+/// in the order of `lives`.
 std::vector<std::uint32_t> living_at(const StandHistory& history, double year);
 std::vector<Deadwood> deadwood_at(const StandHistory& history, double year);
 

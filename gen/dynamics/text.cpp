@@ -14,7 +14,7 @@ StandOptions options_of(const StandText& text) {
                        .seeding = text.seeding,
                        .storms = text.storms,
                        .temperature = text.temperature,
-                       .events = text.events};
+                       .events = {}};
   if (text.species.empty()) options.species.assign(tree_species().begin(), tree_species().end());
   for (const TreeText& wanted : text.species) {
     TreeSpecies tree = species(wanted.name);
@@ -51,14 +51,6 @@ Errors stand_faults(const StandText& text) {
   };
   for (std::size_t i = 0; i < text.planted.size(); ++i)
     known(fmt::format("/planted/{}/name", i), text.planted[i].name);
-  for (std::size_t i = 0; i < text.events.size(); ++i) {
-    const StandEvent& event = text.events[i];
-    if (event.cut) known(fmt::format("/events/{}/cut", i), *event.cut);
-    if (event.year > text.years)
-      faults.push_back({fmt::format("/events/{}/year", i),
-                        fmt::format("found {}, after the last year of the stand; expected {} at most",
-                                    event.year, text.years)});
-  }
   return faults;
 }
 

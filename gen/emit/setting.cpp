@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/linear.h"
 #include "core/text.h"
 #include "emit/branch_materials.h"
 #include "emit/setting_parts.h"
@@ -76,8 +77,8 @@ std::string year_text(const Stage& stage, double time) {
   if (!stage.year) return {};
   double year = stage.year->at(time);
   return fmt::format("#declare {} = {};\n#declare {} = {};\n", kYearGrass,
-                     color_text(grass_at(stage.block<Meadow>().grass, year)), kYearLitter,
-                     color_text(litter_at(stage.block<Forest>().litter, year)));
+                     light_text(linear(grass_at(stage.block<Meadow>().grass, year))), kYearLitter,
+                     light_text(linear(litter_at(stage.block<Forest>().litter, year))));
 }
 
 }  // namespace

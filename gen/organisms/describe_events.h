@@ -24,7 +24,7 @@ void describe(Visitor& v, Prune& p) {
 template <class Visitor>
 void describe(Visitor& v, Event& e) {
   v.number("year", e.year, {.min = 0, .max = 10000, .unit = "years"},
-           "When it happens, counted from when the oldest trees began to grow");
+           "When it happens, counted from when the oldest trees began to grow, or in the years of the stand");
   v.required("year");
   v.number("storm", e.storm, {.min = 0, .max = 1, .sense = "0.5 breaks limbs, 1 flattens woods"},
            "Strength of a storm, from the strongest gust of an ordinary year to one of 50 m/s");

@@ -56,17 +56,6 @@ void describe(Visitor& v, StandPlanting& p) {
 }
 
 template <class Visitor>
-void describe(Visitor& v, StandEvent& e) {
-  v.integer("year", e.year, {.min = 1, .max = 2000}, "The year in which it happens");
-  v.required("year");
-  v.number("storm", e.storm, {.min = 0, .max = 1, .sense = "1 the storm of a century, gusts of 45 m/s"},
-           "Strength of a storm in that year");
-  v.choice("cut", e.cut, kTreeNames, "The species of which trees are felled and carried away in that year");
-  v.number("share", e.share, {.min = 0, .max = 1},
-           "Share of the trees of `cut` that is felled, drawn by lot");
-}
-
-template <class Visitor>
 void describe(Visitor& v, StandText& s) {
   v.vector("area", s.area, {.min = 10, .max = 1000, .unit = "m"}, "How long the land is along x and along z");
   v.integer("years", s.years, {.min = 1, .max = 2000}, "How many years are simulated");
@@ -82,7 +71,6 @@ void describe(Visitor& v, StandText& s) {
       "temperature", s.temperature, {.min = -5, .max = 30, .unit = "degrees"},
       "Mean temperature of the growing season at height 0 of the land; it falls by 6.5 degrees a kilometre");
   v.number("moisture", s.moisture, {.min = 0, .max = 1}, "Moisture of the ground: 0 dry, 1 wet");
-  v.list("events", s.events, "Storms and fellings of certain years");
 }
 
 }  // namespace frond

@@ -65,6 +65,7 @@ std::vector<SnowTrunk> trunks_of(const Scene& scene, Vec2 middle) {
 
 Model snow_model(const std::vector<SnowSheet>& sheets, double depth) {
   Model model;
+  if (depth <= 0) return model;
   for (const SnowSheet& sheet : sheets)
     model.solids.place(model.solids.add_shape(
         {snow_surface(sheet, depth), {.matter = Matter::snow, .color = {0.97f, 0.975f, 0.985f}}}));

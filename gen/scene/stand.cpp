@@ -1,5 +1,7 @@
 #include "scene/stand.h"
 
+#include <cmath>
+
 #include "settings/settings.h"
 
 namespace frond {
@@ -8,6 +10,20 @@ namespace {
 
 constexpr double kVerge = 1.2;    // metres along paths on which no tree stands
 constexpr double kNoSoil = -100;  // moisture at which nothing comes up
+
+/// The events of a preset in the years of its stand. Trees are felled by the organism that they are drawn as.
+std::vector<StandEvent> events_of(const Preset& preset) {
+  std::vector<StandEvent> events;
+  for (const Event& event : preset.events) {
+    int year = std::max(1, static_cast<int>(std::lround(event.year)));
+    if (event.storm > 0) events.push_back({.year = year, .storm = event.storm, .cut = {}});
+    if (!event.cut) continue;
+    for (const TreeText& tree : preset.stand->species)
+      if (concerns(event.cut->entry, tree.organism))
+        events.push_back({.year = year, .cut = tree.name, .share = event.cut->share});
+  }
+  return events;
+}
 
 }  // namespace
 
@@ -18,7 +34,9 @@ StandHistory stand_history(const Preset& preset, const Grounds& ground) {
     bool trodden = laid.path && laid.path(at) < kVerge;
     return StandGround{static_cast<double>(ground.height(at)), trodden ? kNoSoil : preset.stand->moisture};
   };
-  return simulate_stand(options_of(*preset.stand), land, Seed{preset.seed}.child("stand"));
+  StandOptions options = options_of(*preset.stand);
+  options.events = events_of(preset);
+  return simulate_stand(options, land, Seed{preset.seed}.child("stand"));
 }
 
 StandHistory stand_history(const Preset& preset) {

@@ -135,6 +135,8 @@ Land Grounds::sloping_land(double size, std::vector<Spot> taken) const {
   return land;
 }
 
+constexpr double kMeteredSnow = 0.8;  // stops by which a light meter turns down what snow makes bright
+
 Stage stage_at(const Stage& stage, double time) {
   Stage now = stage;
   if (auto hour_of = settings()[stage.setting].answers.hour)
@@ -142,6 +144,7 @@ Stage stage_at(const Stage& stage, double time) {
   now.snow.depth = stage.snow.depth.at(time);
   now.snow.frost = stage.snow.frost.at(time);
   if (now.year) now.year = now.year->at(time);
+  now.camera.exposure -= kMeteredSnow * snow_cover(now);
   return now;
 }
 

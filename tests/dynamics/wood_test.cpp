@@ -13,7 +13,8 @@ namespace {
 /// A clearing of a hectare over 300 years, with all species.
 const StandHistory& wood() {
   static const StandHistory kWood = [] {
-    StandOptions options{.area = {100, 100}, .years = 300};
+    StandOptions options;
+    options.area = {100, 100}, options.years = 300;
     options.species.assign(tree_species().begin(), tree_species().end());
     return simulate_stand(options, level_land(), Seed{1});
   }();
@@ -28,7 +29,7 @@ double share(double year, std::initializer_list<TreeName> names) {
 }
 
 /// Pioneers give way to what bears shade within one and a half centuries (Leuschner and Ellenberg 2017).
-TEST(Wood, BeginsWithPioneersAndEndsWithShadeBearers) {
+void expect_succession() {
   auto pioneers = [](double year) {
     return share(year, {TreeName::birch, TreeName::aspen, TreeName::rowan});
   };
@@ -39,7 +40,7 @@ TEST(Wood, BeginsWithPioneersAndEndsWithShadeBearers) {
 
 /// de Liocourt 1898: each class of 5 cm has 1.2 to 2 times the trees of the next one; over all classes up to
 /// 60 cm, as a mean by least squares of the logarithms.
-TEST(Wood, OldStandsHaveManyThinAndFewThickTrees) {
+void expect_many_thin_trees() {
   std::vector<double> classes(12);
   for (int year : {220, 240, 260, 280, 300}) {
     StandFigures f = figures_at(wood(), year);
@@ -59,7 +60,7 @@ TEST(Wood, OldStandsHaveManyThinAndFewThickTrees) {
 
 /// Gaps of old woods: most are small, few large ones have much of the area (Kenderes et al. 2008, Drössler
 /// and von Lüpke 2005: medians of 40 to 120 m2 and 3 to 16 % of the land, in beech).
-TEST(Wood, GapsAreManySmallAndFewLarge) {
+void expect_small_gaps() {
   std::vector<double> gaps;
   double area = 0;
   for (int year : {200, 225, 250, 275, 300})
@@ -77,7 +78,7 @@ TEST(Wood, GapsAreManySmallAndFewLarge) {
 }
 
 /// Spruces come up on rotting logs (Bače et al. 2012); beeches stand on the line of one by chance.
-TEST(Wood, SprucesStandOnLogs) {
+void expect_spruces_on_logs() {
   auto on_logs = [](TreeName name) {
     int count = 0, near = 0;
     const StandHistory& history = wood();
@@ -106,7 +107,8 @@ TEST(Wood, SprucesStandOnLogs) {
   EXPECT_GT(spruce_share, 2 * beech_share);
 }
 
-TEST(Wood, DeadTreesStandThenLieThenAreGone) {
+/// Dead trees stand, then lie, then are gone.
+void expect_order_of_decay() {
   const StandHistory& history = wood();
   for (const TreeLife& life : history.lives) {
     if (life.cause == DeathCause::none) continue;
@@ -121,12 +123,22 @@ TEST(Wood, DeadTreesStandThenLieThenAreGone) {
   }
 }
 
-TEST(Wood, PlotsAreDrawn) {
+void expect_plots() {
   std::string svg = stand_svg(wood(), 200), csv = stand_csv(wood());
   EXPECT_NE(svg.find(">The stand in year 200:"), svg.npos);
   EXPECT_EQ(svg.find("nan"), svg.npos);
   EXPECT_EQ(svg.find("inf"), svg.npos);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 61);
+}
+
+/// One test, for the wood takes seconds to grow.
+TEST(Wood, IsAsOldWoodsAre) {
+  expect_succession();
+  expect_many_thin_trees();
+  expect_small_gaps();
+  expect_spruces_on_logs();
+  expect_order_of_decay();
+  expect_plots();
 }
 
 }  // namespace

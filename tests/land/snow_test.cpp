@@ -168,7 +168,7 @@ TEST(Snow, GrowsInProportionToItsDepth) {
       Surface here = snow_surface(sheet, depth);
       for (std::size_t i = 0; i < here.position.size(); ++i) {
         float rise = next.position[i].y - here.position[i].y;
-        EXPECT_TRUE(rise >= 0 && rise <= 0.01f * 2.5f) << rise;
+        EXPECT_TRUE(rise >= 0 && rise <= 0.01f * 4) << rise;
       }
     }
   }

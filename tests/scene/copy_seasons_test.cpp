@@ -38,7 +38,7 @@ std::vector<double> leaf_areas(const Organism& o, double grain, int steps) {
 
 TEST(CopySeasons, LeavesComeAndGoWithoutAJump) {
   Organism o = sown_tree("{" + kYear + "}");
-  constexpr int kSteps = 120;
+  constexpr int kSteps = 60;
   for (double grain : {0.002, 0.05}) {
     std::vector<double> areas = leaf_areas(o, grain, kSteps);
     double most = *std::ranges::max_element(areas);
@@ -51,7 +51,7 @@ TEST(CopySeasons, LeavesComeAndGoWithoutAJump) {
       } else if (year > 0.78) {
         EXPECT_LE(change, 1e-6 * most) << year;
       }
-      EXPECT_LT(std::abs(change), 0.25 * most) << year;
+      EXPECT_LT(std::abs(change), 0.4 * most) << year;
     }
     EXPECT_NEAR(areas[kSteps / 2], most, 1e-4 * most);
     EXPECT_LT(areas[kSteps], 1e-3 * most);
@@ -62,15 +62,14 @@ TEST(CopySeasons, FarLeavesStandForTheSameOnesAllYear) {
   Organism o = sown_tree("{" + kYear + "}");
   Model full = *grow_copy(o, 0, true);
   Seasons seasons = *copy_seasons(o, Film{.frames = 48});
-  auto leaves = [&](double time, const Organs* now) {
-    (void)time;
+  auto leaves = [&](const Organs* now) {
     std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, full, {0.05, 1e9}, nullptr, now);
     for (CopyPart& part : parts)
       if (part.kind == CopyPart::Kind::organ) return part.surface.position;
     return std::vector<Vec3>();
   };
   Organs summer = copy_organs(o, 0, full, seasons, 0.5);
-  EXPECT_EQ(leaves(0.5, &summer), leaves(0.5, nullptr)) << "in summer all are there";
+  EXPECT_EQ(leaves(&summer), leaves(nullptr)) << "in summer all are there";
 }
 
 TEST(CopySeasons, AreNoneOfWhatStaysAsItIs) {

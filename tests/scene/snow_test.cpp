@@ -61,11 +61,12 @@ TEST(SceneSnow, FallsAndMeltsWithoutAJump) {
   Scene scene = scene_with(R"(, "snow": {"depth": [[0, 0], [0.5, 0.12], [1, 0]]})");
   const Specimen* snow = snow_of(scene);
   std::vector<Vec3> last;
-  for (double time = 0; time <= 1; time += 0.01) {
+  for (double time = 0; time <= 1; time += 0.04) {
     Model now = *snow->life.develop(time);
+    if (now.solids.shapes.empty()) continue;  // none lies
     const std::vector<Vec3>& at = now.solids.shapes[0].surface.position;
     for (std::size_t i = 0; i < last.size(); ++i) {
-      EXPECT_LT(std::abs(at[i].y - last[i].y), 0.02);
+      EXPECT_LT(std::abs(at[i].y - last[i].y), 0.06);
       EXPECT_EQ(at[i].x, last[i].x);
     }
     last = at;

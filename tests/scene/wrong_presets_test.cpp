@@ -368,6 +368,28 @@ const WrongPreset kWrongValues[] = {
      {"1:33: /defaults/wave/speed: found -1; expected a number from 0 to 20 1/s"}},
 };
 
+// Stands, whose years are simulated.
+const WrongPreset kWrongStands[] = {
+    {"A stand with what it does not have",
+     R"({"stand": {"years": 100, "species": ["oak", "beech", "oak", "elm"],
+  "area": [200, 5000], "planted": [{"density": 100}]}})",
+     {},
+     {R"(1:61: /stand/species/3: found the text "elm"; expected one of birch, aspen, rowan, oak, pine, beech, spruce, fir)",
+      "2:17: /stand/area/1: found 5000; expected a number from 10 to 1000 m",
+      R"(2:36: /stand/planted/0: no "name"; expected this property to be given)"}},
+    {"Species that do not come up",
+     R"({"stand": {"years": 100, "species": ["oak", "beech", "oak"],
+  "planted": [{"name": "fir"}]}})",
+     {},
+     {R"(1:54: /stand/species/2/name: a second "oak"; expected each species once)",
+      R"(2:24: /stand/planted/0/name: "fir" is not among the species of the stand; expected one of them)"}},
+    {"Trees that are drawn as nothing",
+     R"({"stand": {"species": [{"name": "oak", "organism": "oka"}]},
+  "organisms": [{"kind": "tree", "name": "oak", "count": 0, "sown": {}}]})",
+     {},
+     {R"(1:51: /stand/species/0/organism: no organism "oka" that is sown, to draw these trees as; did you mean "oak"?)"}},
+};
+
 // Plans, and what is placed by them.
 const WrongPreset kWrongPlans[] = {
     {"A place in a plan that is not there",
@@ -438,6 +460,7 @@ TEST(WrongPresets, Text) { expect_messages(kWrongTexts); }
 TEST(WrongPresets, Names) { expect_messages(kWrongNames); }
 TEST(WrongPresets, Values) { expect_messages(kWrongValues); }
 TEST(WrongPresets, Plans) { expect_messages(kWrongPlans); }
+TEST(WrongPresets, Stands) { expect_messages(kWrongStands); }
 TEST(WrongPresets, Overrides) { expect_messages(kWrongOverrides); }
 
 }  // namespace

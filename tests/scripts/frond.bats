@@ -51,6 +51,23 @@ setup() {
   [[ "$output" == *"bush.json: the preset has no plan" ]]
 }
 
+@test "stand plots the years of a wood" {
+  run "$frond" stand "$root/presets/forest/clearing.json" --set /stand/years=30 --set /events=[] \
+    --set '/stand/area=[40, 40]' --year 20 -o stand.svg
+  [ "$status" -eq 0 ]
+  [ "$output" = stand.svg ]
+  grep -q 'The stand in year 20:' stand.svg
+  "$frond" stand "$root/presets/forest/clearing.json" --set /stand/years=30 --set /events=[] \
+    --set '/stand/area=[40, 40]' -o stand.csv
+  [ "$(wc -l <stand.csv)" -eq 7 ]
+  run "$frond" stand "$root/presets/bush.json"
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"bush.json: the preset has no stand" ]]
+  run "$frond" stand "$root/presets/forest/clearing.json" --year 300
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"--year 300 is after the last year, 200" ]]
+}
+
 @test "grammars of other tools are read" {
   printf 'Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> AB\nB --> A\nendlsystem\n' > algae.l
   run --separate-stderr "$frond" derive algae.l
