@@ -50,8 +50,10 @@ void sow_stands(Scene& scene, const Preset& preset, const Grounds& ground, std::
     if (!organism.sown || organism.count == 0) continue;
     Seed seed = Seed{preset.seed}.child("organism", o);
     scene.stands.push_back({o, organism, organism.grower->dress(), {}, {}});
-    orders.push_back({organism.sown->where, organism.count, organism.place.size_variation,
-                      organism.sown->models, organism.place.at, seed});
+    SowRules where = organism.sown->where;
+    if (preset.stand) where.shade = {0, 1};  // which is that of the trees, and another in each year
+    orders.push_back({std::move(where), organism.count, organism.place.size_variation, organism.sown->models,
+                      organism.place.at, seed});
   }
   if (orders.empty()) return;
   std::vector<std::vector<Sprout>> sown = sow(orders, ground.land(std::move(taken)));

@@ -88,7 +88,7 @@ TEST(CopyPlan, OfATallTreeWhatIsNearIsFine) {
   std::vector<Surfel> surfels;  // of a pole, eighteen metres high, right before the camera
   for (int i = 0; i < 90; ++i)
     surfels.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
-  stand.copies = {{0}, {Vec3(0, 0, 38)}, {Quat(1, 0, 0, 0)}, {1}, {0}};
+  stand.copies = {{0}, {Vec3(0, 0, 38)}, {Quat(1, 0, 0, 0)}, {1}, {0}, {}};
   ModelPlan plan = Views(scene).plan(0, 0, surfels);
   ModelBlocks blocks = blocks_of(surfels);
   ASSERT_EQ(blocks.count(), 6);

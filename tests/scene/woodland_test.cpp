@@ -17,7 +17,8 @@ const char* const kText = R"({
   "scene": {"setting": "forest", "camera": {"location": [0, 3, 40], "look_at": [0, 4, 0]},
             "forest": {"terrain": {"size": 100, "hills": 2}}},
   "stand": {"area": [40, 40], "years": 100, "species": [{"name": "birch", "organism": "birch"},
-            {"name": "beech", "organism": "beech"}, "spruce"], "events": [{"year": 60, "storm": 1}]},
+            {"name": "beech", "organism": "beech"}, "spruce"]},
+  "events": [{"year": 60, "storm": 1}],
   "organisms": [
     {"kind": "tree", "name": "birch", "count": 0, "sown": {"models": 2}},
     {"kind": "tree", "name": "beech", "count": 0, "sown": {"models": 3}},
@@ -119,9 +120,15 @@ TEST_F(Woodland, DeadTreesFallAndRot) {
     if (fallen < std::min(life.rotted, 99.0f)) {
       auto all = seen(fallen);
       auto found = all.find({life.x, life.z});
-      if (found != all.end() && found->second.copies == 1) EXPECT_FALSE(found->second.upright), ++lie;
+      if (found != all.end() && found->second.copies == 1) {
+        EXPECT_FALSE(found->second.upright);
+        ++lie;
+      }
     }
-    if (life.rotted < 99) EXPECT_FALSE(seen(life.rotted + 0.5).contains({life.x, life.z})), ++gone;
+    if (life.rotted < 99) {
+      EXPECT_FALSE(seen(life.rotted + 0.5).contains({life.x, life.z}));
+      ++gone;
+    }
   }
   EXPECT_GT(lie + gone, 5);
 }

@@ -387,7 +387,7 @@ const WrongPreset kWrongStands[] = {
      R"({"stand": {"species": [{"name": "oak", "organism": "oka"}]},
   "organisms": [{"kind": "tree", "name": "oak", "count": 0, "sown": {}}]})",
      {},
-     {R"(1:51: /stand/species/0/organism: no organism "oka" that is sown, to draw these trees as; did you mean "oak"?)"}},
+     {R"(1:52: /stand/species/0/organism: no organism "oka" that is sown, to draw these trees as; expected oak; did you mean "oak"?)"}},
 };
 
 // Plans, and what is placed by them.

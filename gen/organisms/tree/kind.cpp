@@ -161,7 +161,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
 
   std::shared_ptr<const Grower> at_age(double years, double dead) const override {
     return changed(*this, [&](TreeParams& p) {
-      p.years = std::max(1, static_cast<int>(std::lround(years)));
+      p.years = std::clamp(static_cast<int>(std::lround(years)), 1, params.years);
       p.growth.duration = 0;
       if (dead <= 0) return;
       p.species.lifespan = p.years;
