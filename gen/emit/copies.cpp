@@ -41,6 +41,24 @@ bool carries_pattern(const SownStand& stand, const Film& film) {
   return moves(stand, film) && stand.organism.grower->is_colony();
 }
 
+/// Gives the prototypes of leaves the colours that these have now, as many of each as there are leaves of it:
+/// what has a look by places alone takes one of all colours.
+void take_colors(std::vector<Prototype>& prototypes, const Organs& now) {
+  constexpr std::size_t kColors = 12;
+  for (std::size_t p = 0; p < prototypes.size(); ++p) {
+    std::vector<Color>& colors = prototypes[p].colors;
+    std::vector<std::size_t> worn;
+    for (std::size_t i = 0; prototypes[p].summer > 0 && i < now.size(); ++i)
+      if (now.prototype[i] == p) worn.push_back(color_index(now.color[i], colors.size()));
+    if (worn.empty()) continue;
+    std::ranges::sort(worn);
+    std::vector<Color> some;
+    for (std::size_t k = 0; k < kColors; ++k)
+      some.push_back(colors[worn[(2 * k + 1) * worn.size() / (2 * kColors)]]);
+    colors = std::move(some);
+  }
+}
+
 /// What the copies of a stand are made of at a time: the parts of its models' files, or, of a model that the
 /// film sees grow, what there is of them, declared in the frame itself.
 class StandParts {
@@ -68,9 +86,11 @@ class StandParts {
     ModelFile here;
     here.level = one.level, here.block = one.block;
     const Look& look = stand_.dress.look;
-    const Organs* leaves = seasons_ ? &leaves_ : nullptr;
-    add(own, append_parts(text, own, look, *now_,
-                          copy_parts(look, *now_, kLevels[one.level], &blocks, leaves), here));
+    const CopyDetail& detail = kLevels[one.level];
+    std::vector<CopyPart> all = copy_parts(look, *now_, detail, &blocks, seasons_ ? &leaves_ : nullptr);
+    Model worn;
+    if (seasons_ && detail.plain) worn = *now_, take_colors(worn.prototypes, leaves_);
+    add(own, append_parts(text, own, look, seasons_ && detail.plain ? worn : *now_, all, here));
   }
 
   /// How far the model has grown, 0..1.

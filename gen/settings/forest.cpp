@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/curve.h"
 #include "core/linear.h"
 #include "settings/describe_plot.h"
 #include "settings/plot_bounds.h"
@@ -150,11 +151,22 @@ SettingRow forest_setting() {
       [](Stage& stage) { return &stage.block<Forest>().hour; });
 }
 
+namespace {
+
+/// Share of the light that crowns take at a time of the year, against summer.
+double canopy(double year) {
+  static const Curve kCanopy({{0.29, 0.15}, {0.38, 1}, {0.76, 1}, {0.9, 0.15}});
+  return kCanopy(year - std::floor(year));
+}
+
+}  // namespace
+
 Sky forest_sky(const Stage& stage) {
   const auto& forest = stage.block<Forest>();
   Moment when = forest.when;
   when.hour = forest.hour.at(0);
-  return sky_over(stage.block<Meadow>(), sun_at(when), stage.camera.stops() + forest.brighten);
+  double brighten = forest.brighten * (stage.year ? canopy(stage.year->at(0)) : 1);
+  return sky_over(stage.block<Meadow>(), sun_at(when), stage.camera.stops() + brighten);
 }
 
 }  // namespace frond
