@@ -102,25 +102,13 @@ std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int mo
   for (int b = 0; b < blocks.count(); ++b) box.take(blocks.middle(b));
   Vec3 middle = box.middle();
   float around = glm::distance(box.low, middle) + blocks.radius();
-  auto levels_of = [&](std::size_t i) {
+  auto levels_of = [&](std::size_t i, Quat turn, float scale) {
     std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
-    float scale = copies.scale[i], radius = blocks.radius();
-    bool falls = false;  // then it may lie anywhere round its foot
-    if (!copies.span.empty()) {
-      const CopySpan& span = copies.span[i];
-      if (span.begin >= times_[last].second || span.end <= times_[last].first) return level;
-      scale *= std::max({span.first.x, span.first.y, span.last.x, span.last.y});
-      falls = span.fall != nullptr;
-    }
-    if (falls) radius += around + glm::length(middle);
-    radius *= scale;
-    auto placed = [&](Vec3 at) {
-      return falls ? copies.foot[i] : copies.foot[i] + copies.turn[i] * (scale * at);
-    };
+    float radius = scale * blocks.radius();
+    auto placed = [&](Vec3 at) { return copies.foot[i] + turn * (scale * at); };
     Vec3 center = placed(middle);
-    bool seen = std::ranges::any_of(eyes, [&](const Eye& eye) {
-      return in_view(eye, center, std::max(scale * around, radius) + kMargin);
-    });
+    bool seen = std::ranges::any_of(
+        eyes, [&](const Eye& eye) { return in_view(eye, center, scale * around + kMargin); });
     if (!seen && !shades(eyes, center, scale * around)) return level;
     double finest = 1e30;
     for (int b = 0; b < blocks.count(); ++b) {
@@ -142,10 +130,25 @@ std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int mo
     if (2 * scale * around < kLeastPixels * finest) level.assign(level.size(), kLevelCount);
     return level;
   };
+  // Of what falls, the finest of how it stands, is half way down and lies.
+  auto levels_at = [&](std::size_t i) {
+    if (copies.span.empty()) return levels_of(i, copies.turn[i], copies.scale[i]);
+    const CopySpan& span = copies.span[i];
+    std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
+    if (span.begin >= times_[last].second || span.end <= times_[last].first) return level;
+    float scale = copies.scale[i] * std::max({span.first.x, span.first.y, span.last.x, span.last.y});
+    for (double moment : {0.0, 0.8, 1.0}) {
+      double time = span.fall ? span.fall->start + moment * span.fall->length() : 0;
+      std::vector<int> now = levels_of(i, copies.turn_at(i, time), scale);
+      for (std::size_t b = 0; b < level.size(); ++b) level[b] = std::min(level[b], now[b]);
+      if (!span.fall) break;
+    }
+    return level;
+  };
   std::vector<std::vector<Drawn>> each(copies.size());
   parallel_for(copies.size(), [&](std::size_t i) {
     if (copies.model[i] != model || i % groups_ != last % groups_) return;
-    std::vector<int> level = levels_of(i);
+    std::vector<int> level = levels_at(i);
     auto add = [&](int block, int of) {
       each[i].push_back(
           {static_cast<std::uint32_t>(i), static_cast<std::int16_t>(block), static_cast<std::int16_t>(of)});
