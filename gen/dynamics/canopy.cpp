@@ -88,8 +88,14 @@ Canopy canopy_of(std::span<const StandTree> trees, std::span<const TreeSpecies> 
     for (std::uint32_t i : rows.in(row - near, row + near))
       add_leaves(canopy, leaves, trees[i], species[trees[i].species], row);
   });
-  for (int layer = canopy.layers - 1; layer >= 0; --layer)
-    parallel_for(count, [&](std::size_t r) { shine(canopy, leaves, layer, static_cast<int>(r)); });
+  for (int layer = canopy.layers - 1; layer >= 0; --layer) {
+    auto shine_row = [&](std::size_t r) { shine(canopy, leaves, layer, static_cast<int>(r)); };
+    // To wake threads for a small layer takes longer than the layer.
+    if (grid.size() < 20'000)
+      for (std::size_t r = 0; r < count; ++r) shine_row(r);
+    else
+      parallel_for(count, shine_row);
+  }
   return canopy;
 }
 

@@ -172,22 +172,26 @@ TEST(Stand, StormsThrowToOneSide) {
 }
 
 TEST(Stand, IsTheSameAtAnyNumberOfThreads) {
-  StandOptions options;
-  options.area = {60, 60}, options.years = 60;
-  options.species.assign(tree_species().begin(), tree_species().end());
-  options.events = {{50, 0.9, {}, 0}};
-  auto history = [&](int threads) {
-    limit_threads(threads);
-    return simulate_stand(options, level_land(), Seed{1});
-  };
-  StandHistory one = history(1), two = history(2);
-  limit_threads(0);
-  ASSERT_EQ(one.lives.size(), two.lives.size());
-  ASSERT_EQ(one.sizes.size(), two.sizes.size());
-  EXPECT_EQ(std::memcmp(one.sizes.data(), two.sizes.data(), one.sizes.size() * sizeof(TreeSize)), 0);
-  for (std::size_t i = 0; i < one.lives.size(); ++i) {
-    ASSERT_EQ(one.lives[i].died, two.lives[i].died) << i;
-    ASSERT_EQ(one.lives[i].azimuth, two.lives[i].azimuth) << i;
+  // Of so many cells as in the second the light is also shared by threads.
+  for (auto [cell, years] : {std::pair(2.0, 60), {0.4, 12}}) {
+    StandOptions options;
+    options.area = {60, 60}, options.cell = cell, options.years = years;
+    options.species.assign(tree_species().begin(), tree_species().end());
+    options.events = {{50, 0.9, {}, 0}};
+    auto history = [&](int threads) {
+      limit_threads(threads);
+      return simulate_stand(options, level_land(), Seed{1});
+    };
+    StandHistory one = history(1), two = history(2);
+    limit_threads(0);
+    ASSERT_EQ(one.lives.size(), two.lives.size());
+    ASSERT_GT(one.lives.size(), 100u);
+    ASSERT_EQ(one.sizes.size(), two.sizes.size());
+    EXPECT_EQ(std::memcmp(one.sizes.data(), two.sizes.data(), one.sizes.size() * sizeof(TreeSize)), 0);
+    for (std::size_t i = 0; i < one.lives.size(); ++i) {
+      ASSERT_EQ(one.lives[i].died, two.lives[i].died) << i;
+      ASSERT_EQ(one.lives[i].azimuth, two.lives[i].azimuth) << i;
+    }
   }
 }
 
