@@ -114,10 +114,10 @@ void bury(StandNow& now, const StandTree& tree, const TreeDeath& death, double d
 
 /// Storms blow mostly to one side. The strongest gust of a year is of Gumbel's distribution: about 36 m/s in
 /// fifty years.
-Gust gust_of(const StandNow& now, int year, Seed seed) {
+YearGust gust_of(const StandNow& now, int year, Seed seed) {
   double natural =
       std::sqrt(now.options.storms) * (24 - 3.2 * std::log(-std::log(std::max(seed.child(0).unit(), 1e-12))));
-  Gust gust{natural, now.wind + 0.4 * seed.child(1).normal()};
+  YearGust gust{natural, now.wind + 0.4 * seed.child(1).normal()};
   for (const StandEvent& event : now.options.events)
     if (event.year == year && event.storm > 0) gust.speed = std::max(gust.speed, 20 + 25 * event.storm);
   return gust;

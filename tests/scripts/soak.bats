@@ -15,7 +15,7 @@ SH
 }
 
 @test "a finding is told with the command that repeats it, and the soak goes on" {
-  run "$SOAK" --program frond --presets 'trees/s*' --seeds 1-3
+  run "$SOAK" --program frond --presets 'trees/s[ep]*' --seeds 1-3
   echo "$output"
   [ "$status" -eq 1 ]
   grep -qE 'frond generate presets/trees/spruce.json --set /seed=2 .*# ended with 134: SUMMARY: .*shading.cpp:1$' <<<"$output"
@@ -24,10 +24,10 @@ SH
 }
 
 @test "what ended well is not done again, a finding is" {
-  run "$SOAK" --program frond --presets 'trees/s*' --seeds 1-2
+  run "$SOAK" --program frond --presets 'trees/s[ep]*' --seeds 1-2
   sed -i '/^case/d' frond
   : >calls
-  run "$SOAK" --program frond --presets 'trees/s*' --seeds 1-2
+  run "$SOAK" --program frond --presets 'trees/s[ep]*' --seeds 1-2
   echo "$output"
   [ "$status" -eq 0 ]
   [ "$(grep -c 'spruce.json --set /seed=2' calls)" -eq 2 ]
@@ -35,7 +35,7 @@ SH
 }
 
 @test "a soak ends when its hours are over" {
-  run "$SOAK" --program frond --presets 'trees/s*' --hours 0
+  run "$SOAK" --program frond --presets 'trees/s[ep]*' --hours 0
   echo "$output"
   [ "$status" -eq 0 ]
   [[ $output == "0 runs, "* ]]
