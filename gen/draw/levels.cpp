@@ -93,53 +93,55 @@ bool Views::shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const 
   });
 }
 
+/// Of each block of a copy.
+std::vector<int> Views::levels_of(const std::vector<Eye>& eyes, const ModelBlocks& blocks, Vec3 foot,
+                                  Quat turn, float scale) const {
+  Bounds box;
+  for (int b = 0; b < blocks.count(); ++b) box.take(blocks.middle(b));
+  float around = scale * (glm::distance(box.low, box.middle()) + blocks.radius());
+  float radius = scale * blocks.radius();
+  std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
+  auto placed = [&](Vec3 at) { return foot + turn * (scale * at); };
+  Vec3 center = placed(box.middle());
+  bool seen =
+      std::ranges::any_of(eyes, [&](const Eye& eye) { return in_view(eye, center, around + kMargin); });
+  if (!seen && !shades(eyes, center, around)) return level;
+  double finest = 1e30;
+  for (int b = 0; b < blocks.count(); ++b) {
+    Vec3 at = placed(blocks.middle(b));
+    double grain = 1e30, unseen = 1e30;
+    for (const Eye& eye : eyes) {
+      double of = std::max<double>(glm::distance(eye.at, at) - radius, 0.3) * eye.pixel;
+      unseen = std::min(unseen, of);
+      if (in_view(eye, at, radius)) grain = std::min(grain, of);
+    }
+    finest = std::min(finest, unseen);
+    if (grain > 1e29) {
+      if (!seen && !shades(eyes, at, radius)) continue;
+      double deep = std::max<double>(at.y - foot.y, 0);
+      grain = std::max(kUnseen * unseen, kPenumbra * deep);
+    }
+    level[static_cast<std::size_t>(b)] = level_for(grain * coarse_);
+  }
+  if (2 * around < kLeastPixels * finest) level.assign(level.size(), kLevelCount);
+  return level;
+}
+
 /// Of the copies whose levels change after a stretch, what is drawn until then.
 std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int model,
                                 const ModelBlocks& blocks) const {
-  const std::vector<Eye>& eyes = eyes_[last];
   const Copies& copies = stand.copies;
-  Bounds box;
-  for (int b = 0; b < blocks.count(); ++b) box.take(blocks.middle(b));
-  Vec3 middle = box.middle();
-  float around = glm::distance(box.low, middle) + blocks.radius();
-  auto levels_of = [&](std::size_t i, Quat turn, float scale) {
-    std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
-    float radius = scale * blocks.radius();
-    auto placed = [&](Vec3 at) { return copies.foot[i] + turn * (scale * at); };
-    Vec3 center = placed(middle);
-    bool seen = std::ranges::any_of(
-        eyes, [&](const Eye& eye) { return in_view(eye, center, scale * around + kMargin); });
-    if (!seen && !shades(eyes, center, scale * around)) return level;
-    double finest = 1e30;
-    for (int b = 0; b < blocks.count(); ++b) {
-      Vec3 at = placed(blocks.middle(b));
-      double grain = 1e30, unseen = 1e30;
-      for (const Eye& eye : eyes) {
-        double of = std::max<double>(glm::distance(eye.at, at) - radius, 0.3) * eye.pixel;
-        unseen = std::min(unseen, of);
-        if (in_view(eye, at, radius)) grain = std::min(grain, of);
-      }
-      finest = std::min(finest, unseen);
-      if (grain > 1e29) {
-        if (!seen && !shades(eyes, at, radius)) continue;
-        double deep = std::max<double>(at.y - copies.foot[i].y, 0);
-        grain = std::max(kUnseen * unseen, kPenumbra * deep);
-      }
-      level[static_cast<std::size_t>(b)] = level_for(grain * coarse_);
-    }
-    if (2 * scale * around < kLeastPixels * finest) level.assign(level.size(), kLevelCount);
-    return level;
-  };
   // Of what falls, the finest of how it stands, is half way down and lies.
   auto levels_at = [&](std::size_t i) {
-    if (copies.span.empty()) return levels_of(i, copies.turn[i], copies.scale[i]);
+    if (copies.span.empty())
+      return levels_of(eyes_[last], blocks, copies.foot[i], copies.turn[i], copies.scale[i]);
     const CopySpan& span = copies.span[i];
     std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
     if (span.begin >= times_[last].second || span.end <= times_[last].first) return level;
     float scale = copies.scale[i] * std::max({span.first.x, span.first.y, span.last.x, span.last.y});
     for (double moment : {0.0, 0.8, 1.0}) {
       double time = span.fall ? span.fall->start + moment * span.fall->length() : 0;
-      std::vector<int> now = levels_of(i, copies.turn_at(i, time), scale);
+      std::vector<int> now = levels_of(eyes_[last], blocks, copies.foot[i], copies.turn_at(i, time), scale);
       for (std::size_t b = 0; b < level.size(); ++b) level[b] = std::min(level[b], now[b]);
       if (!span.fall) break;
     }

@@ -85,6 +85,8 @@ class Views {
  private:
   std::vector<Drawn> drawn(std::size_t last, const SownStand& stand, int model,
                            const ModelBlocks& blocks) const;
+  std::vector<int> levels_of(const std::vector<Eye>& eyes, const ModelBlocks& blocks, Vec3 foot, Quat turn,
+                             float scale) const;
   bool shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const;
 
   const Scene& scene_;
