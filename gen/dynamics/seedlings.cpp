@@ -90,7 +90,7 @@ struct SeedlingRow {
   void recruit(int column, int row, std::vector<Recruit>& out, Seed seed) const {
     const StandGrid& grid = seedlings.grid;
     std::size_t cell = grid.index(column, row);
-    int room = static_cast<int>(kSaplings * grid.cell * grid.cell) - saplings[cell];
+    int room = std::max(static_cast<int>(kSaplings * grid.cell * grid.cell), 1) - saplings[cell];
     // Where there is too little room for all, another species comes first in each cell.
     std::size_t begin = seed.bits() % species.size();
     for (std::size_t i = 0; i < species.size(); ++i) {
