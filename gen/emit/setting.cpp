@@ -68,10 +68,6 @@ std::string snow_text(const Stage& stage, double time) {
       number_text(stage.snow.depth.at(time)), number_text(stage.snow.frost.at(time)));
 }
 
-}  // namespace
-
-namespace {
-
 /// The colours of the ground at that time of the year.
 std::string year_text(const Stage& stage, double time) {
   if (!stage.year) return {};

@@ -55,11 +55,6 @@ bool Overhead::find(Vec2 at, std::size_t& index) const {
   return true;
 }
 
-bool Overhead::holds(Vec2 at) const {
-  std::size_t index = 0;
-  return find(at, index);
-}
-
 void Overhead::take(const Surface& body) {
   auto add = [&](std::size_t cell, float low, float high) {
     bottom_[cell] = std::min(bottom_[cell], low), top_[cell] = std::max(top_[cell], high);

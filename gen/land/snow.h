@@ -37,10 +37,6 @@ class Overhead {
   /// The highest place there; `none` where nothing stands.
   float top(Vec2 at, float none) const;
 
-  float cell() const { return cell_; }
-  /// Whether a place is within the square.
-  bool holds(Vec2 at) const;
-
  private:
   bool find(Vec2 at, std::size_t& index) const;
 

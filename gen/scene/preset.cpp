@@ -254,7 +254,8 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
 void pass_on_year(Value& root) {
   const Value* scene = root.find("scene");
   const Value* year = scene && scene->is(Value::Type::object) ? scene->find("year") : nullptr;
-  if (!year) return;
+  // What is wrong with it is told once, where it stands.
+  if (!year || !Reader().animated_at(*year, {.min = -1000, .max = 1000}, Animated<double>{})) return;
   Value at = make_object(), season = make_object(), all = make_object();
   at.set("at", *year);
   season.set("season", std::move(at));
