@@ -250,7 +250,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   note_camera(scene, preset);
   note_growth(scene);
   for (const Organism& organism : preset.organisms)
-    if (organism.count > 0)
+    if (organism.count > 0 || (preset.stand && organism.sown))
       std::ranges::move(drawings(organism.grower->dress().look), std::back_inserter(scene.drawings));
   if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;
   note_fit(scene);

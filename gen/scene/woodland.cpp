@@ -23,6 +23,14 @@ constexpr float kCover = 2;       // metres: lower trees shade nothing
 constexpr double kHidden = 0.75;  // share of the sky that one crown hides from what is below its middle
 constexpr float kSprout = 0.02f;  // factor of the size as it comes up
 
+/// The years of a stand that a film shows.
+struct StandFilm {
+  double from = 0, to = 1;  // years
+  double length = 1;        // seconds
+
+  double time(double year) const { return length * (year - from) / std::max(1e-6, to - from); }  // seconds
+};
+
 /// A height of the library, and what trees of that height measure on average.
 struct Stature {
   float height = 1, diameter = 0.01f, crown = 0.5f;  // metres

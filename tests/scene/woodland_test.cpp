@@ -20,7 +20,7 @@ const char* const kText = R"({
             {"name": "beech", "organism": "beech"}, "spruce"]},
   "events": [{"year": 60, "storm": 1}],
   "organisms": [
-    {"kind": "tree", "name": "birch", "count": 0, "sown": {"models": 2}},
+    {"kind": "tree", "name": "birch", "count": 0, "sown": {"models": 2}, "coat": {"pattern": "banded"}},
     {"kind": "tree", "name": "beech", "count": 0, "sown": {"models": 3}},
     {"kind": "vase", "name": "shade plant", "count": 80,
      "sown": {"models": 1, "where": {"layer": "herbs", "radius": 0.2, "shade": [0.5, 1]}}}]})";
@@ -101,6 +101,8 @@ TEST_F(Woodland, DrawsEachLivingTreeOnceAsLargeAsItIs) {
   }
   EXPECT_GT(drawn, 300);
 }
+
+TEST_F(Woodland, HasThePicturesOfItsBark) { EXPECT_FALSE(scene->drawings.empty()); }
 
 TEST_F(Woodland, GrowsWithoutAJump) {
   constexpr double kStep = 0.05;  // years: a frame shows ten of them
