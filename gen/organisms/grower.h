@@ -175,6 +175,10 @@ class Grower {
   /// none of all else.
   virtual std::shared_ptr<const Grower> at_age(double /*years*/, double /*dead*/) const { return nullptr; }
 
+  /// Metres, how tall one of its copies is at the end of each of its years; none of what does not
+  /// grow over years.
+  virtual std::vector<float> heights(const Organism& /*organism*/, Seed) const { return {}; }
+
   /// Grows all plantings of all beds, in their order. All beds are of this kind, the first belongs to this
   /// grower.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,

@@ -13,7 +13,7 @@ namespace frond {
 namespace {
 
 constexpr float kLeast = 0.6f;    // metres, height of the smallest trees of the library
-constexpr float kTaller = 1.35f;  // from one height of the library to the next
+constexpr float kTaller = 1.5f;   // from one height of the library to the next
 constexpr double kBare = 4;       // years that its dead trees are dead
 constexpr double kWilting = 1.5;  // years for which what was thrown keeps its leaves
 constexpr float kRotten = 0.3f;   // width that is left of a log at its end
@@ -34,7 +34,6 @@ struct StandFilm {
 /// A height of the library, and what trees of that height measure on average.
 struct Stature {
   float height = 1, diameter = 0.01f, crown = 0.5f;  // metres
-  double age = 1;                                    // years
 };
 
 float middle_of(std::vector<float>& values) {
@@ -47,21 +46,20 @@ float middle_of(std::vector<float>& values) {
 std::vector<Stature> statures_of(const StandHistory& history, std::uint32_t species) {
   std::vector<Stature> list;
   for (float height = kLeast;; height *= kTaller) {
-    std::vector<float> ages, diameters, crowns;
+    std::vector<float> diameters, crowns;
     for (const TreeLife& life : history.lives) {
       if (life.species != species) continue;
       for (std::uint32_t k = life.first + 1; k < life.first + life.count; ++k) {
         const TreeSize &a = history.sizes[k - 1], &b = history.sizes[k];
         if (a.height > height || b.height <= height) continue;
         float t = (height - a.height) / (b.height - a.height);
-        ages.push_back(std::lerp(a.year, b.year, t) - life.born);
         diameters.push_back(std::lerp(a.diameter, b.diameter, t));
         crowns.push_back(std::lerp(a.crown_radius, b.crown_radius, t));
         break;
       }
     }
-    if (ages.empty()) return list;
-    list.push_back({height, middle_of(diameters), middle_of(crowns), std::max(1.0f, middle_of(ages))});
+    if (crowns.empty()) return list;
+    list.push_back({height, middle_of(diameters), middle_of(crowns)});
   }
 }
 
@@ -101,10 +99,17 @@ class Library {
   void add(Scene& scene, std::uint32_t species, std::size_t entry) {
     statures_ = statures_of(history_, species);
     if (statures_.empty()) return;
-    const Organism& organism = preset_.organisms[entry];
+    Organism organism = preset_.organisms[entry];
+    organism.place.size_variation = 0;
+    std::vector<float> heights =
+        organism.grower->heights(organism, Seed{preset_.seed}.child("heights", entry));
     std::vector<SownStand> stands;
     for (bool dead : {false, true})
-      for (const Stature& stature : statures_) stands.push_back(stand_of(organism, entry, stature, dead));
+      for (const Stature& stature : statures_) {
+        auto reached = std::ranges::find_if(heights, [&](float h) { return h >= stature.height; });
+        double years = static_cast<double>(std::min(reached - heights.begin() + 1, std::ssize(heights)));
+        stands.push_back(stand_of(organism, entry, stature, heights.empty() ? 1 : years, dead));
+      }
     for (std::uint32_t i = 0; i < history_.lives.size(); ++i)
       if (history_.lives[i].species == species) place(stands, i);
     for (SownStand& stand : stands)
@@ -112,13 +117,13 @@ class Library {
   }
 
  private:
-  SownStand stand_of(const Organism& organism, std::size_t entry, const Stature& stature, bool dead) const {
+  static SownStand stand_of(const Organism& organism, std::size_t entry, const Stature& stature, double years,
+                            bool dead) {
     SownStand stand;
     stand.entry = entry, stand.organism = organism;
-    if (auto aged = organism.grower->at_age(stature.age, dead ? kBare : 0)) stand.organism.grower = aged;
+    if (auto aged = organism.grower->at_age(years, dead ? kBare : 0)) stand.organism.grower = aged;
     stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
     stand.organism.sown->where.radius = stature.crown;
-    stand.organism.place.size_variation = 0;
     stand.dress = stand.organism.grower->dress();
     return stand;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/bounds.h"
 #include "scene/scene.h"
 #include "scene/stand.h"
 
@@ -154,6 +155,23 @@ TEST_F(Woodland, WhatLikesShadeComesWithIt) {
   };
   EXPECT_EQ(herbs(1), 0) << "on open land";
   EXPECT_GT(herbs(50), 5);
+}
+
+TEST_F(Woodland, IsOfModelsThatHaveGrownAboutAsTallAsTheyAreDrawn) {
+  int compared = 0;
+  for (const SownStand& stand : scene->stands) {
+    Organism organism = stand.organism;
+    if (!organism.sown->size || organism.sown->size->height > 4) continue;
+    double drawn = organism.sown->size->height;
+    organism.sown->size.reset();
+    Result<Model> model = grow_copy(organism, 0);
+    ASSERT_TRUE(model);
+    double grown = bounds_of(model->skeleton.position).high.y;
+    EXPECT_LT(grown, 2.5 * drawn) << organism.name;
+    EXPECT_GT(grown, drawn / 2.5) << organism.name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 8);
 }
 
 }  // namespace

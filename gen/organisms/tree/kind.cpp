@@ -169,19 +169,18 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     });
   }
 
-  /// One that grew up among others at the distance that the sowing says.
-  Result<Model> grow_copy(const Organism& organism, Seed seed) const override {
-    double crowd = organism.sown->crowd, age = age_of(organism, seed, "age");
-    std::vector<TreeSite> sites{{&params, Vec3(0), Quat(1, 0, 0, 0), age, seed.child("tree")}};
-    double turn = seed.child("ring").range(0, 2 * kPi);
-    for (std::uint64_t k = 0; crowd > 0 && k < kNeighbours; ++k) {
-      Seed own = seed.child("neighbour", k);
-      double angle = turn + 2 * kPi * (static_cast<double>(k) + own.child(0).range(-0.2, 0.2)) / kNeighbours;
-      double far = crowd * own.child(1).range(0.85, 1.15);
-      sites.push_back({&params, Vec3(far * std::cos(angle), 0, far * std::sin(angle)), Quat(1, 0, 0, 0),
-                       age * own.child(2).range(0.75, 0.95), own.child("tree")});
+  std::vector<float> heights(const Organism& organism, Seed seed) const override {
+    const std::vector<Size> sizes = grow_crowded(organism, seed).trees[0].sizes;
+    std::vector<float> result;
+    for (int year = 1; year <= params.years; ++year) {
+      auto cycle = static_cast<std::size_t>(growth_cycles(params.species, year));
+      if (cycle <= sizes.size()) result.push_back(sizes[cycle - 1].height);
     }
-    Grove grove = grow_trees(sites, false, seed.child("weather"));
+    return result;
+  }
+
+  Result<Model> grow_copy(const Organism& organism, Seed seed) const override {
+    Grove grove = grow_crowded(organism, seed);
     const GrownTree& grown = grove.trees[0];
     double cycle = cycle_at({}, grove.cycles, 0);
     Model model = tree_model(params, grown, cycle, {}, seed.child("look"));
@@ -193,6 +192,20 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   }
 
  private:
+  /// One that grew up among others at the distance that the sowing says.
+  Grove grow_crowded(const Organism& organism, Seed seed) const {
+    double crowd = organism.sown->crowd, age = age_of(organism, seed, "age");
+    std::vector<TreeSite> sites{{&params, Vec3(0), Quat(1, 0, 0, 0), age, seed.child("tree")}};
+    double turn = seed.child("ring").range(0, 2 * kPi);
+    for (std::uint64_t k = 0; crowd > 0 && k < kNeighbours; ++k) {
+      Seed own = seed.child("neighbour", k);
+      double angle = turn + 2 * kPi * (static_cast<double>(k) + own.child(0).range(-0.2, 0.2)) / kNeighbours;
+      double far = crowd * own.child(1).range(0.85, 1.15);
+      sites.push_back({&params, Vec3(far * std::cos(angle), 0, far * std::sin(angle)), Quat(1, 0, 0, 0),
+                       age * own.child(2).range(0.75, 0.95), own.child("tree")});
+    }
+    return grow_trees(sites, false, seed.child("weather"));
+  }
   static double age_of(const Organism& organism, Seed seed, std::string_view purpose) {
     return 1 + organism.place.size_variation * seed.child(purpose).range(-1, 1);
   }
