@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/events.h"
 #include "core/parallel.h"
 #include "dynamics/deaths.h"
 #include "dynamics/growth.h"
@@ -119,7 +120,7 @@ YearGust gust_of(const StandNow& now, int year, Seed seed) {
       std::sqrt(now.options.storms) * (24 - 3.2 * std::log(-std::log(std::max(seed.child(0).unit(), 1e-12))));
   YearGust gust{natural, now.wind + 0.4 * seed.child(1).normal()};
   for (const StandEvent& event : now.options.events)
-    if (event.year == year && event.storm > 0) gust.speed = std::max(gust.speed, 20 + 25 * event.storm);
+    if (event.year == year) gust.speed = storm_gust(gust.speed, event.storm);
   return gust;
 }
 

@@ -18,6 +18,8 @@ namespace frond {
 
 namespace {
 
+constexpr int kMossSteps = 24;  // that logs become green in
+
 std::string tints_text(std::size_t stand, const Organism& organism) {
   std::string text = fmt::format("#declare Tint{} = array[{}]{{", stand, kTints);
   for (int i = 0; i < kTints; ++i) {
@@ -140,15 +142,16 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
   const Copies& copies = stand.copies;
   bool carries = carries_pattern(stand, scene.film);
   auto unit = static_cast<float>(space.unit / kModelUnit);
-  std::map<std::array<int, 4>, std::string>
-      groups;  // model, level, block, tint: lines without what they place
+  std::map<std::array<int, 5>, std::string>
+      groups;  // model, level, block, tint, moss: lines without what they place
   for (const Drawn& one : plan.drawn[stretch][which]) {
     std::size_t i = one.copy;
     if (!copies.there(i, time)) continue;
     glm::mat3 frame = copy_axes(stand, scene.film, i, time);
     Vec3 scale = copies.scale_at(i, time) * (carries ? 1 : unit);
     for (int axis = 0; axis < 3; ++axis) frame[axis] *= scale[axis];
-    std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i]}];
+    std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i],
+                                 static_cast<int>(std::lround(kMossSteps * copies.moss_at(i, time)))}];
     if (append_matrix(lines, space, frame, copies.foot[i])) lines += "}\n";
   }
   ObjectText all;
@@ -157,11 +160,13 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
   StandParts made(scene, plan, which, time);
   for (const auto& [key, lines] : groups) {
     if (lines.empty()) continue;
-    auto [model, level, block, tint] = key;
+    auto [model, level, block, tint, moss] = key;
     made.take(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
     if (carries && !made.parts.empty()) append_front(text, made.front());
     for (std::string object : made.parts) {
       std::string look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
+      if (moss > 0)
+        look += fmt::format(" texture{{Copy_Moss({})}}", number_text(moss / double{kMossSteps}, 3));
       look += snow_over(is_snowy(scene.stage));
       if (carries) {
         object += " scale ";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cassert>
 #include <iterator>
 #include <map>
@@ -151,12 +152,23 @@ Quat Copies::turn_at(std::size_t i, double time) const {
   return glm::angleAxis(span[i].fall->angle(time), span[i].fall->axis) * turn[i];
 }
 
+namespace {
+
+float share_of(const CopySpan& span, double time) {
+  return static_cast<float>(
+      std::clamp((time - span.begin) / std::max(span.end - span.begin, 1e-9), 0.0, 1.0));
+}
+
+}  // namespace
+
 Vec3 Copies::scale_at(std::size_t i, double time) const {
   if (span.empty()) return Vec3(scale[i]);
-  const CopySpan& s = span[i];
-  auto share = static_cast<float>(std::clamp((time - s.begin) / std::max(s.end - s.begin, 1e-9), 0.0, 1.0));
-  Vec2 size = glm::mix(s.first, s.last, share);
+  Vec2 size = glm::mix(span[i].first, span[i].last, share_of(span[i], time));
   return scale[i] * Vec3(size.x, size.y, size.x);
+}
+
+double Copies::moss_at(std::size_t i, double time) const {
+  return span.empty() ? 0 : std::lerp(span[i].moss.x, span[i].moss.y, share_of(span[i], time));
 }
 
 std::size_t Scene::nodes() const {

@@ -22,6 +22,7 @@ struct CopySpan {
   double begin = 0, end = 0;         ///< seconds; at the end it is no longer there
   Vec2 first{1}, last{1};            ///< factors of its width and height at both; in proportion between
   std::shared_ptr<const Fall> fall;  ///< as which it falls over about its foot; null: it stands
+  Vec2 moss{0};                      ///< 0..1, of what looks up, at both
 };
 
 /// Copies of the models of a stand: a structure of arrays. Metres.
@@ -39,6 +40,7 @@ struct Copies {
   }
   Quat turn_at(std::size_t i, double time) const;
   Vec3 scale_at(std::size_t i, double time) const;
+  double moss_at(std::size_t i, double time) const;
 };
 inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
 

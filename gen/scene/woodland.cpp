@@ -16,6 +16,7 @@ constexpr float kLeast = 0.6f;    // metres, height of the smallest trees of the
 constexpr float kTaller = 1.5f;   // from one height of the library to the next
 constexpr double kBare = 4;       // years that its dead trees are dead
 constexpr double kWilting = 1.5;  // years for which what was thrown keeps its leaves
+constexpr double kMossy = 9;      // years after which moss covers a log
 constexpr float kRotten = 0.3f;   // width that is left of a log at its end
 constexpr float kFlare = 1.3f;    // how much thicker a stem is at its foot than at breast height
 constexpr double kSpread = 2;     // years in which what grows below the trees comes up or dies back
@@ -173,7 +174,11 @@ class Library {
     Seed seed = Seed{preset_.seed}.child("life", i);
     CopySpan span{film_.time(c.from), film_.time(c.to), factors(i, c.from, stature),
                   factors(i, c.to, stature), std::move(fall)};
-    if (c.dead && span.fall) span.last *= Vec2(kRotten, 1);
+    if (c.dead && span.fall) {
+      span.last *= Vec2(kRotten, 1);
+      auto moss = [&](double year) { return static_cast<float>(std::min((year - life.fell) / kMossy, 1.0)); };
+      span.moss = {moss(c.from), moss(c.to)};
+    }
     Copies& copies = stand.copies;
     copies.model.push_back(static_cast<std::uint16_t>(
         seed.child("model").bits() % static_cast<std::uint64_t>(stand.organism.sown->models)));
