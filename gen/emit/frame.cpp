@@ -350,7 +350,8 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
       count.objects += swaying.objects;
       return out(swaying.text);
     }
-    if (hole == "food") return out(food_text(parts.space, scene, time));
+    if (hole == "food")
+      return out(food_text(parts.space, scene, time) + adrift_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
   });
   if (!errors.empty()) return errors;

@@ -95,4 +95,24 @@ std::string ground_text(const PovSpace& space, const Scene& scene) {
   return text_of(scene.stage).ground(space, scene);
 }
 
+std::string adrift_text(const PovSpace& space, const Scene& scene, double time) {
+  std::string text;
+  std::size_t number = 0;
+  for (const Strewn& kind : scene.ground->adrift(time, scene.film.length())) {
+    std::string lines;
+    for (const Strewn::At& at : kind.at) {
+      std::string line = fmt::format("object{{Adrift{} ", number);
+      glm::mat3 axes = glm::mat3_cast(at.turn);
+      for (int axis = 0; axis < 3; ++axis) axes[axis] *= at.size[axis];
+      if (append_matrix(line, space, axes, at.place)) lines += line + "}\n";
+    }
+    if (lines.empty()) continue;
+    text += fmt::format("#declare Adrift{} = ", number++);
+    append_mesh(text, space, *kind.shape);
+    text += "\nunion{\n" + lines + "texture{pigment{" + color_text(kind.color) +
+            "}finish{ambient Frond_Ambient diffuse 0.6}}}\n";
+  }
+  return text;
+}
+
 }  // namespace frond

@@ -39,5 +39,7 @@ Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time);
 /// Whether its light may be a picture that each frame has of its own, as that through waves is.
 bool has_pictures(const Stage& stage);
 std::string ground_text(const PovSpace& space, const Scene& scene);
+/// What drifts over the ground at a time: each shape, and an object of it for each place.
+std::string adrift_text(const PovSpace& space, const Scene& scene, double time);
 
 }  // namespace frond

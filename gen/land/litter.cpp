@@ -118,6 +118,14 @@ void lay_on_ground(Surface& s, std::size_t first, float pressed) {
 
 }  // namespace
 
+Surface leaf_surface(double length, Seed seed) {
+  Surface s;
+  add_leaf(s, lie(seed, 0, 0.1), static_cast<float>(length), seed);
+  lay_on_ground(s, 0, static_cast<float>(0.05 * length));
+  set_normals(s);
+  return s;
+}
+
 Surface litter_surface(const LitterShape& shape, Seed seed) {
   Surface s;
   double area = shape.side * shape.side;

@@ -18,6 +18,9 @@ struct LitterShape {
 /// integer per item, 0..63 for leaves and 64..127 for twigs, u runs from foot to tip and v across.
 Surface litter_surface(const LitterShape& shape, Seed seed);
 
+/// One such leaf about the origin, curled, of that length in metres.
+Surface leaf_surface(double length, Seed seed);
+
 /// A cushion of moss: a low round dome of short shoots, `side` metres wide, thin at its rim. `uv`: u from
 /// foot to tip, v a random number per shoot.
 Surface moss_surface(double side, Seed seed);

@@ -180,16 +180,22 @@ Terrain::Terrain(const TerrainShape& shape, Seed seed)
   Hills hills{shape, seed.child("hills")};
   hills.level(finest);
   PathBed path(plot_, shape.path.width, finest, hills);
+  auto without_stream = [&](Vec2 at, double spacing) { return path(at, hills(at, spacing)); };
+  if (shape.stream.width > 0)
+    stream_ = StreamCourse(
+        shape.stream, shape.size, [&](Vec2 at) { return without_stream(at, std::max(finest, 2.0)); },
+        seed.child("stream"));
   height_.resize(lines * lines);
   parallel_for(lines, [&](std::size_t row) {
     for (std::size_t column = 0; column < lines; ++column) {
       Vec2 at(line_[column], line_[row]);
-      height_[vertex(column, row)] =
-          static_cast<float>(path(at, hills(at, std::max({finest, gap(column), gap(row)}))));
+      height_[vertex(column, row)] = static_cast<float>(
+          stream_.ground(at, without_stream(at, std::max({finest, gap(column), gap(row)}))));
     }
   });
   auto middle = static_cast<float>(height(0, 0));
   for (float& h : height_) h -= middle;
+  stream_.raise(-middle);
   normal_.resize(height_.size());
   for (std::size_t row = 0; row < lines; ++row)
     for (std::size_t column = 0; column < lines; ++column)

@@ -4,6 +4,7 @@
 
 #include "core/seed.h"
 #include "land/plot.h"
+#include "land/stream.h"
 #include "model/surface.h"
 
 namespace frond {
@@ -15,6 +16,7 @@ struct TerrainShape {
   double hill_size = 70;  ///< metres from hill to hill
   double rough = 0.4;     ///< 0 rolling .. 1 broken
   PathShape path;
+  StreamShape stream{};
 };
 
 /// The land: a grid of lines, dense in the sown square and increasingly sparse beyond it to the horizon. All
@@ -36,6 +38,8 @@ class Terrain {
   double path_distance(Vec2 at) const { return plot_.path_distance(at); }
   /// The path, without a pond.
   const Plot& plot() const { return plot_; }
+  /// The stream; below its bed the mesh is lower than that.
+  const StreamCourse& stream() const { return stream_; }
 
   /// Metres from the origin to the end of the mesh, along x and z; at least 1200.
   double reach() const { return line_.back(); }
@@ -49,6 +53,7 @@ class Terrain {
   Vec3 vertex_normal(std::size_t column, std::size_t row) const;
 
   Plot plot_;
+  StreamCourse stream_;
   std::vector<float> line_;    // positions of the grid's lines, along both x and z
   std::vector<float> height_;  // of the vertices, row by row (z)
   std::vector<Vec3> normal_;

@@ -219,6 +219,14 @@ std::vector<Placed> TracedFilm::Parts::food_at(double time) const {
   for (const FoodGrain& one : drawn_food(scene, time))
     things.push_back(placed({ThingKind::food, 0, static_cast<std::uint32_t>(things.size())}, grain,
                             {one.at, Quat(1, 0, 0, 0), Vec3(one.radius)}));
+  std::uint32_t list = 0;
+  for (const Strewn& strewn : scene.ground->adrift(time, scene.film.length())) {
+    auto mesh = std::make_shared<const MeshGroup>(std::vector{strewn.shape});
+    ++list;
+    for (std::uint32_t k = 0; k < strewn.at.size(); ++k)
+      things.push_back(placed({ThingKind::food, list, k}, mesh,
+                              {strewn.at[k].place, strewn.at[k].turn, strewn.at[k].size}));
+  }
   return things;
 }
 

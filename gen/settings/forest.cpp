@@ -3,15 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/curve.h"
 #include "core/linear.h"
+#include "land/litter.h"
 #include "settings/describe_plot.h"
 #include "settings/plot_bounds.h"
 #include "settings/settings.h"
 
 namespace frond {
+
+template <class Visitor>
+void describe(Visitor& v, StreamShape& s) {
+  v.vector("from", s.from, {.min = -2000, .max = 2000, .unit = "m"}, "Place x, z where the stream begins");
+  v.number("width", s.width, {.min = 0, .max = 12, .unit = "m"},
+           "Width of the stream's water on average; 0 is no stream");
+  v.number("depth", s.depth, {.min = 0.05, .max = 2, .unit = "m"}, "Depth of the stream in its middle");
+  v.integer("leaves", s.leaves, {.min = 0, .max = 2000}, "How many fallen leaves drift on the stream");
+}
 
 template <class Visitor>
 void describe(Visitor& v, TerrainShape& t) {
@@ -21,6 +32,7 @@ void describe(Visitor& v, TerrainShape& t) {
            "Distance from one hill to the next");
   v.number("rough", t.rough, {.min = 0, .max = 1}, "How broken the land is: 0 rolling, 1 broken");
   v.object("path", t.path, "A path through the wood that is kept clear");
+  v.object("stream", t.stream, "A stream that runs down the land and leaves the sown square");
 }
 
 template <class Visitor>
@@ -39,6 +51,18 @@ void describe(Visitor& v, Forest& f) {
   v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
 }
 
+namespace {
+
+constexpr double kLeafLength = 0.09;  // metres
+constexpr double kNoLitter = 0.3;     // metres from the water
+constexpr std::array<Color, 5> kLeafColors{{{0.72f, 0.55f, 0.16f},
+                                            {0.60f, 0.34f, 0.13f},
+                                            {0.45f, 0.27f, 0.13f},
+                                            {0.66f, 0.44f, 0.15f},
+                                            {0.38f, 0.25f, 0.15f}}};
+
+}  // namespace
+
 ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed)
     : size_(forest.terrain.size),
       moss_(forest.moss),
@@ -52,6 +76,10 @@ ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed)
   for (const Vec3& p : floor().position)
     if (std::max(std::abs(p.x), std::abs(p.z)) <= half) valley = std::min(valley, p.y);
   mark_floor(floor_, floor_land(), moss_, seed_);
+  if (!stream().flows()) return;
+  water_ = stream().water(), bed_ = stream().bed();
+  for (std::uint64_t k = 0; k < kLeafColors.size(); ++k)
+    leaves_.push_back(leaf_surface(kLeafLength, seed_.child("drifting", k)));
 }
 
 ForestLand ForestGround::floor_land() const {
@@ -61,10 +89,14 @@ ForestLand ForestGround::floor_land() const {
 
 void ForestGround::lay_litter(const Camera& camera) {
   cover = strew_floor(film_, camera, floor_land(), moss_, seed_);
+  if (!stream().flows()) return;
+  for (auto* patches : {&cover.litter_patches, &cover.moss_patches})
+    std::erase_if(*patches, [&](const Patch& p) { return stream().distance({p.at.x, p.at.z}) < kNoLitter; });
 }
 
 std::size_t ForestGround::bytes() const {
-  std::size_t bytes = Grounds::bytes() + bytes_of(cover.litter_patches) + bytes_of(cover.moss_patches);
+  std::size_t bytes = Grounds::bytes() + bytes_of(water_) + bytes_of(bed_) + bytes_of(cover.litter_patches) +
+                      bytes_of(cover.moss_patches);
   for (const std::vector<Surface>* shapes : {&cover.litter, &cover.moss}) {
     bytes += bytes_of(*shapes);
     for (const Surface& shape : *shapes) bytes += bytes_of(shape);
@@ -79,9 +111,36 @@ std::vector<Patches> ForestGround::patches() const {
   return list;
 }
 
+std::vector<Specimen> ForestGround::furnishings() const {
+  Specimen stones;
+  stones.name = "stones of the stream";
+  stones.model.solids = stream().stones();
+  return stones.model.solids.size() == 0 ? std::vector<Specimen>{} : std::vector{std::move(stones)};
+}
+
+std::vector<Strewn> ForestGround::strewn() const {
+  if (!stream().flows()) return {};
+  return {{&bed_, {0.36f, 0.31f, 0.25f}, {{}}}, {&water_, {0.30f, 0.36f, 0.34f}, {{}}, true}};
+}
+
+std::vector<Strewn> ForestGround::adrift(double time, double loop) const {
+  if (!stream().flows()) return {};
+  std::vector<Strewn> kinds;
+  for (std::size_t k = 0; k < leaves_.size(); ++k) kinds.push_back({&leaves_[k], kLeafColors[k], {}});
+  for (const Afloat& leaf : stream().leaves(time, loop))
+    kinds[static_cast<std::size_t>(leaf.kind) % kinds.size()].at.push_back(
+        {leaf.at, glm::angleAxis(leaf.turn, Vec3(0, 1, 0)), Vec3(leaf.size)});
+  return kinds;
+}
+
 Land ForestGround::land(std::vector<Spot> taken) const {
   Land land = sloping_land(size_, std::move(taken));
   if (plot_.has_path()) land.path = clear_of(plot_);
+  if (stream().flows())
+    land.path = [dry = land.path, terrain = terrain_](Vec2 at) {
+      double wet = terrain->stream().distance(at);
+      return dry ? std::min(dry(at), wet) : wet;
+    };
   return land;
 }
 

@@ -30,7 +30,9 @@ class ForestGround final : public Grounds {
   void lay_litter(const Camera& camera) override;
   float seat(Vec2 at, double, Seed) override { return height(at); }
   Land land(std::vector<Spot> taken) const override;
-  std::vector<Specimen> furnishings() const override { return {}; }
+  std::vector<Specimen> furnishings() const override;
+  std::vector<Strewn> strewn() const override;
+  std::vector<Strewn> adrift(double time, double loop) const override;
   std::vector<Patches> patches() const override;
   LowCover low_cover() const override { return {.height = 0.05, .area = 0.5}; }
   std::size_t bytes() const override;
@@ -38,6 +40,11 @@ class ForestGround final : public Grounds {
                                    double) const override {
     return {};
   }
+
+  const StreamCourse& stream() const { return terrain_->stream(); }
+  /// Of its water and of its bed.
+  const Surface& water() const { return water_; }
+  const Surface& bed() const { return bed_; }
 
   /// The path.
   const Plot& plot() const { return plot_; }
@@ -53,6 +60,8 @@ class ForestGround final : public Grounds {
   Seed seed_;
   std::shared_ptr<const Terrain> terrain_;
   Plot plot_;
+  Surface water_, bed_;
+  std::vector<Surface> leaves_;  // that drift on it
 };
 
 }  // namespace frond

@@ -157,6 +157,9 @@ class Grounds {
   virtual std::vector<Specimen> furnishings() const = 0;
   /// Loose objects large enough to show in a quick look.
   virtual std::vector<Strewn> strewn() const { return {}; }
+  /// What drifts over it at a time, seconds; in a film that loops after `loop` seconds, 0 it does not, the
+  /// same after that.
+  virtual std::vector<Strewn> adrift(double /*time*/, double /*loop*/) const { return {}; }
   /// What covers the ground, as meshes.
   virtual std::vector<Patches> patches() const { return {}; }
   virtual LowCover low_cover() const { return {}; }
