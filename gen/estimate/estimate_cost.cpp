@@ -89,7 +89,7 @@ constexpr double kCrown = 0.25;  // the radius of a tree's crown, of its height
 
 /// The files of a model of what is sown, one at each level from where its copies come nearest to the camera
 /// to where they are farthest.
-double model_bytes(const Preset& preset, const Organism& organism, const SizeEstimate& size) {
+double model_bytes(const Preset& preset, const Organism& organism, const SizeEstimate& size, double count) {
   constexpr double kWoodNode = 100, kPart = 540;
   constexpr double kFarthest = 200;  // metres, where copies stand all over the land
   const SowRules& where = organism.sown->where;
@@ -102,7 +102,7 @@ double model_bytes(const Preset& preset, const Organism& organism, const SizeEst
   double pixel =
       coarseness(preset.film.quality) * 2 * std::tan(radians(camera.angle.at(0)) / 2) / preset.film.size[0];
   // The next copy of one model is about so far away where the camera is among them.
-  double apart = 0.5 * reach * std::sqrt(kPi * organism.sown->models / std::max(1, organism.count));
+  double apart = 0.5 * reach * std::sqrt(kPi * organism.sown->models / std::max(1.0, count));
   double next = std::max(away - reach, apart) - kCrown * organism.grower->tallest();
   int first = level_for(pixel * std::max(next, 0.3)), last = level_for(pixel * (away + reach));
   double bytes = 0;
@@ -176,6 +176,19 @@ double number_of(const Organism& organism) {
   return std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
 }
 
+constexpr double kLibrary =
+    3.6;  // models of a stand's organism of all heights, alive and dead, in full-grown ones
+
+/// How many trees of a stand are drawn as copies of an entry, about.
+double trees_of_stand(const Preset& preset, const Organism& organism) {
+  constexpr double kDensity = 0.12;  // trees that live or lie on each square metre
+  if (!preset.stand || !organism.sown) return 0;
+  const auto& species = preset.stand->species;
+  bool drawn = std::ranges::any_of(species, [&](const auto& s) { return s.organism == organism.name; });
+  return drawn ? kDensity * preset.stand->area.x * preset.stand->area.y / static_cast<double>(species.size())
+               : 0;
+}
+
 /// What trees that grow in one light leave of each other: the ground that they cover is less than their
 /// crowns would, and what is in shade dies.
 double left_in_shade(const Preset& preset) {
@@ -222,8 +235,10 @@ void Sums::add_pictures(const Look& look) {
 void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
                     double made, double grows) {
   const Organism& organism = preset.organisms[o];
-  double models = 0, count = organism.count, model = model_bytes(preset, organism, size);
+  double trees = trees_of_stand(preset, organism), count = organism.count + trees;
+  double models = 0, model = model_bytes(preset, organism, size, count);
   for (int m = 0; m < organism.sown->models; ++m) models += grown.insert(copy_id(organism, m)).second;
+  if (trees > 0) models *= kLibrary;
   f.copies += count;
   f.models += models;
   f.shared_bytes += models * model;
@@ -232,8 +247,8 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
   view.longest = std::max(view.longest, made);
   // What is too far or out of view is left out.
   double lines = 0.4 * count * 2.5 * kPlacement;
-  bool sways =
-      (dress.motion.wave.amplitude > 0 || in_wind(dress.motion, preset.stage)) && preset.film.frames > 1;
+  bool sways = (trees > 0 || dress.motion.wave.amplitude > 0 || in_wind(dress.motion, preset.stage)) &&
+               preset.film.frames > 1;
   (sways ? text : still) += lines;
   f.scene_memory += 40 * count;
   growing = std::max(growing, grows + 2 * model);
@@ -274,7 +289,7 @@ Result<Sums> sums_of(const Preset& preset) {
   double shaded = left_in_shade(preset);
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
-    if (organism.count == 0) continue;
+    if (organism.count == 0 && trees_of_stand(preset, organism) == 0) continue;
     const Grower& grower = *organism.grower;
     Seed seed = Seed{preset.seed}.child("organism", o);
     Result<SizeEstimate> sized = grower.estimate_size(seed);
