@@ -11,11 +11,15 @@ namespace frond {
 
 namespace {
 
-// Of copies, whose wood nobody weighs: what Moore and Maguire (2004) found for trees of 20 m, and a lean of a
-// tenth in a wind of 20 m/s.
-constexpr double kCopySway = 0.35;     // swings a second
-constexpr double kCopyDamping = 0.12;  // of the critical damping
-constexpr double kCopyGive = 8e-4;     // metres a metre of height for each pascal
+/// How what nobody weighs answers to the wind.
+struct CopySway {
+  double swings = 1;     // a second
+  double damping = 0.1;  // of the critical damping
+  double give = 1e-3;    // metres a metre of height for each pascal
+};
+// What Moore and Maguire (2004) found for trees of 20 m, and a lean of a tenth in a wind of 20 m/s. Herbs: as
+// crops (de Langre 2008), in the slower wind near the ground.
+constexpr CopySway kTree{0.35, 0.12, 8e-4}, kHerb{1.6, 0.18, 4e-3};
 
 /// How far the wind bends something at a place over, as a shear: metres a metre of height.
 Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
@@ -32,15 +36,15 @@ Vec2 bent(const Wave& wave, double film_length, Vec3 at, double time) {
          Vec2(-wind.y, wind.x) * (0.4f * reach * static_cast<float>(side));
 }
 
-/// The lean of a copy in the wind, as that shear. It answers to the gusts as a tree of ordinary shape does.
-Vec2 blown(const WindField& wind, Vec3 at, double time) {
+/// The lean of a copy in the wind, as that shear.
+Vec2 blown(const WindField& wind, const CopySway& sway, Vec3 at, double time) {
   double mean = wind.mean(time), swing = 0;
   for (const Gust& g : wind.gusts) {
     std::complex<double> push =
         std::polar(g.share, g.rate * time - g.wave.x * at.x - g.wave.y * at.z + g.phase);
-    swing += (push * transfer({2 * kPi * kCopySway, kCopyDamping}, g.rate)).real();
+    swing += (push * transfer({2 * kPi * sway.swings, sway.damping}, g.rate)).real();
   }
-  double lean = kCopyGive * drag_pressure(mean) * (1 + drag_power(mean) * swing);
+  double lean = sway.give * drag_pressure(mean) * (1 + drag_power(mean) * swing);
   return Vec2(wind.along.x, wind.along.z) * static_cast<float>(lean / (1 + std::abs(lean)));
 }
 
@@ -54,8 +58,9 @@ glm::mat3 copy_axes(const SownStand& stand, const Film& film, std::size_t i, dou
   glm::mat3 axes = glm::mat3_cast(stand.copies.turn_at(i, time));
   if (!sways(stand, film)) return axes;
   Vec3 foot = stand.copies.foot[i];
-  Vec2 lean =
-      stand.wind ? blown(*stand.wind, foot, time) : bent(stand.dress.motion.wave, film.length(), foot, time);
+  const Motion& motion = stand.dress.motion;
+  Vec2 lean = stand.wind ? blown(*stand.wind, motion.wood ? kTree : kHerb, foot, time)
+                         : bent(motion.wave, film.length(), foot, time);
   for (int axis = 0; axis < 3; ++axis) axes[axis] += Vec3(lean.x, 0, lean.y) * axes[axis].y;
   return axes;
 }

@@ -247,8 +247,9 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
   view.longest = std::max(view.longest, made);
   // What is too far or out of view is left out.
   double lines = 0.4 * count * 2.5 * kPlacement;
-  bool sways = (trees > 0 || dress.motion.wave.amplitude > 0 || in_wind(dress.motion, preset.stage)) &&
-               preset.film.frames > 1;
+  bool sways =
+      (trees > 0 || dress.motion.wave.amplitude > 0 || sown_in_wind(organism, dress.motion, preset.stage)) &&
+      preset.film.frames > 1;
   (sways ? text : still) += lines;
   f.scene_memory += 40 * count;
   growing = std::max(growing, grows + 2 * model);

@@ -131,9 +131,8 @@ void describe(Visitor& v, Stage& s) {
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
   v.choice("setting", s.setting, names, "The surroundings, which bring their own light and ground");
   v.object("camera", s.camera, "The camera");
-  v.object(
-      "wind", s.wind,
-      "The wind over the land, in which trees without a wave of their own sway by their wood and leaves");
+  v.object("wind", s.wind,
+           "The wind over the land, in which trees and sown herbs without a wave of their own sway");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const SettingRow& row = settings()[i];
     // Only who writes the schema asks for it: it takes longer than reading.

@@ -31,6 +31,10 @@ bool in_wind(const Motion& motion, const Stage& stage) {
   return stage.wind && motion.wood && motion.wave.amplitude == 0;
 }
 
+bool sown_in_wind(const Organism& organism, const Motion& motion, const Stage& stage) {
+  return in_wind(motion, stage) || (stage.wind && organism.grower->branches() && motion.wave.amplitude == 0);
+}
+
 void blow(Scene& scene, const Preset& preset) {
   const std::optional<Wind>& wind = scene.stage.wind;
   if (!wind) return;
@@ -42,7 +46,7 @@ void blow(Scene& scene, const Preset& preset) {
     if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.stage)) take_wind(s, field);
   });
   for (SownStand& stand : scene.stands)
-    if (in_wind(stand.dress.motion, scene.stage)) stand.wind = field;
+    if (sown_in_wind(stand.organism, stand.dress.motion, scene.stage)) stand.wind = field;
 }
 
 }  // namespace frond

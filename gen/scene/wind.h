@@ -6,6 +6,8 @@ namespace frond {
 
 /// Whether what moves so, sways in the wind of a stage: trees that have no wave of their own.
 bool in_wind(const Motion& motion, const Stage& stage);
+/// The same of what is sown: herbs as well.
+bool sown_in_wind(const Organism& organism, const Motion& motion, const Stage& stage);
 
 /// Lets the trees of a grown scene sway in its wind, if it has one. Storms of its events blow at the second
 /// of the film at which their year passes for the first tree that grows in it.
