@@ -12,6 +12,7 @@
 #include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/far.h"
 #include "scene/feeding.h"
 #include "scene/fit.h"
 #include "scene/inside.h"
@@ -247,6 +248,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   ground->lay_litter(scene.stage.camera);
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
   scene.ground = std::move(ground);
+  scene.far = far_land_round(scene, seed.child("far"));
   note_camera(scene, preset);
   note_growth(scene);
   for (const Organism& organism : preset.organisms)

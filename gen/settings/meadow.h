@@ -20,8 +20,6 @@ struct Meadow {
   Color grass{0.39f, 0.46f, 0.17f};
   double haze = 6000;           ///< metres in which two thirds of a colour are lost
   double clouds = 0.45;         ///< 0 none .. 1 overcast
-  double hills = 1;             ///< factor of the heights of distant hills and woods
-  double hills_distance = 122;  ///< metres from the middle to the nearest of them
   std::optional<MountainShape> mountain;
   LawnShape lawn;
 };
