@@ -22,7 +22,8 @@ constexpr std::array<std::string_view, kFarKinds> kKindNames{"Broadleaf", "Conif
 constexpr MeshText kLandText{.decimals = 1, .uv_decimals = -1};
 
 /// All copies of one kind, shape and tint as one union.
-void append_objects(std::string& text, const PovSpace& space, const FarCountry& far, FarKind kind, int shape, int tint) {
+void append_objects(std::string& text, const PovSpace& space, const FarCountry& far, FarKind kind, int shape,
+                    int tint) {
   std::string_view name = kKindNames[static_cast<std::size_t>(kind)];
   std::string lines;
   for (const FarObject& o : far.objects) {
@@ -41,14 +42,15 @@ void append_objects(std::string& text, const PovSpace& space, const FarCountry& 
 
 std::string far_air_text(const Scene& scene, double time) {
   Stage stage = stage_at(scene.stage, time);
-  Daylight light = drawn_daylight(stage);
   const auto& meadow = stage.block<Meadow>();
   std::optional<double> year;
   if (scene.stage.year) year = scene.stage.year->at(time);
   Color grass = year ? grass_at(meadow.grass, *year) : meadow.grass;
-  return "Far_Air(" + eye_text(scene, time) + "," + vector_text(light.fog) + "," + number_text(meadow.haze) + ")\n" +
-         "Far_Year(" + vector_text(linear(grass)) + "," + number_text(year ? leaf_share(*year) : 1, 3) + "," +
-         number_text(snow_cover(stage), 3) + "," + vector_text(0.5f * (light.above + light.aside)) + ")";
+  // Where it is not said what time of the year it is, woods are bare under snow.
+  double snow = snow_cover(stage), leaves = year ? leaf_share(*year) : 1 - snow;
+  return "Far_Air(" + eye_text(scene, time) + "," + vector_text(drawn_daylight(stage).fog) + "," +
+         number_text(meadow.haze) + ")\n" + "Far_Year(" + vector_text(linear(grass)) + "," +
+         number_text(leaves, 3) + "," + number_text(snow, 3) + ")";
 }
 
 std::string far_text(const PovSpace& space, const Scene& scene) {

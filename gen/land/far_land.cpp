@@ -56,9 +56,11 @@ double FarLand::height(Vec2 at, double spacing) const {
   double share = smooth_step(0.0, std::max(500.0, 0.7 * edge_.radius), out);
   if (share <= 0) return ends;
   double away = glm::length(at);
-  double land = shape_.relief * (0.35 + 0.5 * hill_noise(at, shape_.hill_size, 0.15, spacing, seed_.child("hills")));
-  // Hills behind hills are higher, so that they show above the near ones.
-  land += shape_.relief * 0.8 * smooth_step(500.0, 5000.0, out);
+  // The farther, the higher, so that hills show above those before them.
+  double hills = hill_noise(at, shape_.hill_size, 0.15, spacing, seed_.child("hills"));
+  double land =
+      shape_.relief * (0.5 * hills * (0.4 + 0.6 * smooth_step(200.0, 4000.0, out)) +
+                       0.6 * smooth_step(300.0, 3000.0, out) + 2.2 * smooth_step(2000.0, 11000.0, out));
   double risen = smooth_step(0.35, 1.0, away / std::max(shape_.mountains_distance, 1.0));
   if (shape_.mountains > 0 && risen > 0) {
     double ridges = hill_noise(at, 5200, 0.85, spacing, seed_.child("mountains"));
@@ -86,7 +88,8 @@ Parcel FarLand::parcel(Vec2 at) const {
     float shift = 0.5f * static_cast<float>(j & 1);
     auto column = static_cast<int>(std::floor(p.x / length - shift));
     for (int i = column - 1; i <= column + 1; ++i) {
-      Seed cell = seed_.child("parcel").child(static_cast<std::uint64_t>(j + 1'000'000))
+      Seed cell = seed_.child("parcel")
+                      .child(static_cast<std::uint64_t>(j + 1'000'000))
                       .child(static_cast<std::uint64_t>(i + 1'000'000));
       Vec2 site((static_cast<float>(i) + shift + static_cast<float>(cell.child(0).range(0.2, 0.8))) * length,
                 (static_cast<float>(j) + static_cast<float>(cell.child(1).range(0.25, 0.75))) * wide);
@@ -100,7 +103,11 @@ Parcel FarLand::parcel(Vec2 at) const {
     }
   }
   double edge = double{second * second - best * best} / (2.0 * std::max(glm::distance(own, other), 1e-3f));
-  return {own_seed, unturned(own), unturned(other), edge, pair_seed(own_seed, other_seed),
+  return {own_seed,
+          unturned(own),
+          unturned(other),
+          edge,
+          pair_seed(own_seed, other_seed),
           own_seed.child("across").unit() < 0.35};
 }
 
@@ -125,8 +132,8 @@ FarCover FarLand::cover(Vec2 at, const Parcel& parcel, double height, Vec2 slope
     constexpr FarCover kGrass[] = {FarCover::meadow, FarCover::hay, FarCover::pasture};
     return kGrass[parcel.seed.child("grass").bits() % 3];
   }
-  constexpr FarCover kCrops[] = {FarCover::wheat, FarCover::barley, FarCover::barley, FarCover::rape,
-                                 FarCover::earth, FarCover::wheat};
+  constexpr FarCover kCrops[] = {FarCover::wheat, FarCover::barley, FarCover::barley,
+                                 FarCover::rape,  FarCover::earth,  FarCover::wheat};
   return kCrops[parcel.seed.child("crop").bits() % 6];
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/seed.h"
@@ -13,18 +14,21 @@ namespace frond {
 /// and, where there are some, mountains. The earth's curvature is left out: it hides 1 m at 3.6 km and 11 m
 /// at 12 km.
 struct FarLandShape {
-  double reach = 12000;     ///< metres from the middle to the horizon
-  double relief = 70;       ///< metres, from valleys to hilltops
-  double hill_size = 1500;  ///< metres from hill to hill
-  double parcel = 130;      ///< metres, mean width of fields; they are twice as long
-  double fields = 0.5;      ///< share of the open land that is ploughed, 0..1; the rest is grass
-  double woods = 0.3;       ///< share of the land, 0..1
-  double hedges = 0.35;     ///< share of the borders between parcels that have one, 0..1
-  double villages = 900;    ///< metres from one to the next along a road; 0: none
-  double mountains = 0;     ///< metres, height of mountains above the hills
+  double reach = 12000;              ///< metres from the middle to the horizon
+  double relief = 70;                ///< metres, from valleys to hilltops
+  double hill_size = 1500;           ///< metres from hill to hill
+  double parcel = 130;               ///< metres, mean width of fields; they are twice as long
+  double fields = 0.5;               ///< share of the open land that is ploughed, 0..1; the rest is grass
+  double woods = 0.3;                ///< share of the land, 0..1
+  double hedges = 0.35;              ///< share of the borders between parcels that have one, 0..1
+  double villages = 900;             ///< metres from one to the next along a road; 0: none
+  double mountains = 0;              ///< metres, height of mountains above the hills
   double mountains_distance = 6000;  ///< metres from the middle to where they have risen
-  double tree_line = 1800;  ///< metres above the middle, the highest woods
-  double snow_line = 1e5;   ///< metres above the middle, the lowest snow
+  double tree_line = 1800;           ///< metres above the middle, the highest woods
+  double snow_line = 1e5;            ///< metres above the middle, the lowest snow
+  /// Names of the organisms that trees are drawn as: the first where conifers stand, else one of the others;
+  /// none: plain trees.
+  std::vector<std::string> trees;
 };
 
 /// Where the ground that is laid ends and the far land begins.
@@ -39,7 +43,19 @@ struct GroundEdge {
 };
 
 /// What covers a piece of the land.
-enum class FarCover : std::uint8_t { meadow, hay, pasture, wheat, barley, rape, earth, wood, heath, rock, snow };
+enum class FarCover : std::uint8_t {
+  meadow,
+  hay,
+  pasture,
+  wheat,
+  barley,
+  rape,
+  earth,
+  wood,
+  heath,
+  rock,
+  snow
+};
 inline constexpr int kFarCovers = 11;
 
 /// A field, meadow or piece of wood.

@@ -10,14 +10,14 @@ namespace frond {
 
 namespace {
 
-constexpr double kRow = 0.014;        // of the distance, from row to row
-constexpr double kRayPixels = 2;      // from ray to ray
-constexpr double kOutOfView = 0.06;   // radians from ray to ray where no camera looks
-constexpr double kPerPixel = 0.45;    // vertices for each pixel, at most
-constexpr double kOverlap = 0.995;    // of the radius of the near ground: where rows begin below it
-constexpr float kSunk = 0.3f;         // metres that they lie below it there
-constexpr double kHiddenBy = 4;       // pixels by which what is hidden lies behind a crest
-constexpr double kCanopy = 13;        // metres, mean height of a wood
+constexpr double kRow = 0.014;       // of the distance, from row to row
+constexpr double kRayPixels = 2;     // from ray to ray
+constexpr double kOutOfView = 0.06;  // radians from ray to ray where no camera looks
+constexpr double kPerPixel = 0.45;   // vertices for each pixel, at most
+constexpr double kOverlap = 0.995;   // of the radius of the near ground: where rows begin below it
+constexpr float kSunk = 0.3f;        // metres that they lie below it there
+constexpr double kHiddenBy = 4;      // pixels by which what is hidden lies behind a crest
+constexpr double kCanopy = 13;       // metres, mean height of a wood
 
 struct FarVertex {
   Vec3 at{0}, normal{0, 1, 0};
@@ -87,9 +87,9 @@ void hide(std::vector<FarVertex>& ray, const FarView& view) {
 /// Puts triangles into the part of their cover, each vertex of it once.
 class FarParts {
  public:
-  explicit FarParts(std::size_t vertices) : index_(2 * kFarCovers, std::vector<std::uint32_t>(vertices, UINT32_MAX)) {
-    for (int i = 0; i < 2 * kFarCovers; ++i)
-      parts_.push_back({static_cast<FarCover>(i / 2), i % 2 == 1, {}});
+  explicit FarParts(std::size_t vertices)
+      : index_(2 * kFarCovers, std::vector<std::uint32_t>(vertices, UINT32_MAX)) {
+    for (int i = 0; i < 2 * kFarCovers; ++i) parts_.push_back({static_cast<FarCover>(i / 2), i % 2 == 1, {}});
   }
 
   void add(const std::vector<FarVertex>& all, std::array<std::size_t, 3> corners) {
@@ -132,7 +132,7 @@ double canopy_height(Vec2 at, double inside, double spacing, Seed seed) {
   // Crowns where they show, stands of one age where they do not.
   double crowns = noise(Vec3(at.x / 8, level, at.y / 8)) * (1 - smooth_step(8.0, 40.0, spacing));
   double stands = noise(Vec3(at.x / 90, level + 7, at.y / 90));
-  return kCanopy * (1 + 0.18 * crowns + 0.16 * stands) * smooth_step(2.0, 12.0, inside);
+  return kCanopy * (1 + 0.18 * crowns + 0.16 * stands) * smooth_step(9.0, 24.0, inside);
 }
 
 std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed seed) {

@@ -32,7 +32,8 @@ struct FarPart {
 /// of a camera hides land, which is left out. Woods are raised to a rough canopy.
 std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed seed);
 
-/// Metres that a canopy rises above the ground at a place `inside` metres from its border.
+/// Metres that a canopy rises above the ground at a place `inside` metres from its border, along which single
+/// trees stand before it.
 double canopy_height(Vec2 at, double inside, double spacing, Seed seed);
 
 }  // namespace frond

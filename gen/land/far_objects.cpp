@@ -12,24 +12,26 @@ namespace frond {
 
 namespace {
 
-constexpr double kTreeCell = 7.5, kHedgeCell = 4.2;  // metres from one to the next, about
+constexpr double kTreeCell = 6.2, kHedgeCell = 3.6;  // metres from one to the next, about
 constexpr double kCrown = 8, kHedgeHeight = 2.4;     // metres
 constexpr double kFewestPixels = 3;                  // across a crown
-constexpr double kPixelsEach = 55;                   // of the picture for each copy
+constexpr double kPixelsEach = 45;                   // of the picture for each copy
 constexpr double kWoodEdge = 26;                     // metres into a wood that trees stand before its canopy
-constexpr double kNearWood = 550;                    // metres within which trees stand in all of a wood
 constexpr int kHouseShapes = 4;
 constexpr int kMostCells = 100'000;  // more than there are on one side of the middle
 
-/// The squares of a grid that are in view and no farther away than `reach`, each with a seed and a place within.
+/// The squares of a grid that are in view and no farther away than `reach`, each with a seed and a place
+/// within.
 template <class Visit>
-void each_cell(const FarLand& land, const FarView& view, double cell, double reach, Seed seed, const Visit& visit) {
+void each_cell(const FarLand& land, const FarView& view, double cell, double reach, Seed seed,
+               const Visit& visit) {
   auto half = static_cast<int>(std::ceil(reach / cell));
   std::vector<std::vector<FarObject>> rows(static_cast<std::size_t>(2 * half + 1));
   parallel_for(rows.size(), [&](std::size_t row) {
     int j = static_cast<int>(row) - half;
     for (int i = -half; i <= half; ++i) {
-      Seed own = seed.child(static_cast<std::uint64_t>(j + kMostCells)).child(static_cast<std::uint64_t>(i + kMostCells));
+      Seed own = seed.child(static_cast<std::uint64_t>(j + kMostCells))
+                     .child(static_cast<std::uint64_t>(i + kMostCells));
       Vec2 at(static_cast<float>((i + own.child(0).range(-0.45, 0.45)) * cell),
               static_cast<float>((j + own.child(1).range(-0.45, 0.45)) * cell));
       if (land.edge().outside(at) > 4 && glm::length(at) < reach && view.holds(at)) visit(rows[row], own, at);
@@ -65,42 +67,51 @@ FarObject far_tree(const FarLand& land, Vec2 at, bool conifer, double tallest, S
   return tree;
 }
 
-void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach, Seed seed) {
+void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach,
+               Seed seed) {
   auto level = static_cast<float>(seed.child("conifers").range(0, 99));
-  each_cell(land, view, kTreeCell, reach, seed, FarCells{all, [&](auto& list, Seed own, Vec2 at) {
-    Parcel parcel = land.parcel(at);
-    double height = land.height(at);
-    FarCover cover = land.cover(at, parcel, height, land.slope(at, 20));
-    bool conifer = noise(Vec3(at.x / 400, level, at.y / 400)) > 0.25 || height > 500;
-    if (cover == FarCover::wood) {
-      bool shown = parcel.edge < kWoodEdge || glm::length(at) < kNearWood;
-      if (shown && own.child("there").unit() < 0.9)
-        list.push_back(far_tree(land, at, conifer, conifer ? 22 : 18, own));
-      return;
-    }
-    bool bordered = parcel.border.child("hedge").unit() < land.shape().hedges && parcel.edge < 4;
-    bool grass = cover == FarCover::meadow || cover == FarCover::pasture;
-    double chance = bordered ? 0.12 : grass && land.edge().outside(at) > 25 ? 0.006 : 0;
-    if (own.child("there").unit() < chance) list.push_back(far_tree(land, at, false, 13, own));
-  }});
+  each_cell(land, view, kTreeCell, reach, seed,
+            FarCells{all, [&](auto& list, Seed own, Vec2 at) {
+                       Parcel parcel = land.parcel(at);
+                       double height = land.height(at);
+                       FarCover cover = land.cover(at, parcel, height, land.slope(at, 20));
+                       bool conifer = noise(Vec3(at.x / 400, level, at.y / 400)) > 0.25 || height > 500;
+                       if (cover == FarCover::wood) {
+                         bool edge = parcel.edge < kWoodEdge && !land.wooded(land.parcel(parcel.next));
+                         // Some stand out of the canopy.
+                         if (own.child("there").unit() < (edge ? 0.9 : 0.04))
+                           list.push_back(far_tree(land, at, conifer, conifer ? 22 : 18, own));
+                         return;
+                       }
+                       bool bordered =
+                           parcel.border.child("hedge").unit() < land.shape().hedges && parcel.edge < 4;
+                       bool grass = cover == FarCover::meadow || cover == FarCover::pasture;
+                       double chance = bordered ? 0.09 : grass && land.edge().outside(at) > 25 ? 0.004 : 0;
+                       if (own.child("there").unit() < chance)
+                         list.push_back(far_tree(land, at, false, 13, own));
+                     }});
 }
 
 /// Hedges stand on the borders of parcels, a piece in each square that one crosses.
-void add_hedges(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach, Seed seed) {
-  each_cell(land, view, kHedgeCell, reach, seed, FarCells{all, [&](auto& list, Seed own, Vec2 at) {
-    Parcel parcel = land.parcel(at);
-    if (parcel.edge > 0.5 * kHedgeCell || parcel.border.child("hedge").unit() >= land.shape().hedges) return;
-    if (land.wooded(parcel) || land.edge().outside(at) < 12) return;
-    Vec2 toward = glm::normalize(parcel.next - parcel.site);
-    at += toward * static_cast<float>(parcel.edge);
-    FarObject hedge{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};
-    hedge.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
-    hedge.turn = static_cast<float>(std::atan2(toward.x, toward.y));
-    double height = kHedgeHeight * own.child("height").range(0.7, 1.3);
-    hedge.size = Vec3(1.6 * kHedgeCell, height, height);
-    hedge.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
-    list.push_back(hedge);
-  }});
+void add_hedges(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach,
+                Seed seed) {
+  each_cell(land, view, kHedgeCell, reach, seed,
+            FarCells{all, [&](auto& list, Seed own, Vec2 at) {
+                       Parcel parcel = land.parcel(at);
+                       if (parcel.edge > 0.5 * kHedgeCell ||
+                           parcel.border.child("hedge").unit() >= land.shape().hedges)
+                         return;
+                       if (land.wooded(parcel) || land.edge().outside(at) < 12) return;
+                       Vec2 toward = glm::normalize(parcel.next - parcel.site);
+                       at += toward * static_cast<float>(parcel.edge);
+                       FarObject hedge{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};
+                       hedge.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
+                       hedge.turn = static_cast<float>(std::atan2(toward.x, toward.y));
+                       double height = kHedgeHeight * own.child("height").range(0.7, 1.3);
+                       hedge.size = Vec3(2.0 * kHedgeCell, height, height);
+                       hedge.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
+                       list.push_back(hedge);
+                     }});
 }
 
 /// Houses stand to both sides of a road, with their gables to it or along it, and trees behind them.
@@ -142,10 +153,18 @@ std::vector<Surface> far_shapes(FarKind kind) {
   for (std::uint64_t i = 0; i < (kind == FarKind::house ? kHouseShapes : 3); ++i) {
     Seed own = seed.child(i);
     switch (kind) {
-      case FarKind::broadleaf: shapes.push_back(far_broadleaf(own)); break;
-      case FarKind::conifer: shapes.push_back(far_conifer(own)); break;
-      case FarKind::hedge: shapes.push_back(far_hedge(own)); break;
-      case FarKind::house: shapes.push_back(far_house(kHouses[i][0], kHouses[i][1], kHouses[i][2], own)); break;
+      case FarKind::broadleaf:
+        shapes.push_back(far_broadleaf(own));
+        break;
+      case FarKind::conifer:
+        shapes.push_back(far_conifer(own));
+        break;
+      case FarKind::hedge:
+        shapes.push_back(far_hedge(own));
+        break;
+      case FarKind::house:
+        shapes.push_back(far_house(kHouses[i][0], kHouses[i][1], kHouses[i][2], own));
+        break;
     }
   }
   return shapes;
@@ -165,9 +184,11 @@ std::vector<FarObject> far_objects(const FarLand& land, const FarView& view, See
 
 FarCountry far_country(const FarLandShape& shape, const GroundEdge& edge, const FarView& view, Seed seed) {
   FarLand land(shape, edge, seed);
-  FarCountry country{land.along(), far_mesh(land, view, seed), {}, far_objects(land, view, seed)};
+  FarCountry country{
+      edge.radius, land.along(), far_mesh(land, view, seed), {}, far_objects(land, view, seed)};
   for (int kind = 0; kind < kFarKinds; ++kind) {
-    bool used = std::ranges::find(country.objects, static_cast<FarKind>(kind), &FarObject::kind) != country.objects.end();
+    bool used = std::ranges::find(country.objects, static_cast<FarKind>(kind), &FarObject::kind) !=
+                country.objects.end();
     if (used) country.shapes[static_cast<std::size_t>(kind)] = far_shapes(static_cast<FarKind>(kind));
   }
   return country;

@@ -25,14 +25,16 @@ inline constexpr int kFarTints = 3;
 /// The shapes of a kind; houses have the sizes of houses, all others the height 1.
 std::vector<Surface> far_shapes(FarKind kind);
 
-/// All that is larger than a few pixels in view: trees at the edges of woods, within near ones, in hedges, about
-/// houses and singly on meadows; the nearest first where there are more than a picture of its size needs.
+/// All that is larger than a few pixels in view: trees at the edges of woods, within near ones, in hedges,
+/// about houses and singly on meadows; the nearest first where there are more than a picture of its size
+/// needs.
 std::vector<FarObject> far_objects(const FarLand& land, const FarView& view, Seed seed);
 
 /// All that is drawn of the far land, the same in each frame of a film.
 struct FarCountry {
-  Vec2 along{1, 0};            ///< main direction of the parcels
-  std::vector<FarPart> parts;  ///< the land
+  double from = 0;                                     ///< metres from the middle to where it begins
+  Vec2 along{1, 0};                                    ///< main direction of the parcels
+  std::vector<FarPart> parts;                          ///< the land
   std::array<std::vector<Surface>, kFarKinds> shapes;  ///< of each kind that there is any of
   std::vector<FarObject> objects;
 };

@@ -46,9 +46,10 @@ Vec3 far_direction(Seed seed) {
   return {flat * static_cast<float>(std::cos(turn)), y, flat * static_cast<float>(std::sin(turn))};
 }
 
-/// A clump of leaves: `count` triangles of about `size` in a ball that is `flat` times as high as wide; what of it
-/// lies low or inside of the crown is darker.
-void add_clump(Surface& s, Vec3 middle, float radius, float flat, int count, float size, float light, Seed seed) {
+/// A clump of leaves: `count` triangles of about `size` in a ball that is `flat` times as high as wide; what
+/// of it lies low or inside of the crown is darker.
+void add_clump(Surface& s, Vec3 middle, float radius, float flat, int count, float size, float light,
+               Seed seed) {
   for (int i = 0; i < count; ++i) {
     Seed own = seed.child(static_cast<std::uint64_t>(i));
     Vec3 out = far_direction(own.child("out"));
@@ -61,8 +62,9 @@ void add_clump(Surface& s, Vec3 middle, float radius, float flat, int count, flo
     float wide = size * static_cast<float>(own.child("size").range(0.7, 1.4));
     float u = std::clamp(light + 0.35f * (deep - 0.8f) + 0.25f * out.y, 0.1f, 1.0f);
     Vec3 normal = glm::normalize(out + Vec3(0, 0.25f, 0));
-    add_far_triangle(s, {at + wide * up, at - wide * (0.5f * up + 0.8f * side), at - wide * (0.5f * up - 0.8f * side)},
-                     {normal, normal, normal}, u);
+    add_far_triangle(
+        s, {at + wide * up, at - wide * (0.5f * up + 0.8f * side), at - wide * (0.5f * up - 0.8f * side)},
+        {normal, normal, normal}, u);
   }
 }
 
@@ -75,12 +77,14 @@ Surface far_broadleaf(Seed seed) {
   double wide = seed.child("wide").range(0.30, 0.40), low = seed.child("low").range(0.10, 0.2);
   for (int i = 0; i < kClumps; ++i) {
     Seed own = seed.child("clump", static_cast<std::uint64_t>(i));
-    double share = (i + 0.5) / kClumps, y = 1 - 2 * share, flat = std::sqrt(1 - y * y), turn = kGoldenAngle * i;
+    double share = (i + 0.5) / kClumps, y = 1 - 2 * share, flat = std::sqrt(1 - y * y),
+           turn = kGoldenAngle * i;
     double out = i % 4 == 3 ? 0.35 : own.child("out").range(0.62, 0.84);
     Vec3 middle(out * wide * flat * std::cos(turn), 0.5 * (1 + low) + 0.5 * (0.98 - low) * out * y,
                 out * wide * flat * std::sin(turn));
     auto radius = static_cast<float>(own.child("radius").range(0.10, 0.17));
-    add_clump(s, middle, radius, 0.75f, 58, 0.026f, static_cast<float>(0.5 + 0.3 * y * out), own.child("leaves"));
+    add_clump(s, middle, radius, 0.75f, 58, 0.026f, static_cast<float>(0.5 + 0.3 * y * out),
+              own.child("leaves"));
   }
   return s;
 }
@@ -105,7 +109,8 @@ Surface far_conifer(Seed seed) {
       Vec3 middle = root + 0.55f * (tip - root);
       float u = static_cast<float>(0.55 + 0.3 * share + own.child(2).range(-0.15, 0.15));
       add_far_triangle(s, {middle + half * side, tip, middle - half * side}, {normal, normal, normal}, u);
-      add_far_triangle(s, {root, middle + half * side, middle - half * side}, {normal, normal, normal}, 0.5f * u);
+      add_far_triangle(s, {root, middle + half * side, middle - half * side}, {normal, normal, normal},
+                       0.5f * u);
       Vec3 under = middle - Vec3(0, 0.35f * length + 0.01f, 0);
       add_far_triangle(s, {middle + 0.6f * half * side, under, tip}, {normal, normal, normal}, 0.4f * u);
     }
@@ -127,8 +132,8 @@ Surface far_hedge(Seed seed) {
 
 namespace {
 
-/// A wall's windows: `count` of them, and with a door the middle one is one. `across` is the way along the wall, of
-/// length 1.
+/// A wall's windows: `count` of them, and with a door the middle one is one. `across` is the way along the
+/// wall, of length 1.
 void add_windows(Surface& s, Vec3 foot, Vec3 across, Vec3 out, double length, double floors, bool door) {
   auto count = std::max(1, static_cast<int>(length / 2.6));
   for (int floor = 0; floor < static_cast<int>(floors); ++floor)
@@ -151,28 +156,30 @@ Surface far_house(double long_side, double wide, double eaves, Seed seed) {
   auto x = static_cast<float>(long_side / 2), z = static_cast<float>(wide / 2), e = static_cast<float>(eaves);
   auto pitch = static_cast<float>(std::tan(radians(seed.child("pitch").range(38, 48))));
   float ridge = e + z * pitch, over = 0.4f, low = -0.8f;
-  auto wall = [&](std::initializer_list<Vec3> at) { add_far_polygon(s, std::span(at.begin(), at.size()), kWall); };
+  auto wall = [&](std::initializer_list<Vec3> at) {
+    add_far_polygon(s, std::span(at.begin(), at.size()), kWall);
+  };
   wall({Vec3(-x, low, z), Vec3(x, low, z), Vec3(x, e, z), Vec3(-x, e, z)});
   wall({Vec3(x, low, -z), Vec3(-x, low, -z), Vec3(-x, e, -z), Vec3(x, e, -z)});
   wall({Vec3(x, low, z), Vec3(x, low, -z), Vec3(x, e, -z), Vec3(x, ridge, 0), Vec3(x, e, z)});
   wall({Vec3(-x, low, -z), Vec3(-x, low, z), Vec3(-x, e, z), Vec3(-x, ridge, 0), Vec3(-x, e, -z)});
   for (float side : {1.0f, -1.0f}) {
     float eave = e - over * pitch, out = side * (z + over), xx = side * (x + over), lift = 0.12f;
-    std::array<Vec3, 4> slab{Vec3(-xx, eave + lift, out), Vec3(xx, eave + lift, out), Vec3(xx, ridge + lift, 0),
-                             Vec3(-xx, ridge + lift, 0)};
+    std::array<Vec3, 4> slab{Vec3(-xx, eave + lift, out), Vec3(xx, eave + lift, out),
+                             Vec3(xx, ridge + lift, 0), Vec3(-xx, ridge + lift, 0)};
     add_far_polygon(s, slab, kRoof);
   }
   float cx = 0.45f * x, half = 0.35f;
   auto chimney = [&](std::array<Vec3, 4> at) { add_far_polygon(s, at, kChimney); };
   float foot = ridge - 1.2f, top = ridge + 0.9f, cz = 0.5f;
-  std::array<Vec2, 4> corner{Vec2(cx - half, cz + half), Vec2(cx + half, cz + half), Vec2(cx + half, cz - half),
-                             Vec2(cx - half, cz - half)};
+  std::array<Vec2, 4> corner{Vec2(cx - half, cz + half), Vec2(cx + half, cz + half),
+                             Vec2(cx + half, cz - half), Vec2(cx - half, cz - half)};
   for (std::size_t k = 0; k < 4; ++k) {
     Vec2 a = corner[k], b = corner[(k + 1) % 4];
     chimney({Vec3(a.x, foot, a.y), Vec3(b.x, foot, b.y), Vec3(b.x, top, b.y), Vec3(a.x, top, a.y)});
   }
-  chimney({Vec3(corner[0].x, top, corner[0].y), Vec3(corner[1].x, top, corner[1].y), Vec3(corner[2].x, top, corner[2].y),
-           Vec3(corner[3].x, top, corner[3].y)});
+  chimney({Vec3(corner[0].x, top, corner[0].y), Vec3(corner[1].x, top, corner[1].y),
+           Vec3(corner[2].x, top, corner[2].y), Vec3(corner[3].x, top, corner[3].y)});
   double floors = eaves / 2.6;
   add_windows(s, Vec3(0, 0, z), Vec3(1, 0, 0), Vec3(0, 0, 1), long_side, floors, true);
   add_windows(s, Vec3(0, 0, -z), Vec3(-1, 0, 0), Vec3(0, 0, -1), long_side, floors, false);

@@ -117,7 +117,8 @@ template <class Visitor>
 void describe(Visitor& v, FarLandShape& f) {
   v.number("reach", f.reach, {.min = 0, .max = 40000, .unit = "m", .sense = "0 no far land"},
            "Distance from the middle to the horizon");
-  v.number("relief", f.relief, {.min = 0, .max = 500, .unit = "m"}, "Height of far hills above their valleys");
+  v.number("relief", f.relief, {.min = 0, .max = 500, .unit = "m"},
+           "Height of far hills above their valleys");
   v.number("hill_size", f.hill_size, {.min = 200, .max = 10000, .unit = "m"},
            "Distance from one far hill to the next");
   v.number("parcel", f.parcel, {.min = 20, .max = 1000, .unit = "m"},
@@ -125,7 +126,8 @@ void describe(Visitor& v, FarLandShape& f) {
   v.number("fields", f.fields, {.min = 0, .max = 1},
            "Share of the open far land that is ploughed; the rest is grass");
   v.number("woods", f.woods, {.min = 0, .max = 1}, "Share of the far land that is wooded");
-  v.number("hedges", f.hedges, {.min = 0, .max = 1}, "Share of the borders between far fields that have a hedge");
+  v.number("hedges", f.hedges, {.min = 0, .max = 1},
+           "Share of the borders between far fields that have a hedge");
   v.number("villages", f.villages, {.min = 0, .max = 10000, .unit = "m"},
            "Distance from one village to the next along a road; 0 leaves none");
   v.number("mountains", f.mountains, {.min = 0, .max = 5000, .unit = "m"},
@@ -136,6 +138,10 @@ void describe(Visitor& v, FarLandShape& f) {
            "Height above the middle up to which far woods climb");
   v.number("snow_line", f.snow_line, {.min = 0, .max = 100000, .unit = "m"},
            "Height above the middle from which far mountains are white");
+  v.list("trees", f.trees, Count{0, 16},
+         "Names of organisms with `sown` that far trees are copies of: the first stands where conifers grow, "
+         "the "
+         "others elsewhere; none: trees of a plain shape");
 }
 
 template <class Visitor>

@@ -57,13 +57,52 @@ FarView far_view(const Film& film, const Camera& camera) {
   return view;
 }
 
-std::shared_ptr<const FarCountry> far_land_round(const Scene& scene, Seed seed) {
+std::optional<FarCountry> far_land_round(const Scene& scene, Seed seed) {
   GroundEdge edge = scene.ground->edge();
-  if (edge.radius <= 0 || (!scene.stage.far && !edge.country)) return nullptr;
+  if (edge.radius <= 0 || (!scene.stage.far && !edge.country)) return std::nullopt;
   FarLandShape shape = scene.stage.far.value_or(FarLandShape{});
-  if (shape.reach <= edge.radius) return nullptr;
-  return std::make_shared<const FarCountry>(
-      far_country(shape, edge, far_view(scene.film, scene.stage.camera), seed));
+  if (shape.reach <= edge.radius) return std::nullopt;
+  return far_country(shape, edge, far_view(scene.film, scene.stage.camera), seed);
+}
+
+namespace {
+
+/// The stand of a sown organism of that name, a new one where none of it is sown near.
+SownStand& stand_named(Scene& scene, const Preset& preset, const std::string& name) {
+  auto stand = std::ranges::find(scene.stands, name, [](const SownStand& s) { return s.organism.name; });
+  if (stand != scene.stands.end()) return *stand;
+  auto entry =
+      std::ranges::find_if(preset.organisms, [&](const Organism& o) { return o.sown && o.name == name; });
+  auto number = static_cast<std::size_t>(entry - preset.organisms.begin());
+  return scene.stands.emplace_back(SownStand{number, *entry, entry->grower->dress(), {}, {}});
+}
+
+}  // namespace
+
+void plant_far_trees(Scene& scene, const Preset& preset, FarCountry& far, Seed seed) {
+  if (!scene.stage.far || scene.stage.far->trees.empty()) return;
+  const std::vector<std::string>& names = scene.stage.far->trees;
+  auto is_tree = [](const FarObject& o) {
+    return o.kind == FarKind::broadleaf || o.kind == FarKind::conifer;
+  };
+  for (std::size_t i = 0; i < far.objects.size(); ++i) {
+    const FarObject& tree = far.objects[i];
+    if (!is_tree(tree)) continue;
+    Seed own = seed.child("tree", i);
+    bool first = tree.kind == FarKind::conifer || names.size() == 1;
+    SownStand& stand =
+        stand_named(scene, preset, names[first ? 0 : 1 + own.child("kind").bits() % (names.size() - 1)]);
+    auto models = static_cast<std::uint64_t>(stand.organism.sown->models);
+    Copies& copies = stand.copies;
+    copies.model.push_back(static_cast<std::uint16_t>(own.child("model").bits() % models));
+    copies.foot.push_back(tree.foot);
+    copies.turn.push_back(glm::angleAxis(tree.turn, Vec3(0, 1, 0)));
+    copies.scale.push_back(static_cast<float>(own.child("size").range(0.7, 1.1)));
+    copies.tint.push_back(static_cast<std::uint8_t>(own.child("tint").bits() % kTints));
+  }
+  std::erase_if(far.objects, is_tree);
+  far.shapes[static_cast<std::size_t>(FarKind::broadleaf)].clear();
+  far.shapes[static_cast<std::size_t>(FarKind::conifer)].clear();
 }
 
 std::vector<Strewn> strewn_far(const FarCountry& far) {

@@ -57,8 +57,7 @@ TEST(FarLand, WoodsTakeTheirShare) {
     for (std::uint64_t seed = 1; seed < 5; ++seed) {
       FarLand land(shape, disc(150), Seed{seed});
       for (int i = 0; i < 40; ++i)
-        for (int j = 0; j < 40; ++j, ++all)
-          wooded += land.wooded(land.parcel(Vec2(3000 + 211 * i, 211 * j)));
+        for (int j = 0; j < 40; ++j, ++all) wooded += land.wooded(land.parcel(Vec2(3000 + 211 * i, 211 * j)));
     }
     EXPECT_NEAR(static_cast<double>(wooded) / all, share, 0.1);
   }
