@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Renders small frames with POV-Ray and measures them: usage images_test.py FROND SOURCE_DIR."""
 
+import math
 import os
 import pathlib
 import re
@@ -94,6 +95,21 @@ def check(name, holds, figure):
     return holds
 
 
+def air_before(folder, metres, height, haze):
+    """The light of the air before something black so far away and high, as a share of what an endless way has."""
+    scene = folder / "air.pov"
+    scene.write_text(f"""#version 3.7;
+global_settings {{ assumed_gamma 1 }}
+#include "frond_far.inc"
+fog {{ fog_type 2 distance {haze}*Frond_Unit fog_offset 0 fog_alt 8*Frond_Unit rgb 0.8 }}
+Far_Air(<0, 1.6, 0>, <0.8, 0.8, 0.8>, {haze})
+camera {{ location 1.6*y*Frond_Unit look_at <0, {height}, {metres}>*Frond_Unit angle 0.1 }}
+plane {{ z, {metres}*Frond_Unit hollow texture {{ pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 }} }} texture {{ Far_Veil }} }}
+""")
+    picture = picture_of(scene, [], folder)
+    return linear(mean(picture)) / 0.8
+
+
 def main():
     good = True
     with tempfile.TemporaryDirectory() as where:
@@ -105,6 +121,11 @@ def main():
         for a, b in [(1, 2), (2, 4), (4, 6)]:
             moved = difference(film[a], film[b])
             good &= check(f"frames {a} and {b} differ", 0.5 < moved < 60, f"{moved:.2f}")
+        # The air takes exp(-distance / haze) of what is far off, whether the fog near the ground does it or not.
+        for metres, height in [(300, 0), (300, 40), (2000, 20), (6000, 300), (12000, 900)]:
+            light = air_before(folder, metres, height, 6000)
+            lost = 1 - math.exp(-math.hypot(metres, height) / 6000)
+            good &= check(f"air over {metres} m", abs(light - lost) < 0.012, f"{light:.3f}, {lost:.3f} expected")
         # The qualities bring what they cost: errors of the root of the mean square against 49 samples in each pixel.
         flags = {quality: re.search(r"^flags = (.*)$", frond_flags(folder / quality, quality), re.MULTILINE)[1].split()
                  for quality in ("draft", "good", "best")}

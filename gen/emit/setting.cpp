@@ -7,6 +7,7 @@
 #include "core/linear.h"
 #include "core/text.h"
 #include "emit/branch_materials.h"
+#include "emit/far.h"
 #include "emit/setting_parts.h"
 #include "emit/solid.h"
 #include "settings/forest.h"
@@ -44,6 +45,7 @@ std::string includes_text(const Scene& scene) {
   if (any([](const Specimen& s) { return s.life.hanging.has_value(); })) names.push_back("ivy");
   for (std::string_view name : solid_includes(scene)) names.push_back(name);
   if (is_snowy(scene.stage)) add_missing(names, {"snow"});
+  if (scene.far) names.push_back("far");
   std::string text;
   for (std::string_view name : names) {
     if (!text.empty()) text += '\n';
@@ -80,8 +82,9 @@ std::string year_text(const Stage& stage, double time) {
 }  // namespace
 
 std::string setting_text(const Scene& scene, double time) {
-  return snow_text(scene.stage, time) + year_text(scene.stage, time) +
-         text_of(scene.stage).surroundings(scene, time);
+  std::string text = snow_text(scene.stage, time) + year_text(scene.stage, time) +
+                     text_of(scene.stage).surroundings(scene, time);
+  return scene.far ? text + '\n' + far_air_text(scene, time) : text;
 }
 
 bool has_pictures(const Stage& stage) { return text_of(stage).pictures; }
@@ -92,7 +95,8 @@ Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time) {
 }
 
 std::string ground_text(const PovSpace& space, const Scene& scene) {
-  return text_of(scene.stage).ground(space, scene);
+  std::string text = text_of(scene.stage).ground(space, scene);
+  return scene.far ? text + far_text(space, scene) : text;
 }
 
 std::string adrift_text(const PovSpace& space, const Scene& scene, double time) {

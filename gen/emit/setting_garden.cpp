@@ -11,8 +11,8 @@ namespace {
 std::string sky_and_pond_text(const Scene& scene, double time) {
   Stage stage = stage_at(scene.stage, time);
   const auto& garden = stage.block<Garden>();
-  std::string text = globals_text("Meadow") + country_text(garden_sky(stage), stage.block<Meadow>(),
-                                                           drawn_daylight(stage).fog, snow_cover(stage));
+  std::string text = globals_text("Meadow") +
+                     country_text(garden_sky(stage), stage.block<Meadow>(), drawn_daylight(stage).fog);
   const PondShape& pond = garden.pond;
   if (pond.size.x > 0 && pond.size.y > 0)
     text += "\nGarden_Water(" + direction_text(Vec3(pond.center.x, pond.level, pond.center.y)) + "," +

@@ -21,8 +21,8 @@ std::string mountain_text(const PovSpace& space, const Stage& stage) {
 
 std::string summer_text(const Scene& scene, double time) {
   Stage stage = stage_at(scene.stage, time);
-  std::string text = globals_text("Meadow") + country_text(meadow_sky(stage), stage.block<Meadow>(),
-                                                           drawn_daylight(stage).fog, snow_cover(stage));
+  std::string text = globals_text("Meadow") +
+                     country_text(meadow_sky(stage), stage.block<Meadow>(), drawn_daylight(stage).fog);
   return sun_moves(scene.stage) ? text + "\n" + mountain_text({}, stage) : text;
 }
 

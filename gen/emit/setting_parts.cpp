@@ -118,11 +118,9 @@ std::string lamp_text(const Sky& sky) {
   return direction_text(sky.lamp) + "," + vectors_text({sky.lamplight});
 }
 
-std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air, double snow) {
-  Color grass = mixed(meadow.grass, Color{0.97f, 0.955f, 1}, static_cast<float>(snow));
-  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + air_text(sky) + "," + color_text(grass) + "," +
-         lamp_text(sky) + "," + vector_text(air) + "," + number_text(meadow.haze) + "," +
-         number_text(meadow.hills) + "," + number_text(meadow.hills_distance) + ")";
+std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air) {
+  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + lamp_text(sky) + "," + vector_text(air) + "," +
+         number_text(meadow.haze) + ")";
 }
 
 void append_name(std::string& text, std::string_view name, std::size_t index) {

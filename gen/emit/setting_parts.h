@@ -42,8 +42,8 @@ std::string sky_text(const Sky& sky, double clouds);
 std::string air_text(const Sky& sky);
 std::string lamp_text(const Sky& sky);
 
-/// That sky with hills and haze under it; `air`: light of the haze; `snow`: share of the land that is white.
-std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air, double snow);
+/// That sky with haze under it; `air`: light of the haze.
+std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air);
 
 /// `<r,g,b>` of linear light: an argument of macros.
 std::string vector_text(Vec3 light);

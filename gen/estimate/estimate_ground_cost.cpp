@@ -9,6 +9,7 @@
 #include "film/soft_light.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/far.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -71,6 +72,8 @@ GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool 
     ground->lay_litter(scene.stage.camera);
   }
   scene.ground = std::move(ground);
+  if (std::optional<FarCountry> far = far_land_round(scene, Seed{preset.seed}.child("far")))
+    scene.far = std::make_shared<const FarCountry>(std::move(*far));
   cost.bytes = moment ? static_cast<double>(ground_text(PovSpace{}, scene).size())
                       : kLaidTriangleText * laid.triangles + kGrassTriangleText * laid.grass +
                             kLaidPlacementText * laid.placed;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include "core/bounds.h"
 #include "core/linear.h"
@@ -140,6 +142,35 @@ void append_probe(std::string& text, const PovSpace& space, const Probe& probe) 
   text += '\n';
 }
 
+/// The light on the far land, which nothing there hides from the sky: a lattice of places whose distances
+/// from each other grow with that from the middle. They lie behind the surfaces that they are for.
+std::vector<Probe> far_probes(const FarCountry& far, const Ambience& ambience) {
+  constexpr double kStep = 0.14;  // of the distance, from one to the next
+  constexpr float kCell = 0.2f;   // of the distance; what is nearer than kReuse of these takes the light
+  constexpr double kFrom = 1.25;  // of the radius of the near ground, which has light of its own
+  constexpr float kBehind = 0.06f, kAbove = 0.12f;  // of the distance
+  Vec3 sky = 0.5f * (ambience.zenith + ambience.horizon), aside = 0.5f * (sky + ambience.below);
+  std::set<std::pair<int, int>> taken;
+  std::vector<Probe> probes;
+  for (const FarPart& part : far.parts)
+    for (const Vec3& at : part.surface.position) {
+      double away = std::hypot(double{at.x}, double{at.z});
+      if (away < kFrom * far.from) continue;
+      std::pair cell(static_cast<int>(std::log(away) / kStep),
+                     static_cast<int>(std::atan2(double{at.z}, double{at.x}) / kStep + 100));
+      if (!taken.insert(cell).second) continue;
+      auto distance = static_cast<float>(away);
+      for (int axis = 0; axis < 6; ++axis) {
+        Vec3 out(0);
+        out[axis / 2] = axis % 2 ? -1.0f : 1.0f;
+        float behind = axis == 3 ? kAbove : kBehind;
+        Vec3 light = axis == 2 ? sky : axis == 3 ? ambience.below : aside;
+        probes.push_back({at - behind * distance * out, axis, kCell * distance, light});
+      }
+    }
+  return probes;
+}
+
 }  // namespace
 
 SoftLight::Size estimate_light(const Scene& scene, double tall) {
@@ -195,6 +226,7 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   add_copies(grid, scene, surfels, time);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
+  if (scene.far) std::ranges::move(far_probes(*scene.far, *ambience), std::back_inserter(probes));
   std::vector<std::string> texts((probes.size() + 4095) / 4096);
   parallel_for(texts.size(), [&](std::size_t i) {
     for (std::size_t k = i * 4096; k < std::min(probes.size(), (i + 1) * 4096); ++k)

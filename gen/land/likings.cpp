@@ -102,6 +102,7 @@ double Likings::operator()(Vec2 at) const {
     share *= 1 - smooth_step(0.75 * rules_.slope, rules_.slope, slope);
   }
   if (land_.altitude) share *= window(land_.altitude(at), rules_.altitude, 0, relief_, relief_ / 10);
+  if (rules_.warmth && land_.altitude) share *= warm_share(*rules_.warmth, land_.altitude(at));
   if (share > 0 && (rules_.shade.x > 0 || rules_.shade.y < 1) && !above_.empty())
     share *= window(shade(at), rules_.shade, 0, 1, 0.1);
   return share;

@@ -48,13 +48,19 @@ struct Field {
   }
 };
 
-/// Where a plant finds room, if it does.
+/// The factor of the size of plants at a place.
+double grown_at(const Land& land, const SowRules& rules, Vec2 at) {
+  return rules.warmth && land.altitude ? size_at_altitude(*rules.warmth, land.altitude(at)) : 1;
+}
+
+/// Where a plant of a size in the warmth finds room, if it does.
 std::optional<Vec2> find_room(const Field& field, const Likings& likings, const SowOrder& order, Seed own,
-                              double size) {
+                              double warm_size) {
   if (likings.none()) return {};
   for (std::uint64_t i = 0; i < kDarts; ++i) {
     Seed toss = own.child("dart").child(i);
     Likings::Dart dart = likings.dart(toss);
+    double size = warm_size * grown_at(field.land, order.rules, dart.at);
     if (!field.free(dart.at, order.rules.radius * size, order.rules.stem * size, layer_of(order))) continue;
     if (likings(dart.at) > dart.likely * toss.child(3).unit()) return dart.at;
   }
@@ -114,7 +120,7 @@ void sow_layer(std::span<const SowOrder> orders, std::size_t layer, Field& field
     std::optional<Vec2> at = find_room(field, *likings[turn.order], order, own, size);
     if (!at) continue;
     missed[turn.order] = 0;
-    field.plant(*at, order, size);
+    field.plant(*at, order, size * grown_at(field.land, order.rules, *at));
     places[turn.order][static_cast<std::size_t>(turn.index)] = at;
   }
 }
@@ -191,6 +197,16 @@ void choose_models(std::vector<Sprout>& sprouts, int models) {
 
 }  // namespace
 
+double warm_share(const Warmth& warmth, double altitude) {
+  constexpr double kLapse = 0.006;  // kelvin a metre
+  double now = warmth.lowest - kLapse * altitude;
+  return std::clamp((now - warmth.least) / std::max(warmth.full - warmth.least, 1e-6), 0.0, 1.0);
+}
+
+double size_at_altitude(const Warmth& warmth, double altitude) {
+  return std::lerp(warmth.dwarf, 1.0, warm_share(warmth, altitude));
+}
+
 double hidden_sky(double distance, double radius) {
   return 1 - smooth_step(0.6 * radius, 2.2 * radius, distance);
 }
@@ -225,7 +241,9 @@ std::vector<std::vector<Sprout>> sow(std::span<const SowOrder> orders, const Lan
     for (std::size_t i = 0; i < places[o].size(); ++i) {
       if (!places[o][i]) continue;
       Seed own = seed_of(orders[o], static_cast<int>(i));
-      sown[o].push_back({*places[o][i], static_cast<float>(size_of(orders[o], own)), 0, own});
+      double size = size_of(orders[o], own);
+      if (i >= orders[o].at.size()) size *= grown_at(land, orders[o].rules, *places[o][i]);
+      sown[o].push_back({*places[o][i], static_cast<float>(size), 0, own});
     }
     choose_models(sown[o], orders[o].models);
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,22 @@ namespace frond {
 /// Layers of plants: only crowns of the same layer keep apart.
 enum class Layer { canopy, shrubs, herbs };
 
+/// The climate over a slope: the mean temperature of the growing season falls by 0.6 K each 100 m, and plants
+/// become smaller and fewer from where it is `full` to where it is `least`. Trees end at 6.4 degrees all over
+/// the world (Koerner 2012, Alpine Treelines).
+struct Warmth {
+  double lowest = 12;   ///< degrees Celsius, season mean at the lowest of the land
+  double full = 9;      ///< down to which plants reach all of their size
+  double least = 6.4;   ///< from which none comes up, below `full`
+  double dwarf = 0.15;  ///< factor of their size there
+};
+
+/// Of all that could stand at an altitude above the lowest of the land: 1 where it is warm .. 0 where it is
+/// too cold.
+double warm_share(const Warmth& warmth, double altitude);
+/// The factor of the size of plants there.
+double size_at_altitude(const Warmth& warmth, double altitude);
+
 /// Where plants of one kind grow. Limits of altitude, slope, shade and clumps are soft: plants become fewer
 /// toward them, with none beyond.
 struct SowRules {
@@ -25,15 +42,16 @@ struct SowRules {
   double radius = 2;         ///< metres, of the crown at size 1: crowns of one layer keep apart by both radii
   double stem = 0.3;         ///< metres that plants of other layers keep from it, at size 1
   Vec2 altitude{-1e4, 1e4};  ///< metres above the lowest of the land, lowest and highest
-  double slope = 0.7;        ///< radians, steepest
-  double patch = 0;          ///< metres from clump to clump; 0: evenly
-  double cover = 1;          ///< share of the land that its clumps cover
-  Vec2 shade{0, 1};          ///< share of the sky hidden by crowns of higher layers, least and most
-  double clear = 0.5;        ///< metres from its foot to the edge of a path, at least
-  Vec2 center{0};            ///< x, z in metres
-  double reach = 0;          ///< metres round `center`; 0: all of the land
-  FileName map;              ///< a PNG whose brightness is the density over the land; empty: none
-  Grid density;              ///< content of the map; -x at its left, -z at its top
+  std::optional<Warmth> warmth;  ///< none: size and number do not depend on altitude
+  double slope = 0.7;            ///< radians, steepest
+  double patch = 0;              ///< metres from clump to clump; 0: evenly
+  double cover = 1;              ///< share of the land that its clumps cover
+  Vec2 shade{0, 1};              ///< share of the sky hidden by crowns of higher layers, least and most
+  double clear = 0.5;            ///< metres from its foot to the edge of a path, at least
+  Vec2 center{0};                ///< x, z in metres
+  double reach = 0;              ///< metres round `center`; 0: all of the land
+  FileName map;                  ///< a PNG whose brightness is the density over the land; empty: none
+  Grid density;                  ///< content of the map; -x at its left, -z at its top
 };
 
 /// Brightness of a picture, 0 to 1; transparent pixels are dark.

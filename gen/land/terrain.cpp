@@ -9,6 +9,7 @@
 
 #include "core/noise.h"
 #include "core/parallel.h"
+#include "land/hills.h"
 
 namespace frond {
 
@@ -41,9 +42,7 @@ std::vector<float> grid_lines(double size) {
   return line;
 }
 
-/// Hills as a sum of noises, each of half the size of the one before. The rougher, the more they are folded
-/// into crests (Musgrave 1994, ridged multifractal) and the more the small ones count; in valleys they count
-/// less, as what is washed down fills them.
+/// The hills of a terrain.
 struct Hills {
   const TerrainShape& shape;
   Seed seed;
@@ -51,22 +50,7 @@ struct Hills {
 
   /// As noise gives it, without what lines `spacing` metres apart cannot show.
   double raw(Vec2 at, double spacing) const {
-    auto shift = [&](const char* name) { return static_cast<float>(seed.child(name).range(-99, 99)); };
-    Vec2 p = at * static_cast<float>(0.8 / shape.hill_size) + Vec2(shift("x"), shift("z"));
-    // Bent, so that valleys wind.
-    p += 0.22f * Vec2(noise(Vec3(0.9f * p.x, 31, 0.9f * p.y)), noise(Vec3(0.9f * p.x, 57, 0.9f * p.y)));
-    double sum = 0, strength = 1, carry = 1, wide = shape.hill_size;
-    for (int octave = 0; octave < 9; ++octave, wide /= 2) {
-      double shown = smooth_step(2 * spacing, 4 * spacing, wide);
-      if (shown <= 0) break;
-      double n = noise(Vec3(p.x, 7 * octave, p.y)), crest = 1.1 - 2.2 * std::sqrt(n * n + 0.02);
-      double value = n + 0.75 * shape.rough * (crest - n);
-      sum += strength * carry * shown * value;
-      carry *= std::clamp(0.55 + 0.6 * value, 0.15, 1.0);
-      strength *= 0.30 + 0.26 * shape.rough;
-      p = 2.0f * Vec2(0.8f * p.x - 0.6f * p.y, 0.6f * p.x + 0.8f * p.y);  // turned, too
-    }
-    return sum;
+    return hill_noise(at, shape.hill_size, shape.rough, spacing, seed);
   }
 
   /// Finds what makes the lowest 0 and the highest `hills`, `spacing` metres being between lines.

@@ -14,6 +14,17 @@ inline constexpr Choice<Layer> kLayers[] = {{"canopy", Layer::canopy, "trees"},
                                             {"herbs", Layer::herbs, "ferns, grass, stones"}};
 
 template <class Visitor>
+void describe(Visitor& v, Warmth& w) {
+  v.number("lowest", w.lowest, {.min = -20, .max = 40, .unit = "degrees Celsius"},
+           "Mean temperature of the growing season at the lowest of the land; it falls by 0.6 each 100 m");
+  v.number("full", w.full, {.min = -20, .max = 40, .unit = "degrees Celsius"},
+           "Temperature down to which copies reach their full size and number");
+  v.number("least", w.least, {.min = -20, .max = 40, .unit = "degrees Celsius", .sense = "6.4 the tree line"},
+           "Temperature below which no copy comes up");
+  v.number("dwarf", w.dwarf, {.min = 0.01, .max = 1}, "Factor of the size of copies at that temperature");
+}
+
+template <class Visitor>
 void describe(Visitor& v, SowRules& s) {
   v.choice("layer", s.layer, kLayers,
            "Layer of the wood that copies belong to; crowns of one layer keep apart, those of different "
@@ -24,6 +35,9 @@ void describe(Visitor& v, SowRules& s) {
            "Radius round a stem that plants of other layers keep free");
   v.vector("altitude", s.altitude, {.min = -1e5, .max = 1e5, .unit = "m"},
            "Lowest and highest altitude at which copies come up, above the lowest point of the land");
+  v.object("warmth", s.warmth,
+           "How copies become smaller and fewer with altitude, as trees toward the tree line; not given: "
+           "they do not");
   v.angle("slope", s.slope, {.min = 0, .max = 90}, "Steepest slope on which copies come up");
   v.number("patch", s.patch, {.min = 0, .max = 10000, .unit = "m"},
            "Distance from one clump to the next; 0 spreads copies evenly");

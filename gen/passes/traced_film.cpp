@@ -11,6 +11,7 @@
 #include "draw/focus.h"
 #include "draw/food.h"
 #include "passes/traced_frame.h"
+#include "scene/far.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -144,6 +145,11 @@ void TracedFilm::Parts::add_ground(std::vector<Placed>& things) const {
     ThingKind kind = strewn.water ? ThingKind::water : ThingKind::stone;
     for (const Strewn::At& at : strewn.at)
       things.push_back(placed({kind, 0, number++}, mesh, {at.place, at.turn, at.size}));
+  }
+  for (const Strewn& strewn : scene.far ? strewn_far(*scene.far) : std::vector<Strewn>{}) {
+    auto mesh = mesh_of(*strewn.shape, none);
+    for (const Strewn::At& at : strewn.at)
+      things.push_back(placed({ThingKind::stone, 0, number++}, mesh, {at.place, at.turn, at.size}));
   }
   std::uint32_t list = 0;
   for (const Patches& patches : ground.patches()) {

@@ -114,6 +114,37 @@ void describe(Visitor& v, Floor& f) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, FarLandShape& f) {
+  v.number("reach", f.reach, {.min = 0, .max = 40000, .unit = "m", .sense = "0 no far land"},
+           "Distance from the middle to the horizon");
+  v.number("relief", f.relief, {.min = 0, .max = 500, .unit = "m"},
+           "Height of far hills above their valleys");
+  v.number("hill_size", f.hill_size, {.min = 200, .max = 10000, .unit = "m"},
+           "Distance from one far hill to the next");
+  v.number("parcel", f.parcel, {.min = 20, .max = 1000, .unit = "m"},
+           "Mean width of the far fields and meadows, which are twice as long");
+  v.number("fields", f.fields, {.min = 0, .max = 1},
+           "Share of the open far land that is ploughed; the rest is grass");
+  v.number("woods", f.woods, {.min = 0, .max = 1}, "Share of the far land that is wooded");
+  v.number("hedges", f.hedges, {.min = 0, .max = 1},
+           "Share of the borders between far fields that have a hedge");
+  v.number("villages", f.villages, {.min = 0, .max = 10000, .unit = "m"},
+           "Distance from one village to the next along a road; 0 leaves none");
+  v.number("mountains", f.mountains, {.min = 0, .max = 5000, .unit = "m"},
+           "Height of mountains above the far hills; 0 is none");
+  v.number("mountains_distance", f.mountains_distance, {.min = 1000, .max = 40000, .unit = "m"},
+           "Distance from the middle at which mountains have reached their height");
+  v.number("tree_line", f.tree_line, {.min = 0, .max = 100000, .unit = "m"},
+           "Height above the middle up to which far woods climb");
+  v.number("snow_line", f.snow_line, {.min = 0, .max = 100000, .unit = "m"},
+           "Height above the middle from which far mountains are white");
+  v.list("trees", f.trees, Count{0, 16},
+         "Names of organisms with `sown` that far trees are copies of: the first stands where conifers grow, "
+         "the "
+         "others elsewhere; none: trees of a plain shape");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Snow& s) {
   v.animated("depth", s.depth, {.min = 0, .max = 2, .unit = "m"},
              "Depth of the snow on open level ground; with keyframes it falls and melts");
@@ -144,6 +175,9 @@ void describe(Visitor& v, Stage& s) {
       "year", s.year, {.min = -1000, .max = 1000, .unit = "years", .sense = "winter is 0, summer 0.5"},
       "Time of the year of lawns and forest floors, and of every `season` that has none of its own: 0 new "
       "year, 0.5 midsummer; not given: always summer");
+  v.object("far", s.far,
+           "The land as far as the horizon, for meadow, garden and forest; not given: hills with fields and "
+           "woods round meadow and garden, none round a forest");
   v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 

@@ -107,21 +107,40 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
     check(preset.stage.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
 }
 
-/// What the trees of the stand are to be drawn as and is not there, or is not sown.
-void check_stand(const Preset& preset, Faults& faults) {
-  auto add = [&](const std::string& pointer, std::string what) {
-    faults.add({origin_at(*preset.written, pointer), pointer, std::move(what)});
-  };
-  for (Error& error : stand_faults(*preset.stand)) add("/stand" + error.where, std::move(error.what));
+/// An organism that trees are to be drawn as and that is not there, or is not sown.
+void check_drawn_as(const Preset& preset, const std::string& name, const std::string& pointer,
+                    Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
     if (organism.sown && !organism.name.empty()) names.push_back(organism.name);
-  for (std::size_t i = 0; i < preset.stand->species.size(); ++i) {
-    const std::string& name = preset.stand->species[i].organism;
-    if (name.empty() || std::ranges::find(names, name) != names.end()) continue;
-    std::string what = fmt::format("no organism \"{}\" that is sown, to draw these trees as", name);
-    what += names.empty() ? "; expected the \"name\" of one with \"sown\"" : expected_names(name, names);
-    add(fmt::format("/stand/species/{}/organism", i), std::move(what));
+  if (std::ranges::find(names, name) != names.end()) return;
+  std::string what = fmt::format("no organism \"{}\" that is sown, to draw these trees as", name);
+  what += names.empty() ? "; expected the \"name\" of one with \"sown\"" : expected_names(name, names);
+  faults.add({origin_at(*preset.written, pointer), pointer, std::move(what)});
+}
+
+void check_stand(const Preset& preset, Faults& faults) {
+  for (Error& error : stand_faults(*preset.stand)) {
+    std::string pointer = "/stand" + error.where;
+    faults.add({origin_at(*preset.written, pointer), pointer, std::move(error.what)});
+  }
+  for (std::size_t i = 0; i < preset.stand->species.size(); ++i)
+    if (const std::string& name = preset.stand->species[i].organism; !name.empty())
+      check_drawn_as(preset, name, fmt::format("/stand/species/{}/organism", i), faults);
+}
+
+/// The trees of the far land, and climates in which nothing would end.
+void check_altitudes(const Preset& preset, Faults& faults) {
+  if (const auto& far = preset.stage.far)
+    for (std::size_t i = 0; i < far->trees.size(); ++i)
+      check_drawn_as(preset, far->trees[i], fmt::format("/scene/far/trees/{}", i), faults);
+  for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
+    const std::optional<Sowing>& sown = preset.organisms[i].sown;
+    if (!sown || !sown->where.warmth || sown->where.warmth->full > sown->where.warmth->least) continue;
+    std::string pointer = fmt::format("/organisms/{}/sown/where/warmth/full", i);
+    faults.add({origin_at(*preset.written, pointer), pointer,
+                fmt::format("found {:g}; expected more than `least`, {:g}", sown->where.warmth->full,
+                            sown->where.warmth->least)});
   }
 }
 
@@ -310,6 +329,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   for (Error& error : furnish(*preset, reach, doubtful))
     faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
   if (preset->stand) check_stand(*preset, faults);
+  check_altitudes(*preset, faults);
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     const Value& written = preset->written->find("organisms")->items[i];
     check_organism(preset->organisms[i], written, i, reach, faults, doubtful);

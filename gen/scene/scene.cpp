@@ -13,6 +13,7 @@
 #include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/far.h"
 #include "scene/feeding.h"
 #include "scene/fit.h"
 #include "scene/inside.h"
@@ -259,10 +260,14 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   ground->lay_litter(scene.stage.camera);
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
   scene.ground = std::move(ground);
+  if (std::optional<FarCountry> far = far_land_round(scene, seed.child("far"))) {
+    plant_far_trees(scene, preset, *far, seed.child("far trees"));
+    scene.far = std::make_shared<const FarCountry>(std::move(*far));
+  }
   note_camera(scene, preset);
   note_growth(scene);
   for (const Organism& organism : preset.organisms)
-    if (organism.count > 0 || (preset.stand && organism.sown))
+    if (organism.count > 0 || (organism.sown && (preset.stand || preset.stage.far)))
       std::ranges::move(drawings(organism.grower->dress().look), std::back_inserter(scene.drawings));
   if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;
   note_fit(scene);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "land/far_objects.h"
 #include "motion/fall.h"
 #include "scene/preset.h"
 #include "settings/setting.h"
@@ -63,6 +64,7 @@ struct Scene {
   Film film;
   Stage stage;
   std::shared_ptr<const Grounds> ground;  ///< that of the stage's setting
+  std::shared_ptr<const FarCountry> far;  ///< the land beyond the ground; null: none
   std::vector<Specimen> specimens;
   std::vector<SownStand> stands;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them

@@ -133,6 +133,11 @@ std::vector<Strewn> ForestGround::adrift(double time, double loop) const {
   return kinds;
 }
 
+GroundEdge ForestGround::edge() const {
+  auto beyond = [terrain = terrain_](Vec2 at) { return terrain->height(at.x, at.y); };
+  return {terrain_->reach(), true, false, beyond};
+}
+
 Land ForestGround::land(std::vector<Spot> taken) const {
   Land land = sloping_land(size_, std::move(taken));
   if (plot_.has_path()) land.path = clear_of(plot_);
@@ -170,7 +175,7 @@ SettingRow forest_setting() {
       "forest", "wooded hills at any hour of the day", "forest",
       "Hour and land, for forest; clouds and haze are the meadow's",
       {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/moon", "/meadow/zenith",
-       "/meadow/horizon", "/snow", "/year"},
+       "/meadow/horizon", "/snow", "/far", "/year"},
       [](const Stage& stage) {
         const TerrainShape& land = stage.block<Forest>().terrain;
         return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};
@@ -208,6 +213,11 @@ SettingRow forest_setting() {
         return light;
       },
       [](Stage& stage) { return &stage.block<Forest>().hour; });
+}
+
+double leaf_share(double year) {
+  static const Curve kLeaves({{0.29, 0}, {0.38, 1}, {0.76, 1}, {0.9, 0}});
+  return kLeaves(year - std::floor(year));
 }
 
 namespace {

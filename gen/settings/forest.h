@@ -21,6 +21,9 @@ struct Forest {
   double moss = 0.4;                  ///< share of the ground that is mossy, 0..1
 };
 
+/// Share of the leaves of summer that woods bear at a time of the year, 0..1.
+double leaf_share(double year);
+
 /// Hilly land, with litter wherever the camera comes near during the film.
 class ForestGround final : public Grounds {
  public:
@@ -35,6 +38,8 @@ class ForestGround final : public Grounds {
   std::vector<Strewn> adrift(double time, double loop) const override;
   std::vector<Patches> patches() const override;
   LowCover low_cover() const override { return {.height = 0.05, .area = 0.5}; }
+  /// The wood hides what is far off: there is none unless a preset asks for it.
+  GroundEdge edge() const override;
   std::size_t bytes() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {

@@ -124,16 +124,16 @@ Surface water_of(const PondShape& pond) {
 }  // namespace
 
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed)
-    : shape_(shape), quality_(quality), seed_(seed) {
-  double radius = radius_for(reach);
-  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0), radius,
-                     rings_for(radius, 110)));
+    : shape_(shape), quality_(quality), radius_(radius_for(reach)), seed_(seed) {
+  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0), radius_,
+                     rings_for(radius_, 110)));
 }
 
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
            double stone, double path_width, Seed seed)
     : shape_(shape),
       quality_(quality),
+      radius_(radius_for(reach)),
       planned_(true),
       plot_(std::move(plot)),
       lilies_(lilies),
@@ -141,12 +141,11 @@ Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double r
       path_width_(path_width),
       seed_(seed) {
   Ground dunes{seed.child("ground"), floor.relief, floor.scale};
-  double radius = radius_for(reach);
   auto height = [&](Vec2 at) {
-    double lawn = ground_height(dunes, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / radius));
+    double lawn = ground_height(dunes, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / radius_));
     return plot_.height(at, lawn);
   };
-  lay(ground_surface(height, Vec2(0), radius, rings_for(radius, 150)));
+  lay(ground_surface(height, Vec2(0), radius_, rings_for(radius_, 150)));
   if (plot_.has_pond()) water_ = water_of(plot_.pond());
 }
 

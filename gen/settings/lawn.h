@@ -52,6 +52,7 @@ class Lawn final : public Grounds {
   std::vector<Patches> patches() const override;
   std::vector<Specimen> furnishings() const override;
   LowCover low_cover() const override;
+  GroundEdge edge() const override { return {.radius = radius_}; }
   std::size_t bytes() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
                                    double) const override {
@@ -73,6 +74,7 @@ class Lawn final : public Grounds {
 
   LawnShape shape_;
   Quality quality_;
+  double radius_ = 0;     // metres from the middle to the edge
   bool planned_ = false;  // has a plot
   Plot plot_;
   Surface water_;  // of the pond, for a quick look

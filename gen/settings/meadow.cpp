@@ -55,10 +55,6 @@ void describe(Visitor& v, Meadow& m) {
   v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"},
            "Distance at which two thirds of a colour are lost in the haze");
   v.number("clouds", m.clouds, {.min = 0, .max = 1}, "Share of the sky that clouds cover");
-  v.number("hills", m.hills, {.min = 0, .max = 3},
-           "Factor of the height of the hills and woods far off; 0 leaves none");
-  v.number("hills_distance", m.hills_distance, {.min = 20, .max = 10000, .unit = "m"},
-           "Distance from the middle to the nearest of the hills and woods far off");
   v.object("mountain", m.mountain, "A mountain far off; without it there is none");
   v.number("blade", m.lawn.blade, {.min = 0, .max = 5, .unit = "m"},
            "Length of the blades of grass; 0 leaves a bare lawn");
@@ -76,7 +72,7 @@ void describe(Visitor& v, Meadow& m) {
 SettingRow meadow_setting() {
   return setting_row<Meadow>(
       "meadow", "grass under a summer sky", "meadow", "Sky and grass, for meadow",
-      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/year"},
+      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/far", "/year"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) { return check_grass(stage.block<Meadow>().lawn); },
       [](const Stage& stage, const Film& film) {

@@ -18,10 +18,8 @@ struct Meadow {
   double turbidity = 2.5;                ///< see SkyShape
   std::optional<Color> zenith, horizon;  ///< of the sky overhead and at the horizon; none: computed
   Color grass{0.39f, 0.46f, 0.17f};
-  double haze = 6000;           ///< metres in which two thirds of a colour are lost
-  double clouds = 0.45;         ///< 0 none .. 1 overcast
-  double hills = 1;             ///< factor of the heights of distant hills and woods
-  double hills_distance = 122;  ///< metres from the middle to the nearest of them
+  double haze = 6000;    ///< metres in which two thirds of a colour are lost
+  double clouds = 0.45;  ///< 0 none .. 1 overcast
   std::optional<MountainShape> mountain;
   LawnShape lawn;
 };

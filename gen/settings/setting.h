@@ -11,6 +11,7 @@
 
 #include "core/result.h"
 #include "core/seed.h"
+#include "land/far_land.h"
 #include "land/ground.h"
 #include "land/plot.h"
 #include "land/scatter.h"
@@ -163,6 +164,8 @@ class Grounds {
   /// What covers the ground, as meshes.
   virtual std::vector<Patches> patches() const { return {}; }
   virtual LowCover low_cover() const { return {}; }
+  /// Where the far land begins; by default there is none.
+  virtual GroundEdge edge() const { return {}; }
   /// Approximate memory, bytes.
   virtual std::size_t bytes() const { return bytes_of(floor_) + heights_.bytes(); }
   /// Messages for the user about how the objects fit into the setting. `things` returns the list of objects.

@@ -9,6 +9,7 @@
 
 #include "core/curve.h"
 #include "core/vec.h"
+#include "land/far_land.h"
 #include "motion/wind.h"
 
 namespace frond {
@@ -108,6 +109,7 @@ struct Stage {
   Camera camera;
   std::optional<Wind> wind;  ///< over the land; none: what sways has waves of its own
   Floor floor;
+  std::optional<FarLandShape> far;       ///< none: as the setting has it
   Snow snow;                             ///< read by settings under the open sky
   std::optional<Animated<double>> year;  ///< the time of the year, see Seasons; none: it is always summer
   std::vector<std::any> blocks;          ///< one per setting

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 
 #include "core/bounds.h"
 #include "core/parallel.h"
 #include "preset/value.h"
 #include "scene/copies.h"
+#include "scene/far.h"
 #include "settings/settings.h"
 #include "studio/tiles.h"
 
@@ -111,7 +113,9 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     plane.triangle = {{0, 2, 1}, {0, 3, 2}};
     add(plane, light.ground);
   }
-  for (const Strewn& strewn : scene.ground->strewn()) {
+  std::vector<Strewn> all = scene.ground->strewn();
+  if (scene.far) std::ranges::move(strewn_far(*scene.far), std::back_inserter(all));
+  for (const Strewn& strewn : all) {
     if (strewn.at.empty()) continue;
     std::vector<float> places;
     for (const Strewn::At& a : strewn.at)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace frond {
@@ -36,6 +37,42 @@ double packing(const SowOrder& order, const std::vector<Sprout>& sprouts, double
   double area = 0;
   for (const Sprout& s : sprouts) area += kPi * std::pow(order.rules.radius * s.size, 2);
   return area / (size * size);
+}
+
+/// A slope that rises 500 m over a kilometre toward +x.
+Land mountain_side() {
+  Land land;
+  land.size = 1000;
+  land.altitude = [](Vec2 at) { return 0.5 * (at.x + 500); };
+  return land;
+}
+
+TEST(Sow, InTheColdPlantsAreSmallerAndFewer) {
+  SowOrder order = order_of(3000, 3);
+  order.rules.warmth = Warmth{.lowest = 9, .full = 8.4, .least = 6.6, .dwarf = 0.2};  // 100 m to 400 m
+  std::vector<Sprout> sprouts = sow(std::span(&order, 1), mountain_side())[0];
+  std::array<int, 5> count{};
+  for (const Sprout& s : sprouts) {
+    double altitude = 0.5 * (s.at.x + 500);
+    EXPECT_LT(altitude, 400);
+    EXPECT_NEAR(s.size, altitude < 100 ? 1 : 1 - 0.8 * (altitude - 100) / 300, 1e-4);
+    ++count[static_cast<std::size_t>(altitude / 100)];
+  }
+  EXPECT_GT(count[0], count[1]);
+  EXPECT_GT(count[1], count[2]);
+  EXPECT_GT(count[2], count[3]);
+  EXPECT_GT(count[3], 0);
+}
+
+TEST(Sow, SmallPlantsOfTheColdStandCloser) {
+  // Their crowns keep apart by their own size.
+  SowOrder order = order_of(4000, 4);
+  order.rules.warmth = Warmth{.lowest = 7, .full = 9, .least = 3, .dwarf = 0.2};
+  std::vector<Sprout> sprouts = sow(std::span(&order, 1), mountain_side())[0];
+  for (std::size_t i = 0; i < sprouts.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      ASSERT_GE(glm::distance(sprouts[i].at, sprouts[k].at),
+                0.999f * 4 * (sprouts[i].size + sprouts[k].size));
 }
 
 TEST(Sow, NoTwoCrownsOfALayerOverlapAndNoStemsOfTwo) {

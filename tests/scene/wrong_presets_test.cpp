@@ -248,17 +248,29 @@ const WrongPreset kWrongValues[] = {
       "1:54: /scene/meadow/plants/0/kind: found the text \"moss\"; expected one of grass, fescue, cocksfoot, "
       "panicle, clover, daisy, buttercup, plantain"}},
     {"What stands far off",
-     R"({"scene": {"meadow": {"hills": -1,
+     R"({"scene": {"far": {"woods": 2}, "meadow": {
   "mountain": {"height": 9000, "distance": 100, "peak": 2}}},
  "organisms": [{"kind": "tree", "coat": {"furrow": -1}}]})",
      {},
-     {"1:32: /scene/meadow/hills: found -1; expected a number from 0 to 3",
+     {"1:29: /scene/far/woods: found 2; expected a number from 0 to 1",
       "2:26: /scene/meadow/mountain/height: found 9000; expected a number from 50 to 6000 m",
       "2:44: /scene/meadow/mountain/distance: found 100; expected a number from 1500 to 40000 m",
       "2:49: /scene/meadow/mountain/peak: unknown property \"peak\"; expected one of height, distance, "
       "width, "
       "toward, snow, woods, rock, seed",
       "3:52: /organisms/0/coat/furrow: found -1; expected a number from 0 to 2"}},
+    {"Trees toward the cold, and far off",
+     R"({"scene": {"setting": "meadow", "far": {"trees": ["oak", "birch"]}},
+ "organisms": [{"kind": "tree", "name": "oak", "sown": {"where": {"warmth": {"full": 5, "dwarf": 0}}}}]})",
+     {},
+     {"2:93: /organisms/0/sown/where/warmth/dwarf: found 0; expected a number from 0.01 to 1"}},
+    {"A climate in which trees do not end",
+     R"({"scene": {"setting": "meadow", "far": {"trees": ["oak", "birch"]}},
+ "organisms": [{"kind": "tree", "name": "oak", "sown": {"where": {"warmth": {"full": 5}}}}]})",
+     {},
+     {"1:60: /scene/far/trees/1: no organism \"birch\" that is sown, to draw these trees as; expected "
+      "\"oak\"",
+      "2:82: /organisms/0/sown/where/warmth/full: found 5; expected more than `least`, 6.4"}},
     {"What is said of colonies",
      R"({"organisms": [{"kind": "massive", "valley": 2, "relief": "cup"},
   {"kind": "massive", "place": {"upright": 2, "on": "ledge"}}]})",

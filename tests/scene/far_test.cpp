@@ -1,0 +1,61 @@
+#include "scene/far.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene/scene.h"
+
+namespace frond {
+namespace {
+
+Scene far_scene(const std::string& scene, const std::string& organisms = "") {
+  Result<Preset> preset = read_preset(R"({"film": {"frames": 1, "size": [320, 180]}, "scene": {)" + scene +
+                                          R"(}, "organisms": [)" + organisms + "]}",
+                                      "test.json", {});
+  EXPECT_TRUE(preset) << (preset ? "" : preset.errors()[0].text());
+  return *build_scene(*preset);
+}
+
+TEST(FarLandOfScenes, IsThereWhereGroundEndsInTheOpen) {
+  EXPECT_TRUE(far_scene(R"("setting": "meadow", "meadow": {"blade": 0})").far);
+  EXPECT_TRUE(far_scene(R"("setting": "garden", "meadow": {"blade": 0})").far);
+  EXPECT_FALSE(far_scene(R"("setting": "meadow", "meadow": {"blade": 0}, "far": {"reach": 0})").far);
+  EXPECT_FALSE(far_scene(R"("setting": "studio")").far);
+  EXPECT_FALSE(far_scene(R"("setting": "forest")").far);
+  EXPECT_TRUE(far_scene(R"("setting": "forest", "far": {})").far);
+}
+
+TEST(FarLandOfScenes, TreesAreCopiesOfTheOrganismsThatAreNamed) {
+  const std::string oak = R"({"kind": "weber_penn", "name": "oak", "count": 0, "sown": {"models": 2}})";
+  Scene scene = far_scene(
+      R"("setting": "meadow", "meadow": {"blade": 0}, "far": {"trees": ["oak"], "woods": 0.6})", oak);
+  ASSERT_EQ(scene.stands.size(), 1u);
+  EXPECT_GT(scene.stands[0].copies.size(), 20u);
+  for (const FarObject& o : scene.far->objects)
+    EXPECT_TRUE(o.kind == FarKind::hedge || o.kind == FarKind::house);
+  EXPECT_EQ(scene.check(), "");
+}
+
+TEST(FarLandOfScenes, ViewHoldsAllThatAFilmSees) {
+  Film film{.frames = 48, .size = {640, 360}};
+  Camera camera;
+  camera.location = Animated<Vec3>(Vec3(0, 2, 0)), camera.look_at = Animated<Vec3>(Vec3(0, 2, -10));
+  FarView still = far_view(film, camera);
+  EXPECT_TRUE(still.holds(Vec2(0, -100)));
+  EXPECT_TRUE(still.holds(Vec2(40, -100)));
+  EXPECT_FALSE(still.holds(Vec2(100, -100)));
+  EXPECT_FALSE(still.holds(Vec2(0, 100)));
+  EXPECT_NEAR(still.pixel, 2 * std::tan(radians(22.5)) / 640, 1e-5);
+  // A turn from -z by +x to +z.
+  camera.look_at = Animated<Vec3>(
+      std::vector<Animated<Vec3>::Key>{{0, Vec3(0, 2, -10)}, {1, Vec3(10, 2, 0)}, {2, Vec3(0, 2, 10)}});
+  FarView turn = far_view(film, camera);
+  EXPECT_TRUE(turn.holds(Vec2(0, -100)));
+  EXPECT_TRUE(turn.holds(Vec2(100, 0)));
+  EXPECT_TRUE(turn.holds(Vec2(0, 90)));
+  EXPECT_FALSE(turn.holds(Vec2(-100, 0)));
+}
+
+}  // namespace
+}  // namespace frond
