@@ -162,7 +162,7 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
     if (carries && !made.parts.empty()) append_front(text, made.front());
     for (std::string object : made.parts) {
       std::string look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
-      look += snow_over(is_snowy(scene.stage));
+      look += weather_over(is_snowy(scene.stage), is_rainy(scene.stage), Wetting::leaf);
       if (carries) {
         object += " scale ";
         append(object, unit, 6);

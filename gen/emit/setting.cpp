@@ -7,6 +7,7 @@
 #include "core/linear.h"
 #include "core/text.h"
 #include "emit/branch_materials.h"
+#include "emit/rain.h"
 #include "emit/setting_parts.h"
 #include "emit/solid.h"
 #include "settings/forest.h"
@@ -44,6 +45,7 @@ std::string includes_text(const Scene& scene) {
   if (any([](const Specimen& s) { return s.life.hanging.has_value(); })) names.push_back("ivy");
   for (std::string_view name : solid_includes(scene)) names.push_back(name);
   if (is_snowy(scene.stage)) add_missing(names, {"snow"});
+  if (is_rainy(scene.stage)) add_missing(names, {"rain"});
   std::string text;
   for (std::string_view name : names) {
     if (!text.empty()) text += '\n';
@@ -80,7 +82,7 @@ std::string year_text(const Stage& stage, double time) {
 }  // namespace
 
 std::string setting_text(const Scene& scene, double time) {
-  return snow_text(scene.stage, time) + year_text(scene.stage, time) +
+  return snow_text(scene.stage, time) + rain_text(scene, time) + year_text(scene.stage, time) +
          text_of(scene.stage).surroundings(scene, time);
 }
 

@@ -56,7 +56,7 @@ SettingRow garden_setting() {
       {"/garden",       "/meadow/grass",  "/meadow/haze",    "/meadow/clouds",  "/meadow/turbidity",
        "/meadow/moon",  "/meadow/zenith", "/meadow/horizon", "/meadow/hills",   "/meadow/hills_distance",
        "/meadow/blade", "/meadow/blades", "/meadow/extent",  "/meadow/flowers", "/meadow/plants",
-       "/meadow/bare",  "/floor/relief",  "/floor/scale",    "/snow",           "/year"},
+       "/meadow/bare",  "/floor/relief",  "/floor/scale",    "/snow",           "/rain", "/year"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) {
         Errors errors = check_grass(stage.block<Meadow>().lawn);
@@ -88,7 +88,7 @@ Sky garden_sky(const Stage& stage) {
   const auto& garden = stage.block<Garden>();
   Moment when = garden.when;
   when.hour = garden.hour.at(0);
-  return sky_over(stage.block<Meadow>(), sun_at(when), stage.camera.stops());
+  return sky_over(stage, sun_at(when), stage.camera.stops());
 }
 
 }  // namespace frond

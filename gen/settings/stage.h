@@ -99,6 +99,13 @@ struct Snow {
   bool constant() const { return depth.constant() && frost.constant(); }
 };
 
+/// Rain: what falls in the film, and what has fallen.
+struct Rain {
+  Animated<double> rate{5.0};    ///< mm/h, see motion/rain.h
+  Animated<double> fallen{4.0};  ///< mm, which make things wet and fill puddles
+  Animated<double> mist{0.0};    ///< metres of its height above the ground
+};
+
 /// Everything but the organisms. Each setting has a block of parameters that is read only by it and by
 /// settings based on it.
 struct Stage {
@@ -109,6 +116,7 @@ struct Stage {
   std::optional<Wind> wind;  ///< over the land; none: what sways has waves of its own
   Floor floor;
   Snow snow;                             ///< read by settings under the open sky
+  std::optional<Rain> rain;              ///< read by the same; none: it is dry
   std::optional<Animated<double>> year;  ///< the time of the year, see Seasons; none: it is always summer
   std::vector<std::any> blocks;          ///< one per setting
 
