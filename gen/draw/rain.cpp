@@ -102,7 +102,7 @@ RingField ring_field(double rate, const Film& film) {
   RingField rings;
   rings.life = 1 / looping_rate(1 / rings.life, film.frames > 1 ? film.length() : 0);
   double wanted = drops_landing(rate, kRingDrop) * rings.life * rings.cell * rings.cell;  // in a square at once
-  constexpr int kMostLayers = 6;
+  constexpr int kMostLayers = 4;
   rings.layers = std::clamp(static_cast<int>(std::ceil(wanted)), rate > 0 ? 1 : 0, kMostLayers);
   rings.share = rings.layers > 0 ? std::min(1.0, wanted / rings.layers) : 0;
   return rings;

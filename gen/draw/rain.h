@@ -25,7 +25,7 @@ std::vector<Streak> rain_streaks(const Scene& scene, double time);
 /// `life` seconds, on a `share` of them. A whole number of lives makes the film.
 struct RingField {
   int layers = 0;
-  double cell = 0.34, life = 0.5, share = 1;
+  double cell = 0.3, life = 0.45, share = 1;
 };
 
 /// Those of drops thicker than 1.5 mm at a rate of rain, mm/h; at most some 50 a square metre.

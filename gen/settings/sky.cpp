@@ -164,7 +164,7 @@ Vec3 Sky::from(Vec3 direction) const {
 /// The overcast sky of Moon and Spencer (1942), (1 + 2 sin h)/3 of its zenith, half made even by the rain in
 /// it; as bright as a light meter has it that finds no sun.
 Vec3 Sky::rain_cloud(double height) const {
-  constexpr Vec3 kGrey(0.80f, 0.84f, 0.88f);
+  constexpr Vec3 kGrey(1.05f, 1.09f, 1.13f);
   auto shape = static_cast<float>(0.5 + 0.5 * (1 + 2 * std::max(height, 0.0)) / 3);
   return exposed(stops_ * glm::mix(1.0f, dim_, twilight_) * shape * kGrey);
 }
