@@ -104,6 +104,12 @@ T Animated<T>::at(double time) const {
          static_cast<Scalar>(w.end_slope * width) * slope_after;
 }
 
+double highest(const Animated<double>& value) {
+  double most = value.keys().front().value;
+  for (const auto& key : value.keys()) most = std::max(most, key.value);
+  return most;
+}
+
 template class Animated<double>;
 template class Animated<Vec3>;
 

@@ -56,6 +56,9 @@ class Animated {
   std::vector<T> slopes_;
 };
 
+/// The largest value that it takes: between keys it is between their values.
+double highest(const Animated<double>& value);
+
 extern template class Animated<double>;
 extern template class Animated<Vec3>;
 

@@ -198,7 +198,7 @@ ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 
     append_list(text, 4, coat.moss, coat.moss_height, branches.pose.position[0].y);
     text += ")}";
   }
-  text += snow_over(branches.traits.snowy);
+  text += weather_over(branches.traits.snowy, branches.traits.wet, Wetting::wood);
   return {text + "}\n", 1};
 }
 

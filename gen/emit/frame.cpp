@@ -22,6 +22,7 @@
 #include "emit/copies.h"
 #include "emit/plant.h"
 #include "emit/polyps.h"
+#include "emit/rain.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
 #include "world/world.h"
@@ -151,7 +152,8 @@ std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const Chu
       texts[0] += "}\n";
   };
   write_chunks(b, options, 1, append, [&](std::size_t, const std::string& text) { group.add(text); });
-  return group.close(fmt::format("{}{}}}\n", skin_texture(index), snow_over(b.traits.snowy)));
+  return group.close(fmt::format("{}{}}}\n", skin_texture(index),
+                                 weather_over(b.traits.snowy, b.traits.wet, Wetting::wood)));
 }
 
 /// The same of all other chunks: those that show no pattern share textures.
@@ -171,7 +173,7 @@ std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const Ch
     if (!own && (!whole || b.slanted(chunk))) {
       text += ' ';
       append_chunk_texture(text, space, b, chunk, index);
-      if (!whole) text += snow_over(b.traits.snowy);
+      if (!whole) text += weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
     }
     text += "}\n";
   };
@@ -181,13 +183,13 @@ std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const Ch
     else
       plain[kind - 1] += text;
   });
-  std::string_view snow = snow_over(b.traits.snowy);
-  std::size_t groups = group.close(whole ? fmt::format("{}{}}}\n", skin_texture(index), snow) : "}\n");
+  std::string weather = weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
+  std::size_t groups = group.close(whole ? fmt::format("{}{}}}\n", skin_texture(index), weather) : "}\n");
   for (std::size_t k = 0; k < plain.size(); ++k) {
     if (plain[k].empty()) continue;
     out(group_opening(plain[k]));
     out(plain[k]);
-    out(fmt::format("{}{}}}\n", shared.text(k, index), snow));
+    out(fmt::format("{}{}}}\n", shared.text(k, index), weather));
     ++groups;
   }
   return groups;
@@ -260,7 +262,7 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
   DrawList drawn(**now, time, developed ? *developed : solids);
   ObjectText bodies;
   for (const DrawnBody& body : drawn.bodies)
-    if (body.now || b.life.develop) bodies += solid_text(parts.space, body, i);
+    if (body.now || b.life.develop) bodies += solid_text(parts.space, body, i, b.wet);
   for (const DrawnPolyps& polyps : drawn_polyps(solids, parts.polyps[i], b.motion.growth, time, eye))
     bodies += polyps_text(parts.space, polyps, time);
   out(bodies.text);
@@ -351,7 +353,8 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
       return out(swaying.text);
     }
     if (hole == "food")
-      return out(food_text(parts.space, scene, time) + adrift_text(parts.space, scene, time));
+      return out(food_text(parts.space, scene, time) + adrift_text(parts.space, scene, time) +
+                 streaks_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
   });
   if (!errors.empty()) return errors;

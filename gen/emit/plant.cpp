@@ -76,7 +76,7 @@ std::size_t write_group(const PovSpace& space, const DrawList& drawn, const Orga
     else
       text += tissue_text(prototype.parts[part].tissue, group.tint, prototype.second, group.shade,
                           prototype.luster);
-    text += snow_over(drawn.traits.snowy);
+    text += weather_over(drawn.traits.snowy, drawn.traits.wet, Wetting::leaf);
     text += "}\n";
   }
   out(text);
@@ -162,7 +162,7 @@ std::size_t write_foliage(const PovSpace& space, const DrawList& drawn, double p
     std::string text = "object{";
     append_mesh(text, space, blades.surface, {.decimals = decimals_for(space, pixel)});
     text += tissue_text(look.tissue, look.colors[blades.color], look.second, blades.shade, {});
-    text += snow_over(drawn.traits.snowy);
+    text += weather_over(drawn.traits.snowy, drawn.traits.wet, Wetting::leaf);
     text += "}\n";
     out(text);
     ++objects;

@@ -78,6 +78,11 @@ MatrixText matrix_text_for(const PovSpace& space, double reach, double pixel) {
   return {decimals_of(pixel / 20 / std::max(reach, 1e-6), 2, 5), decimals_for(space, pixel)};
 }
 
+std::string weather_over(bool snowy, bool wet, Wetting wetting) {
+  std::string text = wet ? fmt::format("texture{{{}}}", row_of(wetting).texture) : "";
+  return snowy ? text + "texture{Snow_Over}" : text;
+}
+
 void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals) {
   text += '<';
   append_list(text, decimals, at.x * space.unit, at.y * space.unit, -at.z * space.unit);

@@ -6,6 +6,7 @@
 #include "core/vec.h"
 #include "draw/sweep.h"
 #include "model/surface.h"
+#include "model/wetness.h"
 
 namespace frond {
 
@@ -39,8 +40,8 @@ inline constexpr int kDecimals = 4;  ///< of places, in POV-Ray units
 /// written.
 int decimals_for(const PovSpace& space, double pixel);
 
-/// The texture of snow, over that of an object; none where none lies.
-inline std::string_view snow_over(bool snowy) { return snowy ? "texture{Snow_Over}" : ""; }
+/// The textures of water and of snow, over that of an object; none where it is dry.
+std::string weather_over(bool snowy, bool wet, Wetting wetting);
 
 /// Appends `<x,y,z>` of a place in the world.
 void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals = kDecimals);

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "emit/branch_materials.h"
 #include "emit/far.h"
+#include "emit/rain.h"
 #include "emit/setting_parts.h"
 #include "emit/solid.h"
 #include "settings/forest.h"
@@ -46,6 +47,7 @@ std::string includes_text(const Scene& scene) {
   for (std::string_view name : solid_includes(scene)) names.push_back(name);
   if (is_snowy(scene.stage)) add_missing(names, {"snow"});
   if (scene.far) names.push_back("far");
+  if (is_rainy(scene.stage)) add_missing(names, {"rain"});
   std::string text;
   for (std::string_view name : names) {
     if (!text.empty()) text += '\n';
@@ -82,7 +84,7 @@ std::string year_text(const Stage& stage, double time) {
 }  // namespace
 
 std::string setting_text(const Scene& scene, double time) {
-  std::string text = snow_text(scene.stage, time) + year_text(scene.stage, time) +
+  std::string text = snow_text(scene.stage, time) + rain_text(scene, time) + year_text(scene.stage, time) +
                      text_of(scene.stage).surroundings(scene, time);
   return scene.far ? text + '\n' + far_air_text(scene, time) : text;
 }

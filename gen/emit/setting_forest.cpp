@@ -29,6 +29,7 @@ std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
   const ForestCover& cover = ground_as<ForestGround>(*scene.ground).cover;
   std::string litter =
       scene.stage.year ? std::string(kYearLitter) : color_text(scene.stage.block<Forest>().litter);
+  std::string wet = weather_over(false, is_rainy(scene.stage), Wetting::leaf);
   std::string green = color_text(scene.stage.block<Forest>().green);
   std::string text = floor_text(space, scene, "Forest_Ground(" + litter + "," + green + ")");
   const auto& ground = ground_as<ForestGround>(*scene.ground);
@@ -41,8 +42,8 @@ std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
   }
   append_shapes(text, space, cover.litter, "Litter");
   append_shapes(text, space, cover.moss, "Moss");
-  append_patches(text, space, cover.litter_patches, "Litter", "texture{Forest_Litter(" + litter + ")}");
-  append_patches(text, space, cover.moss_patches, "Moss", "texture{Forest_Moss(" + green + ")}");
+  append_patches(text, space, cover.litter_patches, "Litter", "texture{Forest_Litter(" + litter + ")}" + wet);
+  append_patches(text, space, cover.moss_patches, "Moss", "texture{Forest_Moss(" + green + ")}" + wet);
   return text;
 }
 

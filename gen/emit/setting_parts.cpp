@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "draw/ambience.h"
 #include "draw/solids.h"
+#include "settings/settings.h"
 
 namespace frond {
 
@@ -42,7 +43,7 @@ std::string floor_text(const PovSpace& space, const Scene& scene, std::string_vi
   append_mesh(text, space, drawn_floor(scene));
   text += "\ntexture{";
   text += texture;
-  text += '}';
+  text += '}' + weather_over(false, is_rainy(scene.stage), Wetting::soil);
   for (const Specimen& s : scene.specimens) {
     const std::vector<Solid>& shapes = s.model.solids.shapes;
     if (shapes.empty() || shapes[0].material.matter != Matter::snow) continue;
@@ -185,19 +186,21 @@ std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& gr
   const auto& lawn = ground_as<Lawn>(*scene.ground);
   std::string green = scene.stage.year ? std::string(kYearGrass) : color_text(grass);
   std::string text = floor_text(space, scene, "Meadow_Ground(" + green + ")");
-  std::string snow(snow_over(is_snowy(scene.stage)));
-  append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}" + snow);
-  append_turf(text, space, lawn, &Turf::leaves, "Leaf", "texture{Meadow_Leaf(" + green + ")}" + snow);
+  bool wet = is_rainy(scene.stage);
+  std::string leaf = weather_over(is_snowy(scene.stage), wet, Wetting::leaf);
+  append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}" + leaf);
+  append_turf(text, space, lawn, &Turf::leaves, "Leaf", "texture{Meadow_Leaf(" + green + ")}" + leaf);
   append_turf(text, space, lawn, &Turf::flowers, "Bloom", "texture{Meadow_Bloom()}");
   auto append_ground = [&](const std::vector<Surface>& shapes, const std::vector<Patch>& patches,
-                           std::string_view name, const Color& color) {
+                           std::string_view name, const Color& color, Wetting wetting) {
     if (patches.empty()) return;
     append_shapes(text, space, shapes, name);
-    append_patches(text, space, patches, name,
-                   fmt::format("texture{{Garden_{}({})}}", name, color_text(color)));
+    append_patches(
+        text, space, patches, name,
+        fmt::format("texture{{Garden_{}({})}}", name, color_text(color)) + weather_over(false, wet, wetting));
   };
-  append_ground(lawn.gravel, lawn.gravel_patches, "Gravel", gravel);
-  append_ground(lawn.earth, lawn.earth_patches, "Earth", earth);
+  append_ground(lawn.gravel, lawn.gravel_patches, "Gravel", gravel, Wetting::stone);
+  append_ground(lawn.earth, lawn.earth_patches, "Earth", earth, Wetting::soil);
   return text;
 }
 

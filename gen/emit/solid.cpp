@@ -24,8 +24,8 @@ void append_macro(std::string& text, std::string_view macro, const Material& mat
   text += ")}";
 }
 
-/// The texture, on it the bands, and what is inside.
-void append_material(std::string& text, const Material& material) {
+/// The texture, on it the bands and water, and what is inside.
+void append_material(std::string& text, const Material& material, bool wet) {
   const MatterRow& row = row_of(material.matter);
   text += " texture{";
   append_macro(text, row.macro, material);
@@ -46,6 +46,8 @@ void append_material(std::string& text, const Material& material) {
     append_integer(text, band.repeats);
     text += ")}";
   }
+  if (std::optional<Wetting> wetting = wetting_of(material.matter); wet && wetting)
+    text += weather_over(false, true, *wetting);
   if (row.inside.empty()) return;
   text += "interior{";
   append_macro(text, row.inside, material);
@@ -126,7 +128,8 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
 }
 
 /// A shape that is the same for a while: declared once and placed.
-void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body, std::size_t organism) {
+void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body, std::size_t organism,
+                  bool wet) {
   std::string lines, &text = all.text;
   std::size_t placed = 0;
   const Solid& solid = *body.solid;
@@ -146,7 +149,7 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
     lines += "object{";
     append_solid_name(lines, organism, body.shape);
     lines += ' ';
-    if (own) append_material(lines, solid.material);
+    if (own) append_material(lines, solid.material, wet);
     if (append_placement(lines, space, place))
       lines += "}\n", ++placed;
     else
@@ -159,15 +162,15 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
   }
   ++all.objects;
   text += "union{\n" + lines;
-  append_material(text, solid.material);
+  append_material(text, solid.material, wet);
   text += "}\n";
 }
 
 /// One that is another in each frame.
-void append_grown(ObjectText& all, const PovSpace& space, const DrawnBody& body) {
+void append_grown(ObjectText& all, const PovSpace& space, const DrawnBody& body, bool wet) {
   std::string object = "object{\n";
   append_mesh(object, space, with_light_uv(*body.now, *body.solid));
-  append_material(object, body.solid->material);
+  append_material(object, body.solid->material, wet);
   for (const OrganPlace& place : body.places) {
     std::string whole = object;
     if (append_placement(whole, space, place)) all += {whole + "}\n", 1};
@@ -184,7 +187,7 @@ void append_front(std::string& text, double front) {
 
 std::string material_text(const Material& material) {
   std::string text;
-  append_material(text, material);
+  append_material(text, material, false);
   return text;
 }
 
@@ -201,14 +204,14 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   return names;
 }
 
-ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism) {
+ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet) {
   ObjectText text;
   if (!has_faces(body.surface())) return text;
   if (is_of_reef(body.solid->material.matter)) append_front(text.text, body.front);
   if (body.now)
-    append_grown(text, space, body);
+    append_grown(text, space, body, wet);
   else
-    append_shape(text, space, body, organism);
+    append_shape(text, space, body, organism, wet);
   return text;
 }
 
@@ -219,7 +222,8 @@ ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSol
     const Solids& solids = drawn.of(scene, o);
     if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text.text, b.name);
-    for (const DrawnBody& body : still_bodies(solids, b.motion.growth)) text += solid_text(space, body, o);
+    for (const DrawnBody& body : still_bodies(solids, b.motion.growth))
+      text += solid_text(space, body, o, b.wet);
   }
   return text;
 }

@@ -23,7 +23,7 @@ std::string_view material_include(const Material& material);
 /// the same in each frame. Without `drawn` they are written as they are.
 ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
 
-/// One shape of an organism, declared and placed, or as far as it has grown.
-ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism);
+/// One shape of an organism, declared and placed, or as far as it has grown; `wet`: with rain on it.
+ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet = false);
 
 }  // namespace frond

@@ -34,6 +34,7 @@ enum class Matter {
   shell,
   mantle,  ///< soft tissue of a clam
   snow,    ///< that lies
+  water,   ///< of puddles
 };
 
 /// What a material is, beside how it looks.
@@ -81,7 +82,8 @@ inline constexpr MatterRow kMatters[] = {
     {Matter::reef, "reef", "Reef_Rock", 5, Nature::reef},
     {Matter::shell, "shell", "Shell_Porcelain", 0},
     {Matter::mantle, "shell", "Shell_Mantle", 0},
-    {Matter::snow, "snow", "Snow_Lying", 0}};
+    {Matter::snow, "snow", "Snow_Lying", 0},
+    {Matter::water, "rain", "Rain_Water", 0, Nature::other, "Rain_Water_Inside"}};
 
 constexpr const MatterRow& row_of(Matter matter) { return kMatters[static_cast<std::size_t>(matter)]; }
 

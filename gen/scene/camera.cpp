@@ -61,6 +61,21 @@ Lens lens_at(const Camera& camera, double time, double aspect) {
   return lens;
 }
 
+std::pair<Vec2, double> seen_ground(const Camera& camera, double length) {
+  constexpr float kAhead = 5;  // metres
+  auto level = [](Vec3 p) { return Vec2(p.x, p.z); };
+  auto ahead = [&](double time) {
+    Vec2 at = level(camera.location.at(time)), offset = level(camera.look_at.at(time)) - at;
+    float far = glm::length(offset);
+    return far > kAhead ? at + offset * (kAhead / far) : at + offset;
+  };
+  Vec2 middle = (ahead(0) + ahead(length / 2) + ahead(length)) / 3.0f;
+  double reach = 0;
+  for (double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+    reach = std::max<double>(reach, glm::distance(middle, level(camera.location.at(share * length))));
+  return {middle, reach};
+}
+
 std::string under_ground(const Camera& camera, const Film& film, const Heights& heights) {
   constexpr int kMostAsked = 1000;
   constexpr double kLeast = 0.01;  // metres

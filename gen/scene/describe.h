@@ -157,6 +157,18 @@ void describe(Visitor& v, Snow& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Rain& r) {
+  v.animated("rate", r.rate,
+             {.min = 0, .max = 100, .unit = "mm/h", .sense = "1 a drizzle, 5 steady rain, 20 a shower"},
+             "How hard it rains, from an overcast sky; with keyframes rain comes and goes");
+  v.animated(
+      "fallen", r.fallen, {.min = 0, .max = 100, .unit = "mm"},
+      "How much rain has fallen, which makes things wet and fills puddles; with keyframes they fill and dry");
+  v.animated("mist", r.mist, {.min = 0, .max = 50, .unit = "m"},
+             "Height of the mist that rain leaves over the ground; 0 is none");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Stage& s) {
   std::vector<Choice<std::size_t>> names;
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
@@ -178,6 +190,8 @@ void describe(Visitor& v, Stage& s) {
   v.object("far", s.far,
            "The land as far as the horizon, for meadow, garden and forest; not given: hills with fields and "
            "woods round meadow and garden, none round a forest");
+  v.object("rain", s.rain,
+           "Rain with wet things and puddles, for meadow, garden and forest; without it all is dry");
   v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 

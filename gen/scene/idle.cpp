@@ -45,6 +45,7 @@ class Finder {
     for (const SettingRow& row : settings()) check_block(row.block, set);
     check_block("floor", set);
     check_block("snow", set);
+    check_block("rain", set);
     check_block("year", set);
     const Value* organisms = preset_.written->find("organisms");
     for (std::size_t i = 0; i < preset_.organisms.size(); ++i)

@@ -17,6 +17,7 @@
 #include "scene/feeding.h"
 #include "scene/fit.h"
 #include "scene/inside.h"
+#include "scene/rain.h"
 #include "scene/remarks.h"
 #include "scene/shading.h"
 #include "scene/snow.h"
@@ -213,6 +214,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   Scene scene;
   scene.film = preset.film;
   scene.stage = preset.stage;
+  scene.seed = seed;
 
   const SettingAnswers& setting = settings()[preset.stage.setting].answers;
   watch.begin("place", 3);
@@ -259,6 +261,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   }
   ground->lay_litter(scene.stage.camera);
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
+  std::optional<Specimen> water = standing_water(scene, *ground);
   scene.ground = std::move(ground);
   if (std::optional<FarCountry> far = far_land_round(scene, seed.child("far"))) {
     plant_far_trees(scene, preset, *far, seed.child("far trees"));
@@ -271,8 +274,9 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
       std::ranges::move(drawings(organism.grower->dress().look), std::back_inserter(scene.drawings));
   if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;
   note_fit(scene);
-  for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.stage);
+  for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.stage), s.wet = is_rainy(scene.stage);
   if (snow) scene.specimens.push_back(std::move(*snow));
+  if (water) scene.specimens.push_back(std::move(*water));
   assert(scene.check().empty());
   return scene;
 }

@@ -63,6 +63,7 @@ struct SownStand {
 struct Scene {
   Film film;
   Stage stage;
+  Seed seed;                              ///< the preset's
   std::shared_ptr<const Grounds> ground;  ///< that of the stage's setting
   std::shared_ptr<const FarCountry> far;  ///< the land beyond the ground; null: none
   std::vector<Specimen> specimens;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "land/snow.h"
+#include "scene/camera.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -15,21 +16,6 @@ constexpr float kAround = 20;   // metres from its middle within which bodies sh
 constexpr double kRadius = 45;  // metres beyond the camera's way
 
 Vec2 level(Vec3 p) { return {p.x, p.z}; }
-
-/// The place on the ground before the camera, halfway along its way, and how far its way leads from there.
-std::pair<Vec2, double> seen_ground(const Camera& camera, double length) {
-  constexpr float kAhead = 5;  // metres
-  auto ahead = [&](double time) {
-    Vec2 at = level(camera.location.at(time)), offset = level(camera.look_at.at(time)) - at;
-    float far = glm::length(offset);
-    return far > kAhead ? at + offset * (kAhead / far) : at + offset;
-  };
-  Vec2 middle = (ahead(0) + ahead(length / 2) + ahead(length)) / 3.0f;
-  double reach = 0;
-  for (double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-    reach = std::max<double>(reach, glm::distance(middle, level(camera.location.at(share * length))));
-  return {middle, reach};
-}
 
 /// Metres of a pixel where the camera comes nearest to a box.
 double nearest_pixel_of(const Scene& scene, const Bounds& box) {

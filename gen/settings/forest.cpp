@@ -175,7 +175,7 @@ SettingRow forest_setting() {
       "forest", "wooded hills at any hour of the day", "forest",
       "Hour and land, for forest; clouds and haze are the meadow's",
       {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/moon", "/meadow/zenith",
-       "/meadow/horizon", "/snow", "/far", "/year"},
+       "/meadow/horizon", "/snow", "/rain", "/far", "/year"},
       [](const Stage& stage) {
         const TerrainShape& land = stage.block<Forest>().terrain;
         return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};
@@ -235,7 +235,7 @@ Sky forest_sky(const Stage& stage) {
   Moment when = forest.when;
   when.hour = forest.hour.at(0);
   double brighten = forest.brighten * (stage.year ? canopy(stage.year->at(0)) : 1);
-  return sky_over(stage.block<Meadow>(), sun_at(when), stage.camera.stops() + brighten);
+  return sky_over(stage, sun_at(when), stage.camera.stops() + brighten);
 }
 
 }  // namespace frond

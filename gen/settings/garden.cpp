@@ -53,10 +53,10 @@ SettingRow garden_setting() {
   return setting_row<Garden>(
       "garden", "a lawn with pond and path at any hour of the day", "garden",
       "Hour, pond and path, for garden; lawn and sky are the meadow's",
-      {"/garden", "/meadow/grass", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/moon",
-       "/meadow/zenith", "/meadow/horizon", "/meadow/blade", "/meadow/blades", "/meadow/extent",
-       "/meadow/flowers", "/meadow/plants", "/meadow/bare", "/floor/relief", "/floor/scale", "/snow", "/far",
-       "/year"},
+      {"/garden",        "/meadow/grass",   "/meadow/haze",    "/meadow/clouds", "/meadow/turbidity",
+       "/meadow/moon",   "/meadow/zenith",  "/meadow/horizon", "/meadow/blade",  "/meadow/blades",
+       "/meadow/extent", "/meadow/flowers", "/meadow/plants",  "/meadow/bare",   "/floor/relief",
+       "/floor/scale",   "/snow",           "/rain",           "/far",           "/year"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) {
         Errors errors = check_grass(stage.block<Meadow>().lawn);
@@ -88,7 +88,7 @@ Sky garden_sky(const Stage& stage) {
   const auto& garden = stage.block<Garden>();
   Moment when = garden.when;
   when.hour = garden.hour.at(0);
-  return sky_over(stage.block<Meadow>(), sun_at(when), stage.camera.stops());
+  return sky_over(stage, sun_at(when), stage.camera.stops());
 }
 
 }  // namespace frond

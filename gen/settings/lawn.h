@@ -48,6 +48,7 @@ class Lawn final : public Grounds {
   void strew(TakenSpots& taken) override;
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
+  bool under_water(Vec2 at) const override { return planned_ && plot_.pond_distance(at) < 0; }
   std::vector<Strewn> strewn() const override;
   std::vector<Patches> patches() const override;
   std::vector<Specimen> furnishings() const override;

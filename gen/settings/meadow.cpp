@@ -1,6 +1,7 @@
 #include "settings/meadow.h"
 
 #include "core/linear.h"
+#include "motion/rain.h"
 #include "settings/describe_plot.h"
 #include "settings/settings.h"
 
@@ -72,7 +73,7 @@ void describe(Visitor& v, Meadow& m) {
 SettingRow meadow_setting() {
   return setting_row<Meadow>(
       "meadow", "grass under a summer sky", "meadow", "Sky and grass, for meadow",
-      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/far", "/year"},
+      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/rain", "/far", "/year"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) { return check_grass(stage.block<Meadow>().lawn); },
       [](const Stage& stage, const Film& film) {
@@ -93,17 +94,19 @@ SettingRow meadow_setting() {
       });
 }
 
-Sky sky_over(const Meadow& meadow, Vec3 sun, double exposure) {
+Sky sky_over(const Stage& stage, Vec3 sun, double exposure) {
+  const auto& meadow = stage.block<Meadow>();
+  double overcast = is_rainy(stage) ? rain_clouds(stage.rain->rate.at(0)) : 0;
   auto light = [](const std::optional<Color>& c) { return c ? std::optional(linear(*c)) : std::nullopt; };
   return Sky({sun, meadow.turbidity, meadow.clouds, exposure, light(meadow.zenith), light(meadow.horizon),
-              meadow.moon});
+              meadow.moon, overcast});
 }
 
 Sky meadow_sky(const Stage& stage) {
   const auto& meadow = stage.block<Meadow>();
   Moment when = meadow.when;
   if (meadow.hour) when.hour = meadow.hour->at(0);
-  return sky_over(meadow, meadow.hour ? sun_at(when) : meadow.sun, stage.camera.stops());
+  return sky_over(stage, meadow.hour ? sun_at(when) : meadow.sun, stage.camera.stops());
 }
 
 }  // namespace frond

@@ -24,8 +24,8 @@ struct Meadow {
   LawnShape lawn;
 };
 
-/// The sky of a meadow with that sun.
-Sky sky_over(const Meadow& meadow, Vec3 sun, double exposure);
+/// The sky of a stage's meadow with that sun, overcast where it rains at the beginning.
+Sky sky_over(const Stage& stage, Vec3 sun, double exposure);
 
 /// The sky of each setting that has one, as the camera exposes it.
 Sky meadow_sky(const Stage& stage);

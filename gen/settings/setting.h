@@ -154,6 +154,8 @@ class Grounds {
   virtual float seat(Vec2 at, double rock, Seed seed) = 0;
   /// The land for sowing.
   virtual Land land(std::vector<Spot> taken) const = 0;
+  /// Whether water lies there that has nothing to do with rain.
+  virtual bool under_water(Vec2) const { return false; }
   /// Growing or floating parts that belong to the setting itself.
   virtual std::vector<Specimen> furnishings() const = 0;
   /// Loose objects large enough to show in a quick look.

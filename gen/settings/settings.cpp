@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/linear.h"
+#include "motion/rain.h"
+#include "settings/meadow.h"
 
 namespace frond {
 
@@ -27,11 +29,7 @@ void describe_rest(KeyWriter& v, std::any& block) {
   }
 }
 
-double Snow::deepest() const {
-  double most = 0;  // between keys it is between their values
-  for (const auto& key : depth.keys()) most = std::max(most, key.value);
-  return most;
-}
+double Snow::deepest() const { return highest(depth); }
 
 bool is_snowy(const Stage& stage) {
   const auto& reads = settings()[stage.setting].answers.reads;
@@ -40,6 +38,11 @@ bool is_snowy(const Stage& stage) {
   };
   return (some(stage.snow.depth) || some(stage.snow.frost)) &&
          std::ranges::find(reads, "/snow") != reads.end();
+}
+
+bool is_rainy(const Stage& stage) {
+  const auto& reads = settings()[stage.setting].answers.reads;
+  return stage.rain && std::ranges::find(reads, "/rain") != reads.end();
 }
 
 Stage::Stage() {
@@ -137,6 +140,19 @@ Land Grounds::sloping_land(double size, std::vector<Spot> taken) const {
 
 constexpr double kMeteredSnow = 0.8;  // stops by which a light meter turns down what snow makes bright
 
+namespace {
+
+/// Rain falls from an overcast sky, and its drops are a part of the haze.
+void let_rain(Stage& stage, const Rain& now) {
+  stage.rain = now;
+  double rate = now.rate.at(0), clouds = rain_clouds(rate);
+  auto& meadow = stage.block<Meadow>();
+  meadow.clouds = std::lerp(meadow.clouds, 1.0, clouds);
+  meadow.haze = 1 / (1 / meadow.haze + rain_extinction(rate));
+}
+
+}  // namespace
+
 Stage stage_at(const Stage& stage, double time) {
   Stage now = stage;
   if (auto hour_of = settings()[stage.setting].answers.hour)
@@ -145,6 +161,8 @@ Stage stage_at(const Stage& stage, double time) {
   now.snow.frost = stage.snow.frost.at(time);
   if (now.year) now.year = now.year->at(time);
   now.camera.exposure -= kMeteredSnow * snow_cover(now);
+  if (is_rainy(stage))
+    let_rain(now, {stage.rain->rate.at(time), stage.rain->fallen.at(time), stage.rain->mist.at(time)});
   return now;
 }
 
@@ -152,16 +170,21 @@ bool sun_moves(const Stage& stage) {
   Stage copy = stage;
   auto hour_of = settings()[stage.setting].answers.hour;
   Animated<double>* hour = hour_of ? hour_of(copy) : nullptr;
-  return hour && !hour->constant();
+  return (hour && !hour->constant()) || (is_rainy(stage) && !stage.rain->rate.constant());
 }
 
 double snow_cover(const Stage& stage) {
   return is_snowy(stage) ? smooth_step(0.0, 0.05, stage.snow.depth.at(0)) : 0;
 }
 
+double wet_share(const Stage& stage) { return is_rainy(stage) ? wetness(stage.rain->fallen.at(0)) : 0; }
+
 Daylight drawn_daylight(const Stage& stage) {
   constexpr float kAlbedo = 0.82f;  // of fresh snow with what stands in it
+  constexpr float kWet = 0.65f;     // of what land throws back, when it is wet
   Daylight light = settings()[stage.setting].answers.daylight(stage);
+  if (auto wet = static_cast<float>(wet_share(stage)); wet > 0)
+    light.thrown_back *= 1 - wet * (1 - kWet), light.below *= 1 - wet * (1 - kWet);
   if (auto cover = static_cast<float>(snow_cover(stage)); cover > 0) {
     light.thrown_back = glm::mix(light.thrown_back, Vec3(kAlbedo), cover);
     light.below =

@@ -21,16 +21,21 @@ void describe_rest(KeyWriter& v, std::any& block);
 /// Index of the row of that name; the number of rows if there is none.
 std::size_t row_of(std::string_view name);
 
-/// Whether the hour of the day changes over the film.
+/// Whether the light of the sky changes over the film, by the hour of the day or by rain.
 bool sun_moves(const Stage& stage);
-/// The stage with the hour and the snow of that time, seconds, as if they never changed; without it the
-/// film's beginning counts.
+/// The stage with the hour, the snow and the rain of that time, seconds, as if they never changed; without it
+/// the film's beginning counts.
 Stage stage_at(const Stage& stage, double time);
 
 /// Whether there is snow or hoarfrost at some time.
 bool is_snowy(const Stage& stage);
 /// Share of the land that snow whitens at the beginning of the film, 0..1.
 double snow_cover(const Stage& stage);
+
+/// Whether it rains or is wet at some time.
+bool is_rainy(const Stage& stage);
+/// How wet things in the open are at the beginning of the film, 0..1.
+double wet_share(const Stage& stage);
 
 /// The lighting of a stage as POV-Ray draws it, and as its finished picture shows it.
 Daylight drawn_daylight(const Stage& stage);

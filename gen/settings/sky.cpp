@@ -157,7 +157,16 @@ Vec3 exposed(Vec3 light) {
 Vec3 Sky::from(Vec3 direction) const {
   Vec3 tint = stops_ * glm::mix(tint_low_, tint_high_, std::sqrt(std::max(direction.y, 0.0f)));
   Vec3 by_day = twilight_ < 1 ? exposed(metered_ * tint * day(direction)) : Vec3(0);
-  return glm::mix(by_day, exposed(tint * dusk(direction)), twilight_);
+  Vec3 clear = glm::mix(by_day, exposed(tint * dusk(direction)), twilight_);
+  return overcast_ > 0 ? glm::mix(clear, rain_cloud(direction.y), overcast_) : clear;
+}
+
+/// The overcast sky of Moon and Spencer (1942), (1 + 2 sin h)/3 of its zenith, half made even by the rain in
+/// it; as bright as a light meter has it that finds no sun.
+Vec3 Sky::rain_cloud(double height) const {
+  constexpr Vec3 kGrey(1.05f, 1.09f, 1.13f);
+  auto shape = static_cast<float>(0.5 + 0.5 * (1 + 2 * std::max(height, 0.0)) / 3);
+  return exposed(stops_ * glm::mix(1.0f, dim_, twilight_) * shape * kGrey);
 }
 
 namespace {
@@ -194,7 +203,8 @@ Sky::Sky(const SkyShape& shape)
     : sun(glm::normalize(shape.sun)),
       turbidity_(shape.turbidity),
       height_(std::asin(std::clamp(static_cast<double>(sun.y), -1.0, 1.0))),
-      stops_(static_cast<float>(std::exp2(shape.exposure))) {
+      stops_(static_cast<float>(std::exp2(shape.exposure))),
+      overcast_(static_cast<float>(shape.overcast)) {
   double up = degrees(height_);
   twilight_ = static_cast<float>(1 - smooth_step(-4.5, 6.0, up));
   dim_ = between<6>({{{-18, 0.035}, {-12, 0.07}, {-8, 0.22}, {-4, 0.62}, {0, 1.0}, {2, 1.1}}}, up);
@@ -206,7 +216,8 @@ Sky::Sky(const SkyShape& shape)
   auto share = static_cast<float>(diffuse_light(height_) / given);
   auto level = static_cast<float>(diffuse_light(height_) / kPi);
   metered_ = 2.8f / (0.5f * brightness(sunny) + 2.5f * level);
-  auto veil = static_cast<float>(1 - 0.75 * smooth_step(0.6, 1.0, shape.clouds));
+  auto veil =
+      static_cast<float>((1 - 0.75 * smooth_step(0.6, 1.0, shape.clouds)) * (1 - 0.95 * shape.overcast));
   lamplight = metered_ * stops_ * veil * sunny;
   metered_ *= share;
   lamp = glm::normalize(Vec3(sun.x, std::max(sun.y, 0.02f), sun.z));
@@ -230,6 +241,9 @@ void Sky::light_clouds(double clouds) {
   shade = 0.50f * zenith + 0.22f * horizon + 0.05f * lamplight;
   cloud = 0.28f * lamplight + 0.55f * glm::mix(horizon, zenith, 0.3f);
   if (sun.y < 0) cloud += 0.35f * from(glm::normalize(Vec3(sun.x, 0.06f, sun.z)));
+  // A rain cloud is lit through and through.
+  Vec3 through = glm::mix(horizon, zenith, 0.5f);
+  cloud = glm::mix(cloud, through, overcast_), shade = glm::mix(shade, 0.86f * through, overcast_);
   // The shares of them that are seen above 45 degrees and below 20, measured on Meadow_Clouds.
   auto with = [&](Vec3 clear, float lit, float dark) {
     return (1 - lit - dark) * clear + lit * cloud + dark * shade;

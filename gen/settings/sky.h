@@ -48,6 +48,7 @@ struct SkyShape {
   /// Colours that replace the computed sky overhead and at the horizon; linear.
   std::optional<Vec3> zenith = {}, horizon = {};
   Vec3 moon{0.4f, 0.6f, -0.5f};  ///< direction toward it, of any length
+  double overcast = 0;           ///< 0 none .. 1: how much of a rain cloud is before sun and sky
 };
 
 /// A sky as a camera exposes it: linear colours, as the brightness of a white matt surface.
@@ -68,10 +69,11 @@ struct Sky {
  private:
   Vec3 day(Vec3 direction) const;   // kcd/m2
   Vec3 dusk(Vec3 direction) const;  // as exposed
+  Vec3 rain_cloud(double height) const;
   void light_clouds(double clouds);
 
   double turbidity_, height_;  // of the sun, radians
-  float stops_, metered_ = 1, twilight_ = 0, dim_ = 1;
+  float stops_, overcast_, metered_ = 1, twilight_ = 0, dim_ = 1;
   Vec3 tint_low_{1}, tint_high_{1};
 };
 

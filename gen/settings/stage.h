@@ -100,6 +100,13 @@ struct Snow {
   bool constant() const { return depth.constant() && frost.constant(); }
 };
 
+/// Rain: what falls in the film, and what has fallen.
+struct Rain {
+  Animated<double> rate{5.0};    ///< mm/h, see motion/rain.h
+  Animated<double> fallen{4.0};  ///< mm, which make things wet and fill puddles
+  Animated<double> mist{0.0};    ///< metres of its height above the ground
+};
+
 /// Everything but the organisms. Each setting has a block of parameters that is read only by it and by
 /// settings based on it.
 struct Stage {
@@ -111,6 +118,7 @@ struct Stage {
   Floor floor;
   std::optional<FarLandShape> far;       ///< none: as the setting has it
   Snow snow;                             ///< read by settings under the open sky
+  std::optional<Rain> rain;              ///< read by the same; none: it is dry
   std::optional<Animated<double>> year;  ///< the time of the year, see Seasons; none: it is always summer
   std::vector<std::any> blocks;          ///< one per setting
 

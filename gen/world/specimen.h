@@ -51,6 +51,7 @@ struct Traits {
   Style style{};  ///< its voxel is never 0
   Life life{};
   bool snowy = false;  ///< whether snow lies on what of it looks up
+  bool wet = false;    ///< whether rain makes it wet
 };
 
 /// One grown organism or built body at its place. Always moved as a whole, never field by field.
