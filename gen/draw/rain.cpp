@@ -13,25 +13,26 @@ namespace frond {
 
 namespace {
 
-constexpr double kShow = 0.16;         // pixels that a drop must be thick to be drawn
-constexpr int kFarRain = 7;                // metres to the farthest that are
-constexpr double kColumn = 8;          // metres of air about the camera, from top to bottom
+constexpr double kShow = 0.3;  // pixels that a drop must be thick to be drawn
+constexpr int kFarRain = 7;    // metres to the farthest that are
+constexpr double kColumn = 8;  // metres of air about the camera, from top to bottom
 constexpr std::size_t kMostStreaks = 4000;
-constexpr double kLow = 0.6;  // of the wind ten metres up, near the ground
-constexpr double kRingDrop = 1.5;  // mm
+constexpr double kLow = 0.6;        // of the wind ten metres up, near the ground
+constexpr double kRingDrop = 1.5;   // mm
 constexpr double kLeastDrop = 0.5;  // mm
 
 /// One square metre of the air about the camera.
 struct Column {
   const Eye& eye;
-  Vec3 mean, wind;  ///< metres a second: always, and now
+  Vec3 mean, wind;    ///< metres a second: always, and now
   double rate, most;  ///< mm/h now, and at most in the film
   double time, open, film_length;
 
   /// Its drops that show; `at`: its corner, x and z.
   void drops(Vec2 at, const Seed& seed, std::vector<Streak>& into) const {
     double aside = 0.8 + 0.5 * static_cast<double>(glm::length(mean));  // of the column and of the wind in it
-    double near = std::max(0.3, static_cast<double>(glm::distance(at + 0.5f, Vec2(eye.at.x, eye.at.z))) - aside);
+    double near =
+        std::max(0.3, static_cast<double>(glm::distance(at + 0.5f, Vec2(eye.at.x, eye.at.z))) - aside);
     double least = std::max(kLeastDrop, 1000 * kShow * eye.pixel * near);
     double count = kColumn * drops_thicker(most, kLeastDrop);
     for (double i = 0; i < count; ++i) {  // the thickest first
@@ -53,7 +54,8 @@ struct Column {
     middle += static_cast<float>((fallen - high / 2) / speed) * mean;  // its way is slanted
     Vec3 half = static_cast<float>(open / 2) * (wind - Vec3(0, speed, 0));
     double away = glm::distance(middle, eye.at);
-    if (diameter < 1000 * kShow * eye.pixel * away || away < 0.25 || !in_view(eye, middle, glm::length(half))) return;
+    if (diameter < 1000 * kShow * eye.pixel * away || away < 0.25 || !in_view(eye, middle, glm::length(half)))
+      return;
     double length = 2 * static_cast<double>(glm::length(half)), thick = diameter / 1000;
     double width = std::max(thick, 0.5 * eye.pixel * away);
     double share = there * std::min(1.0, thick / length) * thick / width;
@@ -86,7 +88,8 @@ std::vector<Streak> rain_streaks(const Scene& scene, double time) {
   glm::ivec2 low = glm::ivec2(glm::floor(Vec2(eye.at.x, eye.at.z))) - kFarRain;
   parallel_for(found.size(), [&](std::size_t i) {
     glm::ivec2 cell = low + glm::ivec2(static_cast<int>(i) % kSide, static_cast<int>(i) / kSide);
-    Seed seed = scene.seed.child("rain", static_cast<std::uint64_t>(cell.x)).child(static_cast<std::uint64_t>(cell.y));
+    Seed seed = scene.seed.child("rain", static_cast<std::uint64_t>(cell.x))
+                    .child(static_cast<std::uint64_t>(cell.y));
     column.drops(Vec2(cell), seed, found[i]);
   });
   std::vector<Streak> streaks;
@@ -101,8 +104,9 @@ std::vector<Streak> rain_streaks(const Scene& scene, double time) {
 RingField ring_field(double rate, const Film& film) {
   RingField rings;
   rings.life = 1 / looping_rate(1 / rings.life, film.frames > 1 ? film.length() : 0);
-  double wanted = drops_landing(rate, kRingDrop) * rings.life * rings.cell * rings.cell;  // in a square at once
-  constexpr int kMostLayers = 4;
+  double wanted =
+      drops_landing(rate, kRingDrop) * rings.life * rings.cell * rings.cell;  // in a square at once
+  constexpr int kMostLayers = 3;
   rings.layers = std::clamp(static_cast<int>(std::ceil(wanted)), rate > 0 ? 1 : 0, kMostLayers);
   rings.share = rings.layers > 0 ? std::min(1.0, wanted / rings.layers) : 0;
   return rings;

@@ -152,7 +152,8 @@ std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const Chu
       texts[0] += "}\n";
   };
   write_chunks(b, options, 1, append, [&](std::size_t, const std::string& text) { group.add(text); });
-  return group.close(fmt::format("{}{}}}\n", skin_texture(index), weather_over(b.traits.snowy, b.traits.wet, Wetting::wood)));
+  return group.close(fmt::format("{}{}}}\n", skin_texture(index),
+                                 weather_over(b.traits.snowy, b.traits.wet, Wetting::wood)));
 }
 
 /// The same of all other chunks: those that show no pattern share textures.
@@ -351,7 +352,8 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
       count.objects += swaying.objects;
       return out(swaying.text);
     }
-    if (hole == "food") return out(food_text(parts.space, scene, time) + streaks_text(parts.space, scene, time));
+    if (hole == "food")
+      return out(food_text(parts.space, scene, time) + streaks_text(parts.space, scene, time));
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
   });
   if (!errors.empty()) return errors;

@@ -17,8 +17,8 @@ std::string rain_text(const Scene& scene, double time) {
   Stage now = stage_at(scene.stage, time);
   std::string text = fmt::format("#declare Frond_Wet = {};\n", number_text(wet_share(now)));
   for (const WettingRow& row : kWettings)
-    text += fmt::format("#declare {} = texture{{Rain_Film({},{})}}\n", row.texture, vector_text(wet_colors(row)),
-                        number_text(row.film));
+    text += fmt::format("#declare {} = texture{{Rain_Film({},{})}}\n", row.texture,
+                        vector_text(wet_colors(row)), number_text(row.film));
   RingField rings = ring_field(now.rain->rate.at(0), scene.film);
   text += fmt::format("#declare Frond_Rings = array[4]{{{},{},{},{}}};\n", number_text(rings.layers),
                       number_text(rings.cell), number_text(rings.life), number_text(rings.share));
@@ -33,10 +33,12 @@ std::string rain_text(const Scene& scene, double time) {
 namespace {
 
 constexpr int kShares = 16;  // textures of streaks
-constexpr float kClearest = 0.004f, kShareStep = 1.45f;  // share of the light of the first, and from one to the next
+constexpr float kClearest = 0.004f,
+                kShareStep = 1.45f;  // share of the light of the first, and from one to the next
 
 int share_class(float share) {
-  return std::clamp(static_cast<int>(std::lround(std::log(share / kClearest) / std::log(kShareStep))), 0, kShares - 1);
+  return std::clamp(static_cast<int>(std::lround(std::log(share / kClearest) / std::log(kShareStep))), 0,
+                    kShares - 1);
 }
 
 /// A drop is as bright as what it gathers from a wide part of the sky (Garg and Nayar 2007).
@@ -59,11 +61,14 @@ std::string streaks_text(const PovSpace& space, const Scene& scene, double time)
     faces += fmt::format(",<{0},{1},{2}>,{4},<{0},{2},{3}>,{4}", 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3,
                          share_class(s.share));
   }
-  std::string text = fmt::format("mesh2{{\nvertex_vectors{{{}{}}}\ntexture_list{{{}", 4 * streaks.size(), places, kShares);
+  std::string text =
+      fmt::format("mesh2{{\nvertex_vectors{{{}{}}}\ntexture_list{{{}", 4 * streaks.size(), places, kShares);
   std::string light = vector_text(drop_light(drawn_daylight(stage_at(scene.stage, time))));
   for (int k = 0; k < kShares; ++k)
-    text += fmt::format(",texture{{Rain_Streak({},{})}}", light, number_text(kClearest * std::pow(kShareStep, k)));
-  return text + fmt::format("}}\nface_indices{{{}{}}}\nno_shadow no_reflection}}\n", 2 * streaks.size(), faces);
+    text += fmt::format(",texture{{Rain_Streak({},{})}}", light,
+                        number_text(kClearest * std::pow(kShareStep, k)));
+  return text +
+         fmt::format("}}\nface_indices{{{}{}}}\nno_shadow no_reflection}}\n", 2 * streaks.size(), faces);
 }
 
 }  // namespace frond

@@ -196,8 +196,9 @@ std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& gr
                            std::string_view name, const Color& color, Wetting wetting) {
     if (patches.empty()) return;
     append_shapes(text, space, shapes, name);
-    append_patches(text, space, patches, name,
-                   fmt::format("texture{{Garden_{}({})}}", name, color_text(color)) + weather_over(false, wet, wetting));
+    append_patches(
+        text, space, patches, name,
+        fmt::format("texture{{Garden_{}({})}}", name, color_text(color)) + weather_over(false, wet, wetting));
   };
   append_ground(lawn.gravel, lawn.gravel_patches, "Gravel", gravel, Wetting::stone);
   append_ground(lawn.earth, lawn.earth_patches, "Earth", earth, Wetting::soil);

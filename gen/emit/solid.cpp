@@ -128,7 +128,8 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
 }
 
 /// A shape that is the same for a while: declared once and placed.
-void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet) {
+void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body, std::size_t organism,
+                  bool wet) {
   std::string lines, &text = all.text;
   std::size_t placed = 0;
   const Solid& solid = *body.solid;
@@ -221,7 +222,8 @@ ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSol
     const Solids& solids = drawn.of(scene, o);
     if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text.text, b.name);
-    for (const DrawnBody& body : still_bodies(solids, b.motion.growth)) text += solid_text(space, body, o, b.wet);
+    for (const DrawnBody& body : still_bodies(solids, b.motion.growth))
+      text += solid_text(space, body, o, b.wet);
   }
   return text;
 }

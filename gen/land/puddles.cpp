@@ -107,7 +107,8 @@ Surface puddles(const GroundGrid& ground, double depth) {
     std::vector<std::size_t> hollow = hollow_at(ground, full, k, seen);
     float low = full[k];
     for (std::size_t i : hollow) low = std::min(low, ground.height[i]);
-    append_level(water, ground, hollow, std::min(full[k] - kLeastHollow / 2, low + static_cast<float>(depth)), vertex);
+    append_level(water, ground, hollow, std::min(full[k] - kLeastHollow / 2, low + static_cast<float>(depth)),
+                 vertex);
   }
   water.normal.assign(water.position.size(), Vec3(0, 1, 0));
   return water;

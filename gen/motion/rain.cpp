@@ -9,9 +9,9 @@ namespace frond {
 
 namespace {
 
-constexpr double kDrops = 8000;                                    // a cubic metre and millimetre
+constexpr double kDrops = 8000;                                         // a cubic metre and millimetre
 constexpr double kFastFall = 9.65, kSlowFall = 10.3, kFallGrows = 0.6;  // of the terminal speed
-constexpr double kWetting = 0.15;                                     // mm that wet a surface
+constexpr double kWetting = 0.15;                                       // mm that wet a surface
 
 /// How fast drops become fewer with their diameter, 1/mm.
 double drop_slope(double rate) { return 4.1 * std::pow(rate, -0.21); }
@@ -37,8 +37,7 @@ double terminal_speed(double diameter) {
 double drops_landing(double rate, double diameter) {
   if (rate <= 0) return 0;
   double k = drop_slope(rate), slow = k + kFallGrows;
-  return kDrops *
-         (kFastFall / k * std::exp(-k * diameter) - kSlowFall / slow * std::exp(-slow * diameter));
+  return kDrops * (kFastFall / k * std::exp(-k * diameter) - kSlowFall / slow * std::exp(-slow * diameter));
 }
 
 double carried_rate(double rate) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Rain as a law: how many drops of which size are in the air, how fast they fall, and how much light they take.
-// `rate` is mm/h: 1 a drizzle, 5 steady rain, 20 a shower, 100 a cloudburst. Diameters are millimetres.
+// Rain as a law: how many drops of which size are in the air, how fast they fall, and how much light they
+// take. `rate` is mm/h: 1 a drizzle, 5 steady rain, 20 a shower, 100 a cloudburst. Diameters are millimetres.
 
 namespace frond {
 

@@ -21,8 +21,8 @@ struct Lens {
 /// `aspect`: height of the picture by its width.
 Lens lens_at(const Camera& camera, double time, double aspect);
 
-/// The place on the ground before the camera, halfway along its way, x and z, and how far its way leads from there, in a
-/// film of so many seconds.
+/// The place on the ground before the camera, halfway along its way, x and z, and how far its way leads from
+/// there, in a film of so many seconds.
 std::pair<Vec2, double> seen_ground(const Camera& camera, double length);
 
 /// What to say of a camera that goes under the ground while the film lasts; empty where it does not.

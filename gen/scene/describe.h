@@ -127,10 +127,12 @@ void describe(Visitor& v, Snow& s) {
 
 template <class Visitor>
 void describe(Visitor& v, Rain& r) {
-  v.animated("rate", r.rate, {.min = 0, .max = 100, .unit = "mm/h", .sense = "1 a drizzle, 5 steady rain, 20 a shower"},
+  v.animated("rate", r.rate,
+             {.min = 0, .max = 100, .unit = "mm/h", .sense = "1 a drizzle, 5 steady rain, 20 a shower"},
              "How hard it rains, from an overcast sky; with keyframes rain comes and goes");
-  v.animated("fallen", r.fallen, {.min = 0, .max = 100, .unit = "mm"},
-             "How much rain has fallen, which makes things wet and fills puddles; with keyframes they fill and dry");
+  v.animated(
+      "fallen", r.fallen, {.min = 0, .max = 100, .unit = "mm"},
+      "How much rain has fallen, which makes things wet and fills puddles; with keyframes they fill and dry");
   v.animated("mist", r.mist, {.min = 0, .max = 50, .unit = "m"},
              "Height of the mist that rain leaves over the ground; 0 is none");
 }
@@ -155,7 +157,8 @@ void describe(Visitor& v, Stage& s) {
       "year", s.year, {.min = -1000, .max = 1000, .unit = "years", .sense = "winter is 0, summer 0.5"},
       "Time of the year of lawns and forest floors, and of every `season` that has none of its own: 0 new "
       "year, 0.5 midsummer; not given: always summer");
-  v.object("rain", s.rain, "Rain with wet things and puddles, for meadow, garden and forest; without it all is dry");
+  v.object("rain", s.rain,
+           "Rain with wet things and puddles, for meadow, garden and forest; without it all is dry");
   v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 

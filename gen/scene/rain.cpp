@@ -11,11 +11,12 @@ namespace frond {
 
 namespace {
 
-constexpr float kPuddlesReach = 18;        // metres from its middle within which puddles are
+constexpr float kPuddlesReach = 18;  // metres from its middle within which puddles are
 constexpr float kPuddleCell = 0.1f;  // metres
 
 GroundGrid grid_of(const Grounds& ground, Vec2 middle) {
-  GroundGrid grid{middle - kPuddlesReach, kPuddleCell, static_cast<int>(2 * kPuddlesReach / kPuddleCell) + 1, {}, {}};
+  GroundGrid grid{
+      middle - kPuddlesReach, kPuddleCell, static_cast<int>(2 * kPuddlesReach / kPuddleCell) + 1, {}, {}};
   auto count = static_cast<std::size_t>(grid.side) * static_cast<std::size_t>(grid.side);
   grid.height.resize(count);
   parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t r) {
@@ -34,8 +35,8 @@ Model water_model(const GroundGrid& grid, double fallen) {
   Model model;
   Surface water = puddles(grid, puddle_depth(fallen));
   if (!water.triangle.empty())
-    model.solids.place(
-        model.solids.add_shape({std::move(water), {.matter = Matter::water, .color = {0.42f, 0.43f, 0.42f}}}));
+    model.solids.place(model.solids.add_shape(
+        {std::move(water), {.matter = Matter::water, .color = {0.42f, 0.43f, 0.42f}}}));
   return model;
 }
 

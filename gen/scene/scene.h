@@ -60,7 +60,7 @@ struct SownStand {
 struct Scene {
   Film film;
   Stage stage;
-  Seed seed;  ///< the preset's
+  Seed seed;                              ///< the preset's
   std::shared_ptr<const Grounds> ground;  ///< that of the stage's setting
   std::vector<Specimen> specimens;
   std::vector<SownStand> stands;

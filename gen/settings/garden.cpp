@@ -56,7 +56,8 @@ SettingRow garden_setting() {
       {"/garden",       "/meadow/grass",  "/meadow/haze",    "/meadow/clouds",  "/meadow/turbidity",
        "/meadow/moon",  "/meadow/zenith", "/meadow/horizon", "/meadow/hills",   "/meadow/hills_distance",
        "/meadow/blade", "/meadow/blades", "/meadow/extent",  "/meadow/flowers", "/meadow/plants",
-       "/meadow/bare",  "/floor/relief",  "/floor/scale",    "/snow",           "/rain", "/year"},
+       "/meadow/bare",  "/floor/relief",  "/floor/scale",    "/snow",           "/rain",
+       "/year"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) {
         Errors errors = check_grass(stage.block<Meadow>().lawn);

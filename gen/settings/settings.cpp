@@ -161,7 +161,8 @@ Stage stage_at(const Stage& stage, double time) {
   now.snow.frost = stage.snow.frost.at(time);
   if (now.year) now.year = now.year->at(time);
   now.camera.exposure -= kMeteredSnow * snow_cover(now);
-  if (is_rainy(stage)) let_rain(now, {stage.rain->rate.at(time), stage.rain->fallen.at(time), stage.rain->mist.at(time)});
+  if (is_rainy(stage))
+    let_rain(now, {stage.rain->rate.at(time), stage.rain->fallen.at(time), stage.rain->mist.at(time)});
   return now;
 }
 
@@ -180,7 +181,7 @@ double wet_share(const Stage& stage) { return is_rainy(stage) ? wetness(stage.ra
 
 Daylight drawn_daylight(const Stage& stage) {
   constexpr float kAlbedo = 0.82f;  // of fresh snow with what stands in it
-  constexpr float kWet = 0.65f;   // of what land throws back, when it is wet
+  constexpr float kWet = 0.65f;     // of what land throws back, when it is wet
   Daylight light = settings()[stage.setting].answers.daylight(stage);
   if (auto wet = static_cast<float>(wet_share(stage)); wet > 0)
     light.thrown_back *= 1 - wet * (1 - kWet), light.below *= 1 - wet * (1 - kWet);

@@ -23,8 +23,8 @@ std::size_t row_of(std::string_view name);
 
 /// Whether the light of the sky changes over the film, by the hour of the day or by rain.
 bool sun_moves(const Stage& stage);
-/// The stage with the hour, the snow and the rain of that time, seconds, as if they never changed; without it the
-/// film's beginning counts.
+/// The stage with the hour, the snow and the rain of that time, seconds, as if they never changed; without it
+/// the film's beginning counts.
 Stage stage_at(const Stage& stage, double time);
 
 /// Whether there is snow or hoarfrost at some time.

@@ -216,7 +216,8 @@ Sky::Sky(const SkyShape& shape)
   auto share = static_cast<float>(diffuse_light(height_) / given);
   auto level = static_cast<float>(diffuse_light(height_) / kPi);
   metered_ = 2.8f / (0.5f * brightness(sunny) + 2.5f * level);
-  auto veil = static_cast<float>((1 - 0.75 * smooth_step(0.6, 1.0, shape.clouds)) * (1 - 0.95 * shape.overcast));
+  auto veil =
+      static_cast<float>((1 - 0.75 * smooth_step(0.6, 1.0, shape.clouds)) * (1 - 0.95 * shape.overcast));
   lamplight = metered_ * stops_ * veil * sunny;
   metered_ *= share;
   lamp = glm::normalize(Vec3(sun.x, std::max(sun.y, 0.02f), sun.z));

@@ -32,7 +32,8 @@ TEST(Rain, CountsAreTheSumsOfTheDensity) {
       }
       EXPECT_NEAR(there / drops_thicker(rate, least), 1, 0.01);
       EXPECT_NEAR(land / drops_landing(rate, least), 1, 0.01);
-      EXPECT_NEAR(drops_thicker(rate, drop_diameter(rate, least, 0.25)) / drops_thicker(rate, least), 0.25, 1e-9);
+      EXPECT_NEAR(drops_thicker(rate, drop_diameter(rate, least, 0.25)) / drops_thicker(rate, least), 0.25,
+                  1e-9);
     }
 }
 

@@ -11,11 +11,12 @@
 namespace frond {
 namespace {
 
-Scene scene_with(const std::string& rain, const std::string& setting = "garden") {
-  std::string text = R"({"film": {"frames": 24, "size": [160, 90]}, "scene": {"setting": ")" + setting +
-                     R"(", "camera": {"location": [0, 1.6, 6], "look_at": [0, 0.4, 0]}, "meadow": {"blade": 0},
+Scene rainy_scene(const std::string& rain, const std::string& setting = "garden") {
+  std::string text =
+      R"({"film": {"frames": 24, "size": [160, 90]}, "scene": {"setting": ")" + setting +
+      R"(", "camera": {"location": [0, 1.6, 6], "look_at": [0, 0.4, 0]}, "meadow": {"blade": 0},
       "floor": {"relief": 0.3}, "garden": {"pond": {"center": [3, 0], "size": [1, 1]}})" +
-                     rain + R"(}, "organisms": [{"kind": "vase", "name": "vase", "place": {"at": [[0, 0]]}}]})";
+      rain + R"(}, "organisms": [{"kind": "vase", "name": "vase", "place": {"at": [[0, 0]]}}]})";
   Result<Preset> preset = read_preset(text, "test.json", {});
   if (!preset) ADD_FAILURE() << preset.errors().front().text();
   return *build_scene(*preset);
@@ -27,14 +28,15 @@ const Specimen* water_of(const Scene& scene) {
 }
 
 TEST(SceneRain, FillsHollowsOutsideOfThePond) {
-  EXPECT_FALSE(water_of(scene_with("")));
-  EXPECT_FALSE(water_of(scene_with(R"(, "rain": {"fallen": 0})")));
-  EXPECT_FALSE(water_of(scene_with(R"(, "rain": {})", "underwater")));
-  Scene scene = scene_with(R"(, "rain": {"fallen": 8})");
+  EXPECT_FALSE(water_of(rainy_scene("")));
+  EXPECT_FALSE(water_of(rainy_scene(R"(, "rain": {"fallen": 0})")));
+  EXPECT_FALSE(water_of(rainy_scene(R"(, "rain": {})", "underwater")));
+  Scene scene = rainy_scene(R"(, "rain": {"fallen": 8})");
   const Specimen* water = water_of(scene);
   ASSERT_TRUE(water);
   EXPECT_EQ(water->check(), "");
-  EXPECT_TRUE(std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.wet || s.name == "puddles"; }));
+  EXPECT_TRUE(
+      std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.wet || s.name == "puddles"; }));
   for (const Vec3& p : water->model.solids.shapes[0].surface.position) {
     EXPECT_GT(glm::distance(Vec2(p.x, p.z), Vec2(3, 0)), 0.7f);
     EXPECT_LT(p.y, scene.ground->height({p.x, p.z}) + 0.15f);
@@ -42,7 +44,7 @@ TEST(SceneRain, FillsHollowsOutsideOfThePond) {
 }
 
 TEST(SceneRain, PuddlesGrowAndDryUp) {
-  Scene scene = scene_with(R"(, "rain": {"fallen": [[0, 0], [0.5, 8], [1, 1]]})");
+  Scene scene = rainy_scene(R"(, "rain": {"fallen": [[0, 0], [0.5, 8], [1, 1]]})");
   const Specimen* water = water_of(scene);
   ASSERT_TRUE(water && water->life.develop);
   auto faces = [&](double time) {
