@@ -13,9 +13,9 @@ namespace frond {
 
 namespace {
 
-constexpr double kShow = 0.16;  // pixels that a drop must be thick to be drawn
-constexpr int kFarRain = 7;     // metres to the farthest that are
-constexpr double kColumn = 8;   // metres of air about the camera, from top to bottom
+constexpr double kShow = 0.3;  // pixels that a drop must be thick to be drawn
+constexpr int kFarRain = 7;    // metres to the farthest that are
+constexpr double kColumn = 8;  // metres of air about the camera, from top to bottom
 constexpr std::size_t kMostStreaks = 4000;
 constexpr double kLow = 0.6;        // of the wind ten metres up, near the ground
 constexpr double kRingDrop = 1.5;   // mm
@@ -106,7 +106,7 @@ RingField ring_field(double rate, const Film& film) {
   rings.life = 1 / looping_rate(1 / rings.life, film.frames > 1 ? film.length() : 0);
   double wanted =
       drops_landing(rate, kRingDrop) * rings.life * rings.cell * rings.cell;  // in a square at once
-  constexpr int kMostLayers = 4;
+  constexpr int kMostLayers = 3;
   rings.layers = std::clamp(static_cast<int>(std::ceil(wanted)), rate > 0 ? 1 : 0, kMostLayers);
   rings.share = rings.layers > 0 ? std::min(1.0, wanted / rings.layers) : 0;
   return rings;

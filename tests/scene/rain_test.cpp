@@ -11,7 +11,7 @@
 namespace frond {
 namespace {
 
-Scene scene_with(const std::string& rain, const std::string& setting = "garden") {
+Scene rainy_scene(const std::string& rain, const std::string& setting = "garden") {
   std::string text =
       R"({"film": {"frames": 24, "size": [160, 90]}, "scene": {"setting": ")" + setting +
       R"(", "camera": {"location": [0, 1.6, 6], "look_at": [0, 0.4, 0]}, "meadow": {"blade": 0},
@@ -28,10 +28,10 @@ const Specimen* water_of(const Scene& scene) {
 }
 
 TEST(SceneRain, FillsHollowsOutsideOfThePond) {
-  EXPECT_FALSE(water_of(scene_with("")));
-  EXPECT_FALSE(water_of(scene_with(R"(, "rain": {"fallen": 0})")));
-  EXPECT_FALSE(water_of(scene_with(R"(, "rain": {})", "underwater")));
-  Scene scene = scene_with(R"(, "rain": {"fallen": 8})");
+  EXPECT_FALSE(water_of(rainy_scene("")));
+  EXPECT_FALSE(water_of(rainy_scene(R"(, "rain": {"fallen": 0})")));
+  EXPECT_FALSE(water_of(rainy_scene(R"(, "rain": {})", "underwater")));
+  Scene scene = rainy_scene(R"(, "rain": {"fallen": 8})");
   const Specimen* water = water_of(scene);
   ASSERT_TRUE(water);
   EXPECT_EQ(water->check(), "");
@@ -44,7 +44,7 @@ TEST(SceneRain, FillsHollowsOutsideOfThePond) {
 }
 
 TEST(SceneRain, PuddlesGrowAndDryUp) {
-  Scene scene = scene_with(R"(, "rain": {"fallen": [[0, 0], [0.5, 8], [1, 1]]})");
+  Scene scene = rainy_scene(R"(, "rain": {"fallen": [[0, 0], [0.5, 8], [1, 1]]})");
   const Specimen* water = water_of(scene);
   ASSERT_TRUE(water && water->life.develop);
   auto faces = [&](double time) {

@@ -365,8 +365,9 @@ const WrongPreset kWrongValues[] = {
     {"Rain that cannot be",
      R"({"scene": {"setting": "garden", "rain": {"rate": 200, "fallen": -1}}, "organisms": [{"kind": "tree"}]})",
      {},
-     {"1:52: /scene/rain/rate: found 200; expected a number from 0 to 100 mm/h",
-      "1:67: /scene/rain/fallen: found -1; expected a number from 0 to 100 mm"}},
+     {"1:50: /scene/rain/rate: found 200; expected a number from 0 to 100 mm/h (1 a drizzle, 5 steady rain, "
+      "20 a shower)",
+      "1:65: /scene/rain/fallen: found -1; expected a number from 0 to 100 mm"}},
     {"Shells that cannot be",
      R"({"organisms": [{"kind": "shell", "form": "valve", "whorls": 0.5, "mantle": {}},
  {"kind": "shell", "edge": [[0, 0], [-1, 0], [1, 1]]}]})",
