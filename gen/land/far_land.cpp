@@ -85,14 +85,13 @@ Parcel FarLand::parcel(Vec2 at) const {
   Vec2 own(0), other(0);
   Seed own_seed, other_seed;
   for (int j = row - 2; j <= row + 2; ++j) {
-    float shift = 0.5f * static_cast<float>(j & 1);
-    auto column = static_cast<int>(std::floor(p.x / length - shift));
+    auto column = static_cast<int>(std::floor(p.x / length));
     for (int i = column - 1; i <= column + 1; ++i) {
       Seed cell = seed_.child("parcel")
                       .child(static_cast<std::uint64_t>(j + 1'000'000))
                       .child(static_cast<std::uint64_t>(i + 1'000'000));
-      Vec2 site((static_cast<float>(i) + shift + static_cast<float>(cell.child(0).range(0.2, 0.8))) * length,
-                (static_cast<float>(j) + static_cast<float>(cell.child(1).range(0.25, 0.75))) * wide);
+      Vec2 site((static_cast<float>(i) + static_cast<float>(cell.child(0).range(0.35, 0.65))) * length,
+                (static_cast<float>(j) + static_cast<float>(cell.child(1).range(0.3, 0.7))) * wide);
       float away = glm::distance(site, p);
       if (away < best) {
         second = best, other = own, other_seed = own_seed;

@@ -40,7 +40,7 @@ struct FarGrid {
     row.push_back(radius * kOverlap);
     for (int i = 0; i <= rows; ++i) row.push_back(radius * std::exp(logs * i / rows));
     for (int i = 0; i <= rays; ++i) ray.push_back(view.from + wide * i / rays);
-    auto rest = static_cast<int>((2 * kPi - wide) / kOutOfView);
+    auto rest = static_cast<int>((2 * kPi - wide) / (kOutOfView * coarse));
     for (int i = 1; i < rest; ++i) ray.push_back(view.to + (2 * kPi - wide) * i / rest);
   }
 
@@ -50,11 +50,34 @@ struct FarGrid {
   double gap(std::size_t line) const { return row[line] - row[line > 0 ? line - 1 : 0]; }
 };
 
-FarVertex far_vertex(const FarLand& land, Vec2 at, double spacing, Seed seed) {
+/// Heights of the land at all vertices, ray by ray.
+std::vector<double> far_heights(const FarLand& land, const FarGrid& grid) {
+  std::size_t rows = grid.row.size();
+  std::vector<double> height(grid.ray.size() * rows);
+  parallel_for(grid.ray.size(), [&](std::size_t column) {
+    for (std::size_t line = 0; line < rows; ++line)
+      height[column * rows + line] = land.height(grid.at(column, line), grid.gap(line));
+  });
+  return height;
+}
+
+/// Rise over run of a vertex, by those beside it.
+Vec2 far_slope(const FarGrid& grid, const std::vector<double>& height, std::size_t column, std::size_t line) {
+  std::size_t rows = grid.row.size(), rays = grid.ray.size();
+  std::size_t inner = line > 0 ? line - 1 : 0, outer = std::min(line + 1, rows - 1);
+  std::size_t before = (column + rays - 1) % rays, after = (column + 1) % rays;
+  double turn = grid.ray[after] - grid.ray[before];
+  if (turn <= 0) turn += 2 * kPi;
+  double out =
+      (height[column * rows + outer] - height[column * rows + inner]) / (grid.row[outer] - grid.row[inner]);
+  double round = (height[after * rows + line] - height[before * rows + line]) / (turn * grid.row[line]);
+  double cosine = std::cos(grid.ray[column]), sine = std::sin(grid.ray[column]);
+  return Vec2(out * cosine - round * sine, out * sine + round * cosine);
+}
+
+FarVertex far_vertex(const FarLand& land, Vec2 at, double height, Vec2 slope, double spacing, Seed seed) {
   FarVertex v;
   bool near = land.edge().outside(at) < 0;
-  double height = land.height(at, spacing);
-  Vec2 slope = land.slope(at, spacing);
   Parcel parcel = land.parcel(at);
   v.cover = land.cover(at, parcel, height, slope);
   v.across = parcel.across;
@@ -138,11 +161,13 @@ double canopy_height(Vec2 at, double inside, double spacing, Seed seed) {
 std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed seed) {
   FarGrid grid(land, view);
   std::size_t rays = grid.ray.size(), rows = grid.row.size();
+  std::vector<double> height = far_heights(land, grid);
   std::vector<FarVertex> all(rays * rows);
   parallel_for(rays, [&](std::size_t column) {
     std::vector<FarVertex> ray;
     for (std::size_t line = 0; line < rows; ++line)
-      ray.push_back(far_vertex(land, grid.at(column, line), grid.gap(line), seed));
+      ray.push_back(far_vertex(land, grid.at(column, line), height[column * rows + line],
+                               far_slope(grid, height, column, line), grid.gap(line), seed));
     hide(ray, view);
     std::ranges::move(ray, all.begin() + static_cast<std::ptrdiff_t>(column * rows));
   });

@@ -70,26 +70,23 @@ FarObject far_tree(const FarLand& land, Vec2 at, bool conifer, double tallest, S
 void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach,
                Seed seed) {
   auto level = static_cast<float>(seed.child("conifers").range(0, 99));
-  each_cell(land, view, kTreeCell, reach, seed,
-            FarCells{all, [&](auto& list, Seed own, Vec2 at) {
-                       Parcel parcel = land.parcel(at);
-                       double height = land.height(at);
-                       FarCover cover = land.cover(at, parcel, height, land.slope(at, 20));
-                       bool conifer = noise(Vec3(at.x / 400, level, at.y / 400)) > 0.25 || height > 500;
-                       if (cover == FarCover::wood) {
-                         bool edge = parcel.edge < kWoodEdge && !land.wooded(land.parcel(parcel.next));
-                         // Some stand out of the canopy.
-                         if (own.child("there").unit() < (edge ? 0.9 : 0.04))
-                           list.push_back(far_tree(land, at, conifer, conifer ? 22 : 18, own));
-                         return;
-                       }
-                       bool bordered =
-                           parcel.border.child("hedge").unit() < land.shape().hedges && parcel.edge < 4;
-                       bool grass = cover == FarCover::meadow || cover == FarCover::pasture;
-                       double chance = bordered ? 0.09 : grass && land.edge().outside(at) > 25 ? 0.004 : 0;
-                       if (own.child("there").unit() < chance)
-                         list.push_back(far_tree(land, at, false, 13, own));
-                     }});
+  auto plant = [&](auto& list, Seed own, Vec2 at) {
+    double roll = own.child("there").unit();
+    if (roll > 0.9) return;
+    Parcel parcel = land.parcel(at);
+    bool wooded = land.wooded(parcel), bordered = parcel.border.child("hedge").unit() < land.shape().hedges;
+    // Some stand out of the canopy.
+    bool edge = parcel.edge < kWoodEdge && !land.wooded(land.parcel(parcel.next));
+    double chance = wooded ? (edge ? 0.9 : 0.04) : bordered && parcel.edge < 4 ? 0.09 : 0.004;
+    if (roll > chance || (!wooded && land.edge().outside(at) < 25)) return;
+    double height = land.height(at);
+    FarCover cover = land.cover(at, parcel, height, land.slope(at, 20));
+    bool grass = cover == FarCover::meadow || cover == FarCover::pasture;
+    if (wooded ? cover != FarCover::wood : chance < 0.01 && !grass) return;
+    bool conifer = wooded && (noise(Vec3(at.x / 400, level, at.y / 400)) > 0.25 || height > 500);
+    list.push_back(far_tree(land, at, conifer, !wooded ? 13 : conifer ? 22 : 18, own));
+  };
+  each_cell(land, view, kTreeCell, reach, seed, FarCells{all, plant});
 }
 
 /// Hedges stand on the borders of parcels, a piece in each square that one crosses.

@@ -123,9 +123,9 @@ Surface far_hedge(Seed seed) {
   constexpr int kClumps = 7;
   for (int i = 0; i < kClumps; ++i) {
     Seed own = seed.child("clump", static_cast<std::uint64_t>(i));
-    double x = (i + 0.5) / kClumps - 0.5, high = own.child(0).range(0.36, 0.62);
+    double x = (i + 0.5) / kClumps - 0.5, high = own.child(0).range(0.42, 0.54);
     Vec3 middle(x, high, own.child(1).range(-0.1, 0.1));
-    add_clump(s, middle, 0.21f, static_cast<float>(2.2 * high), 46, 0.055f, 0.5f, own);
+    add_clump(s, middle, 0.21f, static_cast<float>(high / 0.21), 46, 0.055f, 0.5f, own);
   }
   return s;
 }

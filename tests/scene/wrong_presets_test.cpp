@@ -263,12 +263,12 @@ const WrongPreset kWrongValues[] = {
      R"({"scene": {"setting": "meadow", "far": {"trees": ["oak", "birch"]}},
  "organisms": [{"kind": "tree", "name": "oak", "sown": {"where": {"warmth": {"full": 5, "dwarf": 0}}}}]})",
      {},
-     {"2:93: /organisms/0/sown/where/warmth/dwarf: found 0; expected a number from 0.01 to 1"}},
+     {"2:98: /organisms/0/sown/where/warmth/dwarf: found 0; expected a number from 0.01 to 1"}},
     {"A climate in which trees do not end",
      R"({"scene": {"setting": "meadow", "far": {"trees": ["oak", "birch"]}},
  "organisms": [{"kind": "tree", "name": "oak", "sown": {"where": {"warmth": {"full": 5}}}}]})",
      {},
-     {"1:60: /scene/far/trees/1: no organism \"birch\" that is sown, to draw these trees as; expected "
+     {"1:58: /scene/far/trees/1: no organism \"birch\" that is sown, to draw these trees as; expected "
       "\"oak\"",
       "2:82: /organisms/0/sown/where/warmth/full: found 5; expected more than `least`, 6.4"}},
     {"What is said of colonies",
