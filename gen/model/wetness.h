@@ -29,7 +29,7 @@ struct WettingRow {
   const char* texture;  ///< as frames name it
   Vec3 albedo;          ///< linear, of the dry surface
   double porous;        ///< 0 water stays on it as drops .. 1 it is soaked
-  double film;          ///< 0 the film follows what is rough .. 1 it is smooth
+  double film;          ///< 0 the film follows what is rough .. 1 it is smooth; a mirror from 0.75 on
 };
 
 inline constexpr WettingRow kWettings[] = {{"Wet_Soil", {0.20f, 0.15f, 0.10f}, 1.0, 0.25},
