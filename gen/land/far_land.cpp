@@ -118,7 +118,7 @@ bool FarLand::wooded(const Parcel& parcel) const {
 }
 
 FarCover FarLand::cover(Vec2 at, const Parcel& parcel, double height, Vec2 slope) const {
-  double steep = glm::length(slope), rough = 0.5 * fractal_noise(Vec3(at.x, 0, at.y) / 170.0f, 3);
+  double steep = glm::length(slope), rough = 0.5 * fractal_noise(Vec3(at.x, 0, at.y) / 500.0f, 2);
   if (height > shape_.snow_line * (1 + 0.12 * rough) && steep < 1.1 + 0.4 * rough) return FarCover::snow;
   if (steep > kRockSlope * (1 + 0.4 * rough)) return FarCover::rock;
   double line = shape_.tree_line + 90 * rough;
