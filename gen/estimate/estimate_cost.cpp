@@ -177,8 +177,7 @@ double number_of(const Organism& organism) {
   return std::max<double>(organism.count, static_cast<double>(organism.place.at.size()));
 }
 
-constexpr double kLibrary =
-    3.6;  // models of a stand's organism of all heights, alive and dead, in full-grown ones
+constexpr double kLibrary = 3.6;  // models of a stand's organism, in full-grown ones
 
 /// How many trees of a stand are drawn as copies of an entry, about.
 double trees_of_stand(const Preset& preset, const Organism& organism) {
@@ -186,8 +185,8 @@ double trees_of_stand(const Preset& preset, const Organism& organism) {
   if (!preset.stand || !organism.sown) return 0;
   const auto& species = preset.stand->species;
   bool drawn = std::ranges::any_of(species, [&](const auto& s) { return s.organism == organism.name; });
-  return drawn ? kDensity * preset.stand->area.x * preset.stand->area.y / static_cast<double>(species.size())
-               : 0;
+  double area = preset.stand->area.x * preset.stand->area.y;
+  return drawn ? kDensity * area / static_cast<double>(species.size()) : 0;
 }
 
 /// What trees that grow in one light leave of each other: the ground that they cover is less than their
