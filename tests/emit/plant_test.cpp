@@ -117,7 +117,9 @@ TEST(Unfolded, RisesFromNothingToAllWithoutAJump) {
 
 TEST(Includes, AreThoseOfTheSetting) {
   Scene scene = tiny_plant();
-  EXPECT_EQ(includes_text(scene), "#include \"frond_meadow.inc\"\n#include \"frond_plant.inc\"");
+  EXPECT_EQ(includes_text(scene),
+            "#include \"frond_meadow.inc\"\n#include \"frond_plant.inc\"\n#include \"frond_far.inc\"");
+  scene.far.reset();
   scene.stage.setting = row_of("studio");
   EXPECT_EQ(includes_text(scene), "#include \"frond_studio.inc\"\n#include \"frond_plant.inc\"");
   scene.specimens[0].look.branches.bark.reset();

@@ -268,9 +268,8 @@ const WrongPreset kWrongValues[] = {
      R"({"scene": {"setting": "meadow", "far": {"trees": ["oak", "birch"]}},
  "organisms": [{"kind": "tree", "name": "oak", "sown": {"where": {"warmth": {"full": 5}}}}]})",
      {},
-     {"1:58: /scene/far/trees/1: no organism \"birch\" that is sown, to draw these trees as; expected "
-      "\"oak\"",
-      "2:82: /organisms/0/sown/where/warmth/full: found 5; expected more than `least`, 6.4"}},
+     {"1:58: /scene/far/trees/1: no organism \"birch\" that is sown, to draw these trees as; expected oak",
+      "2:86: /organisms/0/sown/where/warmth/full: found 5; expected more than `least`, 6.4"}},
     {"What is said of colonies",
      R"({"organisms": [{"kind": "massive", "valley": 2, "relief": "cup"},
   {"kind": "massive", "place": {"upright": 2, "on": "ledge"}}]})",
