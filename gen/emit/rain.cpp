@@ -68,7 +68,7 @@ std::string streaks_text(const PovSpace& space, const Scene& scene, double time)
     text += fmt::format(",texture{{Rain_Streak({},{})}}", light,
                         number_text(kClearest * std::pow(kShareStep, k)));
   return text +
-         fmt::format("}}\nface_indices{{{}{}}}\nno_shadow no_reflection}}\n", 2 * streaks.size(), faces);
+         fmt::format("}}\nface_indices{{{}{}}}\nhollow no_shadow no_reflection}}\n", 2 * streaks.size(), faces);
 }
 
 }  // namespace frond
