@@ -67,8 +67,8 @@ std::string streaks_text(const PovSpace& space, const Scene& scene, double time)
   for (int k = 0; k < kShares; ++k)
     text += fmt::format(",texture{{Rain_Streak({},{})}}", light,
                         number_text(kClearest * std::pow(kShareStep, k)));
-  return text +
-         fmt::format("}}\nface_indices{{{}{}}}\nhollow no_shadow no_reflection}}\n", 2 * streaks.size(), faces);
+  return text + fmt::format("}}\nface_indices{{{}{}}}\nhollow no_shadow no_reflection}}\n",
+                            2 * streaks.size(), faces);
 }
 
 }  // namespace frond
