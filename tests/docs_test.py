@@ -18,7 +18,8 @@ import tempfile
 
 FROND, ROOT, WHAT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
 ONLY = sys.argv[4:]
-NOT_RUN = ("scripts/setup.sh", "scripts/build.sh", "scripts/test.sh", "scripts/farm.sh", "cmake", "ninja", "git", "cd")
+NOT_RUN = ("scripts/setup.sh", "scripts/build.sh", "scripts/test.sh", "scripts/farm.sh", "scripts/blender_extension.sh", "cmake", "ninja",
+           "git", "cd")
 SMALL_TREES = ["--set", "/organisms/0/years=5"]
 
 
@@ -111,6 +112,7 @@ def check_lines():
         scratch = pathlib.Path(name)
         env = environment(scratch)
         (scratch / "tree.json").write_text('{"axiom": "A", "steps": 3, "angle": 30, "rules": ["A -> F[+A]F[-A]A"]}')
+        (scratch / "plant.l").write_text("Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> F[+A]A\nendlsystem\n")
         for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]:
             if ONLY and page.stem not in ONLY:
                 continue

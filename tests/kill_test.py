@@ -15,7 +15,7 @@ import tempfile
 import time
 
 what, frond, source = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
-KILLS = 10
+KILLS = 6
 STOPS = 2  # within a picture
 TRIES = 20  # at that
 IN_A_ROW = 2  # kills before a run may end

@@ -86,14 +86,10 @@ int info(const PresetArguments& arguments, const std::optional<std::string>& fra
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
   tell_notes(preset->notes);
-  FrameRange range{1, preset->film.frames};
-  if (frames) {
-    Result<FrameRange> asked = read_frames(*frames, preset->film.frames);
-    if (!asked) return fail(asked.errors(), kWrongInput);
-    range = *asked;
-  }
+  Result<FrameRange> asked = read_frames(frames, preset->film.frames, {1, preset->film.frames});
+  if (!asked) return fail(asked.errors(), kWrongInput);
   preset->film.raw = is_resolved(preset->film, std::nullopt);
-  range = drawn_frames(preset->film, range);
+  FrameRange range = drawn_frames(preset->film, *asked);
   Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
   if (!estimate) return fail(estimate.errors(), kWrongInput);
   const CostEstimate& f = *estimate;

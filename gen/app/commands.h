@@ -27,6 +27,11 @@ struct PresetArguments {
   std::optional<double> scale;         ///< multiplies the size, 1..16
   std::optional<std::string> quality;  ///< draft, good or best
   std::optional<std::string> assets;   ///< the only folder to read from besides the preset's own
+  std::optional<std::string> print;    ///< size on paper: 20cm, 20x15cm, 8in
+  std::optional<double> dpi;           ///< pixels an inch
+  std::optional<std::string> crop;     ///< X,Y,WxH: the part that is drawn
+  std::optional<int> depth;            ///< bits of a channel, 8 or 16
+  bool transparent = false;            ///< as film.background
 };
 
 struct GenerateArguments {
@@ -68,10 +73,20 @@ struct ResolveArguments {
   std::optional<double> fade, clip;
 };
 
+struct DrawArguments {
+  PresetArguments preset;
+  std::string out;                    ///< folder; empty: out/<preset name>/drawn
+  std::optional<std::string> frames;  ///< A-B; none: the last
+  double pen = 1;                     ///< width of lines, relative to the usual
+  double hatch = 4.5;                 ///< lines' widths between lines of hatching; 0: none
+  int threads = 0;                    ///< 0: all
+};
+
 struct DevelopArguments {
   std::vector<std::string> pictures;  ///< PNG files, of one size
   std::string out;                    ///< a PNG file
   Tone tone;
+  int depth = 8;  ///< bits of a channel of it
 };
 
 struct ExportArguments {
@@ -152,13 +167,15 @@ struct FilmArguments {
   std::string fps = "24";        ///< frames a second
   std::string title, comment;    ///< for a film's metadata
   int columns = 0, width = 240;  ///< of a sheet, and of its pictures at most
+  bool alpha = false;            ///< keeps the opacity of pictures in a film
+  double dpi = 0;                ///< that a copy of one picture says; 0: none
 };
 
 struct RenderArguments {
   PresetArguments preset;
   std::string out;                    ///< folder; empty: out/<preset name>
   std::optional<std::string> frames;  ///< A-B
-  std::string format = "mp4";         ///< of the film: mp4, webm or gif
+  std::string format;                 ///< of the film: mp4, webm, gif or mov; empty: mp4, or mov with opacity
   int jobs = 0;                       ///< processors that render; 0: all
   int threads = 0;                    ///< that generate; 0: all
   int every = 1;                      ///< each K-th frame first, then those between
@@ -197,6 +214,12 @@ struct NewArguments {
   bool quiet = false;
 };
 
+struct ImportArguments {
+  std::string path;          ///< of a model of cpfg
+  std::string out;           ///< the preset to write; empty: beside the model, with its name
+  std::optional<int> steps;  ///< none: as many as the model and its animation say
+};
+
 struct StudioArguments {
   std::string preset;                 ///< may be empty: the gallery
   int port = 0;                       ///< 0: the usual, or any that is free
@@ -211,6 +234,7 @@ int write_textures(const TextureArguments& arguments);
 int look(const LookArguments& arguments);
 int resolve(const ResolveArguments& arguments);
 int passes(const PassesArguments& arguments);
+int draw_ink(const DrawArguments& arguments);
 int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
@@ -228,6 +252,7 @@ int list_everything(bool json);
 int print_schema();
 int describe_properties(const std::vector<std::string>& words, bool json);
 int new_preset(const NewArguments& arguments);
+int import_model(const ImportArguments& arguments);
 int studio(const StudioArguments& arguments);
 int frame(const FrameArguments& arguments);
 int film(const FilmArguments& arguments);

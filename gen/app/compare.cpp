@@ -7,7 +7,7 @@
 #include "app/measure.h"
 #include "app/messages.h"
 #include "app/streams.h"
-#include "app/work_folder.h"
+#include "core/work_folder.h"
 #include "render/label.h"
 #include "render/place.h"
 #include "render/process.h"
@@ -31,7 +31,7 @@ struct Side {
 Result<fs::path> found(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    for (const char* name : {"film.mp4", "film.webm", "film.gif", "still.png"})
+    for (const char* name : {"film.mp4", "film.mov", "film.webm", "film.gif", "still.png"})
       if (fs::is_regular_file(fs::path(path) / name, error)) return fs::path(path) / name;
     return Error{"", path + ": a folder without film or still"};
   }

@@ -15,7 +15,7 @@ int develop_picture(const DevelopArguments& arguments) {
     if (!read) return fail(read.errors(), kCouldNot);
     drawn.push_back(std::move(*read));
   }
-  Result<std::string> picture = develop(drawn, arguments.tone);
+  Result<std::string> picture = develop(drawn, arguments.tone, arguments.depth);
   if (!picture)
     return fail({Error{fmt::format("{}", fmt::join(arguments.pictures, ", ")), picture.errors()[0].what}},
                 kCouldNot);

@@ -84,17 +84,13 @@ int export_include(const ExportArguments& arguments) {
   if (!arguments.quiet) tell_notes(preset->notes);
   const Film& film = preset->film;
   int last = arguments.frame == 0 ? film.frames : arguments.frame;
-  FrameRange range{last, last};
-  if (arguments.frames) {
-    Result<FrameRange> asked = read_frames(*arguments.frames, film.frames);
-    if (!asked) return fail(asked.errors(), kWrongInput);
-    range = *asked;
-  }
-  if (range.last > film.frames)
+  Result<FrameRange> range = read_frames(arguments.frames, film.frames, {last, last});
+  if (!range) return fail(range.errors(), kWrongInput);
+  if (range->last > film.frames)
     return fail(
         {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
         kWrongInput);
-  Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
+  Result<CostEstimate> estimate = estimate_cost(*preset, range->last - range->first + 1);
   Errors refused = estimate ? refuse(*estimate, this_machine(".")) : estimate.errors();
   if (!refused.empty()) return fail(refused, kWrongInput);
   Result<MacroFiles> macros = read_macros();
@@ -106,7 +102,7 @@ int export_include(const ExportArguments& arguments) {
                    arguments.preset.path,
                    std::move(*macros),
                    {}};
-  for (int frame = range.first; frame <= range.last; ++frame) text.frames.push_back(frame);
+  for (int frame = range->first; frame <= range->last; ++frame) text.frames.push_back(frame);
   std::vector<IncludeVariant> variants;
   for (int i = 0; i < arguments.seeds; ++i) {
     now_doing("growing what stands in the scene");

@@ -153,6 +153,11 @@ int check_queue(const FarmArguments& a, const fs::path& farm) {
   return kDone;
 }
 
+/// Whether a still is drawn in bands, which are joined as they are.
+bool in_bands(const FarmArguments& a, const Film& film) {
+  return film.frames == 1 && counting_number(a.bands) > 1;
+}
+
 FarmCall call_of(const FarmArguments& a, const Film& film) {
   std::error_code error;
   auto whole = [&](const std::string& path) {
@@ -164,9 +169,8 @@ FarmCall call_of(const FarmArguments& a, const Film& film) {
   PresetArguments rest = a.preset;
   rest.assets.reset();
   add_words(call.options, rest);
-  call.options.erase(call.options.begin());                          // the preset
-  bool in_bands = film.frames == 1 && counting_number(a.bands) > 1;  // which are joined as they are
-  call.options.push_back(!in_bands && is_resolved(film, a.resolve) ? "--resolve" : "--no-resolve");
+  call.options.erase(call.options.begin());  // the preset
+  call.options.push_back(!in_bands(a, film) && is_resolved(film, a.resolve) ? "--resolve" : "--no-resolve");
   return call;
 }
 
@@ -186,6 +190,10 @@ Errors write_surroundings(const fs::path& job, const FarmSite& site) {
 int make_job(const FarmArguments& a, Handed& to) {
   Result<Preset> preset = load_preset(a.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  if (Errors errors = refuse_resolving(preset->film, a.resolve); !errors.empty())
+    return fail(errors, kWrongInput);
+  if (preset->film.crop && in_bands(a, preset->film))
+    return fail({{"--crop", "a still in bands is drawn as a whole; expected --bands 1, too"}}, kWrongInput);
   std::set<fs::path> files{a.preset.path};
   files.insert(preset->files.begin(), preset->files.end());
   std::string named = environment_or("FROND_BIN", own_program().string());

@@ -72,7 +72,7 @@ std::vector<fs::path> results_of(const fs::path& farm) {
   std::error_code error;
   auto handed = fs::last_write_time(farm / "latest" / "manifest.json", error);
   if (error) return results;
-  for (const char* name : {"film.mp4", "contact.png", "still.png"}) {
+  for (const char* name : {"film.mp4", "film.mov", "contact.png", "still.png"}) {
     fs::path file = farm.parent_path() / name;
     auto made = fs::last_write_time(file, error);
     if (!error && made > handed) results.push_back(file);

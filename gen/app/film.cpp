@@ -27,8 +27,9 @@ Errors make(const FilmArguments& arguments, std::vector<std::filesystem::path> p
     return {{"", arguments.file + " is a folder; expected a file, or none"}};
   if (arguments.columns > 0)
     return tile_sheet({std::move(pictures), file, arguments.columns, arguments.width, ffmpeg});
-  if (file.extension() == ".png") return copy_picture(pictures[0], file);
-  return encode_film({std::move(pictures), file, arguments.fps, arguments.title, arguments.comment, ffmpeg});
+  if (file.extension() == ".png") return copy_picture(pictures[0], file, arguments.dpi);
+  return encode_film({std::move(pictures), file, arguments.fps, arguments.title, arguments.comment, ffmpeg,
+                      arguments.alpha});
 }
 
 }  // namespace

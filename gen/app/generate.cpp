@@ -123,6 +123,8 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   jobs.exposures = exposures(film, preset.stage.camera);
   jobs.fps = film.fps;
   jobs.still = film.frames == 1;
+  jobs.transparent = film.transparent();
+  jobs.dpi = film.dpi;
   jobs.rendered = rendered;
   jobs.title = preset.title;
   jobs.seed = preset.seed;
@@ -144,6 +146,7 @@ Errors write_jobs(const Run& run, const std::vector<std::size_t>& nodes, double 
   manifest.size = film.size;
   manifest.quality = jobs.quality;
   manifest.still = jobs.still;
+  manifest.transparent = jobs.transparent;
   manifest.render_seconds = render_seconds;
   if (film.raw) manifest.raw = {drawn.first, drawn.last};
   manifest.budgets = run.budgets;
@@ -281,13 +284,12 @@ int generate(GenerateArguments arguments) {
   std::vector<Manifest::Budget> budgets;
   Result<Preset> preset = load_counted(arguments.preset, out, budgets);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  if (Errors errors = refuse_resolving(preset->film, arguments.resolve); !errors.empty())
+    return fail(errors, kWrongInput);
   preset->film.raw = is_resolved(preset->film, arguments.resolve);
-  Run run{arguments, *preset, {1, preset->film.frames}, {}, out, name, budgets};
-  if (arguments.frames) {
-    Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
-    if (!asked) return fail(asked.errors(), kWrongInput);
-    run.range = *asked;
-  }
+  Result<FrameRange> range = read_frames(arguments.frames, preset->film.frames, {1, preset->film.frames});
+  if (!range) return fail(range.errors(), kWrongInput);
+  Run run{arguments, *preset, *range, {}, out, name, budgets};
   Result<fs::path> root = home();
   if (!root) return fail(root.errors(), kCouldNot);
   run.root = *root;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/commands.h"
+#include "app/cpfg_models.h"
 #include "app/inputs.h"
 #include "app/streams.h"
 #include "core/files.h"
@@ -75,7 +76,9 @@ std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 }  // namespace
 
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json) {
-  Result<Loaded> loaded = load({path, {}, {}, false, {}, assets});
+  GrammarArguments arguments{path, {}, {}, false, {}, assets};
+  if (is_cpfg_model(path)) return info_cpfg(arguments, json);
+  Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
   Forecast size = forecast(grammar, static_cast<int>(steps), seed, grammar.text.limits);
@@ -91,6 +94,7 @@ int info_grammar(const std::string& path, const std::optional<std::string>& asse
 }
 
 int derive_word(const GrammarArguments& arguments) {
+  if (is_cpfg_model(arguments.path)) return derive_cpfg(arguments);
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, exact, seed] = *loaded;
@@ -109,6 +113,7 @@ int derive_word(const GrammarArguments& arguments) {
 }
 
 int walk_turtle(const GrammarArguments& arguments) {
+  if (is_cpfg_model(arguments.path)) return turtle_cpfg(arguments);
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "app/picture_options.h"
 #include "app/streams.h"
 #include "core/files.h"
 #include "core/text.h"
@@ -118,7 +119,13 @@ std::string nearest_presets(const std::string& path) {
 }
 
 bool is_resolved(const Film& film, const std::optional<bool>& asked) {
-  return asked.value_or(film.quality == Quality::good);
+  return asked.value_or(film.quality == Quality::good && !film.sampled());
+}
+
+Errors refuse_resolving(const Film& film, const std::optional<bool>& asked) {
+  if (!asked.value_or(false) || !film.sampled()) return {};
+  return {{"--resolve", fmt::format("frames are not resolved {}; expected --no-resolve, or neither",
+                                    film.crop ? "in parts" : "with a transparent background")}};
 }
 
 Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models) {
@@ -145,6 +152,7 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   Result<std::optional<fs::path>> only = assets_folder(arguments.assets);
   if (!only) return only.errors();
   std::vector<std::string> sets = arguments.sets;
+  if (arguments.transparent) sets.emplace_back("/film/background=transparent");
   for (const auto& [asked, read] :
        {std::pair(arguments.size, &asked_size), std::pair(arguments.quality, &asked_quality)}) {
     Result<std::string> set = asked ? read(*asked) : std::string();
@@ -152,13 +160,15 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
     if (asked) sets.push_back(*set);
   }
   Result<Preset> preset = read_preset(*text, arguments.path, sets, *only);
-  if (preset && arguments.scale) {
-    Result<std::string> size = scaled_size(preset->film, *arguments.scale);
+  if (preset && (arguments.scale || arguments.print)) {
+    Result<std::string> size =
+        arguments.print ? printed_size(arguments, preset->film) : scaled_size(preset->film, *arguments.scale);
     if (!size) return size.errors();
     sets.push_back(*size);
     preset = read_preset(*text, arguments.path, sets, *only);
   }
   if (!preset) return preset;
+  if (Errors errors = set_pictures(arguments, preset->film); !errors.empty()) return errors;
   return preset;
 }
 
@@ -187,6 +197,10 @@ Result<FrameRange> read_frames(const std::string& text, int count) {
     return Error{"--frames",
                  fmt::format("\"{}\" is no range of frames; expected A-B within 1-{}", text, count)};
   return range;
+}
+
+Result<FrameRange> read_frames(const std::optional<std::string>& text, int count, FrameRange usual) {
+  return text ? read_frames(*text, count) : usual;
 }
 
 FrameRange drawn_frames(const Film& film, FrameRange wanted) {

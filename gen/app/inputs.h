@@ -30,6 +30,8 @@ std::string nearest_presets(const std::string& path);
 Result<Preset> load_preset(const PresetArguments& arguments);
 
 /// Whether frames are resolved from raw ones: those of the quality good are, where nothing else is asked for.
+/// What is wrong where frames are asked to be resolved that cannot be.
+Errors refuse_resolving(const Film& film, const std::optional<bool>& asked);
 bool is_resolved(const Film& film, const std::optional<bool>& asked);
 
 /// A scene made to be traced, with its sown models, whose files are kept in that folder.
@@ -49,6 +51,8 @@ struct FrameRange {
   int first, last;
 };
 Result<FrameRange> read_frames(const std::string& text, int count);
+/// The same of an option; where it is not given, the usual frames.
+Result<FrameRange> read_frames(const std::optional<std::string>& text, int count, FrameRange usual);
 /// The frames that are rendered for those: where they are resolved, those around them, too.
 FrameRange drawn_frames(const Film& film, FrameRange wanted);
 

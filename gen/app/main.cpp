@@ -134,6 +134,7 @@ void add_develop(CLI::App& app, int& result) {
       ->check(CLI::Range(0.0, 6.0));
   command->add_option("--contrast", to->tone.contrast, "How steep the curve is at middle grey (1)")
       ->check(CLI::Range(0.5, 2.0));
+  command->add_option("--depth", to->depth, "8 or 16 bits a channel (8)")->check(CLI::IsMember({8, 16}));
   command->footer("Example:\n  frond develop frame_0001.png -o birch.png --highlights 2 --contrast 1.1");
   command->callback([&result, to] { result = develop_picture(*to); });
 }
@@ -293,6 +294,17 @@ void add_new(CLI::App& app, int& result) {
   });
 }
 
+void add_import(CLI::App& app, int& result) {
+  auto to = std::make_shared<ImportArguments>();
+  auto* command = app.add_subcommand("import", "Writes a preset of a model of cpfg, which renders as it is");
+  command->add_option("model", to->path, "The grammar of the model, a file .l")->required();
+  command->add_option("-o,--out", to->out, "FILE.json (beside the model, with its name)");
+  command->add_option("--steps", to->steps, "N: derivation steps (as the model and its animation say)")
+      ->check(CLI::Range(0, 1'000'000));
+  command->footer("Example:\n  frond import plants/rose.l -o rose.json");
+  command->callback([&result, to] { result = import_model(*to); });
+}
+
 void add_studio(CLI::App& app, int& result) {
   auto to = std::make_shared<StudioArguments>();
   auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
@@ -309,25 +321,6 @@ void add_studio(CLI::App& app, int& result) {
   command->callback([&result, to] { result = studio(*to); });
 }
 
-/// What stands on the screen of who does not know where to begin; `program` is as it was called.
-std::string first_words(const std::string& program) {
-  std::string text =
-      "Frond grows plants and corals from JSON presets and writes scenes that POV-Ray films.\n\n";
-  auto row = [&](const std::string& call, const char* does) {
-    text += fmt::format("  {:38} {}\n", call, does);
-  };
-  row(program + " new my_tree --from tree", "writes a commented preset to begin with");
-  if (std::string render = render_command(); !render.empty())
-    row(render + " my_tree.json", "makes a picture or a film of it");
-  row(program + " studio my_tree.json --open", "sliders and a live view in the browser");
-  row(program + " describe tree", "says what each property does");
-  row(program + " check my_tree.json", "says what is wrong in it");
-  row(program + " list", "presets, kinds, settings and turtle symbols");
-  return text +
-         fmt::format("\n{0} --help lists all commands, {0} COMMAND --help the options of one; ", program) +
-         "docs/start.md takes ten minutes.\n";
-}
-
 int run(int count, char** words) {
   CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
   app.require_subcommand(0, 1);
@@ -337,11 +330,11 @@ int run(int count, char** words) {
       "one "
       "above the program's own.");
   int result = kDone;
-  for (auto add :
-       {add_new,     add_describe, add_look,     add_render,  add_sheet,     add_generate, add_resolve,
-        add_passes,  add_export,   add_textures, add_develop, add_check,     add_info,     add_files,
-        add_confine, add_frame,    add_film,     add_compare, add_task,      add_farm,     add_gallery,
-        add_derive,  add_turtle,   add_plan,     add_stand,   add_catalogue, add_studio})
+  for (auto add : {add_new,     add_describe, add_look,      add_render,  add_sheet,    add_generate,
+                   add_resolve, add_passes,   add_draw,      add_export,  add_textures, add_develop,
+                   add_check,   add_info,     add_files,     add_confine, add_frame,    add_film,
+                   add_compare, add_task,     add_farm,      add_gallery, add_derive,   add_turtle,
+                   add_plan,    add_stand,    add_catalogue, add_import,  add_studio})
     add(app, result);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);

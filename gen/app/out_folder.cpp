@@ -102,7 +102,7 @@ Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange ran
       states[i] = State::folder;
     else if (!found)
       states[i] = State::damaged;
-    else if (i >= results && *found != (i >= raws ? film.drawn_size() : film.size))
+    else if (i >= results && *found != (i >= raws ? film.drawn_size() : film.picture_size()))
       states[i] = State::other_size;
   });
   std::vector<fs::path> damaged;

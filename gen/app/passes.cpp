@@ -12,10 +12,10 @@
 #include "app/messages.h"
 #include "app/pass_views.h"
 #include "app/streams.h"
-#include "app/work_folder.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
+#include "core/work_folder.h"
 #include "images/cryptomatte.h"
 #include "images/exr.h"
 
@@ -106,12 +106,9 @@ int passes(const PassesArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  FrameRange range{preset->film.frames, preset->film.frames};
-  if (arguments.frames) {
-    Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
-    if (!asked) return fail(asked.errors(), kWrongInput);
-    range = *asked;
-  }
+  const int last = preset->film.frames;
+  Result<FrameRange> range = read_frames(arguments.frames, last, {last, last});
+  if (!range) return fail(range.errors(), kWrongInput);
   fs::path out = arguments.out.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem() / "passes"
                                        : fs::path(arguments.out);
   now_doing("growing what stands in the scene");
@@ -131,7 +128,7 @@ int passes(const PassesArguments& arguments) {
   const Camera& camera = scene->stage.camera;
   float middle = std::max(glm::distance(camera.location.at(0), camera.look_at.at(0)), 1e-3f);
   now_doing("tracing frames");
-  for (int frame = range.first; frame <= range.last; ++frame) {
+  for (int frame = range->first; frame <= range->last; ++frame) {
     Result<FramePasses> made = frame_passes(*scene, *film, frame, arguments.side);
     if (!made) return fail(made.errors(), kCouldNot);
     if (Errors errors = albedo ? albedo->add_to(*made, frame) : Errors{}; !errors.empty())

@@ -16,6 +16,14 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("--size", preset.size, "WxH: size of the pictures, in pixels");
   command->add_option("--scale", preset.scale, "N: multiplies the size, by 1 to 16");
   command->add_option("--quality", preset.quality, "draft, good or best");
+  command->add_option("--print", preset.print,
+                      "20cm, 20x15cm, 150mm, 8in: size on paper, of the long side or of both");
+  command->add_option("--dpi", preset.dpi, "N: pixels an inch of --print (300), which a still says");
+  command->add_option("--crop", preset.crop,
+                      "X,Y,WxH: draws only this part, in pixels or per cent, as in 10%,20%,50%x50%");
+  command->add_option("--depth", preset.depth, "8 or 16 bits a channel (8)")->check(CLI::IsMember({8, 16}));
+  command->add_flag("--transparent", preset.transparent,
+                    "Only what grows and stands there, on a transparent background");
   add_assets(command, preset.assets);
 }
 
@@ -37,6 +45,11 @@ void add_words(std::vector<std::string>& words, const PresetArguments& preset) {
   if (preset.size) words.push_back("--size=" + *preset.size);
   if (preset.scale) words.push_back(fmt::format("--scale={}", *preset.scale));
   if (preset.quality) words.push_back("--quality=" + *preset.quality);
+  if (preset.print) words.push_back("--print=" + *preset.print);
+  if (preset.dpi) words.push_back(fmt::format("--dpi={}", *preset.dpi));
+  if (preset.crop) words.push_back("--crop=" + *preset.crop);
+  if (preset.depth) words.push_back(fmt::format("--depth={}", *preset.depth));
+  if (preset.transparent) words.emplace_back("--transparent");
   if (preset.assets) words.push_back("--assets=" + *preset.assets);
 }
 

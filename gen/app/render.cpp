@@ -48,10 +48,12 @@ int list_presets() {
   return kDone;
 }
 
+constexpr std::string_view kFormats[] = {"", "mp4", "webm", "gif", "mov"};
+
 /// What is wrong with the words of a call; empty where nothing is.
 std::string wrong_words(const RenderArguments& a) {
-  if (a.format != "mp4" && a.format != "webm" && a.format != "gif")
-    return fmt::format("--format needs mp4, webm or gif, not '{}'", a.format);
+  if (std::ranges::find(kFormats, a.format) == std::end(kFormats))
+    return fmt::format("--format needs mp4, webm, gif or mov, not '{}'", a.format);
   if (a.plot && !a.plot->ends_with(".svg"))
     return fmt::format("--plot needs a name that ends in .svg, not '{}'", *a.plot);
   return {};
@@ -161,6 +163,12 @@ int render_into(const RenderArguments& a, const fs::path& out) {
                                        program_variable("FROND_POVRAY", "povray"),
                                        program_variable("FROND_FFMPEG", "ffmpeg")};
   if (a.why > 0) return tell_why(Ninja(out, environment, stop), out, a.why, before);
+  Result<Manifest> manifest = manifest_in(out);
+  if (manifest && manifest->transparent != (a.format == "mov") && (a.format == "mp4" || a.format == "mov"))
+    return fail_run(
+        {{"--format", manifest->transparent ? "an mp4 has no opacity; expected mov, webm or gif"
+                                            : "a mov is for a transparent film; expected mp4, webm or gif"}},
+        kWrongInput);
   RenderSettings settings;
   settings.out = out;
   settings.format = a.format;

@@ -15,11 +15,11 @@ namespace frond {
 
 /// How the frames of a folder are to be rendered.
 struct RenderSettings {
-  std::filesystem::path out;   ///< the folder that `frond generate` has written
-  std::string format = "mp4";  ///< of the film
-  int jobs = 1;                ///< processors
-  int every = 1;               ///< each K-th frame first, then those between
-  bool watch = false;          ///< shows what is traced in watch.png
+  std::filesystem::path out;  ///< the folder that `frond generate` has written
+  std::string format;         ///< of the film; empty: the usual
+  int jobs = 1;               ///< processors
+  int every = 1;              ///< each K-th frame first, then those between
+  bool watch = false;         ///< shows what is traced in watch.png
   std::string ffmpeg = "ffmpeg";
 };
 

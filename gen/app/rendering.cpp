@@ -46,6 +46,26 @@ void add_confine(CLI::App& app, int& result) {
   command->callback([&result, to] { result = run_confined(*to); });
 }
 
+void add_draw(CLI::App& app, int& result) {
+  auto to = std::make_shared<DrawArguments>();
+  auto* command =
+      app.add_subcommand("draw", "Draws what grows in ink, with outlines and hatching, without POV-Ray");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/drawn)");
+  command->add_option("--frames", to->frames, "A-B: only these frames (the last)");
+  command->add_option("--pen", to->pen, "N: lines so many times as wide as usual (1)")
+      ->check(CLI::Range(0.2, 10.0));
+  command
+      ->add_option("--hatch", to->hatch, "N: lines' widths between lines of hatching; 0 leaves it out (4.5)")
+      ->check(CLI::Range(0.0, 50.0));
+  command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->footer(
+      "The paper is white; with --transparent only the ink is there. --size or --print says how large it "
+      "is.\n\n"
+      "Example:\n  frond draw presets/garden/palm.json --print 12cm -o palm");
+  command->callback([&result, to] { result = draw_ink(*to); });
+}
+
 void add_frame(CLI::App& app, int& result) {
   auto to = std::make_shared<FrameArguments>();
   auto* command = app.add_subcommand(
@@ -70,11 +90,14 @@ void add_film(CLI::App& app, int& result) {
   command->add_option("list", to->list, "A file that names PNG pictures, one a line")->required();
   command
       ->add_option("file", to->file,
-                   "FILM.mp4, FILM.webm or FILM.gif; a sheet, or a copy of one picture, is a FILE.png")
+                   "FILM.mp4, FILM.webm, FILM.gif or FILM.mov (ProRes 4444); a sheet, or a copy of one "
+                   "picture, is a FILE.png")
       ->required();
   command->add_option("--fps", to->fps, "Frames a second (24)");
   command->add_option("--title", to->title, "For the film's metadata, of a GIF for a comment");
   command->add_option("--comment", to->comment, "The same");
+  command->add_flag("--alpha", to->alpha, "Keeps the opacity of the pictures, in a webm, gif or mov");
+  command->add_option("--dpi", to->dpi, "Pixels an inch, which the copy of one picture says");
   command->add_option("--columns", to->columns, "Of a sheet")->check(CLI::Range(1, 1000));
   command->add_option("--width", to->width, "Pixels, of each picture of a sheet at most (240)")
       ->check(CLI::Range(1, 16384));
@@ -95,7 +118,8 @@ void add_render(CLI::App& app, int& result) {
       "The preset, a JSON file; without it, which there are");
   add_run(command, *to);
   add_resolving(command, to->resolve);
-  command->add_option("--format", to->format, "mp4, webm or gif, of the film (mp4)");
+  command->add_option("--format", to->format,
+                      "mp4, webm, gif or mov, of the film (mp4; mov where it is transparent)");
   command
       ->add_option(
           "--every", to->every,

@@ -21,9 +21,10 @@ void add_words(std::vector<std::string>& words, const PresetArguments& preset);
 /// A path that no program takes for an option.
 std::string as_path(const std::string& path);
 
-/// The commands that start other programs: each adds itself to the command line and puts its exit code into
-/// `result` when it is called.
+/// The commands that draw or start other programs: each adds itself to the command line and puts its exit
+/// code into `result` when it is called.
 void add_confine(CLI::App& app, int& result);
+void add_draw(CLI::App& app, int& result);
 void add_frame(CLI::App& app, int& result);
 void add_film(CLI::App& app, int& result);
 void add_render(CLI::App& app, int& result);

@@ -13,6 +13,7 @@
 #include "core/linear.h"
 #include "core/parallel.h"
 #include "emit/setting.h"
+#include "images/png_samples.h"
 #include "images/raster.h"
 #include "images/tone.h"
 #include "resolve/resolve.h"
@@ -54,11 +55,17 @@ Result<LightPicture> read_raw(const fs::path& file, const Film& film) {
 
 /// The bytes of a picture as people see it.
 Result<std::string> picture_bytes(const LightPicture& light, const Film& film, const Tone& tone) {
+  auto share = [&](std::size_t i) {
+    return encoded(toned(static_cast<double>(light[i / 3][static_cast<int>(i % 3)]), tone));
+  };
+  if (film.depth == 16) {
+    PngSamples deep{film.size[0], film.size[1], 3, 16, 45455, {}};
+    deep.data.resize(6 * light.size());
+    for (std::size_t i = 0; i < 3 * light.size(); ++i) deep.set16(i, share(i));
+    return samples_text(deep);
+  }
   Raster picture(film.size[0], film.size[1], 3);
-  for (std::size_t i = 0; i < light.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      picture.data[3 * i + static_cast<std::size_t>(c)] =
-          to_byte(encoded(toned(static_cast<double>(light[i][c]), tone)));
+  for (std::size_t i = 0; i < picture.data.size(); ++i) picture.data[i] = to_byte(share(i));
   return png_text(picture);
 }
 
@@ -86,13 +93,10 @@ int resolve(const ResolveArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  if (Errors errors = refuse_resolving(preset->film, true); !errors.empty()) return fail(errors, kWrongInput);
   preset->film.raw = true;
-  FrameRange range{1, preset->film.frames};
-  if (arguments.frames) {
-    Result<FrameRange> asked = read_frames(*arguments.frames, preset->film.frames);
-    if (!asked) return fail(asked.errors(), kWrongInput);
-    range = *asked;
-  }
+  Result<FrameRange> range = read_frames(arguments.frames, preset->film.frames, {1, preset->film.frames});
+  if (!range) return fail(range.errors(), kWrongInput);
   fs::path film = arguments.folder.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem()
                                            : fs::path(arguments.folder);
   fs::path raws = film / "raw", out = arguments.out.empty() ? film / "frames" : fs::path(arguments.out);
@@ -104,7 +108,7 @@ int resolve(const ResolveArguments& arguments) {
   auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene->film); };
   Resolver resolver(*scene, *traced, source, options_for(*scene, arguments));
   const Camera& camera = scene->stage.camera;
-  for (int frame = range.first; frame <= range.last; ++frame) {
+  for (int frame = range->first; frame <= range->last; ++frame) {
     now_doing("resolving frames");
     Result<LightPicture> light = resolver.frame(frame);
     if (!light) return fail(light.errors(), kCouldNot);

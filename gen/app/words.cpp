@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/inputs.h"
 #include "core/text.h"
 
 namespace frond {
@@ -58,6 +59,24 @@ std::string unknown_option(const CLI::App& app, const std::vector<std::string>& 
                         names);
   }
   return {};
+}
+
+std::string first_words(const std::string& program) {
+  std::string text =
+      "Frond grows plants and corals from JSON presets and writes scenes that POV-Ray films.\n\n";
+  auto row = [&](const std::string& call, const char* does) {
+    text += fmt::format("  {:38} {}\n", call, does);
+  };
+  row(program + " new my_tree --from tree", "writes a commented preset to begin with");
+  if (std::string render = render_command(); !render.empty())
+    row(render + " my_tree.json", "makes a picture or a film of it");
+  row(program + " studio my_tree.json --open", "sliders and a live view in the browser");
+  row(program + " describe tree", "says what each property does");
+  row(program + " check my_tree.json", "says what is wrong in it");
+  row(program + " list", "presets, kinds, settings and turtle symbols");
+  return text +
+         fmt::format("\n{0} --help lists all commands, {0} COMMAND --help the options of one; ", program) +
+         "docs/start.md takes ten minutes.\n";
 }
 
 }  // namespace frond

@@ -1,7 +1,6 @@
 #include "bake/bake.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 
@@ -10,6 +9,7 @@
 #include "core/files.h"
 #include "core/linear.h"
 #include "core/text.h"
+#include "core/work_folder.h"
 #include "emit/pov.h"
 #include "emit/solid.h"
 #include "render/process.h"
@@ -84,37 +84,23 @@ std::string body_text(const Swatch& swatch) {
   return text + swatch.texture + "}\n";
 }
 
-/// A folder that goes with this object.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "frond_bake_XXXXXX").string();
-    if (::mkdtemp(name.data())) path = name;
-  }
-  ~Scratch() {
-    std::error_code error;
-    if (!path.empty()) fs::remove_all(path, error);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  fs::path path;
-};
-
 /// What POV-Ray makes of a scene.
-Result<LinearRaster> drawn(const std::string& scene, int wide, int high, const BakeOptions& options) {
+Result<LinearRaster> drawn(const SmallScene& scene, const BakeOptions& options) {
   auto failed = [&](const std::string& why) {
     return Error{options.povray, "no material could be drawn: " + why};
   };
   std::optional<fs::path> program = find_program(options.povray);
   if (!program) return failed("no such program; without pictures: --texture 0");
-  Scratch folder;
-  if (auto error = write_new(folder.path / "swatch.pov", scene)) return failed(reason_of(error));
+  WorkFolder folder;
+  if (auto error = write_new(folder.path() / "swatch.pov", scene.text)) return failed(reason_of(error));
+  for (const auto& [name, bytes] : scene.files)
+    if (auto error = write_new(folder.path() / name, bytes)) return failed(reason_of(error));
   // POV-Ray parses its options by itself and stumbles over quotes in a path.
   std::error_code error;
-  fs::create_directory_symlink(fs::absolute(options.home) / "povinc", folder.path / "povinc", error);
+  fs::create_directory_symlink(fs::absolute(options.home) / "povinc", folder.path() / "povinc", error);
   Words said;
   Command command;
-  command.folder = folder.path;
+  command.folder = folder.path();
   command.out = command.err = said.descriptor();
   command.environment = {"POVINI=" + (fs::absolute(options.home) / "scripts/povray.ini").string()};
   command.words = {program->string(),
@@ -123,14 +109,15 @@ Result<LinearRaster> drawn(const std::string& scene, int wide, int high, const B
                    "+FN16",
                    "File_Gamma=1.0",
                    "-D",
-                   "-A",
+                   scene.smooth ? "+A0.1" : "-A",
                    "+WT1",
-                   fmt::format("+W{}", wide),
-                   fmt::format("+H{}", high),
+                   fmt::format("+W{}", scene.pixels[0]),
+                   fmt::format("+H{}", scene.pixels[1]),
                    "+Lpovinc"};
+  if (scene.rows > 0) command.words.push_back(fmt::format("+ER{}", scene.rows));
   Result<int> status = run(command);
   if (!status) return failed(status.errors()[0].text());
-  Result<std::string> bytes = read_file(folder.path / "swatch.png");
+  Result<std::string> bytes = read_file(folder.path() / "swatch.png");
   std::string words = said.text();
   if (*status != 0 || !bytes)
     return failed(words.substr(words.size() - std::min<std::size_t>(words.size(), 600)));
@@ -154,7 +141,7 @@ Result<BakedPictures> draw(const Swatch& swatch, double rough, const std::string
   auto [columns, rows] = swatch.pixels;
   bool flat = swatch.body.triangle.empty(), relief = flat && swatch.relief;
   int wide = flat ? larger(swatch, columns) : columns, high = flat ? larger(swatch, rows) : rows;
-  Result<LinearRaster> raster = drawn(scene, relief ? 2 * wide : wide, high, options);
+  Result<LinearRaster> raster = drawn({scene, {relief ? 2 * wide : wide, high}, false}, options);
   if (!raster) return raster.errors();
   auto fitted = [&](VecGrid part, int share) {
     return flat && swatch.repeats ? seamless(part, columns / share, rows / share) : part;
@@ -220,6 +207,13 @@ Swatch body_swatch(const Material& material, int pixels) {
   swatch.corner = {-half, wood ? -half : kAboveGround, wood ? 0.02f : 0.137f * half};
   if (material.matter == Matter::meander) swatch.uv = {1, 1};  // on a ridge, in full light
   return swatch;
+}
+
+Result<std::string> small_picture(const SmallScene& scene, const BakeOptions& options) {
+  Result<LinearRaster> raster = drawn(scene, options);
+  if (!raster) return raster.errors();
+  VecGrid light = part_of(*raster, 1, 0, 0, scene.pixels[0], scene.rows > 0 ? scene.rows : scene.pixels[1]);
+  return png_text(color_raster(light));
 }
 
 std::string swatch_scene(const Swatch& swatch) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -57,6 +58,17 @@ struct BakeOptions {
 /// The files of pictures that are there, with the roughness that follows from the normals; `rough` is that of
 /// what is smooth, 0..1. The mean is not told.
 Result<BakedPictures> picture_files(const Raster& colors, const Raster& normals, double rough);
+
+/// A small scene for POV-Ray, complete but for povinc/ and some files beside it.
+struct SmallScene {
+  std::string text;
+  std::array<int, 2> pixels{160, 160};
+  bool smooth = true;                                           ///< antialiased
+  int rows = 0;                                                 ///< only so many from the top; 0: all
+  std::vector<std::pair<std::string, std::string>> files = {};  ///< names and bytes
+};
+/// Its picture as a PNG in sRGB. For looking at; nothing is kept.
+Result<std::string> small_picture(const SmallScene& scene, const BakeOptions& options);
 
 /// The scene that a swatch is drawn by.
 std::string swatch_scene(const Swatch& swatch);

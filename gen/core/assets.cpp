@@ -56,7 +56,7 @@ Result<NamedFile> Assets::read(const std::string& name, const fs::path& named_in
     Result<std::string> text = read_file(*real);
     if (!text) return Error{"", fmt::format("{} {}", path.string(), text.errors().front().what)};
     if (noted_) noted_->push_back(path);
-    return NamedFile{path, std::move(*text)};
+    return NamedFile{path, std::move(*text), noted_};
   }
   if (outside)
     return Error{"", fmt::format("\"{}\" lies outside of what may be read; expected a file below {} or {}",

@@ -13,6 +13,7 @@ namespace frond {
 struct NamedFile {
   std::filesystem::path path;
   std::string text;
+  std::vector<std::filesystem::path>* noted = nullptr;  ///< where to note the files that it names in turn
 };
 
 /// A file as a property names it.

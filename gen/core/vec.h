@@ -46,6 +46,13 @@ inline Vec3 direction_or(Vec3 v, Vec3 otherwise, float least = 1e-9f) {
   return glm::length(v) > least ? glm::normalize(v) : otherwise;
 }
 
+/// The axes of what is scaled along its own and then turned.
+inline glm::mat3 axes_of(Quat turn, Vec3 scale) {
+  glm::mat3 axes = glm::mat3_cast(turn);
+  for (int axis = 0; axis < 3; ++axis) axes[axis] *= scale[axis];
+  return axes;
+}
+
 /// Direction k of `count` in the upper half of all directions, spread so that under a uniform sky each gives
 /// a level surface the same amount of light.
 inline Vec3 sky_direction(int k, int count) {

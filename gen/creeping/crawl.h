@@ -7,6 +7,7 @@
 #include "core/assets.h"
 #include "core/curve.h"
 #include "core/seed.h"
+#include "core/spline.h"
 #include "creeping/mask.h"
 #include "model/skeleton.h"
 
@@ -21,15 +22,18 @@ enum class Lure {
 
 /// Curves that strands follow, drawn on a host or near it. Each is laid on the nearest surface.
 struct CrawlGuide {
-  std::vector<DVec3> points;              ///< of one curve; metres, in the world
-  FileName file;                          ///< of others
-  std::vector<std::vector<DVec3>> filed;  ///< those of the file
-  double width = 0.12;                    ///< metres to either side that strands keep within
+  std::vector<SplinePoint<DVec3>> points;  ///< of one curve; metres, in the world
+  bool curve = false;                      ///< whether it is smooth at points without handles, too
+  FileName file;                           ///< of others
+  std::vector<std::vector<DVec3>> filed;   ///< those of the file
+  double width = 0.12;                     ///< metres to either side that strands keep within
+  double pull = 1;                         ///< 0..1, how strongly they are led along it
 
   /// The points of each, at least two.
   std::vector<std::vector<DVec3>> curves() const {
     std::vector<std::vector<DVec3>> all = filed;
-    if (points.size() > 1) all.push_back(points);
+    if (points.size() > 1)
+      all.push_back(spline_places(std::span<const SplinePoint<DVec3>>(points), {.smooth = curve}));
     return all;
   }
 };

@@ -44,7 +44,7 @@ std::vector<Start> starts_on_guides(const std::vector<CrawlGuide>& guides, int c
 Guides::Guides(const Host& host, const std::vector<CrawlGuide>& guides) {
   for (const CrawlGuide& guide : guides)
     for (const std::vector<DVec3>& drawn : guide.curves()) {
-      Curve curve{{}, guide.width};
+      Curve curve{{}, guide.width, guide.pull};
       for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
         double parts = std::ceil(glm::distance(drawn[i], drawn[i + 1]) / (kPiece * guide.width));
         auto pieces = static_cast<int>(std::clamp(parts, 1.0, kMostPieces));
@@ -61,8 +61,8 @@ Guides::View Guides::view(const Curve& curve, std::size_t piece, const DVec3& pl
   DVec3 from = curve.at[piece], way = curve.at[piece + 1] - from;
   double share = glm::dot(place - from, way) / glm::dot(way, way);
   DVec3 toward = from + way * std::clamp(share, 0.0, 1.0) - place;
-  return {glm::normalize(way), toward, glm::length(toward), curve.width,
-          share >= 1 && piece + 2 == curve.at.size()};
+  return {glm::normalize(way), toward,     glm::length(toward),
+          curve.width,         curve.pull, share >= 1 && piece + 2 == curve.at.size()};
 }
 
 Guides::Lead Guides::find(const DVec3& place, std::int32_t only) const {

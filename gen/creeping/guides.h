@@ -25,6 +25,7 @@ class Guides {
     DVec3 toward;         ///< to its nearest point
     double distance = 0;  ///< metres to that point
     double width = 0;     ///< metres
+    double pull = 1;      ///< of its guide
     bool ended = false;   ///< the place is past its end
   };
   /// Moves a lead along its curve to a place near the last one.
@@ -33,7 +34,7 @@ class Guides {
  private:
   struct Curve {
     std::vector<DVec3> at;  // fewer than two where all of it is one point
-    double width;
+    double width, pull;
   };
   View view(const Curve& curve, std::size_t piece, const DVec3& place) const;
 

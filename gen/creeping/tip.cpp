@@ -39,7 +39,7 @@ DVec3 guided(const Guides::View& guide, const DVec3& heading, const DVec3& norma
   double rim = smooth_step(0.3, 0.9, guide.distance / guide.width);
   DVec3 toward = guide.along;
   if (guide.distance > 0) toward += guide.toward * (2 * rim / guide.distance);
-  return leaning(heading, normal, toward, kAlong + kBack * rim);
+  return leaning(heading, normal, toward, guide.pull * (kAlong + kBack * rim));
 }
 
 /// Within the box, and a strand's radius above the ground.

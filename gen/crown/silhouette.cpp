@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/polygon.h"
+
 namespace frond {
 
 namespace {
@@ -78,12 +80,7 @@ bool Silhouette::inside(Vec2 at) const {
            filled_[static_cast<std::size_t>(y * columns_ + x)];
   }
   bool in = false;
-  for (const auto& o : outlines_) {
-    for (std::size_t i = 0, j = o.size() - 1; i < o.size(); j = i++) {
-      bool crosses = (o[i].y > at.y) != (o[j].y > at.y);
-      if (crosses && at.x < (o[j].x - o[i].x) * (at.y - o[i].y) / (o[j].y - o[i].y) + o[i].x) in = !in;
-    }
-  }
+  for (const auto& outline : outlines_) in ^= encloses(outline, at);
   return in;
 }
 

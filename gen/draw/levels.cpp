@@ -111,7 +111,8 @@ std::vector<int> Views::levels_of(const std::vector<Eye>& eyes, const ModelBlock
     Vec3 at = placed(blocks.middle(b));
     double grain = 1e30, unseen = 1e30;
     for (const Eye& eye : eyes) {
-      double of = std::max<double>(glm::distance(eye.at, at) - radius, 0.3) * eye.pixel;
+      Vec3 from = glm::conjugate(turn) * (eye.at - foot) / scale;
+      double of = std::max<double>(scale * blocks.distance(b, from), 0.3) * eye.pixel;
       unseen = std::min(unseen, of);
       if (in_view(eye, at, radius)) grain = std::min(grain, of);
     }
@@ -161,9 +162,7 @@ std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int mo
     for (std::size_t b = 0; b < level.size(); ++b)
       if (level[b] < kLevelCount) add(static_cast<int>(b), level[b]);
   });
-  std::vector<Drawn> list;
-  for (const auto& some : each) list.insert(list.end(), some.begin(), some.end());
-  return list;
+  return joined(each);
 }
 
 ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& surfels) const {

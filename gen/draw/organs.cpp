@@ -83,7 +83,11 @@ std::vector<DrawnBlades> drawn_blades(const Traits& traits, const Model& model, 
   std::vector<DrawnBlades> drawn;
   if (model.blades.size() == 0) return drawn;
   std::size_t colors = traits.look.blades.colors.size();
-  for (std::size_t k = 0; k < colors * kLeafShades; ++k) {
+  std::vector<bool> used(colors * kLeafShades);
+  for (std::size_t i = 0; i < model.blades.size(); ++i)
+    used[color_index(model.blades.color[i], colors) * kLeafShades + leaf_shade(model.blades.id[i])] = true;
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    if (!used[k]) continue;
     Surface surface =
         posed_blades(model.skeleton, pose, model.blades, traits.motion.growth.ripen, [&](std::size_t i) {
           return color_index(model.blades.color[i], colors) == k / kLeafShades &&

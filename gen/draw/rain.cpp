@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "draw/eyes.h"
 #include "motion/rain.h"
+#include "scene/wind.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -17,7 +18,6 @@ constexpr double kShow = 0.3;  // pixels that a drop must be thick to be drawn
 constexpr int kFarRain = 7;    // metres to the farthest that are
 constexpr double kColumn = 8;  // metres of air about the camera, from top to bottom
 constexpr std::size_t kMostStreaks = 4000;
-constexpr double kLow = 0.6;        // of the wind ten metres up, near the ground
 constexpr double kRingDrop = 1.5;   // mm
 constexpr double kLeastDrop = 0.5;  // mm
 
@@ -27,6 +27,7 @@ struct Column {
   Vec3 mean, wind;    ///< metres a second: always, and now
   double rate, most;  ///< mm/h now, and at most in the film
   double time, open, film_length;
+  const Overhead* overhead;  ///< bodies that keep drops off; null: none
 
   /// Its drops that show; `at`: its corner, x and z.
   void drops(Vec2 at, const Seed& seed, std::vector<Streak>& into) const {
@@ -56,6 +57,7 @@ struct Column {
     double away = glm::distance(middle, eye.at);
     if (diameter < 1000 * kShow * eye.pixel * away || away < 0.25 || !in_view(eye, middle, glm::length(half)))
       return;
+    if (overhead && overhead->shelters(middle, wind - Vec3(0, speed, 0))) return;
     double length = 2 * static_cast<double>(glm::length(half)), thick = diameter / 1000;
     double width = std::max(thick, 0.5 * eye.pixel * away);
     double share = there * std::min(1.0, thick / length) * thick / width;
@@ -75,13 +77,19 @@ std::vector<Streak> rain_streaks(const Scene& scene, double time) {
   if (!is_rainy(scene.stage)) return {};
   double rate = scene.stage.rain->rate.at(time), most = highest(scene.stage.rain->rate);
   if (most <= 0) return {};
-  double length = scene.film.frames > 1 ? scene.film.length() : 0;
   Eye eye = eye_at(scene, time);
-  Column column{eye, Vec3(0), Vec3(0), rate, most, time, open_time(scene.film, scene.stage.camera), length};
-  if (scene.stage.wind) {
-    WindField field = wind_field(*scene.stage.wind, length, scene.seed.child("wind"));
-    column.mean = static_cast<float>(kLow * field.speed) * field.along;
-    column.wind = static_cast<float>(1 + field.gust(eye.at, time)) * column.mean;
+  Column column{eye,
+                Vec3(0),
+                Vec3(0),
+                rate,
+                most,
+                time,
+                open_time(scene.film, scene.stage.camera),
+                scene.film.loop(),
+                scene.overhead.get()};
+  if (std::optional<WindField> field = wind_in(scene)) {
+    column.mean = static_cast<float>(kLowWind * field->speed) * field->along;
+    column.wind = static_cast<float>(1 + field->gust(eye.at, time)) * column.mean;
   }
   constexpr int kSide = 2 * kFarRain + 1;
   std::vector<std::vector<Streak>> found(kSide * kSide);
@@ -92,8 +100,7 @@ std::vector<Streak> rain_streaks(const Scene& scene, double time) {
                     .child(static_cast<std::uint64_t>(cell.y));
     column.drops(Vec2(cell), seed, found[i]);
   });
-  std::vector<Streak> streaks;
-  for (const std::vector<Streak>& some : found) streaks.insert(streaks.end(), some.begin(), some.end());
+  std::vector<Streak> streaks = joined(found);
   if (streaks.size() > kMostStreaks) {
     std::ranges::stable_sort(streaks, std::greater(), &Streak::share);
     streaks.resize(kMostStreaks);
@@ -103,7 +110,7 @@ std::vector<Streak> rain_streaks(const Scene& scene, double time) {
 
 RingField ring_field(double rate, const Film& film) {
   RingField rings;
-  rings.life = 1 / looping_rate(1 / rings.life, film.frames > 1 ? film.length() : 0);
+  rings.life = 1 / looping_rate(1 / rings.life, film.loop());
   double wanted =
       drops_landing(rate, kRingDrop) * rings.life * rings.cell * rings.cell;  // in a square at once
   constexpr int kMostLayers = 3;

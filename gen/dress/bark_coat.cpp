@@ -6,17 +6,31 @@
 
 #include "core/content.h"
 #include "dress/describe.h"
+#include "dress/photographs.h"
+#include "images/bark_photo.h"
 
 namespace frond {
 
 namespace {
 
 std::string name_of(const BarkCoat& coat, std::string_view what) {
-  std::string key = keys_of(coat.image, coat.aspect, coat.pixels).all();
+  std::string key = keys_of(coat.image, coat.photo.content, coat.aspect, coat.pixels).all();
   return fmt::format("bark_{}_{}.png", made_id(key), what);
 }
 
 }  // namespace
+
+Errors load_bark_photo(const NamedFile& file, BarkCoat& coat) {
+  auto tile = photograph<Raster>(file, read_bark_photo, [](const Raster& r) { return r.data.size(); });
+  if (!tile) return tile.errors();
+  coat.aspect = static_cast<double>((*tile)->height) / (*tile)->width;
+  coat.wrap = coat.tall / coat.aspect;
+  if (coat.aspect < 0.25 || coat.aspect > 16)
+    return {Error{"", fmt::format("is {} x {} pixels; expected a picture 0.25 to 16 times as tall as wide",
+                                  (*tile)->width, (*tile)->height)}};
+  coat.image.photo = std::move(*tile);
+  return {};
+}
 
 std::string bark_color_name(const BarkCoat& coat) { return name_of(coat, "color"); }
 std::string bark_height_name(const BarkCoat& coat) { return name_of(coat, "height"); }

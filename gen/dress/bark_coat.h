@@ -8,6 +8,8 @@ namespace frond {
 /// Bark as a picture: branches are meshes then, and the picture repeats a whole number of times round them.
 struct BarkCoat {
   BarkImage image;
+  FileName photo;       ///< a photograph of bark, from which `wrap` and `aspect` follow
+  double tall = 0.5;    ///< metres along a branch that it shows
   double wrap = 0.6;    ///< metres round a branch covered by one width of the picture
   double aspect = 2;    ///< height of the picture relative to its width
   int pixels = 512;     ///< its width
@@ -23,6 +25,9 @@ struct BarkCoat {
 /// File names of its two pictures: colour and height.
 std::string bark_color_name(const BarkCoat& coat);
 std::string bark_height_name(const BarkCoat& coat);
+
+/// Takes a photograph that a preset names, as `tall` as that says.
+Errors load_bark_photo(const NamedFile& file, BarkCoat& coat);
 
 /// The seed of all bark pictures.
 inline Seed bark_seed() { return Seed{11}; }

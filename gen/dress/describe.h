@@ -2,6 +2,7 @@
 
 #include "dress/dress.h"
 #include "geometry/girth.h"
+#include "preset/eases.h"
 #include "preset/keys.h"
 #include "preset/reader.h"
 
@@ -102,6 +103,11 @@ void describe(Visitor& v, Growth& g) {
            "Time in the film at which growth begins");
   v.number("duration", g.duration, {.min = 0, .max = 1e6, .unit = "s"},
            "How long growth takes; 0 is fully grown from the first frame");
+  v.boolean("to_end", g.to_end, "Whether growth ends with the film, instead of after `duration`");
+  v.choice(
+      "ease", g.ease, kEases,
+      "How growth begins and ends, of what does not grow year by year; not given: fast in youth, slow in "
+      "age");
   v.number("stagger", g.stagger, {.min = 0, .max = 1e6, .unit = "s"},
            "Each organism begins to grow up to so much later than the first, at random");
   v.number("ripen", g.ripen, {.min = 0.01, .max = 2},
@@ -221,6 +227,15 @@ void describe(Visitor& v, LeafLook& l) {
       "Whether only sprigs at the ends of branches carry a leaf at their tip, and those along them none. "
       "Needs \"sprig\": true");
   v.list("colors", l.colors, Count{1, 16}, "Colours of the leaves; each leaf takes one of them");
+  bool colored = false;
+  v.given("colors", colored);
+  v.file(
+      "photo", l.photo, [&](const NamedFile& file) { return load_leaf_photo(file, colored, l); },
+      "A PNG file of a leaf that was cut out of a photograph, with transparency around it, the foot of its "
+      "stalk at "
+      "the bottom in the middle and its tip at the top; it gives the outline and the picture instead of the "
+      "shape, "
+      "and colors, where they are given, become its mean colour");
   v.color("veins", l.veins, "Colour of the veins and the stalk");
   v.color("rim", l.rim, "Colour toward the rim of a leaf");
   v.number("spots", l.spots, {.min = 0, .max = 1}, "How much the colour varies over one leaf");
@@ -264,6 +279,14 @@ void describe(Visitor& v, BarkCoat& c) {
            "Length round a branch that one width of the picture covers");
   v.number("aspect", c.aspect, {.min = 0.25, .max = 16}, "How many times longer than wide the picture is");
   v.integer("pixels", c.pixels, {.min = 16, .max = 8192}, "Width of the picture");
+  v.number(
+      "tall", c.tall, {.min = 0.01, .max = 50, .unit = "m"},
+      "Height of the piece of bark that the photograph shows; wrap and aspect follow from it. Needs photo");
+  v.file(
+      "photo", c.photo, [&](const NamedFile& file) { return load_bark_photo(file, c); },
+      "A PNG file of a photograph of bark, upright as it stands on the trunk, instead of the pattern and its "
+      "colours; it "
+      "is made to repeat without seams, and dark places are furrows");
   v.number("relief", c.relief, {.min = 0, .max = 10},
            "Height of the bumps that the picture raises on the bark; 0 is smooth");
   v.number("furrow", c.furrow, {.min = 0, .max = 2},

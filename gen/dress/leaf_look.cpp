@@ -6,6 +6,8 @@
 
 #include "core/content.h"
 #include "dress/describe.h"
+#include "dress/photographs.h"
+#include "images/leaf_photo.h"
 
 namespace frond {
 
@@ -45,9 +47,21 @@ Raster opaque(const Raster& from, const Color& rim) {
 
 }  // namespace
 
+Errors load_leaf_photo(const NamedFile& file, bool colored, LeafLook& look) {
+  auto photo = photograph<LeafPhoto>(file, read_leaf_photo,
+                                     [](const LeafPhoto& p) { return 2 * p.levels.front().data.size(); });
+  if (!photo) return photo.errors();
+  if (!colored) look.colors = {(*photo)->mean};
+  look.photographed = std::move(*photo);
+  return {};
+}
+
 LeafImage leaf_image(const LeafLook& look, std::size_t color) {
   LeafImage leaf;
-  if (look.shape == LeafShape::own) {
+  leaf.photo = look.photographed;
+  if (leaf.photo) {
+    leaf.outline = leaf.photo->outline;
+  } else if (look.shape == LeafShape::own) {
     if (!look.outline.empty()) leaf.outline.radii = look.outline;
   } else {
     leaf.outline = leaf_outline(leaf_names()[static_cast<std::size_t>(look.shape)]);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/assets.h"
 #include "core/result.h"
 #include "images/leaf.h"
 #include "model/model.h"
@@ -37,6 +38,8 @@ struct LeafLook {
   LeafShape shape = LeafShape::birch;
   std::vector<double> outline;  ///< of the shape `own`: radii from the tip to the stalk, as in LeafOutline
   double width = 1;             ///< factor
+  FileName photo;               ///< a photograph of a leaf that was cut out, instead of the shape
+  std::shared_ptr<const LeafPhoto> photographed;  ///< what that file holds
   std::optional<double> stalk;  ///< length as a share of the whole leaf; none: that of its shape
   double size = 0.08;           ///< metres, of a leaf or a sprig
   bool sprig = false;           ///< sprigs rather than leaves
@@ -58,6 +61,9 @@ struct LeafLook {
 
   std::size_t looks() const { return colors.size() + turned.size(); }
 };
+
+/// Takes a photograph that a preset names, and its colour unless the preset gives `colors`.
+Errors load_leaf_photo(const NamedFile& file, bool colored, LeafLook& look);
 
 /// The leaf in one of its colours.
 LeafImage leaf_image(const LeafLook& look, std::size_t color);

@@ -177,9 +177,7 @@ std::vector<Recruit> grow_seedlings(Seedlings& seedlings, std::span<const TreeSp
       cells.recruit(column, row, found[r], seed.child(cell));
     }
   });
-  std::vector<Recruit> all;
-  for (const std::vector<Recruit>& some : found) all.insert(all.end(), some.begin(), some.end());
-  return all;
+  return joined(found);
 }
 
 }  // namespace frond

@@ -160,8 +160,19 @@ void take_dead(StandNow& now, const std::vector<TreeDeath>& deaths, int year, Se
   now.trees.resize(kept);
 }
 
+/// What is pruned at the beginning of a year.
+void take_limbs(StandNow& now, int year) {
+  for (const StandEvent& event : now.options.events) {
+    if (event.year != year || !event.pruned) continue;
+    for (StandTree& tree : now.trees)
+      if (event.pruned == now.species[tree.species].name)
+        tree.crown_base = std::max(tree.crown_base, std::min(event.below, kMostPruned * tree.height));
+  }
+}
+
 void step(StandNow& now, int year) {
   Seed seed = now.seed.child("year", static_cast<std::uint64_t>(year));
+  take_limbs(now, year);
   Canopy canopy = canopy_of(now.trees, now.species, now.grid);
   // What dies in a year has not grown in it.
   take_dead(now, deaths_of(now, canopy, year, seed), year, seed.child("dead"));

@@ -31,10 +31,15 @@ namespace frond {
 /// What happens to the stand in a year.
 struct StandEvent {
   int year = 1;
-  double storm = 0;             ///< strength, 0 none .. 1 gusts of 45 m/s, the storm of a century
-  std::optional<TreeName> cut;  ///< of these trees some are felled and carried away
-  double share = 0.5;           ///< of them, drawn by lot
+  double storm = 0;                     ///< strength, 0 none .. 1 gusts of kWorstStorm, see core/events.h
+  std::optional<TreeName> cut = {};     ///< of these trees some are felled and carried away
+  double share = 0.5;                   ///< of them, drawn by lot
+  std::optional<TreeName> pruned = {};  ///< these lose their lower limbs
+  double below = 0;                     ///< metres above the foot, up to which they do
 };
+
+/// Of the height of a tree, what pruning takes at most.
+inline constexpr double kMostPruned = 0.6;
 
 /// Trees that stand on the land at year 0, at random places.
 struct StandPlanting {

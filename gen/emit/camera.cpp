@@ -1,5 +1,8 @@
 #include "emit/camera.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -45,16 +48,31 @@ void append_view(std::string& text, const Film& film, const Camera& camera, doub
                     up * (shift.y / static_cast<float>(film.size[1])));
 }
 
+/// POV-Ray draws whole blocks, so that anti-aliasing finds the same neighbours as in the whole picture.
+std::string crop_text(const Film& film) {
+  constexpr int kBlock = 32;  // pixels
+  if (!film.crop) return {};
+  auto [x, y, width, height] = *film.crop;
+  auto end = [](int at, int size) { return std::min((at + kBlock - 1) / kBlock * kBlock, size); };
+  return fmt::format(" +SC{} +EC{} +SR{} +ER{} (of which {},{},{}x{})", x / kBlock * kBlock + 1,
+                     end(x + width, film.size[0]), y / kBlock * kBlock + 1, end(y + height, film.size[1]), x,
+                     y, width, height);
+}
+
 }  // namespace
 
 std::string tone_text(const Film& film, const Camera& camera, int exposure, int exposures) {
   if (film.raw) return " +FN16; then frond resolve";
-  if (!camera.toned() && exposures == 1) return "";
-  std::string text = " +FN16";
+  std::string text = crop_text(film);
+  if (film.transparent()) text += " +UA";
+  bool developed = camera.toned() || exposures > 1;
+  if (!developed && film.depth == 8) return text;
+  text += " +FN16";
+  if (!developed) return text;
   if (exposures > 1) text += "; exposure " + number_text(exposure) + " of " + number_text(exposures);
   if (exposure > 1) return text;
   return text + "; then frond develop --highlights " + number_text(camera.highlights) + " --contrast " +
-         number_text(camera.contrast);
+         number_text(camera.contrast) + (film.depth == 16 ? " --depth 16" : "");
 }
 
 std::string camera_text(const PovSpace& space, const Camera& camera, const Film& film, double time,

@@ -13,8 +13,8 @@ namespace frond {
 std::string camera_text(const PovSpace& space, const Camera& camera, const Film& film, double time,
                         std::optional<Vec3> focus = {}, Vec2 shift = Vec2(0));
 
-/// How its picture is finished, for the first line of a scene; empty where POV-Ray does all. With several
-/// exposures of a frame, the first says of how many its picture is the mean.
+/// Which part of its picture is drawn and how that is finished, for the first line of a scene; empty where
+/// POV-Ray does all. With several exposures of a frame, the first says of how many its picture is the mean.
 std::string tone_text(const Film& film, const Camera& camera, int exposure = 1, int exposures = 1);
 
 }  // namespace frond

@@ -15,11 +15,12 @@ namespace frond {
 namespace {
 
 constexpr std::array<std::string_view, kFarCovers> kCoverNames{
-    "Meadow", "Hay", "Pasture", "Wheat", "Barley", "Rape", "Earth", "Wood", "Heath", "Rock", "Snow"};
+    "Meadow", "Hay", "Pasture", "Wheat", "Barley", "Rape", "Earth", "Wood", "Mountain"};
 constexpr std::array<std::string_view, kFarKinds> kKindNames{"Broadleaf", "Conifer", "Hedge", "House"};
 
 /// Far places need no more decimals than show: a POV-Ray unit is a tenth of a metre.
-constexpr MeshText kLandText{.decimals = 1, .uv_decimals = -1};
+constexpr MeshText kLandText{.decimals = 1, .uv_decimals = -1},
+    kMountainText{.decimals = 1, .uv_decimals = 2};
 
 /// All copies of one kind, shape and tint as one union.
 void append_objects(std::string& text, const PovSpace& space, const FarCountry& far, FarKind kind, int shape,
@@ -28,8 +29,7 @@ void append_objects(std::string& text, const PovSpace& space, const FarCountry& 
   std::string lines;
   for (const FarObject& o : far.objects) {
     if (o.kind != kind || o.shape != shape || o.tint != tint) continue;
-    glm::mat3 axes = glm::mat3_cast(glm::angleAxis(o.turn, Vec3(0, 1, 0)));
-    for (int axis = 0; axis < 3; ++axis) axes[axis] *= o.size[axis];
+    glm::mat3 axes = axes_of(glm::angleAxis(o.turn, Vec3(0, 1, 0)), o.size);
     std::string line = fmt::format("object{{Far_{}{} ", name, shape);
     if (append_matrix(line, space, axes, o.foot, {.decimals = 3, .shift_decimals = 1})) lines += line + "}\n";
   }
@@ -61,7 +61,7 @@ std::string far_text(const PovSpace& space, const Scene& scene) {
   for (const FarPart& part : far.parts) {
     if (!has_faces(part.surface)) continue;
     text += "object{\n";
-    append_mesh(text, space, part.surface, kLandText);
+    append_mesh(text, space, part.surface, part.cover == FarCover::mountain ? kMountainText : kLandText);
     text += fmt::format("\nFar_{}({})}}\n", kCoverNames[static_cast<std::size_t>(part.cover)],
                         number_text(along + (part.across ? 90 : 0), 1));
   }

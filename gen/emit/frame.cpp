@@ -24,6 +24,7 @@
 #include "emit/polyps.h"
 #include "emit/rain.h"
 #include "emit/setting.h"
+#include "emit/snow.h"
 #include "emit/solid.h"
 #include "world/world.h"
 
@@ -237,7 +238,9 @@ Result<FrameCount> write_branches(const PovSpace& space, const DrawList& drawn, 
   };
   Result<std::size_t> wood = write_wood(space, branches, index, eye.at, fine, under_name);
   if (!wood) return wood.errors();
-  FrameCount count{0, *wood + write_foliage(space, drawn, fine.pixel, under_name)};
+  ObjectText snow = bough_snow_text(space, drawn, time, fine.pixel);
+  under_name(snow.text);
+  FrameCount count{0, *wood + write_foliage(space, drawn, fine.pixel, under_name) + snow.objects};
   if (const Polyps* own = branches.look().polyps(); own && own->width > 0) {
     ObjectText polyps = polyps_text(space, drawn_polyps(branches, eye), time);
     under_name(polyps.text);
@@ -352,9 +355,13 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
       count.objects += swaying.objects;
       return out(swaying.text);
     }
-    if (hole == "food")
-      return out(food_text(parts.space, scene, time) + adrift_text(parts.space, scene, time) +
-                 streaks_text(parts.space, scene, time));
+    if (hole == "food") {
+      out(food_text(parts.space, scene, time));
+      if (film.background == Background::transparent) return;
+      out(adrift_text(parts.space, scene, time));
+      if (film.transparent()) return;
+      return out(streaks_text(parts.space, scene, time) + flakes_text(parts.space, scene, time));
+    }
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
   });
   if (!errors.empty()) return errors;

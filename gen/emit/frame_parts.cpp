@@ -14,6 +14,7 @@
 #include "emit/copies.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
+#include "emit/snow.h"
 
 namespace frond {
 
@@ -57,7 +58,8 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
     parts.materials +=
         "#declare Skin_Bleached = array[" + count + "];\n#declare Skin_Dead = array[" + count + "];\n";
   append_skins(parts.materials, scene, parts.first_skin);
-  parts.materials += prototypes_text(parts.space, scene, parts.pixel);
+  parts.materials +=
+      prototypes_text(parts.space, scene, parts.pixel) + bough_snow_declarations(parts.space, scene);
   if (for_film) parts.solids = drawn_solids(scene);
   parts.polyps.resize(scene.specimens.size());
   parallel_for(parts.polyps.size(),

@@ -54,9 +54,7 @@ std::size_t write_group(const PovSpace& space, const DrawList& drawn, const Orga
   MatrixText how = matrix_text_for(space, static_cast<double>(reach_of(prototype)), pixel);
   std::string lines;
   for (const OrganPlace& place : drawn.organs.places(group)) {
-    glm::mat3 frame = glm::mat3_cast(place.turn);
-    for (int axis = 0; axis < 3; ++axis) frame[axis] *= place.scale[axis];
-    if (append_matrix(lines, space, frame, place.at, how)) lines += "}\n";
+    if (append_matrix(lines, space, axes_of(place.turn, place.scale), place.at, how)) lines += "}\n";
   }
   if (lines.empty()) return 0;
   std::string text;

@@ -6,6 +6,7 @@
 
 #include "core/linear.h"
 #include "core/text.h"
+#include "draw/eyes.h"
 #include "emit/branch_materials.h"
 #include "emit/far.h"
 #include "emit/rain.h"
@@ -72,6 +73,12 @@ std::string snow_text(const Stage& stage, double time) {
       number_text(stage.snow.depth.at(time)), number_text(stage.snow.frost.at(time)));
 }
 
+/// What the settings' macros leave out; nothing where that is nothing.
+std::string background_text(const Film& film) {
+  if (!film.transparent()) return {};
+  return fmt::format("#declare Frond_Cutout = {};\n", static_cast<int>(film.background));
+}
+
 /// The colours of the ground at that time of the year.
 std::string year_text(const Stage& stage, double time) {
   if (!stage.year) return {};
@@ -84,9 +91,20 @@ std::string year_text(const Stage& stage, double time) {
 }  // namespace
 
 std::string setting_text(const Scene& scene, double time) {
-  std::string text = snow_text(scene.stage, time) + rain_text(scene, time) + year_text(scene.stage, time) +
-                     text_of(scene.stage).surroundings(scene, time);
-  return scene.far ? text + '\n' + far_air_text(scene, time) : text;
+  std::string text = background_text(scene.film) + snow_text(scene.stage, time) + rain_text(scene, time) +
+                     year_text(scene.stage, time) + text_of(scene.stage).surroundings(scene, time);
+  return scene.far && !scene.film.transparent() ? text + '\n' + far_air_text(scene, time) : text;
+}
+
+std::optional<std::string> sky_scene_text(const PovSpace& space, const Scene& scene) {
+  const SettingText& setting = text_of(scene.stage);
+  if (!setting.sky || sun_moves(scene.stage)) return std::nullopt;
+  std::string text =
+      fmt::format("#version 3.7;\n#declare Frond_Unit = {};\n#declare Frond_Quality = 0;\n", space.unit);
+  for (std::string_view name : setting.includes) text += fmt::format("#include \"frond_{}.inc\"\n", name);
+  text += setting.surroundings(scene, 0) + "\ncamera{spherical location";
+  append_point(text, space, eye_at(scene, 0).at);
+  return text + " right x up y direction z angle 360 180}\n";
 }
 
 bool has_pictures(const Stage& stage) { return text_of(stage).pictures; }
@@ -97,8 +115,9 @@ Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time) {
 }
 
 std::string ground_text(const PovSpace& space, const Scene& scene) {
+  if (scene.film.background == Background::transparent) return {};
   std::string text = text_of(scene.stage).ground(space, scene);
-  return scene.far ? text + far_text(space, scene) : text;
+  return scene.far && !scene.film.transparent() ? text + far_text(space, scene) : text;
 }
 
 std::string adrift_text(const PovSpace& space, const Scene& scene, double time) {
@@ -108,9 +127,7 @@ std::string adrift_text(const PovSpace& space, const Scene& scene, double time) 
     std::string lines;
     for (const Strewn::At& at : kind.at) {
       std::string line = fmt::format("object{{Adrift{} ", number);
-      glm::mat3 axes = glm::mat3_cast(at.turn);
-      for (int axis = 0; axis < 3; ++axis) axes[axis] *= at.size[axis];
-      if (append_matrix(line, space, axes, at.place)) lines += line + "}\n";
+      if (append_matrix(line, space, axes_of(at.turn, at.size), at.place)) lines += line + "}\n";
     }
     if (lines.empty()) continue;
     text += fmt::format("#declare Adrift{} = ", number++);

@@ -21,6 +21,7 @@ struct SettingText {
   Result<std::vector<Picture>> (*pictures)(const Scene& scene, double time) = nullptr;
   /// What stands in the texture of a floor that nothing covers.
   std::string_view bare_floor = {};
+  bool sky = false;  ///< whether its surroundings have a sky all around
 };
 
 /// The texture of a setting's floor, for what draws it by itself.
@@ -33,6 +34,10 @@ std::optional<FloorTexture> floor_texture(const Stage& stage);
 
 /// The `#include` lines of the files that a scene needs.
 std::string includes_text(const Scene& scene);
+
+/// The sky alone as a scene that a spherical camera looks at from where the scene's is, for a picture twice
+/// as wide as high, north (-z) in its middle; none where there is no sky, or it is another in each frame.
+std::optional<std::string> sky_scene_text(const PovSpace& space, const Scene& scene);
 
 std::string setting_text(const Scene& scene, double time);
 Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time);

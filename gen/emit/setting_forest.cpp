@@ -6,10 +6,10 @@ namespace frond {
 
 namespace {
 
-/// The water of a stream at the time of the frame.
-std::string water_text(const Scene& scene) {
-  return "#declare Stream_Now = texture{Forest_Water(" +
-         number_text(ground_as<ForestGround>(*scene.ground).stream().speed()) + ")}\n";
+/// The water of a stream at the time of the frame; nothing where there is none.
+std::string water_text(const StreamCourse& stream) {
+  if (!stream.flows()) return {};
+  return "#declare Stream_Now = texture{Forest_Water(" + number_text(stream.speed()) + ")}\n";
 }
 
 std::string wood_text(const Scene& scene, double time) {
@@ -18,21 +18,22 @@ std::string wood_text(const Scene& scene, double time) {
   const auto& meadow = stage.block<Meadow>();
   Sky sky = forest_sky(stage);
   Daylight light = drawn_daylight(stage);
-  return globals_text("Meadow") + sky_text(sky, meadow.clouds) + "" +
-         (ground_as<ForestGround>(*scene.ground).stream().flows() ? water_text(scene) : "") +
+  const auto& ground = ground_as<ForestGround>(*scene.ground);
+  return globals_text("Meadow") + sky_text(sky, meadow.clouds) + water_text(ground.stream()) +
          "Forest_Setting(" + eye_text(scene, time) + "," + lamp_text(sky) + "," + vector_text(light.fog) +
          "," + number_text(light.fade) + "," + vector_text(light.mist) + "," + number_text(forest.mist) +
-         "," + number_text(ground_as<ForestGround>(*scene.ground).valley) + ")";
+         "," + number_text(ground.valley) + ")";
 }
 
 std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
-  const ForestCover& cover = ground_as<ForestGround>(*scene.ground).cover;
+  const auto& ground = ground_as<ForestGround>(*scene.ground);
+  const ForestCover& cover = ground.cover;
   std::string litter =
       scene.stage.year ? std::string(kYearLitter) : color_text(scene.stage.block<Forest>().litter);
   std::string wet = weather_over(false, is_rainy(scene.stage), Wetting::leaf);
   std::string green = color_text(scene.stage.block<Forest>().green);
-  std::string text = floor_text(space, scene, "Forest_Ground(" + litter + "," + green + ")");
-  const auto& ground = ground_as<ForestGround>(*scene.ground);
+  std::string_view macro = ground.mountain ? "Forest_Mountain(" : "Forest_Ground(";
+  std::string text = floor_text(space, scene, std::string(macro) + litter + "," + green + ")");
   if (ground.stream().flows()) {
     append_mesh(text, space, ground.bed());
     text.insert(text.rfind('}'), "texture{Forest_Bed(" + litter + ")}");
@@ -49,6 +50,9 @@ std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
 
 }  // namespace
 
-SettingText forest_text() { return {{"meadow", "forest"}, wood_text, forest_floor_text}; }
+SettingText forest_text() {
+  return {
+      .includes = {"meadow", "forest"}, .surroundings = wood_text, .ground = forest_floor_text, .sky = true};
+}
 
 }  // namespace frond

@@ -14,7 +14,8 @@ std::string sky_and_pond_text(const Scene& scene, double time) {
   std::string text = globals_text("Meadow") +
                      country_text(garden_sky(stage), stage.block<Meadow>(), drawn_daylight(stage).fog);
   const PondShape& pond = garden.pond;
-  if (pond.size.x > 0 && pond.size.y > 0)
+  bool ground = scene.film.background != Background::transparent;
+  if (ground && pond.size.x > 0 && pond.size.y > 0)
     text += "\nGarden_Water(" + direction_text(Vec3(pond.center.x, pond.level, pond.center.y)) + "," +
             number_text(1.35 * std::max(pond.size.x, pond.size.y)) + ")";
   return text;
@@ -23,11 +24,15 @@ std::string sky_and_pond_text(const Scene& scene, double time) {
 }  // namespace
 
 SettingText garden_text() {
-  return {{"meadow", "garden"}, sky_and_pond_text, [](const PovSpace& space, const Scene& scene) {
-            return lawn_text(space, scene, scene.stage.block<Meadow>().grass,
-                             scene.stage.block<Garden>().gravel_color,
-                             scene.stage.block<Garden>().earth_color);
-          }};
+  return {.includes = {"meadow", "garden"},
+          .surroundings = sky_and_pond_text,
+          .ground =
+              [](const PovSpace& space, const Scene& scene) {
+                return lawn_text(space, scene, scene.stage.block<Meadow>().grass,
+                                 scene.stage.block<Garden>().gravel_color,
+                                 scene.stage.block<Garden>().earth_color);
+              },
+          .sky = true};
 }
 
 }  // namespace frond

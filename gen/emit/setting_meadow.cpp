@@ -23,16 +23,22 @@ std::string summer_text(const Scene& scene, double time) {
   Stage stage = stage_at(scene.stage, time);
   std::string text = globals_text("Meadow") +
                      country_text(meadow_sky(stage), stage.block<Meadow>(), drawn_daylight(stage).fog);
-  return sun_moves(scene.stage) ? text + "\n" + mountain_text({}, stage) : text;
+  return sun_moves(scene.stage) && !scene.film.transparent() ? text + "\n" + mountain_text({}, stage) : text;
 }
 
 }  // namespace
 
 SettingText meadow_text() {
-  return {{"meadow"}, summer_text, [](const PovSpace& space, const Scene& scene) {
-            return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}, {}) +
-                   (sun_moves(scene.stage) ? "" : mountain_text(space, scene.stage));
-          }};
+  return {.includes = {"meadow"},
+          .surroundings = summer_text,
+          .ground =
+              [](const PovSpace& space, const Scene& scene) {
+                return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}, {}) +
+                       (sun_moves(scene.stage) || scene.film.transparent()
+                            ? ""
+                            : mountain_text(space, scene.stage));
+              },
+          .sky = true};
 }
 
 }  // namespace frond

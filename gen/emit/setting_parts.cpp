@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "draw/ambience.h"
 #include "draw/solids.h"
+#include "emit/mask.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -185,7 +186,9 @@ std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& gr
                       const Color& earth) {
   const auto& lawn = ground_as<Lawn>(*scene.ground);
   std::string green = scene.stage.year ? std::string(kYearGrass) : color_text(grass);
-  std::string text = floor_text(space, scene, "Meadow_Ground(" + green + ")");
+  std::string text;
+  if (Mask map = lawn.map(); !map.empty()) declare_mask(text, space, map, "Grass_Map");
+  text += floor_text(space, scene, "Meadow_Ground(" + green + ")");
   bool wet = is_rainy(scene.stage);
   std::string leaf = weather_over(is_snowy(scene.stage), wet, Wetting::leaf);
   append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}" + leaf);

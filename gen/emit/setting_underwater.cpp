@@ -44,6 +44,7 @@ std::string water_text(const Scene& scene, double time) {
                      light_text(light.fog) + "," + number_text(light.fade) + "," + sun + "," +
                      light_text(light.sunlight) + "," + number_text(water.caustics) + ",\"" +
                      caustics_name(scene, time) + "\")\n";
+  if (scene.film.transparent()) return text;
   if (water.shafts > 0)
     text +=
         "Water_Shafts(" + eye + "," + look + "," + near + "," + sun + "," + number_text(water.shafts) + ")\n";

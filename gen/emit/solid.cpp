@@ -1,8 +1,12 @@
 #include "emit/solid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/content.h"
 #include "core/text.h"
+#include "emit/mask.h"
 
 namespace frond {
 
@@ -122,9 +126,35 @@ void append_isosurface(std::string& text, const PovSpace& space, const Isosurfac
 }
 
 [[nodiscard]] bool append_placement(std::string& text, const PovSpace& space, const OrganPlace& place) {
-  glm::mat3 frame = glm::mat3_cast(place.turn);
-  for (int axis = 0; axis < 3; ++axis) frame[axis] *= place.scale[axis];
-  return append_matrix(text, space, frame, place.at);
+  return append_matrix(text, space, axes_of(place.turn, place.scale), place.at);
+}
+
+/// One of its own for each picture and each way that it lies.
+std::string moss_map_name(const Mask& mask) {
+  auto axis = static_cast<int>(mask.along.value_or(Axis::y));
+  Vec2 from = mask.area[0], to = mask.area[1];
+  return "Moss_Map_" +
+         content_id(fmt::format("{} {} {} {} {} {}", mask.file.content, axis, from.x, from.y, to.x, to.y));
+}
+
+/// Declares the map of a material's moss, and what it looks like without moss and with it.
+void declare_mapped(std::string& text, const PovSpace& space, const Material& material, bool wet) {
+  std::string map = moss_map_name(*material.moss_map);
+  text += "#ifndef(" + map + ")\n";
+  declare_mask(text, space, *material.moss_map, map);
+  text += "#end\n#declare Bare =";
+  Material bare = material;
+  bare.moss = 0;
+  append_material(text, bare, wet);
+  text += "\n#declare Mossy =";
+  append_material(text, material, wet);
+  text += '\n';
+}
+
+/// What goes over between the two by the map, which lies in the world; `matrix` places them as their body.
+std::string mapped_texture(const Material& material, std::string_view matrix) {
+  return fmt::format("texture{{function{{{0}(x,y,z)}} texture_map{{[0 Bare {1}][1 Mossy {1}]}}}}",
+                     moss_map_name(*material.moss_map), matrix);
 }
 
 /// A shape that is the same for a while: declared once and placed.
@@ -134,6 +164,9 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
   std::size_t placed = 0;
   const Solid& solid = *body.solid;
   bool own = body.places.size() <= kOwnTextures;
+  bool mapped = solid.material.moss_map && solid.material.moss > 0;
+  auto worn = [&](std::string_view matrix) { return mapped_texture(solid.material, matrix); };
+  if (mapped) declare_mapped(text, space, solid.material, wet);
   text += "#declare ";
   append_solid_name(text, organism, body.shape);
   text += " = ";
@@ -149,11 +182,14 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
     lines += "object{";
     append_solid_name(lines, organism, body.shape);
     lines += ' ';
-    if (own) append_material(lines, solid.material, wet);
-    if (append_placement(lines, space, place))
-      lines += "}\n", ++placed;
-    else
+    if (own && !mapped) append_material(lines, solid.material, wet);
+    std::size_t matrix = lines.size();
+    if (!append_placement(lines, space, place)) {
       lines.resize(line);
+      continue;
+    }
+    if (own && mapped) lines += worn(lines.substr(matrix));
+    lines += "}\n", ++placed;
   }
   if (own || lines.empty()) {
     text += lines;
@@ -162,7 +198,10 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
   }
   ++all.objects;
   text += "union{\n" + lines;
-  append_material(text, solid.material, wet);
+  if (mapped)
+    text += worn("");
+  else
+    append_material(text, solid.material, wet);
   text += "}\n";
 }
 

@@ -49,7 +49,7 @@ constexpr double kBytesWritten = 4e7, kModelWritten = 4e7;
 constexpr double kStart = 0.04;  // seconds to read the preset
 
 constexpr double kPictureBytes = 1.8;   // of a pixel of what is rendered
-constexpr double kStreaksText = 400e3;  // bytes of falling drops
+constexpr double kStreaksText = 400e3;  // bytes of falling drops, and of flakes
 constexpr double kRawBytes = 5;         // of one of raw frames
 constexpr double kDrawnBytes = 0.6;     // of one of bark or a leaf
 // Of POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
@@ -352,7 +352,7 @@ Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
   f.scene_memory += 2 * (sums->still + sums->materials);
   f.frame_memory += kFrameBuffers + sums->body_memory;
   bool rains = is_rainy(preset.stage) && highest(preset.stage.rain->rate) > 0;
-  if (rains) sums->text += kStreaksText;
+  sums->text += kStreaksText * (rains + (is_snowy(preset.stage) && highest(preset.stage.snow.falling) > 0));
   bool fills = is_rainy(preset.stage) && !preset.stage.rain->fallen.constant();
   bool each = (sums->changing || sun_moves(preset.stage) || fills) && preset.film.frames > 1;
   f.growth_memory = f.scene_memory + std::max(sums->growing, each ? 0 : ground.light_memory);

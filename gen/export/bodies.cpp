@@ -76,10 +76,11 @@ Kinds kinds_of(std::span<const DrawnBody> bodies) {
 
 /// How much moss is on a place that faces so: a factor of the colour.
 Vec3 mossy(const Material& m, Vec3 at, Vec3 normal, Vec3 light) {
-  if (m.moss <= 0 || !is_rock(m.matter)) return Vec3(1);
+  double moss = m.moss * (m.moss_map ? m.moss_map->at(DVec3(at), DVec3(0), DVec3(0)) : 1);
+  if (moss <= 0 || !is_rock(m.matter)) return Vec3(1);
   auto scale = static_cast<float>(1 / (2.4 * std::max(m.scale, 0.05)));
   double cover = 0.5 * normal.y + 0.25 + 0.22 * fractal_noise(at * scale, 3);
-  double grown = smooth_step(0.80 - 0.45 * m.moss, 0.95 - 0.45 * m.moss, cover);
+  double grown = smooth_step(0.80 - 0.45 * moss, 0.95 - 0.45 * moss, cover);
   Vec3 green = Vec3(0.10f, 0.14f, 0.03f) / glm::max(light, Vec3(0.05f));
   return glm::mix(Vec3(1), glm::min(green, Vec3(1)), static_cast<float>(grown));
 }

@@ -142,10 +142,11 @@ void append_probe(std::string& text, const PovSpace& space, const Probe& probe) 
   text += '\n';
 }
 
-/// The light on the far land, which nothing there hides from the sky: a lattice of places whose distances
-/// from each other grow with that from the middle. They lie behind the surfaces that they are for.
-std::vector<Probe> far_probes(const FarCountry& far, const Ambience& ambience) {
-  constexpr double kStep = 0.14;  // of the distance, from one to the next
+/// The light on the far land that is in view, which nothing there hides from the sky: a lattice of places
+/// whose distances from each other grow with that from the middle. They lie behind the surfaces that they are
+/// for.
+std::vector<Probe> far_probes(const FarCountry& far, const Ambience& ambience, const std::vector<Eye>& eyes) {
+  constexpr double kStep = 0.2;   // of the distance, from one to the next
   constexpr float kCell = 0.2f;   // of the distance; what is nearer than kReuse of these takes the light
   constexpr double kFrom = 1.25;  // of the radius of the near ground, which has light of its own
   constexpr float kBehind = 0.06f, kAbove = 0.12f;  // of the distance
@@ -155,7 +156,9 @@ std::vector<Probe> far_probes(const FarCountry& far, const Ambience& ambience) {
   for (const FarPart& part : far.parts)
     for (const Vec3& at : part.surface.position) {
       double away = std::hypot(double{at.x}, double{at.z});
-      if (away < kFrom * far.from) continue;
+      auto near = static_cast<float>(kStep * away);
+      auto seen = [&](const Eye& eye) { return in_view(eye, at, 2 * near); };
+      if (away < kFrom * far.from || std::ranges::none_of(eyes, seen)) continue;
       std::pair cell(static_cast<int>(std::log(away) / kStep),
                      static_cast<int>(std::atan2(double{at.z}, double{at.x}) / kStep + 100));
       if (!taken.insert(cell).second) continue;
@@ -226,7 +229,8 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   add_copies(grid, scene, surfels, time);
   add_ground(grid, scene, ambience->ground);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
-  if (scene.far) std::ranges::move(far_probes(*scene.far, *ambience), std::back_inserter(probes));
+  if (scene.far)
+    std::ranges::move(far_probes(*scene.far, *ambience, changes ? here : some), std::back_inserter(probes));
   std::vector<std::string> texts((probes.size() + 4095) / 4096);
   parallel_for(texts.size(), [&](std::size_t i) {
     for (std::size_t k = i * 4096; k < std::min(probes.size(), (i + 1) * 4096); ++k)

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/assets.h"
 #include "core/result.h"
 #include "core/vec.h"
 #include "grammar/expression.h"
@@ -38,6 +39,7 @@ struct GrammarText {
     std::string where = {};  ///< for messages: where the rule stands; empty: "rule 3"
   };
 
+  FileName file;  ///< of another program, from which all that follows was taken; empty: none
   std::string axiom = "F";
   int steps = 1;
   double angle = 45;          ///< degrees, of a turn that has no parameter

@@ -30,21 +30,6 @@ std::vector<Line> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string without_comments(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    if (text.substr(i, 2) != "/*") {
-      out += text[i++];
-      continue;
-    }
-    std::size_t end = std::min(text.find("*/", i + 2), text.size());
-    for (; i < end; ++i)
-      if (text[i] == '\n') out += '\n';  // lines keep their numbers
-    i = std::min(text.size(), i + 2);
-  }
-  return out;
-}
-
 std::optional<double> number(std::string_view text) {
   text = trim(text);
   double value = 0;
@@ -68,138 +53,11 @@ std::size_t last_outside(std::string_view text, char sign) {
   return text.npos;
 }
 
-std::string replaced(std::string text, std::string_view name, std::string_view by) {
-  auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at)) {
-    bool inside = at > 0 && letter(text[at - 1]);
-    if (!inside) text.replace(at, name.size(), by);
-    at += inside ? name.size() : by.size();
-  }
-  return text;
-}
-
 }  // namespace import_text
 
 namespace {
 
 using namespace import_text;
-
-/// Reads a cpfg file line by line.
-class CpfgReader {
- public:
-  Result<Import> read(std::string_view text) {
-    std::string clean = without_comments(text);
-    for (const Line& line : lines_of(clean)) {
-      if (!read_define(line.text) && !read_setting(line)) read_rule(line);
-    }
-    if (!errors_.empty()) return errors_;
-    if (!has_axiom_) return Error{"", "there is no `axiom:`; this is not a cpfg file"};
-    note("turning angle, line width and colours stand in the view file of cpfg: set `angle`, `width` here");
-    return std::move(import_);
-  }
-
- private:
-  void note(std::string text) { import_.notes.push_back(std::move(text)); }
-
-  bool read_define(std::string_view line) {
-    if (!line.starts_with('#')) return false;
-    bool define = line.starts_with("#define");
-    std::string_view rest = trim(line.substr(define ? 7 : 1));
-    std::size_t blank = std::min(rest.find_first_of(" \t"), rest.size());
-    std::string_view name = rest.substr(0, blank), value = trim(rest.substr(blank));
-    if (!define || !is_identifier(name) || value.empty()) {
-      note(fmt::format("`{}` is left out: only `#define NAME formula` is read", line));
-      return true;
-    }
-    import_.grammar.constants.emplace_back(name, formula(value));
-    return true;
-  }
-
-  /// cpfg's functions under our names.
-  static std::string formula(std::string_view text) {
-    return replaced(replaced(std::string(text), "ran(", "rand(0,"), "nran(", "nrand(");
-  }
-
-  /// A formula of the constants so far.
-  std::optional<double> value_of(std::string_view text) const {
-    std::vector<Constant> known;
-    auto value = [&](std::string_view formula) -> std::optional<double> {
-      Cursor reader{formula};
-      Expression read = read_expression(reader, {{}, known});
-      if (reader.failed() || !reader.at_end() || read.form != Expression::Form::constant) return std::nullopt;
-      return read.value;
-    };
-    for (const auto& [name, text_of] : import_.grammar.constants)
-      if (std::optional<double> constant = value(text_of)) known.push_back({name, {*constant}});
-    return value(text);
-  }
-
-  bool read_setting(const Line& whole) {
-    std::string_view line = whole.text;
-    GrammarText& g = import_.grammar;
-    std::size_t colon = line.find(':');
-    std::string_view name = trim(line.substr(0, colon));
-    std::string_view value = colon == line.npos ? std::string_view() : trim(line.substr(colon + 1));
-    std::vector<GrammarText::Rule>* before = rules_;
-    if (name == "axiom" || name == "Axiom")
-      g.axiom = formula(value), has_axiom_ = true;
-    else if (name == "derivation length")
-      take_count(g.steps, value_of(value), kMostSteps, whole, errors_);
-    else if (name == "seed")
-      take_count(g.seed, value_of(value), kMostSeed, whole, errors_);
-    else if (name == "ignore")
-      g.ignore = value;
-    else if (name == "consider")
-      g.consider = value;
-    else if (name == "ring L-system")
-      g.ring = value_of(value).value_or(0) != 0;
-    else if (name == "decomposition")
-      rules_ = &g.decomposition;
-    else if (name == "homomorphism" || name == "interpretation")
-      rules_ = &g.interpretation;
-    else if (name == "production" || name == "productions")
-      rules_ = &g.rules;
-    else if (name == "maximum depth") {
-      if (rules_ == &g.interpretation)
-        take_count(g.interpretation_depth, value_of(value), kMostDepth, whole, errors_);
-    } else if (name != "lsystem" && name != "endlsystem" && name != "Lsystem" &&
-               !name.starts_with("warnings") && !name.starts_with("no warnings")) {
-      for (std::string_view block : {"Start", "StartEach", "EndEach", "End"})
-        if (name == block)
-          return note(fmt::format("the block `{}` is left out: nothing is computed between steps", name)),
-                 true;
-      return false;
-    }
-    if (before != rules_ && rules_ == &g.interpretation) g.interpretation_depth = 1;
-    return true;
-  }
-
-  /// `left < A > right : condition --> successor : weight`
-  void read_rule(const Line& line) {
-    std::size_t arrow = line.text.find("-->");
-    if (arrow == line.text.npos)
-      return note(fmt::format("line {}: `{}` is left out", line.number, line.text));
-    std::string_view head = trim(line.text.substr(0, arrow)), successor = trim(line.text.substr(arrow + 3));
-    if (head.find('{') != head.npos)
-      return note(fmt::format("line {}: `{}` is left out: it computes in `{{ }}`", line.number, line.text));
-    std::string weight;
-    std::size_t colon = last_outside(successor, ':');
-    if (colon != successor.npos) {
-      weight = fmt::format("({})", formula(trim(successor.substr(colon + 1))));
-      successor = trim(successor.substr(0, colon));
-    }
-    std::string rule = fmt::format("{} ->{} {}", formula(head), weight, formula(successor));
-    rules_->push_back({rule, GrammarText::kUnlimited, fmt::format("line {}", line.number)});
-    for (std::string_view sign : {"@P", "@D", "@S", "@T", "@#", "@!", "@;"})
-      if (successor.find(sign) != successor.npos)
-        note(fmt::format("line {}: `{}…` means nothing here", line.number, sign));
-  }
-
-  Import import_;
-  std::vector<GrammarText::Rule>* rules_ = &import_.grammar.rules;
-  bool has_axiom_ = false;
-  Errors errors_;
-};
 
 /// Condition, successor and probability of a Houdini rule: `head = successor : probability`.
 std::optional<std::string> houdini_rule(std::string_view line) {
@@ -263,8 +121,6 @@ bool houdini_setting(const Line& whole, Import& import, Errors& errors) {
 
 }  // namespace
 
-Result<Import> import_cpfg(std::string_view text) { return CpfgReader().read(text); }
-
 Result<Import> import_houdini(std::string_view text) {
   Import import;
   import.grammar.dialect = Dialect::houdini;
@@ -273,13 +129,14 @@ Result<Import> import_houdini(std::string_view text) {
     if (line.text.starts_with('#') || houdini_setting(line, import, errors)) continue;
     if (std::optional<std::string> rule = houdini_rule(line.text)) {
       import.grammar.rules.push_back({*rule, GrammarText::kUnlimited, fmt::format("line {}", line.number)});
-      for (char sign : {'J', 'K', 'M', 'T'})
-        if (rule->find(sign) != rule->npos)
-          import.notes.push_back(fmt::format(
-              "line {}: `{}` is a symbol of its own here; Houdini {}", line.number, sign,
-              sign == 'T' ? "applies gravity: use `tropism`" : "puts input geometry there: use `~`"));
+      std::string_view successor = std::string_view(*rule).substr(rule->find("->") + 2);
+      if (successor.find('T') != successor.npos)
+        errors.push_back({fmt::format("line {}", line.number),
+                          "`T` bends by Houdini's own gravity, which is not known here; take it out and give "
+                          "`tropism`, which holds for every segment"});
     } else {
-      import.notes.push_back(fmt::format("line {}: `{}` is left out", line.number, line.text));
+      errors.push_back({fmt::format("line {}", line.number),
+                        fmt::format("`{}` is neither a rule `A=…` nor a value of the node", line.text)});
     }
   }
   if (!errors.empty()) return errors;
@@ -290,7 +147,6 @@ Result<Import> import_houdini(std::string_view text) {
 
 Result<Import> import_grammar(std::string_view file_name, std::string_view text) {
   if (file_name.ends_with(".ls")) return import_lparser(text);
-  if (file_name.ends_with(".l")) return import_cpfg(text);
   return import_houdini(text);
 }
 

@@ -12,10 +12,6 @@ struct Import {
   std::vector<std::string> notes;
 };
 
-/// cpfg and vlab, `.l`: `derivation length`, `axiom`, `ignore`, `consider`, `ring L-system`, `seed`,
-/// productions with weights, decomposition, homomorphism, `#define` of numbers and formulas.
-Result<Import> import_cpfg(std::string_view text);
-
 /// LParser, `.ls`: depth, angle, thickness, axiom, rules `A=…` up to `@`.
 Result<Import> import_lparser(std::string_view text);
 
@@ -23,7 +19,7 @@ Result<Import> import_lparser(std::string_view text);
 /// `stepsize`, `thickness`, `ignore`, constants) and rules `left<A(i)>right:condition=successor:probability`.
 Result<Import> import_houdini(std::string_view text);
 
-/// By the file extension: `.l`, `.ls`, any other is a Houdini list.
+/// By the file extension: `.ls`, any other is a Houdini list.
 Result<Import> import_grammar(std::string_view file_name, std::string_view text);
 
 }  // namespace frond

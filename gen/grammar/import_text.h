@@ -21,9 +21,6 @@ std::string_view trim(std::string_view text);
 /// The lines that are not empty, trimmed, with their numbers.
 std::vector<Line> lines_of(std::string_view text);
 
-/// The text without `/* … */`.
-std::string without_comments(std::string_view text);
-
 /// A finite number, nothing else.
 std::optional<double> number(std::string_view text);
 
@@ -43,8 +40,5 @@ inline constexpr double kMostSteps = 1e6, kMostSeed = 9e15, kMostDepth = 100;
 
 /// Position of the last `sign` outside parentheses, or npos.
 std::size_t last_outside(std::string_view text, char sign);
-
-/// Replaces every `name` that is not the end of a longer word.
-std::string replaced(std::string text, std::string_view name, std::string_view by);
 
 }  // namespace frond::import_text

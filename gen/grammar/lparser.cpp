@@ -74,17 +74,18 @@ Result<Import> import_lparser(std::string_view text) {
     std::string_view line = data[i].text;
     std::size_t equals = line.find('=');
     if (equals == line.npos || equals == 0) {
-      import.notes.push_back(fmt::format("line {}: `{}` is left out: no rule", data[i].number, line));
+      errors.push_back({fmt::format("line {}", data[i].number), fmt::format("`{}` is no rule `A=…`", line)});
       continue;
     }
     g.rules.push_back({fmt::format("{} -> {}", word_of(trim(line.substr(0, equals))),
                                    word_of(trim(line.substr(equals + 1)))),
                        GrammarText::kUnlimited, fmt::format("line {}", data[i].number)});
     if (line.substr(equals).find('t') != line.npos)
-      import.notes.push_back(fmt::format(
-          "line {}: `t` bends by gravity there; here `tropism` and `elasticity` hold for every segment",
-          data[i].number));
+      errors.push_back({fmt::format("line {}", data[i].number),
+                        "`t` bends by LParser's own gravity, which is not known here; take it out and give "
+                        "`tropism`, which holds for every segment"});
   }
+  if (!errors.empty()) return errors;
   for (std::string_view rule :
        {"Z -> \"(0.5)F\"(2)", "z -> \"(0.5)f\"(2)", "Z(l) -> F(l)", "z(l) -> f(l)", "c -> '", "c(n) -> '(n)"})
     g.interpretation.push_back({std::string(rule), GrammarText::kUnlimited, "the alphabet of LParser"});

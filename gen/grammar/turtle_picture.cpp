@@ -4,40 +4,17 @@
 #include "grammar/between.h"
 #include "grammar/figure.h"
 #include "grammar/picture.h"
+#include "model/model.h"
 
 namespace frond {
 
 namespace {
 
-const char* color_of(int index) {
-  static constexpr std::array<const char*, 8> kColors{"#4a6b35", "#6f9a3e", "#8fbf4d", "#c9b458",
-                                                      "#b3763c", "#a8455a", "#7a5a9e", "#3f7d9a"};
-  return kColors[static_cast<std::size_t>(((index % 8) + 8) % 8)];
-}
+const std::vector<std::string> kColors{"#4a6b35", "#6f9a3e", "#8fbf4d", "#c9b458",
+                                       "#b3763c", "#a8455a", "#7a5a9e", "#3f7d9a"};
 
-struct Stroke {
-  DVec3 from, to;
-  double width;
-  int color;
-};
-
-struct Fill {
-  std::vector<DVec3> points;
-  int color;
-};
-
-struct Ball {
-  DVec3 center;
-  double radius;
-  int color;
-};
-
-/// Keeps what is drawn, and the box around it.
-struct Canvas {
-  std::vector<Stroke> lines;
-  std::vector<Fill> fills;
-  std::vector<Ball> balls;
-  DVec3 low{1e300}, high{-1e300};
+/// Keeps what is drawn.
+struct Canvas : TurtleDrawing {
   double wrong = 0;  ///< not finite as soon as a place is not
 
   void reach(DVec3 p) { low = glm::min(low, p), high = glm::max(high, p), wrong += (p.x + p.y + p.z) * 0; }
@@ -47,7 +24,7 @@ struct Canvas {
     reach(s.from), reach(s.to);
   }
   void polygon(std::span<const DVec3> points, const TurtleState& state) {
-    fills.push_back({{points.begin(), points.end()}, state.color});
+    fills.push_back({{points.begin(), points.end()}, state.color + 1});
     for (DVec3 p : points) reach(p);
   }
   void sign(Act act, std::span<const double> parameters, const TurtleState& state) {
@@ -67,15 +44,23 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
   Canvas canvas;
   Result<TurtleState> end = draw_between(grammar, steps, seed, canvas, limits);
   if (!end) return end.errors();
-  if (canvas.low.x > canvas.high.x) canvas.low = canvas.high = DVec3(0);
+  DVec3 size = canvas.low.x > canvas.high.x ? DVec3(0) : canvas.high - canvas.low;
+  if (!std::isfinite(std::max(size.x, size.y) + canvas.wrong)) return out_of_range();
+  canvas.colors = kColors;
+  return svg_of(canvas);
+}
+
+std::string svg_of(const TurtleDrawing& canvas) {
+  auto color_of = [&](int index) {
+    return canvas.colors[frond::color_index(std::int32_t{index}, canvas.colors.size())];
+  };
+  DVec3 low = canvas.low, high = canvas.high;
+  if (low.x > high.x) low = high = DVec3(0);
   // The picture is 1000 units along its longer side, whatever the plant measures.
-  double size = std::max({canvas.high.x - canvas.low.x, canvas.high.y - canvas.low.y, 1e-9}),
-         scale = 1000 / size;
-  if (!std::isfinite(size + canvas.wrong)) return out_of_range();
-  auto x = [&](DVec3 p) { return (p.x - canvas.low.x) * scale + 20; };
-  auto y = [&](DVec3 p) { return (canvas.high.y - p.y) * scale + 20; };
-  double width = (canvas.high.x - canvas.low.x) * scale + 40,
-         height = (canvas.high.y - canvas.low.y) * scale + 40;
+  double size = std::max({high.x - low.x, high.y - low.y, 1e-9}), scale = 1000 / size;
+  auto x = [&](DVec3 p) { return (p.x - low.x) * scale + 20; };
+  auto y = [&](DVec3 p) { return (high.y - p.y) * scale + 20; };
+  double width = (high.x - low.x) * scale + 40, height = (high.y - low.y) * scale + 40;
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
   put_thousandths(out, width), out += ' ', put_thousandths(out, height);
   out +=
@@ -83,13 +68,13 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
       "fill=\"none\">\n";
   for (std::size_t i = 0; i < canvas.lines.size();) {
     // Lines that join and look alike share one path.
-    const Stroke& first = canvas.lines[i];
+    const TurtleDrawing::Stroke& first = canvas.lines[i];
     double stroke = std::clamp(first.width * scale, 0.5, 60.0);
     out += "<path stroke=\"", out += color_of(first.color), out += "\" stroke-width=\"",
         put_thousandths(out, stroke), out += "\" d=\"";
     DVec3 pen(1e300);
     for (; i < canvas.lines.size(); ++i) {
-      const Stroke& line = canvas.lines[i];
+      const TurtleDrawing::Stroke& line = canvas.lines[i];
       if (line.color != first.color || line.width != first.width) break;
       if (line.from != pen)
         out += 'M', put_thousandths(out, x(line.from)), out += ' ', put_thousandths(out, y(line.from));
@@ -99,13 +84,13 @@ Result<std::string> turtle_svg(const Grammar& grammar, double steps, Seed seed, 
     out += "\"/>\n";
   }
   out += "</g>\n<g>\n";
-  for (const Fill& fill : canvas.fills) {
-    out += "<polygon fill=\"", out += color_of(fill.color + 1), out += "\" points=\"";
+  for (const TurtleDrawing::Fill& fill : canvas.fills) {
+    out += "<polygon fill=\"", out += color_of(fill.color), out += "\" points=\"";
     for (DVec3 p : fill.points)
       put_thousandths(out, x(p)), out += ',', put_thousandths(out, y(p)), out += ' ';
     out += "\"/>\n";
   }
-  for (const Ball& ball : canvas.balls) {
+  for (const TurtleDrawing::Ball& ball : canvas.balls) {
     out += "<circle fill=\"", out += color_of(ball.color), out += "\" cx=\"",
         put_thousandths(out, x(ball.center));
     out += "\" cy=\"", put_thousandths(out, y(ball.center)), out += "\" r=\"",

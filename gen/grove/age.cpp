@@ -29,6 +29,12 @@ double cycle_at_age(const Species& s, double years) {
   return s.pace * std::min(lived, s.youth) + s.pace * s.youth * std::log(grown_up) + years - lived;
 }
 
+double age_at_cycle(const Species& s, double cycle) {
+  double young = s.pace * s.youth, years = cycle / s.pace;
+  if (cycle > young) years = s.youth * std::exp(cycle / young - 1);
+  return years <= s.lifespan ? years : s.lifespan + cycle - cycle_at_age(s, s.lifespan);
+}
+
 Species in_cycles(const Species& s) {
   Species counted = s;
   counted.maturity = cycles_alive(s, s.maturity);

@@ -7,6 +7,7 @@
 #include "core/bytes.h"
 #include "core/parallel.h"
 #include "grove/aside.h"
+#include "grove/edit_tree.h"
 #include "grove/metamers.h"
 #include "grove/resource.h"
 #include "grove/shed.h"
@@ -28,6 +29,7 @@ struct Fallen {
   std::uint32_t serial, parent;
   float born, died, fell, pipe, light;
   std::uint8_t order;
+  bool regrown;
 };
 
 /// The pipes of the metamers that stood at the end of a year.
@@ -41,7 +43,9 @@ struct Tree {
   Metamers living;
   std::uint32_t serial = 1;
   std::vector<Fallen> fallen;
-  std::vector<Scar> scars;  // `on` is a serial as yet
+  std::vector<Scar> scars;    // `on` is a serial as yet
+  std::vector<SawnEnd> cuts;  // the same
+  std::vector<std::string> notes;
   std::vector<YearRings> rings;
   std::vector<Size> sizes;
   std::size_t broken = 0, bytes = 0;
@@ -126,7 +130,7 @@ void drop(Tree& tree, const Falls& falls, bool history) {
     if (!history) continue;
     tree.fallen.push_back({m.tip[i], m.side[i], m.serial[i], m.serial[p], m.born[i],
                            std::min(m.died[i], falls.time[i]), falls.time[i], m.pipe[i], m.light[i],
-                           m.order[i]});
+                           m.order[i], m.has(i, Metamers::regrown)});
   }
   // A stem that has lost its leader goes on from its buds, the dead nowhere.
   if (gone > 0) m.keep(stay);
@@ -175,6 +179,8 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   brace(m, s.wood, strain);
   Falls falls = find_falls(m, s, strain, seedling.seed, year);
   prune(m, pruned_in(options.dates, year, seedling.name), seedling.seed, year, falls);
+  for (std::size_t end : saw(m, seedling.cuts, year, falls, tree.notes))
+    tree.cuts.push_back({m.serial[end], static_cast<float>(year + 1)});
   if (falls.stem && tree.stem_broke < 0) tree.stem_broke = year;
   if (options.history) tree.rings.push_back({m.serial, m.pipe});
   tree.bytes = std::max(tree.bytes, m.size() * kBytesAMetamer);
@@ -263,6 +269,7 @@ GrownTree grown_tree(Tree& tree) {
     g.light.push_back(f.light);
     g.order.push_back(f.order);
     g.leads.push_back(false);
+    if (f.regrown) g.regrown.push_back(static_cast<std::uint32_t>(g.size() - 1));
   };
   for (std::uint32_t i : by_serial) {
     while (fallen != tree.fallen.end() && fallen->serial < m.serial[i]) add_fallen();
@@ -274,6 +281,7 @@ GrownTree grown_tree(Tree& tree) {
     g.light.push_back(m.light[i]);
     g.order.push_back(m.order[i]);
     g.leads.push_back(m.has(i, Metamers::leading));
+    if (m.has(i, Metamers::regrown)) g.regrown.push_back(static_cast<std::uint32_t>(g.size() - 1));
   }
   while (fallen != tree.fallen.end()) add_fallen();
   for (Scar s : tree.scars) {
@@ -281,6 +289,12 @@ GrownTree grown_tree(Tree& tree) {
     s.on = static_cast<std::uint32_t>(index[s.on]);
     g.scars.push_back(s);
   }
+
+  for (const SawnEnd& cut : tree.cuts)
+    if (index[cut.on] != GrownTree::kRoot)
+      g.cuts.push_back({static_cast<std::uint32_t>(index[cut.on]), cut.time});
+  g.notes = std::move(tree.notes);
+  g.axes = axis_nodes(g);  // once, and not for each moment of a film
 
   if (tree.rings.empty()) return g;
   add_rings(g, tree.rings, index, wood);
@@ -292,7 +306,8 @@ GrownTree grown_tree(Tree& tree) {
 std::size_t GrownTree::held() const {
   return bytes_of(tip) + bytes_of(side) + bytes_of(parent) + bytes_of(radius) + bytes_of(born) +
          bytes_of(died) + bytes_of(fell) + bytes_of(light) + bytes_of(order) + bytes_of(leads) +
-         bytes_of(first_ring) + bytes_of(ring) + bytes_of(scars);
+         bytes_of(first_ring) + bytes_of(ring) + bytes_of(scars) + bytes_of(cuts) + bytes_of(regrown) +
+         bytes_of(axes);
 }
 
 bool GrownTree::bears_leaves(const Species& s, std::size_t i, float year) const {

@@ -6,9 +6,11 @@
 #include "core/seed.h"
 #include "grove/dates.h"
 #include "grove/light.h"
+#include "grove/saw.h"
 #include "grove/species.h"
 #include "grove/uproot.h"
 #include "grove/wood.h"
+#include "model/model.h"
 
 namespace frond {
 
@@ -21,6 +23,7 @@ struct Seedling {
   int planted = 0;               ///< year of the grove in which it begins to grow
   std::vector<Vec3> guide = {};  ///< a line that its stem is led along, from the foot; metres. Empty: none
   std::string name = {};         ///< by which events name it
+  std::vector<YearCut> cuts = {};
 };
 
 struct GroveOptions {
@@ -46,6 +49,13 @@ struct Scar {
   float girth = 0;       ///< radius of the internode that bore it, at that time
   float fell = 0;        ///< year
   std::uint32_t id = 0;  ///< serial number, in order of birth in the tree, of the bough's first internode
+};
+
+/// The end of a limb that was sawn through.
+struct SawnEnd {
+  std::uint32_t on = 0;  ///< the internode that ends there
+  float time = 0;        ///< year; kFresh: it is always as just sawn
+  static constexpr float kFresh = -1;
 };
 
 /// The size of a tree at the end of a year, as foresters measure it.
@@ -75,7 +85,11 @@ struct GrownTree {
 
   Uprooting uprooting;      ///< when it has lost its balance; the tree is as it stood
   std::vector<Scar> scars;  ///< of boughs at least five twigs thick, on remaining parts
-  std::vector<Size> sizes;  ///< at the end of each year since it was planted
+  std::vector<SawnEnd> cuts;
+  std::vector<std::uint32_t> regrown;  ///< first internodes of axes that a cut has called forth, in order
+  std::vector<std::string> notes;      ///< on cuts that find no branch: "/edits/2/at: finds no branch: ..."
+  std::vector<AxisNode> axes;          ///< as they were before edits, see axis_nodes()
+  std::vector<Size> sizes;             ///< at the end of each year since it was planted
 
   std::size_t grown = 0;   ///< total number of internodes ever grown
   std::size_t broken = 0;  ///< number of living branches broken by storms

@@ -17,7 +17,10 @@ struct Metamers {
     side_shoot = 1,  ///< the first internode of an axis that leaves another one
     leading = 2,     ///< bears a living terminal bud
     bud = 4,         ///< bears a living lateral bud
-    dead = 8
+    dead = 8,
+    woken = 16,   ///< its lateral bud sprouts by what the wood has stored, since what was above is cut off
+    spent = 32,   ///< its lateral bud came from old wood
+    regrown = 64  ///< the first internode of an axis from such a bud
   };
 
   std::vector<Vec3> tip;   ///< its upper end, metres

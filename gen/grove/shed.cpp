@@ -52,7 +52,8 @@ std::size_t die_of_shade(Metamers& t, const Species& s, Seed seed, int year, dou
     }
     if (time == Metamers::kNever) continue;
     t.died[i] = std::max(time, t.born[i]);
-    t.flags[i] = static_cast<std::uint8_t>((t.flags[i] & Metamers::side_shoot) | Metamers::dead);
+    t.flags[i] =
+        static_cast<std::uint8_t>((t.flags[i] & (Metamers::side_shoot | Metamers::regrown)) | Metamers::dead);
     ++died;
   }
   return died;

@@ -17,6 +17,8 @@ constexpr float kFaintSlope = 0.03f;   // 1/m: shadow slopes weaker than this tu
 constexpr float kLongest = 1.5f;       // of an internode, in units of an ordinary one
 constexpr float kAboveGround = 0.25f;  // metres that hanging shoots keep
 constexpr float kTrailing = 0.7f;      // metres under which they cease to grow
+constexpr float kStored = 3;           // internodes that wood below a cut has stored for a bud
+constexpr float kWakingLight = 0.1f;   // in which such a bud sprouts
 constexpr float kLater = 0.5f;         // light and tropism turn the rest of a shoot less than its start
 
 struct Shoot {
@@ -104,6 +106,7 @@ std::vector<Shoot> sprouting(const Metamers& t, const Season& season) {
       float v = (leader ? t.to_leader[i] : t.to_side[i]);
       // A stem that is led, even aslant, keeps the lead.
       if (stem && led(season.guide, t.tip[i], 1)) v = std::max(v, static_cast<float>(s.vigour));
+      if (!leader && t.has(i, Metamers::woken) && t.light[i] > kWakingLight) v = std::max(v, kStored);
       if (v < 1) continue;
       v *= reach(t, s, i);
       if (v < 1) continue;
@@ -145,6 +148,7 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
   Vec3 pull = shoot.to_light * static_cast<float>(s.light_pull) + Vec3(0, static_cast<float>(lift), 0);
   float level = order == 0 ? 1.0f : static_cast<float>(1 - s.spread);
   Vec3 place = t.tip[from];
+  const bool anew = !shoot.leader && t.has(from, Metamers::spent);
   for (int k = 0; k < shoot.count; ++k) {
     std::size_t i = at + static_cast<std::size_t>(k);
     Seed own = season.seed.child(serial + static_cast<std::uint32_t>(k));
@@ -167,10 +171,12 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
     t.serial[i] = serial + static_cast<std::uint32_t>(k);
     t.born[i] = static_cast<float>(season.year) + static_cast<float>(k + 1) / static_cast<float>(shoot.count);
     t.flags[i] = static_cast<std::uint8_t>((k == 0 && !shoot.leader ? Metamers::side_shoot : 0) |
+                                           (k == 0 && anew ? Metamers::regrown : 0) |
                                            (last ? Metamers::leading : 0) | (sprouts ? Metamers::bud : 0));
     t.order[i] = order;
   }
   t.clear(from, shoot.leader ? Metamers::leading : Metamers::bud);
+  if (!shoot.leader) t.clear(from, Metamers::woken);
 }
 
 }  // namespace
@@ -205,7 +211,8 @@ std::size_t grow_shoots(Metamers& t, const Season& season, std::uint32_t& serial
   assert(at == n && "the shoots fill what was made for them");
   // Buds that slept too long die.
   for (std::size_t i = 0; i < first; ++i)
-    if (t.has(i, Metamers::bud) && static_cast<double>(season.year) - t.born[i] > season.species.bud_years)
+    if (t.has(i, Metamers::bud) && !(t.has(i, Metamers::woken) && t.has(i, Metamers::spent)) &&
+        static_cast<double>(season.year) - t.born[i] > season.species.bud_years)
       t.clear(i, Metamers::bud);
   return first;
 }

@@ -5,6 +5,7 @@
 
 #include "core/linear.h"
 #include "core/parallel.h"
+#include "images/bark_photo.h"
 #include "images/tiling_noise.h"
 
 namespace frond {
@@ -226,13 +227,19 @@ void each_row(int height, const Paint& paint) {
 }  // namespace
 
 BarkMaps bark_maps(const BarkImage& bark, int width, int height, Seed seed) {
-  BarkPainter painter(bark, width, height, seed.child("bark"));
+  // Shallow furrows have their ground near the ridges.
+  auto raised = [&](double h) { return static_cast<float>(std::clamp(1 - (1 - h) * bark.depth, 0.0, 1.0)); };
   BarkMaps maps{Grid(width, height), Grid(width, height)};
+  if (bark.photo) {
+    maps.height = tile_heights(resized_tile(*bark.photo, width, height));
+    for (float& h : maps.height.data) h = raised(static_cast<double>(h));
+    return maps;
+  }
+  BarkPainter painter(bark, width, height, seed.child("bark"));
   each_row(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       Spot spot = painter.at((x + 0.5) / width, 1 - (y + 0.5) / height);
-      // Shallow furrows have their ground near the ridges.
-      maps.height.at(x, y) = static_cast<float>(std::clamp(1 - (1 - spot.height) * bark.depth, 0.0, 1.0));
+      maps.height.at(x, y) = raised(spot.height);
       maps.tone.at(x, y) = static_cast<float>(spot.tone);
     }
   });
@@ -254,6 +261,7 @@ Raster normal_picture(const Grid& grid, double strength) {
 }
 
 Raster bark_colors(const BarkImage& bark, const BarkMaps& maps, Seed seed) {
+  if (bark.photo) return resized_tile(*bark.photo, maps.height.width, maps.height.height);
   Raster raster(maps.height.width, maps.height.height, 3);
   Rgb high = rgb_of(bark.color), low = rgb_of(bark.second), lichen = rgb_of(bark.lichen);
   Seed spots = seed.child("lichen"), stain = seed.child("stain");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "core/seed.h"
 #include "core/vec.h"
 #include "images/raster.h"
@@ -26,6 +28,8 @@ struct BarkImage {
   double depth = 1;       ///< of furrows, 0 .. 1
   double knots = 0;       ///< average number of scars of fallen branches per square of the picture's width
   double lenticels = 0;   ///< share of the possible positions of pores that have one, 0..1
+  std::shared_ptr<const Raster> photo =
+      {};  ///< a photograph as a tile, shown instead of all of that but `depth`
 };
 
 /// Height, 0 deep .. 1 high, and tone, 0 second colour .. 1 first colour. u runs round the branch, v along

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear.h"
 #include "core/parallel.h"
+#include "images/leaf_photo.h"
 #include "images/tiling_noise.h"
 
 namespace frond {
@@ -221,6 +223,8 @@ class Blade {
   /// The colour there; it goes on beyond the rim. `pixel` is the side of one in the leaf's unit.
   Rgb color(Vec2 p, int index, double pixel) const {
     double away = out(p);
+    if (leaf_.photo)
+      return dried(photographed(p, pixel), p, away, seed_.child(static_cast<std::uint64_t>(index)), 0);
     if (away > 1 && on_stalk(p)) return glm::mix(rgb(leaf_.veins), rgb(leaf_.color), 0.3) * 0.9;
     double strength = veins(p, pixel);
     Seed own = seed_.child(static_cast<std::uint64_t>(index));
@@ -230,17 +234,33 @@ class Blade {
     Rgb color = rgb(leaf_.color) * (0.80 + 0.30 * std::min(away, 1.0)) * (0.93 + 0.07 * mesh);
     color *= Rgb(1) + Rgb(0.9, 0.5, 0.3) * (leaf_.spots * blotch);
     color = glm::mix(color, rgb(leaf_.rim), 0.55 * smooth_step(0.80, 1.0, away));
-    if (leaf_.age > 0) {
-      double rough = tiling_fractal(p.x * 7 + 8, p.y * 7, 64, 64, 5, 0.6, own.child("age"));
-      double brown = smooth_step(0.12, 0.34, 1.1 * leaf_.age + 0.9 * (std::min(away, 1.0) - 1) + 0.4 * rough);
-      color = glm::mix(color, kBrown * (1 + 0.5 * blotch), 0.85 * brown);
-    }
+    color = dried(color, p, away, own, blotch);
     // Beside a vein the blade bulges: light on one side, dark on the other.
     color *= 1 - 0.14 * smooth_step(0.02, 0.35, strength) * (1 - smooth_step(0.35, 1.0, strength));
     return glm::mix(color, rgb(leaf_.veins), 0.75 * smooth_step(0.3, 1.0, strength));
   }
 
  private:
+  /// The photograph's colour. The leaf's stalk may be longer than that of the photograph, and its blade
+  /// wider.
+  Rgb photographed(Vec2 p, double pixel) const {
+    const LeafPhoto& photo = *leaf_.photo;
+    double stalk = photo.outline.stalk, y = p.y - o_.stalk;
+    y = y > 0 ? stalk + y / scale_ : o_.stalk > 0 ? p.y * stalk / o_.stalk : y;
+    Vec3 light = photo.at(Vec2(p.x / (o_.width * scale_), y), pixel);
+    Color seen = srgb(glm::clamp(light * linear(leaf_.color) / glm::max(linear(photo.mean), Vec3(1e-3f)),
+                                 Vec3(0), Vec3(1)));
+    return glm::max(rgb(seen), Rgb(1.0 / 255));  // black is where no leaf is
+  }
+
+  /// A colour with the brown of age.
+  Rgb dried(Rgb color, Vec2 p, double away, Seed own, double blotch) const {
+    if (leaf_.age <= 0) return color;
+    double rough = tiling_fractal(p.x * 7 + 8, p.y * 7, 64, 64, 5, 0.6, own.child("age"));
+    double brown = smooth_step(0.12, 0.34, 1.1 * leaf_.age + 0.9 * (std::min(away, 1.0) - 1) + 0.4 * rough);
+    return glm::mix(color, kBrown * (1 + 0.5 * blotch), 0.85 * brown);
+  }
+
   bool on_stalk(Vec2 p) const { return p.y <= o_.stalk + 0.03 && p.y >= -0.01 && std::abs(p.x) < 0.018; }
 
   /// How far from the middle of the blade, 1 on its rim.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,8 @@ struct LeafPlace {
 };
 std::vector<LeafPlace> sprig_places(const Sprig& sprig);
 
+struct LeafPhoto;  // images/leaf_photo.h
+
 /// A leaf or a sprig, and the appearance of its picture.
 struct LeafImage {
   LeafOutline outline;
@@ -55,6 +58,8 @@ struct LeafImage {
   Color rim{0.44f, 0.52f, 0.16f};
   double spots = 0.15;  ///< variation of colour over it, 0..1
   double age = 0;       ///< brown at the rim and in blotches, 0..1
+  std::shared_ptr<const LeafPhoto> photo =
+      {};  ///< shown where given, tinted by `color`, without veins, rim or spots
 };
 
 /// The part of the plane that a picture shows: x of -half..half, y of low..high.

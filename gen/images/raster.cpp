@@ -18,10 +18,6 @@ png_uint_32 format_of(int channels) {
 
 }  // namespace
 
-std::uint8_t to_byte(double value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
-}
-
 Result<std::string> png_text(const Raster& raster) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -71,12 +67,13 @@ Result<Raster> read_png(std::string_view bytes) {
   return raster;
 }
 
-Result<LinearRaster> read_linear_png(std::string_view bytes) {
+Result<LinearRaster> read_linear_png(std::string_view bytes, bool opacity) {
   png_image image{};
   if (Errors errors = begin(image, bytes); !errors.empty()) return errors;
-  image.format = PNG_FORMAT_LINEAR_RGB;
-  LinearRaster raster{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-  raster.data.resize(std::size_t{3} * image.width * image.height);
+  bool alpha = opacity && image.format & PNG_FORMAT_FLAG_ALPHA;
+  image.format = alpha ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB;
+  LinearRaster raster{static_cast<int>(image.width), static_cast<int>(image.height), alpha ? 4 : 3, {}};
+  raster.data.resize(static_cast<std::size_t>(raster.channels) * image.width * image.height);
   if (Errors errors = finish(image, raster.data.data()); !errors.empty()) return errors;
   return raster;
 }

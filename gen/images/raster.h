@@ -29,6 +29,7 @@ struct Raster {
 /// A colour picture of 16 bits per channel; brightness is linear.
 struct LinearRaster {
   int width = 0, height = 0;
+  int channels = 3;  ///< 4: with opacity, by which the colours are multiplied
   std::vector<std::uint16_t> data;
 };
 
@@ -57,6 +58,7 @@ Result<std::string> png_text(const Raster& raster);
 
 /// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels a side.
 Result<Raster> read_png(std::string_view bytes);
-Result<LinearRaster> read_linear_png(std::string_view bytes);
+/// `opacity`: with that of the file, where it has one; else what is behind it is black.
+Result<LinearRaster> read_linear_png(std::string_view bytes, bool opacity = false);
 
 }  // namespace frond

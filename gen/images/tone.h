@@ -19,8 +19,9 @@ struct Tone {
 /// `highlights`; brighter ones are compressed so that the brightest possible light is just white.
 double toned(double light, const Tone& tone);
 
-/// Converts a PNG file of 16 bits per channel, as POV-Ray writes it, to 8 bits with this tone. Several of
-/// equal size are averaged in linear light, as exposures of one frame.
-Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone);
+/// Converts a PNG file of 16 bits per channel, as POV-Ray writes it, to 8 bits, or 16, with this tone.
+/// Several of equal size are averaged in linear light, as exposures of one frame; opacity is kept, and
+/// colours are averaged by it.
+Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone, int depth = 8);
 
 }  // namespace frond

@@ -138,7 +138,8 @@ std::string ninja_text(const JobList& jobs) {
   if (!jobs.raws.empty()) append_resolve(text, jobs);
 
   if (jobs.still) {
-    append_list_rule(text += '\n', "still", "exec $frond film $out.list $out", "still.png");
+    std::string dpi = jobs.dpi > 0 ? " --dpi " + number_text(jobs.dpi) : "";
+    append_list_rule(text += '\n', "still", "exec $frond film $out.list $out" + dpi, "still.png");
     append_build(text, "still.png", "still", {jobs.frames.front()});
     return text;
   }
@@ -146,15 +147,19 @@ std::string ninja_text(const JobList& jobs) {
   append_variable(text, "fps", number_text(jobs.fps, 6));
   append_variable(text, "title", shell_quoted("--title=" + jobs.title));
   append_variable(text, "comment", shell_quoted("--comment=seed " + std::to_string(jobs.seed)));
-  append_list_rule(text, "film", "exec $frond film $out.list $out --fps $fps $title $comment", "$out");
-  for (std::string_view film : {"film.mp4", "film.webm", "film.gif"})
+  append_list_rule(text, "film",
+                   std::string("exec $frond film $out.list $out --fps $fps $title $comment") +
+                       (jobs.transparent ? " --alpha" : ""),
+                   "$out");
+  std::string_view first = jobs.transparent ? "film.mov" : "film.mp4";
+  for (std::string_view film : {first, std::string_view("film.webm"), std::string_view("film.gif")})
     append_build(text, film, "film", jobs.frames);
 
   std::vector<int> sheet = sheet_frames(jobs.frames);
   append_variable(text += '\n', "columns", std::to_string(sheet_columns(sheet.size())));
   append_list_rule(text, "contact", "exec $frond film $out.list $out --columns $columns", "contact.png");
   append_build(text, "contact.png", "contact", sheet);
-  text += "\ndefault film.mp4 contact.png\n";
+  text += "\ndefault " + std::string(first) + " contact.png\n";
   return text;
 }
 
@@ -187,6 +192,7 @@ std::string manifest_text(const Manifest& manifest) {
   line("size", "[" + std::to_string(manifest.size[0]) + ", " + std::to_string(manifest.size[1]) + "]");
   line("quality", json_quoted(manifest.quality));
   line("still", manifest.still ? "true" : "false");
+  if (manifest.transparent) line("transparent", "true");
   line("render_seconds", number_text(manifest.render_seconds, 2));
   if (manifest.raw[0] > 0)
     line("raw", "[" + std::to_string(manifest.raw[0]) + ", " + std::to_string(manifest.raw[1]) + "]");

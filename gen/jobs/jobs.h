@@ -16,6 +16,7 @@
 ///     DIR/frames/frame_0001.pov -> DIR/raw/frame_0001.png        frond frame
 ///     those of some frames      -> DIR/frames/frame_0001.png     frond resolve
 ///     all frames                -> DIR/film.mp4, .webm, .gif     frond film
+///     or, with opacity,         -> DIR/film.mov, .webm, .gif     frond film
 ///     some frames               -> DIR/contact.png               frond film
 ///     the frame of a still      -> DIR/still.png                 frond film
 ///
@@ -56,6 +57,8 @@ struct JobList {
   std::vector<std::string> resolve;    ///< the words that say to `frond resolve` which preset it is
   double fps = 24;                     ///< frames a second, above 0
   bool still = false;                  ///< one picture, no film
+  bool transparent = false;            ///< whether its pictures have opacity, which a film keeps
+  double dpi = 0;                      ///< pixels an inch, which a still says; 0: it says none
   bool rendered = false;               ///< the pictures already exist: only the film is to be made
   std::string title;                   ///< goes into the film's metadata
   std::uint64_t seed = 0;              ///< the same
@@ -64,8 +67,8 @@ struct JobList {
   std::string program = "../build/frond";  ///< this program, as seen from DIR; no line break in it
 };
 
-/// build.ninja. Its default targets are film.mp4 and contact.png, or still.png. Paths and title may contain
-/// any character but a line break (one in a title becomes a blank).
+/// build.ninja. Its default targets are film.mp4 (with opacity film.mov) and contact.png, or still.png. Paths
+/// and title may contain any character but a line break (one in a title becomes a blank).
 std::string ninja_text(const JobList& jobs);
 
 /// The value of a variable at the top of a build.ninja; empty if there is none of that name.
@@ -94,6 +97,7 @@ struct Manifest {
   std::array<int, 2> size{480, 270};
   std::string_view quality = "draft";
   bool still = false;
+  bool transparent = false;      ///< whether its pictures have opacity
   double render_seconds = 0;     ///< per frame, estimated for a processor as ours
   std::array<int, 2> raw{0, 0};  ///< first and last of the raw frames of which they are resolved; 0: none
   std::vector<Budget> budgets;

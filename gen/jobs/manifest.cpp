@@ -45,6 +45,8 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& file_na
       take_two(root, "size", manifest.size) && take_number(root, "render_seconds", manifest.render_seconds) &&
       take(root, "still", Value::Type::boolean, [&](const Value& value) { manifest.still = value.boolean; });
   take_two(root, "raw", manifest.raw);
+  take(root, "transparent", Value::Type::boolean,
+       [&](const Value& value) { manifest.transparent = value.boolean; });
   if (const Value* budgets = root.find("budgets"))
     for (const Value& item : budgets->items) {
       Manifest::Budget& budget = manifest.budgets.emplace_back();

@@ -15,6 +15,7 @@ constexpr double kOpen = 60;         // metres past the edge of the near ground 
 constexpr double kWoodSize = 900;    // metres from one wood to the next
 constexpr double kRockSlope = 0.9;   // rise over run of what bears no soil, 42 degrees
 constexpr double kSteepField = 0.2;  // rise over run of what is no longer ploughed
+constexpr double kMassif = 5200;     // metres from one mountain to the next
 constexpr double kVillage = 110;     // metres from the middle of a village within which nothing else is
 
 Seed pair_seed(const Seed& a, const Seed& b) { return Seed{a.key ^ b.key}.child("border"); }
@@ -63,8 +64,10 @@ double FarLand::height(Vec2 at, double spacing) const {
                        0.6 * smooth_step(300.0, 3000.0, out) + 2.2 * smooth_step(2000.0, 11000.0, out));
   double risen = smooth_step(0.35, 1.0, away / std::max(shape_.mountains_distance, 1.0));
   if (shape_.mountains > 0 && risen > 0) {
-    double ridges = hill_noise(at, 5200, 0.85, spacing, seed_.child("mountains"));
-    land += shape_.mountains * risen * std::max(0.0, 0.55 + 0.5 * ridges);
+    // Farther ranges look over those before them.
+    double farther = 1 + 0.35 * smooth_step(1.0, 2.4, away / shape_.mountains_distance);
+    double ridges = eroded_hill_noise(at, kMassif, 0.75, 1, spacing, seed_.child("mountains"));
+    land += shape_.mountains * risen * farther * std::max(0.0, 0.55 + 0.5 * ridges);
   }
   return ends + (land - ends) * share;
 }
@@ -119,13 +122,9 @@ bool FarLand::wooded(const Parcel& parcel) const {
 
 FarCover FarLand::cover(Vec2 at, const Parcel& parcel, double height, Vec2 slope) const {
   double steep = glm::length(slope), rough = 0.5 * fractal_noise(Vec3(at.x, 0, at.y) / 500.0f, 2);
-  if (height > shape_.snow_line * (1 + 0.12 * rough) && steep < 1.1 + 0.4 * rough) return FarCover::snow;
-  if (steep > kRockSlope * (1 + 0.4 * rough)) return FarCover::rock;
-  double line = shape_.tree_line + 90 * rough;
-  if (height > line) return height > line + 350 + 250 * rough ? FarCover::rock : FarCover::heath;
-  // Mountains are wooded up to the tree line.
   bool mountain = shape_.mountains > 0 && height > 1.5 * shape_.relief && steep > 0.3 + 0.2 * rough;
-  if (mountain || wooded(parcel)) return FarCover::wood;
+  if (mountain || height > shape_.tree_line - 100 || steep > kRockSlope) return FarCover::mountain;
+  if (wooded(parcel)) return FarCover::wood;
   if (edge_.outside(at) < kOpen) return FarCover::meadow;
   if (steep > kSteepField || parcel.seed.child("ploughed").unit() >= shape_.fields) {
     constexpr FarCover kGrass[] = {FarCover::meadow, FarCover::hay, FarCover::pasture};

@@ -7,6 +7,7 @@
 
 #include "core/seed.h"
 #include "core/vec.h"
+#include "land/mountain_cover.h"
 
 namespace frond {
 
@@ -29,6 +30,9 @@ struct FarLandShape {
   /// Names of the organisms that trees are drawn as: the first where conifers stand, else one of the others;
   /// none: plain trees.
   std::vector<std::string> trees;
+  Vec2 shaded{0};  ///< direction of the side that sees least of the sun, as the setting says
+
+  AltitudeLines lines() const { return {tree_line, snow_line, shaded}; }
 };
 
 /// Where the ground that is laid ends and the far land begins.
@@ -42,21 +46,9 @@ struct GroundEdge {
   double outside(Vec2 at) const;
 };
 
-/// What covers a piece of the land.
-enum class FarCover : std::uint8_t {
-  meadow,
-  hay,
-  pasture,
-  wheat,
-  barley,
-  rape,
-  earth,
-  wood,
-  heath,
-  rock,
-  snow
-};
-inline constexpr int kFarCovers = 11;
+/// What covers a piece of the land. All that mountain_cover_at() tells apart is one.
+enum class FarCover : std::uint8_t { meadow, hay, pasture, wheat, barley, rape, earth, wood, mountain };
+inline constexpr int kFarCovers = 9;
 
 /// A field, meadow or piece of wood.
 struct Parcel {
@@ -85,7 +77,7 @@ class FarLand {
   /// Parcels are Voronoi cells of sites that lie in rows along the main direction.
   Parcel parcel(Vec2 at) const;
   bool wooded(const Parcel& parcel) const;
-  /// Rock on what is steeper than 42 degrees, heath above the tree line, snow above its own.
+  /// A mountain is what lies above the tree line or is steep and high.
   FarCover cover(Vec2 at, const Parcel& parcel, double height, Vec2 slope) const;
 
   /// Of the main direction of parcels and roads, of length 1.

@@ -10,8 +10,8 @@ namespace frond {
 
 namespace {
 
-constexpr double kRow = 0.014;       // of the distance, from row to row
-constexpr double kRayPixels = 2;     // from ray to ray
+constexpr double kRow = 0.008;       // of the distance, from row to row
+constexpr double kRayPixels = 2.4;   // from ray to ray
 constexpr double kOutOfView = 0.06;  // radians from ray to ray where no camera looks
 constexpr double kPerPixel = 0.45;   // vertices for each pixel, at most
 constexpr double kOverlap = 0.995;   // of the radius of the near ground: where rows begin below it
@@ -21,6 +21,7 @@ constexpr double kCanopy = 13;       // metres, mean height of a wood
 
 struct FarVertex {
   Vec3 at{0}, normal{0, 1, 0};
+  Vec2 uv{0.5f, 0};  // as on a mountain: how hollow it is, its cover
   FarCover cover = FarCover::meadow;
   bool across = false, hidden = false;
 };
@@ -75,22 +76,45 @@ Vec2 far_slope(const FarGrid& grid, const std::vector<double>& height, std::size
   return Vec2(out * cosine - round * sine, out * sine + round * cosine);
 }
 
-FarVertex far_vertex(const FarLand& land, Vec2 at, double height, Vec2 slope, double spacing, Seed seed) {
+/// Rise over run by which the land about a vertex is higher, twice a row away.
+double far_hollow(const FarGrid& grid, const std::vector<double>& height, std::size_t column,
+                  std::size_t line) {
+  std::size_t rows = grid.row.size(), rays = grid.ray.size();
+  std::size_t inner = line > 2 ? line - 2 : 0, outer = std::min(line + 2, rows - 1);
+  double reach = std::max(grid.row[outer] - grid.row[line], 1.0);
+  double turn = std::max(grid.ray[(column + 1) % rays] - grid.ray[column], 1e-3);
+  auto aside = std::clamp<std::size_t>(static_cast<std::size_t>(reach / (turn * grid.row[line]) + 0.5), 1, 8);
+  std::size_t before = (column + rays - aside) % rays, after = (column + aside) % rays;
+  double around = height[column * rows + inner] + height[column * rows + outer] +
+                  height[before * rows + line] + height[after * rows + line];
+  return (around / 4 - height[column * rows + line]) / reach;
+}
+
+FarVertex far_vertex(const FarLand& land, const MountainPlace& place, double spacing, Seed seed) {
   FarVertex v;
+  auto [at, height, slope, hollow] = place;
   bool near = land.edge().outside(at) < 0;
   Parcel parcel = land.parcel(at);
   v.cover = land.cover(at, parcel, height, slope);
   v.across = parcel.across;
   v.normal = glm::normalize(Vec3(-slope.x, 1, -slope.y));
   if (near) height -= static_cast<double>(kSunk);
+  double inside = 0, canopy = 0;  // metres into a wood; the share of its height
   if (v.cover == FarCover::wood) {
     // A wood that goes on behind the border has no edge there.
     Parcel beyond = land.parcel(parcel.next);
-    double inside = land.wooded(beyond) ? 1e3 : parcel.edge;
-    double canopy = canopy_height(at, inside, spacing, seed);
-    height += canopy * (1 - smooth_step(land.shape().tree_line - 400, land.shape().tree_line + 100, height));
+    inside = land.wooded(beyond) ? 1e3 : parcel.edge, canopy = 1;
+  } else if (v.cover == FarCover::mountain) {
+    double cover = mountain_cover_at(land.shape().lines(), place);
+    v.uv = Vec2(std::clamp(0.5 + 0.5 * hollow, 0.0, 1.0), cover);
+    inside = 1e3, canopy = 1 - smooth_step(0.02, 0.14, cover);
+  }
+  if (canopy > 0) {
+    // Trees become small toward their line.
+    double size = 1 - smooth_step(land.shape().tree_line - 400, land.shape().tree_line + 100, height);
     Vec3 bumps = noise3(Vec3(at.x, 0, at.y) / 9.0f);
-    v.normal = glm::normalize(v.normal + 0.45f * Vec3(bumps.x, 0, bumps.z));
+    v.normal = glm::normalize(v.normal + static_cast<float>(0.45 * canopy) * Vec3(bumps.x, 0, bumps.z));
+    height += canopy * size * canopy_height(at, inside, spacing, seed);
   }
   v.at = Vec3(at.x, static_cast<float>(height), at.y);
   return v;
@@ -115,8 +139,9 @@ class FarParts {
     for (int i = 0; i < 2 * kFarCovers; ++i) parts_.push_back({static_cast<FarCover>(i / 2), i % 2 == 1, {}});
   }
 
-  void add(const std::vector<FarVertex>& all, std::array<std::size_t, 3> corners) {
-    const FarVertex& first = all[corners[0]];
+  /// A triangle with the cover of one of the vertices.
+  void add(const std::vector<FarVertex>& all, std::size_t of, std::array<std::size_t, 3> corners) {
+    const FarVertex& first = all[of];
     auto which = static_cast<std::size_t>(2 * static_cast<int>(first.cover) + first.across);
     Surface& s = parts_[which].surface;
     std::array<std::uint32_t, 3> triangle{};
@@ -126,6 +151,7 @@ class FarParts {
         number = static_cast<std::uint32_t>(s.position.size());
         s.position.push_back(all[corners[k]].at);
         s.normal.push_back(all[corners[k]].normal);
+        if (first.cover == FarCover::mountain) s.uv.push_back(all[corners[k]].uv);
       }
       triangle[k] = number;
     }
@@ -166,8 +192,11 @@ std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed see
   parallel_for(rays, [&](std::size_t column) {
     std::vector<FarVertex> ray;
     for (std::size_t line = 0; line < rows; ++line)
-      ray.push_back(far_vertex(land, grid.at(column, line), height[column * rows + line],
-                               far_slope(grid, height, column, line), grid.gap(line), seed));
+      ray.push_back(
+          far_vertex(land,
+                     {grid.at(column, line), height[column * rows + line],
+                      far_slope(grid, height, column, line), far_hollow(grid, height, column, line)},
+                     grid.gap(line), seed));
     hide(ray, view);
     std::ranges::move(ray, all.begin() + static_cast<std::ptrdiff_t>(column * rows));
   });
@@ -177,8 +206,8 @@ std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed see
     for (std::size_t line = 0; line + 1 < rows; ++line) {
       std::size_t a = column * rows + line, b = a + 1, c = next * rows + line, d = c + 1;
       if (all[a].hidden && all[b].hidden && all[c].hidden && all[d].hidden) continue;
-      parts.add(all, {a, c, b});
-      parts.add(all, {d, b, c});
+      parts.add(all, a, {a, c, b});
+      parts.add(all, a, {d, b, c});
     }
   }
   return std::move(parts).take();

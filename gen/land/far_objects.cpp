@@ -20,11 +20,11 @@ constexpr double kWoodEdge = 26;                     // metres into a wood that 
 constexpr int kHouseShapes = 4;
 constexpr int kMostCells = 100'000;  // more than there are on one side of the middle
 
-/// The squares of a grid that are in view and no farther away than `reach`, each with a seed and a place
-/// within.
+/// Adds to a list what `visit(list, seed, place)` adds for each square of a grid that is in view and no
+/// farther away than `reach`; each has a seed and a place within.
 template <class Visit>
-void each_cell(const FarLand& land, const FarView& view, double cell, double reach, Seed seed,
-               const Visit& visit) {
+void each_cell(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double cell,
+               double reach, Seed seed, const Visit& visit) {
   auto half = static_cast<int>(std::ceil(reach / cell));
   std::vector<std::vector<FarObject>> rows(static_cast<std::size_t>(2 * half + 1));
   parallel_for(rows.size(), [&](std::size_t row) {
@@ -37,22 +37,8 @@ void each_cell(const FarLand& land, const FarView& view, double cell, double rea
       if (land.edge().outside(at) > 4 && glm::length(at) < reach && view.holds(at)) visit(rows[row], own, at);
     }
   });
-  visit.take(rows);
+  for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
 }
-
-/// Adds what a cell holds to a list, and all lists to one.
-template <class Cell>
-struct FarCells {
-  std::vector<FarObject>& all;
-  Cell cell;
-
-  void operator()(std::vector<FarObject>& list, Seed own, Vec2 at) const { cell(list, own, at); }
-  void take(const std::vector<std::vector<FarObject>>& rows) const {
-    for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
-  }
-};
-template <class Cell>
-FarCells(std::vector<FarObject>&, Cell) -> FarCells<Cell>;
 
 FarObject far_tree(const FarLand& land, Vec2 at, bool conifer, double tallest, Seed own) {
   FarObject tree;
@@ -86,29 +72,26 @@ void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& 
     bool conifer = wooded && (noise(Vec3(at.x / 400, level, at.y / 400)) > 0.25 || height > 500);
     list.push_back(far_tree(land, at, conifer, !wooded ? 13 : conifer ? 22 : 18, own));
   };
-  each_cell(land, view, kTreeCell, reach, seed, FarCells{all, plant});
+  each_cell(all, land, view, kTreeCell, reach, seed, plant);
 }
 
 /// Hedges stand on the borders of parcels, a piece in each square that one crosses.
 void add_hedges(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach,
                 Seed seed) {
-  each_cell(land, view, kHedgeCell, reach, seed,
-            FarCells{all, [&](auto& list, Seed own, Vec2 at) {
-                       Parcel parcel = land.parcel(at);
-                       if (parcel.edge > 0.5 * kHedgeCell ||
-                           parcel.border.child("hedge").unit() >= land.shape().hedges)
-                         return;
-                       if (land.wooded(parcel) || land.edge().outside(at) < 12) return;
-                       Vec2 toward = glm::normalize(parcel.next - parcel.site);
-                       at += toward * static_cast<float>(parcel.edge);
-                       FarObject hedge{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};
-                       hedge.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
-                       hedge.turn = static_cast<float>(std::atan2(toward.x, toward.y));
-                       double height = kHedgeHeight * own.child("height").range(0.7, 1.3);
-                       hedge.size = Vec3(2.0 * kHedgeCell, height, height);
-                       hedge.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
-                       list.push_back(hedge);
-                     }});
+  each_cell(all, land, view, kHedgeCell, reach, seed, [&](auto& list, Seed own, Vec2 at) {
+    Parcel parcel = land.parcel(at);
+    if (parcel.edge > 0.5 * kHedgeCell || parcel.border.child("hedge").unit() >= land.shape().hedges) return;
+    if (land.wooded(parcel) || land.edge().outside(at) < 12) return;
+    Vec2 toward = glm::normalize(parcel.next - parcel.site);
+    at += toward * static_cast<float>(parcel.edge);
+    FarObject hedge{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};
+    hedge.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
+    hedge.turn = static_cast<float>(std::atan2(toward.x, toward.y));
+    double height = kHedgeHeight * own.child("height").range(0.7, 1.3);
+    hedge.size = Vec3(2.0 * kHedgeCell, height, height);
+    hedge.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
+    list.push_back(hedge);
+  });
 }
 
 /// Houses stand to both sides of a road, with their gables to it or along it, and trees behind them.

@@ -103,7 +103,8 @@ Surface far_conifer(Seed seed) {
       double turn = 2 * kPi * (i + own.child(0).range(-0.4, 0.4)) / count + 1.3 * w;
       auto length = static_cast<float>(radius * own.child(1).range(0.7, 1.1));
       Vec3 out(std::cos(turn), 0, std::sin(turn)), side(-out.z, 0, out.x);
-      Vec3 root(0, y + 0.02, 0), tip = root + length * out + Vec3(0, -0.45f * length, 0);
+      Vec3 root(0, y + 0.02 + own.child(3).range(-0.024, 0.024), 0),
+          tip = root + length * out + Vec3(0, -0.45f * length, 0);
       Vec3 normal = glm::normalize(out + Vec3(0, 0.7f, 0));
       float half = 0.42f * length + 0.006f;
       Vec3 middle = root + 0.55f * (tip - root);

@@ -75,25 +75,13 @@ double Likings::shade(Vec2 at) const {
   return 1 - open;
 }
 
-double Likings::on_map(Vec2 at) const {
-  const Grid& map = rules_.density;
-  // Between the middles of pixels.
-  double x = (at.x / land_.size + 0.5) * map.width - 0.5, y = (at.y / land_.size + 0.5) * map.height - 0.5;
-  x = std::clamp(x, 0.0, map.width - 1.0), y = std::clamp(y, 0.0, map.height - 1.0);
-  int left = static_cast<int>(x), top = static_cast<int>(y);
-  int right = std::min(left + 1, map.width - 1), bottom = std::min(top + 1, map.height - 1);
-  double s = x - left, t = y - top;
-  return (1 - t) * ((1 - s) * map.at(left, top) + s * map.at(right, top)) +
-         t * ((1 - s) * map.at(left, bottom) + s * map.at(right, bottom));
-}
-
 double Likings::operator()(Vec2 at) const {
   if (rules_.reach > 0 && glm::distance(at, rules_.center) > rules_.reach) return 0;
   double share = 1;
   if (rules_.patch > 0 && rules_.cover < 1)
     share *= smooth_step(clump_edge_ - kClumpSoft, clump_edge_ + kClumpSoft, clumps(at));
   if (rules_.cover <= 0) return 0;
-  if (!rules_.density.data.empty()) share *= on_map(at);
+  share *= rules_.map.on_land(at, land_.size);
   if (share <= 0) return 0;
   if (land_.path && land_.path(at) < rules_.clear) return 0;
   if (land_.slope) {

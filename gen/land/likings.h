@@ -32,7 +32,6 @@ class Likings {
  private:
   double clumps(Vec2 at) const;
   double shade(Vec2 at) const;
-  double on_map(Vec2 at) const;
   Vec2 corner(std::size_t i) const;
 
   const SowRules& rules_;

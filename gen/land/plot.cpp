@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/noise.h"
+#include "core/polygon.h"
 #include "foliage/organ_shapes.h"
 #include "rocks/stone.h"
 
@@ -54,15 +55,35 @@ Surface pad_surface() {
   return s;
 }
 
+double rectangle_distance(Vec2 at, const GroundArea& area) {
+  Vec2 away = glm::abs(at - area.center) - area.size / 2.0f;
+  double edge = std::max(away.x, away.y);
+  return edge < 0 ? edge : glm::length(glm::max(away, Vec2(0)));
+}
+
+/// Negative within a closed outline.
+double outline_distance(Vec2 at, const std::vector<Vec2>& outline) {
+  double best = kFar;
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    best = std::min(best, distance_to_piece(at, outline[i], outline[(i + 1) % outline.size()]));
+  return encloses(outline, at) ? -best : best;
+}
+
 }  // namespace
 
 Plot::Plot(const PondShape& pond, const PathShape& path, Seed seed, std::vector<GroundArea> areas)
     : pond_(pond), half_width_(path.width / 2), areas_(std::move(areas)), seed_(seed) {
+  for (const GroundArea& area : areas_) outlines_.push_back(area.corners());
   if (path.points.size() < 2) return;
+  if (std::ranges::any_of(path.points, &SplinePoint<Vec2>::handled)) {
+    path_ =
+        spline_places(std::span<const SplinePoint<Vec2>>(path.points), {.smooth = true, .pieces = kPieces});
+    return;
+  }
+  std::vector<Vec2> points = spline_points(path.points);
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
-    for (int k = 0; k < kPieces; ++k)
-      path_.push_back(path_point(path.points, i, static_cast<float>(k) / kPieces));
-  path_.push_back(path.points.back());
+    for (int k = 0; k < kPieces; ++k) path_.push_back(path_point(points, i, static_cast<float>(k) / kPieces));
+  path_.push_back(points.back());
 }
 
 double Plot::pond_distance(Vec2 at) const {
@@ -86,6 +107,17 @@ double Plot::path_middle_distance(Vec2 at) const {
   return best;
 }
 
+std::vector<Vec2> GroundArea::corners() const {
+  return spline_places(std::span<const SplinePoint<Vec2>>(outline), {.smooth = curve, .closed = true});
+}
+
+std::array<Vec2, 2> GroundArea::box() const {
+  if (outline.empty()) return {center - size / 2.0f, center + size / 2.0f};
+  Vec2 low = outline[0].at, high = low;
+  for (Vec2 at : corners()) low = glm::min(low, at), high = glm::max(high, at);
+  return {low, high};
+}
+
 bool Plot::has_area(GroundArea::Kind kind) const {
   return std::ranges::find(areas_, kind, &GroundArea::kind) != areas_.end();
 }
@@ -93,12 +125,10 @@ bool Plot::has_area(GroundArea::Kind kind) const {
 /// Their edges are cut with a spade: nearly straight.
 double Plot::area_distance(Vec2 at, GroundArea::Kind kind) const {
   double best = kFar;
-  for (const GroundArea& area : areas_) {
-    if (area.kind != kind) continue;
-    Vec2 away = glm::abs(at - area.center) - area.size / 2.0f;
-    double edge = std::max(away.x, away.y);
-    best = std::min(best, edge < 0 ? edge : glm::length(glm::max(away, Vec2(0))));
-  }
+  for (std::size_t i = 0; i < areas_.size(); ++i)
+    if (areas_[i].kind == kind)
+      best = std::min(best, outlines_[i].empty() ? rectangle_distance(at, areas_[i])
+                                                 : outline_distance(at, outlines_[i]));
   return best > 1 ? best : best + 0.02 * noise(Vec3(at.x * 5, 3, at.y * 5));
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/seed.h"
+#include "core/spline.h"
 #include "core/vec.h"
 #include "model/solid.h"
 
@@ -18,15 +20,23 @@ struct PondShape {
 
 /// A path through the garden: a smooth curve through points, with uneven edges.
 struct PathShape {
-  std::vector<Vec2> points;  ///< x, z in metres; fewer than two: no path
-  double width = 1.2;        ///< metres
+  std::vector<SplinePoint<Vec2>> points;  ///< x, z in metres; fewer than two: no path
+  double width = 1.2;                     ///< metres
 };
 
-/// A rectangle in a lawn with another ground.
+/// A rectangle in a lawn, or what an outline encloses, with another ground.
 struct GroundArea {
   enum class Kind { gravel, earth };
   Kind kind = Kind::gravel;
-  Vec2 center{0}, size{1};  ///< x, z in metres
+  Vec2 center{0}, size{1};                      ///< of the rectangle: x, z in metres
+  std::vector<SplinePoint<Vec2>> outline = {};  ///< closed by itself; empty: the rectangle
+  bool curve = false;  ///< whether the outline is smooth at points without handles, too
+
+  /// Of the outline as a polygon.
+  std::vector<Vec2> corners() const;
+
+  /// The corners of what encloses it, lowest and highest x and z.
+  std::array<Vec2, 2> box() const;
 };
 
 /// The ground plan of a garden.
@@ -64,6 +74,7 @@ class Plot {
   double half_width_ = 0;
   std::vector<Vec2> path_;  // the middle line as short segments
   std::vector<GroundArea> areas_;
+  std::vector<std::vector<Vec2>> outlines_;  // of these, as polygons
   Seed seed_;
 };
 

@@ -1,9 +1,7 @@
 #include "land/puddles.h"
 
 #include <algorithm>
-#include <array>
-#include <queue>
-#include <utility>
+#include <cstdint>
 
 namespace frond {
 
@@ -12,26 +10,13 @@ namespace {
 constexpr float kLeastHollow = 0.002f;  // metres: what is less deep is no hollow
 constexpr double kDeepestPuddle = 0.04, kGathered = 4;
 
-constexpr std::array<std::array<int, 2>, 8> kNextPoints{
-    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
-
-/// Calls `each(index, column, row)` for the points round one.
-template <class Each>
-void around(const GroundGrid& ground, std::size_t at, const Each& each) {
-  int column = static_cast<int>(at) % ground.side, row = static_cast<int>(at) / ground.side;
-  for (auto [x, y] : kNextPoints) {
-    int c = column + x, r = row + y;
-    if (c >= 0 && r >= 0 && c < ground.side && r < ground.side) each(ground.index(c, r));
-  }
-}
-
 /// The points of the hollow that a point lies in.
 std::vector<std::size_t> hollow_at(const GroundGrid& ground, const std::vector<float>& full, std::size_t from,
                                    std::vector<bool>& seen) {
   std::vector<std::size_t> points{from};
   seen[from] = true;
   for (std::size_t i = 0; i < points.size(); ++i)
-    around(ground, points[i], [&](std::size_t k) {
+    each_beside(ground, points[i], [&](std::size_t k) {
       if (seen[k] || full[k] - ground.height[k] <= 0) return;
       seen[k] = true;
       points.push_back(k);
@@ -53,8 +38,7 @@ void append_level(Surface& water, const GroundGrid& ground, const std::vector<st
   std::vector<std::size_t> used;
   auto corner = [&](std::size_t k) {
     if (vertex[k] == 0) {
-      int column = static_cast<int>(k) % ground.side, row = static_cast<int>(k) / ground.side;
-      Vec2 at = ground.low + ground.cell * Vec2(column, row);
+      Vec2 at = ground.place(k);
       water.position.push_back({at.x, level, at.y});
       vertex[k] = static_cast<std::uint32_t>(water.position.size());
       used.push_back(k);
@@ -72,33 +56,7 @@ void append_level(Surface& water, const GroundGrid& ground, const std::vector<st
 
 }  // namespace
 
-std::vector<float> flooded(const GroundGrid& ground) {
-  using Open = std::pair<float, std::size_t>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-  std::vector<float> full = ground.height;
-  std::vector<bool> closed(full.size());
-  auto reach = [&](std::size_t k, float level) {
-    if (closed[k]) return;
-    closed[k] = true;
-    full[k] = std::max(full[k], level);
-    open.emplace(full[k], k);
-  };
-  for (int row = 0; row < ground.side; ++row)
-    for (int column = 0; column < ground.side; ++column) {
-      bool rim = row == 0 || column == 0 || row == ground.side - 1 || column == ground.side - 1;
-      std::size_t k = ground.index(column, row);
-      if (rim || (!ground.drain.empty() && ground.drain[k])) reach(k, full[k]);
-    }
-  while (!open.empty()) {
-    auto [level, at] = open.top();
-    open.pop();
-    around(ground, at, [&](std::size_t k) { reach(k, level); });
-  }
-  return full;
-}
-
-Surface puddles(const GroundGrid& ground, double depth) {
-  std::vector<float> full = flooded(ground);
+Surface puddles(const GroundGrid& ground, const std::vector<float>& full, double depth) {
   std::vector<bool> seen(full.size());
   std::vector<std::uint32_t> vertex(full.size());
   Surface water;

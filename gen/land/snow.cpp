@@ -101,6 +101,13 @@ float Overhead::openness(Vec3 at) const {
   return open / all;
 }
 
+bool Overhead::shelters(Vec3 at, Vec3 fall) const {
+  float stride = cell_ / std::max(glm::length(Vec2(fall.x, fall.z)), -fall.y / 4);  // seconds
+  for (std::size_t cell = 0; at.y < highest_ && find({at.x, at.z}, cell); at -= stride * fall)
+    if (at.y < top_[cell] && at.y - stride * fall.y > bottom_[cell]) return true;
+  return false;
+}
+
 Surface snow_surface(const SnowSheet& sheet, double depth) {
   constexpr double kThin =
       0.05;  // metres, below which it goes in patches, as floors are drawn less exactly than that
@@ -206,6 +213,7 @@ SnowSheet snow_on_ground(const SnowLand& land, const Overhead& bodies, const Sno
     Vec3 p(glm::dot(at, wind.toward) / 1.1f, 0, glm::dot(at, across) / 2.6f);
     double waves = 1 + (0.08 + 0.3 * wind.drift) * 0.6 * fractal_noise(p + shift, 3);
     sheet.share[i] = field(at) * hollow(land.trunks, at) * static_cast<float>(std::max(0.2, waves));
+    if (land.kept) sheet.share[i] *= static_cast<float>(land.kept(at));
   });
   return sheet;
 }

@@ -36,6 +36,8 @@ class Overhead {
   float openness(Vec3 at) const;
   /// The highest place there; `none` where nothing stands.
   float top(Vec2 at, float none) const;
+  /// Whether what falls to a place has met something on its way; `fall` is its velocity, which goes down.
+  bool shelters(Vec3 at, Vec3 fall) const;
 
  private:
   bool find(Vec2 at, std::size_t& index) const;
@@ -77,6 +79,7 @@ struct SnowLand {
   double radius = 50;                  ///< metres
   int rings = 300;                     ///< of the mesh, as of ground_surface()
   std::vector<SnowTrunk> trunks;
+  std::function<double(Vec2)> kept = {};  ///< share of the depth that is left at x, z; empty: all
 };
 
 /// The snow on the ground: less below what shelters it, hollow at trunks, drifts in the lee of `bodies` and

@@ -211,18 +211,6 @@ double hidden_sky(double distance, double radius) {
   return 1 - smooth_step(0.6 * radius, 2.2 * radius, distance);
 }
 
-Grid density_of(const Raster& picture) {
-  Grid grid(picture.width, picture.height);
-  bool color = picture.channels >= 3;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      auto part = [&](int channel) { return static_cast<float>(picture.at(x, y, channel)) / 255; };
-      float bright = color ? 0.2126f * part(0) + 0.7152f * part(1) + 0.0722f * part(2) : part(0);
-      grid.at(x, y) = picture.channels == 4 ? bright * part(3) : bright;
-    }
-  return grid;
-}
-
 std::vector<std::vector<Sprout>> sow(std::span<const SowOrder> orders, const Land& land) {
   Field field(land);
   Places places(orders.size());
@@ -248,13 +236,6 @@ std::vector<std::vector<Sprout>> sow(std::span<const SowOrder> orders, const Lan
     choose_models(sown[o], orders[o].models);
   }
   return sown;
-}
-
-Errors load_density(const NamedFile& file, SowRules& rules) {
-  Result<Raster> picture = read_png(file.text);
-  if (!picture) return {{file.path.string(), picture.errors().front().what + "; expected a PNG file"}};
-  rules.density = density_of(*picture);
-  return {};
 }
 
 }  // namespace frond

@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/assets.h"
-#include "core/result.h"
+#include "core/mask.h"
 #include "core/seed.h"
 #include "core/vec.h"
-#include "images/raster.h"
 #include "land/scatter.h"
 
 namespace frond {
@@ -50,15 +48,8 @@ struct SowRules {
   double clear = 0.5;            ///< metres from its foot to the edge of a path, at least
   Vec2 center{0};                ///< x, z in metres
   double reach = 0;              ///< metres round `center`; 0: all of the land
-  FileName map;                  ///< a PNG whose brightness is the density over the land; empty: none
-  Grid density;                  ///< content of the map; -x at its left, -z at its top
+  Mask map;                      ///< scales their density over the land
 };
-
-/// Brightness of a picture, 0 to 1; transparent pixels are dark.
-Grid density_of(const Raster& picture);
-
-/// Loads the density from a PNG file, for properties that name one.
-Errors load_density(const NamedFile& file, SowRules& rules);
 
 /// The ground for sowing. Empty functions: level, nothing to keep clear.
 struct Land {

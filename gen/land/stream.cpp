@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
-#include <tuple>
 #include <utility>
 
 #include "core/curve.h"
 #include "core/noise.h"
 #include "core/parallel.h"
+#include "land/flood.h"
 #include "rocks/stone.h"
 
 namespace frond {
@@ -26,40 +25,19 @@ constexpr double kBeach = 0.4;                   // slope of the bed beside the 
 constexpr float kShore = 0.45f;                  // metres of bed beside the water
 constexpr int kAcross = 17;                      // columns of the bed
 
-/// The way down from a place to the rim of a square, cell by cell.
+/// The way down from a place to the rim of a square, point by point.
 std::vector<Vec2> way_down(Vec2 from, double side, const std::function<double(Vec2)>& land) {
   const int count = std::clamp(static_cast<int>(side), 8, kMostCells);
   const double cell = side / count;
-  auto place = [&](int i) {
-    return Vec2((i % count + 0.5) * cell - side / 2, (i / count + 0.5) * cell - side / 2);
-  };
-  std::vector<double> height(static_cast<std::size_t>(count) * count);
-  parallel_for(height.size(), [&](std::size_t i) { height[i] = land(place(static_cast<int>(i))); });
-
-  // From the rim inward, always the lowest first: each cell drains to the one from which it was reached.
-  constexpr int kUnknown = -2, kRim = -1;
-  std::vector<int> next(height.size(), kUnknown);
-  using Open = std::tuple<double, int>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-  auto reach = [&](int i, int below, double level) {
-    if (next[static_cast<std::size_t>(i)] != kUnknown) return;
-    next[static_cast<std::size_t>(i)] = below;
-    open.emplace(std::max(level, height[static_cast<std::size_t>(i)]), i);
-  };
-  for (int k = 0; k < count; ++k)
-    for (int i : {k, (count - 1) * count + k, k * count, k * count + count - 1}) reach(i, kRim, -1e9);
-  while (!open.empty()) {
-    auto [level, i] = open.top();
-    open.pop();
-    for (auto [dx, dz] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-      int column = i % count + dx, row = i / count + dz;
-      if (column >= 0 && column < count && row >= 0 && row < count) reach(row * count + column, i, level);
-    }
-  }
+  GroundGrid grid{Vec2(static_cast<float>((cell - side) / 2)), static_cast<float>(cell), count, {}, {}};
+  grid.height.resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(count));
+  parallel_for(grid.height.size(),
+               [&](std::size_t k) { grid.height[k] = static_cast<float>(land(grid.place(k))); });
+  std::vector<std::size_t> next = priority_flood(grid).next;
   auto index = [&](float at) { return std::clamp(static_cast<int>((at + side / 2) / cell), 0, count - 1); };
-  std::vector<Vec2> way;
-  for (int i = index(from.y) * count + index(from.x); i != kRim; i = next[static_cast<std::size_t>(i)])
-    way.push_back(place(i));
+  std::size_t point = grid.index(index(from.x), index(from.y));
+  std::vector<Vec2> way{grid.place(point)};
+  for (; next[point] != point; way.push_back(grid.place(point))) point = next[point];
   return way;
 }
 
@@ -150,15 +128,11 @@ StreamCourse::Near StreamCourse::near(Vec2 at) const {
   return best;
 }
 
-double StreamCourse::distance(Vec2 at) const {
-  if (!flows()) return 1e6;
-  Near found = near(at);
-  return found.away - found.at.half;
-}
+double StreamCourse::distance(Vec2 at) const { return flows() ? near(at).shore() : 1e6; }
 
 double StreamCourse::bed_height(const Near& found) const {
   double out = found.away / std::max<double>(found.at.half, 0.05);
-  double bed = out < 1 ? -shape_.depth * (1 - out * out) : kBeach * (found.away - found.at.half);
+  double bed = out < 1 ? -shape_.depth * (1 - out * out) : kBeach * found.shore();
   // Cobbles, and pools between them.
   Vec2 at = found.at.at;
   bed += 0.25 * shape_.depth * noise(Vec3(at.x / 0.9, found.away / 0.5, at.y / 0.9)) *
@@ -166,10 +140,10 @@ double StreamCourse::bed_height(const Near& found) const {
   return found.at.level + bed;
 }
 
-double StreamCourse::height(Vec2 at, double land) const {
-  if (!flows()) return land;
-  Near found = near(at);
-  double shore = found.away - found.at.half;
+double StreamCourse::height(Vec2 at, double land) const { return flows() ? height(near(at), land) : land; }
+
+double StreamCourse::height(const Near& found, double land) const {
+  double shore = found.shore();
   // Banks rise gently.
   double bank = std::max(1.5 * shape_.width, 2.5 * std::abs(land - found.at.level)) + 1;
   if (shore >= bank) return land;
@@ -180,7 +154,8 @@ double StreamCourse::height(Vec2 at, double land) const {
 double StreamCourse::ground(Vec2 at, double land) const {
   constexpr double kBelow = 0.25;  // metres
   if (!flows()) return land;
-  return height(at, land) - kBelow * (1 - smooth_step(0.0, double{kShore}, distance(at)));
+  Near found = near(at);
+  return height(found, land) - kBelow * (1 - smooth_step(0.0, double{kShore}, found.shore()));
 }
 
 void StreamCourse::raise(float by) {

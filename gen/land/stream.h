@@ -73,8 +73,10 @@ class StreamCourse {
   struct Near {
     double away = 1e9;  // metres from the middle
     StreamPoint at{};
+    double shore() const { return away - at.half; }
   };
   Near near(Vec2 at) const;
+  double height(const Near& near, double land) const;
   double bed_height(const Near& near) const;
   Surface strip(double beyond, int columns,
                 const std::function<Vec3(const StreamPoint&, float)>& place) const;

@@ -50,7 +50,7 @@ struct Hills {
 
   /// As noise gives it, without what lines `spacing` metres apart cannot show.
   double raw(Vec2 at, double spacing) const {
-    return hill_noise(at, shape.hill_size, shape.rough, spacing, seed);
+    return eroded_hill_noise(at, shape.hill_size, shape.rough, shape.erosion, spacing, seed);
   }
 
   /// Finds what makes the lowest 0 and the highest `hills`, `spacing` metres being between lines.
@@ -74,9 +74,9 @@ struct Hills {
 
   double operator()(Vec2 at, double spacing) const {
     double height = (raw(at, spacing) - low) * scale;
-    // Far off hills are larger, so that they show above the near ones.
+    // Far off hills are larger, so that they show above the near ones; mountains are large enough.
     double out = std::max(std::abs(at.x), std::abs(at.y)) - shape.size / 2;
-    if (out <= 0) return height;
+    if (out <= 0 || shape.erosion > 0) return height;
     double far = smooth_step(0.0, 600.0, out);
     Vec3 p(at.x / (6 * shape.hill_size), seed.child("far").range(0, 99), at.y / (6 * shape.hill_size));
     return height + far * shape.hills * (0.6 + 1.8 * noise(p));
@@ -165,10 +165,9 @@ Terrain::Terrain(const TerrainShape& shape, Seed seed)
   hills.level(finest);
   PathBed path(plot_, shape.path.width, finest, hills);
   auto without_stream = [&](Vec2 at, double spacing) { return path(at, hills(at, spacing)); };
-  if (shape.stream.width > 0)
-    stream_ = StreamCourse(
-        shape.stream, shape.size, [&](Vec2 at) { return without_stream(at, std::max(finest, 2.0)); },
-        seed.child("stream"));
+  stream_ = StreamCourse(
+      shape.stream, shape.size, [&](Vec2 at) { return without_stream(at, std::max(finest, 2.0)); },
+      seed.child("stream"));
   height_.resize(lines * lines);
   parallel_for(lines, [&](std::size_t row) {
     for (std::size_t column = 0; column < lines; ++column) {

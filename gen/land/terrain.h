@@ -15,6 +15,7 @@ struct TerrainShape {
   double hills = 8;       ///< metres, from valley to top
   double hill_size = 70;  ///< metres from hill to hill
   double rough = 0.4;     ///< 0 rolling .. 1 broken
+  double erosion = 0;     ///< 0 none .. 1 spurs and gullies of high mountains: eroded_hill_noise()
   PathShape path;
   StreamShape stream{};
 };

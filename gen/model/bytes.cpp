@@ -53,9 +53,9 @@ std::size_t bytes_of(const std::vector<Prototype>& prototypes) {
 }
 
 std::size_t bytes_of(const Model& m) {
-  std::size_t bytes =
-      sum_of(m.skeleton, m.color, m.girth, m.light, m.prototypes, m.organs, m.blades, m.solids, m.hull) +
-      m.notes.capacity() * sizeof(std::string);
+  std::size_t bytes = sum_of(m.skeleton, m.color, m.girth, m.light, m.axes, m.prototypes, m.organs, m.blades,
+                             m.solids, m.hull) +
+                      m.notes.capacity() * sizeof(std::string);
   for (const std::string& note : m.notes) bytes += bytes_of(note);
   return bytes;
 }

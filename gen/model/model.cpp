@@ -67,6 +67,7 @@ std::string Model::check() const {
   if (std::string fault = skeleton.check(); !fault.empty()) return fault;
   if (!color.empty() && color.size() != skeleton.size()) return "not every node has a colour";
   if (!light.empty() && light.size() != skeleton.size()) return "not every node has its light";
+  if (!axes.empty() && axes.size() != skeleton.size()) return "not every node belongs to an axis";
   if (!girth.empty() && girth.size() != skeleton.size()) return "not every node has a girth";
   for (const Prototype& prototype : prototypes) {
     if (prototype.colors.empty()) return "prototype " + prototype.name + " has no colour";

@@ -80,12 +80,22 @@ struct Blades {
   std::size_t size() const { return node.size(); }
 };
 
+/// Where a node belongs in the branching of the plant as it grew, see pruning/address.h.
+struct AxisNode {
+  std::int32_t number = 0;  ///< 0: it continues its parent's axis; of the first node of one, the axis's
+                            ///< number among those that leave the parent's; negative: it belongs to no axis
+  float share = 0;          ///< 0..1 of its axis's length
+
+  bool operator==(const AxisNode&) const = default;
+};
+
 /// A grown organism, branches and their organs, or a built one: bodies. Plain data; metres.
 struct Model {
   Skeleton skeleton;
   std::vector<std::int32_t> color;  ///< of each node, the turtle's colour index; empty: 0 for all
   std::vector<float> girth;         ///< of each node, its final radius; empty: as it is
   std::vector<float> light;         ///< of each node, see Solid::light; empty: all
+  std::vector<AxisNode> axes;       ///< of each node, if not as the skeleton alone tells; else empty
   std::vector<Prototype> prototypes;
   Organs organs;
   Blades blades;

@@ -9,6 +9,7 @@
 
 #include "core/bounds.h"
 #include "core/curve.h"
+#include "core/mask.h"
 #include "core/vec.h"
 #include "model/implicit.h"
 #include "model/matter.h"
@@ -45,8 +46,9 @@ struct Material {
   double moss = 0;                    ///< 0 none .. 1: amount of moss and lichen on surfaces that face upward
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
-  Polyps polyps{};        ///< of living tissue
-  std::string picture{};  ///< a PNG file that it uses, one of its look
+  Polyps polyps{};                 ///< of living tissue
+  std::string picture{};           ///< a PNG file that it uses, one of its look
+  std::optional<Mask> moss_map{};  ///< scales moss in the world; its picture is one of its look
 };
 
 /// A body of one material. Metres.

@@ -156,6 +156,7 @@ double growth_front(const Growth& growth, double time) {
   double end = 1 + growth.ripen;
   if (growth.duration <= 0) return time >= growth.start ? end : 0;
   double t = std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
+  if (growth.ease) return end * eased(*growth.ease, t);
   // Fast in youth, slow in age, at rest at both ends.
   double eased = t * t * (3 - 2 * t);
   return end * (0.45 * eased + 0.55 * (1 - (1 - eased) * (1 - eased)));

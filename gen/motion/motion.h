@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/curve.h"
+#include "core/ease.h"
 #include "core/vec.h"
 #include "model/skeleton.h"
 #include "motion/sway.h"
@@ -13,10 +14,12 @@ namespace frond {
 
 /// When and how an organism grows. The shape is final from the start; time only reveals it.
 struct Growth {
-  double start = 0;     ///< seconds
-  double duration = 0;  ///< seconds; 0: fully grown from the start
-  double stagger = 0;   ///< seconds: individuals start later by a random delay of at most this
-  double ripen = 0.35;  ///< share of the growth after which a new node has its full thickness, > 0
+  double start = 0;               ///< seconds
+  double duration = 0;            ///< seconds; 0: fully grown from the start
+  double stagger = 0;             ///< seconds: individuals start later by a random delay of at most this
+  double ripen = 0.35;            ///< share of the growth after which a new node has its full thickness, > 0
+  bool to_end = false;            ///< duration is what the film leaves, see read_preset()
+  std::optional<Ease> ease = {};  ///< none: fast in youth, slow in age
 };
 
 /// Swaying in a current: a bend that grows toward the tips and travels through the water.

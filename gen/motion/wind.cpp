@@ -41,6 +41,14 @@ double WindField::gust(Vec3 place, double time) const {
   return sum;
 }
 
+double WindField::carried(Vec3 place, double time) const {
+  double sum = 0;
+  for (const Gust& g : gusts)
+    sum += g.share / g.rate *
+           std::sin(g.rate * time - glm::dot(glm::dvec2(g.wave), glm::dvec2(place.x, place.z)) + g.phase);
+  return sum;
+}
+
 WindField wind_field(const Wind& wind, double film_length, Seed seed, std::vector<Gale> gales) {
   WindField field;
   Vec3 flat(wind.direction.x, 0, wind.direction.z);

@@ -44,6 +44,9 @@ struct WindField {
   double mean(double time) const;
   /// By how much of the mean the speed is higher at a place, on either side of 0.
   double gust(Vec3 place, double time) const;
+  /// The integral of gust() over time, seconds: by how much of the mean wind's way gusts have carried on what
+  /// they blow about at a place, on either side of 0.
+  double carried(Vec3 place, double time) const;
 };
 
 /// Gusts of the spectrum of von Karman (1948), n S(n) / s^2 = 4 x / (1 + 70.8 x^2)^(5/6) with x = n L / U:
@@ -51,6 +54,9 @@ struct WindField {
 /// second. They keep the deviation that is asked for. Crests run across the wind at random slants, so that
 /// gusts are about as wide as long. In a film that repeats each wave passes a whole number of times.
 WindField wind_field(const Wind& wind, double film_length, Seed seed, std::vector<Gale> gales = {});
+
+/// Of the wind ten metres up, what blows near the ground.
+inline constexpr double kLowWind = 0.6;
 
 /// The pressure of a wind, Pa, that counts for leaves: half of the density of air times the speed squared,
 /// less as leaves fold together. They do so gradually here, up to the drag of Vogel (1989), see drag.h.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "images/describe_mask.h"
+#include "organisms/describe_edits.h"
 #include "organisms/organism.h"
 #include "organisms/sowing.h"
 #include "preset/keys.h"
@@ -51,9 +53,8 @@ void describe(Visitor& v, SowRules& s) {
            "The middle of the area that is sown, x and z. Needs a reach above 0");
   v.number("reach", s.reach, {.min = 0, .max = 1e4, .unit = "m"},
            "Radius of the area that is sown; 0 is all of the land");
-  v.file(
-      "map", s.map, [&](const NamedFile& file) { return load_density(file, s); },
-      "A PNG, named as seen from the preset's folder, whose brightness is the density over the land");
+  v.object("map", s.map,
+           "A picture that scales the density of copies over the land; a bare file name will do");
 }
 
 template <class Visitor>
@@ -76,6 +77,10 @@ void describe(Visitor& v, Sowing& s) {
   v.object("tint", s.tint, "How the colours of copies differ");
   v.number("upright", s.upright, {.min = 0, .max = 1},
            "How upright copies stand on a slope: 1 plumb, 0 at right angles to the ground");
+  v.vector(
+      "present", s.present, {.min = 0, .max = 1},
+      "First and last time of the year, 0 to 1, at which copies are above the ground, as mushrooms are in "
+      "autumn; it may run past the end of the year. Without /scene/year they always are");
 }
 
 inline constexpr Choice<Build> kBuilds[] = {
@@ -85,10 +90,18 @@ inline constexpr Choice<Build> kBuilds[] = {
     {"voxels", Build::voxels, "built of cubes"}};
 
 template <class Visitor>
+void describe(Visitor& v, Stance& s) {
+  v.angle("turn", s.turn, {.min = -360, .max = 360}, "Turn about the vertical, besides that of all");
+  v.number("size", s.size, {.min = 0.01, .max = 100}, "Factor of its size, besides the random change");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Place& p) {
   v.list("at", p.at,
          "Places [x, z] of the first ones, within 30 m of the middle or anywhere on the land of a forest; "
          "the others are scattered");
+  v.list("each", p.each,
+         "How those at the places of `at` stand, one by one; trees that grow by light only move");
   v.text(
       "in", p.in,
       "Name of rooms of the plan, or \"gate\", \"corners\" or \"doors\": `count` stand in each of them, the "
@@ -153,6 +166,8 @@ void describe(Visitor& v, Organism& o) {
   v.integer("count", o.count, {.min = 0, .max = 1000000},
             "How many there are, those at given places included");
   v.object("place", o.place, "Where they stand");
+  v.list("edits", o.edits, Count{0, 10000},
+         "Edits of branches by hand: cuts, bends, and limbs that grow stronger");
   v.object("sown", o.sown, "Makes copies of a few models and sows them over the land, `count` of them");
   v.object("body", o.style, "What their branches are drawn as");
 }

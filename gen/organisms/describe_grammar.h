@@ -134,9 +134,14 @@ void describe(Visitor& v, GuideText& g) {
   v.boolean("reach_ends", g.reach_ends, "Whether points without children must be reached as well");
 }
 
-template <class Visitor>
-void describe(Visitor& v, GrammarText& g) {
+/// Takes a grammar from another program's file.
+Errors load_grammar(const NamedFile& file, GrammarText& grammar);
+
+/// `load` takes the grammar of another program's file, which `doc` tells of.
+template <class Visitor, class Load>
+void describe_grammar(Visitor& v, GrammarText& g, const Load& load, std::string_view doc) {
   v.origin(g.where);
+  v.file("file", g.file, load, doc);
   v.text("axiom", g.axiom, "The word that the derivation begins with");
   v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Number of derivation steps");
   v.number("angle", g.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Angle of a turn that gives none");
@@ -172,6 +177,14 @@ void describe(Visitor& v, GrammarText& g) {
   g.start = start.position;
   g.start_heading = start.heading;
   v.object("guide", g.guide, "Places that the symbol ? leads the turtle to");
+}
+
+template <class Visitor>
+void describe(Visitor& v, GrammarText& g) {
+  describe_grammar(
+      v, g, [&](const NamedFile& file) { return load_grammar(file, g); },
+      "A grammar of LParser (.ls) or Houdini (.txt), named as seen from this file's folder; what else is "
+      "given here counts in place of what stands there");
 }
 
 }  // namespace frond

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "images/describe_mask.h"
 #include "organisms/stone_look.h"
 #include "preset/reader.h"
 #include "rocks/rock.h"
@@ -53,6 +54,8 @@ void describe(Visitor& v, StoneLook& s) {
   v.number("scale", s.scale, {.min = 0.001, .max = 100, .unit = "m"}, "Size of the pattern in the stone");
   v.number("relief", s.relief, {.min = 0, .max = 3}, "Depth of grain and cracks");
   v.number("moss", s.moss, {.min = 0, .max = 1}, "How much moss and lichen grow on what faces upward");
+  v.object("moss_map", s.moss_map,
+           "A picture that scales the moss, projected onto the stone in the world, with an area");
   v.number("variation", s.variation, {.min = 0, .max = 0.9},
            "How much single stones differ in brightness, as a share");
 }

@@ -11,6 +11,8 @@
 namespace frond {
 
 Result<GrammarFile> read_grammar(std::string_view text, const std::string& path, const Assets& files) {
+  if (path.ends_with(".l"))
+    return Error{"", "a model of cpfg is no grammar of ours; expected .json, .ls or .txt"};
   if (!path.ends_with(".json")) {
     Result<Import> import = import_grammar(path, text);
     if (!import) return import.errors();
@@ -23,6 +25,23 @@ Result<GrammarFile> read_grammar(std::string_view text, const std::string& path,
   if (!grammar) return grammar.errors();
   grammar->where = fmt::format("{}: /steps", origin_at(document->root, "/steps").text());
   return GrammarFile{std::move(*grammar), {}};
+}
+
+Errors load_grammar(const NamedFile& file, GrammarText& grammar) {
+  std::string ending = file.path.extension().string();
+  if (ending != ".ls" && ending != ".txt")
+    return {Error{"", "a grammar of another program is an .ls of LParser or a .txt of Houdini"}};
+  Result<Import> import = import_grammar(file.path.string(), file.text);
+  if (!import) {
+    // What stands in a file that a preset names is not shown.
+    Errors errors = import.errors();
+    for (Error& error : errors) error.what = "cannot be read; `frond derive` of that file says why";
+    return errors;
+  }
+  import->grammar.file = grammar.file, import->grammar.where = grammar.where;
+  import->grammar.organs = grammar.organs;
+  grammar = std::move(import->grammar);
+  return {};
 }
 
 Errors in_file(Errors errors, const std::string& path) {

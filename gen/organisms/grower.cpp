@@ -30,7 +30,7 @@ Placement placement_of(const Organism& organism, const Planting& planting) {
   bool slopes = planting.normal != Vec3(0, 1, 0) && glm::dot(up, up) > 1e-6f;
   Quat slope = slopes ? Quat(Vec3(0, 1, 0), glm::normalize(up)) : Quat(1, 0, 0, 0);
   return {planting.foot, lean_of(organism, planting.seed) * slope * yaw_of(organism, planting),
-          size_of(organism, planting.seed)};
+          size_of(organism, planting)};
 }
 
 /// Round the bodies that come near to a model at its place, in its own space; empty where none does.
@@ -59,8 +59,9 @@ Quat lean_of(const Organism& organism, Seed planting) {
   return glm::angleAxis(static_cast<float>(organism.place.lean * planting.child("lean").unit()), axis);
 }
 
-float size_of(const Organism& organism, Seed planting) {
-  return static_cast<float>(1 + organism.place.size_variation * planting.child("size").range(-1, 1));
+float size_of(const Organism& organism, const Planting& planting) {
+  return static_cast<float>(planting.size *
+                            (1 + organism.place.size_variation * planting.seed.child("size").range(-1, 1)));
 }
 
 double reach_of(const Organism& organism) {
@@ -109,6 +110,7 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
       if (Detour detour = detour_near(*model, world, placement)) model = grower.grow_round(detour, seed);
     if (!model) return model.errors();
     Specimen specimen{{organism.name, bed.entry}, std::move(*model)};
+    specimen.placement = placement;
     transform(specimen.model, placement.foot, placement.turn, placement.size);
     if (specimen.model.solids.follow_ground && organism.place.raise == 0)
       follow_ground(specimen.model.solids, world, planting.foot.y);

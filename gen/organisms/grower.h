@@ -63,14 +63,8 @@ struct Planting {
   std::size_t claim = SIZE_MAX;  ///< index of its claim in the world's territories, if it has one
 
   double turn = 0;                        ///< radians about the vertical, besides that of the preset
+  double size = 1;                        ///< factor, besides that by chance
   std::span<const PlaceLine> lines = {};  ///< that it is built along; empty: it stands by itself
-};
-
-/// Position, rotation and size factor of an organism.
-struct Placement {
-  Vec3 foot{0};
-  Quat turn{1, 0, 0, 0};
-  float size = 1;
 };
 
 /// How far an organism would spread from its foot without neighbours, metres.
@@ -138,6 +132,8 @@ class Grower {
   virtual Errors check_together(std::span<const Organism* const> all, double relief) const = 0;
   /// Predicted size; a derivation beyond its limits is an error with the figure and the step.
   virtual Result<SizeEstimate> estimate_size(Seed seed) const = 0;
+  /// Whether it lives through years, so that it can be cut in one of them and grows on, see Edit::cut.
+  virtual bool lives_years() const { return false; }
   /// Upper estimate of the height of one, metres; 0: unknown.
   virtual double tallest() const = 0;
   virtual Dress dress() const = 0;
@@ -171,9 +167,11 @@ class Grower {
   /// A version of that length in metres, of what is built along lines; none of all else.
   virtual std::shared_ptr<const Grower> as_long_as(double /*length*/) const { return nullptr; }
 
-  /// A version of that age in years, which died before the last `dead` of them, of what grows over years;
-  /// none of all else.
-  virtual std::shared_ptr<const Grower> at_age(double /*years*/, double /*dead*/) const { return nullptr; }
+  /// A version of that age in years, which died before the last `dead` of them and has no limbs on the first
+  /// `clear` metres of its stem, of what grows over years; none of all else.
+  virtual std::shared_ptr<const Grower> at_age(double /*years*/, double /*dead*/, double /*clear*/) const {
+    return nullptr;
+  }
 
   /// Metres, how tall one of its copies is at the end of each of its years; none of what does not
   /// grow over years.
@@ -274,6 +272,6 @@ void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed see
 
 /// The lean that `place` sets for a planting, and its size factor.
 Quat lean_of(const Organism& organism, Seed planting);
-float size_of(const Organism& organism, Seed planting);
+float size_of(const Organism& organism, const Planting& planting);
 
 }  // namespace frond

@@ -8,13 +8,21 @@
 #include "core/vec.h"
 #include "organisms/grower.h"
 #include "organisms/sowing.h"
+#include "pruning/edits.h"
 #include "world/style.h"
 
 namespace frond {
 
+/// How one of several stands, besides what is said for all.
+struct Stance {
+  double turn = 0;  ///< radians about the vertical
+  double size = 1;  ///< factor
+};
+
 /// Where the organisms of one entry stand: the first at given places, the others scattered in a ring.
 struct Place {
   std::vector<Vec2> at;         ///< x, z in metres
+  std::vector<Stance> each;     ///< of those at these places; the others have none of their own
   Vec2 center{0};               ///< x, z of the ring
   double inner = 0;             ///< metres
   double radius = 2;            ///< metres, the outer edge
@@ -28,9 +36,8 @@ struct Place {
   double upright = 0.6;         ///< on a slope of such a body: 1 vertical .. 0 at right angles to it
   double rock = 0.5;            ///< metres, width of the rock below each; 0: none
 
-  // By a plan, which also sets `at`, see scene/furnish.h:
+  // By a plan, which also sets `at` and `each`, see scene/furnish.h:
   std::string in, along;         ///< names of its sites; empty: none
-  std::vector<double> turns;     ///< of `at`, besides the turn above; empty: none
   std::vector<PlaceLine> lines;  ///< that the one at the origin is built along; empty: it stands by itself
 };
 
@@ -40,6 +47,7 @@ struct Organism {
   std::string name;     ///< the user's name for it, for messages and comments
   int count = 1;        ///< number, including given places; never fewer than those
   Place place;
+  std::vector<Edit> edits;     ///< of its branches by hand
   std::optional<Sowing> sown;  ///< copies of a few models, sown over the land
   Style style;
   std::shared_ptr<const Grower> grower;  ///< its kind with its parameters; never null after reading

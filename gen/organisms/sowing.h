@@ -30,6 +30,8 @@ struct Sowing {
   CopyTint tint;
   std::optional<ModelSize> size;  ///< that all models are fitted to; none: they are as they grow
   double upright = 1;             ///< 1: as vertical as `place.lean` allows; 0: at right angles to the slope
+  std::optional<Vec2>
+      present;  ///< part of the year, 0..1, in which copies are above the ground; none: always
 };
 
 }  // namespace frond

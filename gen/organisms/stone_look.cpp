@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dress/mask_drawing.h"
+
 namespace frond {
 
 namespace {
@@ -31,13 +33,26 @@ Material material_of(const StoneLook& look, Seed seed) {
   const KindRow& row = *std::find_if(std::begin(kKinds), std::end(kKinds),
                                      [&](const KindRow& r) { return r.kind == look.kind; });
   double light = 1 + look.variation * seed.child("brightness").range(-1, 1);
-  return {row.matter,
-          brighter(look.color.value_or(row.color), light),
-          brighter(look.second.value_or(row.second), light),
-          look.scale,
-          look.relief,
-          look.moss,
-          row.gloss};
+  Material material{row.matter,
+                    brighter(look.color.value_or(row.color), light),
+                    brighter(look.second.value_or(row.second), light),
+                    look.scale,
+                    look.relief,
+                    look.moss,
+                    row.gloss};
+  if (!look.moss_map.empty()) material.moss_map = look.moss_map;
+  return material;
+}
+
+Errors check_stone(const StoneLook& look) {
+  if (look.moss_map.file.empty() || !look.moss_map.area.empty()) return {};
+  return {{"/stone/moss_map", "has no area; expected the two corners in the world that its picture covers"}};
+}
+
+Dress stone_dress(const StoneLook& look) {
+  Dress dress;
+  if (!look.moss_map.empty()) dress.look.pictures.push_back(mask_drawing(look.moss_map));
+  return dress;
 }
 
 Error hollow_rock() { return {"", "these blobs have no inside; a lower level, or more and larger blobs?"}; }

@@ -2,8 +2,10 @@
 
 #include <optional>
 
+#include "core/mask.h"
 #include "core/result.h"
 #include "core/seed.h"
+#include "dress/dress.h"
 #include "model/model.h"
 #include "rocks/rock.h"
 
@@ -18,8 +20,14 @@ struct StoneLook {
   double scale = 0.12;                 ///< metres, size of the pattern
   double relief = 0.5;                 ///< depth of its grain and cracks
   double moss = 0;                     ///< 0 none .. 1: moss and lichen
+  Mask moss_map;                       ///< scales it; it has an area
   double variation = 0.08;             ///< variation of brightness between stones
 };
+
+/// The error for a map of moss without an area.
+Errors check_stone(const StoneLook& look);
+/// What an organism of such stone wears: the picture that scales its moss.
+Dress stone_dress(const StoneLook& look);
 
 /// The material of one stone.
 Material material_of(const StoneLook& look, Seed seed);

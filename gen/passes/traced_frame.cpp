@@ -53,9 +53,7 @@ PassHit hit_on(const Placed& one, const RTCRayHit& ray) {
 }  // namespace
 
 Placed placed(Thing thing, std::shared_ptr<const MeshGroup> meshes, const OrganPlace& place, bool changes) {
-  glm::mat3 axes = glm::mat3_cast(place.turn);
-  for (int axis = 0; axis < 3; ++axis) axes[axis] *= place.scale[axis];
-  return {thing, std::move(meshes), nullptr, axes, place.at, changes};
+  return {thing, std::move(meshes), nullptr, axes_of(place.turn, place.scale), place.at, changes};
 }
 
 PlacedScene::PlacedScene(std::vector<Placed> placed) : things(std::move(placed)) {

@@ -40,7 +40,7 @@ namespace frond {
 //     vector(name, v, [range,] doc)        Vec3, DVec3, Vec2, DVec2 from [x, y, z] or [x, y]
 //     direction(name, v, [across,] doc)    Vec3, DVec3 of some length; across: what of it counts
 //     size(name, s, range, doc)            std::array<int, 2> from [width, height]
-//     color(name, c, doc)                  Color from "#rrggbb" or [r, g, b], each 0 to 1 (sRGB)
+//     color(name, c, doc)                  Color as CSS writes it, or [r, g, b], each 0 to 1 (sRGB)
 //     curve(name, c, doc)                  Curve from [[x, y], ...], two or more points, x increasing
 //     animated(name, a, range, doc)        Animated<double>: a number, or keyframes [[seconds, number], ...]
 //     animated(name, a, [range,] doc)      Animated<Vec3>: [x, y, z] or keyframes [[seconds, [x, y, z]], ...]

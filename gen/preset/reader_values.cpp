@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "preset/css_color.h"
 #include "preset/range_text.h"
 #include "preset/reader.h"
 
@@ -96,14 +96,13 @@ std::optional<Color> Reader::color_at(const Value& value) {
     auto rgb = vector_at<Vec3>(value, {.min = 0, .max = 1});
     return rgb ? std::optional(Color{rgb->x, rgb->y, rgb->z}) : std::nullopt;
   }
-  const std::string& text = value.text;
-  if (value.is(Value::Type::text) && text.size() == 7 && text[0] == '#') {
-    unsigned code = 0;
-    auto [end, wrong] = std::from_chars(text.data() + 1, text.data() + 7, code, 16);
-    auto channel = [&](int shift) { return static_cast<float>(code >> shift & 0xff) / 255.0f; };
-    if (wrong == std::errc() && end == text.data() + 7) return Color{channel(16), channel(8), channel(0)};
+  std::string_view near;
+  if (value.is(Value::Type::text)) {
+    if (std::optional<Color> color = css_color(value.text)) return color;
+    near = nearest_css_name(value.text);
   }
-  fault(value, "a color, as \"#rrggbb\" or [red, green, blue] from 0 to 1");
+  std::string meant = near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near);
+  fault(value, "a color: a name of CSS, \"#rrggbb\", rgb(), hsl() or [red, green, blue] from 0 to 1" + meant);
   return std::nullopt;
 }
 

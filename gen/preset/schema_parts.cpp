@@ -69,9 +69,10 @@ Value direction_schema(Across across) {
 }
 
 Value color_schema() {
-  Value hex = typed("string").set("pattern", make_text("^#[0-9a-fA-F]{6}$"));
+  Value text = typed("string");
+  text.set("pattern", make_text(R"(^#([0-9a-fA-F]{3}){1,2}$|^(rgb|hsl)\(.+\)$|^[a-zA-Z]+$|^palette:.+$)"));
   Value rgb = vector_schema(number_schema({.min = 0, .max = 1}), 3);
-  return make_object().set("anyOf", make_list({hex, rgb}));
+  return make_object().set("anyOf", make_list({text, rgb}));
 }
 
 Value curve_schema() { return list_schema(vector_schema(number_schema({}), 2), {.min = 2}); }

@@ -272,10 +272,12 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
 
 }  // namespace
 
-Raster quick_look(const Scene& scene, double time) {
-  auto [width, height] = scene.film.size;
+Raster quick_look(const Scene& scene, double time) { return quick_look(scene, time, scene.film.size); }
+
+Raster quick_look(const Scene& scene, double time, std::array<int, 2> size) {
+  auto [width, height] = size;
   Daylight light = daylight_of(stage_at(scene.stage, time));
-  Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
+  Lens lens = lens_at(scene.stage.camera, time, static_cast<double>(height) / width);
   Pixels pixels(width, height), from_sun(kShadowSide, kShadowSide);
   ToSun sun = sun_over(scene, light.sun, from_sun);
   ToPicture picture_sink{lens, pixels};

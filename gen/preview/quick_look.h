@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "images/raster.h"
 #include "scene/scene.h"
 
@@ -9,5 +11,8 @@ namespace frond {
 /// the sun's shadows. No leaf has a picture, no surface a texture; what is sown stands as the room that it
 /// takes, for its models are not grown for this. Half a second for a tree of a hundred thousand leaves.
 Raster quick_look(const Scene& scene, double time);
+
+/// The same of another width and height in pixels.
+Raster quick_look(const Scene& scene, double time, std::array<int, 2> size);
 
 }  // namespace frond

@@ -18,7 +18,7 @@ struct BandRows {
 /// picture.
 BandRows band_rows(int bands, int band, int height);
 
-/// The PNG files of all bands as one, with what the first says of its size and colours.
+/// The PNG files of all bands as one, with the colours and bits of the first.
 Result<std::string> join_bands(std::span<const std::string> pngs);
 
 }  // namespace frond

@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "core/files.h"
+#include "images/png_samples.h"
 #include "render/place.h"
 #include "render/process.h"
 
@@ -116,19 +117,29 @@ using List = std::vector<std::string>;
 
 void append_words(List& list, const List& more) { list.insert(list.end(), more.begin(), more.end()); }
 
-/// How ffmpeg encodes a format. 4:2:0, of even size, BT.709 with tags: untagged, players guess other colours.
-List codec(std::string_view format) {
+/// How ffmpeg encodes a format. Of even size, BT.709 with tags: untagged, players guess other colours; 4:2:0,
+/// but 4:4:4 in ProRes.
+List codec(std::string_view format, bool alpha) {
+  std::string_view pixels = format == "mov" ? "yuva444p10le" : alpha ? "yuva420p" : "yuv420p";
   const List even{
       "-vf",
-      "format=gbrp,pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:black,"
-      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p"};
+      fmt::format("format={},pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:black{},"
+                  "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format={}",
+                  alpha ? "gbrap" : "gbrp", alpha ? "@0" : "", pixels)};
   const List tags{"-color_range",     "tv",    "-colorspace", "bt709",
                   "-color_primaries", "bt709", "-color_trc",  "iec61966-2-1"};
   if (format == "gif")
     return {"-lavfi", "paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle", "-fps_mode",
             "passthrough"};
   List list = even;
+  if (format == "mov") {
+    append_words(list, {"-c:v", "prores_ks", "-profile:v", "4444", "-alpha_bits", alpha ? "16" : "0",
+                        "-vendor", "apl0"});
+    append_words(list, tags);
+    return list;
+  }
   if (format == "webm") {
+    if (alpha) append_words(list, {"-auto-alt-ref", "0"});
     append_words(list, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-deadline", "good", "-cpu-used",
                         "2", "-threads", "4"});
     append_words(list, tags);
@@ -153,7 +164,7 @@ Encoded encode(const FilmJob& job, const std::string& format, const fs::path& pa
     if (colors.status != 0 || !colors.damaged.empty()) return colors;
     append_words(words, {"-i", file_word(palette)});
   }
-  append_words(words, codec(format));
+  append_words(words, codec(format, job.alpha));
   append_words(words,
                {"-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1", "-metadata",
                 "title=" + job.title, "-metadata", "comment=" + job.comment, "-f", format, file_word(part)});
@@ -162,7 +173,7 @@ Encoded encode(const FilmJob& job, const std::string& format, const fs::path& pa
 
 std::string format_of(const fs::path& film) {
   std::string ending = film.extension();
-  return ending == ".webm" || ending == ".gif" ? ending.substr(1) : "mp4";
+  return ending == ".webm" || ending == ".gif" || ending == ".mov" ? ending.substr(1) : "mp4";
 }
 
 /// Removes a file when it goes out of sight.
@@ -236,10 +247,10 @@ Errors tile_sheet(const SheetJob& job) {
   return put_in_place(part.path, job.sheet);
 }
 
-Errors copy_picture(const fs::path& picture, const fs::path& to) {
+Errors copy_picture(const fs::path& picture, const fs::path& to, double dpi) {
   Result<std::string> bytes = whole_picture(picture);
   if (!bytes) return bytes.errors();
-  return put_text(part_of(to), to, *bytes);
+  return put_text(part_of(to), to, dpi > 0 ? with_density(*bytes, dpi) : *bytes);
 }
 
 int frames_in(const fs::path& film, const std::string& ffmpeg) {

@@ -12,13 +12,15 @@
 /// the same bytes.
 namespace frond {
 
-/// A film: H.264 (.mp4) that plays everywhere, VP9 (.webm), or a GIF whose palette is made of the whole film.
+/// A film: H.264 (.mp4) that plays everywhere, VP9 (.webm), ProRes 4444 (.mov) for editing, or a GIF whose
+/// palette is made of the whole film.
 struct FilmJob {
   std::vector<std::filesystem::path> pictures;  ///< PNG, one a frame
   std::filesystem::path film;                   ///< its ending says the format; another than these is an MP4
   std::string fps = "24";                       ///< frames a second
   std::string title, comment;                   ///< for its metadata; of a GIF, a comment
   std::string ffmpeg = "ffmpeg";                ///< the program
+  bool alpha = false;                           ///< keeps the opacity of its pictures; not in an MP4
 };
 
 /// Makes it; none where a picture is damaged. The last of the errors says so, those before it why.
@@ -36,8 +38,8 @@ struct SheetJob {
 /// Makes it; errors as of a film.
 Errors tile_sheet(const SheetJob& job);
 
-/// Copies a whole picture.
-Errors copy_picture(const std::filesystem::path& picture, const std::filesystem::path& to);
+/// Copies a whole picture, which then says how many pixels an inch it has; with 0 dpi it does not.
+Errors copy_picture(const std::filesystem::path& picture, const std::filesystem::path& to, double dpi = 0);
 
 /// How many pictures a film holds, by what is there of them and not by its header; 0 where there is no
 /// telling.

@@ -10,6 +10,7 @@
 
 #include "core/content.h"
 #include "core/files.h"
+#include "images/png_samples.h"
 #include "render/frame_files.h"
 #include "render/place.h"
 #include "render/process.h"
@@ -151,6 +152,8 @@ class FrameRun {
                      fmt::format("+H{}", job_.size[1]),
                      "+L" + includes_.name(),
                      "+L" + beside_.name()};
+    if (head_.alpha) command.words.emplace_back("+UA");
+    command.words.insert(command.words.end(), head_.part.begin(), head_.part.end());
     if (!head_.light.empty()) {
       command.words.emplace_back("+RFI");
       command.words.push_back("+RF" + (folder_of(job_.scene) / head_.light).string());
@@ -213,9 +216,15 @@ class FrameRun {
       pngs.push_back(std::move(*bytes));
     }
     if (head_.fine && !head_.raw) {
-      Result<std::string> picture = develop(pngs, head_.tone);
+      Result<std::string> picture = develop(pngs, head_.tone, head_.depth);
       if (!picture) return {give_up(picture.errors()[0].what, names, 0, drawn.size())};
       pngs = {std::move(*picture)};
+    }
+    if (auto [x, y, width, height] = head_.crop; width > 0) {
+      Result<PngSamples> whole = read_samples(pngs[0]);
+      Result<std::string> part = whole ? samples_text(cut(*whole, x, y, width, height)) : whole.errors();
+      if (!part) return {give_up(part.errors()[0].what, names, 0, drawn.size())};
+      pngs[0] = std::move(*part);
     }
     std::error_code error = write_new(files_.plain, without_time(pngs[0]));
     if (error)

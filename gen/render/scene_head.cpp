@@ -34,12 +34,34 @@ std::string light_of(std::string_view line) {
   return {};
 }
 
+/// Of "+SC1 +EC64 +SR33 +ER96 (of which 10,40,50x30)" the flags and the numbers.
+void read_crop(std::string_view line, SceneHead& head) {
+  constexpr std::string_view kWhich = " (of which ";
+  std::size_t flags = line.find(" +SC"), at = line.find(kWhich);
+  if (flags == line.npos || at == line.npos || at < flags) return;
+  std::array<int, 4> crop{};
+  std::string_view rest = line.substr(at + kWhich.size());
+  constexpr std::string_view kBetween[] = {",", ",", "x", ")"};
+  for (std::size_t i = 0; i < crop.size(); ++i)
+    if (!take_number(rest, crop[i]) || !take(rest, kBetween[i])) return;
+  head.crop = crop;
+  std::string_view words = line.substr(flags, at - flags);
+  while (!words.empty()) {
+    words.remove_prefix(1);
+    std::size_t end = std::min(words.find(' '), words.size());
+    head.part.emplace_back(words.substr(0, end));
+    words.remove_prefix(end);
+  }
+}
+
 }  // namespace
 
 SceneHead read_scene_head(std::string_view scene) {
   std::string_view line = scene.substr(0, scene.find('\n'));
   SceneHead head;
   head.light = light_of(line);
+  head.alpha = line.find(" +UA") != line.npos;
+  read_crop(line, head);
   constexpr std::string_view kFine = " +FN16";
   std::size_t at = line.find(kFine);
   if (at == line.npos) return head;
@@ -47,14 +69,16 @@ SceneHead read_scene_head(std::string_view scene) {
   SceneHead fine = head;
   fine.fine = true;
   if (take(rest, "; exposure 1 of ") && !take_number(rest, fine.exposures)) return head;
-  if (rest == "; then frond resolve") {
+  if ((rest.empty() && fine.exposures == 1) || rest == "; then frond resolve") {
     fine.raw = true;
     return fine;
   }
   // A later exposure names no tone: it is no picture by itself.
   if (take(rest, "; then frond develop --highlights ") && take_number(rest, fine.tone.highlights) &&
-      take(rest, " --contrast ") && take_number(rest, fine.tone.contrast) && rest.empty())
-    return fine;
+      take(rest, " --contrast ") && take_number(rest, fine.tone.contrast)) {
+    if (take(rest, " --depth 16")) fine.depth = 16;
+    if (rest.empty()) return fine;
+  }
   return head;
 }
 

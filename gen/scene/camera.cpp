@@ -23,6 +23,7 @@ float ground_about(const Heights& heights, Vec3 at) {
 Animated<Vec3> raised(const Animated<Vec3>& path, const Heights& heights) {
   double first = path.keys().front().time, last = path.keys().back().time;
   int steps = std::clamp(static_cast<int>(std::ceil((last - first) / kStep)), 0, kMostSteps);
+  steps = std::max(steps, static_cast<int>(path.keys().size()) - 1);
   std::vector<Animated<Vec3>::Key> keys;
   for (int i = 0; i <= steps; ++i) {
     double time = first + (steps > 0 ? (last - first) * i / steps : 0);

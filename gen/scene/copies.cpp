@@ -243,6 +243,7 @@ Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
   Seed seed = model_seed(organism, which);
   Result<Model> model = organism.grower->grow_copy(organism, seed);
   if (!model) return model;
+  edit_model(*model, edits_of(organism.edits, std::nullopt));
   if (auto season = organism.grower->dress().season; season && !full_leaf)
     in_season(*model, *season, 0, seed.child("season"));
   if (organism.sown->size) fit_to(*model, *organism.sown->size);

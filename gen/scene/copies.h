@@ -25,6 +25,10 @@ class ModelBlocks {
     return 0.87f * side_ + 0.3f;
   }                       ///< of a ball round each that holds all of it, metres
   int of(Vec3 at) const;  ///< the block there, or the nearest
+  /// Metres from a place to the box that holds all of a block; 0 within.
+  float distance(int block, Vec3 at) const {
+    return glm::length(glm::max(glm::abs(at - middle(block)) - (0.5f * side_ + 0.3f), Vec3(0)));
+  }
 
  private:
   Vec3 low_{0};

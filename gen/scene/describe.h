@@ -3,6 +3,8 @@
 #include "organisms/describe.h"
 #include "organisms/describe_events.h"
 #include "organisms/kinds.h"
+#include "preset/eases.h"
+#include "preset/palettes.h"
 #include "scene/describe_plan.h"
 #include "scene/describe_stand.h"
 #include "scene/preset.h"
@@ -16,6 +18,11 @@ inline constexpr Choice<Quality> kQualities[] = {{"draft", Quality::draft, "a fe
                                                  {"good", Quality::good, "smooth edges, soft shadows"},
                                                  {"best", Quality::best, "everything, slow"}};
 
+inline constexpr Choice<Background> kBackgrounds[] = {
+    {"scene", Background::scene, "the whole scene"},
+    {"ground", Background::ground, "the ground, but neither sky, backdrop, haze nor far land"},
+    {"transparent", Background::transparent, "nothing: what grows and stands there is alone"}};
+
 /// The sides of a picture.
 inline constexpr Range kSides{.min = 16, .max = 16384, .unit = "pixels"};
 
@@ -25,6 +32,8 @@ void describe(Visitor& v, Film& f) {
   v.number("fps", f.fps, {.min = 0.1, .max = 1000}, "Frames a second");
   v.size("size", f.size, kSides, "Width and height of the pictures");
   v.choice("quality", f.quality, kQualities, "How carefully the pictures are rendered");
+  v.choice("background", f.background, kBackgrounds,
+           "What is seen round that which grows; what is left out is transparent in the PNG pictures");
 }
 
 inline constexpr std::string_view kFocusSchema = R"({"anyOf": [
@@ -51,12 +60,58 @@ inline void describe_rest(KeyWriter& v, Focus& focus) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Orbit& o) {
+  v.angle("turn", o.turn, {.min = -36000, .max = 36000, .sense = "360 once round, -90 a quarter to the left"},
+          "How far the camera goes round while the film lasts, to the right of where it looks");
+  v.number("rise", o.rise, {.min = -1000, .max = 1000, .unit = "m"},
+           "By how much the camera ends higher than it begins");
+  v.vector("center", o.center, {.min = -1000, .max = 1000, .unit = "m"},
+           "The point that the camera goes round; not given: what it looks at");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Rail& r) {
+  v.vector("to", r.to, {.min = -1000, .max = 1000, .unit = "m"},
+           "Where the camera ends that goes in a straight line from `location`");
+  v.required("to");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Shake& s) {
+  v.angle("amplitude", s.amplitude, {.min = 0, .max = 20, .sense = "0.4 a calm hand, 2 a run"},
+          "How far the camera turns aside at most, and as far up and down");
+  v.number("frequency", s.frequency, {.min = 0.01, .max = 20, .unit = "1/s"},
+           "Swings a second of the slowest and widest of its swings");
+  v.boolean("loop", s.loop, "Whether the film can be repeated without a jump of the camera");
+}
+
+template <class Visitor>
+void describe(Visitor& v, CameraMove& m) {
+  v.object("orbit", m.orbit, "A way round a point");
+  v.object("rail", m.rail, "A way in a straight line");
+  v.object("shake", m.shake, "The unrest of a camera that is held by hand");
+  v.choice("ease", m.ease, kEases, "How `orbit` and `rail` begin and end");
+}
+
+template <class Visitor>
+void describe(Visitor& v, NamedView& w) {
+  v.text("name", w.name, "What the view is called");
+  v.required("name");
+  v.vector("at", w.at, {.min = -1e6, .max = 1e6, .unit = "m"}, "Where one stands");
+  v.vector("to", w.to, {.min = -1e6, .max = 1e6, .unit = "m"}, "The point that one looks at");
+  v.number("angle", w.angle, {.min = 1, .max = 160, .unit = "degrees"},
+           "Angle of the view, from its left edge to its right");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Camera& c) {
   v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where the camera stands");
   v.animated("look_at", c.look_at, {.min = -1000, .max = 1000, .unit = "m"},
              "The point that the camera looks at");
   v.animated("angle", c.angle, {.min = 1, .max = 160, .unit = "degrees"},
              "Angle of the view, from its left edge to its right");
+  v.object("move", c.move,
+           "A move of the camera over the whole film, on top of its `location` and `look_at`");
   v.boolean("follow", c.follow,
             "Whether heights of the camera count from the ground below it instead of from y = 0");
   v.list(
@@ -148,12 +203,22 @@ template <class Visitor>
 void describe(Visitor& v, Snow& s) {
   v.animated("depth", s.depth, {.min = 0, .max = 2, .unit = "m"},
              "Depth of the snow on open level ground; with keyframes it falls and melts");
+  v.object("depth_map", s.depth_map,
+           "A picture that scales the depth over the land; a bare file name will do");
   v.animated("frost", s.frost, {.min = 0, .max = 1},
              "How white hoarfrost makes leaves, twigs and blades of grass");
   v.angle("wind", s.wind, {.min = -360, .max = 360},
           "Direction that the wind comes from which brought the snow: 0 from +z, 90 from +x");
   v.number("drift", s.drift, {.min = 0, .max = 1},
            "How much of the snow the wind has carried into the lee of what stands there: 0 calm, 1 a storm");
+  v.animated(
+      "falling", s.falling,
+      {.min = 0, .max = 20, .unit = "mm/h", .sense = "0.3 light snow, 1 steady, 3 heavy"},
+      "How hard it snows, as the water that the flakes are, from an overcast sky; with keyframes a snowfall "
+      "comes and goes");
+  v.number(
+      "shed", s.shed, {.min = 0, .max = 1000, .unit = "1/min"},
+      "How many of a hundred boughs drop their snow in a minute of calm air; wind and thaw bring down more");
 }
 
 template <class Visitor>
@@ -174,6 +239,8 @@ void describe(Visitor& v, Stage& s) {
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
   v.choice("setting", s.setting, names, "The surroundings, which bring their own light and ground");
   v.object("camera", s.camera, "The camera");
+  v.list("views", s.views, Count{0, 200},
+         "Views of the scene with names, which the studio goes to; no film reads them");
   v.object("wind", s.wind,
            "The wind over the land, in which trees and sown herbs without a wave of their own sway");
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -195,6 +262,9 @@ void describe(Visitor& v, Stage& s) {
   v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 
+/// Their colours count where they stand.
+inline void describe_rest(KeyWriter&, Palettes&) {}
+
 template <class Visitor>
 void describe(Visitor& v, Preset& p) {
   v.text("title", p.title, "A name for the preset, shown in lists but not in the picture");
@@ -203,6 +273,10 @@ void describe(Visitor& v, Preset& p) {
       "Another preset, named as seen from this one's folder, whose values stand wherever this one has none");
   v.integer("seed", p.seed, {.min = 0, .max = 9e15},
             "Seed of everything random: another number gives another reef, tree or wood by the same rules");
+  v.custom(
+      "palettes", p.palettes, read_palettes, kPalettesSchema,
+      "Lists of colours by name: `palette:autumn/0` stands for the first one of autumn wherever a colour "
+      "may, and `palette:autumn` for all of them in a list");
   v.object("film", p.film, "Length, size and quality of the film");
   v.object("scene", p.stage, "Everything but the organisms: surroundings, light and camera");
   v.list("events", p.events, Count{0, 1000},

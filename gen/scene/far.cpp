@@ -62,6 +62,7 @@ std::optional<FarCountry> far_land_round(const Scene& scene, Seed seed) {
   if (edge.radius <= 0 || (!scene.stage.far && !edge.country)) return std::nullopt;
   FarLandShape shape = scene.stage.far.value_or(FarLandShape{});
   if (shape.reach <= edge.radius) return std::nullopt;
+  shape.shaded = shaded_side(scene.stage);
   return far_country(shape, edge, far_view(scene.film, scene.stage.camera), seed);
 }
 
@@ -114,9 +115,7 @@ std::vector<Strewn> strewn_far(const FarCountry& far) {
                                                    {0.80f, 0.74f, 0.20f},
                                                    {0.45f, 0.36f, 0.28f},
                                                    {0.22f, 0.29f, 0.12f},
-                                                   {0.40f, 0.38f, 0.24f},
-                                                   {0.54f, 0.53f, 0.50f},
-                                                   {0.94f, 0.95f, 0.97f}}};
+                                                   {0.54f, 0.53f, 0.50f}}};
   constexpr std::array<Color, kFarKinds> kKinds{
       {{0.26f, 0.34f, 0.13f}, {0.17f, 0.24f, 0.12f}, {0.25f, 0.33f, 0.13f}, {0.75f, 0.68f, 0.60f}}};
   std::vector<Strewn> list;

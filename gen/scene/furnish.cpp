@@ -53,14 +53,16 @@ double kept_free(const Organism& organism) {
 void place_in(Organism& organism, const std::vector<PlanSite>& sites, TakenSpots& taken, Seed seed) {
   std::vector<Vec2> given = std::exchange(organism.place.at, {});
   auto room = static_cast<float>(kept_free(organism));
-  auto stand = [&](const PlanSite& site, Vec2 at) {
+  std::vector<Stance> each = std::exchange(organism.place.each, {});
+  each.resize(given.size());
+  auto stand = [&](const PlanSite& site, Vec2 at, const Stance& own = {}) {
     organism.place.at.push_back(at);
-    organism.place.turns.push_back(site.turn);
+    organism.place.each.push_back({site.turn + own.turn, own.size});
     taken.take({at, room});
   };
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const PlanSite& site = sites[i];
-    for (Vec2 own : given) stand(site, point_in(site, own));
+    for (std::size_t k = 0; k < given.size(); ++k) stand(site, point_in(site, given[k]), each[k]);
     Vec2 half = glm::max(0.5f * site.size - room, Vec2(0));
     int left = organism.count - static_cast<int>(given.size()), fruitless = 0;
     for (std::uint64_t dart = 0; left > 0 && fruitless < kMostFruitless; ++dart) {
@@ -78,7 +80,7 @@ void place_along(Organism& organism, const std::vector<PlanSite>& lines, TakenSp
   Place& place = organism.place;
   double all = 0, room = kept_free(organism), step = std::max(2 * room, 0.05);
   for (const PlanSite& line : lines) all += static_cast<double>(line.size.x);
-  place.at.clear();
+  place.at.clear(), place.each.clear();
   if (auto built = lines.empty() ? nullptr : organism.grower->as_long_as(all)) {
     organism.grower = std::move(built);
     for (const PlanSite& line : lines) place.lines.push_back({line.at, line.turn, line.size.x});
@@ -91,7 +93,7 @@ void place_along(Organism& organism, const std::vector<PlanSite>& lines, TakenSp
     int count = std::max(1, static_cast<int>(length / step));
     for (int i = 0; i < count; ++i) {
       place.at.push_back(point_in(line, Vec2(length * ((i + 0.5) / count - 0.5), 0)));
-      place.turns.push_back(line.turn);
+      place.each.push_back({line.turn});
       taken.take({place.at.back(), static_cast<float>(room)});
     }
   }

@@ -15,7 +15,7 @@ namespace {
 
 /// What of `place` sown copies and ivy pass over.
 constexpr std::string_view kScatter[] = {"center", "inner", "radius", "spacing", "rock"};
-constexpr std::string_view kStance[] = {"size_variation", "turn", "turn_variation", "lean"};
+constexpr std::string_view kStance[] = {"size_variation", "turn", "turn_variation", "each", "lean"};
 
 /// An angle that is given as so few degrees was meant as radians.
 constexpr double kRadians = 1.5;

@@ -13,7 +13,9 @@
 #include "preset/reader.h"
 #include "preset/schema.h"
 #include "scene/bounds.h"
+#include "scene/camera_move.h"
 #include "scene/describe.h"
+#include "scene/edit_checks.h"
 #include "scene/furnish.h"
 #include "scene/idle.h"
 
@@ -53,6 +55,8 @@ void check_organism(const Organism& organism, const Value& written, std::size_t 
   Errors errors = organism.grower->check();
   add(faults, errors);
   if (errors.empty()) add(doubtful, organism.grower->doubts());
+  add(faults, edit_faults(organism));
+  add(doubtful, edit_doubts(organism));
 }
 
 /// Why ivy cannot grow on what it names.
@@ -252,6 +256,7 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
     }
     Result<Document> other = read_base(*file);
     Errors below = other ? lay_on_base(other->root, file->path.string(), assets) : other.errors();
+    if (below.empty()) below = use_palettes(other->root);
     if (!below.empty()) return below;
     const Value* list = other->root.find("organisms");
     if (!list || list->items.empty()) {
@@ -280,6 +285,39 @@ void pass_on_year(Value& root) {
   season.set("season", std::move(at));
   all.set("defaults", std::move(season));
   root = overlay(all, root);
+}
+
+/// The time of the last frame of a film that is not read yet, seconds; 0 of a still and where it is wrong.
+double last_frame(const Value& root) {
+  Film film;
+  Value own = make_object();
+  if (const Value* written = root.find("film")) own = *written;
+  Preset preset;
+  Reader().read_root(make_object().set("film", own), preset);
+  return preset.film.time(preset.film.frames);
+}
+
+/// Growth that ends with the film lasts from its start to the last frame, the last of those that begin later
+/// by chance included. In a still all has grown.
+void end_growth_with_film(Value& root) {
+  double last = last_frame(root);
+  auto number = [](const Value& growth, const char* name) {
+    const Value* value = growth.find(name);
+    return value && value->is(Value::Type::number) ? value->number : 0;
+  };
+  auto end = [&](Value& holder, const Value& whole) {
+    const Value* growth = whole.find("growth");
+    const Value* asked = growth ? growth->find("to_end") : nullptr;
+    if (!asked || !asked->boolean || !holder.find("growth")) return;
+    double lasts = std::max(1e-3, last - number(*growth, "start") - number(*growth, "stagger"));
+    Value own = make_object();
+    own.set("duration", make_number(last > 0 ? lasts : 0));
+    holder = overlay(holder, make_object().set("growth", own));
+  };
+  Value* organisms = root.find("organisms");
+  for (std::size_t i = 0; organisms && i < organisms->items.size(); ++i)
+    if (organisms->items[i].is(Value::Type::object)) end(organisms->items[i], merged_organism(root, i));
+  if (Value* defaults = root.find("defaults")) end(*defaults, *defaults);
 }
 
 /// The document with the defaults in its organisms.
@@ -316,12 +354,15 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   assets.note_in(read);
   errors = lay_on_base(document->root, file_name, assets);
   if (!errors.empty() || !set_all("")) return errors;
+  if (errors = use_palettes(document->root); !errors.empty()) return errors;
   if (errors = lay_on_species(document->root, file_name, assets); !errors.empty()) return errors;
   pass_on_year(document->root);
+  end_growth_with_film(document->root);
 
   Faults faults, doubtful;
   Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets);
   if (!preset) return preset;
+  preset->stage.camera = keyed_move(preset->stage.camera, preset->film);
   preset->text = serialize(document->root);
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));

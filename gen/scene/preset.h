@@ -13,6 +13,7 @@
 #include "dynamics/stand.h"
 #include "organisms/organism.h"
 #include "plan/plan.h"
+#include "preset/palettes.h"
 #include "settings/stage.h"
 
 namespace frond {
@@ -24,6 +25,7 @@ struct Preset {
   std::string title;
   std::string base;  ///< a preset that this one is laid over, as seen from its folder; empty: none
   std::uint64_t seed = 1;
+  Palettes palettes;
   Film film;
   Stage stage;
   std::vector<Event> events;  ///< in the lives of its trees

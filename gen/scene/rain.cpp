@@ -19,21 +19,15 @@ GroundGrid grid_of(const Grounds& ground, Vec2 middle) {
       middle - kPuddlesReach, kPuddleCell, static_cast<int>(2 * kPuddlesReach / kPuddleCell) + 1, {}, {}};
   auto count = static_cast<std::size_t>(grid.side) * static_cast<std::size_t>(grid.side);
   grid.height.resize(count);
-  parallel_for(static_cast<std::size_t>(grid.side), [&](std::size_t r) {
-    auto row = static_cast<int>(r);
-    for (int column = 0; column < grid.side; ++column)
-      grid.height[grid.index(column, row)] = ground.height(grid.low + grid.cell * Vec2(column, row));
-  });
+  parallel_for(count, [&](std::size_t k) { grid.height[k] = ground.height(grid.place(k)); });
   grid.drain.resize(count);
-  for (int row = 0; row < grid.side; ++row)
-    for (int column = 0; column < grid.side; ++column)
-      grid.drain[grid.index(column, row)] = ground.under_water(grid.low + grid.cell * Vec2(column, row));
+  for (std::size_t k = 0; k < count; ++k) grid.drain[k] = ground.under_water(grid.place(k));
   return grid;
 }
 
-Model water_model(const GroundGrid& grid, double fallen) {
+Model water_model(const GroundGrid& grid, const std::vector<float>& full, double fallen) {
   Model model;
-  Surface water = puddles(grid, puddle_depth(fallen));
+  Surface water = puddles(grid, full, puddle_depth(fallen));
   if (!water.triangle.empty())
     model.solids.place(model.solids.add_shape(
         {std::move(water), {.matter = Matter::water, .color = {0.42f, 0.43f, 0.42f}}}));
@@ -46,13 +40,15 @@ std::optional<Specimen> standing_water(const Scene& scene, const Grounds& ground
   if (!is_rainy(scene.stage)) return {};
   const Animated<double>& fallen = scene.stage.rain->fallen;
   GroundGrid grid = grid_of(ground, seen_ground(scene.stage.camera, scene.film.length()).first);
+  std::vector<float> full = priority_flood(grid).level;
   Specimen water;
   water.name = "puddles";
-  water.model = water_model(grid, highest(fallen));
+  water.model = water_model(grid, full, highest(fallen));
   if (water.model.solids.size() == 0) return {};
   if (!fallen.constant())
-    water.life.develop = [fallen, grid = std::move(grid)](double time) -> Result<Model> {
-      return water_model(grid, fallen.at(time));
+    water.life.develop = [fallen, grid = std::move(grid),
+                          full = std::move(full)](double time) -> Result<Model> {
+      return water_model(grid, full, fallen.at(time));
     };
   return water;
 }

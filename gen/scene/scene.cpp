@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "dress/mask_drawing.h"
 #include "organisms/kinds.h"
 #include "preset/json.h"
 #include "scene/bounds.h"
@@ -19,6 +20,7 @@
 #include "scene/inside.h"
 #include "scene/rain.h"
 #include "scene/remarks.h"
+#include "scene/season.h"
 #include "scene/shading.h"
 #include "scene/snow.h"
 #include "scene/sowing.h"
@@ -28,6 +30,7 @@
 #include "scene/style.h"
 #include "scene/wind.h"
 #include "scene/woodland.h"
+#include "settings/meadow.h"
 #include "settings/settings.h"
 #include "world/world.h"
 
@@ -79,7 +82,10 @@ std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
       float foot = ground.seat(at, rock, seed) + static_cast<float>(organism.place.raise);
       plot.bed.plantings.push_back({seed, Vec3(at.x, foot, at.y)});
       plot.bed.plantings.back().lines = organism.place.lines;
-      if (i < organism.place.turns.size()) plot.bed.plantings.back().turn = organism.place.turns[i];
+      if (i < organism.place.each.size()) {
+        plot.bed.plantings.back().turn = organism.place.each[i].turn;
+        plot.bed.plantings.back().size = organism.place.each[i].size;
+      }
     }
     beds.push_back(std::move(plot.bed));
   }
@@ -105,10 +111,16 @@ Surface strewn_surface(const Grounds& ground) {
   return all;
 }
 
-void note_growth(Scene& scene) {
+void note_growth(Scene& scene, const Preset& preset) {
   for (const Specimen& s : scene.specimens)
     for (const std::string& note : s.model.notes) {
       std::string line = s.name.empty() ? note : s.name + ": " + note;
+      if (note.starts_with('/')) {  // a pointer below its entry, and what is said of that
+        std::size_t end = note.find(": ");
+        line = fault_at(preset, fmt::format("/organisms/{}{}", s.entry, note.substr(0, end)),
+                        note.substr(end + 2))
+                   .text();
+      }
       // One of many like it is enough.
       if (std::ranges::find(scene.notes, line) == scene.notes.end()) scene.notes.push_back(line);
     }
@@ -154,23 +166,24 @@ Quat Copies::turn_at(std::size_t i, double time) const {
   return glm::angleAxis(span[i].fall->angle(time), span[i].fall->axis) * turn[i];
 }
 
-namespace {
-
-float share_of(const CopySpan& span, double time) {
-  return static_cast<float>(
-      std::clamp((time - span.begin) / std::max(span.end - span.begin, 1e-9), 0.0, 1.0));
+double CopySpan::share(double time) const {
+  return std::clamp((time - begin) / std::max(end - begin, 1e-9), 0.0, 1.0);
 }
 
-}  // namespace
+void Copies::add(const Copies& all, std::size_t i, CopySpan in) {
+  model.push_back(all.model[i]), foot.push_back(all.foot[i]), turn.push_back(all.turn[i]);
+  scale.push_back(all.scale[i]), tint.push_back(all.tint[i]), span.push_back(std::move(in));
+}
 
 Vec3 Copies::scale_at(std::size_t i, double time) const {
   if (span.empty()) return Vec3(scale[i]);
-  Vec2 size = glm::mix(span[i].first, span[i].last, share_of(span[i], time));
+  Vec2 size = span[i].size(time);
   return scale[i] * Vec3(size.x, size.y, size.x);
 }
 
 double Copies::moss_at(std::size_t i, double time) const {
-  return span.empty() ? 0 : std::lerp(span[i].moss.x, span[i].moss.y, share_of(span[i], time));
+  return span.empty() ? 0
+                      : std::lerp(span[i].moss.x, span[i].moss.y, static_cast<float>(span[i].share(time)));
 }
 
 std::size_t Scene::nodes() const {
@@ -227,6 +240,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   ground->strew(taken);
   sow_stands(scene, preset, *ground, taken.list());
   if (preset.stand) draw_stand(scene, preset, *ground, stand_history(preset, *ground));
+  come_and_go(scene);
   std::vector<Bed> beds = set_feet(std::move(plots), *ground);
   watch.step();
 
@@ -260,7 +274,10 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
     scene.stage.camera = std::move(moved);
   }
   ground->lay_litter(scene.stage.camera);
+  if (is_snowy(scene.stage) || is_rainy(scene.stage))
+    scene.overhead = std::make_shared<const Overhead>(bodies_overhead(scene));
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
+  if (is_snowy(scene.stage)) load_boughs(scene, seed.child("boughs"));
   std::optional<Specimen> water = standing_water(scene, *ground);
   scene.ground = std::move(ground);
   if (std::optional<FarCountry> far = far_land_round(scene, seed.child("far"))) {
@@ -268,10 +285,12 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
     scene.far = std::make_shared<const FarCountry>(std::move(*far));
   }
   note_camera(scene, preset);
-  note_growth(scene);
+  note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
     if (organism.count > 0 || (organism.sown && (preset.stand || preset.stage.far)))
       std::ranges::move(drawings(organism.grower->dress().look), std::back_inserter(scene.drawings));
+  if (const Mask& grass = scene.stage.block<Meadow>().lawn.map; !grass.empty())
+    scene.drawings.push_back(mask_drawing(grass));
   if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;
   note_fit(scene);
   for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.stage), s.wet = is_rainy(scene.stage);

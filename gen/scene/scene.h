@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "land/far_objects.h"
+#include "land/snow.h"
 #include "motion/fall.h"
 #include "scene/preset.h"
 #include "settings/setting.h"
@@ -24,6 +25,9 @@ struct CopySpan {
   Vec2 first{1}, last{1};            ///< factors of its width and height at both; in proportion between
   std::shared_ptr<const Fall> fall;  ///< as which it falls over about its foot; null: it stands
   Vec2 moss{0};                      ///< 0..1, of what looks up, at both
+
+  double share(double time) const;  ///< of it that has passed
+  Vec2 size(double time) const { return glm::mix(first, last, static_cast<float>(share(time))); }
 };
 
 /// Copies of the models of a stand: a structure of arrays. Metres.
@@ -39,6 +43,8 @@ struct Copies {
   bool there(std::size_t i, double time) const {
     return span.empty() || (time >= span[i].begin && time < span[i].end);
   }
+  /// One more, copy `i` of others in one of its spans.
+  void add(const Copies& all, std::size_t i, CopySpan in);
   Quat turn_at(std::size_t i, double time) const;
   Vec3 scale_at(std::size_t i, double time) const;
   double moss_at(std::size_t i, double time) const;
@@ -63,9 +69,10 @@ struct SownStand {
 struct Scene {
   Film film;
   Stage stage;
-  Seed seed;                              ///< the preset's
-  std::shared_ptr<const Grounds> ground;  ///< that of the stage's setting
-  std::shared_ptr<const FarCountry> far;  ///< the land beyond the ground; null: none
+  Seed seed;                                 ///< the preset's
+  std::shared_ptr<const Grounds> ground;     ///< that of the stage's setting
+  std::shared_ptr<const FarCountry> far;     ///< the land beyond the ground; null: none
+  std::shared_ptr<const Overhead> overhead;  ///< bodies that keep off snow and rain; null: it is dry
   std::vector<Specimen> specimens;
   std::vector<SownStand> stands;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them

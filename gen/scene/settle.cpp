@@ -95,7 +95,7 @@ Errors settle_colonies(std::vector<Bed>& beds, World& world, std::vector<std::st
     std::optional<Spread> spread = bed.organism->grower->spread();
     if (!spread) continue;
     for (Planting& planting : bed.plantings) {
-      float size = size_of(*bed.organism, planting.seed);
+      float size = size_of(*bed.organism, planting);
       planting.claim = claims.size();
       claims.push_back({planting.foot, size * spread->across, size * spread->up});
     }

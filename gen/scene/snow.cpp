@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/noise.h"
+#include "core/parallel.h"
 #include "land/snow.h"
 #include "scene/camera.h"
+#include "scene/wind.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -58,29 +62,107 @@ Model snow_model(const std::vector<SnowSheet>& sheets, double depth) {
   return model;
 }
 
+/// The bodies that the preset names.
+std::vector<Surface> skins_of(const Scene& scene) {
+  std::vector<Surface> skins;
+  for (const Specimen& s : scene.specimens)
+    if (s.entry != Specimen::kNoEntry && s.model.solids.size() > 0) skins.push_back(merged(s.model.solids));
+  return skins;
+}
+
+constexpr float kBoughLength = 0.8f;  // metres of wood that drop their snow as one
+constexpr float kFirmRadius = 0.05f;  // metres of what is too thick to be shaken
+constexpr double kMoments = 8;        // a second
+
+/// How likely a bough at a place is to drop its snow, summed up from the film's beginning to each moment: in
+/// calm air, by the pressure of the wind, and as much of it thaws.
+std::vector<double> hazard_at(const Scene& scene, const WindField& wind, Vec3 place) {
+  constexpr double kShaken = 2;  // m/s near the ground that double the chance
+  const Snow& snow = scene.stage.snow;
+  std::vector<double> sum{0};
+  for (int i = 1; i <= kMoments * scene.film.length(); ++i) {
+    double time = i / kMoments, speed = kLowWind * wind.speed * (1 + wind.gust(place, time)) / kShaken;
+    double thawed = std::max(0.0, snow.depth.at(time - 1 / kMoments) - snow.depth.at(time));
+    sum.push_back(sum.back() + snow.shed / 6000 / kMoments * (1 + speed * speed) + thawed / snow.deepest());
+  }
+  return sum;
+}
+
+/// When a sum passes a level, seconds; infinity where it does not.
+float passing(const std::vector<double>& sum, double level) {
+  auto after = std::ranges::upper_bound(sum, level);
+  if (after == sum.begin() || after == sum.end()) return std::numeric_limits<float>::infinity();
+  double last = after[-1];
+  return static_cast<float>(
+      (static_cast<double>(after - sum.begin() - 1) + (level - last) / (*after - last)) / kMoments);
+}
+
+SnowLoad load_of(const Scene& scene, const Skeleton& bones, const WindField& wind, Seed seed) {
+  SnowLoad load{scene.stage.snow.depth, {}, {}, {}};
+  std::vector<float> begins;  // of each bough, its distance along the branches
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    Vec3 at = bones.position[i];
+    // Patches of some decimetres, lumps of some centimetres.
+    double lumpy = 0.8 + 0.7 * noise(2.2f * at) + 0.35 * noise(9.0f * at);
+    load.share.push_back(static_cast<float>(std::clamp(lumpy, 0.0, 1.2)) * scene.overhead->openness(at));
+    std::int32_t p = bones.parent[i];
+    bool same = p != Skeleton::kRoot;
+    std::int32_t bough = same ? load.bough[static_cast<std::size_t>(p)] : 0;
+    same = same && bones.distance[i] - begins[static_cast<std::size_t>(bough)] < kBoughLength;
+    if (!same) {
+      bough = static_cast<std::int32_t>(begins.size());
+      begins.push_back(bones.distance[i]);
+      double lot = -std::log(1 - seed.child(static_cast<std::uint64_t>(bough)).unit());
+      load.drops.push_back(bones.radius[i] > kFirmRadius ? std::numeric_limits<float>::infinity()
+                                                         : passing(hazard_at(scene, wind, at), lot));
+    }
+    load.bough.push_back(bough);
+  }
+  return load;
+}
+
 }  // namespace
+
+void load_boughs(Scene& scene, Seed seed) {
+  if (scene.stage.snow.deepest() <= 0) return;
+  WindField wind = wind_in(scene).value_or(WindField{});
+  parallel_for(scene.specimens.size(), [&](std::size_t i) {
+    Specimen& s = scene.specimens[i];
+    if (s.model.skeleton.size() == 0 || s.life.develop || s.life.hanging || s.life.fall) return;
+    s.load =
+        std::make_shared<const SnowLoad>(load_of(scene, s.model.skeleton, wind, seed.child("specimen", i)));
+  });
+}
+
+Overhead bodies_overhead(const Scene& scene) {
+  Overhead bodies(seen_ground(scene.stage.camera, scene.film.length()).first, 2 * kAround, 0.08f);
+  for (const Surface& skin : skins_of(scene)) bodies.take(skin);
+  return bodies;
+}
 
 std::optional<Specimen> lying_snow(const Scene& scene, Grounds& ground, Seed seed) {
   const Snow& snow = scene.stage.snow;
   double deepest = snow.deepest();
   if (!is_snowy(scene.stage) || deepest <= 0) return {};
   auto [middle, reach] = seen_ground(scene.stage.camera, scene.film.length());
-  Overhead bodies(middle, 2 * kAround, 0.08f);
-  std::vector<Surface> skins;
-  for (const Specimen& s : scene.specimens)
-    if (s.entry != Specimen::kNoEntry && s.model.solids.size() > 0) {
-      skins.push_back(merged(s.model.solids));
-      bodies.take(skins.back());
-    }
+  const Overhead& bodies = *scene.overhead;
+  double sown = ground.land({}).size;
+  auto kept = [&](Vec2 at) { return snow.depth_map.on_land(at, sown); };
   auto seat = [&](Vec2 at) { return static_cast<double>(ground.seat(at, 0, seed)); };
-  SnowLand land{seat, middle, kRadius + reach, kRings[static_cast<std::size_t>(scene.film.quality)],
-                trunks_of(scene, middle)};
+  SnowLand land{seat,
+                middle,
+                kRadius + reach,
+                kRings[static_cast<std::size_t>(scene.film.quality)],
+                trunks_of(scene, middle),
+                kept};
   SnowWind wind{-Vec2(std::sin(snow.wind), std::cos(snow.wind)), snow.drift};
   std::vector<SnowSheet> sheets{snow_on_ground(land, bodies, wind, seed)};
-  for (const Surface& skin : skins) {
+  for (const Surface& skin : skins_of(scene)) {
     auto cell =
         static_cast<float>(std::clamp(1.2 * nearest_pixel_of(scene, bounds_of(skin.position)), 0.008, 0.06));
-    SnowSheet cap = snow_on_body(skin, deepest, cell, [&](Vec3 at) { return bodies.openness(at); });
+    SnowSheet cap = snow_on_body(skin, deepest, cell, [&](Vec3 at) {
+      return bodies.openness(at) * static_cast<float>(kept(level(at)));
+    });
     if (!cap.triangle.empty()) sheets.push_back(std::move(cap));
   }
   Specimen lying;

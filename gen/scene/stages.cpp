@@ -93,10 +93,11 @@ class SceneBuilder {
       for (const Bed& bed : beds) groups.push_back({bed});
     else
       groups = by_kind(beds, [](const Bed& bed) { return bed.organism; });
-    std::vector<std::string> keys(groups.size()), for_others(groups.size());
+    std::vector<std::string> keys(groups.size()), for_others(groups.size()), unedited(groups.size());
     for (std::size_t g = 0; cache_ && g < groups.size(); ++g) {
       BedKeys found = keys_of_beds(groups[g], stage, world.territories());
       keys[g] = std::move(found.all), for_others[g] = std::move(found.for_others);
+      unedited[g] = before_edits(groups[g], stage, world.territories());
     }
     if (cache_ && !only_ && !beds.empty()) cache_->keep(among(stage), {});
     std::vector<std::vector<Specimen>> specimens(groups.size());
@@ -105,7 +106,7 @@ class SceneBuilder {
     parallel_for(groups.size(), [&](std::size_t g) {
       fresh[g] = !take_grown(keys[g], world, specimens[g]);
       left_out[g] = fresh[g] && !wants(groups[g]);
-      if (fresh[g] && !left_out[g]) errors[g] = grow(groups[g], world, keys[g], specimens[g]);
+      if (fresh[g] && !left_out[g]) errors[g] = grow(groups[g], world, keys[g], unedited[g], specimens[g]);
     });
     std::vector<Specimen> all;
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -136,27 +137,53 @@ class SceneBuilder {
     return true;
   }
 
+  /// Grows beds and edits them by hand; both are kept, so that another edit grows nothing anew.
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
-              std::vector<Specimen>& specimens) {
+              const std::string& unedited, std::vector<Specimen>& specimens) {
     if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
-    std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!all[i]) return placed(all[i].errors(), fmt::format("/organisms/{}", entry_of(beds, i)));
-      assert(all[i]->model.check().empty() && "before others build on it");
-      specimens.push_back(std::move(*all[i]));
+    if (unedited.empty() || !take_grown(unedited, world, specimens)) {
+      std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!all[i])
+          return placed(all[i].errors(), fmt::format("/organisms/{}", bed_of(beds, i).first->entry));
+        assert(all[i]->model.check().empty() && "before others build on it");
+        specimens.push_back(std::move(*all[i]));
+      }
+      if (cache_ && !unedited.empty()) cache_->keep(unedited, specimens);
     }
+    parallel_for(specimens.size(), [&](std::size_t i) {
+      auto [bed, planting] = bed_of(beds, i);
+      edit_specimen(specimens[i], edits_of(bed->organism->edits, planting));
+      Life& life = specimens[i].life;
+      if (!cache_) life.edit = {};
+      if (!life.edit && !life.develop) life.held = 0;
+      assert(specimens[i].model.check().empty() && "edits leave a whole model");
+    });
     if (cache_) cache_->keep(key, specimens);
     return {};
   }
 
-  /// The entry that the i-th of what some beds have grown belongs to.
-  static std::size_t entry_of(const std::vector<Bed>& beds, std::size_t i) {
+  /// The bed that the i-th of what some beds have grown belongs to, and which of its plantings it is.
+  static std::pair<const Bed*, std::size_t> bed_of(const std::vector<Bed>& beds, std::size_t i) {
     for (const Bed& bed : beds) {
       std::size_t count = finds_own_place(bed.organism->grower->stage()) ? 1 : bed.plantings.size();
-      if (i < count) return bed.entry;
+      if (i < count) return {&bed, i};
       i -= count;
     }
-    return beds.back().entry;
+    return {&beds.back(), i};
+  }
+
+  /// The key of the same beds without edits that need not be grown; empty if there are none.
+  std::string before_edits(std::vector<Bed> beds, GrowthStage stage, const Territories& territories) const {
+    std::vector<Organism> organisms;
+    organisms.reserve(beds.size());
+    bool any = false;
+    for (Bed& bed : beds) {
+      Organism& organism = organisms.emplace_back(*bed.organism);
+      any = std::erase_if(organism.edits, [](const Edit& edit) { return !edit.dated(); }) > 0 || any;
+      bed.organism = &organism;
+    }
+    return any ? keys_of_beds(beds, stage, territories).all : "";
   }
 
   /// Errors whose `where` is a pointer below another one, at their places in the preset. What names a file

@@ -11,16 +11,19 @@ namespace {
 constexpr double kVerge = 1.2;    // metres along paths on which no tree stands
 constexpr double kNoSoil = -100;  // moisture at which nothing comes up
 
-/// The events of a preset in the years of its stand. Trees are felled by the organism that they are drawn as.
+/// The events of a preset in the years of its stand. Trees are felled and pruned by the organism that they
+/// are drawn as.
 std::vector<StandEvent> events_of(const Preset& preset) {
   std::vector<StandEvent> events;
   for (const Event& event : preset.events) {
     int year = std::max(1, static_cast<int>(std::lround(event.year)));
-    if (event.storm > 0) events.push_back({.year = year, .storm = event.storm, .cut = {}});
-    if (!event.cut) continue;
-    for (const TreeText& tree : preset.stand->species)
-      if (concerns(event.cut->entry, tree.organism))
+    if (event.storm > 0) events.push_back({.year = year, .storm = event.storm});
+    for (const TreeText& tree : preset.stand->species) {
+      if (event.cut && concerns(event.cut->entry, tree.organism))
         events.push_back({.year = year, .cut = tree.name, .share = event.cut->share});
+      if (event.prune && concerns(event.prune->entry, tree.organism))
+        events.push_back({.year = year, .pruned = tree.name, .below = event.prune->below});
+    }
   }
   return events;
 }

@@ -35,13 +35,16 @@ bool sown_in_wind(const Organism& organism, const Motion& motion, const Stage& s
   return in_wind(motion, stage) || (stage.wind && organism.grower->branches() && motion.wave.amplitude == 0);
 }
 
+std::optional<WindField> wind_in(const Scene& scene, std::vector<Gale> gales) {
+  if (!scene.stage.wind) return {};
+  return wind_field(*scene.stage.wind, scene.film.loop(), scene.seed.child("wind"), std::move(gales));
+}
+
 void blow(Scene& scene, const Preset& preset) {
-  const std::optional<Wind>& wind = scene.stage.wind;
-  if (!wind) return;
+  if (!scene.stage.wind) return;
   bool filmed = preset.film.frames > 1;
   auto field = std::make_shared<const WindField>(
-      wind_field(*wind, filmed ? preset.film.length() : 0, Seed{preset.seed}.child("wind"),
-                 filmed ? gales_of(preset, wind->gusts) : std::vector<Gale>{}));
+      *wind_in(scene, filmed ? gales_of(preset, scene.stage.wind->gusts) : std::vector<Gale>{}));
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.stage)) take_wind(s, field);
   });

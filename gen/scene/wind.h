@@ -9,6 +9,9 @@ bool in_wind(const Motion& motion, const Stage& stage);
 /// The same of what is sown: herbs as well.
 bool sown_in_wind(const Organism& organism, const Motion& motion, const Stage& stage);
 
+/// The wind of a scene, with storms or without; none where it is calm.
+std::optional<WindField> wind_in(const Scene& scene, std::vector<Gale> gales = {});
+
 /// Lets the trees of a grown scene sway in its wind, if it has one. Storms of its events blow at the second
 /// of the film at which their year passes for the first tree that grows in it.
 void blow(Scene& scene, const Preset& preset);

@@ -23,6 +23,9 @@ constexpr double kSpread = 2;     // years in which what grows below the trees c
 constexpr float kCover = 2;       // metres: lower trees shade nothing
 constexpr double kHidden = 0.75;  // share of the sky that one crown hides from what is below its middle
 constexpr float kSprout = 0.02f;  // factor of the size as it comes up
+constexpr double kWood = 0.8;     // share of the sky that a closed wood hides
+constexpr float kOverhead = 8;    // metres: lower trees leave the light to a camera
+constexpr double kLooked = 12;    // metres before the camera, and to all sides from there, that are looked at
 
 /// The years of a stand that a film shows.
 struct StandFilm {
@@ -64,17 +67,25 @@ std::vector<Stature> statures_of(const StandHistory& history, std::uint32_t spec
   }
 }
 
+/// What a model of the library shows.
+enum class Form { whole, pruned, dead };
+
+/// When trees lose the limbs below a height, metres.
+struct Pruning {
+  double year = 0, below = 0;
+};
+
 /// A stretch of a life in which one model stands for it.
 struct Chapter {
   std::size_t stature = 0;
-  bool dead = false;
+  Form form = Form::whole;
   double from = 0, to = 0;  // years
 };
 
 /// From which years on a life has which stature, until it dies.
 std::vector<Chapter> chapters_of(const StandHistory& history, const TreeLife& life,
                                  const std::vector<Stature>& statures) {
-  std::vector<Chapter> chapters{{0, false, life.born, std::min<double>(life.died, history.years + 1)}};
+  std::vector<Chapter> chapters{{0, Form::whole, life.born, std::min<double>(life.died, history.years + 1)}};
   for (std::uint32_t k = life.first + 1; k < life.first + life.count; ++k) {
     const TreeSize &a = history.sizes[k - 1], &b = history.sizes[k];
     while (chapters.back().stature + 1 < statures.size()) {
@@ -85,7 +96,7 @@ std::vector<Chapter> chapters_of(const StandHistory& history, const TreeLife& li
       double end = chapters.back().to;
       if (year >= end) return chapters;
       chapters.back().to = year;
-      chapters.push_back({now + 1, false, year, end});
+      chapters.push_back({now + 1, Form::whole, year, end});
     }
   }
   return chapters;
@@ -104,12 +115,16 @@ class Library {
     organism.place.size_variation = 0;
     std::vector<float> heights =
         organism.grower->heights(organism, Seed{preset_.seed}.child("heights", entry));
+    prunings_.clear();
+    for (const Event& event : preset_.events)
+      if (event.prune && concerns(event.prune->entry, organism.name))
+        prunings_.push_back({event.year, event.prune->below});
     std::vector<SownStand> stands;
-    for (bool dead : {false, true})
+    for (Form form : {Form::whole, Form::pruned, Form::dead})
       for (const Stature& stature : statures_) {
         auto reached = std::ranges::find_if(heights, [&](float h) { return h >= stature.height; });
         double years = static_cast<double>(std::min(reached - heights.begin() + 1, std::ssize(heights)));
-        stands.push_back(stand_of(organism, entry, stature, heights.empty() ? 1 : years, dead));
+        stands.push_back(stand_of(organism, entry, stature, heights.empty() ? 1 : years, form));
       }
     for (std::uint32_t i = 0; i < history_.lives.size(); ++i)
       if (history_.lives[i].species == species) place(stands, i);
@@ -118,11 +133,15 @@ class Library {
   }
 
  private:
-  static SownStand stand_of(const Organism& organism, std::size_t entry, const Stature& stature, double years,
-                            bool dead) {
+  SownStand stand_of(const Organism& organism, std::size_t entry, const Stature& stature, double years,
+                     Form form) const {
     SownStand stand;
     stand.entry = entry, stand.organism = organism;
-    if (auto aged = organism.grower->at_age(years, dead ? kBare : 0)) stand.organism.grower = aged;
+    double clear = 0;
+    if (form == Form::pruned)
+      for (const Pruning& p : prunings_) clear = std::max(clear, p.below);
+    if (auto aged = organism.grower->at_age(years, form == Form::dead ? kBare : 0, clear))
+      stand.organism.grower = aged;
     stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
     stand.organism.sown->where.radius = stature.crown;
     stand.dress = stand.organism.grower->dress();
@@ -148,9 +167,30 @@ class Library {
     return std::make_shared<const Fall>(std::move(fall));
   }
 
+  /// The year in which a life loses its lower limbs.
+  double pruned_in(std::uint32_t i) const {
+    double year = TreeLife::kNever;
+    for (const Pruning& p : prunings_)
+      if (p.year > history_.lives[i].born && kMostPruned * size_at(history_, i, p.year).height >= p.below)
+        year = std::min(year, p.year);
+    return year;
+  }
+
+  void prune(std::vector<Chapter>& chapters, double year) const {
+    for (std::size_t k = 0; k < chapters.size(); ++k) {
+      Chapter& c = chapters[k];
+      if (c.to <= year) continue;
+      Chapter after{c.stature, Form::pruned, std::max(c.from, year), c.to};
+      c.to = after.from;
+      chapters.insert(chapters.begin() + static_cast<std::ptrdiff_t>(++k), after);
+    }
+  }
+
   void place(std::vector<SownStand>& stands, std::uint32_t i) const {
     const TreeLife& life = history_.lives[i];
     std::vector<Chapter> chapters = chapters_of(history_, life, statures_);
+    prune(chapters, pruned_in(i));
+    Form form = chapters.back().form;
     std::size_t last = chapters.back().stature;
     std::shared_ptr<const Fall> fall;
     if (life.died <= static_cast<float>(history_.years) && life.cause != DeathCause::cut) {
@@ -158,9 +198,9 @@ class Library {
              fell = std::min<double>(life.fell, rotted);
       if (fell < rotted) fall = fall_of(life, size_at(history_, i, life.died).height);
       double wilted = std::min(fell <= life.died ? life.died + kWilting : life.died, rotted);
-      if (wilted > life.died) chapters.push_back({last, false, life.died, wilted});
-      if (fell > wilted) chapters.push_back({last, true, wilted, fell}), wilted = fell;
-      if (rotted > wilted) chapters.push_back({last, true, wilted, rotted});
+      if (wilted > life.died) chapters.push_back({last, form, life.died, wilted});
+      if (fell > wilted) chapters.push_back({last, Form::dead, wilted, fell}), wilted = fell;
+      if (rotted > wilted) chapters.push_back({last, Form::dead, wilted, rotted});
     }
     for (const Chapter& c : chapters) add_copy(stands, i, c, c.from >= life.fell ? fall : nullptr);
   }
@@ -170,11 +210,11 @@ class Library {
     const TreeLife& life = history_.lives[i];
     if (c.to <= c.from || film_.time(c.to) <= 0 || film_.time(c.from) > film_.length) return;
     const Stature& stature = statures_[c.stature];
-    SownStand& stand = stands[c.stature + (c.dead ? statures_.size() : 0)];
+    SownStand& stand = stands[c.stature + static_cast<std::size_t>(c.form) * statures_.size()];
     Seed seed = Seed{preset_.seed}.child("life", i);
     CopySpan span{film_.time(c.from), film_.time(c.to), factors(i, c.from, stature),
                   factors(i, c.to, stature), std::move(fall)};
-    if (c.dead && span.fall) {
+    if (c.form == Form::dead && span.fall) {
       span.last *= Vec2(kRotten, 1);
       auto moss = [&](double year) { return static_cast<float>(std::min((year - life.fell) / kMossy, 1.0)); };
       span.moss = {moss(c.from), moss(c.to)};
@@ -195,15 +235,22 @@ class Library {
   const StandHistory& history_;
   StandFilm film_;
   std::vector<Stature> statures_;
+  std::vector<Pruning> prunings_;
 };
 
-/// The crowns of a stand in a year.
-PlantGrid crowns_at(const StandHistory& history, double year) {
-  PlantGrid crowns(std::max(history.area.x, history.area.y));
+/// The crowns of a stand, and those of them that are over a camera.
+struct Crowns {
+  PlantGrid all, overhead;
+};
+
+Crowns crowns_at(const StandHistory& history, double year) {
+  PlantGrid none(std::max(history.area.x, history.area.y));
+  Crowns crowns{none, none};
   for (std::uint32_t i : living_at(history, year)) {
     const TreeLife& life = history.lives[i];
     TreeSize size = size_at(history, i, year);
-    if (size.height > kCover) crowns.add({life.x, life.z}, size.crown_radius, size.diameter / 2);
+    for (auto [grid, lowest] : {std::pair(&crowns.all, kCover), std::pair(&crowns.overhead, kOverhead)})
+      if (size.height > lowest) grid->add({life.x, life.z}, size.crown_radius, size.diameter / 2);
   }
   return crowns;
 }
@@ -218,9 +265,25 @@ double hidden(const PlantGrid& crowns, Vec2 at) {
   return 1 - open;
 }
 
+/// The share of the sky, of what a closed wood hides, that crowns hide where the camera looks.
+Animated<double> closed_over(const std::vector<Crowns>& crowns, const Camera& camera, const StandFilm& film) {
+  std::vector<Animated<double>::Key> keys;
+  for (std::size_t k = 0; k < crowns.size(); ++k) {
+    double time = film.time(film.from + kSpread * static_cast<double>(k)), sum = 0;
+    Vec3 eye = camera.location.at(time), way = camera.look_at.at(time) - eye;
+    Vec2 toward = Vec2(way.x, way.z) / std::max(std::hypot(way.x, way.z), 1e-3f);
+    for (int i = -2; i <= 2; ++i)
+      for (int j = -2; j <= 2; ++j)
+        sum += hidden(crowns[k].overhead,
+                      Vec2(eye.x, eye.z) + static_cast<float>(kLooked) * (toward + Vec2(i, j) / 2.0f));
+    keys.push_back({time, std::min(1.0, sum / 25 / kWood)});
+  }
+  return Animated<double>(std::move(keys));
+}
+
 /// Of what is sown below the trees, each copy shows in the years in which it gets the shade that it likes: it
 /// comes up and dies back within kSpread years.
-Copies undergrowth(const SownStand& stand, const std::vector<PlantGrid>& crowns, const StandFilm& film) {
+Copies undergrowth(const SownStand& stand, const std::vector<Crowns>& crowns, const StandFilm& film) {
   const Copies& all = stand.copies;
   Vec2 likes = stand.organism.sown->where.shade;
   std::vector<std::vector<CopySpan>> spans(all.size());
@@ -231,7 +294,7 @@ Copies undergrowth(const SownStand& stand, const std::vector<PlantGrid>& crowns,
       double year = film.from + kSpread * static_cast<double>(k);
       bool suits = k < crowns.size();
       if (suits) {
-        double shade = hidden(crowns[k], at);
+        double shade = hidden(crowns[k].all, at);
         suits = shade >= likes.x && shade <= likes.y;
       }
       if (suits && !since) since = year - (k == 0 ? kSpread : 0);
@@ -246,11 +309,8 @@ Copies undergrowth(const SownStand& stand, const std::vector<PlantGrid>& crowns,
   });
   Copies now;
   for (std::size_t i = 0; i < all.size(); ++i)
-    for (CopySpan& span : spans[i]) {
-      if (span.end <= span.begin) continue;
-      now.model.push_back(all.model[i]), now.foot.push_back(all.foot[i]), now.turn.push_back(all.turn[i]);
-      now.scale.push_back(all.scale[i]), now.tint.push_back(all.tint[i]), now.span.push_back(std::move(span));
-    }
+    for (CopySpan& span : spans[i])
+      if (span.end > span.begin) now.add(all, i, std::move(span));
   return now;
 }
 
@@ -262,9 +322,10 @@ void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const
   bool still = preset.film.frames <= 1;
   // A still is a film that hardly moves.
   StandFilm film{still ? shown.y - 0.01 : double{shown.x}, double{shown.y}, preset.film.length()};
-  std::vector<PlantGrid> crowns;
+  std::vector<Crowns> crowns;
   for (double year = film.from; year < film.to + kSpread; year += kSpread)
     crowns.push_back(crowns_at(history, std::min<double>(year, history.years)));
+  scene.stage.closed = closed_over(crowns, scene.stage.camera, film);
   for (SownStand& stand : scene.stands)
     if (stand.organism.sown->where.layer != Layer::canopy) stand.copies = undergrowth(stand, crowns, film);
   Library library(preset, ground, history, film);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "land/plot.h"
+#include "preset/describe_spline.h"
 #include "preset/reader.h"
 #include "settings/sky.h"
 
@@ -34,7 +35,8 @@ void describe(Visitor& v, PondShape& p) {
 
 template <class Visitor>
 void describe(Visitor& v, PathShape& p) {
-  v.list("points", p.points, "Points [x, z] in metres of a smooth curve; fewer than two make no path");
+  v.list("points", p.points,
+         "Points [x, z] in metres of a smooth curve, or objects with handles; fewer than two make no path");
   v.number("width", p.width, {.min = 0.1, .max = 20, .unit = "m"}, "Width of the path");
 }
 
@@ -47,6 +49,10 @@ void describe(Visitor& v, GroundArea& a) {
   v.choice("kind", a.kind, kAreaKinds, "What lies on the area");
   v.vector("center", a.center, {.min = -30, .max = 30, .unit = "m"}, "Middle of the area, x and z");
   v.vector("size", a.size, {.min = 0.05, .max = 60, .unit = "m"}, "Extent of the area along x and along z");
+  v.list("outline", a.outline, Count{3, 400},
+         "Corners [x, z] in metres of an area of another shape, or objects with handles, in place of center "
+         "and size");
+  v.boolean("curve", a.curve, "Whether the outline is smooth at corners without handles, too");
 }
 
 }  // namespace frond

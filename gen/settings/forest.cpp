@@ -8,6 +8,7 @@
 
 #include "core/curve.h"
 #include "core/linear.h"
+#include "images/describe_mask.h"
 #include "land/litter.h"
 #include "settings/describe_plot.h"
 #include "settings/plot_bounds.h"
@@ -31,6 +32,9 @@ void describe(Visitor& v, TerrainShape& t) {
   v.number("hill_size", t.hill_size, {.min = 1, .max = 5000, .unit = "m"},
            "Distance from one hill to the next");
   v.number("rough", t.rough, {.min = 0, .max = 1}, "How broken the land is: 0 rolling, 1 broken");
+  v.number("erosion", t.erosion, {.min = 0, .max = 1},
+           "How far running water has worn the hills: 1 spurs and gullies of high mountains, with bare rock "
+           "where it is steep; 0 is woodland all over");
   v.object("path", t.path, "A path through the wood that is kept clear");
   v.object("stream", t.stream, "A stream that runs down the land and leaves the sown square");
 }
@@ -49,6 +53,7 @@ void describe(Visitor& v, Forest& f) {
   v.color("green", f.green, "Colour of moss");
   v.color("air", f.air, "Colour that light takes in the crowns: that of the air between the trunks");
   v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
+  v.object("moss_map", f.moss_map, "A picture that scales moss over the land; a bare file name will do");
 }
 
 namespace {
@@ -63,9 +68,12 @@ constexpr std::array<Color, 5> kLeafColors{{{0.72f, 0.55f, 0.16f},
 
 }  // namespace
 
-ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed)
-    : size_(forest.terrain.size),
+ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed, const AltitudeLines& lines)
+    : mountain(forest.terrain.erosion > 0),
+      lines_(lines),
+      size_(forest.terrain.size),
       moss_(forest.moss),
+      moss_map_(forest.moss_map),
       film_(film),
       seed_(seed.child("floor")),
       terrain_(std::make_shared<const Terrain>(forest.terrain, seed.child("terrain"))),
@@ -75,7 +83,10 @@ ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed)
   auto half = static_cast<float>(size_ / 2);
   for (const Vec3& p : floor().position)
     if (std::max(std::abs(p.x), std::abs(p.z)) <= half) valley = std::min(valley, p.y);
-  mark_floor(floor_, floor_land(), moss_, seed_);
+  if (mountain)
+    mark_mountain(floor_, floor_land(), lines_, plot_.path(), forest.terrain.path.width);
+  else
+    mark_floor(floor_, floor_land(), moss_, seed_);
   if (!stream().flows()) return;
   water_ = stream().water(), bed_ = stream().bed();
   for (std::uint64_t k = 0; k < kLeafColors.size(); ++k)
@@ -84,11 +95,17 @@ ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed)
 
 ForestLand ForestGround::floor_land() const {
   return {[this](Vec2 at) { return heights()(at.x, at.y); },
-          [this](Vec2 at) { return plot_.has_path() ? plot_.path_distance(at) : 1e6; }};
+          [this](Vec2 at) { return plot_.has_path() ? plot_.path_distance(at) : 1e6; },
+          [this](Vec2 at) { return moss_map_.on_land(at, size_); }};
 }
 
 void ForestGround::lay_litter(const Camera& camera) {
   cover = strew_floor(film_, camera, floor_land(), moss_, seed_);
+  if (mountain)
+    for (auto* patches : {&cover.litter_patches, &cover.moss_patches})
+      std::erase_if(*patches, [&](const Patch& p) {
+        return mountain_cover_on(floor_land(), lines_, {p.at.x, p.at.z}) > 0.5 * mountain_cover::kHeath;
+      });
   if (!stream().flows()) return;
   for (auto* patches : {&cover.litter_patches, &cover.moss_patches})
     std::erase_if(*patches, [&](const Patch& p) { return stream().distance({p.at.x, p.at.z}) < kNoLitter; });
@@ -198,7 +215,9 @@ SettingRow forest_setting() {
         return GroundSizeEstimate{39'200, 13'700, 3000 + 170 * length};
       },
       [](const Stage& stage, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
-        return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed);
+        AltitudeLines lines = stage.far.value_or(FarLandShape{}).lines();
+        lines.shaded = shaded_side(stage);
+        return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed, lines);
       },
       [](const Stage& stage) {
         const auto& forest = stage.block<Forest>();
@@ -223,10 +242,7 @@ double leaf_share(double year) {
 namespace {
 
 /// Share of the light that crowns take at a time of the year, against summer.
-double canopy(double year) {
-  static const Curve kCanopy({{0.29, 0.15}, {0.38, 1}, {0.76, 1}, {0.9, 0.15}});
-  return kCanopy(year - std::floor(year));
-}
+double canopy(double year) { return std::lerp(0.15, 1.0, leaf_share(year)); }
 
 }  // namespace
 
@@ -234,7 +250,8 @@ Sky forest_sky(const Stage& stage) {
   const auto& forest = stage.block<Forest>();
   Moment when = forest.when;
   when.hour = forest.hour.at(0);
-  double brighten = forest.brighten * (stage.year ? canopy(stage.year->at(0)) : 1);
+  double brighten = forest.brighten * (stage.year ? canopy(stage.year->at(0)) : 1) *
+                    (stage.closed ? stage.closed->at(0) : 1);
   return sky_over(stage, sun_at(when), stage.camera.stops() + brighten);
 }
 

@@ -19,6 +19,7 @@ struct Forest {
   Color green{0.37f, 0.42f, 0.13f};   ///< of moss
   Color air{0.83f, 0.906f, 0.762f};   ///< of what hangs between the trunks, lit through the crowns
   double moss = 0.4;                  ///< share of the ground that is mossy, 0..1
+  Mask moss_map;                      ///< scales that over the land
 };
 
 /// Share of the leaves of summer that woods bear at a time of the year, 0..1.
@@ -27,7 +28,8 @@ double leaf_share(double year);
 /// Hilly land, with litter wherever the camera comes near during the film.
 class ForestGround final : public Grounds {
  public:
-  ForestGround(const Forest& forest, const Film& film, Seed seed);
+  /// The lines count where the land is worn to mountains.
+  ForestGround(const Forest& forest, const Film& film, Seed seed, const AltitudeLines& lines = {});
 
   void strew(TakenSpots&) override {}
   void lay_litter(const Camera& camera) override;
@@ -54,13 +56,16 @@ class ForestGround final : public Grounds {
   /// The path.
   const Plot& plot() const { return plot_; }
 
+  bool mountain = false;  ///< whether `uv` of the floor is that of mark_mountain()
   ForestCover cover;
   float valley = 0;  ///< metres, the lowest height of the sown land, at most 0
 
  private:
   ForestLand floor_land() const;
 
+  AltitudeLines lines_;
   double size_, moss_;
+  Mask moss_map_;
   Film film_;
   Seed seed_;
   std::shared_ptr<const Terrain> terrain_;

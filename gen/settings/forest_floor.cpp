@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/noise.h"
+#include "core/parallel.h"
 #include "land/litter.h"
 
 namespace frond {
@@ -43,6 +44,7 @@ Patch laid(const ForestLand& land, int first_shape, Vec2 at, const Seed& seed) {
 }  // namespace
 
 double mossiness(const ForestLand& land, double share, Vec2 at, Seed seed) {
+  if (land.moss) share *= land.moss(at);
   if (share <= 0) return 0;
   Vec3 shift(static_cast<float>(seed.child("x").range(0, 99)), 0,
              static_cast<float>(seed.child("z").range(0, 99)));
@@ -62,6 +64,46 @@ void mark_floor(Surface& floor, const ForestLand& land, double moss, Seed seed) 
     floor.uv.emplace_back(static_cast<float>(std::clamp(land.path(at), -4.0, 8.0)),
                           static_cast<float>(mossiness(land, moss, at, seed)));
   }
+}
+
+double mountain_cover_on(const ForestLand& land, const AltitudeLines& lines, Vec2 at) {
+  constexpr float kAside = 9;  // metres
+  double here = land.height(at), left = land.height(at - Vec2(kAside, 0)),
+         right = land.height(at + Vec2(kAside, 0)), back = land.height(at - Vec2(0, kAside)),
+         front = land.height(at + Vec2(0, kAside));
+  Vec2 slope(right - left, front - back);
+  double hollow = (left + right + back + front) / 4 - here;
+  return mountain_cover_at(lines, {at, here, slope / (2 * kAside), hollow / static_cast<double>(kAside)});
+}
+
+namespace {
+
+/// Metres aside of a line that goes straight on behind both ends, negative on its left.
+double aside_of(const std::vector<Vec2>& line, Vec2 at) {
+  double least = 1e9, aside = 1e9;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    Vec2 along = line[i + 1] - line[i], from = at - line[i];
+    double share = static_cast<double>(glm::dot(from, along) / std::max(glm::dot(along, along), 1e-9f));
+    if (i > 0) share = std::max(share, 0.0);
+    if (i + 2 < line.size()) share = std::min(share, 1.0);
+    double away = static_cast<double>(glm::length(from - along * static_cast<float>(share)));
+    if (away >= least) continue;
+    least = away;
+    aside = along.x * from.y < along.y * from.x ? -away : away;
+  }
+  return aside;
+}
+
+}  // namespace
+
+void mark_mountain(Surface& floor, const ForestLand& land, const AltitudeLines& lines,
+                   const std::vector<Vec2>& path, double width) {
+  floor.uv.assign(floor.position.size(), Vec2(0));
+  parallel_for(floor.position.size(), [&](std::size_t i) {
+    Vec2 at(floor.position[i].x, floor.position[i].z);
+    floor.uv[i] =
+        Vec2(std::clamp(2 * aside_of(path, at) / width, -9.0, 9.0), mountain_cover_on(land, lines, at));
+  });
 }
 
 ForestCover strew_floor(const Film& film, const Camera& camera, const ForestLand& land, double moss,

@@ -21,7 +21,7 @@ void describe(Visitor& v, Garden& g) {
   v.object("pond", g.pond, "The pond");
   v.object("path", g.path, "The gravel path");
   v.list("areas", g.areas, Count{0, 1000},
-         "Rectangles of gravel or of bare earth in the lawn; a plan adds its ways and rooms to them");
+         "Areas of gravel or of bare earth in the lawn; a plan adds its ways and rooms to them");
   v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Number of leaves of water lilies on the pond");
   v.number("gravel", g.gravel, {.min = 0.02, .max = 1, .unit = "m"}, "Size of the stones on the path");
   v.color("gravel_color", g.gravel_color, "Colour of the stones on the path");
@@ -33,11 +33,14 @@ namespace {
 constexpr double kLand = 150;  // metres from the middle
 
 void check_gravel(Errors& list, const Garden& garden) {
-  const std::vector<Vec2>& points = garden.path.points;
+  std::vector<Vec2> points = spline_points(garden.path.points);
   double length = polyline_length(std::span<const Vec2>(points)), side = 10 * garden.gravel;
   double gravel = length * garden.path.width;
   for (const GroundArea& area : garden.areas)
-    if (area.kind == GroundArea::Kind::gravel) gravel += static_cast<double>(area.size.x * area.size.y);
+    if (area.kind == GroundArea::Kind::gravel) {
+      auto [low, high] = area.box();
+      gravel += static_cast<double>((high.x - low.x) * (high.y - low.y));
+    }
   double patches = gravel / (side * side);
   if (patches > kMostPatches)
     list.push_back(
@@ -55,8 +58,9 @@ SettingRow garden_setting() {
       "Hour, pond and path, for garden; lawn and sky are the meadow's",
       {"/garden",        "/meadow/grass",   "/meadow/haze",    "/meadow/clouds", "/meadow/turbidity",
        "/meadow/moon",   "/meadow/zenith",  "/meadow/horizon", "/meadow/blade",  "/meadow/blades",
-       "/meadow/extent", "/meadow/flowers", "/meadow/plants",  "/meadow/bare",   "/floor/relief",
-       "/floor/scale",   "/snow",           "/rain",           "/far",           "/year"},
+       "/meadow/extent", "/meadow/flowers", "/meadow/plants",  "/meadow/bare",   "/meadow/grass_map",
+       "/floor/relief",  "/floor/scale",    "/snow",           "/rain",          "/far",
+       "/year"},
       [](const Stage&) { return Extent{.sown = kLawnSown}; },
       [](const Stage& stage, const Film&) {
         Errors errors = check_grass(stage.block<Meadow>().lawn);
@@ -73,9 +77,11 @@ SettingRow garden_setting() {
       },
       [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         const auto& garden = stage.block<Garden>();
-        return std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach,
-                                      Plot(garden.pond, garden.path, seed.child("plot"), garden.areas),
-                                      garden.lilies, garden.gravel, garden.path.width, seed);
+        auto lawn = std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach,
+                                           Plot(garden.pond, garden.path, seed.child("plot"), garden.areas),
+                                           garden.lilies, garden.gravel, garden.path.width, seed);
+        lawn->gravel_color = garden.gravel_color, lawn->earth_color = garden.earth_color;
+        return lawn;
       },
       [](const Stage& stage) {
         const auto& meadow = stage.block<Meadow>();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 
 #include "core/noise.h"
@@ -32,18 +33,31 @@ struct Paving {
   std::vector<Patch>& into;
   int stands = 1;
   std::function<int(Vec2, const Seed&)> stand = {};
+  const Mask* map = nullptr;  // of what lies there; not given: all of it
+
+  /// Whether the map differs over a square, or is grey there.
+  bool is_mixed(Vec2 at, double side) const {
+    if (!map || map->empty()) return false;
+    double least = 1, most = 0;
+    for (int i = 0; i < 25; ++i) {
+      Vec2 aside(static_cast<float>(i % 5 - 2), static_cast<float>(i / 5 - 2));
+      double here = map->on_land(at + aside * static_cast<float>(side / 4), kLawnSown);
+      least = std::min(least, here), most = std::max(most, here);
+    }
+    return most > 0 && least < 1;
+  }
 
   void lay(Vec2 at, double side, int halved, Seed own) {
     double away = edge(at), reach = 0.71 * side;
     if (away > reach) return;
-    if (away > -reach && halved < kHalvings) {
+    if ((away > -reach || is_mixed(at, side)) && halved < kHalvings) {
       float quarter = static_cast<float>(side / 4);
       for (std::uint64_t k = 0; k < 4; ++k)
         lay(at + Vec2(k % 2 ? quarter : -quarter, k / 2 ? quarter : -quarter), side / 2, halved + 1,
             own.child(2 + k));
       return;
     }
-    if (away > 0) return;
+    if (away > 0 || (map && own.child(8).unit() >= map->on_land(at, kLawnSown))) return;
     double step = side / 2;
     Vec2 slope(static_cast<float>((heights(at.x + step, at.y) - heights(at.x - step, at.y)) / side),
                static_cast<float>((heights(at.x, at.y + step) - heights(at.x, at.y - step)) / side));
@@ -180,7 +194,8 @@ std::vector<Sward> mixture(std::vector<Sward> plants, int stand, const Seed& see
 void Lawn::sow(Seed seed) {
   if (shape_.blade <= 0 || shape_.blades <= 0) return;
   double thin = quality_ == Quality::draft ? 0.6 : 1.0, side = 5 * shape_.blade;
-  int sizes = plot_.has_pond() || plot_.has_path() || plot_.has_earth() ? kHalvings + 1 : 1;
+  bool whole = !plot_.has_pond() && !plot_.has_path() && !plot_.has_earth() && shape_.map.empty();
+  int sizes = whole ? 1 : kHalvings + 1;
   for (int i = 0; i < kTurfShapes * kTurfStands * sizes; ++i) {
     int stand = i / kTurfShapes % kTurfStands;
     int halved = i / (kTurfShapes * kTurfStands);
@@ -207,7 +222,7 @@ void Lawn::sow(Seed seed) {
     double bed = plot_.has_earth() ? plot_.earth_distance(at) : 1e6;
     return std::max({-path, -bed, 0.02 - plot_.pond_distance(at)});
   };
-  Paving paving{heights(), seed, edge, turf_patches, kTurfStands, stand};
+  Paving paving{heights(), seed, edge, turf_patches, kTurfStands, stand, &shape_.map};
   int reach = static_cast<int>(std::ceil(shape_.extent / side));
   for (int row = -reach; row <= reach; ++row) {
     for (int column = -reach; column <= reach; ++column) {
@@ -247,8 +262,7 @@ void pave(Paving paving, std::span<const Vec2> points, double margin, double sid
 std::vector<Vec2> corners_of(const Plot& plot, GroundArea::Kind kind) {
   std::vector<Vec2> corners;
   for (const GroundArea& area : plot.areas())
-    if (area.kind == kind)
-      corners.push_back(area.center - area.size / 2.0f), corners.push_back(area.center + area.size / 2.0f);
+    if (area.kind == kind) std::ranges::copy(area.box(), std::back_inserter(corners));
   return corners;
 }
 
@@ -275,6 +289,13 @@ void Lawn::lay_earth(Seed seed) {
   pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), kClod, 10 * kClod);
 }
 
+Mask Lawn::map() const {
+  Mask map = shape_.map;
+  auto half = static_cast<float>(kLawnSown / 2);
+  if (map.area.empty()) map.area = {Vec2(-half), Vec2(half)};
+  return map;
+}
+
 float Lawn::seat(Vec2 at, double, Seed) {
   // Over a pond things stand on the water.
   bool water = planned_ && plot_.pond_distance(at) < 0;
@@ -298,10 +319,10 @@ std::vector<Patches> Lawn::patches() const {
     list.push_back({{}, &turf_patches});
     for (const Turf& one : turf) list.back().shapes.push_back(&(one.*part));
   }
-  list.push_back({{}, &gravel_patches});
+  list.push_back({{}, &gravel_patches, gravel_color});
   for (const Surface& one : gravel) list.back().shapes.push_back(&one);
   if (earth.empty()) return list;
-  list.push_back({{}, &earth_patches});
+  list.push_back({{}, &earth_patches, earth_color});
   for (const Surface& one : earth) list.back().shapes.push_back(&one);
   return list;
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/mask.h"
 #include "land/plot.h"
 #include "land/turf.h"
 #include "settings/setting.h"
@@ -27,6 +28,7 @@ struct LawnShape {
                             {MeadowPlant::panicle, 0.012},
                             {MeadowPlant::clover, 0.09}};
   double bare = 0;  ///< share of patches with a spot of bare earth
+  Mask map;         ///< scales the blades over the land
 };
 
 /// The colour of grass at a time of the year: its own in May, drier in late summer, straw in winter.
@@ -62,11 +64,14 @@ class Lawn final : public Grounds {
 
   /// The pond, the path and the beds; none in a meadow.
   const Plot& plot() const { return plot_; }
+  /// Where there is grass, as for kLawnSown metres; empty: all over.
+  Mask map() const;
 
   std::vector<Turf> turf;
   std::vector<Patch> turf_patches;
   std::vector<Surface> gravel, earth;
   std::vector<Patch> gravel_patches, earth_patches;
+  Color gravel_color{0.62f, 0.57f, 0.49f}, earth_color{0.33f, 0.25f, 0.18f};
 
  private:
   void sow(Seed seed);

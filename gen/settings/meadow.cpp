@@ -1,7 +1,7 @@
 #include "settings/meadow.h"
 
 #include "core/linear.h"
-#include "motion/rain.h"
+#include "images/describe_mask.h"
 #include "settings/describe_plot.h"
 #include "settings/settings.h"
 
@@ -68,6 +68,9 @@ void describe(Visitor& v, Meadow& m) {
          "What grows there; the shares of the kinds make the mixture");
   v.number("bare", m.lawn.bare, {.min = 0, .max = 1},
            "Share of the patches, five blades wide, with a spot of bare earth");
+  v.object("grass_map", m.lawn.map,
+           "A picture that scales the grass over the land, with bare earth where there is none; a bare file "
+           "name will do");
 }
 
 SettingRow meadow_setting() {
@@ -96,10 +99,9 @@ SettingRow meadow_setting() {
 
 Sky sky_over(const Stage& stage, Vec3 sun, double exposure) {
   const auto& meadow = stage.block<Meadow>();
-  double overcast = is_rainy(stage) ? rain_clouds(stage.rain->rate.at(0)) : 0;
   auto light = [](const std::optional<Color>& c) { return c ? std::optional(linear(*c)) : std::nullopt; };
   return Sky({sun, meadow.turbidity, meadow.clouds, exposure, light(meadow.zenith), light(meadow.horizon),
-              meadow.moon, overcast});
+              meadow.moon, overcast(stage)});
 }
 
 Sky meadow_sky(const Stage& stage) {

@@ -17,11 +17,11 @@ void check_path(Errors& list, const PathShape& path, const std::string& pointer,
         {pointer, fmt::format("found {} points; expected {:g} at most", path.points.size(), kMostPoints)});
   double length = 0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
-    if (glm::length(glm::dvec2(path.points[i])) > reach)
+    if (glm::length(glm::dvec2(path.points[i].at)) > reach)
       return list.push_back(
           {fmt::format("{}/{}", pointer, i),
            fmt::format("lies off the ground; expected a place within {:g} m of the middle", reach)});
-    if (i > 0) length += glm::distance(path.points[i - 1], path.points[i]);
+    if (i > 0) length += glm::distance(path.points[i - 1].at, path.points[i].at);
   }
   if (length > kLongestPath)
     list.push_back(

@@ -128,6 +128,8 @@ struct Patch {
 struct Patches {
   std::vector<const Surface*> shapes;
   const std::vector<Patch>* at = nullptr;
+  std::optional<Color> color =
+      {};  ///< of stones and clods, for the studio's view; none: it shows none of them
 };
 
 /// Grass or litter that covers the ground.

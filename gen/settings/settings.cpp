@@ -5,6 +5,7 @@
 
 #include "core/linear.h"
 #include "motion/rain.h"
+#include "motion/snowfall.h"
 #include "settings/meadow.h"
 
 namespace frond {
@@ -31,19 +32,24 @@ void describe_rest(KeyWriter& v, std::any& block) {
 
 double Snow::deepest() const { return highest(depth); }
 
+namespace {
+
+bool reads(const Stage& stage, std::string_view pointer) {
+  const auto& all = settings()[stage.setting].answers.reads;
+  return std::ranges::find(all, pointer) != all.end();
+}
+
+}  // namespace
+
 bool is_snowy(const Stage& stage) {
-  const auto& reads = settings()[stage.setting].answers.reads;
   auto some = [](const Animated<double>& a) {
     return std::ranges::any_of(a.keys(), [](const auto& key) { return key.value > 0; });
   };
-  return (some(stage.snow.depth) || some(stage.snow.frost)) &&
-         std::ranges::find(reads, "/snow") != reads.end();
+  return (some(stage.snow.depth) || some(stage.snow.frost) || some(stage.snow.falling)) &&
+         reads(stage, "/snow");
 }
 
-bool is_rainy(const Stage& stage) {
-  const auto& reads = settings()[stage.setting].answers.reads;
-  return stage.rain && std::ranges::find(reads, "/rain") != reads.end();
-}
+bool is_rainy(const Stage& stage) { return stage.rain && reads(stage, "/rain"); }
 
 Stage::Stage() {
   for (const SettingRow& row : settings()) blocks.push_back(row.initial);
@@ -72,7 +78,7 @@ namespace {
 FillLight open_fill(Vec3 zenith, Vec3 horizon, Vec3 ground) {
   float dim = std::min(1.0f, 0.02f + glm::dot(zenith + horizon, Vec3(0.3f, 0.6f, 0.1f)) / 1.25f);
   return {.above = dim * (0.27f * zenith + 0.5f),
-          .aside = dim * (0.18f * zenith + 0.2f),
+          .aside = dim * (0.2f * zenith + 0.3f),
           .below = dim * (0.2f * ground + 0.1f),
           .eye = dim * (0.08f * zenith + 0.12f)};
 }
@@ -142,13 +148,13 @@ constexpr double kMeteredSnow = 0.8;  // stops by which a light meter turns down
 
 namespace {
 
-/// Rain falls from an overcast sky, and its drops are a part of the haze.
-void let_rain(Stage& stage, const Rain& now) {
-  stage.rain = now;
-  double rate = now.rate.at(0), clouds = rain_clouds(rate);
-  auto& meadow = stage.block<Meadow>();
-  meadow.clouds = std::lerp(meadow.clouds, 1.0, clouds);
-  meadow.haze = 1 / (1 / meadow.haze + rain_extinction(rate));
+/// Rain and snow fall from an overcast sky, and their drops and flakes are a part of the haze.
+void cloud_over(Stage& now) {
+  auto& meadow = now.block<Meadow>();
+  meadow.clouds = std::lerp(meadow.clouds, 1.0, overcast(now));
+  double lost = is_rainy(now) ? rain_extinction(now.rain->rate.at(0)) : 0;
+  if (is_snowy(now)) lost += snowfall_extinction(now.snow.falling.at(0));
+  meadow.haze = 1 / (1 / meadow.haze + lost);
 }
 
 }  // namespace
@@ -159,10 +165,13 @@ Stage stage_at(const Stage& stage, double time) {
     if (Animated<double>* hour = hour_of(now)) *hour = hour->at(time);
   now.snow.depth = stage.snow.depth.at(time);
   now.snow.frost = stage.snow.frost.at(time);
+  now.snow.falling = stage.snow.falling.at(time);
   if (now.year) now.year = now.year->at(time);
+  if (now.closed) now.closed = now.closed->at(time);
   now.camera.exposure -= kMeteredSnow * snow_cover(now);
   if (is_rainy(stage))
-    let_rain(now, {stage.rain->rate.at(time), stage.rain->fallen.at(time), stage.rain->mist.at(time)});
+    now.rain = {stage.rain->rate.at(time), stage.rain->fallen.at(time), stage.rain->mist.at(time)};
+  if (overcast(now) > 0) cloud_over(now);
   return now;
 }
 
@@ -170,7 +179,13 @@ bool sun_moves(const Stage& stage) {
   Stage copy = stage;
   auto hour_of = settings()[stage.setting].answers.hour;
   Animated<double>* hour = hour_of ? hour_of(copy) : nullptr;
-  return (hour && !hour->constant()) || (is_rainy(stage) && !stage.rain->rate.constant());
+  return (hour && !hour->constant()) || (is_rainy(stage) && !stage.rain->rate.constant()) ||
+         (is_snowy(stage) && !stage.snow.falling.constant());
+}
+
+double overcast(const Stage& stage) {
+  return std::max(is_rainy(stage) ? rain_clouds(stage.rain->rate.at(0)) : 0,
+                  is_snowy(stage) ? snow_clouds(stage.snow.falling.at(0)) : 0);
 }
 
 double snow_cover(const Stage& stage) {
@@ -192,6 +207,14 @@ Daylight drawn_daylight(const Stage& stage) {
     light.ground = mixed(light.ground, Color{0.94f, 0.95f, 0.97f}, cover);
   }
   return light;
+}
+
+Vec2 shaded_side(Stage stage) {
+  constexpr double kNoon = 13;  // of summer time
+  if (auto hour_of = settings()[stage.setting].answers.hour)
+    if (Animated<double>* hour = hour_of(stage)) *hour = kNoon;
+  Vec3 sun = settings()[stage.setting].answers.daylight(stage).sun;
+  return {-sun.x, -sun.z};
 }
 
 Daylight daylight_of(Stage stage) {

@@ -21,7 +21,7 @@ void describe_rest(KeyWriter& v, std::any& block);
 /// Index of the row of that name; the number of rows if there is none.
 std::size_t row_of(std::string_view name);
 
-/// Whether the light of the sky changes over the film, by the hour of the day or by rain.
+/// Whether the light of the sky changes over the film, by the hour of the day, by rain or by snowfall.
 bool sun_moves(const Stage& stage);
 /// The stage with the hour, the snow and the rain of that time, seconds, as if they never changed; without it
 /// the film's beginning counts.
@@ -34,8 +34,13 @@ double snow_cover(const Stage& stage);
 
 /// Whether it rains or is wet at some time.
 bool is_rainy(const Stage& stage);
+/// Share of the sky that clouds of rain or snow take at the beginning of the film, 0..1.
+double overcast(const Stage& stage);
 /// How wet things in the open are at the beginning of the film, 0..1.
 double wet_share(const Stage& stage);
+
+/// The direction x, z of slopes that see least of the sun at noon, shorter than 1 where it stands high.
+Vec2 shaded_side(Stage stage);
 
 /// The lighting of a stage as POV-Ray draws it, and as its finished picture shows it.
 Daylight drawn_daylight(const Stage& stage);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/curve.h"
+#include "core/ease.h"
+#include "core/mask.h"
 #include "core/vec.h"
 #include "land/far_land.h"
 #include "motion/wind.h"
@@ -16,6 +18,18 @@ namespace frond {
 
 enum class Quality { draft, good, best };
 
+/// What a picture shows round what grows.
+enum class Background {
+  scene,       ///< everything
+  ground,      ///< the ground; where the sky, a backdrop or far land would be, it is transparent
+  transparent  ///< nothing: what grows and stands there is alone
+};
+
+/// A part of a picture, in pixels from its upper left corner.
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 struct Film {
   int frames = 72;  ///< 1: a still
   double fps = 24;
@@ -23,9 +37,21 @@ struct Film {
   Quality quality = Quality::draft;
   /// Whether frames are resolved from raw ones, see resolve/resolve.h. No property of presets.
   bool raw = false;
+  Background background = Background::scene;
+  // How pictures are written, by options of the commands; no properties of presets.
+  int depth = 8;                       ///< bits of a channel, 8 or 16
+  double dpi = 0;                      ///< pixels an inch, which a still says; 0: it says none
+  std::optional<PixelRect> crop = {};  ///< the part that is drawn; none: the whole
 
-  double length() const { return frames / fps; }                            ///< seconds
-  double time(int frame) const { return (frame - 1) / fps; }                ///< of a frame, the first being 1
+  bool transparent() const { return background != Background::scene; }
+  /// Whether POV-Ray has to draw all samples: raw frames know neither opacity nor parts.
+  bool sampled() const { return transparent() || crop; }
+  /// Width and height of its pictures.
+  std::array<int, 2> picture_size() const { return crop ? std::array{crop->width, crop->height} : size; }
+
+  double length() const { return frames / fps; }              ///< seconds
+  double loop() const { return frames > 1 ? length() : 0; }   ///< after which it repeats; 0: a still
+  double time(int frame) const { return (frame - 1) / fps; }  ///< of a frame, the first being 1
   double aspect() const { return static_cast<double>(size[1]) / size[0]; }  ///< height by width
   /// Width and height of what POV-Ray draws: a raw still has four samples a pixel, as it has no other frames.
   std::array<int, 2> drawn_size() const {
@@ -42,16 +68,44 @@ struct Focus {
   std::string organism;  ///< empty: the point is used
 };
 
+/// A way round a point while the film lasts.
+struct Orbit {
+  double turn = 2 * kPi;       ///< radians, to the right as the camera looks at its middle
+  double rise = 0;             ///< metres by which it ends higher
+  std::optional<Vec3> center;  ///< none: the point that it looks at
+};
+
+/// A straight way from where the camera stands while the film lasts.
+struct Rail {
+  Vec3 to{0, 1, 3};
+};
+
+/// The unrest of a camera that is held by hand.
+struct Shake {
+  double amplitude = radians(0.4);  ///< radians, to each side
+  double frequency = 0.7;           ///< swings a second, of the slowest and widest
+  bool loop = true;                 ///< whole swings over the film, so that it can be repeated
+};
+
+/// See scene/camera_move.h.
+struct CameraMove {
+  std::optional<Orbit> orbit;
+  std::optional<Rail> rail;
+  std::optional<Shake> shake;
+  Ease ease = Ease::none;  ///< of orbit and rail
+};
+
 struct Camera {
   Animated<Vec3> location{Vec3(0, 1.0f, 5)};
   Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
-  Animated<double> angle{45.0};  ///< degrees, the width of the view
-  bool follow = false;           ///< heights are relative to the ground below, not to y = 0
-  std::vector<std::string> fit;  ///< names of organisms that the camera is moved to show completely
-  double margin = 0.06;          ///< free margin at each edge, as a share of the picture's sides
-  double exposure = 0;           ///< stops above the metered exposure
-  double highlights = 0;         ///< stops above white that keep their detail, see Tone
-  double contrast = 1;           ///< of the picture, see Tone
+  Animated<double> angle{45.0};    ///< degrees, the width of the view
+  std::optional<CameraMove> move;  ///< until the preset is read: it is keyframes then
+  bool follow = false;             ///< heights are relative to the ground below, not to y = 0
+  std::vector<std::string> fit;    ///< names of organisms that the camera is moved to show completely
+  double margin = 0.06;            ///< free margin at each edge, as a share of the picture's sides
+  double exposure = 0;             ///< stops above the metered exposure
+  double highlights = 0;           ///< stops above white that keep their detail, see Tone
+  double contrast = 1;             ///< of the picture, see Tone
   /// The f-number of a lens for film 36 mm wide; none: everything is sharp.
   std::optional<double> aperture;
   std::optional<Focus> focus;  ///< none: the point that it looks at
@@ -80,6 +134,13 @@ inline double exposure_time(const Film& film, const Camera& camera, int frame, i
   return film.time(frame) + camera.shutter / film.fps * (exposure - 0.5) / count;
 }
 
+/// A view of the scene that somebody has named. The studio goes there; no film reads it.
+struct NamedView {
+  std::string name;
+  Vec3 at{0, 1, 5}, to{0, 0.5f, 0};  ///< where one stands and looks
+  double angle = 45;                 ///< degrees, the width of the view
+};
+
 /// Low dunes or a lawn, and the loose stones on it.
 struct Floor {
   double relief = 0.14, scale = 3.2;  ///< metres, see Dunes
@@ -88,12 +149,15 @@ struct Floor {
   double extent = 7;                  ///< metres round the origin in which they lie
 };
 
-/// Snow that lies, and hoarfrost.
+/// Snow that lies, falls and comes down from boughs, and hoarfrost.
 struct Snow {
-  Animated<double> depth{0.0};  ///< metres, on open level ground
-  Animated<double> frost{0.0};  ///< 0 none .. 1: how white hoarfrost makes what is thin
-  double wind = 0;              ///< radians, where the wind comes from: 0 from +z, 90 degrees from +x
-  double drift = 0.4;           ///< 0 calm .. 1: how much of it the wind carries to where there is lee
+  Animated<double> depth{0.0};    ///< metres, on open level ground
+  Animated<double> frost{0.0};    ///< 0 none .. 1: how white hoarfrost makes what is thin
+  double wind = 0;                ///< radians, where the wind comes from: 0 from +z, 90 degrees from +x
+  double drift = 0.4;             ///< 0 calm .. 1: how much of it the wind carries to where there is lee
+  Mask depth_map;                 ///< scales the depth over the land
+  Animated<double> falling{0.0};  ///< mm/h of water, see motion/snowfall.h
+  double shed = 2;                ///< boughs in a hundred that drop their snow in a minute of calm air
 
   /// The largest depth of a film, metres.
   double deepest() const;
@@ -114,13 +178,15 @@ struct Stage {
 
   std::size_t setting = 0;  ///< index of a row of settings()
   Camera camera;
+  std::vector<NamedView> views;
   std::optional<Wind> wind;  ///< over the land; none: what sways has waves of its own
   Floor floor;
-  std::optional<FarLandShape> far;       ///< none: as the setting has it
-  Snow snow;                             ///< read by settings under the open sky
-  std::optional<Rain> rain;              ///< read by the same; none: it is dry
-  std::optional<Animated<double>> year;  ///< the time of the year, see Seasons; none: it is always summer
-  std::vector<std::any> blocks;          ///< one per setting
+  std::optional<FarLandShape> far;         ///< none: as the setting has it
+  Snow snow;                               ///< read by settings under the open sky
+  std::optional<Rain> rain;                ///< read by the same; none: it is dry
+  std::optional<Animated<double>> year;    ///< the time of the year, see Seasons; none: it is always summer
+  std::optional<Animated<double>> closed;  ///< share of the sky that a stand's crowns hide; none: as a wood's
+  std::vector<std::any> blocks;            ///< one per setting
 
   /// The block of that type, which belongs to one of the settings.
   template <class Block>

@@ -43,7 +43,7 @@ Daylight studio_light(const Studio& studio, double stops) {
   light.zenith = light.horizon = light.ground = studio.wall;
   light.fog = linear(studio.wall);
   light.backdrop = {{0, 0.9f * exposed * light.fog}};
-  light.fill = {.above = exposed * Vec3(0.40f, 0.41f, 0.42f),
+  light.fill = {.above = exposed * Vec3(0.85f, 0.85f, 0.86f),
                 .aside = exposed * Vec3(0.26f, 0.27f, 0.29f),
                 .below = Vec3(0.10f * exposed),
                 .eye = Vec3(0.08f * exposed)};

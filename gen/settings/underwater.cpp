@@ -60,10 +60,10 @@ Daylight water_light(const Water& water) {
   light.zenith = light.horizon = water.near;
   light.fog = 0.65f * near + 0.35f * linear(water.deep);
   light.backdrop = water_backdrop(light.fog, near);
-  light.fill = {.above = 0.6f * tint + 0.5f,
-                .aside = 0.25f * tint + 0.08f,
+  light.fill = {.above = 0.3f * tint + 0.26f,
+                .aside = 0.22f * tint + 0.08f,
                 .below = 0.24f * Vec3(0.5f, 0.46f, 0.38f) + 0.15f * tint + 0.02f,
-                .eye = 0.28f * tint + 0.2f};
+                .eye = 0.2f * tint + 0.2f};
   light.ground = kSand;
   light.fade = water.visibility;
   return light;

@@ -32,6 +32,31 @@ std::size_t line_start(std::string_view text, int line) {
   return at;
 }
 
+/// The text of a preset of a folder with other names for the files that it names and that are there; none
+/// where `name_of` gives an empty one.
+Result<std::string> renamed(const std::string& text, const fs::path& folder,
+                            const std::function<Result<std::string>(const fs::path& file)>& name_of) {
+  Result<Document> document = parse_json(text, "preset");
+  if (!document) return text;  // no preset yet: it goes as it is
+  std::vector<const Value*> names;
+  find_names(document->root, names);
+  std::string changed = text;
+  // From the end, so that places before stay what they are.
+  std::ranges::reverse(names);
+  for (const Value* name : names) {
+    fs::path file = folder / name->text;
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) continue;
+    Result<std::string> own = name_of(file);
+    if (!own) return own;
+    std::string written = serialize(*name);
+    std::size_t at =
+        own->empty() ? changed.npos : changed.find(written, line_start(changed, name->origin.line));
+    if (at != changed.npos) changed.replace(at, written.size(), serialize(make_text(*own)));
+  }
+  return changed;
+}
+
 }  // namespace
 
 Result<std::string> put_beside(const fs::path& folder, const std::string& name, const std::string& content) {
@@ -55,26 +80,18 @@ Result<std::string> put_beside(const fs::path& folder, const std::string& name, 
 
 Result<std::string> carried(const std::string& text, const fs::path& from, const fs::path& to,
                             const std::function<bool(const fs::path&)>& readable) {
-  Result<Document> document = parse_json(text, "preset");
-  if (!document) return text;  // no preset yet: it goes as it is
-  std::vector<const Value*> names;
-  find_names(document->root, names);
-  std::string moved = text;
-  // From the end, so that places before stay what they are.
-  std::ranges::reverse(names);
-  for (const Value* name : names) {
-    fs::path file = from / name->text;
-    std::error_code error;
-    if (!fs::is_regular_file(file, error) || !readable(file)) continue;
+  return renamed(text, from, [&](const fs::path& file) -> Result<std::string> {
+    if (!readable(file)) return std::string();
     Result<std::string> content = read_file(file);
-    if (!content) return content.errors();
-    Result<std::string> own = put_beside(to, file.filename().string(), *content);
-    if (!own) return own.errors();
-    std::string written = serialize(*name);
-    std::size_t at = moved.find(written, line_start(moved, name->origin.line));
-    if (at != moved.npos) moved.replace(at, written.size(), '"' + *own + '"');
-  }
-  return moved;
+    return content ? put_beside(to, file.filename().string(), *content) : content;
+  });
+}
+
+Result<std::string> with_whole_paths(const std::string& text, const fs::path& folder) {
+  return renamed(text, folder, [](const fs::path& file) -> Result<std::string> {
+    std::error_code error;
+    return fs::absolute(file, error).lexically_normal().string();
+  });
 }
 
 }  // namespace frond

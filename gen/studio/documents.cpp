@@ -217,10 +217,10 @@ std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, 
   return std::nullopt;
 }
 
-std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& text,
-                                           Json& saved) const {
+std::optional<Refusal> Documents::add_file(const std::string& name, const char* type,
+                                           const std::string& content, Json& saved) const {
   FolderLock lock(folder_);
-  Result<std::string> own = put_beside(folder_, fs::path(name).stem().string() + ".obj", text);
+  Result<std::string> own = put_beside(folder_, fs::path(name).stem().string() + type, content);
   if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
   saved = {{"file", *own}, {"path", (folder_ / *own).string()}};
   return std::nullopt;

@@ -33,6 +33,8 @@ class Documents {
   Json opened() const;
   Json shipped() const;
 
+  /// The folder of one's own presets.
+  const std::filesystem::path& folder() const { return folder_; }
   /// Whether a file may be read; its path without links.
   std::optional<std::filesystem::path> readable(const std::string& file) const;
   /// `{"file", "text", "disk", "copy"}` of a preset.
@@ -51,8 +53,9 @@ class Documents {
   /// stands for what the page believes to be there, empty: nothing.
   std::optional<Refusal> save(const std::string& file, const Doc& doc, const std::string& disk,
                               bool overwrite, Json& saved) const;
-  /// Puts an OBJ file beside the preset under a name like the one given.
-  std::optional<Refusal> add_mesh(const std::string& name, const std::string& text, Json& saved) const;
+  /// Puts a mesh (".obj") or a picture (".png") beside the preset under a name like the one given.
+  std::optional<Refusal> add_file(const std::string& name, const char* type, const std::string& content,
+                                  Json& saved) const;
 
  private:
   /// Where a file that the page names is to be written; empty where it may not be.

@@ -19,6 +19,8 @@
 #include "preset/json.h"
 #include "preview/quick_look.h"
 #include "scene/describe.h"
+#include "studio/answers.h"
+#include "studio/ball.h"
 
 namespace frond {
 
@@ -31,6 +33,7 @@ constexpr std::size_t kKnown = 4096;     // organisms
 constexpr std::size_t kDrawings = 4096;  // that are remembered by how they are drawn
 constexpr std::size_t kDrawing = 4096;   // bytes of that, about
 constexpr int kLookWide = 360;           // pixels, of a card's picture
+constexpr int kMomentWide = 160;         // pixels, of a moment of a film
 constexpr double kLongestLook = 8;       // seconds of growing for that
 constexpr std::size_t kWorthTidying = std::size_t{128} << 20;
 constexpr std::size_t kShownWord = 4000;    // characters
@@ -38,12 +41,13 @@ constexpr double kLongestWord = 3e6;        // modules
 constexpr double kMostLines = 3e4;          // of a drawing of the turtle
 constexpr std::size_t kLargestTree = 2000;  // modules, see derivation_tree_svg()
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+/// The size of a picture of a film's shape that is so many pixels wide.
+std::array<int, 2> look_size(const Film& film, int wide) {
+  return {wide, std::clamp(static_cast<int>(std::lround(wide * film.aspect())), 16, 2 * wide)};
 }
 
-Answer wrong(const Errors& errors, const Errors& notes = {}) {
-  return {422, {{"errors", errors_json(errors)}, {"notes", errors_json(notes)}}, {}};
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// An overtaken question is no fault: browsers would tell of it on their consoles.
@@ -56,30 +60,18 @@ std::string name_of(const Preset& preset, std::size_t entry) {
       fmt::format("{} {} {} {}", preset.seed, o.count, o.grower->keys().all(), o.sown ? o.sown->models : 0));
 }
 
-/// All that a scene follows from, and whose it is.
-std::string key_of(const Doc& doc, const Preset& preset) {
-  return content_id(doc.file.string() + keys_of(preset).all());
-}
-
 /// A preset is held as a tree of values, and once more by its growers.
 std::size_t bytes_of(const Preset& preset) {
   constexpr std::size_t kOfText = 40;
   return kOfText * preset.text.size();
 }
 
-std::set<std::size_t> numbers(const Json& question, const char* name) {
-  std::set<std::size_t> set;
-  if (question.contains(name) && question[name].is_array())
-    for (const Json& value : question[name])
-      if (value.is_number_unsigned()) set.insert(value.get<std::size_t>());
-  return set;
-}
-
 /// Lets some organisms grow roughly, in about that share of the time; whether any of them can.
 bool make_coarse(Preset& preset, const std::set<std::size_t>& entries, double share) {
   bool any = false;
   for (std::size_t entry : entries) {
-    if (entry >= preset.organisms.size()) continue;
+    // A rough plant has other branches than those that edits name.
+    if (entry >= preset.organisms.size() || !preset.organisms[entry].edits.empty()) continue;
     Organism& organism = preset.organisms[entry];
     std::shared_ptr<const Grower> coarse = organism.grower->coarse(share);
     if (!coarse) continue;
@@ -163,7 +155,11 @@ Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& ke
   bool coarse = hurry.share < 1 && make_coarse(preset, *hurry.only, hurry.share);
   Result<Scene> scene = build_scene(preset, watch, &cache_, hurry.only);
   if (!scene) return scene.errors();
-  auto built = std::make_shared<const Built>(Built{std::move(preset), std::move(*scene), coarse});
+  std::optional<Drawing> sky = sky_drawing(*scene, bake_);
+  std::string sky_name = sky ? sky->names[0] : "";
+  if (sky) drawings_.put(sky_name, std::make_shared<const Drawing>(std::move(*sky)), kDrawing);
+  auto built =
+      std::make_shared<const Built>(Built{std::move(preset), std::move(*scene), std::move(sky_name), coarse});
   for (const Drawing& drawing : built->scene.drawings)
     for (const std::string& name : drawing.names)
       drawings_.put(name, std::make_shared<const Drawing>(drawing), kDrawing);
@@ -215,8 +211,7 @@ Result<std::string> Scenes::look(const std::string& file) {
   Result<Preset> preset = documents_.preset(doc);
   if (!preset) return preset.errors();
   Film& film = preset->film;
-  film.size = {kLookWide,
-               std::clamp(static_cast<int>(std::lround(kLookWide * film.aspect())), 16, 2 * kLookWide)};
+  film.size = look_size(film, kLookWide);
   film.quality = Quality::draft;
   Result<CostEstimate> estimate = estimate_cost(*preset, 1);
   if (!estimate) return estimate.errors();
@@ -226,6 +221,15 @@ Result<std::string> Scenes::look(const std::string& file) {
   Result<std::string> png = scene ? png_text(quick_look(*scene, film.time(film.frames))) : scene.errors();
   if (png) pictures_.put(name, std::make_shared<const std::string>(*png), png->size());
   return png;
+}
+
+Result<std::string> Scenes::moment(const Doc& doc, double time) {
+  Result<Preset> preset = documents_.preset(doc);
+  if (!preset) return preset.errors();
+  std::shared_ptr<const Built> built = find(key_of(doc, *preset));
+  if (!built) return Error{doc.file.string(), "has not been grown"};
+  std::lock_guard lock(looking_);
+  return png_text(quick_look(built->scene, time, look_size(preset->film, kMomentWide)));
 }
 
 void Scenes::tidy() {
@@ -269,11 +273,8 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
     grown = built->scene.grown;
   }
   double grow = seconds_since(start);
-  Json header{{"seconds", {{"grow", grow}}},
-              {"regrown", grown},
-              {"missing", built->scene.missing},
-              {"coarse", built->coarse},
-              {"notes", Json::array()}};
+  Json header{{"seconds", {{"grow", grow}}}, {"regrown", grown},  {"missing", built->scene.missing},
+              {"coarse", built->coarse},     {"sky", built->sky}, {"notes", Json::array()}};
   for (const Error& note : notes) header["notes"].push_back(note.text());
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
   Result<std::string> packet =
@@ -318,6 +319,13 @@ Answer Scenes::derive(const Doc& doc, const Json& question) const {
   if (size.segments <= kMostLines)
     if (Result<std::string> svg = turtle_svg(rules, steps, seed, rules.text.limits)) answer["svg"] = *svg;
   return {200, answer, {}};
+}
+
+Result<std::string> Scenes::ball(const Doc& doc, std::size_t entry) const {
+  Result<Preset> preset = documents_.preset(doc);
+  if (!preset) return preset.errors();
+  if (entry >= preset->organisms.size()) return Error{"entry", "there is no such organism"};
+  return material_ball(preset->organisms[entry], bake_);
 }
 
 Result<std::string> Scenes::picture(const std::string& name) {

@@ -8,18 +8,14 @@
 #include <string>
 
 #include "scene/specimen_cache.h"
+#include "studio/answers.h"
 #include "studio/documents.h"
+#include "studio/pick.h"
 #include "studio/tiles.h"
+#include "studio/trace.h"
 #include "studio/view.h"
 
 namespace frond {
-
-/// An answer to the page: JSON, or a packet.
-struct Answer {
-  int status = 200;
-  Json json;
-  std::string packet;  ///< where not empty, in place of the JSON
-};
 
 /// Reads, grows and packs what the page asks to see. What was grown before is kept, so that a change grows
 /// what it touches; all of it together, scenes, organisms, models and what was made ready to be sent, comes
@@ -36,9 +32,15 @@ class Scenes {
   Result<std::shared_ptr<const Scene>> scene(const Doc& doc, Preset preset,
                                              const std::function<bool()>& given_up);
 
+  /// The branch that a ray meets in a scene, see studio/pick.h.
+  Answer pick(const Doc& doc, const Json& question);
+
   /// A small quick look at a preset that Frond brings or that may be read, as a PNG; an error where it takes
   /// long to grow, or where a scene is asked for meanwhile, which goes first.
   Result<std::string> look(const std::string& file);
+
+  /// A small quick look at a scene at a time, as a PNG; an error where it has not been grown yet.
+  Result<std::string> moment(const Doc& doc, double time);
 
   /// Gives memory that was freed back to the system. For after what has taken much, as a render.
   void tidy();
@@ -52,6 +54,13 @@ class Scenes {
   /// The word of an organism's grammar and what becomes of it.
   Answer derive(const Doc& doc, const Json& question) const;
 
+  /// Where rays `[x, y, z, dx, dy, dz]` first meet the ground or the entries that are `on`, at a time: what
+  /// is drawn in the view comes to lie there.
+  Answer trace(const Doc& doc, const Json& question);
+
+  /// The material of an organism on a ball, as a PNG, see studio/ball.h.
+  Result<std::string> ball(const Doc& doc, std::size_t entry) const;
+
   /// A picture of a leaf, a bark or a material that a scene has named.
   Result<std::string> picture(const std::string& name);
 
@@ -59,6 +68,7 @@ class Scenes {
   struct Built {
     Preset preset;
     Scene scene;
+    std::string sky;  // name of its picture; empty: none
     bool coarse = false;
   };
   /// What is asked for while somebody drags: just some organisms, and these coarsely.
@@ -86,6 +96,11 @@ class Scenes {
   /// Where growing what is new takes longer than that many seconds, or more than the machine has.
   Result<Json> estimate(const Preset& preset, const EntryFilter& only, double seconds);
 
+  /// What `make` makes of the scene of a question at its time: kept, as a tool asks again and again.
+  template <class T, class Make>
+  Result<std::shared_ptr<const T>> at_time(LruCache<T>& kept, const Doc& doc, const Json& question,
+                                           Make make);
+
   /// Notes how pictures of what bodies and branches are made of are drawn.
   void add_tiles(const Scene& scene);
 
@@ -95,6 +110,8 @@ class Scenes {
   SpecimenCache cache_{room_};
   ViewCache models_{room_};
   LruCache<Built> built_{room_};
+  LruCache<PosedScene> posed_{room_};
+  LruCache<Traceable> traced_{room_};
   LruCache<std::string> pictures_{room_};
   LruCache<Drawing> drawings_;                       // by the names of their pictures
   std::atomic<std::size_t> sent_{0}, tidied_at_{0};  // bytes, see tidy_at_times()

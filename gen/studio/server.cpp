@@ -5,13 +5,18 @@
 #include <sys/random.h>
 #include <sys/signalfd.h>
 
+#include "core/files.h"
 #include "core/machine.h"
 #include "core/parallel.h"
 #include "grammar/symbols.h"
+#include "render/process.h"
 #include "studio/connections.h"
+#include "studio/exports.h"
+#include "studio/films.h"
 #include "studio/page.h"
 #include "studio/renders.h"
 #include "studio/scenes.h"
+#include "studio/send.h"
 #include "studio/studio.h"
 
 namespace frond {
@@ -44,21 +49,10 @@ bool same(std::string_view a, std::string_view b) {
   return differs == 0;
 }
 
-void send(Response& response, int status, const Json& json) {
-  response.status = status;
-  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
-}
-
-void send(Response& response, Answer answer) {
-  if (answer.packet.empty()) return send(response, answer.status, answer.json);
-  response.status = answer.status;
-  response.body = std::move(answer.packet);
-  response.set_header("Content-Type", "application/octet-stream");
-}
-
-void send_picture(Response& response, const Result<std::string>& picture, const char* type) {
-  if (!picture) return send(response, 404, {{"error", picture.errors().front().text()}});
-  response.set_content(*picture, type);
+/// What to say of a size that pictures may not have; nothing of others.
+Json refused_size(std::array<int, 2> size) {
+  if (std::min(size[0], size[1]) >= kSmallest && std::max(size[0], size[1]) <= kLargest) return nullptr;
+  return {{"error", fmt::format("sides of a picture are {} to {} pixels", kSmallest, kLargest)}};
 }
 
 class Server {
@@ -67,7 +61,8 @@ class Server {
       : options_(options),
         documents_(options),
         scenes_(documents_, options.memory, options.bake),
-        renders_(documents_, scenes_, options.home) {}
+        renders_(documents_, scenes_, options.home),
+        films_(documents_, options.home) {}
 
   Errors serve() {
     if (page_files().empty())
@@ -139,7 +134,9 @@ class Server {
     if (request.has_header("Transfer-Encoding") || (request.method == "POST" && !told))
       return no(411, "the length of what is sent has to be told beforehand");
     if (request.has_header("Content-Encoding")) return no(415, "what is sent must not be compressed");
-    std::size_t most = gets ? 0 : request.path == "/api/mesh" ? kMostMesh : kMostText;
+    std::size_t most = gets                                                            ? 0
+                       : request.path == "/api/mesh" || request.path == "/api/painted" ? kMostMesh
+                                                                                       : kMostText;
     if (told && request.get_header_value<std::uint64_t>("Content-Length") > most)
       return no(413, "what is sent is too long");
     if (!api) return std::nullopt;
@@ -194,6 +191,7 @@ class Server {
     add_documents();
     add_scenes();
     add_renders();
+    add_films();
   }
 
   void add_page() {
@@ -221,7 +219,7 @@ class Server {
         symbols.push_back({{"symbol", symbol.name}, {"doc", symbol.doc}});
       send(response, 200,
            {{"started", started_},
-            {"machine", {{"cores", thread_count()}}},
+            {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
             {"schema", Json::parse(preset_schema())},
             {"symbols", std::move(symbols)},
             {"preset", documents_.opened()},
@@ -259,12 +257,22 @@ class Server {
         return send(response, refusal->status, refusal->body);
       send(response, 200, saved);
     });
-    server_.Post("/api/mesh", [this](const Request& request, Response& response) {
-      Json saved;
-      if (auto refusal = documents_.add_mesh(request.get_param_value("name"), request.body, saved))
-        return send(response, refusal->status, refusal->body);
-      send(response, 200, saved);
+    server_.Get("/api/painted", [this](const Request& request, Response& response) {
+      auto file = documents_.readable(request.get_param_value("file"));
+      if (!file || file->extension() != ".png")
+        return send(response, 403, {{"error", "no such picture may be read"}});
+      send_picture(response, read_file(*file), "image/png");
     });
+    for (auto [path, type, begin] :
+         {std::array{"/api/mesh", ".obj", ""}, {"/api/painted", ".png", "\x89PNG"}})
+      server_.Post(path, [this, type, begin](const Request& request, Response& response) {
+        if (!request.body.starts_with(begin))
+          return send(response, 400, {{"error", "the file is no picture"}});
+        Json saved;
+        if (auto refusal = documents_.add_file(request.get_param_value("name"), type, request.body, saved))
+          return send(response, refusal->status, refusal->body);
+        send(response, 200, saved);
+      });
   }
 
   void add_scenes() {
@@ -280,8 +288,19 @@ class Server {
       scenes_.leave(request.get_param_value("session"), number);
       send(response, 200, {{"ok", true}});
     });
+    post("/api/pick", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      send(response, scenes_.pick(doc, question));
+    });
     post("/api/derive", [this](const Request&, Response& response, const Json& question, Doc doc) {
       send(response, scenes_.derive(doc, question));
+    });
+    post("/api/ball", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      Result<std::string> ball = scenes_.ball(doc, question.at("entry").get<std::size_t>());
+      if (!ball) return void(response.status = 204);  // as of /api/look
+      response.set_content(*ball, "image/png");
+    });
+    post("/api/trace", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      send(response, scenes_.trace(doc, question));
     });
     server_.Get(R"(/api/picture/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
       send_picture(response, scenes_.picture(request.matches[1]), "image/png");
@@ -291,13 +310,17 @@ class Server {
   void add_renders() {
     post("/api/render", [this](const Request&, Response& response, const Json& question, Doc doc) {
       auto size = question.at("size").get<std::array<int, 2>>();
-      if (std::min(size[0], size[1]) < kSmallest || std::max(size[0], size[1]) > kLargest)
-        return send(response, 400,
-                    {{"error", fmt::format("sides of a picture are {} to {} pixels", kSmallest, kLargest)}});
+      if (Json refused = refused_size(size); !refused.is_null()) return send(response, 400, refused);
       Result<std::string> id = renders_.begin(std::move(doc), question.value("time", 0.0), size,
                                               question.value("quality", "draft"));
       if (!id) return send(response, 422, {{"errors", errors_json(id.errors())}});
       send(response, 200, {{"id", *id}});
+    });
+    post("/api/export", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      auto path =
+          export_doc(documents_, options_.home, doc, question.value("time", 0.0), question.at("type"));
+      if (!path) return send(response, 422, {{"errors", errors_json(path.errors())}});
+      send(response, 200, {{"file", path->string()}});
     });
     server_.Get("/api/renders",
                 [this](const Request&, Response& response) { send(response, 200, renders_.list()); });
@@ -318,12 +341,55 @@ class Server {
     });
   }
 
+  void add_films() {
+    post("/api/film", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      FilmOrder order;
+      order.size = question.at("size").get<std::array<int, 2>>();
+      if (Json refused = refused_size(order.size); !refused.is_null()) return send(response, 400, refused);
+      order.quality = question.value("quality", order.quality), order.frames = question.value("range", "");
+      order.rough = question.value("rough", order.rough), order.farm = question.value("farm", order.farm);
+      Result<std::string> id = films_.begin(doc, order);
+      if (!id) return send(response, 422, {{"errors", errors_json(id.errors())}});
+      send(response, 200, {{"id", *id}});
+    });
+    post("/api/moment", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      Result<std::string> look = scenes_.moment(doc, question.value("time", 0.0));
+      if (!look) return void(response.status = 204);  // as of /api/look
+      response.set_content(*look, "image/png");
+    });
+    server_.Get("/api/films",
+                [this](const Request&, Response& response) { send(response, 200, films_.list()); });
+    auto nothing = [](Response& response) { send(response, 404, {{"error", "there is no such film"}}); };
+    server_.Get(R"(/api/film/([\w-]+))", [this, nothing](const Request& request, Response& response) {
+      std::optional<Json> state = films_.state(request.matches[1]);
+      state ? send(response, 200, *state) : nothing(response);
+    });
+    server_.Get(
+        R"(/api/film/([\w-]+)/([\w.]+))", [this, nothing](const Request& request, Response& response) {
+          std::optional<std::filesystem::path> file = films_.file(request.matches[1], request.matches[2]);
+          if (!file && request.matches[2] == "watch.png")
+            return void(response.status = 204);  // it comes and goes
+          file ? send_file(response, *file, file->extension() == ".mp4" ? "video/mp4" : "image/png")
+               : nothing(response);
+        });
+    using Act = bool (Films::*)(const std::string&);
+    for (auto [name, act] : {std::pair<const char*, Act>("pause", &Films::pause), {"resume", &Films::resume}})
+      server_.Post(fmt::format(R"(/api/film/([\w-]+)/{})", name), [this, nothing, act](const Request& request,
+                                                                                       Response& response) {
+        (films_.*act)(request.matches[1]) ? send(response, 200, {{"ok", true}}) : nothing(response);
+      });
+    server_.Delete(R"(/api/film/([\w-]+))", [this, nothing](const Request& request, Response& response) {
+      films_.remove(request.matches[1]) ? send(response, 200, {{"ok", true}}) : nothing(response);
+    });
+  }
+
   StudioOptions options_;
   std::string token_ = token(), started_ = token();
   int port_ = -1;
   Documents documents_;
   Scenes scenes_;
   Renders renders_;
+  Films films_;
   Connections server_;
 };
 

@@ -20,6 +20,7 @@ namespace {
 constexpr int kPixels = 256;
 constexpr int kSkinPixels = 512;  // as exports have them, which keep them where we look for them
 constexpr int kFloorPixels = 512;
+constexpr int kSkyPixels = 1024;
 constexpr float kDarkest = 0.01f;
 constexpr double kRough = 0.8;  // the page shows no roughness
 
@@ -123,6 +124,18 @@ std::optional<Tile> tile_of(const Stage& stage) {
   Tile tile = named(swatch_scene(*swatch));
   tile.wide = tile.high = swatch->wide;
   return tile;
+}
+
+std::optional<Drawing> sky_drawing(const Scene& scene, const BakeOptions& options) {
+  std::optional<std::string> text = sky_scene_text({}, scene);
+  if (!text) return std::nullopt;
+  std::string name = "sky_" + content_id(*text) + ".png";
+  SmallScene sky{std::move(*text), {kSkyPixels, kSkyPixels / 2}, false, kSkyPixels / 4, {}};
+  return Drawing{{name}, [name, sky = std::move(sky), options]() -> Result<std::vector<Picture>> {
+                   Result<std::string> made = small_picture(sky, options);
+                   if (!made) return made.errors();
+                   return std::vector<Picture>{{name, std::move(*made)}};
+                 }};
 }
 
 Drawing tile_drawing(const Stage& stage, const BakeOptions& options) {

@@ -29,6 +29,9 @@ std::optional<Tile> tile_of(const BranchLook& branches);
 /// Of a setting's floor that nothing covers; it repeats. None of any other.
 std::optional<Tile> tile_of(const Stage& stage);
 
+/// Draws the upper half of a scene's sky, where that stays, see emit/setting.h.
+std::optional<Drawing> sky_drawing(const Scene& scene, const BakeOptions& options);
+
 /// Draws both pictures of what has some.
 Drawing tile_drawing(const Stage& stage, const BakeOptions& options);
 Drawing tile_drawing(const Material& material, const BakeOptions& options);

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 
 #include "core/bounds.h"
+#include "core/linear.h"
 #include "core/parallel.h"
 #include "preset/value.h"
 #include "scene/copies.h"
@@ -21,8 +23,10 @@ namespace {
 
 Json light_json(const Daylight& light) {
   Json backdrop = Json::array();
+  constexpr float kLitWall = 1.55f;  // what lamps throw on a wall, as POV-Ray's pictures have it
+  const float lit = light.lamps.empty() ? 1 : kLitWall;
   for (const BackdropStop& stop : light.backdrop)
-    backdrop.push_back({{"height", stop.height}, {"light", json_of(stop.light)}});
+    backdrop.push_back({{"height", stop.height}, {"light", json_of(lit * stop.light)}});
   const FillLight& fill = light.fill;
   return {{"sun", json_of(light.sun)},
           {"sunlight", json_of(light.sunlight)},
@@ -62,7 +66,9 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
     const Specimen& s = scene.specimens[i];
     Json one{{"entry", s.entry == Specimen::kNoEntry ? -1 : static_cast<int>(s.entry)},
              {"foot", json_of(foot_of(s, boxes[i]))},
-             {"placed", nullptr}};
+             {"placed", nullptr},
+             {"turn", {s.placement.turn.x, s.placement.turn.y, s.placement.turn.z, s.placement.turn.w}},
+             {"size", s.placement.size}};
     if (s.entry != Specimen::kNoEntry) {
       // Plantings come in their order, those at given places first.
       std::size_t number = count[s.entry]++;
@@ -90,6 +96,14 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
   header["specimens"] = std::move(specimens);
 }
 
+/// The colour of a floor below grass or litter that is not drawn blade by blade: on average over the depth of
+/// a cover blades are shaded by those above them (Monsi and Saeki 1953), as much as in POV-Ray's pictures.
+Color covered(const Color& color, const LowCover& cover) {
+  constexpr double kExtinction = 2.7;
+  double depth = kExtinction * cover.area;
+  return depth > 0 ? srgb(static_cast<float>((1 - std::exp(-depth)) / depth) * linear(color)) : color;
+}
+
 void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart>& parts) {
   auto add = [&](Surface shape, const Color& color, std::span<const float> places = {}) {
     DrawnPart& part = parts.emplace_back();
@@ -101,7 +115,7 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     places.empty() ? part.add_surface("", shape) : add_placed(part, shape, places, false);
   };
   if (!scene.ground->floor().triangle.empty()) {
-    add(scene.ground->floor(), light.ground);
+    add(scene.ground->floor(), covered(light.ground, scene.ground->low_cover()));
     if (std::optional<Tile> tile = tile_of(scene.stage))
       parts.back().head["material"]["tile"] = json_of(*tile);
   } else {
@@ -112,6 +126,18 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     plane.normal.assign(4, Vec3(0, 1, 0));
     plane.triangle = {{0, 2, 1}, {0, 3, 2}};
     add(plane, light.ground);
+  }
+  for (const Patches& patches : scene.ground->patches()) {
+    std::vector<std::vector<float>> places(patches.shapes.size());
+    if (!patches.color) continue;
+    for (const Patch& patch : *patches.at) {
+      Quat turn = Quat(Vec3(0, 1, 0), glm::normalize(Vec3(-patch.slope.x, 1, -patch.slope.y))) *
+                  glm::angleAxis(static_cast<float>(patch.turn), Vec3(0, 1, 0));
+      std::vector<float>& list = places[static_cast<std::size_t>(patch.shape)];
+      list.insert(list.end(), {patch.at.x, patch.at.y, patch.at.z, turn.x, turn.y, turn.z, turn.w, 1, 1, 1});
+    }
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (!places[k].empty()) add(*patches.shapes[k], *patches.color, places[k]);
   }
   std::vector<Strewn> all = scene.ground->strewn();
   if (scene.far) std::ranges::move(strewn_far(*scene.far), std::back_inserter(all));
@@ -248,6 +274,7 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
   header["camera"] = camera_json(scene.stage.camera, request.time);
   header["light"] = light_json(light);
   header["setting"] = setting.name;
+  header["land"] = setting.answers.extent(scene.stage).sown;
   Json food = Json::array();
   for (const FoodLeft& meal : food_places(scene.specimens, request.time)) food.push_back(json_of(meal.at));
   header["food"] = std::move(food);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/bytes.h"
 
@@ -61,6 +62,28 @@ void transform(Model& model, Vec3 foot, Quat turn, float size) {
   put_surface(model.hull, foot, turn, size);
   put_places(model.blades.foot, foot, turn, size);
   put_surface(model.blades.surface, foot, turn, size);
+}
+
+void edit_specimen(Specimen& specimen, std::span<const Edit> edits) {
+  if (edits.empty()) return;
+  Life& life = specimen.life;
+  if (life.edit) {
+    const auto edit = std::exchange(life.edit, {});
+    edit(specimen, edits);
+    life.edit = {};
+    return;
+  }
+  const Placement& placed = specimen.placement;
+  std::vector<Edit> here(edits.begin(), edits.end());
+  for (Edit& edit : here)
+    if (edit.bend) *edit.bend = placed.turn * (*edit.bend * placed.size);
+  std::vector<float> levers = edit_model(specimen.model, here);
+  if (life.develop)
+    life.develop = [develop = life.develop, here = std::move(here), levers = std::move(levers)](double time) {
+      Result<Model> now = develop(time);
+      if (now) edit_model(*now, here, levers);
+      return now;
+    };
 }
 
 Surface skin_of(const Model& model) {

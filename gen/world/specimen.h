@@ -12,9 +12,20 @@
 #include "land/ground.h"
 #include "model/model.h"
 #include "motion/fall.h"
+#include "pruning/edits.h"
+#include "world/snow_load.h"
 #include "world/style.h"
 
 namespace frond {
+
+struct Specimen;
+
+/// Position, rotation and size factor of an organism.
+struct Placement {
+  Vec3 foot{0};
+  Quat turn{1, 0, 0, 0};
+  float size = 1;
+};
 
 /// Strands of a creeper that hang in the wind: its skeleton with the points where it holds on.
 struct Hanging {
@@ -33,7 +44,10 @@ struct Life {
   std::shared_ptr<const Heights> ground;  ///< on which its leaves fall, and it itself
   std::shared_ptr<const Fall> fall;       ///< of a tree that loses its balance
   std::optional<Hanging> hanging;
-  std::size_t held = 0;  ///< bytes of memory of `develop`, if significant
+  /// Makes the specimen once more with edits by hand, from what it grew from. Empty: its model is edited.
+  std::function<void(Specimen&, std::span<const Edit>)> edit;
+  std::function<double(double)> age;  ///< years, at a time in seconds; empty: it does not grow over years
+  std::size_t held = 0;               ///< bytes of memory of `develop` and `edit`, if significant
 
   /// Whether its shape differs in each frame; see developed().
   bool changes() const { return develop || season; }
@@ -45,13 +59,15 @@ struct Traits {
 
   std::string name;
   std::size_t entry = kNoEntry;  ///< index of its entry in the preset's organisms; none: part of the setting
+  Placement placement{};         ///< of the frame that it grew in, upright
   Look look{};
   double brightness = 1;  ///< its individual factor
   Motion motion{};
   Style style{};  ///< its voxel is never 0
   Life life{};
-  bool snowy = false;  ///< whether snow lies on what of it looks up
-  bool wet = false;    ///< whether rain makes it wet
+  bool snowy = false;                      ///< whether snow lies on what of it looks up
+  std::shared_ptr<const SnowLoad> load{};  ///< the snow on its branches; null: none but by their texture
+  bool wet = false;                        ///< whether rain makes it wet
 };
 
 /// One grown organism or built body at its place. Always moved as a whole, never field by field.
@@ -70,6 +86,9 @@ void transform(Model& model, Vec3 foot, Quat turn, float size);
 
 /// The outer surface of its bodies, without `uv`; empty if it has none.
 Surface skin_of(const Model& model);
+
+/// Edits it by hand, at all times of its life.
+void edit_specimen(Specimen& specimen, std::span<const Edit> edits);
 
 /// Lets it sway in a wind, by its wood and leaves.
 void take_wind(Specimen& specimen, std::shared_ptr<const WindField> wind);

@@ -297,7 +297,7 @@ TEST(Crawl, StrandsKeepWithinTheWidthOfGuidesAndFillIt) {
     on_wall.emplace_back(drawn.back().x, drawn.back().y, 0.1);
   }
   Crawl crawl;
-  crawl.guides = {{drawn, {}, {}, 0.12}};
+  crawl.guides.emplace_back().points = {drawn.begin(), drawn.end()};
   crawl.max_age = 900, crawl.branch_every = 0.15, crawl.spacing = 0.04, crawl.let_go = 0;
   for (std::uint64_t seed : {1u, 2u, 3u}) {
     Strands s = grow_strands(host, starts_on_guides(crawl.guides, 4), crawl, Seed{seed});
@@ -309,6 +309,29 @@ TEST(Crawl, StrandsKeepWithinTheWidthOfGuidesAndFillIt) {
         nearest = std::min(nearest, glm::distance(DVec3(node), at));
       EXPECT_LT(nearest, 0.12) << "nothing grows at " << at.x << ", " << at.y;
     }
+  }
+}
+
+TEST(Crawl, GuidesLeadAsStronglyAsTheyPull) {
+  Host host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
+  std::vector<DVec3> line{DVec3(0, 4, 0.1), DVec3(0, 9, 0.1)};
+  Crawl crawl;
+  crawl.guides.emplace_back().points = {line.begin(), line.end()};
+  crawl.guides[0].width = 3;
+  crawl.bias = 0, crawl.branch_depth = 0, crawl.spacing = 0, crawl.let_go = 0, crawl.max_age = 150;
+  double last = 0;  // metres that they come along it
+  for (double pull : {0.0, 0.1, 1.0}) {
+    crawl.guides[0].pull = pull;
+    double along = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      Start start{DVec3(0, 4, 0.1), DVec3(seed % 2 ? 1 : -1, 0, 0)};
+      Strands s = grow_strands(host, {start}, crawl, Seed{seed});
+      along += static_cast<double>(s.skeleton.position.back().y - 4) / 12;
+    }
+    if (pull > 0) {
+      EXPECT_GT(along, last + 0.2) << pull;
+    }
+    last = along;
   }
 }
 

@@ -40,9 +40,11 @@ TEST(Mask, IsThatOfThePlaceWhateverWayTrianglesTurn) {
   EXPECT_TRUE(host.has_texture());
   EXPECT_FALSE(built(ball(1, 8, 6)).has_grey());
   CrawlMask by_grey, by_picture;
-  by_picture.file.name = "ramp.png", by_picture.width = 64, by_picture.height = 2;
+  std::vector<float> grey;
   for (int i = 0; i < 128; ++i)  // dark above, from black to white below
-    by_picture.grey.push_back(static_cast<std::uint8_t>(i < 64 ? 0 : std::lround(255 * (i - 63.5) / 64)));
+    grey.push_back(i < 64 ? 0.0f : (static_cast<float>(i) - 63.5f) / 64);
+  by_picture.picture.file.name = "ramp.png", by_picture.picture.width = 64, by_picture.picture.height = 2;
+  by_picture.picture.grey = std::make_shared<const std::vector<float>>(grey);
   for (int i = 0; i < 200; ++i) {
     Seed own = Seed{3}.child(static_cast<std::uint64_t>(i));
     DVec3 place(own.child(0).range(-0.95, 0.95), own.child(1).range(0.05, 0.45), 0);

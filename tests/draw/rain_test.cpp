@@ -29,6 +29,23 @@ bool same(const Streak& a, const Streak& b) {
   return glm::distance(a.top, b.top) < 1e-3f && glm::distance(a.bottom, b.bottom) < 1e-3f;
 }
 
+TEST(RainStreaks, FallOnRoofsAndNotBelow) {
+  Scene scene = rainy_meadow(50);
+  auto below = [&] {
+    return std::ranges::count_if(rain_streaks(scene, 0.3), [](const Streak& s) {
+      return s.top.y < 1.9f && std::abs(s.top.x) < 1.9f && std::abs(s.top.z - 3) < 1.9f;
+    });
+  };
+  ASSERT_GT(below(), 30);
+  Surface roof;
+  roof.position = {{-2, 2, 1}, {2, 2, 1}, {2, 2, 5}, {-2, 2, 5}};
+  roof.triangle = {{0, 1, 2}, {0, 2, 3}};
+  Overhead bodies({0, 3}, 20, 0.1f);
+  bodies.take(roof);
+  scene.overhead = std::make_shared<const Overhead>(std::move(bodies));
+  EXPECT_EQ(below(), 0);
+}
+
 TEST(RainStreaks, AreAsLongAsADropFallsWhileTheShutterIsOpen) {
   const Scene& scene = rainy_meadow(20);
   std::vector<Streak> streaks = rain_streaks(scene, 0.3);

@@ -246,5 +246,27 @@ TEST(Stand, FellingTakesAShareOfOneSpecies) {
   EXPECT_NEAR(cut, 180, 30);
 }
 
+TEST(Stand, PruningRaisesTheCrownsOfItsSpecies) {
+  StandOptions options = even_aged(TreeName::pine, 30, 400);
+  options.species.push_back(species(TreeName::oak));
+  options.planted.push_back({TreeName::oak, 400});
+  auto bases = [&](std::uint32_t kind, double year) {
+    StandHistory history = simulate_stand(options, level_land(), Seed{1});
+    std::vector<float> list;
+    for (std::uint32_t i : living_at(history, year))
+      if (history.lives[i].species == kind) list.push_back(size_at(history, i, year).crown_base);
+    return list;
+  };
+  std::vector<float> before = bases(0, 20), oaks = bases(1, 20);
+  options.events = {{.year = 20, .pruned = TreeName::pine, .below = 3}};
+  std::vector<float> after = bases(0, 20);
+  auto low = [](const std::vector<float>& list) {
+    return std::ranges::count_if(list, [](float b) { return b < 2.9f; });
+  };
+  EXPECT_GT(low(before), std::ssize(before) / 4);
+  EXPECT_LT(low(after), std::ssize(after) / 20);
+  EXPECT_GE(low(bases(1, 20)), low(oaks));  // which get more light
+}
+
 }  // namespace
 }  // namespace frond

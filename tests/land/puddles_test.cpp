@@ -29,16 +29,16 @@ GroundGrid rough(int seed) {
 
 TEST(Puddles, AFloodFillsABowlToItsBrim) {
   GroundGrid grid = bowl();
-  for (float level : flooded(grid)) EXPECT_NEAR(level, 0.1f, 0.001f);
+  for (float level : priority_flood(grid).level) EXPECT_NEAR(level, 0.1f, 0.001f);
   grid.drain.resize(grid.height.size());
   grid.drain[grid.index(20, 20)] = true;
-  EXPECT_EQ(flooded(grid), grid.height) << "it runs off where there is a pond";
+  EXPECT_EQ(priority_flood(grid).level, grid.height) << "it runs off where there is a pond";
 }
 
 TEST(Puddles, AFloodIsTheLowestFromWhichAllRunsOff) {
   for (int seed = 0; seed < 6; ++seed) {
     GroundGrid grid = rough(seed);
-    std::vector<float> full = flooded(grid);
+    std::vector<float> full = priority_flood(grid).level;
     for (int row = 1; row + 1 < grid.side; ++row)
       for (int column = 1; column + 1 < grid.side; ++column) {
         std::size_t k = grid.index(column, row);
@@ -55,7 +55,7 @@ TEST(Puddles, AreLevelAndGrowWithTheirDepth) {
   GroundGrid grid = bowl();
   std::size_t last = 0;
   for (double depth : {0.005, 0.02, 0.05, 0.2}) {
-    Surface water = puddles(grid, depth);
+    Surface water = puddles(grid, priority_flood(grid).level, depth);
     EXPECT_EQ(water.check(), "");
     EXPECT_GT(water.triangle.size(), last);
     last = water.triangle.size();
@@ -68,7 +68,8 @@ TEST(Puddles, AreLevelAndGrowWithTheirDepth) {
 }
 
 TEST(Puddles, StandNowhereOnASlope) {
-  EXPECT_TRUE(puddles(grid_with([](Vec2 p) { return 0.2f * p.x; }), 0.04).triangle.empty());
+  GroundGrid slope = grid_with([](Vec2 p) { return 0.2f * p.x; });
+  EXPECT_TRUE(puddles(slope, priority_flood(slope).level, 0.04).triangle.empty());
 }
 
 TEST(Puddles, FillWithWhatHasFallenUpToALimit) {

@@ -33,6 +33,16 @@ Surface block(Vec3 half) {
   return s;
 }
 
+TEST(Overhead, SheltersWhatFallsPastABody) {
+  Overhead bodies({0, 0}, 10, 0.1f);
+  bodies.take(plate({-1, 2, -1}, {0, 0, 2}, {2, 0, 0}));
+  EXPECT_TRUE(bodies.shelters({0, 1, 0}, {0, -1, 0}));
+  EXPECT_FALSE(bodies.shelters({0, 2.1f, 0}, {0, -1, 0})) << "above it";
+  EXPECT_FALSE(bodies.shelters({1.5f, 1, 0}, {0, -1, 0})) << "beside it";
+  EXPECT_FALSE(bodies.shelters({0.8f, 1, 0}, {-1, -1, 0})) << "the wind brings it in";
+  EXPECT_TRUE(bodies.shelters({1.5f, 1, 0}, {1, -1, 0})) << "it has come by way of the plate";
+}
+
 float open_sky(Vec3) { return 1; }
 
 float deepest(const SnowSheet& sheet) {
@@ -115,6 +125,16 @@ SnowLand level_land() {
   SnowLand land{[](Vec2 at) { return 0.1 * std::sin(static_cast<double>(at.x)); }, Vec2(0), 10, 60, {}};
   land.trunks = {{Vec2(2, 0), 0.1f}};
   return land;
+}
+
+TEST(Snow, OnTheGroundIsScaledByWhatIsKept) {
+  SnowLand land = level_land();
+  Overhead none(Vec2(0), 20, 0.1f);
+  SnowSheet all = snow_on_ground(land, none, {}, Seed{1});
+  land.kept = [](Vec2 at) { return at.x < 0 ? 0.0 : 1.0; };
+  SnowSheet half = snow_on_ground(land, none, {}, Seed{1});
+  for (std::size_t i = 0; i < all.bare.size(); ++i)
+    EXPECT_EQ(half.share[i], half.bare[i].x < 0 ? 0 : all.share[i]);
 }
 
 TEST(Snow, OnTheGroundIsNowhereBelowItAndHollowAtTrunks) {

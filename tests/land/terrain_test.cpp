@@ -11,7 +11,7 @@ namespace {
 TerrainShape shape_of(double rough) {
   TerrainShape shape;
   shape.rough = rough;
-  shape.path = {{{-70, 10}, {-30, -12}, {5, 4}, {40, -6}, {75, 20}}, 2};
+  shape.path = {{Vec2(-70, 10), Vec2(-30, -12), Vec2(5, 4), Vec2(40, -6), Vec2(75, 20)}, 2};
   return shape;
 }
 
@@ -130,9 +130,9 @@ TEST(Terrain, ThePathIsLevelAcrossAndGentleAlong) {
 }
 
 TEST(Terrain, TakesOddShapes) {
-  for (TerrainShape shape : {TerrainShape{2, 0, 70, 0.4, {}}, TerrainShape{2, 500, 1, 1, {}},
-                             TerrainShape{4000, 500, 5000, 0, {{{-3000, 0}, {3000, 10}}, 20}},
-                             TerrainShape{50, 5, 20, 0.5, {{{3, 3}, {3, 3}}, 1}}}) {
+  for (TerrainShape shape : {TerrainShape{2, 0, 70, 0.4, 0, {}}, TerrainShape{2, 500, 1, 1, 1, {}},
+                             TerrainShape{4000, 500, 5000, 0, 1, {{Vec2(-3000, 0), Vec2(3000, 10)}, 20}},
+                             TerrainShape{50, 5, 20, 0.5, 0.3, {{Vec2(3, 3), Vec2(3, 3)}, 1}}}) {
     Terrain land(shape, Seed{4});
     EXPECT_EQ(land.surface().check(), "");
     EXPECT_GE(land.reach(), std::max(1199.0, shape.size));

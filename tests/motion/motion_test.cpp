@@ -234,6 +234,25 @@ TEST(Growth, NeverShrinksNorStops) {
   }
 }
 
+TEST(Growth, IsEasedFromNothingToAll) {
+  for (std::optional<Ease> ease : {std::optional<Ease>(), std::optional(Ease::none), std::optional(Ease::in),
+                                   std::optional(Ease::out), std::optional(Ease::both)}) {
+    Growth growth{.start = 1, .duration = 4, .ease = ease};
+    double before = 0, all = 1 + growth.ripen;
+    for (int i = 0; i <= 100; ++i) {
+      double now = growth_front(growth, 1 + i / 25.0);
+      EXPECT_GE(now, before);
+      EXPECT_LT(now - before, 0.04 * all) << "nothing pops";
+      before = now;
+    }
+    EXPECT_EQ(growth_front(growth, 1), 0);
+    EXPECT_DOUBLE_EQ(before, all);
+  }
+  Growth out{.duration = 1, .ripen = 1, .ease = Ease::out}, in{.duration = 1, .ripen = 1, .ease = Ease::in};
+  EXPECT_DOUBLE_EQ(growth_front(out, 0.5), 1.5);
+  EXPECT_DOUBLE_EQ(growth_front(in, 0.5), 0.5);
+}
+
 TEST(Film, HasNoJumps) {
   // The whole film, 24 frames a second: no node moves in one frame more than 12 times what nodes move on
   // average over the film.

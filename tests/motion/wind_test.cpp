@@ -31,6 +31,16 @@ TEST(Wind, KeepsItsDeviationAndRepeats) {
     EXPECT_NEAR(field.gust(Vec3(5, 0, 9), t), field.gust(Vec3(5, 0, 9), t + length), 1e-6);
 }
 
+TEST(Wind, WhatGustsCarryIsTheirSumOverTime) {
+  WindField field = wind_field({.speed = 5, .gusts = 0.4}, 6, Seed{3});
+  constexpr double kStep = 1e-3;
+  for (double time : {0.0, 1.7, 4.4})
+    EXPECT_NEAR(
+        (field.carried({2, 0, 1}, time + kStep) - field.carried({2, 0, 1}, time - kStep)) / (2 * kStep),
+        field.gust({2, 0, 1}, time), 1e-3);
+  EXPECT_NEAR(field.carried({2, 0, 1}, 6), field.carried({2, 0, 1}, 0), 1e-9);
+}
+
 TEST(Wind, AStormComesAndGoes) {
   WindField field = wind_field({6, 0.2, Vec3(1, 0, 0)}, 0, Seed{1}, {{10, 2, 25}});
   EXPECT_NEAR(field.mean(10), 25, 1e-9);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -151,6 +152,62 @@ TEST(Ivy, DropsLeavesThatFindNoPlace) {
   std::size_t placed = ivy_on_wall(params).model.organs.size();
   params.leaves.overlap = 20;
   EXPECT_LT(placed, 0.9 * static_cast<double>(ivy_on_wall(params).model.organs.size()));
+}
+
+/// A mask that is projected along z over the wall, white where a function of shares of its sides says so.
+CrawlMask projected(const std::function<bool(double, double)>& white) {
+  constexpr int kSide = 64;
+  std::vector<float> grey;
+  for (int i = 0; i < kSide * kSide; ++i)
+    grey.push_back(white((i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide) ? 1.0f : 0.0f);
+  CrawlMask mask;
+  mask.stops = 0.5;
+  mask.picture.along = Axis::z;
+  mask.picture.area = {Vec2(-1, 0), Vec2(1, 1.6f)};
+  mask.picture.width = mask.picture.height = kSide;
+  mask.picture.grey = std::make_shared<const std::vector<float>>(grey);
+  return mask;
+}
+
+TEST(MaskedIvy, IsAsWithoutAMaskWhereThatIsWhite) {
+  IvyParams params = small_ivy();
+  Ivy free = ivy_on_wall(params);
+  params.crawl.mask = projected([](double, double) { return true; });
+  Ivy white = ivy_on_wall(params);
+  EXPECT_EQ(white.strands.skeleton.position, free.strands.skeleton.position);
+  EXPECT_EQ(white.model.organs.position, free.model.organs.position);
+}
+
+TEST(MaskedIvy, IsNoneWhereAllIsBlack) {
+  IvyParams params = small_ivy();
+  params.crawl.mask = projected([](double, double) { return false; });
+  Ivy none = ivy_on_wall(params);
+  EXPECT_EQ(none.model.organs.size(), 0u);
+  EXPECT_EQ(none.model.skeleton.size(), 0u);
+}
+
+TEST(MaskedIvy, HasNoLeafOutsideOfTheWhiteAndReachesEachPieceOfIt) {
+  // Two islands above the foot, which is black.
+  auto island = [](double x, double y) { return y > 0.2 && y < 0.6 && (x < 0.35 || x > 0.65); };
+  IvyParams params = small_ivy();
+  params.facing = Vec3(0);
+  params.crawl.mask = projected(island);
+  params.leaves.bare = 0;
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    Result<Ivy> ivy = grow_ivy(params, *Host::build(wall()), {}, 16, kLevel, Seed{seed});
+    ASSERT_TRUE(ivy);
+    std::set<std::pair<bool, bool>>
+        pieces;  // left or right, and the front or the back: it is projected on both
+    for (const Vec3& foot : ivy->model.organs.position) {
+      constexpr float kPetiole = 0.06f;  // metres that a leaf reaches over from its strand
+      float x = std::abs(foot.x);
+      EXPECT_TRUE(x > 0.3f - kPetiole && foot.y > 0.64f - kPetiole && foot.y < 1.28f + kPetiole)
+          << foot.x << " " << foot.y;
+      pieces.insert({foot.x > 0, foot.z > 0});
+    }
+    EXPECT_EQ(pieces.size(), 4u);
+    EXPECT_GT(ivy->model.organs.size(), 100u);
+  }
 }
 
 TEST(Fluttering, RepeatsAndGrowsWithThePetiole) {

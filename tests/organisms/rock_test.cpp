@@ -1,5 +1,6 @@
 #include "organisms/rock/rock.h"
 
+#include "images/describe_mask.h"
 #include "organisms/pebbles/pebbles.h"
 
 #include <gtest/gtest.h>
@@ -111,6 +112,35 @@ TEST(BuildPebbles, LeaveOutWhatFindsNoRoom) {
   EXPECT_LT(build_pebbles(params, Seed{6})->solids.size(), 60u);
   params.least_size = 1;
   EXPECT_FALSE(build_pebbles(params, Seed{6}).ok());
+}
+
+/// Its picture as frames have it, read again.
+Mask read_again(const StoneLook& look) {
+  Dress dress = stone_dress(look);
+  EXPECT_EQ(dress.look.pictures.size(), 1u);
+  Result<std::vector<Picture>> drawn = dress.look.pictures.at(0).draw();
+  EXPECT_TRUE(drawn && drawn->at(0).name == look.moss_map.picture_name());
+  Mask mask;
+  EXPECT_TRUE(load_mask({"moss.png", drawn->at(0).bytes}, mask).empty());
+  return mask;
+}
+
+TEST(Stone, WearsTheMapOfItsMossWhichHasAnArea) {
+  StoneLook look;
+  EXPECT_TRUE(check_stone(look).empty() && stone_dress(look).look.pictures.empty());
+  EXPECT_FALSE(material_of(look, Seed{1}).moss_map);
+  look.moss_map.file = {"moss.png", "abc"};
+  EXPECT_EQ(check_stone(look).front().where, "/stone/moss_map");
+  look.moss_map.area = {Vec2(0), Vec2(1)};
+  EXPECT_TRUE(check_stone(look).empty());
+  look.moss_map.width = 2, look.moss_map.height = 1;
+  look.moss_map.grey = std::make_shared<const std::vector<float>>(std::vector{0.0f, 0.6f});
+  EXPECT_TRUE(material_of(look, Seed{1}).moss_map);
+  Mask again = read_again(look);
+  for (int i = 0; i <= 8; ++i)
+    EXPECT_NEAR(again.at_share(i / 8.0, 0.5), look.moss_map.at_share(i / 8.0, 0.5), 0.003);
+  look.moss_map.grey = std::make_shared<const std::vector<float>>(std::vector{1.0f, 1.0f});
+  EXPECT_TRUE(read_again(look).empty()) << "white all over is as none";
 }
 
 }  // namespace

@@ -39,6 +39,21 @@ TEST(SceneHead, SaysThatThePictureIsRaw) {
   EXPECT_FALSE(read_scene_head("// +FN16; then frond resolve it").fine);
 }
 
+TEST(SceneHead, SaysWhichPartIsDrawnAndHowItIsWritten) {
+  SceneHead head =
+      read_scene_head("// +W96 file.pov +SC33 +EC96 +SR1 +ER64 (of which 37,21,33x30) +UA +FN16\n#version");
+  EXPECT_TRUE(head.alpha);
+  EXPECT_TRUE(head.fine && head.raw);
+  EXPECT_EQ(head.crop, (std::array{37, 21, 33, 30}));
+  EXPECT_EQ(head.part, (std::vector<std::string>{"+SC33", "+EC96", "+SR1", "+ER64"}));
+  head = read_scene_head("// +UA +FN16; then frond develop --highlights 1 --contrast 1 --depth 16\n");
+  EXPECT_TRUE(head.alpha && head.fine && !head.raw);
+  EXPECT_EQ(head.depth, 16);
+  head = read_scene_head("// file.pov +SC33 +EC96 (of which 1,2,3)");
+  EXPECT_EQ(head.crop[2], 0);
+  EXPECT_TRUE(head.part.empty());
+}
+
 TEST(SceneHead, TakesNothingElseForIt) {
   for (const char* odd :
        {"// +FN16; exposure 2 of 8", "// +FN16; then frond develop --highlights x --contrast 1",

@@ -93,6 +93,24 @@ TEST_F(Base, FilesThatItNamesAreSeenFromItsOwnFolder) {
   EXPECT_FALSE(read("lib/house.json", {"/organisms/0/file=hut.obj"}));
 }
 
+TEST_F(Base, APlantMayHaveAGrammarOfAnotherProgram) {
+  put("bush.ls", "3\n25\n20\nA\nA=F[+A]A\n");
+  put("bush.json", R"({"organisms": [{"kind": "plant", "grammar": {"file": "bush.ls", "steps": 2}}]})");
+  Result<Preset> preset = read("bush.json");
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  GrammarText text = (*preset->organisms[0].grower->grammar())->text;
+  EXPECT_EQ(text.axiom, "A");
+  EXPECT_EQ(text.angle, 25);
+  EXPECT_EQ(text.steps, 2);
+  put("bush.ls", "3\n25\n20\nA\nsecret\n");
+  preset = read("bush.json");
+  ASSERT_FALSE(preset);
+  std::string said = preset.errors().front().text();
+  EXPECT_NE(said.find("bush.json:1:"), std::string::npos) << said;
+  EXPECT_NE(said.find("line 5"), std::string::npos) << said;
+  EXPECT_EQ(said.find("secret"), std::string::npos) << said;
+}
+
 TEST_F(Base, MayBeSet) {
   put("a.json", R"({"seed": 5, "organisms": []})");
   put("b.json", R"({"title": "b"})");

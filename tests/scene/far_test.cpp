@@ -10,7 +10,7 @@ namespace frond {
 namespace {
 
 Scene far_scene(const std::string& scene, const std::string& organisms = "") {
-  Result<Preset> preset = read_preset(R"({"film": {"frames": 1, "size": [320, 180]}, "scene": {)" + scene +
+  Result<Preset> preset = read_preset(R"({"film": {"frames": 1, "size": [128, 72]}, "scene": {)" + scene +
                                           R"(}, "organisms": [)" + organisms + "]}",
                                       "test.json", {});
   EXPECT_TRUE(preset) << (preset ? "" : preset.errors()[0].text());
@@ -31,7 +31,7 @@ TEST(FarLandOfScenes, TreesAreCopiesOfTheOrganismsThatAreNamed) {
   Scene scene = far_scene(
       R"("setting": "meadow", "meadow": {"blade": 0}, "far": {"trees": ["oak"], "woods": 0.6})", oak);
   ASSERT_EQ(scene.stands.size(), 1u);
-  EXPECT_GT(scene.stands[0].copies.size(), 20u);
+  EXPECT_GT(scene.stands[0].copies.size(), 10u);
   for (const FarObject& o : scene.far->objects)
     EXPECT_TRUE(o.kind == FarKind::hedge || o.kind == FarKind::house);
   EXPECT_EQ(scene.check(), "");

@@ -43,7 +43,7 @@ TEST(Furnish, RoomsHoldAsManyAsWereAskedForApart) {
   ASSERT_EQ(vases.count, 5 * std::ssize(beds));
   for (std::size_t i = 0; i < vases.place.at.size(); ++i) {
     EXPECT_TRUE(holds(beds[i / 5], vases.place.at[i])) << i;
-    EXPECT_EQ(vases.place.turns[i], beds[i / 5].turn);
+    EXPECT_EQ(vases.place.each[i].turn, beds[i / 5].turn);
     for (std::size_t k = 0; k < i; ++k)
       EXPECT_GE(glm::distance(vases.place.at[k], vases.place.at[i]), 0.399f);
   }
@@ -102,7 +102,7 @@ TEST(Furnish, WallsRunAlongTheirLines) {
   // Others stand in rows, turned as the edges are.
   const Place& pots = preset.organisms[1].place;
   EXPECT_GT(pots.at.size(), 20u);
-  EXPECT_EQ(pots.turns.size(), pots.at.size());
+  EXPECT_EQ(pots.each.size(), pots.at.size());
 }
 
 TEST(Furnish, AnotherSeedIsAnotherPlan) {

@@ -95,7 +95,9 @@ TEST(IdleSettings, SentencesOfNeedsAreUnderstood) {
   int count = 0;
   for (const Topic& topic : topics_of(schema->root)) {
     std::size_t at = topic.sentence.find("Needs ");
-    if (at == std::string::npos || topic.sentence.substr(at) == "Needs a coat") continue;
+    std::string_view said = std::string_view(topic.sentence).substr(std::min(at, topic.sentence.size()));
+    // What is there or not, and no value, is told of by the kinds themselves.
+    if (said.empty() || said == "Needs a coat" || said == "Needs photo") continue;
     std::optional<Need> need = need_of(topic.sentence);
     ASSERT_TRUE(need) << topic.path << ": " << topic.sentence;
     EXPECT_FALSE(need->name.empty() || need->name.find(' ') != std::string::npos) << topic.sentence;

@@ -157,6 +157,22 @@ TEST(Scene, GivesEachCoralAPhaseAndBrightnessOfItsOwn) {
   EXPECT_NE(scene.specimens[0].brightness, scene.specimens[1].brightness);
 }
 
+TEST(Scene, EachMayStandTurnedAndAsLargeAsIsSaid) {
+  auto scene = build_scene(preset_of(R"({"organisms": [{
+    "kind": "plant", "count": 3, "grammar": {"axiom": "F + (90) F"},
+    "place": {"at": [[0, 0], [5, 0], [9, 0]], "each": [{}, {"turn": 90, "size": 2}],
+              "size_variation": 0, "turn_variation": 0, "lean": 0}}]})"));
+  ASSERT_TRUE(scene);
+  auto end = [&](std::size_t i) {
+    const std::vector<Vec3>& nodes = scene->specimens[i].model.skeleton.position;
+    return nodes.back() - nodes.front();
+  };
+  ASSERT_EQ(scene->specimens.size(), 3u);
+  Vec3 turned = glm::angleAxis(static_cast<float>(kPi / 2), Vec3(0, 1, 0)) * end(0);
+  EXPECT_LT(glm::distance(end(1), 2.0f * turned), 1e-4f);
+  EXPECT_LT(glm::distance(end(2), end(0)), 1e-4f) << "those that have none stand as they were";
+}
+
 TEST(Scene, RootsEveryCoral) {
   // Nothing floats: the foot of each coral lies inside a stone or under the floor.
   Scene scene = *build_scene(preset_at("presets/thicket.json"));

@@ -73,6 +73,22 @@ TEST(SceneSnow, FallsAndMeltsWithoutAJump) {
   }
 }
 
+TEST(SceneSnow, FallsFromAnOvercastSkyThatHidesWhatIsFar) {
+  Stage stage;
+  stage.setting = row_of("meadow");
+  stage.snow.depth = 0.1;
+  Daylight clear = drawn_daylight(stage_at(stage, 0));
+  stage.snow.falling = 1;
+  EXPECT_EQ(overcast(stage), 1);
+  EXPECT_FALSE(sun_moves(stage));
+  Daylight dull = drawn_daylight(stage_at(stage, 0));
+  EXPECT_LT(dull.sunlight.g, 0.3f * clear.sunlight.g);
+  EXPECT_LT(dull.fade, 400);
+  stage.snow.falling = Animated<double>({{0, 0}, {1, 2}});
+  EXPECT_TRUE(sun_moves(stage));
+  EXPECT_EQ(drawn_daylight(stage_at(stage, 0)).sunlight, clear.sunlight) << "it has not begun";
+}
+
 TEST(SceneSnow, ThrowsBackTheLightOfTheSky) {
   Stage stage;
   stage.setting = row_of("meadow");

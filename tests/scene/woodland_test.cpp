@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/bounds.h"
+#include "scene/copies.h"
 #include "scene/scene.h"
 #include "scene/stand.h"
 
@@ -19,7 +20,7 @@ const char* const kText = R"({
             "forest": {"terrain": {"size": 100, "hills": 2}}},
   "stand": {"area": [40, 40], "years": 100, "species": [{"name": "birch", "organism": "birch"},
             {"name": "beech", "organism": "beech"}, "spruce"]},
-  "events": [{"year": 60, "storm": 1}],
+  "events": [{"year": 60, "storm": 1}, {"year": 30, "prune": {"entry": "birch", "below": 2}}],
   "organisms": [
     {"kind": "tree", "name": "birch", "count": 0, "sown": {"models": 2}, "coat": {"pattern": "banded"}},
     {"kind": "tree", "name": "beech", "count": 0, "sown": {"models": 3}},
@@ -78,6 +79,34 @@ class Woodland : public testing::Test {
 };
 Scene* Woodland::scene = nullptr;
 StandHistory* Woodland::history = nullptr;
+
+TEST_F(Woodland, PrunedTreesHaveAnotherModel) {
+  auto stand_at = [](const TreeLife& life, double year) {
+    for (std::size_t k = 0; k < scene->stands.size(); ++k) {
+      const Copies& c = scene->stands[k].copies;
+      for (std::size_t i = 0; scene->stands[k].organism.sown->size && i < c.size(); ++i)
+        if (c.foot[i].x == life.x && c.foot[i].z == life.z && c.there(i, at(year)))
+          return static_cast<int>(k);
+    }
+    return -1;
+  };
+  int changed[2]{}, tall[2]{};
+  for (std::uint32_t i : living_at(*history, 30)) {
+    const TreeLife& life = history->lives[i];
+    if (life.species > 1 || life.died < 31 || size_at(*history, i, 30).height < 4) continue;
+    ++tall[life.species], changed[life.species] += stand_at(life, 29.99) != stand_at(life, 30.01);
+  }
+  EXPECT_GT(tall[0], 0);
+  EXPECT_EQ(changed[0], tall[0]);
+  EXPECT_LE(changed[1], tall[1] / 4);
+}
+
+TEST_F(Woodland, ThePictureBrightensAsCrownsClose) {
+  const Animated<double>& closed = *scene->stage.closed;
+  EXPECT_LT(closed.at(at(1)), 0.05);
+  EXPECT_GT(closed.at(at(50)), 0.15);  // the camera stands at the edge
+  EXPECT_LE(closed.at(at(50)), 1.0);
+}
 
 TEST_F(Woodland, DrawsEachLivingTreeOnceAsLargeAsItIs) {
   EXPECT_TRUE(scene->check().empty()) << scene->check();

@@ -73,6 +73,46 @@ setup() {
   run --separate-stderr "$frond" derive algae.l
   [ "$status" -eq 0 ]
   [ "$output" = "ABAAB" ]
+  "$frond" turtle algae.l
+  run --separate-stderr "$frond" info algae.l
+  [ "$output" = "exact: after 3 steps 5 modules, 0 segments, 60 bytes" ]
+  printf 'Lsystem: 1\nderivation length: 9\nAxiom: A(1)\nA(x) : {n = n + 1;} * -->\n\tA(n)\nendlsystem\n' > own.l
+  run --separate-stderr "$frond" derive own.l
+  [ "$output" = "A(9)" ]
+  printf 'Lsystem: 1\nAxiom: FF[+F]{.f.+f}\nA --> A\nendlsystem\n' > lines.l
+  run --separate-stderr "$frond" turtle lines.l
+  python3 -c 'import json, sys; m = json.load(sys.stdin); assert m["segments"] == 3 and m["polygons"] == 1, m' <<<"$output"
+  "$frond" turtle lines.l --svg lines.svg
+  grep -q '<polygon' lines.svg
+  printf 'surface: l none.s\n' > lines.v
+  run "$frond" turtle lines.l
+  [ "$status" -eq 2 ]
+  [[ "$output" == *'lines.v: line 1: there is no file "none.s" in the model'* ]]
+}
+
+@test "a model of cpfg becomes a preset" {
+  printf 'Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> F[+F]/A\nendlsystem\n' > twig.l
+  mkdir presets
+  "$frond" import twig.l -o presets/twig.json
+  "$frond" check presets/twig.json
+  "$frond" generate presets/twig.json -o out -q --size 16x16
+  grep -q sphere_sweep out/frames/frame_0001.pov
+  printf 'Lsystem: 1\nAxiom: A\nA --> A\nendlsystem\n' > nothing.l
+  run "$frond" import nothing.l
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"nothing.l: its turtle draws nothing"* ]]
+  printf 'no grammar' > wrong.l
+  preset='{"organisms": [{"kind": "plant", "grammar": {"file": "%s"%s}}]}'
+  # shellcheck disable=SC2059
+  printf "$preset" wrong.l "" > wrong.json
+  run "$frond" check wrong.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"wrong.json:1:"*": /organisms/0/grammar/file: "*"cannot be read; "* ]]
+  # shellcheck disable=SC2059
+  printf "$preset" twig.l ', "angle": 30' > more.json
+  run "$frond" check more.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"/organisms/0/grammar: a model of cpfg has all else in its own files"* ]]
 }
 
 @test "a picture is developed as the first line of its scene says" {
@@ -424,7 +464,7 @@ XML
 @test "an unknown command is told with those there are and the nearest" {
   run "$frond" genrate x.json
   [ "$status" -eq 2 ]
-  [[ "$output" == 'genrate: no such command; expected one of new, describe, look, render, sheet, generate, resolve, passes, export, '*'; did you mean "generate"?' ]]
+  [[ "$output" == 'genrate: no such command; expected one of new, describe, look, render, sheet, generate, resolve, passes, draw, export, '*'; did you mean "generate"?' ]]
   run "$frond" preview
   [ "$status" -eq 2 ]
   [[ "$output" == 'preview: no such command; expected one of new, describe, look, render, sheet, generate, '* ]]

@@ -29,7 +29,7 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   sha256sum -c before
   run "$RENDER" film.json --format avi
   [ "$status" -eq 2 ]
-  [[ $output == *"--format needs mp4, webm or gif, not 'avi'"* ]]
+  [[ $output == *"--format needs mp4, webm, gif or mov, not 'avi'"* ]]
 }
 
 @test "no film of other frames is left beside the new one" {

@@ -71,7 +71,7 @@ fake() {
   python3 - <<'PY'
 import pathlib, re, sys
 packages = pathlib.Path("scripts/setup.sh").read_text()
-there = sys.stdlib_module_names | {"bpy", "mathutils", "frond"}  # of Blender itself, and our own
+there = sys.stdlib_module_names | {"bpy", "addon_utils", "mathutils", "frond", "frond_blender"}  # of Blender itself, and our own
 for file in [*pathlib.Path("tests").rglob("*.py"), *pathlib.Path("scripts").glob("*.py")]:
     for name in re.findall(r"^\s*(?:import (?=\w+$)|from (?=[\w.]+ import ))(\w+)", file.read_text(), re.M):
         if name not in there and f"python3-{name} " not in packages:

@@ -34,6 +34,22 @@ TEST(ForestFloor, is_less_green_on_slopes_and_not_on_the_path) {
   EXPECT_LT(green_share(trodden, 0.5), 0.02);
 }
 
+TEST(ForestFloor, is_green_as_far_as_a_map_lets_it) {
+  ForestLand land = level_land();
+  auto mossy = [&](Vec2 at) { return mossiness(land, 0.6, at, Seed{3}); };
+  std::vector<double> before;
+  for (int i = 0; i < 200; ++i) before.push_back(mossy(Vec2(0.37f * static_cast<float>(i), 1)));
+  for (double share : {1.0, 0.5, 0.0}) {
+    land.moss = [share](Vec2) { return share; };
+    for (int i = 0; i < 200; ++i) {
+      double now = mossy(Vec2(0.37f * static_cast<float>(i), 1)), was = before[static_cast<std::size_t>(i)];
+      EXPECT_LE(now, was);
+      EXPECT_TRUE(share < 1 || now == was);
+      EXPECT_TRUE(share > 0 || now == 0);
+    }
+  }
+}
+
 TEST(ForestFloor, tells_its_texture_where_the_path_is) {
   Surface floor;
   floor.position = {Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(0, 0, 90)};
@@ -79,6 +95,21 @@ TEST(ForestFloor, has_few_leaves_on_the_path) {
   };
   EXPECT_LT(3 * triangles(true), triangles(false));
   for (const Patch& cushion : cover.moss_patches) EXPECT_GT(std::abs(cushion.at.x), 0.9);
+}
+
+TEST(ForestFloor, TheMiddleOfAMountainsPathLiesBetweenItsSides) {
+  Surface floor;
+  for (float z : {-30.0f, -6.0f, 6.0f, 30.0f})
+    for (float x : {-90.0f, 0.0f, 90.0f}) floor.position.emplace_back(x, 0, z);
+  ForestLand land{[](Vec2) { return 50.0; }, [](Vec2) { return 1e6; }};
+  mark_mountain(floor, land, {.trees = 500}, {{-40, 0}, {0, 0}, {40, 0}}, 4);
+  // Also behind its ends, and the farther off the larger.
+  for (std::size_t i = 0; i < floor.uv.size(); ++i) {
+    float z = floor.position[i].z;
+    EXPECT_FLOAT_EQ(std::abs(floor.uv[i].x), std::abs(z) > 20 ? 9 : 3) << i;
+    EXPECT_EQ(floor.uv[i].x > 0, (floor.uv[0].x > 0) == (z < 0)) << i;
+    EXPECT_EQ(floor.uv[i].y, 0) << "below the tree line";
+  }
 }
 
 }  // namespace

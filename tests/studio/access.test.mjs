@@ -33,7 +33,7 @@ for (const colorScheme of ['light', 'dark']) {
     const page = await visit(browser, studio.address, {colorScheme});
     await shown(page);
     await accessible(page, 'editor');
-    for (const tab of ['problems', 'grammar', 'text', 'renders']) {
+    for (const tab of ['problems', 'grammar', 'text', 'film', 'renders']) {
       await page.getByTestId(`tab:${tab}`).click();
       await accessible(page, tab);
     }

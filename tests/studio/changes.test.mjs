@@ -46,15 +46,24 @@ test('what stands by itself is shown at once, as it is', async () => {
   await page.locator('[data-testid="row:organism/height"] input[type=range]').press('ArrowRight');
   await page.waitForFunction(() => window.pictures.length > 0);
   await shown(page);
-  assert.deepEqual(await page.evaluate(() => window.pictures), [{missing: [], drawn: [-1, 0, 1], specimens: 2}]);
+  // Where it takes longer than a fifth of a second it is drawn roughly first: two pictures then, neither with a gap.
+  for (const picture of await page.evaluate(() => window.pictures)) assert.deepEqual(picture, {missing: [], drawn: [-1, 0, 1], specimens: 2});
   assert.deepEqual(page.faults, []);
 });
 
 test('growing is stopped, and goes on when it is told to', async () => {
-  const rocks = Array.from({length: 8}, (_, i) => `{"kind": "rock", "size": 0.5, "depth": 8, "place": {"at": [[${i - 4}, 0]], "rock": 0}}`);
+  const rocks = Array.from({length: 16}, (_, i) => `{"kind": "rock", "size": 0.5, "depth": 8, "place": {"at": [[${i - 8}, 0]], "rock": 0}}`);
   const studio = await start(preset('rocks.json', `{"film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [${rocks}]}`));
   const other = await visitIn(page.context(), studio.address);
-  await other.getByTestId('stop-growing').click();
+  // From within the page: on a slow machine all has grown before a click from without comes through.
+  await other.evaluate(() => new Promise(done => {
+    const look = setInterval(() => {
+      if (document.querySelector('[data-testid=growing]')?.hidden !== false) return;
+      clearInterval(look);
+      document.querySelector('[data-testid=stop-growing]').click();
+      done();
+    }, 10);
+  }));
   await other.getByTestId('grow-on').waitFor();
   const grown = () => other.evaluate(() => window.frond.view.header?.missing.length === 0);
   assert.equal(await grown(), false);

@@ -117,7 +117,7 @@ TEST_F(DocumentsTest, ManyMayBeSavedAtOnce) {
     threads.emplace_back([&, i] {
       Json saved;
       EXPECT_FALSE(documents().save("b.json", doc("[" + std::to_string(i) + "]"), "", true, saved));
-      EXPECT_FALSE(documents().add_mesh("stone.obj", "v 0 0 " + std::to_string(i), saved));
+      EXPECT_FALSE(documents().add_file("stone.obj", ".obj", "v 0 0 " + std::to_string(i), saved));
     });
   for (std::thread& thread : threads) thread.join();
   std::set<std::string> stones;
@@ -168,12 +168,12 @@ TEST_F(DocumentsTest, MostShippedPresetsHaveAPictureInTheGallery) {
 TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {
   Documents d = documents();
   Json saved;
-  EXPECT_FALSE(d.add_mesh("../../my rock!.obj", "v 0 0 0", saved));
+  EXPECT_FALSE(d.add_file("../../my rock!.obj", ".obj", "v 0 0 0", saved));
   EXPECT_EQ(saved["file"], "my_rock_.obj");
   EXPECT_TRUE(fs::exists(folder_ / "own/my_rock_.obj"));
-  EXPECT_FALSE(d.add_mesh("my rock!.obj", "v 0 0 0", saved));  // the same once
+  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 0 0 0", saved));  // the same once
   EXPECT_EQ(saved["file"], "my_rock_.obj");
-  EXPECT_FALSE(d.add_mesh("my rock!.obj", "v 1 0 0", saved));
+  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 1 0 0", saved));
   EXPECT_EQ(saved["file"], "my_rock_-2.obj");
 }
 

@@ -67,6 +67,19 @@ test('numbers are reckoned, and what is none stays and is told of', async () => 
   assert.equal(await row.locator('p.fault').textContent(), '');
 });
 
+test('a number is changed by a drag to the side in its box, as one step to undo', async () => {
+  const box = number(page, 'height');
+  const {x, y, width, height} = await box.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 + 31, y + height / 2, {steps: 10});
+  await page.mouse.up();
+  assert.equal(await box.inputValue(), '1.5');
+  await page.getByTestId('undo').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="row:organism/height"] input.number').value === '1');
+  assert.ok(await page.getByTestId('undo').isDisabled());
+});
+
 test('the scene shows the groups of its setting alone', async () => {
   await page.getByTestId('part:scene').click();
   await page.getByTestId('group:scene/studio').waitFor();

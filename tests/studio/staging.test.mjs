@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
-import {browse, changed, parts, pixelOf, preset, scratch, shown, start, visit} from './studio.mjs';
+import {browse, changed, drag, parts, pixelOf, preset, scratch, shown, start, visit} from './studio.mjs';
 
 const TEXT = `{
   "film": {"frames": 48, "fps": 24, "size": [320, 240]},
@@ -28,13 +28,6 @@ const now = async () => JSON.parse(await text());
 
 const pixel = at => pixelOf(page, at);
 
-async function drag(from, to) {
-  await page.mouse.move(...from);
-  await page.mouse.down();
-  for (const share of [0.3, 0.7, 1]) await page.mouse.move(...from.map((x, i) => x + share * (to[i] - x)), {steps: 2});
-  await page.mouse.up();
-}
-
 const near = (is, should, within) =>
   is.forEach((x, i) => assert.ok(Math.abs(x - should[i]) < within, `${JSON.stringify(is)} lies not near ${JSON.stringify(should)}`));
 
@@ -45,7 +38,7 @@ test('a planting is dragged over the ground', async () => {
   // By the dot at its foot.
   const grip = await pixel(await page.evaluate(() => window.frond.view.header.specimens[1].foot));
   const foot = await pixel([0.5, 0, 0]), goal = await pixel([0.2, 0, 0.6]);
-  await drag(grip, grip.map((x, i) => x + goal[i] - foot[i]));
+  await drag(page, grip, grip.map((x, i) => x + goal[i] - foot[i]));
   await changed(page, was);
   const {place} = (await now()).organisms[0];
   assert.deepEqual(place.at[0], [-0.5, 0.2]);
@@ -57,7 +50,7 @@ test('a planting is dragged over the ground', async () => {
 
 test('a key of the food is dragged, the others stay', async () => {
   const key = [0.9, 0.9, 0.2], from = await pixel(key);
-  await drag(from, [from[0] - 40, from[1] + 30]);
+  await drag(page, from, [from[0] - 40, from[1] + 30]);
   const {position} = (await now()).organisms[0].food;
   assert.deepEqual(position[0], [0, [-0.4, 0.8, 0.5]]);
   assert.ok(Math.hypot(...position[1][1].map((x, i) => x - key[i])) > 0.05);
@@ -76,7 +69,7 @@ test("the camera's way has keys once the scene is chosen", async () => {
     return view.drawn();
   });
   const from = await pixel([1, 1.2, 3]);
-  await drag(from, [from[0] + 25, from[1] - 20]);
+  await drag(page, from, [from[0] + 25, from[1] - 20]);
   const {location} = (await now()).scene.camera;
   assert.deepEqual(location[0], [0, [0, 1.2, 3]]);
   near(await pixel(location[1][1]), [from[0] + 25, from[1] - 20], 2);

@@ -135,3 +135,11 @@ export const pixelOf = (page, at) =>
     const box = view.canvas.getBoundingClientRect();
     return [box.left + left, box.top + top];
   }, at);
+
+/** Drags the mouse through places of a page's window. */
+export async function drag(page, first, ...others) {
+  await page.mouse.move(...first);
+  await page.mouse.down();
+  for (const at of others) await page.mouse.move(...at, {steps: 8});
+  await page.mouse.up();
+}

@@ -1,5 +1,6 @@
 #include "core/parallel.h"
 #include "geometry/obj.h"
+#include "images/raster.h"
 
 // What the engine uses of other modules, as it is in a browser: one thread and no files.
 
@@ -17,5 +18,7 @@ int thread_count() { return 1; }
 Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
   return Error{name, "no files are read here"};
 }
+
+Result<Raster> read_png(std::string_view) { return Error{"", "no files are read here"}; }
 
 }  // namespace frond

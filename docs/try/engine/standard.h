@@ -89,6 +89,10 @@ template <class Range, class Value>
 auto upper_bound(Range&& range, const Value& value) {
   return std::upper_bound(begin(range), end(range), value);
 }
+template <class Range, class Value>
+bool binary_search(Range&& range, const Value& value) {
+  return std::binary_search(begin(range), end(range), value);
+}
 template <class Range, class Out>
 auto move(Range&& range, Out to) {
   return std::move(begin(range), end(range), to);
@@ -96,6 +100,26 @@ auto move(Range&& range, Out to) {
 template <class Range>
 auto max(const Range& range) {
   return *std::max_element(begin(range), end(range));
+}
+template <class Range>
+void sort(Range&& range) {
+  std::sort(begin(range), end(range));
+}
+template <class Range>
+void reverse(Range&& range) {
+  std::reverse(begin(range), end(range));
+}
+template <class Range, class Order = std::less<>, class Projection = identity>
+auto min_element(Range&& range, Order order = {}, Projection projection = {}) {
+  return std::min_element(begin(range), end(range), [&](const auto& a, const auto& b) {
+    return order(invoke(projection, a), invoke(projection, b));
+  });
+}
+template <class Range, class Order = std::less<>, class Projection = identity>
+auto max_element(Range&& range, Order order = {}, Projection projection = {}) {
+  return std::max_element(begin(range), end(range), [&](const auto& a, const auto& b) {
+    return order(invoke(projection, a), invoke(projection, b));
+  });
 }
 template <class Range, class Order = std::less<>, class Projection>
 void stable_sort(Range&& range, Order, Projection projection) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "organisms/ivy/ivy_rest.h"
 
@@ -16,6 +17,40 @@ std::vector<Start> starts_at_own_foot(const IvyParams& params, const Support& un
   DVec3 middle = 0.5 * (host.low() + host.high());
   double buried = under.ground ? std::max(under.ground(middle.x, middle.z) - host.low().y, 0.0) : 0;
   return starts_at_foot(host, count, buried + params.above, params.facing, seed.child("foot"));
+}
+
+/// Where a mask stops strands none begins: others begin all over what it leaves instead, far from each other
+/// (Mitchell 1991, by the best of some candidates).
+void move_into_mask(std::vector<Start>& starts, const IvyParams& params, const Host& host, Seed seed) {
+  const CrawlMask& mask = *params.crawl.mask;
+  auto barred = [&](const Start& start) {
+    std::optional<Contact> near = host.closest(start.place);
+    return !near || mask.at(host, near->triangle, near->point) < mask.stops;
+  };
+  auto averted = [&](const Start& start) {
+    DVec3 facing(params.facing);
+    if (glm::length(facing) <= 0) return false;
+    std::optional<Contact> near = host.closest(start.place);
+    return !near || glm::dot(host.face_normal(near->triangle), glm::normalize(facing)) < 0.5;
+  };
+  std::size_t wanted = starts.size();
+  std::erase_if(starts, barred);
+  if (starts.size() == wanted) return;
+  constexpr int kTries = 64;  // for each, so that they are found where little is left
+  std::vector<Start> spread = starts_around(host, kTries * static_cast<int>(wanted),
+                                            Vec3((host.low() + host.high()) / 2.0), host.size(), seed);
+  std::erase_if(spread, [&](const Start& start) { return barred(start) || averted(start); });
+  std::size_t group = std::clamp<std::size_t>(spread.size() / (wanted - starts.size()), 1, 12), next = 0;
+  for (; starts.size() < wanted && next + group <= spread.size(); next += group) {
+    auto room = [&](const Start& start) {
+      double least = 1e9;
+      for (const Start& other : starts) least = std::min(least, glm::distance(start.place, other.place));
+      return least;
+    };
+    auto first = spread.begin() + static_cast<std::ptrdiff_t>(next);
+    starts.push_back(*std::max_element(first, first + static_cast<std::ptrdiff_t>(group),
+                                       [&](const Start& a, const Start& b) { return room(a) < room(b); }));
+  }
 }
 
 /// Where the plants stand on the host.
@@ -35,6 +70,8 @@ std::vector<Start> starts_of(const IvyParams& params, const Support& under, cons
   if (others.empty() && roots.empty())
     others =
         starts_around(host, more, Vec3((host.low() + host.high()) / 2.0), host.size(), seed.child("around"));
+  if (params.crawl.mask && params.crawl.mask->stops > 0)
+    move_into_mask(others, params, host, seed.child("mask"));
   starts.insert(starts.end(), others.begin(), others.end());
   return starts;
 }
@@ -72,6 +109,8 @@ Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& 
   std::vector<Start> starts = starts_of(params, under, roots, count, seed);
   Ivy ivy;
   ivy.strands = grow_strands(host, starts, params.crawl, seed.child("crawl"), ground);
+  bool masked = params.crawl.mask && params.crawl.mask->stops > 0;
+  if (ivy.strands.size() < 2 && masked && starts.size() == roots.size()) return Ivy{};
   if (ivy.strands.size() < 2) return rootless(params.crawl, host);
   if (!params.crawl.trace) {
     ivy.model.prototypes = walker_prototypes(params.walkers);

@@ -67,7 +67,8 @@ struct Ivy {
 };
 
 /// Grows over a host: `count` plants, the first ones from the points of the host nearest to `roots`, the
-/// others from the beginnings of guides or, without any, from its foot. No part is below the ground. Where
+/// others from the beginnings of guides or, without any, from its foot, and from all over what a mask leaves
+/// where it stops them there; none where it stops them everywhere. No part is below the ground. Where
 /// `crawl` leaves no trace, the strands are the paths of walkers, which begin all over the host, and the
 /// model holds these at the end of their paths.
 Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,

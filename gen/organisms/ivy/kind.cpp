@@ -9,9 +9,10 @@
 #include "core/parallel.h"
 #include "dress/describe.h"
 #include "geometry/obj.h"
-#include "images/raster.h"
+#include "images/describe_mask.h"
 #include "organisms/ivy/ivy.h"
 #include "organisms/kinds.h"
+#include "preset/describe_spline.h"
 
 namespace frond {
 
@@ -40,12 +41,17 @@ Errors load_curves(const NamedFile& file, std::vector<std::vector<DVec3>>& curve
 
 template <class Visitor>
 void describe(Visitor& v, CrawlGuide& g) {
-  v.list("points", g.points, "Points of one curve, in metres in the world, on the host or near it");
+  v.list(
+      "points", g.points,
+      "Points of one curve, in metres in the world, on the host or near it: places, or objects with handles");
+  v.boolean("curve", g.curve, "Whether the curve is smooth at points without handles, too");
   v.file(
       "file", g.file, [&](const NamedFile& file) { return load_curves(file, g.filed); },
       "A Wavefront OBJ file with lines (`l`), each row of them one curve, in place of points");
   v.number("width", g.width, {.min = 0.005, .max = 100, .unit = "m"},
            "Distance from the curve within which strands keep");
+  v.number("pull", g.pull, {.min = 0, .max = 1},
+           "How strongly strands are led along the curve; those that leave its width end there");
 }
 
 /// Where strands end: nothing of it is written where there is no limit.
@@ -68,27 +74,14 @@ void describe_limits(Visitor& v, Crawl& c) {
   if (high) c.high = *high;
 }
 
-/// The grey of a picture.
-Errors load_mask(const NamedFile& file, CrawlMask& mask) {
-  Result<Raster> picture = read_png(file.text);
-  if (!picture) return {{file.path.string(), picture.errors().front().what + "; expected a PNG file"}};
-  mask.width = picture->width;
-  mask.height = picture->height;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) {
-      auto of = [&](int c) { return picture->at(x, y, picture->channels < 3 ? 0 : c); };
-      mask.grey.push_back(
-          static_cast<std::uint8_t>(std::lround(0.2126 * of(0) + 0.7152 * of(1) + 0.0722 * of(2))));
-    }
-  return {};
-}
-
 template <class Visitor>
 void describe(Visitor& v, CrawlMask& m) {
   v.file(
-      "file", m.file, [&](const NamedFile& file) { return load_mask(file, m); },
-      "A PNG file, laid on by the texture coordinates of a mesh (`vt`) or over the face of a wall; its grey "
-      "counts. Without it, the grey of a mesh's vertex colours (`v x y z r g b`)");
+      "file", m.picture.file, [&](const NamedFile& file) { return load_mask(file, m.picture); },
+      "A PNG file, laid on by the texture coordinates of a mesh (`vt`) or over the face of a wall unless "
+      "along is given; its brightness counts. Without it, the grey of a mesh's vertex colours (`v x y z r g "
+      "b`)");
+  describe_projection(v, m.picture);
   v.list("scales", m.scales, Count{0, 3},
          "What it scales, from nothing in black to all in white: bias, spacing, leaves");
   v.number("stops", m.stops, {.min = 0, .max = 1},
@@ -244,6 +237,8 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     for (std::size_t i = 0; i < crawl.guides.size(); ++i)
       if (crawl.guides[i].curves().empty() && crawl.guides[i].file.empty())
         return {{fmt::format("/crawl/guides/{}", i), "expected at least two points, or a file of lines"}};
+    if (crawl.mask && crawl.mask->picture.along && crawl.mask->picture.file.empty())
+      return {{"/crawl/mask/along", "has no picture to project; expected a file beside it"}};
     if (crawl.mask)
       for (std::size_t i = 0; i < crawl.mask->scales.size(); ++i)
         if (std::ranges::find(kMaskScales, crawl.mask->scales[i]) == std::end(kMaskScales))
@@ -343,14 +338,15 @@ class IvyGrower final : public Described<IvyParams, Grower> {
 
   Errors mask_faults(const Host& host) const {
     const std::optional<CrawlMask>& mask = params.crawl.mask;
-    if (!mask || (mask->file.empty() ? host.has_grey() : host.has_texture())) return {};
-    if (mask->file.empty())
+    bool pictured = mask && !mask->picture.file.empty();
+    if (!mask || (pictured ? mask->picture.along || host.has_texture() : host.has_grey())) return {};
+    if (!pictured)
       return {{"/crawl/mask",
                "what the ivy grows on has no vertex colours; expected a mesh whose OBJ file has "
                "them at all vertices (`v x y z r g b`), or a file here"}};
     return {{"/crawl/mask/file",
-             "what the ivy grows on has no texture coordinates; expected a wall, or a mesh "
-             "whose OBJ file has them (`vt`)"}};
+             "what the ivy grows on has no texture coordinates; expected a wall, a mesh whose OBJ file has "
+             "them (`vt`), or along and area"}};
   }
 
   /// Has walkers move along their paths in a film, as long as its growth or, without one, all the time.

@@ -94,7 +94,11 @@ namespace {
 
 class PebblesGrower final : public Described<PebblesParams, BodyBuilder> {
  public:
-  Errors check() const override { return check_pebbles(params); }
+  Errors check() const override {
+    Errors faults = check_pebbles(params);
+    return faults.empty() ? check_stone(params.stone) : faults;
+  }
+  Dress dress() const override { return stone_dress(params.stone); }
   bool stands_on_rock() const override { return false; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate field;

@@ -10,6 +10,7 @@
 #include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"
+#include "organisms/plant/cpfg_plant.h"
 #include "organisms/plant/organ_prototypes.h"
 #include "organisms/plant/plant.h"
 
@@ -105,8 +106,22 @@ void describe(Visitor& v, OrganParams& o) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, PlantGrammar& g) {
+  describe_grammar(
+      v, g,
+      [&](const NamedFile& file) {
+        return file.path.extension() == ".l" ? load_cpfg(file, g) : load_grammar(file, g);
+      },
+      "A grammar of LParser (.ls) or Houdini (.txt), named as seen from this file's folder, where what else "
+      "is "
+      "given here counts in place of what stands there; or a model of cpfg (.l), which takes only steps and "
+      "limits from here");
+}
+
+template <class Visitor>
 void describe(Visitor& v, PlantParams& p) {
   v.object("grammar", p.grammar, "The rules that it grows by");
+  if constexpr (std::is_same_v<Visitor, Reader>) take_colors(p);
   v.required("grammar");
   v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
            "Height that the whole is scaled to; 0 leaves it as the turtle draws it");
@@ -124,6 +139,7 @@ void describe(Visitor& v, PlantParams& p) {
   v.boolean("by_steps", p.by_steps,
             "Whether growth runs through the derivation steps instead of along the finished branches");
   if (asks(p.grammar)) v.aspect(Aspect::shape, "food", "growth");
+  if constexpr (std::is_same_v<Visitor, Reader>) take_surfaces(p);
 }
 
 namespace {
@@ -173,6 +189,7 @@ Result<SizeEstimate> word_size(const PlantParams& params, Seed seed) {
 class PlantGrower final : public Described<PlantParams, LoneGrower> {
  public:
   Errors check() const override {
+    if (params.grammar.cpfg) return cpfg_faults(params);
     Result<Grammar> grammar = plant_grammar(params);
     if (!grammar) return pointed(params.grammar, grammar.errors());
     for (std::size_t i = 0; i < params.organs.size(); ++i) {
@@ -200,15 +217,18 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
   /// What asks grows among what stands.
   GrowthStage stage() const override { return asks() ? GrowthStage::in_space : GrowthStage::free; }
   Errors doubts() const override {
+    if (params.grammar.cpfg) return {};
     Result<Grammar> grammar = plant_grammar(params);
     return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
   }
   Result<SizeEstimate> estimate_size(Seed seed) const override {
+    if (params.grammar.cpfg) return cpfg_size(params);
     Result<SizeEstimate> plant = word_size(params, seed);
     if (plant) count_organs(params, seed, *plant);
     return plant;
   }
   std::shared_ptr<const Grower> coarse(double share) const override {
+    if (params.grammar.cpfg) return nullptr;
     constexpr auto steps = [](PlantParams& p) -> int& { return p.grammar.steps; };
     return fewer_steps<PlantGrower, PlantParams>(*this, share, steps, word_size);
   }
@@ -226,7 +246,10 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     return dress;
   }
   bool develops(bool) const override { return params.by_steps || params.season; }
-  std::optional<Result<Grammar>> grammar() const override { return plant_grammar(params); }
+  std::optional<Result<Grammar>> grammar() const override {
+    if (params.grammar.cpfg) return std::nullopt;
+    return plant_grammar(params);
+  }
   Result<Model> grow_alone(Seed seed) const override { return grow_plant(params, seed); }
   Result<Model> grow_standing(const World& world, const Planting& planting, const Placement& placement,
                               Seed seed) const override {

@@ -7,6 +7,7 @@
 #include "geometry/smooth.h"
 #include "grammar/figure.h"
 #include "grammar/review.h"
+#include "organisms/plant/cpfg_plant.h"
 #include "organisms/plant/organ_prototypes.h"
 
 namespace frond {
@@ -30,23 +31,28 @@ struct Stature {
   float start_radius = 0;
 };
 
-Stature stature_of(const Figure& f, const PlantParams& params) {
-  Bounds box = box_of(f);
+Stature stature_of(const DrawnPlant& plant, const PlantParams& params) {
+  const Bounds& box = plant.box;
   float high = params.stand == Stand::turtle ? box.high.y : box.size().y;
   float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
   Vec3 foot = params.stand == Stand::turtle ? Vec3(0) : box.foot();
-  const Skeleton& s = f.skeleton;
+  const Skeleton& s = plant.figure.skeleton;
   float start = s.size() > 0 ? s.radius[0] : static_cast<float>(params.grammar.width / 2);
   return {factor, foot, s.longest(), std::max(start * factor, 1e-6f)};
 }
 
-void fit(Figure& f, const Stature& stature) {
+void fit(DrawnPlant& plant, const Stature& stature) {
+  Figure& f = plant.figure;
   auto move = [&](Vec3& p) { p = (p - stature.foot) * stature.factor; };
   for (Vec3& p : f.skeleton.position) move(p);
   for (float& radius : f.skeleton.radius) radius *= stature.factor;
   for (Outline& o : f.outlines)
     for (Vec3& p : o.points) move(p);
   for (Site& s : f.sites) move(s.position);
+  for (DrawnSkin& skin : plant.skins) {
+    for (Vec3& p : skin.surface.position) move(p);
+    move(skin.foot);
+  }
 }
 
 /// Colours of the smoothed nodes, from those of the nodes as they were drawn: those of a segment are that of
@@ -92,6 +98,21 @@ void add_blades(Model& model, const std::vector<Outline>& outlines) {
   }
 }
 
+/// The skins of generalized cylinders as blades.
+void add_skins(Model& model, const std::vector<DrawnSkin>& skins) {
+  Blades& b = model.blades;
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    const DrawnSkin& skin = skins[i];
+    append(b.surface, skin.surface);
+    b.first.push_back(static_cast<std::uint32_t>(b.surface.position.size()));
+    b.node.push_back(skin.node);
+    b.birth.push_back(birth_at(model.skeleton, skin.node, i, skins.size()));
+    b.color.push_back(skin.color);
+    b.id.push_back(static_cast<std::uint32_t>(b.id.size()));
+    b.foot.push_back(skin.foot);
+  }
+}
+
 std::string missing_organ(const std::string& name) {
   return "the grammar places an organ \"" + name + "\"; organs has none with that symbol";
 }
@@ -115,6 +136,7 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
       scale *= factor;
     } else {
       const OrganParams& organ = params.organs[static_cast<std::size_t>(kinds.organ)];
+      if (organ.with_plant) scale *= factor;
       scale *= static_cast<float>(organ.size * (1 + organ.size_variation * own.child(0).range(-1, 1)));
       double most = organ.turn_variation;
       turn = turn * glm::angleAxis(static_cast<float>(most * own.child(1).range(-1, 1)), Vec3(1, 0, 0)) *
@@ -168,31 +190,47 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
   return grammar;
 }
 
-Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, const Environment& environment) {
+namespace {
+
+/// What a plant's grammar draws at a share of its steps.
+Result<DrawnPlant> drawn_plant(const PlantParams& params, Seed seed, double share,
+                               const Environment& environment) {
+  if (params.grammar.cpfg) return draw_cpfg(params, share);
   Result<Grammar> grammar = plant_grammar(params);
   if (!grammar) return grammar.errors();
   grammar->environment = environment;
   const GrammarText& text = grammar->text;
-  auto after = [&](double steps) {
-    return figure_of(*grammar, steps, seed.child("derive"), text.limits, text.organs, params.by_steps);
-  };
-  Result<Figure> figure = after(text.steps);
+  Result<Figure> figure = figure_of(*grammar, text.steps * share, seed.child("derive"), text.limits,
+                                    text.organs, params.by_steps);
   if (!figure) return placed(figure.errors(), text);
-  if (figure->skeleton.size() == 0 && figure->sites.empty() && figure->outlines.empty())
-    return Error{text.where, "the grammar draws nothing: its turtle meets no F, no outline and no organ"};
+  Bounds box = box_of(*figure);
+  return DrawnPlant{std::move(*figure), {}, box};
+}
 
-  Stature stature = stature_of(*figure, params);
+}  // namespace
+
+Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, const Environment& environment) {
+  Result<DrawnPlant> plant = drawn_plant(params, seed, 1, environment);
+  if (!plant) return plant.errors();
+  Figure* figure = &plant->figure;
+  const std::string& where = params.grammar.where;
+  if (figure->skeleton.size() == 0 && figure->sites.empty() && figure->outlines.empty() &&
+      plant->skins.empty())
+    return Error{where, "the grammar draws nothing: its turtle meets no F, no outline and no organ"};
+
+  Stature stature = stature_of(*plant, params);
   Girth girth = params.thickness;
   if (share < 1) {
-    figure = after(text.steps * share);
-    if (!figure) return placed(figure.errors(), text);
+    plant = drawn_plant(params, seed, share, environment);
+    if (!plant) return plant.errors();
+    figure = &plant->figure;
     // What is still short is thin.
     if (girth.from != GirthFrom::turtle && stature.longest > 0)
       girth.radius = (girth.radius > 0 ? girth.radius : stature.start_radius) *
                      std::min(1.0f, figure->skeleton.longest() / stature.longest);
   }
-  fit(*figure, stature);
-  if (Errors errors = check_places(*figure); !errors.empty()) return placed(errors, text);
+  fit(*plant, stature);
+  if (Errors errors = check_places(*figure); !errors.empty()) return placed(errors, params.grammar);
   Model model;
   {
     std::vector<std::int32_t> order = order_branches(figure->skeleton);
@@ -203,6 +241,7 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, con
     };
     for (Outline& outline : figure->outlines) moved(outline.node);
     for (Site& site : figure->sites) moved(site.node);
+    for (DrawnSkin& skin : plant->skins) moved(skin.node);
     model.color = smoothed_colors(figure->color, order, index);
   }
   // Large plants fill the memory: nothing is kept that is not needed any more.
@@ -215,11 +254,12 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, con
   set_births(model.skeleton);
   set_girth(model.skeleton, girth, stature.start_radius, params.by_steps);
   add_blades(model, figure->outlines);
+  add_skins(model, plant->skins);
   std::vector<Outline>().swap(figure->outlines);
   model.prototypes = organ_prototypes(params);
   if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ"));
       !errors.empty())
-    return placed(errors, text);
+    return placed(errors, params.grammar);
   return model;
 }
 

@@ -4,6 +4,7 @@
 #include "core/curve.h"
 #include "core/result.h"
 #include "core/seed.h"
+#include "cpfg/cpfg.h"
 #include "dress/dress.h"
 #include "geometry/girth.h"
 #include "grammar/grammar.h"
@@ -43,7 +44,8 @@ struct OrganParams {
   std::optional<LeafLook> picture;        ///< of the shape `picture`, except its size and variations
   std::optional<GrammarText> grammar;     ///< what draws the shape `grammar`
   std::optional<Luster> luster;
-  double dew = 0;  ///< drops per square centimetre
+  double dew = 0;           ///< drops per square centimetre
+  bool with_plant = false;  ///< a surface of a model of cpfg: its size goes with the plant's height
 };
 
 /// The origin of a plant.
@@ -52,9 +54,15 @@ enum class Stand {
   middle   ///< below the middle of its box, the lowest point on the ground
 };
 
+/// The rules that a plant grows by: ours, or a model of cpfg, of which only file, steps and limits count
+/// here.
+struct PlantGrammar : GrammarText {
+  std::shared_ptr<const CpfgModel> cpfg;
+};
+
 /// Anything drawn by an L-system: herbs, trees, curves.
 struct PlantParams {
-  GrammarText grammar;
+  PlantGrammar grammar;
   double height = 0;  ///< metres; the whole is scaled to this height; 0: not scaled
   Stand stand = Stand::turtle;
   int smoothing = 3;  ///< nodes per segment; 1 keeps corners

@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "dress/picture_bounds.h"
 #include "grove/age.h"
+#include "grove/edit_tree.h"
 #include "organisms/kinds.h"
 #include "organisms/tree/describe.h"
 #include "organisms/tree/topple.h"
@@ -105,6 +106,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     dress.variation = params.bark.variation;
     return dress;
   }
+  bool lives_years() const override { return true; }
   bool develops(bool filmed) const override {
     return params.season || (params.growth.duration > 0 && filmed);
   }
@@ -128,11 +130,12 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     for (const Bed& bed : beds) {
       const TreeParams& own = grower_of<TreeGrower>(*bed.organism).params;
       history = history || (own.growth.duration > 0 && world.filmed());
-      for (const Planting& planting : bed.plantings) {
+      for (std::size_t i = 0; i < bed.plantings.size(); ++i) {
+        const Planting& planting = bed.plantings[i];
         all.emplace_back(&bed, &planting);
         sites.push_back({&own, planting.foot, lean_of(*bed.organism, planting.seed),
                          age_of(*bed.organism, planting.seed, "size"), planting.seed.child("grow"),
-                         bed.organism->name});
+                         bed.organism->name, edits_of(bed.organism->edits, i)});
       }
     }
     std::vector<Surface> bodies = world.bodies();
@@ -152,15 +155,18 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       tree.name = bed->organism->name;
       tree.entry = bed->entry;
       put_on(tree, grower.dress(), world, planting->seed);
-      stand(tree, *sites[i].params, std::move(grove.trees[i]), grove.cycles, world,
-            planting->seed.child("look"));
+      tree.placement.foot = planting->foot;
+      Stand by{*sites[i].params,    grove.cycles,   world.filmed(),
+               world.film_length(), world.ground(), planting->seed.child("look")};
+      stand(tree, by, std::make_shared<const GrownTree>(std::move(grove.trees[i])));
       step();
     });
     return {std::make_move_iterator(trees.begin()), std::make_move_iterator(trees.end())};
   }
 
-  std::shared_ptr<const Grower> at_age(double years, double dead) const override {
+  std::shared_ptr<const Grower> at_age(double years, double dead, double clear) const override {
     return changed(*this, [&](TreeParams& p) {
+      p.species.clear_trunk = std::max(p.species.clear_trunk, clear);
       p.years = std::clamp(static_cast<int>(std::lround(years)), 1, params.years);
       p.growth.duration = 0;
       if (dead <= 0) return;
@@ -195,7 +201,13 @@ class TreeGrower final : public Described<TreeParams, Grower> {
   /// One that grew up among others at the distance that the sowing says.
   Grove grow_crowded(const Organism& organism, Seed seed) const {
     double crowd = organism.sown->crowd, age = age_of(organism, seed, "age");
-    std::vector<TreeSite> sites{{&params, Vec3(0), Quat(1, 0, 0, 0), age, seed.child("tree")}};
+    std::vector<TreeSite> sites{{&params,
+                                 Vec3(0),
+                                 Quat(1, 0, 0, 0),
+                                 age,
+                                 seed.child("tree"),
+                                 {},
+                                 edits_of(organism.edits, std::nullopt)}};
     double turn = seed.child("ring").range(0, 2 * kPi);
     for (std::uint64_t k = 0; crowd > 0 && k < kNeighbours; ++k) {
       Seed own = seed.child("neighbour", k);
@@ -216,25 +228,46 @@ class TreeGrower final : public Described<TreeParams, Grower> {
                    [&](double x, double z) { return ground(x, z); });
   }
 
+  /// All that a grown tree stands by.
+  struct Stand {
+    TreeParams params;
+    int cycles = 0;
+    bool filmed = false;
+    double film_length = 0;
+    std::shared_ptr<const Heights> ground;
+    Seed look;
+  };
+
   /// Gives a tree its model, and its life where that is filmed.
-  static void stand(Specimen& tree, const TreeParams& params, GrownTree&& grown, int cycles,
-                    const World& world, Seed look) {
-    bool grows = world.filmed() && params.growth.duration > 0;
-    double cycle = world.filmed() ? cycles + 0.5 : cycle_at(params.growth, cycles, world.film_length());
+  static void stand(Specimen& tree, const Stand& by, std::shared_ptr<const GrownTree> grown) {
+    const auto& [params, cycles, filmed, film_length, ground, look] = by;
+    bool grows = filmed && params.growth.duration > 0;
+    double cycle = filmed ? cycles + 0.5 : cycle_at(params.growth, cycles, film_length);
     Filming filming = filming_of(params.growth, cycles, 0);
     double leafy = 0;
-    if (grown.uprooting.time <= cycle) {
-      Fall fall = tree_fall(params, grown, *world.ground());
+    if (grown->uprooting.time <= cycle) {
+      Fall fall = tree_fall(params, *grown, *ground);
       leafy = grows ? fall.length() : 0;
-      fall.start = grows ? tree.motion.growth.start + grown.uprooting.time * filming.seconds_a_year : -1e9;
+      fall.start = grows ? tree.motion.growth.start + grown->uprooting.time * filming.seconds_a_year : -1e9;
       tree.life.fall = std::make_shared<const Fall>(std::move(fall));
-      tree.life.ground = world.ground();
+      tree.life.ground = ground;
     }
-    tree.model = tree_model(params, grown, cycle, filming, look);
+    tree.model = tree_model(params, *grown, cycle, filming, look);
+    tree.model.notes = grown->notes;
+    tree.life.held = grown->held();
+    tree.life.edit = [by, grown](Specimen& same, std::span<const Edit> edits) {
+      auto changed = std::make_shared<GrownTree>(*grown);
+      std::vector<std::string> notes = edit_tree(*changed, edits);
+      stand(same, by, std::move(changed));
+      same.model.notes.insert(same.model.notes.end(), notes.begin(), notes.end());
+    };
+    const Growth growth = tree.motion.growth;
+    tree.life.age = [species = params.species, cycles = cycles, born = grown->born[0], growth](double time) {
+      return age_at_cycle(species, std::max(0.0, cycle_at(growth, cycles, time) - born));
+    };
     if (!grows) return;
-    tree.life.held = grown.held();
-    tree.life.develop = [params, grown = std::make_shared<const GrownTree>(std::move(grown)), cycles, look,
-                         leafy, growth = tree.motion.growth](double time) -> Result<Model> {
+    tree.life.develop = [params = params, grown, cycles = cycles, look = look, leafy,
+                         growth](double time) -> Result<Model> {
       Filming now = filming_of(growth, cycles, time);
       now.leafy = leafy;
       return tree_model(params, *grown, cycle_at(growth, cycles, time), now, look);

@@ -1,5 +1,7 @@
 #include "organisms/tree/tree.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -32,6 +34,8 @@ namespace {
 
 constexpr double kSummer = 0.5;          // of a cycle: when it is looked at in the end
 constexpr float kSmallestSprig = 0.04f;  // share of its size
+constexpr double kOpenYears = 4,
+                 kClosedYears = 20;  // cycles for which a wound is open, and until it is closed
 constexpr int kRootNodes = 5;
 constexpr int kPlateRoots = 36;
 
@@ -141,6 +145,26 @@ std::vector<std::int32_t> order_model(Model& model) {
   return order;
 }
 
+/// Tells the axes of the nodes, and adds the faces of what was sawn off by that year. `node`: of each
+/// internode.
+void add_axes(Model& model, const Standing& now, const GrownTree& tree, const std::vector<std::int32_t>& node,
+              double year) {
+  const Skeleton& s = model.skeleton;
+  model.axes.assign(s.size(), {-1, 0});
+  std::vector<std::int32_t> at(tree.cuts.empty() ? 0 : tree.size(), GrownTree::kRoot);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    model.axes[node[i]] = tree.axes[now.source[i]];
+    if (!at.empty()) at[now.source[i]] = node[i];
+  }
+  for (const SawnEnd& cut : tree.cuts) {
+    const std::int32_t end = at[cut.on];
+    if (end < 0 || cut.time > year || s.parent[end] == Skeleton::kRoot) continue;
+    const double old = cut.time == SawnEnd::kFresh ? 0 : year - cut.time;
+    const auto open = static_cast<float>(1 - smooth_step(kOpenYears, kClosedYears, old));
+    add_cut_face(model, end, s.position[end] - s.position[s.parent[end]], cut.on, open);
+  }
+}
+
 /// One, or that of sprigs at the ends of branches and that of those along them.
 std::vector<Prototype> sprig_prototypes(const TreeParams& params) {
   const Foliage& leaves = params.leaves;
@@ -232,6 +256,16 @@ std::vector<Vec3> line_of(const TreeSite& site) {
   return line;
 }
 
+/// The cuts of a tree in years of its life, as the grove counts cycles since it was planted.
+std::vector<YearCut> year_cuts(const TreeSite& site) {
+  std::vector<YearCut> cuts;
+  for (const Edit& edit : site.edits)
+    if (edit.dated())
+      cuts.push_back({std::max(0, static_cast<int>(cycle_at_age(site.params->species, *edit.cut)) - 1),
+                      edit.at, edit.number});
+  return cuts;
+}
+
 /// The laws of a grove, which its first tree says.
 GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
                            std::span<const Surface> bodies) {
@@ -249,6 +283,15 @@ GroveOptions grove_options(const TreeParams& first, bool history, Seed weather,
   return options;
 }
 
+/// Notes cuts in years that trees do not live to see.
+void note_late_cuts(const std::vector<Seedling>& seedlings, Grove& grove) {
+  for (std::size_t i = 0; i < seedlings.size(); ++i)
+    for (const YearCut& cut : seedlings[i].cuts)
+      if (cut.year >= grove.cycles)
+        grove.trees[i].notes.push_back(
+            fmt::format("/edits/{}/cut: is after the last year of the tree", cut.number));
+}
+
 }  // namespace
 
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, std::span<const Surface> bodies,
@@ -256,10 +299,12 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, st
   if (sites.empty()) return {};
   std::vector<Seedling> seedlings;
   std::vector<int> ages;
+  std::vector<std::vector<YearCut>> own_cuts;
   for (const TreeSite& site : sites) {
     ages.push_back(std::max(1, static_cast<int>(std::lround(cycles_of(*site.params) * site.age))));
     seedlings.push_back({in_cycles(site.params->species), site.foot, site.lean * Vec3(0, 1, 0), site.seed, 0,
-                         line_of(site), site.name});
+                         line_of(site), site.name, year_cuts(site)});
+    own_cuts.push_back(seedlings.back().cuts);
   }
   const int oldest = std::ranges::max(ages);
   GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);
@@ -277,12 +322,15 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, st
       // Where a budget makes the oldest younger, the others are younger in proportion.
       double age = std::round(static_cast<double>(ages[i]) * grove.cycles / oldest);
       seedlings[i].planted = grove.cycles - std::max(1, static_cast<int>(age));
+      for (std::size_t k = 0; k < own_cuts[i].size(); ++k)
+        seedlings[i].cuts[k].year = own_cuts[i][k].year + seedlings[i].planted;
       even = even && seedlings[i].planted == 0;
     }
     options.years = grove.cycles;
     grove.trees = grow_grove(seedlings, options);
     int lived = 0;
     for (const GrownTree& tree : grove.trees) lived = std::max(lived, static_cast<int>(tree.sizes.size()));
+    note_late_cuts(seedlings, grove);
     bool whole = lived == grove.cycles;
     grove.cycles = lived;
     if (whole || even) return grove;
@@ -303,6 +351,7 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
   for (std::int32_t& n : node) n = order[static_cast<std::size_t>(n)];
   set_tip_distances(model.skeleton);
   if (params.leaves.size > 0) add_sprigs(model, now, tree, node, params, seed.child("sprig"));
+  add_axes(model, now, tree, node, year);
   for (Knot& knot : knots) knot.node = order[static_cast<std::size_t>(knot.node)];
   add_wounds(model, knots);
   return model;

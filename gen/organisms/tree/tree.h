@@ -12,6 +12,7 @@
 #include "model/model.h"
 #include "motion/motion.h"
 #include "organisms/tree_guide.h"
+#include "pruning/edits.h"
 
 namespace frond {
 
@@ -64,7 +65,8 @@ struct TreeSite {
   Quat lean{1, 0, 0, 0};  ///< of its first shoot
   double age = 1;         ///< factor of its years
   Seed seed;
-  std::string name = {};  ///< by which events name it
+  std::string name = {};         ///< by which events name it
+  std::vector<Edit> edits = {};  ///< of which it takes the dated ones
 };
 
 /// A grown grove: one tree per site.

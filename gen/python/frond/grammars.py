@@ -20,5 +20,5 @@ class Grammar(_frond.Grammar):
 
     @classmethod
     def read(cls, path: Union[str, "os.PathLike[str]"]) -> "Grammar":
-        """The grammar of a file: JSON, or of cpfg (.l), LParser (.ls) or Houdini (.txt)."""
+        """The grammar of a file: JSON, or of LParser (.ls) or Houdini (.txt)."""
         return cls(_frond.read_text(path), os.fspath(path))

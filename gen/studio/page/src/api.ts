@@ -26,7 +26,7 @@ export interface Loaded {
   copy?: boolean;
 }
 export interface Start {
-  machine: { cores: number };
+  machine: { cores: number; farm: boolean };
   schema: Record<string, unknown>;
   symbols: { symbol: string; doc: string }[];
   preset: Loaded | null;
@@ -69,6 +69,39 @@ export interface PastRender {
   time: number;
   size: [number, number];
   quality: Quality;
+}
+/** How a film is to be rendered. */
+export interface FilmOrder {
+  size: [number, number];
+  quality: Quality;
+  /** "A-B"; "": all frames. */
+  range: string;
+  /** A small draft of a few frames over the whole film comes first. */
+  rough: boolean;
+  /** Slurm renders it. */
+  farm: boolean;
+}
+export interface FilmState {
+  id: string;
+  folder: string;
+  state: "waiting" | "rendering" | "farm" | "paused" | "failed" | "done";
+  phase: "" | "rough" | "frames";
+  message: string;
+  /** What the renderer has said last. */
+  said: string;
+  done: number;
+  of: number;
+  /** The numbers of the frames that are finished. */
+  there: number[];
+  /** Which of its files there are. */
+  film: boolean;
+  rough: boolean;
+  watch: boolean;
+  order: FilmOrder;
+  title: string;
+  seed: number;
+  fps: number;
+  frames: number;
 }
 export type SaveAnswer =
   | { is: "saved"; file: string; disk: string; text: string }
@@ -158,6 +191,11 @@ export async function look(file: string, signal: AbortSignal): Promise<Blob | nu
   const answer = await call("GET", `/api/look?file=${encodeURIComponent(file)}`, undefined, signal);
   return answer.status === 200 ? answer.blob() : null;
 }
+/** What an organism is made of, on a ball; null where it is of no material of its own. */
+export async function ball(doc: Doc, entry: number, signal?: AbortSignal): Promise<Blob | null> {
+  const answer = await call("POST", "/api/ball", { doc, entry }, signal);
+  return answer.status === 200 ? answer.blob() : null;
+}
 export const galleryPicture = (name: string): string => withToken(`/api/gallery/${encodeURIComponent(name)}`);
 
 export interface SceneRequest {
@@ -202,11 +240,50 @@ export async function derive(doc: Doc, entry: number, steps: number | null): Pro
   return (await answer.json()) as Derived;
 }
 
+/** A branch of an organism as it stands at a time, with the address of the place on it that was meant. */
+export interface Picked {
+  entry: number;
+  /** Which planting of its entry it is. */
+  plant: number;
+  /** "3/1:0.4": its axis, and the share of its length. */
+  at: string;
+  point: [number, number, number];
+  radius: number;
+  /** How the plant's own axes are turned (x y z w), and how many times as large it stands. */
+  frame: [number, number, number, number];
+  size: number;
+  /** x y z r of both ends of the segments beyond that place, and of the nodes of the axis from its foot on. */
+  hangs: number[];
+  beam: number[];
+  /** The age of a tree in years. */
+  year: number | null;
+}
+/** The first branch that a ray meets, or the one of an address; null: none. */
+export const pick = (doc: Doc, time: number, where: { from: number[]; to: number[] } | { entry: number; plant: number; at: string }): Promise<Picked | null> =>
+  json("POST", "/api/pick", { doc, time, ...where });
+
+export interface Hit {
+  at: [number, number, number];
+  normal: [number, number, number];
+  /** -1: the ground. */
+  entry: number;
+}
+/** Where rays (x y z and the direction) first meet the ground or those organisms. */
+export const trace = async (doc: Doc, time: number, rays: number[][], on?: number[]): Promise<(Hit | null)[]> =>
+  (await json<{ hits: (Hit | null)[] }>("POST", "/api/trace", { doc, time, rays, on })).hits;
+
 export async function render(doc: Doc, time: number, size: [number, number], quality: Quality): Promise<{ id: string } | Fault[]> {
   const answer = await call("POST", "/api/render", { doc, time, size, quality });
   if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
   if (!answer.ok) await refuse(answer);
   return (await answer.json()) as { id: string };
+}
+/** Writes the scene as it is at a time into a file of that type, as ".glb"; where that is. */
+export async function exported(doc: Doc, time: number, type: string): Promise<{ file: string } | Fault[]> {
+  const answer = await call("POST", "/api/export", { doc, time, type });
+  if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
+  if (!answer.ok) await refuse(answer);
+  return (await answer.json()) as { file: string };
 }
 export const renderState = (id: string): Promise<RenderState> => json("GET", `/api/render/${id}`);
 export const renderDoc = (id: string): Promise<Doc> => json("GET", `/api/render/${id}/doc`);
@@ -214,6 +291,24 @@ export const renderPicture = (id: string): string => withToken(`/api/render/${id
 export const renders = (): Promise<PastRender[]> => json("GET", "/api/renders");
 export async function cancelRender(id: string): Promise<void> {
   await call("DELETE", `/api/render/${id}`);
+}
+
+export const films = (): Promise<FilmState[]> => json("GET", "/api/films");
+export async function film(doc: Doc, order: FilmOrder): Promise<{ id: string } | Fault[]> {
+  const answer = await call("POST", "/api/film", { doc, ...order });
+  if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
+  if (!answer.ok) await refuse(answer);
+  return (await answer.json()) as { id: string };
+}
+export const pauseFilm = (id: string): Promise<unknown> => json("POST", `/api/film/${id}/pause`, {});
+export const resumeFilm = (id: string): Promise<unknown> => json("POST", `/api/film/${id}/resume`, {});
+export const removeFilm = (id: string): Promise<unknown> => json("DELETE", `/api/film/${id}`);
+/** Of a file of a film: "film.mp4", "rough.mp4", "watch.png", or the number of a frame. */
+export const filmFile = (id: string, name: string | number): string => withToken(`/api/film/${id}/${name}`);
+/** A small quick look at a time; null where the scene has not been grown. */
+export async function moment(doc: Doc, time: number): Promise<Blob | null> {
+  const answer = await call("POST", "/api/moment", { doc, time });
+  return answer.status === 200 ? answer.blob() : null;
 }
 
 /** `doc` is the text and where it comes from: files that it names go along to another folder, and `text` is what was written. */
@@ -227,5 +322,10 @@ export async function save(file: string, doc: Doc, disk: string | null, overwrit
 
 /** Puts an OBJ file beside the presets; answers the name to write into an organism of kind "mesh". */
 export const mesh = (name: string, file: Blob): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}`, file);
+
+/** Puts a PNG beside the presets; answers the name to write into a property that names one. */
+export const painted = (name: string, file: Blob): Promise<{ file: string; path: string }> => json("POST", `/api/painted?name=${encodeURIComponent(name)}`, file);
+/** That of a picture that a preset names. */
+export const paintedAddress = (file: string): string => `${withToken("/api/painted")}&file=${encodeURIComponent(file)}`;
 
 export const pictureAddress = (id: string): string => withToken(`/api/picture/${encodeURIComponent(id)}`);

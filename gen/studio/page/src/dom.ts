@@ -65,6 +65,13 @@ export function iconButton(name: IconName, label: string, click: (event: MouseEv
   return el<HTMLButtonElement>("button.icon-button", { type: "button", "aria-label": label, "data-tip": label, click, ...attributes }, icon(name));
 }
 
+/** What a canvas shows, as a PNG. */
+export async function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, "image/png"));
+  if (!blob) throw new Error("The picture cannot be written");
+  return blob;
+}
+
 export const sleep = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
 
 /** Calls `act` once things have been quiet for so long. */

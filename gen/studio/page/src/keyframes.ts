@@ -1,6 +1,6 @@
 /** Values that change over the film: keys of a time and a value each. */
 
-import { isObject } from "./pointer";
+import { isObject, type Path } from "./pointer";
 
 export type Key = [number, unknown];
 
@@ -50,13 +50,12 @@ export function withKey(value: unknown, time: number, at: unknown): Key[] {
 /** Lists of points that are no keys. */
 const POINTS = new Set(["at", "points", "curve", "profile"]);
 
-/** The times of all keys in an object, to any depth. */
-export function timesIn(value: unknown, times = new Set<number>()): Set<number> {
-  if (!isObject(value)) return times;
-  for (const [name, inner] of Object.entries(value)) {
+/** Lists of keys in an object, to any depth, each with the way to it. */
+export function keyLists(value: unknown, path: Path = []): { path: Path; keys: Key[] }[] {
+  if (!isObject(value)) return [];
+  return Object.entries(value).flatMap(([name, inner]) => {
     const keys = POINTS.has(name) ? null : keysOf(inner);
-    if (keys?.every((k) => k.length === 2)) keys.forEach(([t]) => typeof t === "number" && times.add(t));
-    else timesIn(inner, times);
-  }
-  return times;
+    if (keys?.every((k) => k.length === 2 && typeof k[0] === "number")) return [{ path: [...path, name], keys }];
+    return keyLists(inner, [...path, name]);
+  });
 }

@@ -1,12 +1,9 @@
-/**
- * Pictures of presets that have none in the gallery: the server grows them one after another, those in sight only, and
- * none while a preset is open.
- */
+/** Pictures that the server makes one after another, of those in sight only: looks at presets, materials on balls. */
 
-import * as api from "./api";
+type Source = (signal: AbortSignal) => Promise<Blob | null>;
 
 export class Looks {
-  private files = new Map<Element, string>();
+  private sources = new Map<Element, Source>();
   private queue: HTMLImageElement[] = [];
   private running: AbortController | null = null;
   private observer = new IntersectionObserver((entries) => {
@@ -19,15 +16,15 @@ export class Looks {
   });
 
   /** Shows the picture once the image is in sight; an "error" event comes where there is none. */
-  want(image: HTMLImageElement, file: string): void {
-    this.files.set(image, file);
+  want(image: HTMLImageElement, source: Source): void {
+    this.sources.set(image, source);
     this.observer.observe(image);
   }
 
   /** Forgets what is wanted so far. */
   stop(): void {
     this.observer.disconnect();
-    this.files.clear();
+    this.sources.clear();
     this.queue = [];
     this.running?.abort();
     this.running = null;
@@ -37,7 +34,7 @@ export class Looks {
     if (this.running) return;
     const { signal } = (this.running = new AbortController());
     for (let image = this.queue.shift(); image; image = this.queue.shift()) {
-      const picture = await api.look(this.files.get(image) ?? "", signal).catch(() => null);
+      const picture = await this.sources.get(image)?.(signal).catch(() => null);
       if (signal.aborted) return;
       if (picture) show(image, picture);
       else image.dispatchEvent(new Event("error"));

@@ -2,13 +2,20 @@
  * The studio's page.
  *
  * Marks (data-testid) that tests in a browser may rely on:
- *   top bar      to-gallery file unsaved undo redo save save-as-button seed variations render theme side
+ *   top bar      to-gallery file unsaved undo redo save save-as-button export seed variations render theme side
  *   outline      part:preset part:scene part:all organisms organism:N solo:N hide:N more:N add-organism
  *   properties   search group:PATH row:PATH (of organisms row:organism/PATH) scope:PATH animate:PATH seed-dice open-grammar species make-own
- *   view         view scene-status look-through set-camera view:NAME growing stop-growing grow-on estimate time play
- *   drawer       tab:problems tab:grammar tab:text tab:renders; problems text
+ *   tools        tool:NAME draw-what draw-width draw-pull draw-finish placed place-snap place-brush place:NAME branch branch-address cut-year
+ *                branch:NAME painted paint-what brush-size brush-value brush-strength brush-erase paint:NAME measured
+ *   view         two-views second-view second:SIDE keep-a keep-wipe back-to-a
+ *                view scene-status look-through set-camera view:NAME growing stop-growing grow-on estimate time play time-key:SECONDS
+ *   drawer       tab:problems tab:grammar tab:text tab:library tab:film tab:renders; problems text
+ *   library      library library:organisms library:materials library-search library:NAME swatch on-plant
  *   grammar      grammar-panel axiom rules:rules rules:interpretation rules:decomposition derive-steps derive-figures word
  *                turtle-svg derivation-tree
+ *   film         film-size film-quality film-first film-last film-rough film-farm film-start storyboard moment:N films film:ID
+ *                film-state:ID pause-film:ID resume-film:ID save-film:ID remove-film:ID film-player film-video film-watch close-film add-view
+ *                key-view go-view:N view-name:N remove-view:N
  *   renders      render-size render-quality render-start compare renders render-picture render-state cancel-render go-back
  *                wipe close-picture
  *   variations   wall wall-grid variation:VALUE
@@ -27,6 +34,7 @@ import "./styles/editors.css";
 import "./styles/panels.css";
 import "./styles/pictures.css";
 import "./styles/gallery.css";
+import "./styles/film.css";
 import * as api from "./api";
 import { anySeed } from "./controls/number";
 import { Section } from "./controls/group";
@@ -35,16 +43,20 @@ import { nameTab } from "./drafts";
 import { addOrganism, takeDrops } from "./panels/add_organism";
 import { ask, say } from "./panels/dialogs";
 import { drawer } from "./panels/drawer";
+import { exportMenu } from "./panels/exports";
+import { filmPanel } from "./panels/film";
 import { gallery } from "./panels/gallery";
 import { grammarPanel } from "./panels/grammar_panel";
 import { inspector } from "./panels/inspector";
 import { offerLeft } from "./panels/left";
+import { library } from "./panels/library";
 import { linkBanner } from "./panels/link";
 import { outliner } from "./panels/outliner";
 import { picturePane } from "./panels/picture";
 import { problems, selectPointer } from "./panels/problems";
 import { renders } from "./panels/renders";
 import { save, saveAs } from "./panels/saving";
+import { swatch } from "./panels/swatch";
 import { stage } from "./panels/stage";
 import { textPanel } from "./panels/text_panel";
 import { toggleTheme } from "./panels/theme";
@@ -92,6 +104,8 @@ function build(): void {
   const variations = wall(store);
   const made = renders(store, () => pane);
   const pane = picturePane({ goBack: (id) => void made.goBack(id), cancel: made.cancel });
+  const shelf = library(store, scene.view, scene.element);
+  const film = filmPanel(store, scene.view);
   const text = textPanel(store);
   const grammar = grammarPanel(store);
   const faults = problems(store, {
@@ -106,6 +120,8 @@ function build(): void {
       { name: "problems", label: "Problems", element: faults.element },
       { name: "grammar", label: "Grammar", element: grammar.element, opened: grammar.opened, closed: grammar.closed },
       { name: "text", label: "Text", element: text.element, opened: text.opened, closed: text.closed },
+      { name: "library", label: "Library", element: shelf.element, opened: shelf.opened, closed: shelf.closed },
+      { name: "film", label: "Film", element: film.element, opened: film.opened, closed: film.closed },
       { name: "renders", label: "Renders", element: made.element, opened: () => void made.reload().catch(() => undefined) },
     ],
   );
@@ -118,8 +134,8 @@ function build(): void {
     openGrammar: () => below.open("grammar"),
   });
   const begin = gallery(store);
-  const side = el("aside.side", { "aria-label": "Preset" }, outliner(store, () => void addOrganism(store)), properties);
-  const center = el("div.center", {}, el("div.pictures-row", {}, scene.element, pane.element, variations.element), time.element, below.element);
+  const side = el("aside.side", { "aria-label": "Preset" }, outliner(store, () => void addOrganism(store)), swatch(store, scene.view), properties);
+  const center = el("div.center", {}, el("div.pictures-row", {}, scene.element, scene.beside, pane.element, film.player, variations.element), time.element, below.element);
   const workshop = el("div.workshop", { hidden: true }, center, side);
   // A small window shows the view first.
   workshop.classList.toggle("no-side", innerWidth <= NARROW);
@@ -133,6 +149,7 @@ function build(): void {
       below.open("renders");
       void made.start();
     },
+    exports: (from) => exportMenu(store, scene.view, from),
     seed: () => store.set(["seed"], anySeed()),
     side: toggleSide,
     theme: toggleTheme,
@@ -148,6 +165,7 @@ function build(): void {
     begin.element.hidden = store.isOpen;
     if (!store.isOpen) begin.show();
     pane.close();
+    film.close();
     variations.close();
   };
   store.on("opened", showOpen);
@@ -177,6 +195,7 @@ function build(): void {
     play: time.toggle,
     camera: scene.toggleCamera,
     ...scene.looks,
+    tool: (name) => store.isOpen && scene.tools.choose(name),
     search: () => document.querySelector<HTMLElement>(store.isOpen ? "[data-testid=search]" : "[data-testid=gallery-search]")?.focus(),
   });
   addEventListener("pagehide", () => store.keepDraft());

@@ -1,5 +1,9 @@
 /** Keys that count everywhere. */
 
+import type { ToolName } from "./panels/tools";
+
+const TOOLS: Record<string, ToolName> = { v: "select", p: "place", b: "branches", d: "draw", k: "paint", m: "measure" };
+
 export interface Shortcuts {
   undo(): void;
   redo(): void;
@@ -13,6 +17,7 @@ export interface Shortcuts {
   side(): void;
   top(): void;
   home(): void;
+  tool(name: ToolName): void;
 }
 
 const isText = (target: EventTarget | null): boolean =>
@@ -42,6 +47,8 @@ function plain(event: KeyboardEvent, acts: Shortcuts): (() => void) | undefined 
   if (event.key === " " && !isButton) return acts.play;
   if (event.key === "c") return acts.camera;
   if (event.key === "/") return acts.search;
+  const tool = TOOLS[event.key];
+  if (tool) return () => acts.tool(tool);
   const look = ({ f: acts.frame, "1": acts.front, "3": acts.side, "7": acts.top } as Record<string, (() => void) | undefined>)[event.key];
   if (look) return look;
   // In sliders, lists and tabs Home is the first of them.

@@ -27,6 +27,8 @@ export class Store {
   schema!: PresetSchema;
   symbols: Start["symbols"] = [];
   presets: Listed[] = [];
+  /** Whether films can be handed to Slurm. */
+  farm = false;
   /** Where presets are written: that of the preset the studio was opened with, else where it was started. */
   folder = "";
 
@@ -38,6 +40,8 @@ export class Store {
   isOpen = false;
 
   selected: Selection = "preset";
+  /** Further organisms that are selected beside that one: what is done is done with all of them. */
+  also: ReadonlySet<number> = new Set();
   /** Whether a person chose what is selected: what a preset opens with is not marked in the view. */
   picked = false;
   time = 0;
@@ -72,6 +76,7 @@ export class Store {
     this.schema = new PresetSchema(start.schema);
     this.symbols = start.symbols;
     this.presets = start.presets;
+    this.farm = start.machine.farm;
     this.folder = start.preset ? start.preset.file.replace(/[^/]*$/, "") : "";
   }
 
@@ -133,6 +138,7 @@ export class Store {
   private announceOpened(): void {
     this.isOpen = true;
     this.picked = false;
+    this.also = new Set();
     this.added = null;
     this.solo.clear();
     this.hidden.clear();
@@ -197,6 +203,11 @@ export class Store {
     this.emit("text");
   }
 
+  /** How the preset names a file that the server wrote: where it lies elsewhere, as a copy without a file yet, by its whole path. */
+  nameOfWritten({ file, path }: { file: string; path: string }): string {
+    return beside(this.file, file) === path ? file : path;
+  }
+
   // Edits
 
   /**
@@ -250,11 +261,16 @@ export class Store {
 
   /** Sets a value. Lists that stand in the base are written out first, as a list counts as a whole. */
   set(path: Path, value: unknown, gesture = ""): void {
-    this.change(setAt(this.writtenOut(this.text, path), path, value), gesture);
+    this.change(this.edited(this.text, path, value), gesture);
   }
 
   remove(path: Path): void {
     this.change(removeAt(this.writtenOut(this.text, path), path));
+  }
+
+  /** A text with a value set as set() does. */
+  edited(text: string, path: Path, value: unknown): string {
+    return setAt(this.writtenOut(text, path), path, value);
   }
 
   /** Several edits as one step. */
@@ -285,12 +301,23 @@ export class Store {
     return first === "organisms" && typeof entry === "number" && rest.length ? getAt(this.preset.ofSpecies(entry), rest) : undefined;
   }
 
-  addOrganism(organism: unknown): void {
+  /** `finish`: what else is written into it, as a part of the same step. */
+  addOrganism(organism: unknown, finish: (text: string, path: Path) => string = (text) => text): void {
     const at = this.preset.organisms.length;
     const text = at ? this.writtenOut(this.text, ["organisms", 0]) : this.text;
     this.added = at;
-    this.change(insertAt(text, ["organisms"], at, organism));
+    this.change(finish(insertAt(text, ["organisms"], at, organism), ["organisms", at]));
     this.select(at);
+  }
+
+  /** The organisms that are selected, in their order. */
+  get chosen(): number[] {
+    return typeof this.selected === "number" ? [...new Set([this.selected, ...this.also])].sort((a, b) => a - b) : [];
+  }
+
+  /** Those that an act on one of them is meant for: all that are selected, if it is one of these. */
+  meant(entry: number): number[] {
+    return this.chosen.includes(entry) ? this.chosen : [entry];
   }
 
   copyOrganism(entry: number): void {
@@ -303,14 +330,33 @@ export class Store {
     this.select(entry + 1);
   }
 
-  removeOrganism(entry: number): void {
-    this.shiftShown(entry, -1);
-    this.remove(["organisms", entry]);
+  /** As one step to undo. */
+  removeOrganisms(entries: number[]): void {
+    if (!entries.length) return;
+    const last = [...entries].sort((a, b) => b - a);
+    for (const entry of last) this.shiftShown(entry, -1);
+    this.also = new Set();
+    this.batch((text) => last.reduce((out, entry) => removeAt(out, ["organisms", entry]), this.writtenOut(text, ["organisms", 0])));
     this.emit("selected");
   }
 
-  private freeName(name: string): string {
+  /** Puts an organism before or after its neighbour. What is drawn by lot may be another then: lots follow the order. */
+  moveOrganism(entry: number, by: 1 | -1): void {
+    const to = entry + by;
+    const text = this.writtenOut(this.text, ["organisms", entry]);
+    const written = sliceAt(text, ["organisms", entry]);
+    if (!written || to < 0 || to >= this.preset.organisms.length) return;
+    const swapped = (set: Set<number>): Set<number> => new Set([...set].map((i) => (i === entry ? to : i === to ? entry : i)));
+    this.solo = swapped(this.solo);
+    this.hidden = swapped(this.hidden);
+    this.change(insertAt(removeAt(text, ["organisms", entry]), ["organisms"], to, written, true));
+    this.select(to);
+  }
+
+  /** A name that no organism has yet. */
+  freeName(name: string): string {
     const taken = new Set(this.preset.organisms.map((_, i) => this.preset.nameOf(i)));
+    if (!taken.has(name)) return name;
     const stem = name.replace(/ \d+$/, "");
     for (let i = 2; ; i++) if (!taken.has(`${stem} ${i}`)) return `${stem} ${i}`;
   }
@@ -326,10 +372,22 @@ export class Store {
   // What is looked at
 
   select(selected: Selection): void {
-    if (this.selected === selected && this.picked) return;
+    if (this.selected === selected && this.picked && !this.also.size) return;
     this.selected = selected;
+    this.also = new Set();
     this.picked = true;
     this.keep();
+    this.emit("selected");
+  }
+
+  /** Selects an organism beside those that are, or no longer. */
+  selectAlso(entry: number): void {
+    if (typeof this.selected !== "number") return this.select(entry);
+    const others = this.chosen.filter((i) => i !== entry);
+    if (others.length < this.chosen.length && !others.length) return;
+    const main = others.length < this.chosen.length ? others.at(-1)! : entry;
+    this.select(main);
+    this.also = new Set(others.filter((i) => i !== main));
     this.emit("selected");
   }
 
@@ -337,6 +395,7 @@ export class Store {
   private keepRight(): void {
     if (this.time > this.preset.end) this.setTime(this.preset.end);
     const last = this.preset.organisms.length - 1;
+    this.also = new Set([...this.also].filter((i) => i <= last));
     if (typeof this.selected !== "number" || this.selected <= last) return;
     this.selected = last < 0 ? "scene" : last;
     this.emit("selected");
@@ -349,9 +408,8 @@ export class Store {
     this.emit("time");
   }
 
-  toggle(which: "solo" | "hidden", entry: number): void {
-    const set = this[which];
-    if (!set.delete(entry)) set.add(entry);
+  toggle(which: "solo" | "hidden", entries: number[], on: boolean): void {
+    for (const entry of entries) if (on) this[which].add(entry); else this[which].delete(entry);
     this.emit("shown");
   }
 

@@ -9,11 +9,14 @@ import { reckon } from "../src/controls/reckon";
 import { scaleOf, usualScale, valueAt } from "../src/controls/scale";
 import { insertAt, removeAt, setAt } from "../src/edits";
 import { valueAtTime, withKey } from "../src/keyframes";
+import { balanced, boundsOf, colorAt, flooded, largestPiece, upright, type Pixels } from "../src/photographs/pixels";
 import { getAt, isObject, type Path } from "../src/pointer";
 import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
 import { sizeFor } from "../src/film_size";
+import { frameNear, timesOver } from "../src/panels/storyboard";
+import { viewsOf } from "../src/panels/views";
 import type { Header, Part } from "../src/view/header";
 import { merged } from "../src/view/merge";
 import { enlarged, everyOf, firstOf, LARGEST } from "../src/view/thinning";
@@ -247,11 +250,76 @@ test("what is missing from a picture stays as it was", () => {
   const part = (id: string, entry: number, specimen: number): Part => ({ id, kind: "mesh", entry, specimen }) as Part;
   const header = (parts: Part[], missing: number[], specimens: Header["specimens"]): Header =>
     ({ parts, missing, specimens, nodes: 1, camera: { at: [0, 0, parts.length] }, entries: [{ name: "a", specimens: 1 }, { name: "b", specimens: specimens.length - 1 }] }) as unknown as Header;
-  const at = (entry: number): Header["specimens"][number] => ({ entry, foot: [entry, 0, 0], placed: 0 });
+  const at = (entry: number): Header["specimens"][number] => ({ entry, foot: [entry, 0, 0], placed: 0, turn: [0, 0, 0, 1], size: 1 });
   const was = header([part("ground", -1, -1), part("a1", 0, 0), part("b1", 1, 1)], [], [at(0), at(1)]);
   const now = merged(was, header([part("ground", -1, -1), part("a2", 0, 0)], [1], [at(0)]));
   assert.deepEqual(now.parts.map((p) => [p.id, p.specimen]), [["ground", -1], ["a2", 0], ["b1", 1]]);
   assert.deepEqual(now.specimens.map((s) => s.entry), [0, 1]);
   assert.deepEqual(now.entries.map((e) => e.specimens), [1, 1]);
   assert.equal(now.camera, was.camera);
+});
+
+test("a storyboard goes from the first frame to the last", () => {
+  assert.deepEqual(timesOver(1, 2), [0, 0.5, 1]);
+  const times = timesOver(99 / 24, 24);
+  assert.equal(times.length, 12);
+  assert.deepEqual([times[0], times.at(-1)], [0, 99 / 24]);
+  times.forEach((t) => assert.ok(Math.abs(t * 24 - Math.round(t * 24)) < 1e-9));
+  assert.deepEqual(timesOver(0, 24), [0]);
+});
+
+test("a moment shows the nearest frame that is finished", () => {
+  assert.equal(frameNear([1, 9, 17], 10 / 24, 24, 4), 9);
+  assert.equal(frameNear([1, 17], 10 / 24, 24, 4), null);
+  assert.equal(frameNear([], 0, 24, 4), null);
+});
+
+test("views that are no views yet keep their places", () => {
+  const view = { name: "a", at: [0, 1, 2], to: [0, 0, 0] };
+  assert.deepEqual(viewsOf({ scene: { views: [{ name: "b" }, { ...view, angle: 30 }, 3] } }), [null, view, null]);
+  assert.deepEqual(viewsOf({ scene: { views: 3 } }), []);
+});
+
+/** A green disc of radius 8 on grey in 24 x 24, with one green pixel in a corner and one grey one in it. */
+function disc(): Pixels {
+  const data = new Uint8ClampedArray(4 * 24 * 24);
+  for (let i = 0; i < 24 * 24; i++) {
+    const [x, y] = [i % 24, Math.floor(i / 24)];
+    const green = (Math.hypot(x - 12, y - 12) < 8 && i !== 12 * 24 + 12) || i === 0;
+    data.set(green ? [40, 140, 30, 255] : [120, 120, 140, 255], 4 * i);
+  }
+  return { width: 24, height: 24, data };
+}
+
+test("a background is cut away by its colour, and specks and pinholes go", () => {
+  const picture = disc();
+  const all = new Uint8Array(24 * 24).fill(1);
+  const cut = flooded(picture, all, [20, 20], 20, 0);
+  assert.deepEqual([cut[0], cut[12 * 24 + 12], cut[1]], [1, 1, 0]);
+  const holed = cut.slice();
+  holed[12 * 24 + 12] = 0;
+  const leaf = largestPiece(holed, 24, 24);
+  assert.deepEqual([leaf[0], leaf[12 * 24 + 12], leaf[12 * 24 + 8]], [0, 1, 1]);
+  assert.deepEqual(boundsOf(leaf, 24), { low: [5, 5], high: [19, 19] });
+  assert.ok(flooded(picture, cut, [20, 20], 20, 1).every((kept) => kept === 1));
+  assert.equal(flooded(picture, all, [20, 20], 255, 0).includes(1), false);
+});
+
+test("a leaf that lies aslant stands upright, its foot in the middle", () => {
+  const mask = new Uint8Array(100 * 100);
+  for (let k = 20; k <= 80; k++) mask[k * 100 + k] = 1;
+  const { turn, scale, width, height, foot } = upright(mask, 100, [20, 80], [80, 20], 1024);
+  assert.ok(Math.abs(turn - Math.PI / 4) < 1e-9);
+  assert.equal(scale, 1);
+  assert.ok(Math.abs(width / 2 - foot[0]) < 1e-9 && width > 84);
+  assert.ok(height >= 16 && foot[1] > 0);
+  assert.ok(upright(mask, 100, [20, 80], [80, 20], 40).width <= 41);
+});
+
+test("what is said to be grey is grey after it", () => {
+  const picture = disc();
+  const grey = colorAt(picture, [20, 20]);
+  const data = balanced(picture.data, grey);
+  const at = 4 * (20 * 24 + 20);
+  assert.ok(Math.abs(data[at]! - data[at + 2]!) <= 1 && data[at]! > 120 && data[at]! < 140 && data[at + 3] === 255);
 });

@@ -68,10 +68,20 @@ export class Binding {
     return scope === "all" ? ["defaults", ...this.rel] : ["organisms", this.entry, ...this.rel];
   }
 
-  /** `done`: the drag has ended, and with it the step that undo takes back. */
+  /** Sets it, of all organisms that are selected and can have it. `done`: the drag has ended, and with it the step that undo takes back. */
   set(value: unknown, done = true): void {
-    this.store.set(this.path, value, this.pointer);
-    if (done) this.store.endGesture();
+    const { store } = this;
+    store.change([this, ...this.others].reduce((text, one) => store.edited(text, one.path, value), store.text), this.pointer);
+    if (done) store.endGesture();
+  }
+
+  /** The same property of the other organisms that are selected, but for what is in a list, which they may not have. */
+  private get others(): Binding[] {
+    const { store, entry, rel, property } = this;
+    if (entry === null || property.length < rel.length) return [];
+    return store.meant(entry)
+      .filter((other) => other !== entry && store.schema.at(["organisms", other, ...rel], store.kinds))
+      .map((other) => new Binding(store, other, rel));
   }
 
   /** Can it be taken out of the text? What a base or a species says cannot. */
@@ -85,7 +95,8 @@ export class Binding {
   }
 
   reset(): void {
-    this.store.remove(this.isShort ? this.above!.binding.path : this.path);
+    const paths = [this.isShort ? this.above!.binding.path : this.path, ...this.others.filter((one) => one.canReset).map((one) => one.path)];
+    this.store.batch((text) => paths.reduce((out, path) => removeAt(this.store.writtenOut(out, path), path), text));
   }
 
   /** Takes the value from what counts for all, which becomes this one's where there is none yet. */

@@ -2,6 +2,7 @@
 
 import type { EnumField, KeyedField, ListField, NumberField, PlainField, VectorField } from "../schema";
 import { booleanControl, enumControl, jsonControl, textControl } from "./choice";
+import { el } from "../dom";
 import { colorControl } from "./color";
 import type { Control, Place } from "./control";
 import { curveControl } from "./curve";
@@ -9,6 +10,7 @@ import type { Section } from "./group";
 import { keyedControl } from "./keys";
 import { listControl, mapControl } from "./list";
 import { numberControl } from "./number";
+import { usePhotograph } from "../photographs/dialog";
 import { vectorControl } from "./vector";
 
 export function controlFor(place: Place, section?: Section): Control {
@@ -20,7 +22,7 @@ export function controlFor(place: Place, section?: Section): Control {
     case "enum":
       return enumControl(place as Place<EnumField>);
     case "text":
-      return textControl(place as Place<PlainField>);
+      return place.binding.rel.at(-1) === "photo" ? photoControl(place as Place<PlainField>) : textControl(place as Place<PlainField>);
     case "color":
       return colorControl(place as Place<PlainField>);
     case "vector":
@@ -36,4 +38,11 @@ export function controlFor(place: Place, section?: Section): Control {
     default:
       return jsonControl(place as Place<PlainField>);
   }
+}
+
+/** The name of a file that may be made of a photograph here. */
+function photoControl(place: Place<PlainField>): Control {
+  const text = textControl(place);
+  const open = el("button.small", { type: "button", "data-testid": "use-photograph", click: () => void usePhotograph(place.binding) }, "Photograph …");
+  return { element: el("div.line", {}, text.element, open), refresh: text.refresh };
 }

@@ -12,8 +12,8 @@ export const shown = (value: unknown): string =>
 
 /**
  * A box for a number, in which one may reckon: "2*0.7", "50cm". Up and down change it by a step, with Shift by ten. What is
- * no number stays, marked and with what is wrong with it, which "misread" tells the row as well. `put` gets each change, and
- * whether the person is done with it.
+ * no number stays, marked and with what is wrong with it, which "misread" tells the row as well. A drag to the side in a box
+ * that nobody types in changes it, too. `put` gets each change, and whether the person is done with it.
  */
 export function numberBox(label: string, field: NumberField, put: (value: number, done: boolean) => void): HTMLInputElement & { show(value: unknown): void } {
   const box = el<HTMLInputElement>("input.number", { type: "text", inputMode: "text", "aria-label": label, autocomplete: "off", spellcheck: false });
@@ -52,22 +52,55 @@ export function numberBox(label: string, field: NumberField, put: (value: number
     }
     if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
     event.preventDefault();
+    stepFrom(now(), (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1));
+  });
+  const now = (): number => {
     const found = reckon(box.value, field.unit);
-    const now = "value" in found ? found.value : Number(last) || 0;
-    const size = field.integer ? 1 : Math.max(10 ** (Math.floor(Math.log10(Math.abs(now) || 1)) - 1), 1e-5);
-    const step = size * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
-    const next = Math.min(field.high, Math.max(field.low, rounded(now + step, field.integer ? 1 : size / 10)));
+    return "value" in found ? found.value : Number(last) || 0;
+  };
+  const stepFrom = (from: number, steps: number): void => {
+    const size = field.integer ? 1 : Math.max(10 ** (Math.floor(Math.log10(Math.abs(from) || 1)) - 1), 1e-5);
+    const next = Math.min(field.high, Math.max(field.low, rounded(from + steps * size, field.integer ? 1 : size / 10)));
     mark("");
     last = next;
     put(next, false);
     box.value = shown(next);
-  });
+  };
+  dragIn(box, now, stepFrom, () => put(Number(last), true));
   const show = (value: unknown): void => {
     if (isTyping(box) || box.dataset.wrong) return;
     last = value;
     if (box.value !== shown(value)) box.value = shown(value);
   };
   return Object.assign(box, { show });
+}
+
+const STEP = 6; // pixels of a drag
+
+/** A drag to the side in a box that has not the focus: `step` gets the value that it began with, and how many steps from there. */
+function dragIn(box: HTMLInputElement, now: () => number, step: (from: number, steps: number) => void, done: () => void): void {
+  let begun: { x: number; from: number; steps: number } | null = null;
+  box.addEventListener("pointerdown", (event) => {
+    if (event.button === 0 && document.activeElement !== box) begun = { x: event.clientX, from: now(), steps: 0 };
+  });
+  box.addEventListener("pointermove", (event) => {
+    if (!begun) return;
+    const steps = Math.trunc((event.clientX - begun.x) / STEP);
+    if (steps === begun.steps) return;
+    begun.steps = steps;
+    box.setPointerCapture(event.pointerId);
+    step(begun.from, steps * (event.shiftKey ? 10 : 1));
+  });
+  const end = (): void => {
+    // A mere click is for typing.
+    if (begun && begun.steps !== 0) {
+      done();
+      box.blur();
+    }
+    begun = null;
+  };
+  box.addEventListener("pointerup", end);
+  box.addEventListener("pointercancel", end);
 }
 
 export function numberControl(place: Place<NumberField>): Control {

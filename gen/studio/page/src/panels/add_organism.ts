@@ -44,10 +44,7 @@ export async function addOrganism(store: Store): Promise<void> {
 }
 
 function ofKind(store: Store, kind: string): object {
-  const taken = new Set(store.preset.organisms.map((_, i) => store.preset.nameOf(i)));
-  let name = spelled(kind);
-  for (let i = 2; taken.has(name); i++) name = `${spelled(kind)} ${i}`;
-  return { kind, name, ...(kind === "ivy" ? {} : { place: { at: [[0, 0]] } }), ...STARTS[kind] };
+  return { kind, name: store.freeName(spelled(kind)), ...(kind === "ivy" ? {} : { place: { at: [[0, 0]] } }), ...STARTS[kind] };
 }
 
 /** A list of presets, then of the organisms of the one chosen. */

@@ -37,7 +37,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
     const picture = el<HTMLImageElement>("img", { alt: "", loading: "lazy" });
     picture.addEventListener("error", () => picture.replaceWith(el("span.blank", {}, icon("gallery"))));
     if (listed.picture) picture.src = api.galleryPicture(listed.picture);
-    else looks.want(picture, listed.file);
+    else looks.want(picture, (signal) => api.look(listed.file, signal));
     return picture;
   };
   const card = (listed: Listed, isOwn = false): HTMLElement => {

@@ -2,11 +2,10 @@
 
 import * as api from "../api";
 import { el, sleep } from "../dom";
-import { sizeFor } from "../film_size";
-import { isObject } from "../pointer";
 import type { Store } from "../store";
 import { say } from "./dialogs";
 import { describe, type PicturePane } from "./picture";
+import { sizeAndQuality } from "./size_quality";
 
 export interface Renders {
   element: HTMLElement;
@@ -16,36 +15,20 @@ export interface Renders {
   cancel(id: string): void;
 }
 
-/** All of the film's own shape: by its size, or so many pixels wide. */
-const SIZES: Record<string, string> = { film: "as the film", half: "half the film", double: "twice the film", "320": "320 wide", "640": "640 wide", "1280": "1280 wide", "1920": "1920 wide" };
-const KEY = "frond.render";
-
 export function renders(store: Store, pane: () => PicturePane): Renders {
-  const said = JSON.parse(localStorage.getItem(KEY) ?? "{}") as { size?: string; quality?: string };
-  const size = el<HTMLSelectElement>("select", { "aria-label": "Size", "data-testid": "render-size" }, ...Object.keys(SIZES).map((name) => el("option", { value: name })));
-  const quality = el<HTMLSelectElement>("select", { "aria-label": "Quality", "data-testid": "render-quality" }, ...["draft", "good", "best"].map((q) => el("option", { value: q }, q)));
-  size.value = said.size !== undefined && said.size in SIZES ? said.size : "film";
-  quality.value = said.quality ?? "draft";
+  const form = sizeAndQuality(store, "render");
   const begin = el("button.primary", { type: "button", "data-testid": "render-start", click: () => void start() }, "Render at this time");
   const compare = el<HTMLButtonElement>("button.small", { type: "button", disabled: true, "data-testid": "compare", click: () => compareChosen() }, "Compare two");
   const strip = el("ul.strip", { "aria-label": "Past renders", "data-testid": "renders" });
   const element = el("div.renders-panel", {},
-    el("div.render-form", {}, el("label", {}, el("span", {}, "Size"), size), el("label", {}, el("span", {}, "Quality"), quality), begin, compare), strip);
+    el("div.render-form", {}, ...form.fields, begin, compare), strip);
   let list: api.PastRender[] = [];
   let chosen: string[] = [];
 
-  const filmSize = (): [number, number] => {
-    const film = isObject(store.preset.whole.film) ? store.preset.whole.film.size : undefined;
-    return store.scene.header?.film.size ?? (Array.isArray(film) ? (film as [number, number]) : [480, 270]);
-  };
-  const nameSizes = (): void => {
-    for (const option of size.options) option.textContent = `${SIZES[option.value]}, ${sizeFor(option.value, filmSize()).join("×")}`;
-  };
-
   async function start(): Promise<void> {
-    localStorage.setItem(KEY, JSON.stringify({ size: size.value, quality: quality.value }));
+    form.keep();
     try {
-      const answer = await api.render(store.doc, store.time, sizeFor(size.value, filmSize()), quality.value as api.Quality);
+      const answer = await api.render(store.doc, store.time, form.size(), form.quality());
       if (Array.isArray(answer)) return say(answer[0]?.text ?? "This preset cannot be rendered", true);
       await reload();
       await follow(answer.id);
@@ -96,8 +79,6 @@ export function renders(store: Store, pane: () => PicturePane): Renders {
     strip.replaceChildren(...(cards.length ? cards : [el("li.hint", {}, "Renders will be kept here as long as the server runs, each with its preset.")]));
   };
   show();
-  nameSizes();
-  store.on(["text", "scene"], nameSizes);
   return {
     element,
     start,

@@ -92,6 +92,17 @@ function draw(list: api.Listed[], pictures: HTMLCanvasElement[], over: AbortSign
   return [];
 }
 
+/** Another organism, as the first of a preset is: by its name as a species or, where the preset cannot name it, written out. */
+export async function addOfSpecies(store: Store, found: api.Listed, at: [number, number] | null): Promise<void> {
+  const species = await readSpecies(found.file);
+  if (!species) return say(`${found.title || found.name} holds no organism.`, true);
+  const creeps = species.kind === "ivy";
+  const own = { name: store.freeName(calledBy(found.file)), ...(creeps ? {} : { place: { at: [at ?? [0, 0]] } }) };
+  const written = { species: relativeTo(store.file, found.file), ...own };
+  if (canName(store, found)) return store.addOrganism(written);
+  store.addOrganism(written, (text, path) => withSpecies(text, path, own, species, (name) => relativeTo(store.file, beside(found.file, name))));
+}
+
 /**
  * Names the species, or, where the preset cannot, writes what it says. Its kind holds then; of an organism that was of
  * another kind only its places and their number are left.

@@ -1,18 +1,20 @@
 /** The view of the model, what is said over it, and what is dragged in it. */
 
 import { Binding } from "../controls/binding";
-import { keysOf, valueAtTime, withKey } from "../keyframes";
+import { keysOf } from "../keyframes";
 import { vectorOf } from "../controls/vector";
 import { bytes, el, grouped, icon, spoken } from "../dom";
-import { setAt } from "../edits";
-import { fromPointer, getAt, isObject, toPointer, type Path } from "../pointer";
+import { fromPointer, getAt, toPointer, type Path } from "../pointer";
+import { round, rounded } from "../rounding";
 import { SceneLoop } from "../scene_loop";
 import type { Store } from "../store";
+import type { Vec3 } from "../view/header";
 import { View, type Path as DragPath } from "../view/view";
 import { ask } from "./dialogs";
+import { secondViews } from "./second_view";
+import { setCamera } from "./set_camera";
 import { onTheme } from "./theme";
-
-type Vec3 = [number, number, number];
+import { tools, type Tools } from "./tools";
 
 type StageLooks = Record<"frame" | "front" | "side" | "top" | "home", () => void>;
 const VIEWS: [keyof StageLooks, string, string][] = [
@@ -25,9 +27,12 @@ const VIEWS: [keyof StageLooks, string, string][] = [
 
 export interface Stage {
   element: HTMLElement;
+  /** Another view, beside it. */
+  beside: HTMLElement;
   looks: StageLooks;
   loop: SceneLoop;
   view: View;
+  tools: Tools;
   toggleCamera(): void;
 }
 
@@ -39,30 +44,39 @@ export function stage(store: Store): Stage {
     const { at, to } = view.eye();
     setCamera(store, at, to);
   } }, "Set to this view");
+  const two = el("button.small", { type: "button", "aria-pressed": "false", "data-tip": "A second view beside this one, from another side", "data-testid": "two-views", click: () => others.toggle() }, "Two views");
+  const keep = el("button.small", { type: "button", "aria-pressed": "false", "data-tip": "Keeps the preset as it is now, and shows it beside what you make of it", "data-testid": "keep-a", click: () => others.keep() }, "Keep as A");
   const chosen = (): number | null => (store.picked && typeof store.selected === "number" ? store.selected : null);
   const looks: StageLooks = { frame: () => view.frame(chosen()), front: () => view.frame(chosen(), "front"), side: () => view.frame(chosen(), "side"), top: () => view.frame(chosen(), "top"), home: () => view.home() };
   const views = VIEWS.map(([name, label, tip]) => el("button.small", { type: "button", "data-tip": tip, "data-testid": `view:${name}`, click: looks[name] }, label));
   const over = el("div.over", { hidden: true, "data-testid": "estimate" });
   const bar = el<HTMLProgressElement>("progress", { max: 1, "aria-label": "Organisms that have grown" });
   const growing = el("div.growing", { hidden: true, "data-testid": "growing" }, bar, el("button.small", { type: "button", "data-testid": "stop-growing", click: () => loop.stop() }, "Stop"));
-  const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, ...views, look, set), over, figures);
+  const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, ...views, two, keep, look, set), over, figures);
   let through = false;
 
   const view = new View(host, {
-    picked: (entry) => entry !== null && store.select(entry),
+    picked: (entry, also) => entry !== null && (also ? store.selectAlso(entry) : store.select(entry)),
     placed: (entry, index, x, z, done) => {
       const place = new Binding(store, entry, ["place", "at"]).item(index);
       place.set([round(x), round(z)], done);
     },
     key: (_what, pointer, at, done) => {
-      store.set(fromPointer(pointer), at.map(round), pointer);
+      store.set(fromPointer(pointer), rounded(at), pointer);
       if (done) store.endGesture();
     },
     camera: (at, to) => setCamera(store, at, to),
     forgotten: () => loop.want(),
     through: (on) => showThrough(on),
   });
+  const others = secondViews(store, view, ({ beside, kept }) => {
+    two.setAttribute("aria-pressed", String(beside));
+    keep.setAttribute("aria-pressed", String(kept));
+  });
+  host.after(others.over);
   const loop = new SceneLoop(store, view);
+  const hands = tools(store, view);
+  element.append(hands.element);
 
   function toggleCamera(): void {
     view.lookThrough(!through);
@@ -122,27 +136,10 @@ export function stage(store: Store): Stage {
   };
   store.on(["text", "selected", "opened"], () => {
     drawPaths();
-    view.select(chosen());
+    view.select(chosen(), store.also);
   });
   onTheme((dark) => view.theme(dark));
-  return { element, looks, loop, view, toggleCamera };
-}
-
-const round = (x: number): number => Number(x.toFixed(3));
-
-/** Puts the camera there: as a whole, or as a key at the time shown where it moves. */
-function setCamera(store: Store, at: Vec3, to: Vec3): void {
-  const camera = getAt(store.preset.whole, ["scene", "camera"]);
-  const said = isObject(camera) ? camera : {};
-  const eye = at.map(round) as Vec3;
-  // Heights of a camera that follows the land count from the ground, which we know below the camera as it was.
-  const was = store.scene.header?.camera.at[1];
-  if (said.follow === true && was !== undefined) eye[1] = round(eye[1] - was + Number(vectorOf(valueAtTime(said.location, store.time), 3)[1]));
-  const value = (name: string, v: Vec3): unknown => (keysOf(said[name]) ? withKey(said[name], store.time, v) : v);
-  store.batch((text) => {
-    const moved = setAt(text, ["scene", "camera", "location"], value("location", eye));
-    return setAt(moved, ["scene", "camera", "look_at"], value("look_at", to.map(round) as Vec3));
-  });
+  return { element, beside: others.beside, looks, loop, view, tools: hands, toggleCamera };
 }
 
 /** What can be dragged along its way: the food of what is selected, and with the scene the camera. */

@@ -1,16 +1,15 @@
 /** Time: a slider over the film, and play. */
 
 import { el, icon } from "../dom";
-import { timesIn } from "../keyframes";
 import type { SceneLoop } from "../scene_loop";
 import type { Store } from "../store";
+import { timeKeys } from "./time_keys";
 
 export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; toggle(): void } {
   const play = el<HTMLButtonElement>("button.icon-button", { type: "button", "data-testid": "play", click: () => toggle() });
   const slider = el<HTMLInputElement>("input.slider.time", { type: "range", min: "0", step: "any", "aria-label": "Time of the film", "data-testid": "time" });
-  const marks = el("div.marks", { "aria-hidden": "true" });
   const clock = el("output.clock", {});
-  const element = el("section.time-bar", { "aria-label": "Time" }, play, el("div.track", {}, slider, marks), clock);
+  const element = el("section.time-bar", { "aria-label": "Time" }, play, el("div.track", {}, slider, timeKeys(store)), clock);
   let playing = false;
 
   const film = (): { seconds: number; fps: number } => ({ fps: store.preset.fps, seconds: store.preset.end });
@@ -28,16 +27,6 @@ export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; 
     play.dataset.tip = `${name} (space)`;
     play.replaceChildren(icon(playing ? "pause" : "play"));
   };
-  const showKeys = (): void => {
-    const { seconds } = film();
-    const times = timesIn(typeof store.selected === "number" ? store.preset.organism(store.selected) : store.preset.defaults, timesIn(store.preset.whole.scene));
-    marks.replaceChildren(...[...times].filter((t) => t >= 0 && t <= seconds).map((t) => {
-      const mark = el("i");
-      mark.style.left = `${(100 * t) / Math.max(seconds, 1e-6)}%`;
-      return mark;
-    }));
-  };
-
   /** As fast as the clock, or as fast as the model can be shown. */
   async function run(): Promise<void> {
     let last = performance.now();
@@ -66,7 +55,6 @@ export function timeBar(store: Store, loop: SceneLoop): { element: HTMLElement; 
     store.setTime(Math.min(seconds, Math.max(0, store.time + (step * (event.shiftKey ? 10 : 1)) / fps)));
   });
   store.on(["time", "scene", "opened", "text"], refresh);
-  store.on(["text", "selected"], showKeys);
   store.on("opened", () => {
     playing = false;
     refresh();

@@ -9,6 +9,7 @@ export interface TopActs {
   saveAs(): void;
   wall(): void;
   render(): void;
+  exports(from: HTMLElement): void;
   seed(): void;
   side(): void;
   theme(): void;
@@ -22,9 +23,10 @@ export function topBar(store: Store, acts: TopActs): HTMLElement {
   const save = el<HTMLButtonElement>("button", { type: "button", "data-testid": "save", "data-tip": "Save (Ctrl+S)", click: acts.save }, "Save");
   const saveAs = el("button", { type: "button", "data-testid": "save-as-button", "data-tip": "Save under another name (Ctrl+Shift+S)", click: acts.saveAs }, "Save as …");
   const render = el("button.primary", { type: "button", "data-testid": "render", "data-tip": "Render this moment with POV-Ray", click: acts.render }, "Render");
+  const exports = el("button", { type: "button", "data-testid": "export", "aria-haspopup": "menu", "data-tip": "Write it for other programs, or save a picture of the view", click: () => acts.exports(exports) }, "Export …");
   const withPreset = [
     el("span.cluster", {}, undo, redo),
-    el("span.cluster", {}, save, saveAs),
+    el("span.cluster", {}, save, saveAs, exports),
     el("span.gap"),
     el("span.cluster", {}, iconButton("dice", "Another seed", acts.seed, { "data-testid": "seed" }),
       el("button", { type: "button", "data-testid": "variations", "aria-label": "Variations", "data-tip": "A wall of nine variations", click: acts.wall }, icon("wall"), el("span.when-wide", {}, "Variations")), render),

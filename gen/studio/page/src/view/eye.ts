@@ -110,6 +110,28 @@ export class Eye {
     this.changed();
   }
 
+  /** Looks from a place at another. */
+  goTo(at: Vec3, to: Vec3): void {
+    this.leave();
+    this.rest();
+    this.flight = null;
+    this.camera.position.set(...at);
+    this.controls.target.set(...to);
+    this.camera.fov = this.fov();
+    this.lens();
+    this.controls.update();
+    this.changed();
+  }
+
+  /** Looks as another eye does. */
+  lookAs(other: Eye): void {
+    this.moved = true;
+    this.flight = null;
+    this.camera.copy(other.camera);
+    this.controls.target.copy(other.controls.target);
+    this.rest();
+  }
+
   /** Stands where the preset's camera does. */
   home(): void {
     this.stand();

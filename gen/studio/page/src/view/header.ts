@@ -100,10 +100,15 @@ export interface Header {
   notes: string[];
   camera: { at: Vec3; to: Vec3; angle: number };
   light: Light;
+  /** A picture of the sky all around, of its upper half, north in the middle; empty: none. */
+  sky: string;
   setting: string;
+  /** Metres, side of the square about the middle on which plants are sown. */
+  land: number;
   entries: { name: string; kind: string; specimens: number; copies: number; low: Vec3; high: Vec3 }[];
-  /** `placed`: which place of the entry's place.at put it there, null: scattered. */
-  specimens: { entry: number; foot: Vec3; placed: number | null }[];
+  /** `placed`: which place of the entry's place.at put it there, null: scattered; `turn` (x y z w) and `size`: how what grew
+   *  upright at the origin stands there. */
+  specimens: { entry: number; foot: Vec3; placed: number | null; turn: [number, number, number, number]; size: number }[];
   food: Vec3[];
   parts: Part[];
 }

@@ -163,6 +163,9 @@ in vec3 color;
 flat in uint own;
 uniform float gloss, through;
 uniform float rough;  // of the ground: how much its colour varies
+uniform sampler2D painted;
+uniform mat4 to_painted;  // from the world to shares of its sides
+uniform float paint_shown;  // 0 or how much of it is seen
 out vec4 picture;
 ${HOLES}
 ${TILES}
@@ -191,6 +194,10 @@ void main() {
   }
 #endif
   picture = vec4(shown(lit(paint, at, n, gloss, through)), 1.0);
+  if (paint_shown > 0.0) {
+    float grey = texture(painted, clamp((to_painted * vec4(at, 1)).xy, 0.001, 0.999)).r;
+    picture.rgb = mix(picture.rgb, vec3(grey), paint_shown);
+  }
 }
 `;
 

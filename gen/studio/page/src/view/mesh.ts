@@ -77,6 +77,7 @@ function describe(shape: Shape, material: Material, studio: Studio): { defines: 
       through: { value: material.light_through ?? 0 },
       opacity: { value: material.opacity ?? 1 },
       rough: { value: 0 },
+      paint_shown: { value: 0 },
       ...(picture ? { leaf: { value: picture } } : {}),
       ...(tile ? tiled(tile, studio.pictures) : {}),
     },

@@ -1,4 +1,4 @@
-import { LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, Texture, TextureLoader, Vector3, type IUniform } from "three";
+import { LinearFilter, LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, Texture, TextureLoader, Vector3, type IUniform } from "three";
 import type { Tile } from "./header";
 
 /** Pictures of a material, ready when both have come. */
@@ -37,6 +37,25 @@ export class Pictures {
       this.known.set(id, texture);
     }
     return texture;
+  }
+
+  /** The picture of a sky once it has come; it is asked for after the tiles that were wanted so far. */
+  sky(id: string): Promise<Texture | null> {
+    const known = this.known.get(id);
+    if (known) return Promise.resolve(known);
+    const come = this.queue.then(async () => {
+      if (this.disposed) return null;
+      const texture = await this.loader.loadAsync(this.address(id)).catch(() => null);
+      if (!texture) return null;
+      texture.colorSpace = NoColorSpace;
+      texture.generateMipmaps = false;
+      texture.minFilter = LinearFilter;
+      texture.wrapS = RepeatWrapping;
+      this.known.set(id, texture);
+      return texture;
+    });
+    this.queue = come.then(() => undefined);
+    return come;
   }
 
   tile({ colors, normals }: Tile): TilePictures {

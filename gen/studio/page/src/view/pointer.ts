@@ -1,10 +1,13 @@
 import { Plane, Raycaster, Vector2, Vector3, type PerspectiveCamera } from "three";
 import type { Vec3 } from "./header";
 import type { Handle } from "./guides";
+import type { Drag, Tool } from "./tool";
 
 /** What the pointer may do in the view. */
 export interface PointerTarget {
   readonly camera: PerspectiveCamera;
+  /** What is worked with in place of selecting, if anything is. */
+  readonly tool: Tool | null;
   /** Lets the eye be turned by dragging, or not. */
   holdEye(still: boolean): void;
   handleAt(x: number, y: number): Handle | null;
@@ -12,7 +15,8 @@ export interface PointerTarget {
   /** The planting under a pixel that may be moved, with its foot. */
   plantingAt(x: number, y: number): Planting | null;
   groundUnder(ray: Raycaster, height: number): Vector3 | null;
-  click(x: number, y: number): void;
+  /** `also`: beside what is selected. */
+  click(x: number, y: number, also: boolean): void;
   flyToCamera(): void;
   /** Where the preset's camera is. */
   readonly filmEye: Vector3;
@@ -26,8 +30,6 @@ export interface Planting {
   place: number;
   foot: Vec3;
 }
-
-type Drag = { move(ray: Raycaster, shift: boolean): void; end(): void };
 
 const CLICK = 4; // pixels that a click may wander
 
@@ -75,6 +77,8 @@ export class Pointer {
   }
 
   private dragAt(x: number, y: number): Drag | null {
+    const { tool } = this.target;
+    if (tool) return tool.drag(this.aim(x, y));
     const handle = this.target.handleAt(x, y);
     if (handle) return this.planeDrag(handle.at, x, y, (at, done) => this.target.keyMoved(handle, at, done));
     if (this.target.cameraAt(x, y)) return this.planeDrag(this.target.filmEye, x, y, (at, done) => this.target.cameraMoved(at, done));
@@ -136,8 +140,9 @@ export class Pointer {
     const [x, y] = this.place(event);
     if (this.dragging) this.drag?.end();
     else if (!this.wandered(x, y)) {
-      if (this.target.cameraAt(x, y)) this.target.flyToCamera();
-      else if (!this.drag || !this.target.handleAt(x, y)) this.target.click(x, y);
+      if (this.target.tool) this.target.tool.click(this.aim(x, y));
+      else if (this.target.cameraAt(x, y)) this.target.flyToCamera();
+      else if (!this.drag || !this.target.handleAt(x, y)) this.target.click(x, y, event.ctrlKey || event.metaKey || event.shiftKey);
     }
     this.release();
   }

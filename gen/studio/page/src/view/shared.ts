@@ -22,10 +22,13 @@ function all() {
     from_below: { value: new Color() },
     from_eye: { value: new Color() },
     haze: { value: new Vector4() },
+    sky: { value: null as Texture | null },
     backdrop: { value: Array.from({ length: BACKDROP_STOPS }, () => new Vector4()) },
     to_shade: { value: new Matrix4() },
     shade: { value: null as Texture | null },
     shade_texel: { value: 0 },
+    painted: { value: null as Texture | null },
+    to_painted: { value: new Matrix4() },
   };
 }
 

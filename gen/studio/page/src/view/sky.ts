@@ -2,13 +2,15 @@ import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMate
 import { COLOR } from "./glsl";
 import { BACKDROP_STOPS, type Shared } from "./shared";
 
-/** What stands behind everything changes with height alone, so the corners of a dome are enough. */
+/** What stands behind everything changes with height alone, so the corners of a dome are enough, where there is no picture of it. */
 const VERTEX = /* glsl */ `${COLOR}
 uniform mat4 viewMatrix, projectionMatrix;
 in vec3 position;
 uniform vec4 backdrop[${BACKDROP_STOPS}];  // light, and the height from which on it is that
 out vec3 color;
+out vec3 way;
 void main() {
+  way = position;
   vec3 c = backdrop[0].rgb;
   for (int i = 1; i < ${BACKDROP_STOPS}; ++i)
     c = mix(c, backdrop[i].rgb, clamp((position.y - backdrop[i - 1].w) / max(backdrop[i].w - backdrop[i - 1].w, 1e-4), 0.0, 1.0));
@@ -18,10 +20,19 @@ void main() {
 `;
 
 const FRAGMENT = /* glsl */ `
-precision mediump float;
+precision highp float;
 in vec3 color;
+in vec3 way;
+uniform sampler2D sky;
+uniform float pictured;
 out vec4 picture;
-void main() { picture = vec4(color, 1.0); }
+void main() {
+  vec3 d = normalize(way);
+  // The haze of the ground rises as high as the picture does not show it.
+  float height = asin(clamp(d.y, 0.0, 1.0)) / 1.57079633;
+  vec3 seen = texture(sky, vec2(0.5 + atan(d.x, -d.z) / 6.28318531, max(height, 0.004))).rgb;
+  picture = vec4(mix(color, seen, pictured), 1.0);
+}
 `;
 
 const RINGS = 48;
@@ -50,13 +61,13 @@ function dome(): BufferGeometry {
 /** What is behind everything; drawn last, where nothing else is. */
 export class Sky extends Mesh<BufferGeometry, RawShaderMaterial> {
   constructor(shared: Shared) {
-    const { backdrop } = shared;
+    const { backdrop, sky } = shared;
     super(
       dome(),
       new RawShaderMaterial({
         vertexShader: VERTEX,
         fragmentShader: FRAGMENT,
-        uniforms: { backdrop },
+        uniforms: { backdrop, sky, pictured: { value: 0 } },
         glslVersion: GLSL3,
         depthWrite: false,
         side: DoubleSide,
@@ -65,6 +76,10 @@ export class Sky extends Mesh<BufferGeometry, RawShaderMaterial> {
     this.frustumCulled = false;
     this.matrixAutoUpdate = false;
   }
+
+  override onBeforeRender = (): void => {
+    this.material.uniforms.pictured!.value = this.material.uniforms.sky!.value ? 1 : 0;
+  };
 
   dispose(): void {
     this.geometry.dispose();

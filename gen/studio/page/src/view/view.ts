@@ -1,5 +1,6 @@
-import { Box3, Raycaster, Vector2, Vector3, type Object3D } from "three";
+import { Box3, Raycaster, Vector2, Vector3, type Matrix4, type Object3D, type Texture } from "three";
 import { pictureAddress } from "../api";
+import { pngOf } from "../dom";
 import { boundsOf, boxOf, SIDES } from "./boxes";
 import { Stand } from "./copies";
 import { Drawn } from "./drawn";
@@ -7,6 +8,7 @@ import { Eye } from "./eye";
 import { Guides, type Handle, type Path } from "./guides";
 import { Pictures } from "./pictures";
 import { setLight } from "./light";
+import { round } from "../rounding";
 import { merged } from "./merge";
 import { Painter } from "./painter";
 import { decode } from "./packet";
@@ -14,12 +16,13 @@ import { addressOf } from "./pixels";
 import { Pointer, type Planting, type PointerTarget } from "./pointer";
 import { PartCache } from "./part_cache";
 import type { Header, Part, Vec3 } from "./header";
+import type { Tool } from "./tool";
 
 export type { Path } from "./guides";
 
 /** What a person did in the view. */
 export interface ViewEvents {
-  picked(entry: number | null): void;
+  picked(entry: number | null, also: boolean): void;
   /** A planting is dragged over the ground: its place in the preset's list and where its foot is now. */
   placed(entry: number, placeIndex: number, x: number, z: number, done: boolean): void;
   /** A key of a path is dragged. */
@@ -34,6 +37,14 @@ export interface ViewEvents {
 
 /** What stands for an organism where one clicks: specimens from 1, entries that are sown from here on. */
 const SOWN = 0x400000;
+const NOBODY: ReadonlySet<number> = new Set();
+/** A picture over the surface of organisms, or of the ground; the matrix leads from the world onto it. */
+export interface Painted {
+  texture: Texture;
+  matrix: Matrix4;
+  on: number[] | "ground";
+}
+const PAINT_SHOWN = 0.45;
 const QUIET = 180; // ms without a change, and the picture is made finer
 
 /** The live picture of the model. It is drawn when something has changed, and rests otherwise. */
@@ -48,15 +59,21 @@ export class View implements PointerTarget {
   private pointer: Pointer;
   private header: Header | null = null;
   private shown: { part: Part; thing: Drawn | Stand }[] = [];
+  tool: Tool | null = null;
+  private painted: Painted | null = null;
   private selected: number | null = null;
+  /** What is marked beside it. */
+  private also: ReadonlySet<number> = NOBODY;
   /** Those of the selected organism whose places the preset gives. */
   private movable: Header["specimens"] = [];
   private coming = 0;
+  private sky = "";
   /** Whether the model was on the screen yet. */
   private seen = false;
   private rest = 0;
   private held = false;
   private waiting: (() => void)[] = [];
+  private looked = (): void => {};
   private stop = new AbortController();
 
   constructor(
@@ -97,6 +114,7 @@ export class View implements PointerTarget {
     for (const { part, thing } of this.shown) this.identify(part, thing);
     this.markSelected();
     setLight(this.painter.shared, this.header);
+    this.lay(this.header.sky);
     this.eyes.follow(this.header, first);
     this.guides.setCamera(this.header);
     this.painter.setThings(
@@ -121,9 +139,10 @@ export class View implements PointerTarget {
     this.changed();
   }
 
-  select(entry: number | null): void {
-    if (entry === this.selected) return;
+  select(entry: number | null, also: ReadonlySet<number> = NOBODY): void {
+    if (entry === this.selected && also === this.also) return;
     this.selected = entry;
+    this.also = also;
     this.markSelected();
     this.changed();
   }
@@ -131,6 +150,55 @@ export class View implements PointerTarget {
   paths(list: Path[]): void {
     this.guides.setPaths(list);
     this.changed();
+  }
+
+  /** Works with a tool, or selects again. */
+  use(tool: Tool | null): void {
+    if (this.tool) this.painter.over.remove(this.tool.drawn);
+    if (tool) this.painter.over.add(tool.drawn);
+    this.tool = tool;
+    this.canvas.classList.toggle("working", tool !== null);
+    this.changed();
+  }
+
+  /** Keys pressed in the view are handed on first; where `act` takes one, it does nothing else. */
+  onKey(act: (event: KeyboardEvent) => boolean): void {
+    this.canvas.addEventListener(
+      "keydown",
+      (event) => {
+        if (!act(event)) return;
+        event.preventDefault();
+        event.stopImmediatePropagation();
+      },
+      { signal: this.stop.signal, capture: true },
+    );
+  }
+
+  /** The height of the ground at x, z; 0 where none is drawn. */
+  heightAt(x: number, z: number): number {
+    return this.groundUnder(new Raycaster(new Vector3(x, 1e4, z), new Vector3(0, -1, 0)), 0)?.y ?? 0;
+  }
+
+  /** What a tool draws is another. */
+  redraw = (): void => this.changed();
+
+  /** The ray through the middle of the window. */
+  middle(): Raycaster {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(0, 0), this.camera);
+    return ray;
+  }
+
+  /** What the window shows, as a PNG. */
+  picture(): Promise<Blob> {
+    this.painter.draw(this.camera);
+    // Before the browser takes the picture away.
+    return pngOf(this.canvas);
+  }
+
+  /** What was shown last. */
+  get head(): Header | null {
+    return this.header;
   }
 
   lookThrough(on: boolean): void {
@@ -154,6 +222,27 @@ export class View implements PointerTarget {
     return { at: this.eyes.at(), to: this.eyes.to() };
   }
 
+  /** Degrees that a picture of that width by height shows across, as high as the window. */
+  angleAcross(aspect: number): number {
+    return round((360 / Math.PI) * Math.atan(Math.tan((this.camera.fov * Math.PI) / 360) * aspect), 2);
+  }
+
+  /** Looks as another view does. */
+  lookAs(other: View): void {
+    this.eyes.lookAs(other.eyes);
+    this.changed();
+  }
+
+  /** Tells whenever a picture is drawn, which may be from another place. */
+  onLook(act: () => void): void {
+    this.looked = act;
+  }
+
+  /** Looks from a place at another. */
+  goTo(at: Vec3, to: Vec3): void {
+    this.eyes.goTo(at, to);
+  }
+
   /** The ground at a place in the window; null: none is there. */
   groundAt(clientX: number, clientY: number): Vec3 | null {
     const box = this.canvas.getBoundingClientRect();
@@ -162,6 +251,12 @@ export class View implements PointerTarget {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), this.camera);
     return this.groundUnder(ray, 0)?.toArray() ?? null;
+  }
+
+  /** The organism at a place in the window. */
+  organismAt(clientX: number, clientY: number): number | null {
+    const box = this.canvas.getBoundingClientRect();
+    return this.header && this.entryAt(clientX - box.left, clientY - box.top);
   }
 
   /** Resolves when the next picture is on the screen. */
@@ -242,7 +337,9 @@ export class View implements PointerTarget {
   private paint(): void {
     this.coming = 0;
     const more = this.eyes.step();
+    this.looked();
     this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
+    this.tool?.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
     this.painter.draw(this.camera);
     this.seen ||= this.header !== null;
     const waiting = this.waiting.splice(0);
@@ -309,6 +406,7 @@ export class View implements PointerTarget {
     const number = part.specimen >= 0 ? part.specimen + 1 : part.entry >= 0 ? SOWN + part.entry : 0;
     for (const one of thing instanceof Stand ? thing.drawn() : [thing]) {
       one.identify(number, part.entry >= 0);
+      this.paintOn(part, one);
       if (part.kind !== "ground") continue;
       one.isGround = true;
       if (!one.instanced) one.uniforms.rough!.value = 0.6;
@@ -316,8 +414,36 @@ export class View implements PointerTarget {
     }
   }
 
+  /** Lays the picture of a sky round everything, once it is there. */
+  private lay(sky: string): void {
+    if (sky === this.sky) return;
+    this.sky = sky;
+    this.painter.shared.sky.value = null;
+    if (!sky) return;
+    void this.pictures.sky(sky).then((texture) => {
+      if (sky !== this.sky) return;
+      this.painter.shared.sky.value = texture;
+      this.changed();
+    });
+  }
+
+  private paintOn(part: Part, one: Drawn): void {
+    const on = this.painted?.on;
+    const shown = on === "ground" ? part.kind === "ground" : on?.includes(part.entry);
+    if (one.uniforms.paint_shown) one.uniforms.paint_shown.value = shown ? PAINT_SHOWN : 0;
+  }
+
+  /** Shows a picture on the surface of what is painted. */
+  showPaint(painted: Painted | null): void {
+    this.painted = painted;
+    this.painter.shared.painted.value = painted?.texture ?? null;
+    if (painted) this.painter.shared.to_painted.value.copy(painted.matrix);
+    for (const { part, thing } of this.shown) for (const one of thing instanceof Stand ? thing.drawn() : [thing]) this.paintOn(part, one);
+    this.redraw();
+  }
+
   private markSelected(): void {
-    const marked = this.selected === null ? [] : this.shown.filter(({ part }) => part.entry === this.selected);
+    const marked = this.selected === null ? [] : this.shown.filter(({ part }) => part.entry === this.selected || this.also.has(part.entry));
     this.painter.marked = new Set(marked.flatMap(({ thing }) => (thing instanceof Stand ? thing.drawn() : [thing])));
     this.movable = this.header?.specimens.filter((s) => s.entry === this.selected && s.placed !== null) ?? [];
     this.guides.setFeet(this.movable.map((s) => s.foot));
@@ -359,8 +485,8 @@ export class View implements PointerTarget {
     const way = (height - origin.y) / direction.y;
     return way > 0 && way < 1e4 ? origin.clone().addScaledVector(direction, way) : null;
   }
-  click(x: number, y: number): void {
-    this.events.picked(this.header && this.entryAt(x, y));
+  click(x: number, y: number, also: boolean): void {
+    this.events.picked(this.header && this.entryAt(x, y), also);
   }
   flyToCamera(): void {
     this.lookThrough(true);

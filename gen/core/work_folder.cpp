@@ -1,4 +1,4 @@
-#include "app/work_folder.h"
+#include "core/work_folder.h"
 
 #include <stdlib.h>
 

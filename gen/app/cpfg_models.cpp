@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/cpfg_models.h"
+#include "app/messages.h"
+#include "app/streams.h"
+#include "core/files.h"
+#include "cpfg/cpfg.h"
+#include "grammar/picture.h"
+
+namespace frond {
+
+namespace {
+
+struct DerivedModel {
+  CpfgModel model;
+  CpfgDerived derived;
+};
+
+Result<DerivedModel> derive_model(const GrammarArguments& arguments, bool drawing) {
+  if (arguments.seed) return Error{"--seed", "a model of cpfg has its seed in its file; change it there"};
+  Result<CpfgModel> model = read_cpfg(arguments.path);
+  if (!model) return model.errors();
+  for (const std::string& note : model->notes) tell(fmt::format("note: {}", note));
+  CpfgRequest request;
+  request.drawing = drawing;
+  if (arguments.steps) request.steps = static_cast<int>(std::clamp(std::ceil(*arguments.steps), 0.0, 1e9));
+  Result<CpfgDerived> derived = derive(*model, request);
+  if (!derived) return derived.errors();
+  for (const std::string& note : derived->notes) tell(fmt::format("{}: note: {}", arguments.path, note));
+  return DerivedModel{std::move(*model), std::move(*derived)};
+}
+
+std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
+
+std::string hex(const Color& color) {
+  auto part = [](float x) { return static_cast<int>(std::lround(255 * x)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", part(color.red), part(color.green), part(color.blue));
+}
+
+/// The figure for a picture. Surfaces are their triangles.
+TurtleDrawing drawing_of(const CpfgFigure& figure) {
+  TurtleDrawing drawing;
+  drawing.low = figure.low, drawing.high = figure.high;
+  for (const Color& color : figure.colors) drawing.colors.push_back(hex(color));
+  for (const CpfgSegment& s : figure.segments)
+    drawing.lines.push_back({s.from, s.to, s.radius_from + s.radius_to, s.color});
+  for (const CpfgPolygon& polygon : figure.polygons) drawing.fills.push_back({polygon.points, polygon.color});
+  auto add = [&](const Surface& mesh, int color, const auto& place) {
+    for (const auto& [a, b, c] : mesh.triangle)
+      drawing.fills.push_back(
+          {{place(mesh.position[a]), place(mesh.position[b]), place(mesh.position[c])}, color});
+  };
+  for (const CpfgSkin& skin : figure.skins)
+    add(skin.mesh, skin.color, [](const Vec3& p) { return DVec3(p); });
+  for (const CpfgPlaced& placed : figure.placed)
+    add(figure.surfaces.at(placed.surface), placed.color, [&](const Vec3& p) { return placed.at(p); });
+  for (const std::vector<CpfgRound>& rounds : {figure.spheres, figure.discs})
+    for (const CpfgRound& round : rounds) drawing.balls.push_back({round.center, round.radius, round.color});
+  return drawing;
+}
+
+/// What `frond turtle` says of our own grammars, too.
+std::string measures(const CpfgFigure& figure) {
+  double length = 0;
+  for (const CpfgSegment& s : figure.segments) length += glm::distance(s.from, s.to);
+  return fmt::format(
+      "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
+      "{}, "
+      "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, \"surfaces\": {}, "
+      "\"skins\": "
+      "{}, \"spheres\": {}, \"discs\": {}}}\n",
+      figure.segments.size(), length, list(figure.end), list(figure.end_heading), list(figure.end_left),
+      list(figure.end_up), list(figure.low), list(figure.high), figure.max_stack_depth,
+      figure.polygons.size(), figure.placed.size(), figure.skins.size(), figure.spheres.size(),
+      figure.discs.size());
+}
+
+}  // namespace
+
+bool is_cpfg_model(const std::string& path) { return path.ends_with(".l") || path.ends_with(".lpy"); }
+
+int info_cpfg(const GrammarArguments& arguments, bool json) {
+  Result<DerivedModel> made = derive_model(arguments, true);
+  if (!made) return fail(made.errors(), kWrongInput);
+  const CpfgWord& word = made->derived.word;
+  auto draws = [](const CpfgModule& module) { return module.symbol == 'F' || module.symbol == 'G'; };
+  auto segments = std::ranges::count_if(made->derived.drawing.word.modules, draws);
+  std::size_t bytes = word.modules.size() * sizeof(CpfgModule) + word.parameters.size() * sizeof(float);
+  std::string_view form =
+      json ? "{{\"forecast\": \"exact\", \"steps\": {}, \"modules\": {}, \"segments\": {}, \"bytes\": {}}}\n"
+           : "exact: after {} steps {} modules, {} segments, {} bytes\n";
+  put(fmt::format(fmt::runtime(form), made->derived.steps, word.modules.size(), segments, bytes));
+  return kDone;
+}
+
+int derive_cpfg(const GrammarArguments& arguments) {
+  if (arguments.picture)
+    return fail(
+        {{"--tree", "which symbol came from which is drawn of Frond's own grammars, not of a model of cpfg"}},
+        kWrongInput);
+  now_doing("deriving the word");
+  Result<DerivedModel> made = derive_model(arguments, false);
+  if (!made) return fail(made.errors(), kWrongInput);
+  if (!arguments.counts) {
+    put(text(made->derived.word, made->model));
+    put("\n");
+    return kDone;
+  }
+  std::map<char, std::size_t> counts;
+  for (const CpfgModule& module : made->derived.word.modules) ++counts[module.symbol];
+  for (const auto& [symbol, count] : counts) put(fmt::format("{} {}\n", symbol, count));
+  return kDone;
+}
+
+int turtle_cpfg(const GrammarArguments& arguments) {
+  now_doing("deriving the word and walking along it");
+  Result<DerivedModel> made = derive_model(arguments, true);
+  if (!made) return fail(made.errors(), kWrongInput);
+  Result<CpfgFigure> figure = draw(made->model, made->derived.drawing);
+  if (!figure) return fail(figure.errors(), kWrongInput);
+  if (arguments.picture) {
+    Result<bool> written = write_file(*arguments.picture, svg_of(drawing_of(*figure)));
+    return written ? kDone : fail(written.errors(), kCouldNot);
+  }
+  put(measures(*figure));
+  return kDone;
+}
+
+}  // namespace frond

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+
+// Smooth lines through points, as drawing programs have them.
+
+namespace frond {
+
+/// A point of a line. Its handles lead from it to the control points of the cubic Bézier curves that end and
+/// begin there; where only one is given the other is opposite to it, and without any the line has a corner
+/// there or, where it is smooth, the slope of Catmull and Rom (1974): from the point before to the one after.
+template <class V>
+struct SplinePoint {
+  V at{0};
+  std::optional<V> in = {}, out = {};
+
+  SplinePoint() = default;
+  SplinePoint(V place) : at(place) {}
+  SplinePoint(V place, std::optional<V> back, std::optional<V> on) : at(place), in(back), out(on) {}
+
+  bool handled() const { return in || out; }
+};
+
+struct SplineShape {
+  bool smooth = false;  ///< also where points have no handles
+  bool closed = false;  ///< whether it goes on from the last point to the first, which is not repeated
+  int pieces = 12;      ///< from point to point, > 0; one where it is straight
+};
+
+/// Places along the line through points; the points themselves are among them.
+template <class V>
+std::vector<V> spline_places(std::span<const SplinePoint<V>> points, const SplineShape& shape) {
+  using Scalar = typename V::value_type;
+  std::size_t count = points.size(), spans = shape.closed || count == 0 ? count : count - 1;
+  auto near = [&](std::size_t i, int aside) {  // within the line, or round it
+    auto k = static_cast<std::ptrdiff_t>(i) + aside, n = static_cast<std::ptrdiff_t>(count);
+    return points[static_cast<std::size_t>(shape.closed ? (k + n) % n
+                                                        : std::clamp<std::ptrdiff_t>(k, 0, n - 1))]
+        .at;
+  };
+  auto handle = [&](std::size_t i, bool on) -> V {
+    const SplinePoint<V>& p = points[i];
+    if (p.handled()) return on ? p.out.value_or(p.in ? -*p.in : V(0)) : p.in.value_or(p.out ? -*p.out : V(0));
+    if (!shape.smooth) return V(0);
+    return (near(i, 1) - near(i, -1)) * static_cast<Scalar>(on ? 1.0 / 6 : -1.0 / 6);
+  };
+  std::vector<V> places;
+  for (std::size_t i = 0; i < spans; ++i) {
+    std::size_t j = (i + 1) % count;
+    V a = points[i].at, d = points[j].at;
+    places.push_back(a);
+    if (!shape.smooth && !points[i].handled() && !points[j].handled()) continue;
+    V b = a + handle(i, true), c = d + handle(j, false);
+    for (int k = 1; k < shape.pieces; ++k) {
+      Scalar t = static_cast<Scalar>(k) / static_cast<Scalar>(shape.pieces), s = 1 - t;
+      places.push_back(a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t));
+    }
+  }
+  if (count > 0 && !shape.closed) places.push_back(points.back().at);
+  return places;
+}
+
+/// Only the points of a line.
+template <class V>
+std::vector<V> spline_points(const std::vector<SplinePoint<V>>& line) {
+  std::vector<V> points;
+  for (const SplinePoint<V>& point : line) points.push_back(point.at);
+  return points;
+}
+
+}  // namespace frond

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace frond::cpfg {
+
+/// A control point of a curve, 32 bits a number as in cpfg.
+struct ControlPoint {
+  float x, y, z;
+};
+
+/// A function of a view: a clamped uniform cubic B-spline as y of x, for x from 0 to 1.
+struct FunctionTable {
+  std::vector<ControlPoint> points;
+  std::vector<double>
+      samples;  ///< at equal steps of x, between which values are linear; empty: none are taken
+
+  double operator()(double x) const;
+};
+
+/// A curve of a view, measured along itself at equal steps of its parameter.
+struct CurveTable {
+  std::vector<ControlPoint> points;
+  bool closed = false;
+  std::vector<double> length;  ///< from the beginning to each step
+
+  /// The point at a share 0..1 of the length: x, y, z.
+  std::array<double, 3> operator()(double share) const;
+};
+
+/// A contour as its file holds it.
+struct ContourFile {
+  std::string name;
+  std::vector<ControlPoint> points;  ///< repeated by their multiplicity
+  bool closed = false;
+};
+
+/// Reads a `.func` file. `samples` of the view's line; a file that says them itself goes before.
+Result<FunctionTable> read_function(std::string_view text, int samples);
+
+struct NamedFunction {
+  std::string name;
+  FunctionTable function;
+};
+/// Reads a `.fset` file.
+Result<std::vector<NamedFunction>> read_function_set(std::string_view text);
+
+/// Reads a `.con` file of either form.
+Result<ContourFile> read_contour(std::string_view text);
+
+/// The point of a curve at a parameter 0..1: x, y, z.
+std::array<double, 3> point_at(const CurveTable& curve, double parameter);
+
+/// A contour measured by so many points.
+CurveTable measure(const ContourFile& contour, int samples);
+
+}  // namespace frond::cpfg

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+#include "cpfg/curves.h"
+#include "model/surface.h"
+
+// Generalized cylinders: a contour that is carried along a curve through control places.
+
+namespace frond::cpfg {
+
+/// A place that a cylinder goes through, as the turtle stood there.
+struct ControlPlace {
+  DVec3 position{0}, heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, -1};
+  double radius = 0.5;
+  int contour = 0;  ///< 0: a circle
+  int sides = 8;
+  double arriving = 1.2, leaving = 1.2;               ///< tangents as shares of the distance
+  std::optional<double> rise_arriving, rise_leaving;  ///< of the radius; none: evenly
+  bool rises_by_length = false;                       ///< multiplied with the distance
+  int color = 0;
+  std::int32_t segment = -1;
+};
+
+/// The contour at a place of the curve: `share` of the way from one to the other.
+struct CylinderRing {
+  DVec3 position, heading, left, up;
+  double radius;
+  int from, to;  ///< contours
+  double share;
+  int color;
+};
+
+/// The rings of a piece between two places, both ends included, along Hermite's curve. The frame of the first
+/// place is carried without twist; with `twisted` it is rolled evenly to that of the second.
+std::vector<CylinderRing> piece_rings(const ControlPlace& from, const ControlPlace& to, int strips,
+                                      bool twisted);
+
+/// The rings along an even cubic B-spline through whose neighbourhood the places lead it. Open ones begin and
+/// end at the first and the last place.
+std::vector<CylinderRing> spline_rings(std::span<const ControlPlace> places, bool closed, int strips);
+
+/// Whether all rings are circles, so that a cylinder is a branch.
+bool is_round(std::span<const CylinderRing> rings, const std::map<int, CurveTable>& contours);
+
+/// The skin of a row of rings, with `uv` along and across it.
+Surface skin_of(std::span<const CylinderRing> rings, const std::map<int, CurveTable>& contours, int sides);
+
+}  // namespace frond::cpfg

@@ -1,0 +1,197 @@
+#include "cpfg/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "cpfg/macros.h"
+#include "cpfg/run.h"
+
+namespace frond::cpfg {
+
+double string_number(int index) {
+  constexpr std::uint64_t kQuietNan = 0x7FF8000000000000;
+  return std::bit_cast<double>(kQuietNan | static_cast<std::uint64_t>(index + 1) << 29);
+}
+
+int string_index(float value) {
+  auto bits = std::bit_cast<std::uint32_t>(value);
+  return (bits & 0x7FC00000) == 0x7FC00000 ? static_cast<int>(bits & 0x3FFFFF) - 1 : -1;
+}
+
+/// As PlainText::where, but quick for places one after the other.
+std::string GrammarReader::where(std::size_t position) {
+  position = std::min(position, plain_.text.size());
+  if (position < counted_) counted_ = counted_lines_ = 0;
+  auto begin = plain_.text.begin();
+  auto from = begin + static_cast<std::ptrdiff_t>(counted_),
+       to = begin + static_cast<std::ptrdiff_t>(position);
+  counted_lines_ += static_cast<std::size_t>(std::count(from, to, '\n'));
+  counted_ = position;
+  if (plain_.places.empty()) return {};
+  return plain_.places[std::min(counted_lines_, plain_.places.size() - 1)].text();
+}
+
+void GrammarReader::fail_at(std::size_t position, std::string what) {
+  if (!error_) error_ = Error{where(position), std::move(what)};
+  cursor_.go_to_end();
+}
+
+std::string GrammarReader::found() {
+  if (cursor_.at_item_end()) return "found the end of the line";
+  std::string_view rest = cursor_.rest();
+  return fmt::format("found `{}`", rest.substr(0, std::min<std::size_t>(rest.find('\n'), 20)));
+}
+
+/// Takes words with blanks between them at will and a `:` behind. `capitals` has the other case for letters
+/// that may have either; blanks where they may not.
+bool GrammarReader::take_key(std::string_view words, std::string_view capitals) {
+  std::size_t from = cursor_.position();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == ' ') {
+      cursor_.peek();
+      continue;
+    }
+    char c = cursor_.here(), other = i < capitals.size() && capitals[i] != ' ' ? capitals[i] : words[i];
+    if (c != words[i] && c != other) {
+      cursor_.go_to(from);
+      return false;
+    }
+    cursor_.take_one();
+  }
+  if (cursor_.take(":")) return true;
+  cursor_.go_to(from);
+  return false;
+}
+
+/// Takes a line that begins a section or a ring.
+bool GrammarReader::take_section(std::string_view word) {
+  std::string_view rest = cursor_.rest();
+  bool same =
+      rest.size() >= word.size() && (rest[0] | 0x20) == word[0] && rest.substr(1).starts_with(word.substr(1));
+  if (!same) return false;
+  std::string_view behind = without_blanks(rest.substr(word.size(), rest.find('\n') - word.size()));
+  if (behind.starts_with(':')) behind = without_blanks(behind.substr(1));
+  if (!behind.empty() && behind != "warnings" && behind != "no warnings") return false;
+  cursor_.take_line();
+  return true;
+}
+
+void GrammarReader::end_item(std::string_view after) {
+  if (!cursor_.at_item_end()) fail(fmt::format("{}: expected the end of the line after {}", found(), after));
+}
+
+void GrammarReader::read_characters(CpfgSystem& system, bool considered) {
+  system.ignored.fill(considered);
+  while (!cursor_.at_item_end()) system.ignored[static_cast<unsigned char>(cursor_.take_one())] = !considered;
+}
+
+std::int64_t GrammarReader::read_whole(std::string_view what) {
+  int formula = read_formula();
+  if (failed()) return 0;
+  double value = constant_of(code_, formula);
+  if (std::isfinite(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
+  fail(fmt::format("{} is {}; expected a number", what, value));
+  return 0;
+}
+
+bool GrammarReader::read_section_item(ProductionSet& set) {
+  if (take_key("maximum depth", "M       D    ")) {
+    std::int64_t depth = read_whole("the maximum depth");
+    if (!failed() && (depth < 0 || depth > 1'000'000)) fail("the maximum depth is to be 0 to 1,000,000");
+    set.depth = static_cast<int>(depth);
+  } else if (take_key("seed", "S")) {
+    set.seed = read_whole("the seed");
+    set.has_seed = &set != &system_->decomposition;
+  } else {
+    return false;
+  }
+  end_item("a number");
+  return true;
+}
+
+bool GrammarReader::read_item(CpfgSystem& system) {
+  auto block = [&](int& into) {
+    cursor_.skip_to_item();
+    into = read_block();
+    if (!failed()) end_item("a block");
+    return true;
+  };
+  if (take_section("ring lsystem")) return system.ring = true;
+  if (take_key("derivation length", "D          L")) {
+    system.length = read_formula();
+    if (!failed()) end_item("a number");
+  } else if (take_key("ignore", "I")) {
+    read_characters(system, false);
+  } else if (take_key("consider", "C")) {
+    read_characters(system, true);
+  } else if (take_key("define", "D")) {
+    cursor_.skip_to_item();
+    read_define();
+    if (!failed()) end_item("a block");
+  } else if (take_key("start each", "S     E")) {
+    return block(system.start_each);
+  } else if (take_key("start", "S")) {
+    return block(system.start);
+  } else if (take_key("end each", "E   E")) {
+    return block(system.end_each);
+  } else if (take_key("end", "E")) {
+    return block(system.end);
+  } else if (take_key("axiom", "A")) {
+    if (system.has_axiom) fail("there are two axioms");
+    system.axiom = read_word(true);
+    system.has_axiom = true;
+    if (!failed()) end_item("the axiom");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void GrammarReader::read_system() {
+  CpfgSystem& system = *system_;
+  section_ = &system.rules;
+  std::string_view label = without_blanks(cursor_.take_line());
+  std::size_t digits = std::min(label.find_first_not_of("0123456789"), label.size());
+  system.number = digits > 0 && digits < 9 ? std::stoi(std::string(label.substr(0, digits)))
+                                           : static_cast<int>(code_.systems.size());
+  system.variables = {{"Z", kLengthSlot}, {"Q", kStepSlot}};
+  system.slots = 2;
+  for (;;) {
+    cursor_.skip_to_item();
+    if (failed()) return;
+    if (cursor_.at_end()) return fail("the L-system has no `endlsystem`");
+    if (take_section("endlsystem") || take_section("endLsystem")) break;
+    scope_ = {};
+    if (take_section("decomposition")) {
+      if (section_ == &system.homomorphism)
+        return fail("the decomposition comes after the homomorphism; expected it before");
+      section_ = &system.decomposition;
+    } else if (take_section("homomorphism")) {
+      section_ = &system.homomorphism;
+    } else if (take_key("production", "P")) {
+      return fail("cpfg has no `production:`; this is a model of L-Py or of an older program");
+    } else if (!read_section_item(*section_) && (section_ != &system.rules || !read_item(system))) {
+      read_production(*section_);
+    }
+  }
+  if (!system.has_axiom) fail("the L-system has no `Axiom:`");
+  if (system.rules.productions.empty()) fail("the L-system has no production");
+}
+
+void GrammarReader::read() {
+  cursor_.skip_to_item();
+  while (!failed() && !cursor_.at_end()) {
+    if (!take_key("lsystem", "L"))
+      return fail(fmt::format("{}: expected `Lsystem: 1`, with which a grammar of cpfg begins", found()));
+    code_.systems.emplace_back();
+    system_ = &code_.systems.back();
+    read_system();
+    cursor_.skip_to_item();
+  }
+  if (!failed() && code_.systems.empty()) fail("the file is empty; expected `Lsystem: 1`");
+}
+
+}  // namespace frond::cpfg

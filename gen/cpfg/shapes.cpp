@@ -1,0 +1,155 @@
+#include "cpfg/shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "cpfg/turtle.h"
+
+namespace frond::cpfg {
+
+namespace {
+
+constexpr std::size_t kColors = 256;
+/// What is drawn where a model has no colours.
+constexpr Color kLeafGreen{0.33f, 0.5f, 0.17f};
+
+/// Reads the lines of a view that name what is drawn.
+class ShapeReader {
+ public:
+  ShapeReader(ModelFolder& folder, Shapes& shapes) : folder_(folder), shapes_(shapes) {}
+
+  void read(const CpfgViewLine& line) {
+    words_ = words_in(line.value);
+    std::vector<double> numbers = numbers_in(line.value);
+    auto sides = [&](double n) { shapes_.sides = static_cast<int>(std::clamp(n, 3.0, 256.0)); };
+    if (line.key == "surface") return add(line, read_patches);
+    if (line.key == "tsurface") return add(line, read_triangles);
+    if (line.key == "contour") return add_contour(line);
+    if (line.key == "tapered lines") shapes_.tapered = line.value != "off";
+    if (line.key == "twist of cylinders") shapes_.twisted = line.value == "on";
+    if (line.key == "line style" && !words_.empty()) shapes_.lines = style_of(words_[0]);
+    if (line.key == "initial line width" && words_.size() > 1 && !styled_)
+      shapes_.lines = style_of(words_[1]);
+    styled_ |= line.key == "line style";
+    if (numbers.empty()) return;
+    if (line.key == "contour sides") sides(numbers[0]);
+    if (line.key == "polygonization level") sides(std::exp2(numbers[0] + 1));
+  }
+
+ private:
+  static LineStyle style_of(const std::string& word) {
+    return word.starts_with("pixel")                         ? LineStyle::pixel
+           : word.starts_with('s') || word.starts_with("cy") ? LineStyle::cylinder
+                                                             : LineStyle::polygon;
+  }
+
+  void fail(const CpfgViewLine& line, std::string what) {
+    if (!shapes_.missing) shapes_.missing = Error{line.where, std::move(what)};
+  }
+
+  /// The file that a line names; nothing where it cannot be read.
+  std::optional<std::string> file(const CpfgViewLine& line) {
+    Result<std::string> text =
+        words_.size() < 2 ? Error{"", "expected a name and a file"} : folder_.read(words_[1]);
+    if (text) return std::move(*text);
+    fail(line, text.errors()[0].what);
+    return std::nullopt;
+  }
+
+  void add(const CpfgViewLine& line, Result<TurtleSurface> (*read_file)(std::string_view, double)) {
+    std::optional<std::string> text = file(line);
+    if (!text) return;
+    double scale = words_.size() > 2 ? std::atof(words_[2].c_str()) : 1;
+    Result<TurtleSurface> surface = read_file(*text, std::isfinite(scale) ? scale : 1);
+    if (!surface) return fail(line, fmt::format("{}: {}", words_[1], surface.errors()[0].what));
+    shapes_.surfaces[words_[0][0]] = std::move(*surface);
+  }
+
+  void add_contour(const CpfgViewLine& line) {
+    std::optional<std::string> text = file(line);
+    if (!text) return;
+    Result<ContourFile> contour = read_contour(*text);
+    if (!contour) return fail(line, fmt::format("{}: {}", words_[1], contour.errors()[0].what));
+    shapes_.contours[std::atoi(words_[0].c_str())] = measure(*contour, 2);
+  }
+
+  ModelFolder& folder_;
+  Shapes& shapes_;
+  std::vector<std::string> words_;
+  bool styled_ = false;
+};
+
+std::vector<Color> read_colors(ModelFolder& folder, const std::vector<std::filesystem::path>& files,
+                               std::optional<Error>& missing) {
+  std::vector<Color> colors;
+  for (const std::filesystem::path& file : files) {
+    bool materials = file.extension() == ".mat";
+    std::error_code error;
+    Result<std::string> bytes = folder.read(std::filesystem::relative(file, folder.path(), error).string());
+    auto read = [&] { return materials ? read_materials(*bytes) : read_color_map(*bytes); };
+    Result<std::vector<Color>> some = bytes ? read() : Result<std::vector<Color>>(bytes.errors());
+    if (!some) {
+      if (!missing) missing = Error{file.string(), some.errors()[0].what};
+      continue;
+    }
+    bool both_maps = !materials && files.front().extension() == ".map";
+    if (!both_maps) colors.clear();  // the later kind counts
+    colors.insert(colors.end(), some->begin(), some->end());
+  }
+  if (colors.empty()) colors.assign(kColors, kLeafGreen);
+  return colors;
+}
+
+}  // namespace
+
+Shapes read_shapes(ModelFolder& folder, const std::vector<CpfgViewLine>& view,
+                   const std::vector<std::filesystem::path>& colors) {
+  Shapes shapes;
+  ShapeReader reader(folder, shapes);
+  for (const CpfgViewLine& line : view) reader.read(line);
+  shapes.colors = read_colors(folder, colors, shapes.missing);
+  return shapes;
+}
+
+Result<std::vector<Color>> read_color_map(std::string_view bytes) {
+  if (bytes.size() < 3 * kColors)
+    return Error{"", fmt::format("found {} bytes; expected a colour map of {}", bytes.size(), 3 * kColors)};
+  auto part = [&](std::size_t at) { return static_cast<float>(static_cast<unsigned char>(bytes[at])) / 255; };
+  std::vector<Color> colors;
+  for (std::size_t i = 0; i < kColors; ++i) colors.push_back({part(3 * i), part(3 * i + 1), part(3 * i + 2)});
+  return colors;
+}
+
+Result<std::vector<Color>> read_materials(std::string_view bytes) {
+  constexpr std::size_t kRecord = 15, kDiffuse = 5, kEmission = 8;
+  if (bytes.size() < kRecord)
+    return Error{"", fmt::format("found {} bytes; expected materials of {} each", bytes.size(), kRecord)};
+  std::vector<Color> colors(kColors, kLeafGreen);
+  for (std::size_t record = 0; record + kRecord <= bytes.size(); record += kRecord) {
+    auto part = [&](std::size_t at) { return static_cast<unsigned char>(bytes[record + at]); };
+    auto sum = [&](std::size_t i) {
+      return static_cast<float>(std::min(part(kDiffuse + i) + part(kEmission + i), 255)) / 255;
+    };
+    colors[part(0)] = {sum(0), sum(1), sum(2)};
+  }
+  return colors;
+}
+
+}  // namespace frond::cpfg
+
+namespace frond {
+
+const std::vector<Color>& colors_of(const CpfgModel& model) { return model.shapes->colors; }
+
+std::map<char, Surface> surfaces_of(const CpfgModel& model) {
+  std::map<char, Surface> surfaces;
+  for (const auto& [name, surface] : model.shapes->surfaces) surfaces[name] = surface.mesh;
+  return surfaces;
+}
+
+std::optional<Error> missing_shapes(const CpfgModel& model) { return model.shapes->missing; }
+
+}  // namespace frond

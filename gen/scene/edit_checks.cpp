@@ -1,0 +1,41 @@
+#include "scene/edit_checks.h"
+
+#include <fmt/format.h>
+
+namespace frond {
+
+Errors edit_faults(const Organism& organism) {
+  const Grower& grower = *organism.grower;
+  if (organism.edits.empty()) return {};
+  if (!grower.branches() || grower.creeps())
+    return {{"/edits", "are of branches; expected a kind that has them and does not creep"}};
+  Errors errors;
+  for (std::size_t i = 0; i < organism.edits.size(); ++i) {
+    const Edit& edit = organism.edits[i];
+    auto add = [&](std::string_view name, std::string what) {
+      errors.push_back({fmt::format("/edits/{}{}", i, name), std::move(what)});
+    };
+    const int given = edit.cut.has_value() + edit.bend.has_value() + edit.strength.has_value();
+    if (given != 1) add("", fmt::format("has {} of cut, bend and strength; expected one of them", given));
+    if (edit.dated() && !grower.lives_years())
+      add("/cut", "names a year; expected true, or the kind tree, which grows over years");
+    if (edit.bend && edit.at.share == 0)
+      add("/at", "is where the limb is held; expected a place farther along it to pull at, as \"3:0.8\"");
+  }
+  return errors;
+}
+
+Errors edit_doubts(const Organism& organism) {
+  Errors doubts;
+  for (std::size_t i = 0; i < organism.edits.size(); ++i) {
+    const auto& plant = organism.edits[i].plant;
+    if (plant && (organism.sown || *plant >= static_cast<std::size_t>(organism.count)))
+      doubts.push_back({fmt::format("/edits/{}/plant", i),
+                        organism.sown
+                            ? "does nothing: what is sown has copies only"
+                            : fmt::format("finds no plant: there are {}, counted from 0", organism.count)});
+  }
+  return doubts;
+}
+
+}  // namespace frond

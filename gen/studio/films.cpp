@@ -1,0 +1,347 @@
+#include "studio/films.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <thread>
+
+#include "core/files.h"
+#include "core/frame_name.h"
+#include "core/parallel.h"
+#include "core/printable.h"
+#include "core/text.h"
+#include "jobs/jobs.h"
+#include "render/process.h"
+#include "studio/carry.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kOrder = "film.json";
+constexpr const char* kPreset = "preset.json";
+constexpr const char* kRun = "frond.log";
+constexpr int kMostFilms = 1000;
+constexpr int kRoughWide = 240, kRoughFrames = 12;
+constexpr int kWell = 0;  // the exit code
+
+Json order_json(const FilmOrder& order) {
+  return {{"size", order.size},
+          {"quality", order.quality},
+          {"range", order.frames},
+          {"rough", order.rough},
+          {"farm", order.farm}};
+}
+
+/// What `frond render` is told of a film's size and quality.
+std::vector<std::string> sets_of(std::array<int, 2> size, const std::string& quality) {
+  return {fmt::format("/film/size=[{},{}]", size[0], size[1]), "/film/quality=\"" + quality + "\""};
+}
+
+/// Those of the rough film, which lasts as long as the whole one.
+std::vector<std::string> rough_sets(const Film& film) {
+  int frames = std::min(kRoughFrames, film.frames);
+  int high = std::max(16, static_cast<int>(kRoughWide * film.aspect()));
+  std::vector<std::string> sets = sets_of({kRoughWide, high}, "draft");
+  sets.push_back(fmt::format("/film/frames={}", frames));
+  sets.push_back(fmt::format("/film/fps={:.9g}", std::max(0.1, frames / film.length())));
+  return sets;
+}
+
+/// The numbers of the frames below a folder that are there.
+std::vector<int> frames_there(const fs::path& folder) {
+  constexpr std::string_view kBegin = "frame_";
+  std::vector<int> numbers;
+  for (const fs::path& file : files_in(folder)) {
+    std::string stem = file.stem().string();
+    int number = 0;
+    if (file.extension() != ".png" || !stem.starts_with(kBegin)) continue;
+    auto [end, error] = std::from_chars(stem.data() + kBegin.size(), stem.data() + stem.size(), number);
+    if (error == std::errc{} && end == stem.data() + stem.size()) numbers.push_back(number);
+  }
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
+/// What a run has said last.
+std::string last_line(const fs::path& log) {
+  Result<std::string> text = read_file(log);
+  std::string last;
+  if (text)
+    for (std::string& line : lines_of(*text))
+      if (!line.empty()) last = std::move(line);
+  return last;
+}
+
+}  // namespace
+
+struct Films::Job {
+  std::string id;
+  fs::path folder;
+  FilmOrder order;
+  Json told;  // of the preset: title, seed, fps and how many frames are to be rendered
+  std::vector<std::string> rough_sets;
+
+  // Guarded by Films::in_work_.
+  std::string state = "paused", phase, message;
+  bool stop = false;
+  pid_t process = 0;
+  std::thread thread;
+
+  fs::path preset() const { return folder / kPreset; }
+  fs::path frames() const { return order.farm ? folder / "farm/latest/frames" : folder / "frames"; }
+  bool at_work() const { return state == "waiting" || state == "rendering"; }
+};
+
+Films::Films(const Documents& documents, fs::path home)
+    : documents_(documents), home_(std::move(home)), folder_(documents.folder() / "out/films") {
+  find_earlier();
+}
+
+Films::~Films() {
+  std::vector<std::string> ids;
+  for (const auto& job : jobs_) ids.push_back(job->id);
+  for (const std::string& id : ids) pause(id);
+  for (const auto& job : jobs_)
+    if (job->thread.joinable()) job->thread.join();
+}
+
+void Films::find_earlier() {
+  std::vector<std::pair<fs::file_time_type, std::shared_ptr<Job>>> found;
+  for (const fs::path& folder : files_in(folder_)) {
+    Result<std::string> text = read_file(folder / kOrder);
+    Json json = text ? Json::parse(*text, nullptr, false) : Json();
+    if (!json.is_object() || found.size() >= kMostFilms) continue;
+    auto job = std::make_shared<Job>();
+    try {
+      const Json& order = json.at("order");
+      job->order = {order.at("size"), order.at("quality"), order.at("range"), order.at("rough"),
+                    order.at("farm")};
+      job->told = json.at("told");
+      job->rough_sets = json.at("rough");
+    } catch (const Json::exception&) {
+      continue;  // another version's
+    }
+    job->id = folder.filename(), job->folder = folder;
+    std::error_code error;
+    if (fs::exists(folder / "film.mp4", error)) job->state = "done";
+    found.emplace_back(fs::last_write_time(folder / kOrder, error), std::move(job));
+  }
+  std::ranges::sort(found, std::greater<>(), [](const auto& one) { return one.first; });
+  for (auto& [when, job] : found) jobs_.push_back(std::move(job));
+}
+
+Result<fs::path> Films::make_folder(const Doc& doc) const {
+  std::string name = plain_name(doc.file.stem().string(), "film");
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  for (int number = 1; number <= kMostFilms && !error; ++number) {
+    fs::path folder = folder_ / fmt::format("{}-{}", name, number);
+    if (fs::create_directory(folder, error)) return folder;
+  }
+  std::string temporary = (fs::temp_directory_path() / ("frond-" + name + "-XXXXXX")).string();
+  if (!mkdtemp(temporary.data())) return Error{folder_.string(), "nothing can be written there"};
+  return fs::path(temporary);
+}
+
+Result<std::string> Films::begin(const Doc& doc, const FilmOrder& order) {
+  if (povray_flags(order.quality, false).empty())
+    return Error{"", fmt::format("\"{}\" is no quality", order.quality)};
+  Result<Preset> preset = documents_.preset(doc, sets_of(order.size, order.quality));
+  if (!preset) return preset.errors();
+  const Film& film = preset->film;
+  if (film.frames == 1)
+    return Error{"", "this is a still, which Renders makes: a film has two frames or more"};
+  Result<std::string> text = with_whole_paths(doc.text, doc.file.parent_path());
+  if (!text) return text.errors();
+  Result<fs::path> folder = make_folder(doc);
+  if (!folder) return folder.errors();
+  auto job = std::make_shared<Job>();
+  job->id = folder->filename(), job->folder = *folder, job->order = order;
+  job->told = {{"title", preset->title}, {"seed", preset->seed}, {"fps", film.fps}, {"frames", film.frames}};
+  job->rough_sets = rough_sets(film);
+  Json kept{{"order", order_json(order)}, {"told", job->told}, {"rough", job->rough_sets}};
+  for (const auto& [file, content] : {std::pair(kOrder, kept.dump(2)), std::pair(kPreset, *text)})
+    if (Result<bool> written = write_file(*folder / file, content); !written) return written.errors();
+  std::lock_guard lock(in_work_);
+  jobs_.push_front(job);
+  start(job);
+  return job->id;
+}
+
+std::shared_ptr<Films::Job> Films::find(const std::string& id) {
+  auto found = std::ranges::find(jobs_, id, [](const auto& job) { return job->id; });
+  return found == jobs_.end() ? nullptr : *found;
+}
+
+/// With in_work_ locked.
+void Films::start(const std::shared_ptr<Job>& job) {
+  if (job->thread.joinable()) job->thread.join();  // it has ended
+  job->state = "waiting", job->phase.clear(), job->message.clear(), job->stop = false;
+  job->thread = std::thread([this, job] { work(*job); });
+}
+
+void Films::work(Job& job) {
+  auto words = [&](const char* command, const char* into, std::vector<std::string> sets) {
+    std::vector<std::string> all{own_program().string(), command, job.preset().string(),
+                                 "--out=" + (job.folder / into).lexically_normal().string()};
+    for (const std::string& set : sets) all.insert(all.end(), {"--set", set});
+    return all;
+  };
+  std::unique_lock lock(in_work_);
+  turn_.wait(lock, [&] { return !busy_ || job.stop; });
+  int code = kWell;
+  if (!job.stop) {
+    busy_ = true, job.state = "rendering";
+    std::error_code error;
+    auto step = [&](const char* phase, const std::vector<std::string>& run_words) {
+      if (code != kWell || job.stop) return;
+      job.phase = phase;
+      lock.unlock();
+      code = run(job, run_words);
+      lock.lock();
+    };
+    if (job.order.rough && !fs::exists(job.folder / "rough/film.mp4", error))
+      step("rough", words("render", "rough", job.rough_sets));
+    std::vector<std::string> whole =
+        words(job.order.farm ? "farm" : "render", "", sets_of(job.order.size, job.order.quality));
+    if (!job.order.farm) whole.push_back("--watch");
+    if (!job.order.frames.empty()) whole.push_back("--frames=" + job.order.frames);
+    step("frames", whole);
+    busy_ = false;
+  }
+  bool failed = code != kWell && !job.stop;
+  job.state = job.stop ? "paused" : failed ? "failed" : job.order.farm ? "farm" : "done";
+  if (failed) job.message = last_line(job.folder / kRun);
+  turn_.notify_all();
+}
+
+int Films::run(Job& job, const std::vector<std::string>& words) {
+  int log = ::open((job.folder / kRun).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+  Command command;
+  command.words = words;
+  command.environment = {"FROND_HOME=" + fs::absolute(home_).string(),
+                         fmt::format("FROND_THREADS={}", thread_count())};
+  command.out = command.err = log;
+  command.end_with = SIGTERM;
+  command.apart = true;
+  Result<pid_t> process = frond::start(command);
+  if (log >= 0) ::close(log);
+  {
+    std::lock_guard lock(in_work_);
+    if (!process) return job.message = process.errors().front().text(), 1;
+    job.process = *process;
+    if (job.stop) ::kill(*process, SIGTERM);
+  }
+  siginfo_t ended{};
+  ::waitid(P_PID, static_cast<id_t>(*process), &ended, WEXITED | WNOWAIT);
+  std::lock_guard lock(in_work_);  // nobody signals a process that is not there any more
+  job.process = 0;
+  return wait_for(*process);
+}
+
+Json Films::told(const Job& job) const {
+  std::vector<int> frames = frames_there(job.frames());
+  std::size_t done = frames.size();
+  // Frames that are resolved come last: until then those are shown that they are resolved from.
+  if (std::vector<int> raw = frames_there(job.folder / "raw"); raw.size() > done) frames = raw;
+  int of = job.told.at("frames");
+  if (Result<std::string> text = read_file(job.folder / "manifest.json"))
+    if (Result<Manifest> manifest = read_manifest(*text, kPreset))
+      of = static_cast<int>(manifest->frames.size());
+  std::error_code error;
+  bool film = fs::exists(job.folder / "film.mp4", error);
+  Json answer{{"id", job.id},
+              {"folder", job.folder.string()},
+              {"state", job.state == "farm" && film ? "done" : job.state},
+              {"phase", job.phase},
+              {"message", job.message},
+              {"said", job.at_work() ? last_line(job.folder / kRun) : ""},
+              {"done", std::min<std::size_t>(frames.size(), static_cast<std::size_t>(of))},
+              {"of", of},
+              {"there", frames},
+              {"film", film && !job.at_work()},
+              {"rough", fs::exists(job.folder / "rough/film.mp4", error)},
+              {"watch", job.at_work() && fs::exists(job.folder / "watch.png", error)},
+              {"order", order_json(job.order)}};
+  answer.update(job.told);
+  return answer;
+}
+
+std::optional<Json> Films::state(const std::string& id) {
+  std::lock_guard lock(in_work_);
+  std::shared_ptr<Job> job = find(id);
+  return job ? std::optional(told(*job)) : std::nullopt;
+}
+
+Json Films::list() {
+  std::lock_guard lock(in_work_);
+  Json all = Json::array();
+  for (const auto& job : jobs_) all.push_back(told(*job));
+  return all;
+}
+
+bool Films::pause(const std::string& id) {
+  std::lock_guard lock(in_work_);
+  std::shared_ptr<Job> job = find(id);
+  if (!job) return false;
+  if (job->at_work()) job->stop = true;
+  if (job->state == "farm") {
+    Command cancel;
+    cancel.words = {own_program().string(), "farm", job->preset().string(), "--out=" + job->folder.string(),
+                    "--cancel"};
+    if (Result<int> code = frond::run(cancel); code && *code == kWell) job->state = "paused";
+  }
+  if (job->process > 0) ::kill(job->process, SIGTERM);
+  turn_.notify_all();
+  return true;
+}
+
+bool Films::resume(const std::string& id) {
+  std::lock_guard lock(in_work_);
+  std::shared_ptr<Job> job = find(id);
+  if (job && (job->state == "paused" || job->state == "failed")) start(job);
+  return job != nullptr;
+}
+
+bool Films::remove(const std::string& id) {
+  if (!pause(id)) return false;
+  std::shared_ptr<Job> job;
+  {
+    std::lock_guard lock(in_work_);
+    job = find(id);
+    if (!job) return false;
+    jobs_.remove(job);
+  }
+  if (job->thread.joinable()) job->thread.join();
+  std::error_code error;
+  fs::remove_all(job->folder, error);
+  return true;
+}
+
+std::optional<fs::path> Films::file(const std::string& id, const std::string& name) {
+  std::lock_guard lock(in_work_);
+  std::shared_ptr<Job> job = find(id);
+  if (!job) return std::nullopt;
+  std::vector<fs::path> places;
+  if (name == "film.mp4" || name == "watch.png")
+    places = {job->folder / name};
+  else if (name == "rough.mp4")
+    places = {job->folder / "rough/film.mp4"};
+  else if (int number = counting_number(name))
+    for (const fs::path& folder : {job->frames(), job->folder / "raw"})
+      places.push_back(folder / (frame_name(number) + ".png"));
+  std::error_code error;
+  for (const fs::path& place : places)
+    if (fs::is_regular_file(place, error)) return place;
+  return std::nullopt;
+}
+
+}  // namespace frond

@@ -1,0 +1,247 @@
+/** Strokes: what is drawn in the view becomes a line of points in the preset, whose points are then dragged. */
+
+import { Plane, Raycaster, Vector3, type PerspectiveCamera } from "three";
+import * as api from "../api";
+import { reckon } from "../controls/reckon";
+import { el } from "../dom";
+import { toPointer } from "../pointer";
+import { round } from "../rounding";
+import type { Store } from "../store";
+import type { Drag, Tool } from "../view/tool";
+import type { View } from "../view/view";
+import { copied } from "./copied";
+import { Marks, touches } from "./marks";
+import { thinned } from "./thinned";
+import { handleOf, slope, splinePlaces } from "./spline";
+import { strokesFor, type Stroke, type StrokeLine, type StrokePoint } from "./strokes";
+
+const COLORS = { drawn: 0xffa63d, line: 0x6aa5ff, handle: 0x6aa5ff, chosen: 0xffffff, tangent: 0x59c36a };
+/** How far ahead of the eye a stroke is shown whose depth is not known yet. */
+const AHEAD = 1;
+const SMOOTH = 0.012; // of its length, that a stroke loses of its trembling
+
+/** The end of a tangent. */
+interface Handle {
+  point: StrokePoint;
+  way: "in" | "out";
+  at: Vector3;
+}
+
+export class Draw implements Tool {
+  readonly drawn = new Marks();
+  readonly options: HTMLElement;
+  private pixel = 0.001;
+  private strokes: Stroke[] = [];
+  private clicked: Raycaster[] = [];
+  /** Where the point stands whose handles are shown. */
+  private chosen = "";
+  private what = el<HTMLSelectElement>("select", { "aria-label": "What is drawn", "data-testid": "draw-what", change: () => this.begin() });
+  private width = el<HTMLInputElement>("input.number", { type: "text", size: 6, "aria-label": "Width", "data-testid": "draw-width" });
+  private wide = el("label", {}, "Width ", this.width);
+  private told = el("p", { role: "status", "data-testid": "draw-told" });
+  private pull = el<HTMLInputElement>("input.number", { type: "text", size: 6, "aria-label": "Pull", "data-testid": "draw-pull" });
+  private pulls = el("label", { "data-tip": "How strongly what follows it is led along it, 0 to 1" }, "Pull ", this.pull);
+  private finish = el("button.small", { type: "button", disabled: true, "data-testid": "draw-finish", click: () => void this.done() }, "Finish");
+
+  constructor(
+    private store: Store,
+    private view: View,
+  ) {
+    this.options = el("div.tool-options", { "data-testid": "draw" }, el("div.cluster", {}, this.what, this.wide, this.pulls, this.finish), this.told);
+  }
+
+  /** What can be drawn may be another now. */
+  refresh(): void {
+    const was = this.what.value;
+    this.strokes = strokesFor(this.store, this.view);
+    this.what.replaceChildren(...this.strokes.map((s) => el("option", { value: s.value }, s.label)));
+    if (this.strokes.some((s) => s.value === was)) this.what.value = was;
+    if (this.what.value !== was) this.begin();
+    this.show();
+  }
+
+  private get stroke(): Stroke | undefined {
+    return this.strokes.find((s) => s.value === this.what.value);
+  }
+
+  private begin(): void {
+    this.clicked = [];
+    this.finish.setAttribute("disabled", "");
+    const { stroke } = this;
+    this.wide.hidden = stroke?.width === undefined;
+    this.pulls.hidden = stroke?.pull === undefined;
+    if (stroke?.pull !== undefined) this.pull.value = String(stroke.pull);
+    if (stroke?.width !== undefined) this.width.value = `${stroke.width} m`;
+    this.told.textContent = stroke ? "Draw it with the mouse held down, or click its points and finish. Points are dragged, and so are the handles of the one that was touched last." : "Nothing can be drawn here.";
+    this.show();
+  }
+
+  click(ray: Raycaster): void {
+    const { stroke } = this;
+    if (!stroke) return;
+    const point = this.pointAt(stroke, ray);
+    if (point) return this.choose(point);
+    this.clicked.push(copied(ray));
+    this.finish.toggleAttribute("disabled", this.clicked.length < 2);
+    this.show();
+  }
+
+  drag(ray: Raycaster): Drag | null {
+    const { stroke } = this;
+    if (!stroke) return null;
+    const handle = this.handles(stroke).find((h) => touches(ray.ray, h.at, this.pixel));
+    if (handle) return this.handleDrag(stroke, handle);
+    const point = this.pointAt(stroke, ray);
+    if (point) return this.pointDrag(stroke, point);
+    const rays = [copied(ray)];
+    return {
+      move: (now) => {
+        rays.push(copied(now));
+        this.show(rays);
+      },
+      end: () => void this.put(stroke, rays, true),
+    };
+  }
+
+  scaleTo(camera: PerspectiveCamera, pixel: number): void {
+    this.pixel = pixel;
+    this.drawn.scaleTo(camera, pixel);
+  }
+
+  /** Enter puts a point where the middle of the window looks. */
+  key(event: KeyboardEvent): boolean {
+    if (event.key === "Enter") this.click(this.view.middle());
+    else if (event.key === "Backspace") {
+      this.clicked.pop();
+      this.show();
+    } else if (event.key === "Delete" && this.chosen) this.straighten();
+    else return false;
+    return true;
+  }
+
+  private async done(): Promise<void> {
+    const { stroke, clicked } = this;
+    if (stroke && clicked.length > 1) await this.put(stroke, clicked, false);
+    this.begin();
+  }
+
+  private pointAt(stroke: Stroke, ray: Raycaster): StrokePoint | undefined {
+    return stroke.lines().flatMap((line) => line.points).find((p) => touches(ray.ray, p.at, this.pixel));
+  }
+
+  private choose(point: StrokePoint): void {
+    this.chosen = toPointer(point.path);
+    this.show();
+  }
+
+  /** The line of the chosen point, and its number there. */
+  private chosenIn(stroke: Stroke): { line: StrokeLine; index: number } | null {
+    for (const line of stroke.curved ? stroke.lines() : []) {
+      const index = line.points.findIndex((p) => toPointer(p.path) === this.chosen);
+      if (index >= 0) return { line, index };
+    }
+    return null;
+  }
+
+  /** Those of the chosen point; at a corner, where they would be if it were smooth. */
+  private handles(stroke: Stroke): Handle[] {
+    const found = this.chosenIn(stroke);
+    if (!found) return [];
+    const { points, smooth, closed } = found.line;
+    const point = points[found.index]!;
+    return (["in", "out"] as const).map((way) => {
+      const offset = handleOf(points, found.index, way, smooth, closed) ?? slope(points, found.index, closed).multiplyScalar(way === "out" ? 1 : -1);
+      return { point, way, at: point.at.clone().add(offset) };
+    });
+  }
+
+  /** The chosen point is without handles again. */
+  private straighten(): void {
+    const found = this.stroke && this.chosenIn(this.stroke);
+    if (!found || !this.stroke) return;
+    const point = found.line.points[found.index]!;
+    this.store.set(point.path, this.stroke.spelled(point.at));
+    this.show();
+  }
+
+  private pointDrag(stroke: Stroke, point: StrokePoint): Drag {
+    this.choose(point);
+    return this.dragging(stroke, point.at, (at) => {
+      this.store.set(point.path, this.written(stroke, { ...point, at }), toPointer(point.path));
+    });
+  }
+
+  /** With Shift the other handle stays, so that there is a corner. */
+  private handleDrag(stroke: Stroke, { point, way, at }: Handle): Drag {
+    const gesture = `${toPointer(point.path)} ${way}`;
+    const other = way === "in" ? "out" : "in";
+    return this.dragging(stroke, at, (now, shift) => {
+      const offset = now.clone().sub(point.at);
+      const stays = point[other] ?? (shift && point[way] ? point[way].clone().negate() : undefined);
+      this.store.set(point.path, this.written(stroke, { ...point, [way]: offset, [other]: stays }), gesture);
+    });
+  }
+
+  private dragging(stroke: Stroke, from: Vector3, set: (at: Vector3, shift: boolean) => void): Drag {
+    const plane = stroke.on === "ground" ? new Plane(new Vector3(0, 1, 0), -from.y) : null;
+    return {
+      move: (ray, shift) => {
+        const facing = plane ?? new Plane().setFromNormalAndCoplanarPoint(ray.ray.direction, from);
+        const at = ray.ray.intersectPlane(facing, new Vector3());
+        if (!at) return;
+        set(at, shift);
+        this.show();
+      },
+      end: () => this.store.endGesture(),
+    };
+  }
+
+  /** A point as the preset has it: the place alone, or with its handles. */
+  private written(stroke: Stroke, { at, in: back, out }: StrokePoint): unknown {
+    const place = stroke.spelled(at);
+    const offset = (by: Vector3): number[] => stroke.spelled(at.clone().add(by)).map((x, k) => round(x - place[k]!));
+    if (!back && !out) return place;
+    return { at: place, ...(back ? { in: offset(back) } : {}), ...(out ? { out: offset(out) } : {}) };
+  }
+
+  private async put(stroke: Stroke, rays: Raycaster[], smooth: boolean): Promise<void> {
+    try {
+      const points = await this.placed(stroke, rays);
+      const kept = smooth ? thinned(points, SMOOTH) : points;
+      const wide = reckon(this.width.value, "m");
+      if (kept.length < 2) this.told.textContent = "Nothing is there to draw on.";
+      else stroke.draw(kept, "value" in wide ? wide.value : (stroke.width ?? 0), Math.min(1, Math.max(0, Number(this.pull.value.replace(",", ".")) || 0)));
+    } catch (error) {
+      this.told.textContent = (error as Error).message;
+    }
+    this.show();
+  }
+
+  /** Where rays meet what is drawn on; those that meet nothing are left out. */
+  private async placed(stroke: Stroke, rays: Raycaster[]): Promise<Vector3[]> {
+    if (typeof stroke.on === "object" && "plane" in stroke.on) {
+      const plane = new Plane().setFromNormalAndCoplanarPoint(rays[0]!.ray.direction, stroke.on.plane);
+      return rays.map((r) => r.ray.intersectPlane(plane, new Vector3())).filter((p) => p !== null);
+    }
+    if (stroke.on === "ground") return rays.map((r) => this.view.groundUnder(r, 0)).filter((p) => p !== null);
+    const sent = rays.map((r) => [...r.ray.origin.toArray(), ...r.ray.direction.toArray()]);
+    const hits = await api.trace(this.store.doc, this.store.time, sent, stroke.on);
+    return hits.flatMap((hit) => (hit ? [new Vector3(...hit.at)] : []));
+  }
+
+  private show(rays: Raycaster[] = this.clicked): void {
+    this.drawn.clear();
+    for (const { points, smooth, closed } of this.stroke?.lines() ?? []) {
+      this.drawn.line(splinePlaces(points, smooth, closed).flatMap((p) => p.toArray()), COLORS.line);
+      for (const point of points) this.drawn.handle(point.at, toPointer(point.path) === this.chosen ? COLORS.chosen : COLORS.handle);
+    }
+    for (const { point, at } of this.stroke ? this.handles(this.stroke) : []) {
+      this.drawn.line([...point.at.toArray(), ...at.toArray()], COLORS.tangent);
+      this.drawn.handle(at, COLORS.tangent);
+    }
+    const ahead = rays.map((r) => r.ray.at(AHEAD, new Vector3()));
+    if (ahead.length) this.drawn.line(ahead.flatMap((p) => p.toArray()), COLORS.drawn);
+    if (rays === this.clicked) for (const at of ahead) this.drawn.handle(at, COLORS.drawn);
+    this.view.redraw();
+  }
+}

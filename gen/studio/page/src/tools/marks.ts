@@ -1,0 +1,60 @@
+/** Lines and handles that tools draw over the picture. */
+
+import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry, type PerspectiveCamera, type Vector3 } from "three";
+
+const HANDLE = 6; // pixels
+const ball = new SphereGeometry(1, 12, 8);
+
+const over = { depthTest: false, transparent: true };
+
+/** Handles, lines and loose segments of one colour each. */
+export class Marks extends Group {
+  private handles: Mesh[] = [];
+
+  clear(): this {
+    for (const one of this.children)
+      if (one instanceof Line) {
+        one.geometry.dispose();
+        (one.material as LineBasicMaterial).dispose();
+      } else if (one instanceof Mesh) (one.material as MeshBasicMaterial).dispose();
+    this.handles = [];
+    return super.clear();
+  }
+
+  /** Points x, y, z in turn. */
+  line(points: ArrayLike<number>, color: number, opacity = 0.9): void {
+    this.put(new Line(geometry(points), new LineBasicMaterial({ color, opacity, ...over })));
+  }
+
+  /** Pairs of such points. */
+  segments(points: ArrayLike<number>, color: number, opacity = 0.6): void {
+    this.put(new LineSegments(geometry(points), new LineBasicMaterial({ color, opacity, ...over })));
+  }
+
+  handle(at: Vector3, color: number): void {
+    const one = new Mesh(ball, new MeshBasicMaterial({ color, ...over }));
+    one.position.copy(at);
+    this.handles.push(one);
+    this.put(one);
+  }
+
+  scaleTo(camera: PerspectiveCamera, pixel: number): void {
+    for (const one of this.handles) one.scale.setScalar(HANDLE * pixel * one.position.distanceTo(camera.position));
+    this.updateMatrixWorld();
+  }
+
+  private put(one: Line | Mesh): void {
+    one.frustumCulled = false;
+    one.renderOrder = this.children.length;
+    this.add(one);
+  }
+}
+
+function geometry(points: ArrayLike<number>): BufferGeometry {
+  return new BufferGeometry().setAttribute("position", new BufferAttribute(Float32Array.from(points), 3));
+}
+
+/** Is a point within reach of a ray, as a handle drawn there is? */
+export function touches(ray: { distanceToPoint(p: Vector3): number; origin: Vector3 }, at: Vector3, pixel: number): boolean {
+  return ray.distanceToPoint(at) < 2 * HANDLE * pixel * at.distanceTo(ray.origin);
+}
