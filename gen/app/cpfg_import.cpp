@@ -43,14 +43,25 @@ DVec3 side_of(const CpfgModel& model) {
   return glm::normalize(side);
 }
 
+/// How far from the middle of a box an eye on a side of it sees the whole box with a rim of a tenth.
+double distance_to_see(DVec3 size, DVec3 side) {
+  DVec3 right = glm::normalize(glm::cross(DVec3{0, 1, 0}, side)), up = glm::cross(side, right);
+  double slope = 0.9 * std::tan(radians(kAngle / 2)), distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    DVec3 at = size * DVec3{corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5};
+    double across = std::max(std::abs(glm::dot(at, right)), std::abs(glm::dot(at, up)));
+    distance = std::max(distance, glm::dot(at, side) + across / slope);
+  }
+  return distance;
+}
+
 std::string place(DVec3 v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", v.x, v.y, v.z); }
 
 std::string preset_of(const CpfgModel& model, const CpfgFigure& figure, const fs::path& file, int steps) {
   DVec3 size = figure.high - figure.low;
   double scale = kLongest / std::max({size.x, size.y, size.z}), height = size.y * scale;
-  DVec3 middle{0, height / 2, 0};
-  double distance = 1.05 * glm::length(size) * scale / 2 / std::sin(radians(kAngle / 2));
-  DVec3 eye = middle + side_of(model) * distance;
+  DVec3 middle{0, height / 2, 0}, side = side_of(model);
+  DVec3 eye = middle + side * distance_to_see(size * scale, side);
   eye.y = std::max(eye.y, 0.05);
   return fmt::format(
       R"json({{

@@ -77,6 +77,28 @@ TEST_F(CpfgPlant, SurfacesLieAsTheTurtleSays) {
   EXPECT_NEAR(corner.y, 0.6f / 4.1f, 1e-5f);
 }
 
+TEST_F(CpfgPlant, NegativeFactorsMirrorSurfaces) {
+  auto farthest = [](const std::vector<Vec3>& points) {
+    return *std::ranges::max_element(points, {}, [](const Vec3& p) { return glm::length(p); });
+  };
+  grammar("Axiom: ~l(-1,1,1)F(4)\nA --> A\n");
+  Model mirrored = grown(plant());
+  EXPECT_EQ(mirrored.organs.size(), 0U);
+  ASSERT_EQ(mirrored.blades.size(), 1U);
+  Vec3 corner = farthest(mirrored.blades.surface.position);
+  EXPECT_NEAR(corner.x, 0.6f / 4.1f, 1e-5f);
+  EXPECT_NEAR(corner.y, 0.6f / 4.1f, 1e-5f);
+  // Two mirrors are a half turn, and stay an organ.
+  grammar("Axiom: ~l(-1,-1,1)F(4)\nA --> A\n");
+  Model turned = grown(plant());
+  ASSERT_EQ(turned.organs.size(), 1U);
+  std::vector<Vec3> points = turned.prototypes[turned.organs.prototype[0]].parts[0].surface.position;
+  for (Vec3& p : points) p = turned.organs.turn[0] * (turned.organs.scale[0] * p);
+  corner = farthest(points);
+  EXPECT_GT(corner.x, 0);
+  EXPECT_LT(corner.y, 0);
+}
+
 TEST_F(CpfgPlant, OrgansOfThePresetStandAtItsSurfaces) {
   PlantParams params = plant();
   params.organs.clear();

@@ -57,6 +57,36 @@ std::vector<std::int32_t> add_segments(const CpfgFigure& drawn, Figure& figure) 
   return nodes;
 }
 
+bool is_mirrored(const CpfgPlaced& p) { return p.factors.x * p.factors.y * p.factors.z < 0; }
+
+/// A surface that is not mirrored; two negative factors are a half turn.
+Site site_of(const CpfgPlaced& p, std::int32_t node) {
+  DVec3 signs = glm::sign(p.factors);
+  for (int i = 0; i < 3; ++i)
+    if (is_mirrored(p) || signs[i] == 0) signs[i] = 1;
+  return {std::string(1, p.surface), Vec3(p.position), Vec3(p.heading * signs.y),
+          Vec3(p.left * signs.x),    Vec3(-p.up * signs.z), Vec3(p.factors), p.color, node};
+}
+
+/// Whether the surface of a name is the model's and not one that the preset gives in its place.
+bool has_own_shape(const PlantParams& params, char surface) {
+  auto organ = std::ranges::find(params.organs, std::string(1, surface), &OrganParams::symbol);
+  return organ != params.organs.end() && organ->with_plant;
+}
+
+/// A mirrored surface where it lies. An organ has no negative scale.
+Surface laid(const CpfgPlaced& p, Surface surface) {
+  if (surface.uv.empty())
+    for (const Vec3& at : surface.position) surface.uv.emplace_back(at.x, at.y);
+  for (Vec3& at : surface.position) at = Vec3(p.at(DVec3(at)));
+  for (Vec3& n : surface.normal) {
+    DVec3 turned = DVec3(n) / p.factors;
+    n = Vec3(glm::normalize(p.left * turned.x + p.heading * turned.y + p.up * turned.z));
+  }
+  for (auto& corner : surface.triangle) std::swap(corner[0], corner[1]);
+  return surface;
+}
+
 Site site_of(const CpfgRound& round, const char* name, std::int32_t node) {
   Site site{name, Vec3(round.center)};
   site.scale = Vec3(static_cast<float>(2 * round.radius));
@@ -146,9 +176,13 @@ Result<DrawnPlant> draw_cpfg(const PlantParams& params, double share) {
   }
   for (CpfgSkin& skin : drawn->skins)
     plant.skins.push_back({std::move(skin.mesh), skin.color, node(skin.segment), Vec3(skin.foot)});
-  for (const CpfgPlaced& p : drawn->placed)
-    figure.sites.push_back({std::string(1, p.surface), Vec3(p.position), Vec3(p.heading), Vec3(p.left),
-                            Vec3(-p.up), Vec3(p.factors), p.color, node(p.segment)});
+  for (const CpfgPlaced& p : drawn->placed) {
+    auto surface = drawn->surfaces.find(p.surface);
+    if (is_mirrored(p) && has_own_shape(params, p.surface) && surface != drawn->surfaces.end())
+      plant.skins.push_back({laid(p, surface->second), p.color, node(p.segment), Vec3(p.position)});
+    else
+      figure.sites.push_back(site_of(p, node(p.segment)));
+  }
   for (const CpfgRound& sphere : drawn->spheres)
     figure.sites.push_back(site_of(sphere, "@O", node(sphere.segment)));
   for (const CpfgRound& disc : drawn->discs) figure.sites.push_back(site_of(disc, "@o", node(disc.segment)));
