@@ -110,6 +110,8 @@ FarVertex far_vertex(const FarLand& land, const MountainPlace& place, double spa
     inside = 1e3, canopy = 1 - smooth_step(0.02, 0.14, cover);
   }
   if (canopy > 0) {
+    // The near ground is open, so a wood at its edge is seen from the side there.
+    inside = std::min(inside, land.edge().outside(at));
     // Trees become small toward their line.
     double size = 1 - smooth_step(land.shape().tree_line - 400, land.shape().tree_line + 100, height);
     Vec3 bumps = noise3(Vec3(at.x, 0, at.y) / 9.0f);

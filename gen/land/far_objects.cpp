@@ -62,7 +62,8 @@ void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& 
     Parcel parcel = land.parcel(at);
     bool wooded = land.wooded(parcel), bordered = parcel.border.child("hedge").unit() < land.shape().hedges;
     // Some stand out of the canopy.
-    bool edge = parcel.edge < kWoodEdge && !land.wooded(land.parcel(parcel.next));
+    bool edge = (parcel.edge < kWoodEdge && !land.wooded(land.parcel(parcel.next))) ||
+                land.edge().outside(at) < kWoodEdge;
     double chance = wooded ? (edge ? 0.9 : 0.04) : bordered && parcel.edge < 4 ? 0.09 : 0.004;
     if (roll > chance || (!wooded && land.edge().outside(at) < 25)) return;
     double height = land.height(at);

@@ -157,6 +157,29 @@ TEST(FarMesh, IsSoundAndGrowsWithThePicture) {
   }
 }
 
+TEST(FarMesh, WoodsAtTheNearGroundReachDownToIt) {
+  // Nobody looks below a canopy that ends in the air.
+  FarLandShape shape;
+  shape.woods = 0.8;
+  FarView view = view_of(60'000, 0.004);
+  view.eye = 1e5;  // nothing is hidden
+  for (const GroundEdge& edge : {disc(150), square(600, 17)}) {
+    FarLand land(shape, edge, Seed{4});
+    int low = 0, high = 0;
+    for (const FarPart& part : far_mesh(land, view, Seed{1})) {
+      if (part.cover != FarCover::wood) continue;
+      for (const Vec3& p : part.surface.position) {
+        double out = edge.outside(Vec2(p.x, p.z)), above = p.y - land.height(Vec2(p.x, p.z));
+        low += out < 8;
+        high += out > 30 && above > 8;
+        EXPECT_TRUE(out >= 8 || above < 0.5) << out << " " << above;
+      }
+    }
+    EXPECT_GT(low, 10);
+    EXPECT_GT(high, 100);
+  }
+}
+
 TEST(FarMesh, LeavesOutOnlyWhatTheLandHides) {
   // What is left of each ray, against one whose camera stands so high that nothing is hidden.
   FarLand land(FarLandShape{}, disc(150), Seed{4});
