@@ -11,6 +11,7 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kManyTriangles = 10'000;  // in all places together: fewer are quick to draw
+constexpr std::uint32_t kLoose = 200;  // pieces: a surface of more has no skin that one could simplify
 
 void push(std::vector<float>& to, Vec3 at, Quat turn, Vec3 scale) {
   to.insert(to.end(), {at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w, scale.x, scale.y, scale.z});
@@ -131,6 +132,12 @@ void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> 
     Pieces pieces = pieces_of(surface);
     add(far_leaves(surface, pieces), std::sqrt(area(surface) / std::max(1u, pieces.count)));
     if (pieces.count > 1) add(one_far_leaf(surface, pieces), reach);
+  } else if (Pieces pieces = pieces_of(surface); pieces.count > kLoose) {
+    // A crown of loose leaves: some of them, larger, stand for all.
+    for (int stride : {6, 40})
+      add(far_leaves(surface, pieces, stride, FarLeaf::triangle),
+          std::sqrt(area(surface) * stride / pieces.count));
+    add(simplified(surface, 8), reach);
   } else {
     // One that keeps the seams of its picture, where it has one.
     add(surface.uv.empty() ? simplified(surface, surface.triangle.size() / 12)

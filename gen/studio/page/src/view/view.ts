@@ -189,10 +189,11 @@ export class View implements PointerTarget {
     return ray;
   }
 
-  /** What the window shows, as a PNG. */
-  picture(): Promise<Blob> {
-    this.painter.draw(this.camera);
-    // Before the browser takes the picture away.
+  /** What the window shows at rest, as a PNG. */
+  async picture(): Promise<Blob> {
+    await this.settled();
+    // Once more, since the browser takes what was drawn away.
+    this.painter.refine(this.camera);
     return pngOf(this.canvas);
   }
 
