@@ -29,6 +29,11 @@ void append_colors(std::string& text, const std::vector<Color>& colors) {
   text += '}';
 }
 
+/// The colour that a place on a leaf tells.
+std::size_t color_of(Vec2 uv, std::size_t colors) {
+  return color_index(static_cast<std::int32_t>(std::floor(uv.x)), colors);
+}
+
 std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
                       const std::optional<Luster>& luster) {
   std::string text = "#local C = ";
@@ -38,18 +43,58 @@ std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tis
   return text + "; " + lustrous(look + ",T)", luster, plain ? "" : relief_macro(tissue), {});
 }
 
+/// The colours of the leaves of a part, of which there may be more than those that it wears: a map of POV-Ray
+/// has 256 entries, and each costs time for each copy. Empty for what has no list of colours.
+const std::vector<Color>& colors_of(const CopyPart& part, const Look& look, const Model& model) {
+  static const std::vector<Color> kNone;
+  if (part.kind == CopyPart::Kind::blade) return look.blades.colors;
+  if (part.kind != CopyPart::Kind::organ) return kNone;
+  const Prototype& prototype = model.prototypes[part.which];
+  return prototype.parts[part.part].pictures.empty() ? prototype.colors : kNone;
+}
+
+/// Which of many colours a part wears, in their order; all where they are few.
+std::vector<std::size_t> worn_colors(const Surface& surface, std::size_t colors) {
+  constexpr std::size_t kFew = 24, kMost = 100;
+  std::set<std::size_t> worn;
+  if (colors > kFew)
+    for (Vec2 uv : surface.uv) worn.insert(color_of(uv, colors));
+  if (worn.empty())
+    for (std::size_t i = 0; i < colors; ++i) worn.insert(i);
+  std::vector<std::size_t> list(worn.begin(), worn.end());
+  if (colors <= kFew || list.size() <= kMost) return list;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < kMost; ++i) some.push_back(list[i * list.size() / kMost]);
+  return some;
+}
+
+/// A surface whose places tell colours of a shorter list.
+Surface with_worn(Surface surface, const std::vector<std::size_t>& worn, std::size_t colors) {
+  if (worn.size() == colors) return surface;
+  for (Vec2& uv : surface.uv) {
+    float place = std::floor(uv.x);
+    auto at = std::ranges::upper_bound(worn, color_of(uv, colors)) - worn.begin();
+    auto own = static_cast<double>(worn.size()) * std::floor(place / static_cast<double>(colors));
+    uv.x += static_cast<float>(own + static_cast<double>(std::max<std::ptrdiff_t>(at - 1, 0))) - place;
+  }
+  return surface;
+}
+
 /// What the macro of a part holds: a texture for the tint T.
 std::string look_of(const CopyPart& part, const Look& look, const Model& model, bool plain) {
+  std::vector<Color> colors;
+  const std::vector<Color>& all = colors_of(part, look, model);
+  for (std::size_t i : worn_colors(part.surface, all.size())) colors.push_back(all[i]);
   switch (part.kind) {
     case CopyPart::Kind::wood:
       return "texture{" + copy_texture(look.branches) + "}";
     case CopyPart::Kind::blade:
-      return leaf_look(look.blades.colors, look.blades.second, look.blades.tissue, false, {});
+      return leaf_look(colors, look.blades.second, look.blades.tissue, false, {});
     case CopyPart::Kind::organ: {
       const Prototype& prototype = model.prototypes[part.which];
       const OrganPart& organ = prototype.parts[part.part];
       if (organ.pictures.empty())
-        return leaf_look(prototype.colors, prototype.second, organ.tissue, plain, prototype.luster);
+        return leaf_look(colors, prototype.second, organ.tissue, plain, prototype.luster);
       std::string text = fmt::format("#local F = array[{}]{{", organ.pictures.size());
       for (std::size_t i = 0; i < organ.pictures.size(); ++i)
         text += fmt::format("{}\"{}\"", i > 0 ? "," : "", organ.pictures[i]);
@@ -80,9 +125,10 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
 }
 
 /// What is written of a part.
-Surface skin_for(const CopyPart& part, const Model& model, const Surface& surface) {
-  return part.kind == CopyPart::Kind::solid ? with_light_uv(surface, model.solids.shapes[part.which])
-                                            : surface;
+Surface skin_for(const CopyPart& part, const Look& look, const Model& model, const Surface& surface) {
+  if (part.kind == CopyPart::Kind::solid) return with_light_uv(surface, model.solids.shapes[part.which]);
+  std::size_t colors = colors_of(part, look, model).size();
+  return with_worn(surface, worn_colors(part.surface, colors), colors);
 }
 
 /// A part put together from its blocks, as their files declare them.
@@ -124,7 +170,7 @@ std::vector<int> append_parts(std::string& text, std::string_view name, const Lo
     if (file.blocks > 0)
       append_joined(text, part, name, p);
     else
-      append_mesh(text, PovSpace{kModelUnit}, skin_for(part, model, whole ? part.surface : some),
+      append_mesh(text, PovSpace{kModelUnit}, skin_for(part, look, model, whole ? part.surface : some),
                   mesh_text(part, look, model, file.level));
     text += "\n#macro ";
     append_part_name(text, name, p);

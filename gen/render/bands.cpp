@@ -1,6 +1,7 @@
 #include "render/bands.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "images/png_samples.h"
 
@@ -9,6 +10,12 @@ namespace frond {
 namespace {
 
 constexpr int kBlock = 32;  // rows
+
+/// Where the pixels of a PNG begin: the length of the first chunk of them.
+std::size_t pixels_at(std::string_view png) {
+  std::size_t name = png.find("IDAT");
+  return name == png.npos || name < 4 ? png.size() : name - 4;
+}
 
 }  // namespace
 
@@ -31,7 +38,10 @@ Result<std::string> join_bands(std::span<const std::string> pngs) {
     std::copy(read->data.begin() + at(rows.top), read->data.begin() + at(rows.below),
               whole.data.begin() + at(rows.top));
   }
-  return samples_text(whole);
+  Result<std::string> png = samples_text(whole);
+  if (!png) return png;
+  // What the renderer says of its picture, as of its colours, stays.
+  return pngs[0].substr(0, pixels_at(pngs[0])) + png->substr(pixels_at(*png));
 }
 
 }  // namespace frond

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "images/png_samples.h"
 #include "images/raster.h"
 
 namespace frond {
@@ -32,11 +33,13 @@ TEST(Bands, AreJoinedToTheWholePicture) {
     BandRows rows = band_rows(kBands, band, whole.height);
     for (std::size_t i = part.index(0, rows.top); i < part.index(0, rows.below); ++i)
       part.data[i] = whole.data[i];
-    pngs.push_back(png_text(part).value());
+    pngs.push_back(with_density(png_text(part).value(), 300));
   }
   Result<std::string> joined = join_bands(pngs);
   ASSERT_TRUE(joined);
   EXPECT_EQ(read_png(*joined)->data, whole.data);
+  std::size_t head = pngs[0].find("IDAT");
+  EXPECT_EQ(joined->substr(0, head - 4), pngs[0].substr(0, head - 4)) << "says what its bands say";
   pngs[1] = png_text(Raster(5, 99, 3)).value();
   EXPECT_FALSE(join_bands(pngs));
   pngs[1] = "no picture";

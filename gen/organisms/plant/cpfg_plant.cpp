@@ -64,8 +64,14 @@ Site site_of(const CpfgPlaced& p, std::int32_t node) {
   DVec3 signs = glm::sign(p.factors);
   for (int i = 0; i < 3; ++i)
     if (is_mirrored(p) || signs[i] == 0) signs[i] = 1;
-  return {std::string(1, p.surface), Vec3(p.position), Vec3(p.heading * signs.y),
-          Vec3(p.left * signs.x),    Vec3(-p.up * signs.z), Vec3(p.factors), p.color, node};
+  return {std::string(1, p.surface),
+          Vec3(p.position),
+          Vec3(p.heading * signs.y),
+          Vec3(p.left * signs.x),
+          Vec3(-p.up * signs.z),
+          Vec3(p.factors),
+          p.color,
+          node};
 }
 
 /// Whether the surface of a name is the model's and not one that the preset gives in its place.
