@@ -100,6 +100,8 @@ void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& pa
     part.head["material"] = material_json(plain_look(body.solid->material));
     auto tile = tile_of(*body.solid);
     if (tile) part.head["material"]["tile"] = json_of(*tile);
+    if (const Material& stone = body.solid->material; tile && !tile->unrolled && stone.moss > 0)
+      part.head["material"]["moss"] = {{"share", stone.moss}, {"scale", stone.scale}};
     Surface surface = body.surface();
     if (tile && tile->unrolled) surface.uv = on_vessel(std::move(surface.uv));
     add_placed(part, surface, at, false);
@@ -121,10 +123,13 @@ void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> 
   part.add("/instances", places);
   if (places.size() / 10 * surface.triangle.size() < kManyTriangles) return;
   Json& list = part.head["coarse"] = Json::array();
+  float largest = 0;  // of the copies' scales
+  for (std::size_t i = 7; i < places.size(); ++i)
+    if (i % 10 >= 7) largest = std::max(largest, std::abs(places[i]));
   auto add = [&](const Surface& coarse, double size) {
     if (coarse.triangle.size() * 2 > surface.triangle.size() || coarse.triangle.empty()) return;
     std::string below = "/coarse/" + std::to_string(list.size());
-    list.push_back({{"size", size}});
+    list.push_back({{"size", size * largest}});
     part.add_surface(below, coarse);
   };
   auto reach = static_cast<double>(reach_of(surface.position));

@@ -30,6 +30,38 @@ TEST(View, EachCornerOfABodyHasItsColor) {
   }
 }
 
+TEST(View, StoneSaysHowMossyItIs) {
+  std::string path = FROND_ROOT "/presets/garden/rocks.json";
+  Result<Preset> preset = read_preset(*read_file(path), path, {"/organisms/0/depth=3"});
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  preset->organisms.resize(1);
+  Scene scene = *build_scene(*preset);
+  auto parts = specimen_parts(scene.specimens.at(0), 0);
+  ASSERT_TRUE(parts && parts->size() == 1u);
+  EXPECT_DOUBLE_EQ(parts->front().head["material"]["moss"]["share"], 0.6);
+}
+
+TEST(View, ACrownOfLooseLeavesIsThinnedAndKeepsItsArea) {
+  Surface crown;
+  for (int i = 0; i < 600; ++i) {
+    Vec3 at(0.1f * static_cast<float>(i % 25), 0.1f * static_cast<float>(i / 25), 0);
+    auto first = static_cast<std::uint32_t>(crown.position.size());
+    for (Vec3 corner : {Vec3(0), Vec3(0.05f, 0, 0), Vec3(0, 0.05f, 0)}) {
+      crown.position.push_back(at + corner);
+      crown.normal.emplace_back(0, 0, 1);
+    }
+    crown.triangle.push_back({first, first + 1, first + 2});
+  }
+  std::vector<float> places;
+  for (int i = 0; i < 100; ++i) places.insert(places.end(), {0, 0, 0, 0, 0, 0, 1, 20, 20, 20});
+  DrawnPart part;
+  add_placed(part, crown, places, false);
+  ASSERT_GE(part.head["coarse"].size(), 2u);
+  EXPECT_EQ(count_of(part, "/coarse/0/index"), 3 * 100u);
+  // A leaf of 5 cm that stands for six, 20 times as large.
+  EXPECT_NEAR(part.head["coarse"][0]["size"], 20 * std::sqrt(6 * 0.05 * 0.05 / 2), 0.01);
+}
+
 /// A segment as it is sent.
 struct Sent {
   Vec3 from, to;

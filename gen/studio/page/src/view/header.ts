@@ -29,6 +29,8 @@ export interface Material {
   both_sides: boolean;
   picture?: string;
   tile?: Tile;
+  /** On stone that wears a tile: how much of it is overgrown, 0..1, and metres, the scale of its patterns. */
+  moss?: { share: number; scale: number };
   light_through?: number;
   /** Of panes; absent: 1. */
   opacity?: number;

@@ -175,6 +175,23 @@ float noise(vec2 p) {
   f *= f * (3.0 - 2.0 * f);
   return mix(mix(hash(i), hash(i + vec2(1, 0)), f.x), mix(hash(i + vec2(0, 1)), hash(i + vec2(1, 1)), f.x), f.y);
 }
+#ifdef MOSSY
+uniform float moss, moss_scale;
+float noise(vec3 p) {
+  float level = floor(p.y), f = p.y - level;
+  return mix(noise(p.xz + 17.3 * level), noise(p.xz + 17.3 * (level + 1.0)), f * f * (3.0 - 2.0 * f));
+}
+/** As Stone_Mossy of povinc: where stone faces upward and noise has it so. */
+void grow_moss(inout vec3 paint, vec3 n) {
+  vec3 p = in_place / moss_scale;
+  float slope = 0.5 + asin(clamp(n.y, -1.0, 1.0)) / 3.14159265;
+  float spots = noise(p / 2.4 + 0.5 * noise(p / 1.2)), fine = noise(p / 0.3);
+  float cover = (2.0 * clamp((slope - 0.45) / 0.55, 0.0, 1.0) + 1.1 * clamp((spots - 0.2) / 0.6, 0.0, 1.0) + 0.7 * (0.15 + 0.3 * fine)) / 3.8;
+  float from = 0.72 - 0.40 * moss;
+  vec3 green = mix(vec3(0.04, 0.065, 0.007), vec3(0.17, 0.21, 0.02), 0.5 * fine + 0.5 * noise(p / 1.3));
+  paint = mix(paint, green, smoothstep(from, from + 0.05, cover));
+}
+#endif
 void main() {
   holes();
   vec3 paint = color;
@@ -184,6 +201,9 @@ void main() {
   vec3 n = normalize(up);
 #ifdef TILED
   lay_tiles(paint, n);
+#endif
+#ifdef MOSSY
+  grow_moss(paint, normalize(up));
 #endif
   if (!gl_FrontFacing) n = -n;
 #ifndef QUICK

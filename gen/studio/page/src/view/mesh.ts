@@ -68,6 +68,8 @@ function describe(shape: Shape, material: Material, studio: Studio): { defines: 
   if (tile) defines.TILED = 1;
   if (tile?.unrolled) defines.UNROLLED = 1;
   if (tile?.varied) defines.VARIED = 1;
+  const moss = tile && !tile.unrolled ? material.moss : undefined;
+  if (moss) defines.MOSSY = 1;
   if (shape.colors) defines.WITH_COLORS = 1;
   return {
     defines,
@@ -80,6 +82,7 @@ function describe(shape: Shape, material: Material, studio: Studio): { defines: 
       paint_shown: { value: 0 },
       ...(picture ? { leaf: { value: picture } } : {}),
       ...(tile ? tiled(tile, studio.pictures) : {}),
+      ...(moss ? { moss: { value: moss.share }, moss_scale: { value: moss.scale } } : {}),
     },
   };
 }
