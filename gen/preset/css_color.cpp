@@ -224,7 +224,8 @@ std::optional<Color> of_rgb(const std::array<Argument, 3>& arguments) {
 
 /// CSS Color 4, section 7.1: the hue in degrees, saturation and lightness as percentages.
 std::optional<Color> of_hsl(const std::array<Argument, 3>& arguments) {
-  const auto& [hue, unit] = arguments[0];
+  double hue = arguments[0].first;
+  const auto& unit = arguments[0].second;
   if ((!unit.empty() && unit != "deg") || !is_share(arguments[1]) || !is_share(arguments[2]))
     return std::nullopt;
   double lightness = arguments[2].first / 100;
@@ -241,8 +242,8 @@ std::optional<Color> of_hsl(const std::array<Argument, 3>& arguments) {
 std::optional<Color> css_color(std::string_view text) {
   if (text.starts_with('#')) return of_digits(text.substr(1));
   std::string low(text);
-  std::ranges::transform(low, low.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(low.begin(), low.end(), low.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (low.ends_with(')') && (low.starts_with("rgb(") || low.starts_with("hsl("))) {
     auto arguments = arguments_of(std::string_view(low).substr(4, low.size() - 5));
     if (!arguments) return std::nullopt;
@@ -254,7 +255,8 @@ std::optional<Color> css_color(std::string_view text) {
 
 std::string_view nearest_css_name(std::string_view text) {
   std::array<std::string_view, std::size(kCssNames)> names;
-  std::ranges::transform(kCssNames, names.begin(), [](const auto& row) { return row.first; });
+  std::transform(std::begin(kCssNames), std::end(kCssNames), names.begin(),
+                 [](const auto& row) { return row.first; });
   return nearest_name(text.substr(0, 64), names);
 }
 
