@@ -276,7 +276,7 @@ export class View implements PointerTarget {
   /** Resolves when the picture is as fine as it gets. */
   settled = async (): Promise<void> => {
     await this.drawn();
-    while (this.coming || this.rest) await new Promise((next) => setTimeout(next, 50));
+    while (this.coming || this.rest || this.held) await new Promise((next) => setTimeout(next, 50));
   };
 
   /** Resolves when the materials of what is shown have their pictures. */
