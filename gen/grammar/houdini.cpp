@@ -222,36 +222,45 @@ class HoudiniReader {
     g_.length_jitter = random_scale_;
     g_.angle_jitter = random_scale_ * std::abs(g_.angle);
     if (std::ranges::any_of(rules_, [](const HoudiniRule& rule) { return rule.position; })) ask_position();
-    for (const HoudiniRule& rule : rules_) {
-      std::string weight = rule.weight.empty() ? "" : fmt::format("({})", rule.weight);
-      g_.rules.push_back({fmt::format("{}{} ->{} {}", rule.head, condition_of(rule), weight, rule.successor),
-                          GrammarText::kUnlimited, fmt::format("line {}", rule.line)});
+    for (std::size_t i = 0; i < rules_.size(); ++i) {
+      const HoudiniRule& rule = rules_[i];
+      std::string head = rule.head + condition_of(rule), weight = rule.weight;
+      if (!weight.empty()) weight = fmt::format("({})", weight);
+      add(fmt::format("{} ->{} {}", head, weight, rule.successor), rule.line);
+      if (std::string rest = rest_after(i); !rest.empty())
+        add(fmt::format("{} ->({}) {}", head, rest, rule.predecessor), rule.line);
     }
-    add_rests();
+    for (std::string& rule : answers_)
+      g_.rules.push_back({std::move(rule), GrammarText::kUnlimited, "the turtle's position"});
+  }
+
+  void add(std::string rule, int line) {
+    g_.rules.push_back({std::move(rule), GrammarText::kUnlimited, fmt::format("line {}", line)});
   }
 
   static std::string condition_of(const HoudiniRule& rule) {
     return rule.condition.empty() ? "" : " : " + rule.condition;
   }
 
-  /// Probabilities of one case that add up to less than 1 leave the symbol as it is now and then.
-  void add_rests() {
-    std::vector<std::string> done;
+  /// Probabilities of one case that add up to less than 1 leave the symbol as it is now and then: that weight
+  /// behind the last rule of the case, or nothing.
+  std::string rest_after(std::size_t last) const {
+    auto same = [&](const HoudiniRule& other) {
+      return !other.weight.empty() && other.head == rules_[last].head &&
+             other.condition == rules_[last].condition;
+    };
+    if (rules_[last].weight.empty() ||
+        std::any_of(rules_.begin() + static_cast<std::ptrdiff_t>(last) + 1, rules_.end(), same))
+      return {};
+    std::optional<double> total = 0;
+    std::string sum;
     for (const HoudiniRule& rule : rules_) {
-      std::string head = rule.head + condition_of(rule), sum;
-      if (rule.weight.empty() || std::ranges::find(done, head) != done.end()) continue;
-      done.push_back(head);
-      std::optional<double> total = 0;
-      for (const HoudiniRule& other : rules_) {
-        if (other.weight.empty() || other.head + condition_of(other) != head) continue;
-        std::optional<double> share = number(other.weight);
-        total = total && share ? std::optional(*total + *share) : std::nullopt;
-        sum += fmt::format("-({})", other.weight);
-      }
-      if (total && *total > 1 - 1e-9) continue;
-      g_.rules.push_back({fmt::format("{} ->(max(0,1{})) {}", head, sum, rule.predecessor),
-                          GrammarText::kUnlimited, fmt::format("line {}", rule.line)});
+      if (!same(rule)) continue;
+      std::optional<double> share = number(rule.weight);
+      total = total && share ? std::optional(*total + *share) : std::nullopt;
+      sum += fmt::format("-({})", rule.weight);
     }
+    return total && *total > 1 - 1e-9 ? "" : fmt::format("max(0,1{})", sum);
   }
 
   /// The turtle answers questions where symbols stand whose rules use its position.
@@ -265,7 +274,10 @@ class HoudiniReader {
       }
       if (!rule.position) continue;
       symbols += rule.predecessor[0];
-      std::string keep = fmt::format("?P(x_,y_,z_) > {} -> ?P(x_,y_,z_)", rule.predecessor);
+      std::string symbol(1, rule.predecessor[0]);
+      for (std::size_t i = 0, n = parameters_in(rule.predecessor).size(); i < n; ++i)
+        symbol += fmt::format("{}p{}{}", i == 0 ? "(" : ",", i, i + 1 == n ? ")" : "");
+      std::string keep = fmt::format("?P(x_,y_,z_) > {} -> ?P(x_,y_,z_)", symbol);
       if (std::ranges::find(kept, keep) == kept.end()) kept.push_back(keep);
     }
     auto ask = [&](const std::string& word) {
@@ -285,15 +297,15 @@ class HoudiniReader {
       if (rule.position) rule.head = "?P(x_,y_,z_) < " + rule.head;
     }
     kept.emplace_back("?P(x_,y_,z_) -> *");
-    for (std::string& rule : kept)
-      g_.rules.push_back({std::move(rule), GrammarText::kUnlimited, "the turtle's position"});
+    answers_ = std::move(kept);
     g_.symbols.emplace_back("?P");
   }
 
   GrammarText g_;
   HoudiniWords words_;
   std::vector<HoudiniRule> rules_;
-  std::vector<std::string> given_;  ///< internal names of what the list gives
+  std::vector<std::string> given_;    ///< internal names of what the list gives
+  std::vector<std::string> answers_;  ///< rules of the questions for the position
   std::optional<double> gravity_;
   double random_scale_ = 0;
   Errors errors_;

@@ -81,7 +81,7 @@ TEST(LParser, Turns) {
       // Gravity: nothing for a heading straight up, x radians for a level one.
       {"t", y, -x},
       {"&(90)t(0.5)", -z * std::cos(0.5) - y * std::sin(0.5), -x},
-      {"&(30)t(0.5)", y * std::cos(radians(30) + 0.25) - z * std::sin(radians(30) + 0.25), -x},
+      {"&(30)t(0.5)", y * std::cos(radians(30.0) + 0.25) - z * std::sin(radians(30.0) + 0.25), -x},
   };
   for (const Turn& turn : turns) {
     Walk walk = walked(lparser(turn.word));
@@ -270,6 +270,8 @@ TEST(Houdini, RulesSeeWhereTheTurtleIs) {
   EXPECT_EQ(derived(import_houdini(list)), "F[+J]F[+J]F[+J]K");
   Walk walk = walked(import_houdini(list));
   EXPECT_EQ(walk.lengths.size(), 3u);
+  EXPECT_EQ(derived(import_houdini("premise: A(1)\ngenerations: 3\nA(i):y<1=F(i)A(i+1)\nA(n):y>=1=F(9)B\n")),
+            "F(1)F(9)B");
   EXPECT_NE(said(import_houdini("premise: A\nA:x>1=F\nA<B=C\n")).find("line 3: x, y and z cannot"),
             std::string::npos);
 }
