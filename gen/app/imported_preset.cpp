@@ -61,7 +61,7 @@ int write_imported(const ImportArguments& arguments, const ImportedPlant& plant)
   for (const Member& look : plant.looks.members) one.set(look.name, look.value);
   preset.set("title", title).set("film", film.set("quality", make_text("good")));
   preset.set("scene", scene_of(size, plant.side)).set("organisms", make_list({one}));
-  Result<bool> written = write_file(preset_path(arguments), serialize_pretty(preset) + "\n");
+  Result<bool> written = write_file(preset_path(arguments), serialize_pretty(preset));
   return written ? kDone : fail(written.errors(), kCouldNot);
 }
 

@@ -64,7 +64,7 @@ const std::vector<std::pair<const char*, std::string>> kFiles{
      "F --> F\nendlsystem\n"},
     {"m.v",
      "angle increment: 30\ninitial color: 1 2\ninitial line width: 0.2 cylinders\nsurface: a one.s 0.5\n"
-     "surface: b two.s 1\ncontour: c.con\nfunction: f.func\ntropism: T: 0,1,0 A: 20 I: 1 E: 0.1 S: 0.1\n"
+     "tsurface: b two.tri 1\ncontour: c.con\nfunction: f.func\ntropism: T: 0,1,0 A: 20 I: 1 E: 0.1 S: 0.1\n"
      "viewpoint: 0,3,10\n"},
     {"m.a", "first frame: 0\nlast frame: 4\nstep: 1\n"},
     {"m.map", std::string(768, 'x')},
@@ -74,7 +74,7 @@ const std::vector<std::pair<const char*, std::string>> kFiles{
      "BOTTOM COLOR: 2 DIFFUSE: 0\nAL: ~ A: ~ AR: ~\nL: ~ R: ~\nBL: ~ B: ~ BR: ~\n"
      "0 0 0 0 0 0 0 0 0 0 0 0\n-0.3 0.3 0 -0.1 0.3 0 0.1 0.3 0 0.3 0.3 0\n"
      "-0.3 0.7 0 -0.1 0.7 0 0.1 0.7 0 0.3 0.7 0\n0 1 0 0 1 0 0 1 0 0 1 0\n"},
-    {"two.s", "triangle\n0 0 0\n1 0 0\n0 1 0\ntriangle\n0 0 0\n0 1 0\n0 0 1\n"},
+    {"two.tri", "triangle\n0 0 0\n1 0 0\n0 1 0\ntriangle\n0 0 0\n0 1 0\n0 0 1\n"},
     {"c.con", "cver 1 1\nname: c\npoints: 4 4\ntype: oe\nsamples: 6\n1 0 0 1\n0 1 0 1\n-1 0 0 1\n0 -1 0 1\n"},
     {"f.func", "range: 0 1\npoints: 4\n0 0\n0.25 0.25\n0.75 0.75\n1 1\n"}};
 
@@ -83,7 +83,7 @@ TEST(CpfgFuzz, AnyFileOfAModelIsDrawnOrRefused) {
   ModelFiles files({});
   for (const auto& [name, text] : kFiles) files.write(name, text);
   int right = 0;
-  for (std::uint64_t i = 0, n = count ? std::stoull(count) : 1500; i < n; ++i) {
+  for (std::uint64_t i = 0, n = count ? std::stoull(count) : 600; i < n; ++i) {
     Seed seed{i};
     const auto& [name, text] = kFiles[1 + seed.child("file").bits() % (kFiles.size() - 1)];
     files.write(name, mutant(text, kPieces, seed));
@@ -97,8 +97,8 @@ TEST(CpfgFuzz, AnyFileOfAModelIsDrawnOrRefused) {
     request.drawing = true;
     request.limits = {20, 2000, 50'000};
     Result<CpfgDerived> derived = derive(*model, request);
-    ASSERT_TRUE(derived.ok()) << derived.errors()[0].text();
-    Result<CpfgFigure> figure = draw(*model, derived->drawing);
+    Result<CpfgFigure> figure =
+        derived ? draw(*model, derived->drawing) : Result<CpfgFigure>(derived.errors());
     if (figure)
       ++right;
     else
