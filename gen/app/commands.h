@@ -110,6 +110,8 @@ struct GrammarArguments {
   std::string path;                    ///< a grammar, or a preset with one
   std::optional<double> steps;         ///< instead of the grammar's own; whole ones only for a word
   std::optional<std::uint64_t> seed;   ///< the same
+  std::optional<double> angle;         ///< degrees, of turns without a parameter
+  int mutations = 0;                   ///< of a grammar of LParser
   bool counts = false;                 ///< how often each symbol occurs, instead of the word
   std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws
   std::optional<std::string> assets;   ///< as of a preset
@@ -215,9 +217,11 @@ struct NewArguments {
 };
 
 struct ImportArguments {
-  std::string path;          ///< of a model of cpfg
-  std::string out;           ///< the preset to write; empty: beside the model, with its name
-  std::optional<int> steps;  ///< none: as many as the model and its animation say
+  std::string path;                   ///< of a model of cpfg, or a grammar of LParser or Houdini
+  std::string out;                    ///< the preset to write; empty: beside the file, with its name
+  std::optional<int> steps;           ///< none: as many as the file says
+  std::optional<std::uint64_t> seed;  ///< instead of the grammar's
+  int mutations = 0;                  ///< of a grammar of LParser
 };
 
 struct StudioArguments {

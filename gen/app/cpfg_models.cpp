@@ -22,6 +22,8 @@ struct DerivedModel {
 
 Result<DerivedModel> derive_model(const GrammarArguments& arguments, bool drawing) {
   if (arguments.seed) return Error{"--seed", "a model of cpfg has its seed in its file; change it there"};
+  if (arguments.angle) return Error{"--angle", "a model of cpfg has its angle in its view; change it there"};
+  if (arguments.mutations > 0) return Error{"--mutate", "only grammars of LParser are mutated"};
   Result<CpfgModel> model = read_cpfg(arguments.path);
   if (!model) return model.errors();
   for (const std::string& note : model->notes) tell(fmt::format("note: {}", note));

@@ -31,10 +31,9 @@ Result<Grammar> load_grammar(const std::string& path, const std::optional<std::s
     if (!text) return text.errors();
     Result<Assets> files = assets_of(path, assets);
     if (!files) return files.errors();
-    Result<GrammarFile> file = read_grammar(*text, path, *files);
+    Result<GrammarText> file = read_grammar(*text, path, *files);
     if (!file) return file.errors();
-    for (const std::string& note : file->notes) tell(fmt::format("{}: note: {}", path, note));
-    return compile(file->grammar);
+    return compile(*file);
   }
   PresetArguments named;
   named.path = path;
@@ -53,12 +52,24 @@ int fail_derivation(const Errors& errors, const Grammar& grammar, const std::str
   return fail(in_file(placed(errors, grammar.text), path), kWrongInput);
 }
 
+/// The grammar with what the command line says about its rules and angle.
+Result<Grammar> changed(const Grammar& grammar, const GrammarArguments& arguments) {
+  GrammarText text = grammar.text;
+  text.angle = arguments.angle.value_or(text.angle);
+  text.mutations += arguments.mutations;
+  if (arguments.mutations > 0 && arguments.seed) text.seed = *arguments.seed;
+  if (arguments.mutations > 0 && text.dialect != Dialect::lparser)
+    return Error{"--mutate", "only grammars of LParser are mutated"};
+  return compile(text);
+}
+
 Result<Loaded> load(const GrammarArguments& arguments) {
   Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets);
+  if (grammar && (arguments.angle || arguments.mutations > 0)) grammar = changed(*grammar, arguments);
   if (!grammar) return in_file(grammar.errors(), arguments.path);
   // Those of a preset have been told with it.
   if (is_grammar(arguments.path)) tell_notes(in_file(grammar->warnings, arguments.path));
-  double steps = arguments.steps.value_or(grammar->text.steps);
+  double steps = arguments.steps.value_or(grammar->text.growth());
   if (std::isnan(steps)) return Error{"--steps", "found nan; expected a number of 0 or more"};
   Seed seed{arguments.seed.value_or(grammar->text.seed)};
   return Loaded{std::move(*grammar), steps, seed};
@@ -76,12 +87,13 @@ std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 }  // namespace
 
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json) {
-  GrammarArguments arguments{path, {}, {}, false, {}, assets};
+  GrammarArguments arguments;
+  arguments.path = path, arguments.assets = assets;
   if (is_cpfg_model(path)) return info_cpfg(arguments, json);
   Result<Loaded> loaded = load(arguments);
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, steps, seed] = *loaded;
-  Forecast size = forecast(grammar, static_cast<int>(steps), seed, grammar.text.limits);
+  Forecast size = forecast(grammar, static_cast<int>(std::ceil(steps)), seed, grammar.text.limits);
   constexpr const char* kKinds[] = {"exact", "expected", "extrapolated", "at least"};
   std::string_view form =
       json ? "{{\"forecast\": \"{}\", \"steps\": {}, \"modules\": {:.15g}, \"segments\": {:.15g}, "
@@ -99,7 +111,7 @@ int derive_word(const GrammarArguments& arguments) {
   if (!loaded) return fail(loaded.errors(), kWrongInput);
   const auto& [grammar, exact, seed] = *loaded;
   now_doing("deriving the word");
-  auto steps = static_cast<int>(exact);
+  auto steps = static_cast<int>(std::ceil(exact));
   if (arguments.picture) return write_picture(arguments, grammar, derivation_tree_svg(grammar, steps, seed));
   Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
   if (!word) return fail_derivation(word.errors(), grammar, arguments.path);

@@ -20,19 +20,6 @@ using namespace frond;
 
 namespace {
 
-/// Returns the option of the steps, which may take a further check.
-CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar) {
-  command
-      ->add_option(
-          "grammar", grammar.path,
-          "A grammar or a preset in JSON, or a grammar of cpfg (.l), LParser (.ls) or Houdini (.txt)")
-      ->required();
-  command->add_option("--seed", grammar.seed, "For random choices, instead of the grammar's");
-  add_assets(command, grammar.assets);
-  return command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
-      ->check(CLI::Range(0.0, 1e6));
-}
-
 // Each command below owns its arguments, which live as long as its callback does.
 
 void add_generate(CLI::App& app, int& result) {
@@ -296,11 +283,16 @@ void add_new(CLI::App& app, int& result) {
 
 void add_import(CLI::App& app, int& result) {
   auto to = std::make_shared<ImportArguments>();
-  auto* command = app.add_subcommand("import", "Writes a preset of a model of cpfg, which renders as it is");
-  command->add_option("model", to->path, "The grammar of the model, a file .l")->required();
-  command->add_option("-o,--out", to->out, "FILE.json (beside the model, with its name)");
-  command->add_option("--steps", to->steps, "N: derivation steps (as the model and its animation say)")
+  auto* command = app.add_subcommand("import", "Writes a preset of another program's grammar, which renders");
+  command
+      ->add_option("grammar", to->path,
+                   "A model of cpfg (.l), or a grammar of LParser (.ls) or Houdini (.txt)")
+      ->required();
+  command->add_option("-o,--out", to->out, "FILE.json (beside the grammar, with its name)");
+  command->add_option("--steps", to->steps, "N: derivation steps (as the file says)")
       ->check(CLI::Range(0, 1'000'000));
+  command->add_option("--seed", to->seed, "For random choices, instead of the grammar's");
+  add_mutations(command, to->mutations);
   command->footer("Example:\n  frond import plants/rose.l -o rose.json");
   command->callback([&result, to] { result = import_model(*to); });
 }

@@ -27,6 +27,26 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   add_assets(command, preset.assets);
 }
 
+void add_mutations(CLI::App* command, int& mutations) {
+  command->add_option("--mutate", mutations, "N: how often rules of LParser are changed by chance")
+      ->check(CLI::Range(0, 10'000));
+}
+
+CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar) {
+  command
+      ->add_option(
+          "grammar", grammar.path,
+          "A grammar or a preset in JSON, or a grammar of cpfg (.l), LParser (.ls) or Houdini (.txt)")
+      ->required();
+  command->add_option("--seed", grammar.seed, "For random choices, instead of the grammar's");
+  command->add_option("--angle", grammar.angle, "Degrees of turns that give none, instead of the grammar's")
+      ->check(CLI::Range(-360.0, 360.0));
+  add_mutations(command, grammar.mutations);
+  add_assets(command, grammar.assets);
+  return command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
+      ->check(CLI::Range(0.0, 1e6));
+}
+
 void add_resolving(CLI::App* command, std::optional<bool>& resolve) {
   command->add_flag_callback(
       "--resolve", [&resolve] { resolve = true; },

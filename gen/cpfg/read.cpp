@@ -21,10 +21,13 @@ std::optional<Error> other_language(const std::filesystem::path& path, std::stri
   if (holds("lpfgall.h") || (holds("produce ") && holds("\nmodule ")))
     return Error{
         path.string(),
-        "this is a model of lpfg (L+C), which is a program in C++; only the language of cpfg is read"};
+        "this is a model of lpfg (L+C), a program in C++, which cannot be read; write its productions as "
+        "`A(x) : condition --> …` of cpfg, or as rules of a preset"};
   if (path.extension() == ".lpy" || holds("from openalea") || holds("\ndef StartEach"))
-    return Error{path.string(),
-                 "this is a model of L-Py, which is a program in Python; only the language of cpfg is read"};
+    return Error{
+        path.string(),
+        "this is a model of L-Py, a program in Python, which cannot be read; write its productions as "
+        "`A(x) : condition --> …` of cpfg, or as rules of a preset"};
   return std::nullopt;
 }
 

@@ -22,9 +22,8 @@ double reach_of(const Grammar& grammar, Expander& expander, SymbolId symbol, con
     const Symbol& info = grammar.symbols[id];
     if (info.act == Act::push) ++depth;
     if (info.act == Act::pop) --depth;
-    bool goes = info.act == Act::draw || info.act == Act::move || info.act == Act::draw_free ||
-                info.act == Act::move_free;
-    if (goes && depth == 0) reach += std::abs(info.arity > 0 ? values[0] : grammar.text.length);
+    if (goes_forward(info.act) && depth == 0)
+      reach += std::abs(way_of(info, values, grammar.text.length, grammar.text.dialect));
     return true;
   };
   Evaluation at;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grammar/lparser_rules.h"
 #include "grammar/read.h"
 #include "grammar/review.h"
 
@@ -27,7 +28,7 @@ bool draws(const Expression& formula) {
 /// Compiles one grammar; gathers what is wrong on the way.
 class Compiler {
  public:
-  explicit Compiler(const GrammarText& text) : modules_(grammar_) { grammar_.text = text; }
+  explicit Compiler(GrammarText text) : modules_(grammar_) { grammar_.text = std::move(text); }
 
   Result<Grammar> compile() {
     Cursor none;
@@ -393,6 +394,6 @@ class Compiler {
 
 }  // namespace
 
-Result<Grammar> compile(const GrammarText& text) { return Compiler(text).compile(); }
+Result<Grammar> compile_plainly(GrammarText text) { return Compiler(std::move(text)).compile(); }
 
 }  // namespace frond

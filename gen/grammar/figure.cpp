@@ -170,6 +170,7 @@ TurtleState start_of(const Grammar& grammar) {
   start.width = grammar.text.width;
   start.angle = grammar.text.angle;
   start.elasticity = grammar.text.elasticity;
+  if (grammar.text.dialect == Dialect::lparser) start.color = 2;
   start.position = grammar.text.start;
   head_for(start, grammar.text.start_heading);
   return start;

@@ -92,8 +92,7 @@ double most_turtles(const Grammar& grammar) {
 std::vector<double> segments_of_symbols(const Grammar& grammar) {
   std::vector<double> plain(grammar.symbols.size());
   for (std::size_t i = 0; i < plain.size(); ++i)
-    if (grammar.symbols[i].act == Act::draw || grammar.symbols[i].act == Act::draw_free)
-      plain[i] = most_turtles(grammar);
+    if (draws_line(grammar.symbols[i].act)) plain[i] = most_turtles(grammar);
   std::vector<double> now = plain;
   for (int depth = 0; depth < grammar.text.interpretation_depth && !grammar.interpretation.empty(); ++depth) {
     std::vector<double> next = plain;

@@ -42,11 +42,13 @@ struct GrammarText {
   FileName file;  ///< of another program, from which all that follows was taken; empty: none
   std::string axiom = "F";
   int steps = 1;
+  double last_step = 1;       ///< 0..1: how far the last step has grown
   double angle = 45;          ///< degrees, of a turn that has no parameter
   double length = 1;          ///< of a segment that has no parameter
-  double width = 0.1;         ///< diameter to begin with
+  double width = 0.1;         ///< diameter to begin with; of LParser: as a share of a segment's length
   double width_scale = 0.7;   ///< what a bare `!` multiplies the width by
   double length_scale = 1.1;  ///< what a bare `"` multiplies the length by
+  double angle_scale = 0.9;   ///< what Houdini's and LParser's symbols multiply or divide the angle by
   double angle_jitter = 0;    ///< degrees: largest random change of each turn, plus or minus
   double length_jitter = 0;   ///< share: largest random change of each segment's length, plus or minus
   DVec3 tropism{0, -1, 0};    ///< the pull on every segment, used as it is given
@@ -68,6 +70,10 @@ struct GrammarText {
   GuideText guide;                       ///< what `?` follows
   std::vector<std::string> organs = {};  ///< names of shapes that are not turtle symbols
   std::string where = {};                ///< for messages: position of the grammar
+  int mutations = 0;                     ///< of LParser: how often its rules are changed by chance
+  Errors notes = {};                     ///< what of another program's file has no meaning here
+
+  double growth() const { return steps - 1 + last_step; }
 };
 
 /// A name with its number of parameters: F and F(l) are two symbols.
@@ -111,6 +117,12 @@ struct RuleSet {
 
   bool empty() const { return rules.empty(); }
 };
+
+/// How far a module that goes forward takes the turtle, whose step is `step`.
+inline double way_of(const Symbol& symbol, const double* parameters, double step, Dialect dialect) {
+  bool half = goes_half(symbol.act) && (symbol.arity == 0 || dialect == Dialect::houdini);
+  return (symbol.arity > 0 ? parameters[0] : step) * (half ? 0.5 : 1);
+}
 
 struct TurtleState;
 

@@ -7,6 +7,10 @@
 
 #include "core/result.h"
 
+namespace frond {
+struct GrammarText;
+}
+
 /// Functions shared by the readers of other tools' grammars.
 namespace frond::import_text {
 
@@ -36,7 +40,10 @@ void take_count(T& out, std::optional<double> value, double most, const Line& li
     errors.push_back(not_a_count(line, most));
 }
 
-inline constexpr double kMostSteps = 1e6, kMostSeed = 9e15, kMostDepth = 100;
+inline constexpr double kMostSteps = 1e6, kMostSeed = 9e15, kMostMutations = 10'000;
+
+/// Steps, a fraction of which says how far the last one has grown.
+void take_steps(GrammarText& grammar, std::optional<double> given, const Line& line, Errors& errors);
 
 /// Position of the last `sign` outside parentheses, or npos.
 std::size_t last_outside(std::string_view text, char sign);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "grammar/import.h"
 #include "grammar/import_text.h"
 
@@ -8,38 +10,6 @@ namespace frond {
 namespace {
 
 using namespace import_text;
-
-/// What a sign of LParser is called here; `bare` without a parameter, `given` before one.
-struct Sign {
-  char sign;
-  std::string_view bare, given;
-};
-
-constexpr Sign kSigns[] = {
-    {'<', "\\", "\\"},      {'>', "/", "/"},         {'%', "/(180)", "/(180)"}, {'~', "@~", "@~"},
-    {'"', "\"(1.1)", "\""}, {'\'', "\"(0.9)", "\""}, {';', "@a(1.1)", "@a"},    {':', "@a(0.9)", "@a"},
-    {'?', "@w(1.4)", "@w"}, {'!', "@w(0.7)", "@w"},
-};
-
-/// A word of LParser in our alphabet. Letters stay and are given their meaning by interpretation.
-std::string word_of(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    bool given = i + 1 < text.size() && text[i + 1] == '(';
-    const Sign* found = nullptr;
-    for (const Sign& sign : kSigns)
-      if (sign.sign == text[i]) found = &sign;
-    if (found)
-      out += given ? found->given : found->bare;
-    else
-      out += text[i];
-    if (!given || !found) continue;
-    std::size_t close = std::min(text.find(')', i), text.size() - 1);
-    if (text[i] != '%') out += text.substr(i + 1, close - i);
-    i = close;
-  }
-  return out;
-}
 
 /// The data lines, without `#` comments, up to the `@` that ends the object.
 std::vector<Line> data_of(std::string_view text) {
@@ -52,44 +22,114 @@ std::vector<Line> data_of(std::string_view text) {
   return data;
 }
 
+class LParserReader {
+ public:
+  Result<GrammarText> read(std::string_view text) {
+    grammar_.dialect = Dialect::lparser;
+    grammar_.length_scale = 0.9;
+    grammar_.width = 1;
+    grammar_.symbols = {"_"};  // what forms that are delayed end in
+    std::vector<Line> data = data_of(text);
+    bool named = std::ranges::any_of(data, [](const Line& line) {
+      return line.text.starts_with("axiom ") || line.text.starts_with("rule ");
+    });
+    if (named)
+      for (const Line& line : data) read_named(line);
+    else
+      read_lines(data);
+    if (errors_.empty() && !axiom_) fail({}, "there is no axiom");
+    if (errors_.empty() && grammar_.rules.empty()) fail({}, "there is no rule `A=…`");
+    if (!errors_.empty()) return std::move(errors_);
+    return std::move(grammar_);
+  }
+
+ private:
+  void fail(const Line& line, std::string what) {
+    errors_.push_back({line.number > 0 ? fmt::format("line {}", line.number) : "", std::move(what)});
+  }
+  void note(const Line& line, std::string what) {
+    grammar_.notes.push_back({fmt::format("line {}", line.number), std::move(what)});
+  }
+
+  /// Up to version 4: depth, angle, thickness, axiom and rules, each on its line.
+  void read_lines(const std::vector<Line>& data) {
+    if (data.size() < 5)
+      return fail({}, "an LParser file has depth, angle, thickness, axiom and rules; some are missing");
+    grammar_.length = 100;  // in which lengths are given
+    read_value("recursion", data[0].text, data[0]);
+    read_value("angle", data[1].text, data[1]);
+    read_value("thickness", data[2].text, data[2]);
+    read_value("axiom", data[3].text, data[3]);
+    for (std::size_t i = 4; i < data.size(); ++i) read_value("rule", data[i].text, data[i]);
+  }
+
+  /// Version 5: `keyword value`.
+  void read_named(const Line& line) {
+    std::size_t end = std::min(line.text.find_first_of(" \t"), line.text.size());
+    read_value(line.text.substr(0, end), trim(line.text.substr(end)), line);
+  }
+
+  void read_value(std::string_view name, std::string_view value, const Line& line) {
+    if (name == "axiom") return void(axiom_ = read_word(value, line, grammar_.axiom));
+    if (name == "rule") return read_rule(value, line);
+    for (std::string_view idle :
+         {"min_thickness", "shape", "color", "poly_limit", "switch_yz", "trace", "no_wait"})
+      if (name == idle) return note(line, fmt::format("`{}` has no effect here", name));
+    std::optional<double> given = number(value);
+    if (name == "recursion") return take_steps(grammar_, given, line, errors_);
+    if (name != "angle" && name != "thickness" && name != "mutation")
+      return fail(line, fmt::format("`{}` is no keyword of LParser; expected recursion, angle, thickness, "
+                                    "mutation, axiom or rule",
+                                    name));
+    if (!given) return fail(line, fmt::format("`{}`: the {} is a number", value, name));
+    if (name == "mutation") return take_count(grammar_.mutations, given, kMostMutations, line, errors_);
+    if (name == "thickness" && !(*given > 0))
+      return fail(line, fmt::format("`{}`: the thickness is more than 0", value));
+    (name == "angle" ? grammar_.angle : grammar_.width) = name == "angle" ? *given : *given / 100;
+  }
+
+  void read_rule(std::string_view rule, const Line& line) {
+    std::size_t equals = rule.find('=');
+    std::string_view letter = trim(rule.substr(0, equals));
+    if (equals == rule.npos || letter.size() != 1)
+      return fail(line, fmt::format("`{}` is no rule `A=…`", rule));
+    if (std::string_view("<>:()[]0123456789").find(letter[0]) != std::string_view::npos)
+      return fail(line, fmt::format("`{}`: what this sign means cannot be rewritten here; give the rule a "
+                                    "letter of its own",
+                                    rule));
+    std::string text = fmt::format("{} -> ", letter);
+    if (!read_word(rule.substr(equals + 1), line, text)) return;
+    for (const GrammarText::Rule& other : grammar_.rules)
+      if (other.text[0] == letter[0])
+        return note(line, fmt::format("`{}` is never used: the first rule of a letter counts", rule));
+    grammar_.rules.push_back({text, GrammarText::kUnlimited, fmt::format("line {}", line.number)});
+  }
+
+  /// Adds a word, in which parameters are numbers and blanks do not count.
+  bool read_word(std::string_view word, const Line& line, std::string& text) {
+    if (&text == &grammar_.axiom) text.clear();
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      if (word[i] == ' ' || word[i] == '\t') continue;
+      std::size_t end = i + 1;
+      if (word[i] == '(') {
+        end = std::min(word.find(')', i), word.size() - 1) + 1;
+        if (!number(word.substr(i + 1, std::max(end, i + 2) - i - 2)))
+          return fail(line, fmt::format("`{}`: a parameter in ( ) is a number", word.substr(i, end - i))),
+                 false;
+      }
+      text += word.substr(i, end - i);
+      i = end - 1;
+    }
+    return true;
+  }
+
+  GrammarText grammar_;
+  Errors errors_;
+  bool axiom_ = false;
+};
+
 }  // namespace
 
-Result<Import> import_lparser(std::string_view text) {
-  std::vector<Line> data = data_of(text);
-  if (data.size() < 5)
-    return Error{"", "an LParser file has depth, angle, thickness, axiom and rules; some are missing"};
-  std::optional<double> depth = number(data[0].text), angle = number(data[1].text),
-                        thickness = number(data[2].text);
-  if (!depth || !angle || !thickness)
-    return Error{fmt::format("line {}", data[0].number), "depth, angle and thickness are numbers"};
-  Import import;
-  GrammarText& g = import.grammar;
-  Errors errors;
-  take_count(g.steps, depth, kMostSteps, data[0], errors);
-  if (!errors.empty()) return errors;
-  g.angle = *angle;
-  g.width = *thickness / 100;  // a share of the step, which is 1
-  g.axiom = word_of(data[3].text);
-  for (std::size_t i = 4; i < data.size(); ++i) {
-    std::string_view line = data[i].text;
-    std::size_t equals = line.find('=');
-    if (equals == line.npos || equals == 0) {
-      errors.push_back({fmt::format("line {}", data[i].number), fmt::format("`{}` is no rule `A=…`", line)});
-      continue;
-    }
-    g.rules.push_back({fmt::format("{} -> {}", word_of(trim(line.substr(0, equals))),
-                                   word_of(trim(line.substr(equals + 1)))),
-                       GrammarText::kUnlimited, fmt::format("line {}", data[i].number)});
-    if (line.substr(equals).find('t') != line.npos)
-      errors.push_back({fmt::format("line {}", data[i].number),
-                        "`t` bends by LParser's own gravity, which is not known here; take it out and give "
-                        "`tropism`, which holds for every segment"});
-  }
-  if (!errors.empty()) return errors;
-  for (std::string_view rule :
-       {"Z -> \"(0.5)F\"(2)", "z -> \"(0.5)f\"(2)", "Z(l) -> F(l)", "z(l) -> f(l)", "c -> '", "c(n) -> '(n)"})
-    g.interpretation.push_back({std::string(rule), GrammarText::kUnlimited, "the alphabet of LParser"});
-  return import;
-}
+Result<GrammarText> import_lparser(std::string_view text) { return LParserReader().read(text); }
 
 }  // namespace frond

@@ -122,10 +122,12 @@ Errors find_endless(const Grammar& grammar) {
 }
 
 Errors find_idle(const Grammar& grammar) {
-  Errors warnings;
+  Errors warnings = grammar.text.notes;
+  if (grammar.text.mutations > 0)
+    warnings.push_back({"mutate", "does nothing: only grammars of LParser are mutated"});
   // Words with contexts hold signals and states that mean something by their neighbours alone.
   bool draws = grammar.context_free && std::ranges::any_of(grammar.symbols, [](const Symbol& symbol) {
-                 return symbol.act == Act::draw;
+                 return draws_line(symbol.act);
                });
   for (std::size_t i = 0; i < grammar.symbols.size(); ++i) {
     const Symbol& symbol = grammar.symbols[i];

@@ -6,16 +6,18 @@
 
 namespace frond {
 
-/// Where tools disagree on a symbol: as in *The Algorithmic Beauty of Plants* and cpfg, or as in Houdini
-/// (turns mirrored; `!` `"` `;` scale width, length and angle).
-enum class Dialect { abop, houdini };
+/// Where tools disagree on a symbol: as in *The Algorithmic Beauty of Plants* and cpfg, as in Houdini (`+`
+/// and
+/// `-` mirrored; `!` `"` `;` scale width, length and angle), or as in LParser (rolls are `<` and `>`; widths
+/// are shares of lengths).
+enum class Dialect { abop, houdini, lparser };
 
 /// The turtle's action for a symbol.
 // clang-format off
 enum class Act : std::uint8_t {
-  none, draw, move, draw_free, move_free, yaw_left, yaw_right, pitch_down, pitch_up, roll_left, roll_right, push, pop,
-  turn_back, roll_back, open_polygon, close_polygon, vertex, organ, cut, level, random_turn, set_heading,
-  set_position,
+  none, draw, move, draw_free, move_free, draw_half, move_half, yaw_left, yaw_right, pitch_down, pitch_up, roll_left,
+  roll_right, push, pop, turn_back, roll_back, open_polygon, close_polygon, vertex, organ, cut, level, random_turn,
+  pitch_by_gravity, bend_by_gravity, set_heading, set_position,
   // how it draws from here on
   narrow, widen, scale_width, divide_width, scale_length, divide_length, scale_angle, divide_angle, next_color,
   previous_color, set_elasticity,
@@ -25,12 +27,17 @@ enum class Act : std::uint8_t {
 };
 // clang-format on
 
+constexpr bool draws_line(Act act) {
+  return act == Act::draw || act == Act::draw_free || act == Act::draw_half;
+}
+constexpr bool goes_half(Act act) { return act == Act::draw_half || act == Act::move_half; }
+constexpr bool goes_forward(Act act) { return act >= Act::draw && act <= Act::move_half; }
 constexpr bool changes_style(Act act) { return act >= Act::narrow && act <= Act::set_elasticity; }
 
 /// A symbol with a meaning for the turtle; every other symbol does nothing.
 struct TurtleSymbol {
   std::string_view name;
-  Act abop, houdini;
+  Act abop, houdini, lparser;
   std::string_view doc;
 };
 

@@ -138,10 +138,11 @@ class Turtle {
         return;
       case Act::draw:
       case Act::draw_free:
-        return forward(info.act == Act::draw, true, info.arity, parameters);
       case Act::move:
       case Act::move_free:
-        return forward(info.act == Act::move, false, info.arity, parameters);
+      case Act::draw_half:
+      case Act::move_half:
+        return forward(info, parameters);
       case Act::yaw_left:
         return turn(now_.heading, now_.left, given, parameters, 1);
       case Act::yaw_right:
@@ -189,6 +190,8 @@ class Turtle {
         return;
       case Act::level:
       case Act::random_turn:
+      case Act::pitch_by_gravity:
+      case Act::bend_by_gravity:
       case Act::set_heading:
       case Act::set_position:
         return place(info.act, info.arity, parameters);
@@ -227,22 +230,28 @@ class Turtle {
     turn_cosine_ = sine(angle + 90.0);
   }
 
-  void forward(bool vertex, bool draws, int arity, const double* parameters) {
-    double length = arity > 0 ? parameters[0] : now_.length;
+  void forward(const Symbol& info, const double* parameters) {
+    bool draws = draws_line(info.act), vertex = info.act != Act::draw_free && info.act != Act::move_free;
+    double length = way_of(info, parameters, now_.length, text_.dialect);
     if (jitters_ && text_.length_jitter != 0) length *= 1 + text_.length_jitter * chance();
     if (growth_.age < 1) length *= growth_.stretch;
     DVec3 to = now_.position + now_.heading * length;
-    if (draws) {
-      double width = arity > 1 ? parameters[1] : now_.width;
-      if constexpr (requires { sink_.segment(Segment{}, now_); })
-        sink_.segment(Segment{now_.position, to, now_.width, width}, now_);
-      now_.width = width;
-    } else {
+    if (draws)
+      draw(to, length, info.arity > 1 ? parameters[1] : now_.width);
+    else
       now_.mark = -1;
-    }
     now_.position = to;
     if (vertex && !polygons_.empty()) vertices_.push_back(to);
-    if (draws && now_.elasticity != 0) bend(now_, pull());
+    if (draws && now_.elasticity != 0) bend(now_, pull(), now_.elasticity);
+  }
+
+  /// A segment that tapers to a width, which becomes the turtle's; in other dialects it is as wide as that.
+  void draw(DVec3 to, double length, double width) {
+    bool tapers = text_.dialect == Dialect::abop;
+    if (text_.dialect == Dialect::lparser) width *= std::abs(length);
+    Segment line{now_.position, to, tapers ? now_.width : width, width};
+    if constexpr (requires { sink_.segment(line, now_); }) sink_.segment(line, now_);
+    if (tapers) now_.width = width;
   }
 
   DVec3 pull() const {
@@ -283,6 +292,11 @@ class Turtle {
     DVec3 target = arity >= 3 ? DVec3(parameters[0], parameters[1], parameters[2]) : DVec3(0);
     if (act == Act::set_position) {
       if (arity >= 3) now_.position = target, now_.mark = -1;
+    } else if (act == Act::pitch_by_gravity || act == Act::bend_by_gravity) {
+      double pull = arity > 0 ? parameters[0] : 0.2;
+      if (act == Act::bend_by_gravity) return bend(now_, {0, -1, 0}, pull * growth_.age);
+      pull = degrees(pull * std::hypot(now_.heading.x, now_.heading.z));
+      turn(now_.heading, now_.up, true, &pull, -1);
     } else if (act == Act::random_turn) {
       double most = arity > 0 ? parameters[0] : 180.0;
       Seed seed = seed_.child("turn").child(acted_);
@@ -293,22 +307,8 @@ class Turtle {
       turn(now_.left, now_.up, true, angles + 2, 1);
     } else {
       if (arity >= 3) head_for(now_, act == Act::level ? target - now_.position : target);
-      if (act == Act::level) level();
+      if (act == Act::level) level(now_, growth_.age);
     }
-  }
-
-  /// Rolls until the left vector is horizontal and up points up; a vertical heading stays as it is.
-  void level() {
-    DVec3 left = glm::cross(DVec3(0, 1, 0), now_.heading);
-    double length = glm::length(left);
-    if (length < 1e-9) return;
-    left /= length;
-    if (growth_.age < 1) {  // only a part of the roll is done yet
-      double roll = std::atan2(glm::dot(left, now_.up), glm::dot(left, now_.left)) * growth_.age;
-      left = now_.left * std::cos(roll) + now_.up * std::sin(roll);
-    }
-    now_.left = left;
-    now_.up = glm::cross(now_.heading, now_.left);
   }
 
   /// Sets or scales a quantity, as far as the module has grown.
@@ -320,7 +320,8 @@ class Turtle {
 
   void style(Act act, bool given, double value) {
     double width_by = given ? value : text_.width_scale, length_by = given ? value : text_.length_scale;
-    double angle_by = given ? value : 0.9;
+    double angle_by = given ? value : text_.angle_scale;
+    bool divides = !given || text_.dialect != Dialect::lparser;  // whose parameters multiply
     switch (act) {
       case Act::narrow:
         return given ? set(now_.width, value) : scale(now_.width, text_.width_scale);
@@ -329,15 +330,15 @@ class Turtle {
       case Act::scale_width:
         return scale(now_.width, width_by);
       case Act::divide_width:
-        return scale(now_.width, 1 / width_by);
+        return scale(now_.width, divides ? 1 / width_by : width_by);
       case Act::scale_length:
         return scale(now_.length, length_by);
       case Act::divide_length:
-        return scale(now_.length, 1 / length_by);
+        return scale(now_.length, divides ? 1 / length_by : length_by);
       case Act::scale_angle:
         return scale(now_.angle, angle_by);
       case Act::divide_angle:
-        return scale(now_.angle, 1 / angle_by);
+        return scale(now_.angle, divides ? 1 / angle_by : angle_by);
       case Act::next_color:
         now_.color = given ? color_index(value) : now_.color + 1;
         return;

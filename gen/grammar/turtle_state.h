@@ -47,13 +47,13 @@ inline int color_index(double value) {
   return std::isfinite(value) ? static_cast<int>(std::clamp(value, -1e9, 1e9)) : 0;
 }
 
-/// The pull on a drawn segment (ABOP 2.3.3): turned by e|H x T| about H x T.
-inline void bend(TurtleState& turtle, DVec3 pull) {
+/// Bends the heading toward a pull (ABOP 2.3.3): turned by e|H x T| about H x T.
+inline void bend(TurtleState& turtle, DVec3 pull, double elasticity) {
   DVec3 axis = glm::cross(turtle.heading, pull);
   double strength = glm::length(axis);
   if (!(strength > 0)) return;
   axis /= strength;
-  double angle = turtle.elasticity * strength, c = std::cos(angle), s = std::sin(angle);
+  double angle = elasticity * strength, c = std::cos(angle), s = std::sin(angle);
   for (DVec3* v : {&turtle.heading, &turtle.left, &turtle.up})
     *v = *v * c + glm::cross(axis, *v) * s + axis * (glm::dot(axis, *v) * (1 - c));
 }
@@ -70,6 +70,21 @@ inline void head_for(TurtleState& turtle, DVec3 direction) {
   for (DVec3* v : {&turtle.left, &turtle.up})
     *v = *v * c + glm::cross(axis, *v) * s + axis * (glm::dot(axis, *v) * (1 - c));
   turtle.heading = direction;
+}
+
+/// Rolls until the left vector is horizontal and up points up, or a share of that roll; a vertical heading
+/// stays as it is.
+inline void level(TurtleState& turtle, double share) {
+  DVec3 left = glm::cross(DVec3(0, 1, 0), turtle.heading);
+  double length = glm::length(left);
+  if (length < 1e-9) return;
+  left /= length;
+  if (share < 1) {
+    double roll = std::atan2(glm::dot(left, turtle.up), glm::dot(left, turtle.left)) * share;
+    left = turtle.left * std::cos(roll) + turtle.up * std::sin(roll);
+  }
+  turtle.left = left;
+  turtle.up = glm::cross(turtle.heading, turtle.left);
 }
 
 }  // namespace frond

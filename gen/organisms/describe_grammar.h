@@ -15,7 +15,11 @@ inline constexpr Choice<GrammarText::Mode> kGrammarModes[] = {
 
 inline constexpr Choice<Dialect> kDialects[] = {
     {"abop", Dialect::abop, "as in The Algorithmic Beauty of Plants and cpfg"},
-    {"houdini", Dialect::houdini, "as in Houdini's L-system node"}};
+    {"houdini", Dialect::houdini, "as in Houdini's L-system node"},
+    {"lparser", Dialect::lparser,
+     "as in LParser: rolls are < and >, widths are shares of a segment's length, and a parameter stays "
+     "behind "
+     "what its letter becomes"}};
 
 template <class Visitor>
 void describe(Visitor& v, GrammarText::Rule& r) {
@@ -144,11 +148,14 @@ void describe_grammar(Visitor& v, GrammarText& g, const Load& load, std::string_
   v.file("file", g.file, load, doc);
   v.text("axiom", g.axiom, "The word that the derivation begins with");
   v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Number of derivation steps");
+  v.number("last_step", g.last_step, {.min = 0, .max = 1}, "How far the last step has grown");
   v.number("angle", g.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Angle of a turn that gives none");
   v.number("length", g.length, {.min = -1e6, .max = 1e6}, "Length of an F or f that gives none");
   v.number("width", g.width, {.min = 0, .max = 1e6}, "Diameter that the turtle begins with");
   v.number("width_scale", g.width_scale, {.min = 0, .max = 100}, "Factor by which ! multiplies the diameter");
   v.number("length_scale", g.length_scale, {.min = 0, .max = 100}, "Factor by which \" multiplies lengths");
+  v.number("angle_scale", g.angle_scale, {.min = 0, .max = 100},
+           "Factor by which symbols of Houdini and LParser multiply or divide the angle");
   v.number("angle_jitter", g.angle_jitter, {.min = 0, .max = 180, .unit = "degrees"},
            "Random change of each turn, either way");
   v.number("length_jitter", g.length_jitter, {.min = 0, .max = 1},
@@ -162,6 +169,8 @@ void describe_grammar(Visitor& v, GrammarText& g, const Load& load, std::string_
             "How many times over interpretation rules are applied to what they give");
   v.choice("mode", g.mode, kGrammarModes, "Which symbols one step rewrites");
   v.choice("dialect", g.dialect, kDialects, "Whose meaning of the symbols counts");
+  v.integer("mutate", g.mutations, {.min = 0, .max = 10000},
+            "How often the rules are changed by chance, as LParser does it; for rules of its dialect");
   v.text("ignore", g.ignore, "Symbols that contexts pass over");
   v.text("consider", g.consider, "The only symbols that contexts see");
   v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "Seed of the grammar's random choices");

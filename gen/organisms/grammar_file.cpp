@@ -10,37 +10,35 @@
 
 namespace frond {
 
-Result<GrammarFile> read_grammar(std::string_view text, const std::string& path, const Assets& files) {
+Result<GrammarText> read_grammar(std::string_view text, const std::string& path, const Assets& files) {
   if (path.ends_with(".l"))
     return Error{"", "a model of cpfg is no grammar of ours; expected .json, .ls or .txt"};
   if (!path.ends_with(".json")) {
-    Result<Import> import = import_grammar(path, text);
-    if (!import) return import.errors();
-    import->grammar.where = path;
-    return GrammarFile{std::move(import->grammar), std::move(import->notes)};
+    Result<GrammarText> grammar = import_grammar(path, text);
+    if (grammar) grammar->where = path;
+    return grammar;
   }
   Result<Document> document = parse_json(text, path);
   if (!document) return document.errors();
   Result<GrammarText> grammar = read_preset<GrammarText>(*document, nullptr, &files);
   if (!grammar) return grammar.errors();
   grammar->where = fmt::format("{}: /steps", origin_at(document->root, "/steps").text());
-  return GrammarFile{std::move(*grammar), {}};
+  return grammar;
 }
 
 Errors load_grammar(const NamedFile& file, GrammarText& grammar) {
   std::string ending = file.path.extension().string();
   if (ending != ".ls" && ending != ".txt")
     return {Error{"", "a grammar of another program is an .ls of LParser or a .txt of Houdini"}};
-  Result<Import> import = import_grammar(file.path.string(), file.text);
+  Result<GrammarText> import = import_grammar(file.path.string(), file.text);
   if (!import) {
     // What stands in a file that a preset names is not shown.
     Errors errors = import.errors();
     for (Error& error : errors) error.what = "cannot be read; `frond derive` of that file says why";
     return errors;
   }
-  import->grammar.file = grammar.file, import->grammar.where = grammar.where;
-  import->grammar.organs = grammar.organs;
-  grammar = std::move(import->grammar);
+  import->file = grammar.file, import->where = grammar.where, import->organs = grammar.organs;
+  grammar = std::move(*import);
   return {};
 }
 

@@ -2,22 +2,15 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/assets.h"
 #include "grammar/grammar.h"
 
 namespace frond {
 
-/// A grammar as a file holds it, and what of another tool's file means nothing here.
-struct GrammarFile {
-  GrammarText grammar;
-  std::vector<std::string> notes;
-};
-
 /// Reads the text of a grammar: JSON where the name ends so, else another tool's (grammar/import.h). `path`
 /// is for messages; `files` finds the files that it names.
-Result<GrammarFile> read_grammar(std::string_view text, const std::string& path, const Assets& files);
+Result<GrammarText> read_grammar(std::string_view text, const std::string& path, const Assets& files);
 
 /// A mistake in a rule knows the rule; here it learns the file.
 Errors in_file(Errors errors, const std::string& path);

@@ -28,7 +28,7 @@ GrammarPtr compiled(const GrammarText& grammar, const std::string& path) {
 
 GrammarPtr grammar_of(const std::string& text, const std::string& path,
                       const std::optional<std::filesystem::path>& assets) {
-  return compiled(or_raise(read_grammar(text, path, Assets(path, assets))).grammar, path);
+  return compiled(or_raise(read_grammar(text, path, Assets(path, assets))), path);
 }
 
 std::vector<GrammarPtr> grammars_in(const Preset& preset) {

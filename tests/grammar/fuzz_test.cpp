@@ -4,6 +4,7 @@
 #include "grammar/figure.h"
 #include "grammar/import.h"
 #include "grammar/picture.h"
+#include "mutant.h"
 
 namespace frond {
 namespace {
@@ -92,11 +93,57 @@ TEST(Fuzz, AnyFileIsImportedOrRefused) {
   for (std::uint64_t i = 0; i < 10'000; ++i) {
     std::string text = random_text(Seed{i}, pieces, 30);
     for (const char* name : {"a.ls", "a.txt"}) {
-      Result<Import> import = import_grammar(name, text);
-      if (import && !compile(import->grammar)) {
-        EXPECT_FALSE(compile(import->grammar).errors().empty());
+      Result<GrammarText> import = import_grammar(name, text);
+      if (import && !compile(*import)) {
+        EXPECT_FALSE(compile(*import).errors().empty());
       }
     }
+  }
+}
+
+/// Grammars of other programs that use everything.
+const std::vector<std::pair<const char*, std::string>> kOthers{
+    {"a.ls",
+     "# a bush\n3.5 # depth\n22\n30\n%A(3)c(2)B\nA=F(20)[+(30)'BZ]t(0.3)>A\nB={.f-f!(0.4)z:\"g}?;~(9)$|C\n"
+     "C=^Z&<t\n@\n"},
+    {"a.ls", "recursion 2\nangle 20\nthickness 40\nmutation 3\naxiom AF\nrule A = F[A]\nrule F = FF(2)\n"},
+    {"a.txt",
+     "premise: A(0)$(1,2,3)\ngenerations: 3.5\nangle: 28\nstepscale: 0.8\nRandom Scale: 5\ngravity: 0.2\n"
+     "b: 2\nignore: +-\nA(i):i<b & t<9=F(i*b,0.1)[+(rand(20))TA(i+1)]J(2,0,1):0.5\nA(i)=\"!;H_?@h'#~*|K\n"
+     "B<F>C=G(a)g(1)\n"},
+    {"a.txt", "premise: AA\ngenerations: 4\nA:y<3|x>2=FA\nA=%\n"}};
+
+TEST(Fuzz, AnyGrammarOfAnotherProgramIsDrawnOrRefused) {
+  std::vector<std::string> pieces = kPieces;
+  for (const char* piece : {"\n", "=", ":", "#", "@", "(3)", "t", "T", "J(1,2)", "g", "y", "rand(", "9e9"})
+    pieces.emplace_back(piece);
+  int right = 0;
+  for (std::uint64_t i = 0; i < 6'000; ++i) {
+    Seed seed{i};
+    const auto& [name, text] = kOthers[seed.child("file").bits() % kOthers.size()];
+    Result<GrammarText> import = import_grammar(name, mutant(text, pieces, seed));
+    if (!import) {
+      for (const Error& error : import.errors()) ASSERT_FALSE(error.what.empty());
+      continue;
+    }
+    import->mutations = import->mutations % 50;
+    Result<Grammar> grammar = compile(*import);
+    if (!grammar) continue;
+    ++right;
+    Result<Figure> figure = figure_of(*grammar, std::min(import->growth(), 4.5), seed, Limits{2000, 100'000});
+    if (!figure) {
+      ASSERT_FALSE(figure.errors()[0].what.empty());
+    }
+  }
+  EXPECT_GT(right, 500);
+}
+
+TEST(Fuzz, TheGrammarsOfOtherProgramsAreRight) {
+  for (const auto& [name, text] : kOthers) {
+    Result<GrammarText> import = import_grammar(name, text);
+    ASSERT_TRUE(import.ok()) << import.errors()[0].text();
+    Result<Grammar> grammar = compile(*import);
+    EXPECT_TRUE(grammar.ok()) << grammar.errors()[0].text();
   }
 }
 

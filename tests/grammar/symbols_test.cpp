@@ -12,7 +12,8 @@ TEST(Symbols, EachRowIsNamedOnceAndExplained) {
   for (const TurtleSymbol& symbol : turtle_symbols()) {
     EXPECT_TRUE(names.insert(symbol.name).second) << symbol.name;
     EXPECT_FALSE(symbol.doc.empty()) << symbol.name;
-    EXPECT_TRUE(symbol.abop != Act::none || symbol.houdini != Act::none) << symbol.name;
+    EXPECT_TRUE(symbol.abop != Act::none || symbol.houdini != Act::none || symbol.lparser != Act::none)
+        << symbol.name;
   }
   for (const char* name :
        {"F", "f", "G", "g", "+", "-", "&",  "^", "\\", "/", "|", "$",  "!",  "\"", ";", ",",
@@ -23,6 +24,7 @@ TEST(Symbols, EachRowIsNamedOnceAndExplained) {
 TEST(Symbols, DialectsDiffer) {
   EXPECT_EQ(act_of("+", Dialect::abop), Act::yaw_left);
   EXPECT_EQ(act_of("+", Dialect::houdini), Act::yaw_right);
+  EXPECT_EQ(act_of("<", Dialect::lparser), Act::roll_left);
   EXPECT_EQ(act_of("A", Dialect::abop), Act::none);
 }
 

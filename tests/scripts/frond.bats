@@ -90,6 +90,43 @@ setup() {
   [[ "$output" == *'lines.v: line 1: there is no file "none.s" in the model'* ]]
 }
 
+@test "grammars of LParser and Houdini become presets" {
+  printf '2.5\n30\n10\nA\nA=F[+A]t(0.2)>A\n@\n' > bush.ls
+  run --separate-stderr "$frond" derive bush.ls --steps 2
+  [ "$output" = "F[+F[+A]t(0.2)>A]t(0.2)>F[+A]t(0.2)>A" ]
+  run --separate-stderr "$frond" info bush.ls
+  [[ "$output" == "exact: after 2.5 steps "* ]]
+  run --separate-stderr "$frond" turtle bush.ls --steps 1 --angle 90
+  python3 -c 'import json, sys; m = json.load(sys.stdin); assert m["segments"] == 1 and m["total_length"] == 100, m' <<<"$output"
+  plain=$("$frond" derive bush.ls) mutated=$("$frond" derive bush.ls --mutate 4 --seed 5)
+  [ "$plain" != "$mutated" ]
+  "$frond" import bush.ls --mutate 4 --seed 5 -o bush.json
+  "$frond" check bush.json
+  [ "$("$frond" derive bush.json)" = "$mutated" ]
+  "$frond" generate bush.json -o out -q --size 16x16
+  grep -q sphere_sweep out/frames/frame_0001.pov
+
+  printf 'premise: A(0)\ngenerations: 3\nA(i)=F(1,0.1)[+J(2)]/(90)A(i+1)\nrows: 4\n' > herb.txt
+  run "$frond" import herb.txt
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'herb.txt: file: `rows` has no effect here'* ]]
+  "$frond" check herb.json
+  grep -q '"symbol": "J"' herb.json
+  run "$frond" derive herb.txt --mutate 1
+  [ "$status" -eq 2 ]
+  printf 'module A(float);\nAxiom: A(1);\n' > growth.txt
+  run "$frond" derive growth.txt
+  [ "$status" -eq 2 ]
+  [ "${#lines[@]}" -eq 1 ]
+  printf 'Axiom: A\nderivation length: 3\nproduction:\nA:\n  produce B\n' > growth.lpy
+  for command in derive info turtle import; do
+    run "$frond" "$command" growth.lpy
+    [ "$status" -eq 2 ]
+    [[ "${lines[*]}" == *"this is a model of L-Py, a program in Python"*"write its productions as"* ]]
+    [ "${#lines[@]}" -eq 1 ]
+  done
+}
+
 @test "a model of cpfg becomes a preset" {
   printf 'Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> F[+F]/A\nendlsystem\n' > twig.l
   mkdir presets

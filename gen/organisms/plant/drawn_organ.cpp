@@ -153,7 +153,7 @@ Result<TwigParts> drawn_foliage(const OrganParams& organ, Seed seed) {
   if (Forecast size = forecast(*grammar, text.steps, seed, kMost); size.passes_at >= 0)
     return Error{"", fmt::format("draws {} modules or segments by step {}; an organ has {} at most",
                                  count_text(size.passes_with), size.passes_at, kMost.modules)};
-  Result<Figure> figure = figure_of(*grammar, text.steps, seed, kMost);
+  Result<Figure> figure = figure_of(*grammar, text.growth(), seed, kMost);
   if (!figure) return figure.errors();
   if (!figure->sites.empty())
     return Error{"", "places an organ \"" + figure->sites[0].name + "\"; expected lines and outlines alone"};

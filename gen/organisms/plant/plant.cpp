@@ -200,7 +200,7 @@ Result<DrawnPlant> drawn_plant(const PlantParams& params, Seed seed, double shar
   if (!grammar) return grammar.errors();
   grammar->environment = environment;
   const GrammarText& text = grammar->text;
-  Result<Figure> figure = figure_of(*grammar, text.steps * share, seed.child("derive"), text.limits,
+  Result<Figure> figure = figure_of(*grammar, text.growth() * share, seed.child("derive"), text.limits,
                                     text.organs, params.by_steps);
   if (!figure) return placed(figure.errors(), text);
   Bounds box = box_of(*figure);

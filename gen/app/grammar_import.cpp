@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/imported_preset.h"
+#include "app/messages.h"
+#include "core/files.h"
+#include "grammar/figure.h"
+#include "grammar/import.h"
+#include "grammar/lparser_rules.h"
+#include "organisms/grammar_file.h"
+
+// Presets of the grammars of LParser and Houdini: import.
+
+namespace frond {
+
+namespace {
+
+constexpr std::string_view kLeaves = "JKM";  ///< organs of Houdini's rules
+
+/// LParser's colours of the indices 0 to 15, as its lists name them.
+constexpr const char* kColors[] = {"#555555", "#1a1a1a", "#b03a2e", "#d4ac0d", "#4f8a3c", "#3f9c94",
+                                   "#3a62b0", "#a04a94", "#2f5f2a", "#2c6b66", "#2b3f78", "#6b2f62",
+                                   "#7a5a3a", "#3c5f33", "#8a8a8a", "#ededea"};
+
+Value texts_of(const std::vector<GrammarText::Rule>& rules) {
+  Value list = make_list();
+  for (const GrammarText::Rule& rule : rules) list.items.push_back(make_text(rule.text));
+  return list;
+}
+
+Value properties_of(const GrammarText& g) {
+  const GrammarText usual;
+  Value out = make_object();
+  auto number = [&](std::string_view name, double value, double otherwise) {
+    if (value != otherwise) out.set(name, make_number(value));
+  };
+  out.set("dialect", make_text(g.dialect == Dialect::lparser ? "lparser" : "houdini"));
+  out.set("axiom", make_text(g.axiom)).set("steps", make_number(g.steps)).set("angle", make_number(g.angle));
+  number("last_step", g.last_step, usual.last_step);
+  number("length", g.length, usual.length);
+  number("width", g.width, usual.width);
+  number("width_scale", g.width_scale, usual.width_scale);
+  number("length_scale", g.length_scale, usual.length_scale);
+  number("angle_scale", g.angle_scale, usual.angle_scale);
+  number("angle_jitter", g.angle_jitter, usual.angle_jitter);
+  number("length_jitter", g.length_jitter, usual.length_jitter);
+  number("seed", static_cast<double>(g.seed), static_cast<double>(usual.seed));
+  Value constants = make_object();
+  for (const auto& [name, formula] : g.constants) constants.set(name, make_text(formula));
+  if (!constants.members.empty()) out.set("constants", constants);
+  out.set("rules", texts_of(g.rules));
+  if (!g.interpretation.empty()) out.set("interpretation", texts_of(g.interpretation));
+  if (!g.ignore.empty()) out.set("ignore", make_text(g.ignore));
+  if (!g.symbols.empty()) out.set("symbols", make_texts(g.symbols));
+  return out;
+}
+
+/// Leaves to begin with for what the figure hangs on its branches, and colours for its outlines.
+Value looks_of(const GrammarText& g, const Figure& figure) {
+  Value organs = make_list(), looks = make_object();
+  for (char leaf : kLeaves) {
+    std::string name(1, leaf);
+    if (std::ranges::find(figure.sites, name, &Site::name) == figure.sites.end()) continue;
+    organs.items.push_back(make_object({{"symbol", {}, make_text(name)},
+                                        {"shape", {}, make_text("leaf")},
+                                        {"size", {}, make_number(0.06)},
+                                        {"colors", {}, make_texts(std::vector{"#5d8a2e", "#6f9a35"})}}));
+  }
+  if (!organs.items.empty()) looks.set("organs", organs);
+  if (!figure.outlines.empty() && g.dialect == Dialect::lparser)
+    looks.set("blades", make_object({{"colors", {}, make_texts(kColors)}}));
+  return looks;
+}
+
+void take_bounds(const Figure& figure, ImportedPlant& plant) {
+  bool first = true;
+  auto add = [&](Vec3 p) {
+    plant.low = first ? DVec3(p) : glm::min(plant.low, DVec3(p));
+    plant.high = first ? DVec3(p) : glm::max(plant.high, DVec3(p));
+    first = false;
+  };
+  for (Vec3 p : figure.skeleton.position) add(p);
+  for (const Outline& outline : figure.outlines)
+    for (Vec3 p : outline.points) add(p);
+}
+
+}  // namespace
+
+int import_rules(const ImportArguments& arguments) {
+  const std::string& path = arguments.path;
+  if (!path.ends_with(".ls") && !path.ends_with(".txt"))
+    return fail(
+        {{path, "expected a model of cpfg (.l), a grammar of LParser (.ls) or one of Houdini (.txt)"}},
+        kWrongInput);
+  Result<std::string> text = read_file(path);
+  Result<GrammarText> grammar = text ? import_grammar(path, *text) : text.errors();
+  if (!grammar) return fail(in_file(grammar.errors(), path), kWrongInput);
+  if (arguments.mutations > 0 && grammar->dialect != Dialect::lparser)
+    return fail({{"--mutate", "only grammars of LParser are mutated"}}, kWrongInput);
+  if (arguments.steps) grammar->steps = *arguments.steps, grammar->last_step = 1;
+  grammar->seed = arguments.seed.value_or(grammar->seed);
+  grammar->mutations += arguments.mutations;
+  *grammar = mutated(std::move(*grammar));
+  Result<Grammar> compiled = compile(*grammar);
+  if (!compiled) return fail(in_file(compiled.errors(), path), kWrongInput);
+  tell_notes(in_file(compiled->warnings, path));
+  std::vector<std::string> leaves;
+  for (char leaf : kLeaves) leaves.emplace_back(1, leaf);
+  Result<Figure> figure =
+      figure_of(*compiled, grammar->growth(), Seed{grammar->seed}, grammar->limits, leaves);
+  if (!figure) return fail(in_file(figure.errors(), path), kWrongInput);
+  ImportedPlant plant{
+      .side = {0.35, 0.12, 1}, .grammar = properties_of(*grammar), .looks = looks_of(*grammar, *figure)};
+  take_bounds(*figure, plant);
+  return write_imported(arguments, plant);
+}
+
+}  // namespace frond

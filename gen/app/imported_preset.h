@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/commands.h"
+#include "core/vec.h"
+#include "preset/value.h"
+
+namespace frond {
+
+/// A plant as another program's file draws it, for a preset that a person goes on with.
+struct ImportedPlant {
+  DVec3 low{0}, high{0};  ///< in its own units; of some size
+  DVec3 side{0, 0, 1};    ///< from where it is seen
+  Value grammar = make_object();
+  Value looks = make_object();  ///< further properties of the plant
+};
+
+/// The preset to write.
+std::string preset_path(const ImportArguments& arguments);
+
+/// Writes the preset: the plant, a metre along its longest side, before the wall of the studio.
+int write_imported(const ImportArguments& arguments, const ImportedPlant& plant);
+
+/// The command for grammars of LParser and Houdini, whose rules it writes into the preset.
+int import_rules(const ImportArguments& arguments);
+
+}  // namespace frond

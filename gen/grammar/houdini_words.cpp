@@ -1,0 +1,156 @@
+#include "grammar/houdini_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grammar/expression.h"
+#include "grammar/import_text.h"
+
+namespace frond {
+
+namespace {
+
+using import_text::trim;
+
+constexpr std::string_view kLeaves = "JKM", kColors = "'#";
+
+struct Missing {
+  std::string_view name, what;
+};
+constexpr Missing kMissing[] = {
+    {"pic", "reads a picture of its node; take it out, or give the node's value in its place"},
+    {"in", "asks a metaball of its node; ?E in a grammar of Frond asks the bodies of a scene"},
+    {"chan", "reads a channel of its node; give the node's value in its place"}};
+
+bool in(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+void add(std::string& set, char c) {
+  if (set.find(c) == set.npos) set += c;
+}
+
+}  // namespace
+
+std::size_t closing(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')' && --depth == 0) return i;
+  }
+  return text.size();
+}
+
+std::vector<std::string_view> parts_of(std::string_view text) {
+  std::vector<std::string_view> parts;
+  int depth = 0;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') --depth;
+    if (text[i] != ',' || depth != 0) continue;
+    parts.push_back(trim(text.substr(from, i - from)));
+    from = i + 1;
+  }
+  parts.push_back(trim(text.substr(from)));
+  return parts;
+}
+
+std::vector<std::string> parameters_in(std::string_view head) {
+  std::vector<std::string> names;
+  for (std::size_t open = head.find('('); open != head.npos; open = head.find('(', open + 1)) {
+    std::size_t close = closing(head, open);
+    for (std::string_view part : parts_of(head.substr(open + 1, close - open - 1))) names.emplace_back(part);
+  }
+  return names;
+}
+
+std::string HoudiniWords::name(std::string_view found, const std::vector<std::string>& parameters,
+                               bool call) {
+  for (const Missing& missing : kMissing)
+    if (call && missing.name == found)
+      return refuse(fmt::format("`{}` {}", found, missing.what)), std::string(found);
+  if (call || in(parameters, found) || found.size() != 1) return std::string(found);
+  switch (found[0]) {
+    case 't':
+      return "step";
+    case 'g':
+      refuse("`g`, the age of a symbol, is not kept here; count it in a parameter: A(n)=…A(n+1)");
+      break;
+    case 'x':
+    case 'y':
+    case 'z':
+      takes_position = true;
+      return fmt::format("{}_", found);
+    default:
+      add(names, found[0]);
+  }
+  return std::string(found);
+}
+
+std::string HoudiniWords::formula(std::string_view text, const std::vector<std::string>& parameters) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    Cursor reader{text, i};
+    std::string_view found = take_identifier(reader);
+    bool letter = !found.empty() && found.data() == text.data() + i;
+    if (letter) {
+      i += found.size();
+      bool call = i < text.size() && text[i] == '(';
+      out += name(found, parameters, call);
+      bool single =
+          call && found == "rand" && parts_of(text.substr(i + 1, closing(text, i) - i - 1)).size() == 1;
+      if (single) out += "(0,", ++i;
+      continue;
+    }
+    char c = text[i++];
+    out += c;
+    if (c != '&' && c != '|') continue;
+    out += c;
+    if (i < text.size() && text[i] == c) ++i;
+  }
+  return out;
+}
+
+std::string HoudiniWords::parameters_of(char symbol, std::string_view inside,
+                                        const std::vector<std::string>& parameters) {
+  std::vector<std::string_view> parts = parts_of(inside);
+  if (kColors.find(symbol) != kColors.npos) return colors = true, "";
+  if (kLeaves.find(symbol) != kLeaves.npos) {
+    stamps |= parts.size() > 1;
+    return parts[0].empty() ? "" : fmt::format("({})", formula(parts[0], parameters));
+  }
+  std::string out;
+  for (std::string_view part : parts) {
+    if (part.empty()) refuse(fmt::format("`{}({})` leaves out a parameter; give its value", symbol, inside));
+    out += (out.empty() ? "(" : ",") + formula(part, parameters);
+  }
+  return out + ")";
+}
+
+std::string HoudiniWords::word(std::string_view text, const std::vector<std::string>& parameters) {
+  std::string out;
+  if (text.find('`') != text.npos)
+    return refuse("what stands in backquotes is worked out by Houdini itself; give its value"), "";
+  if (text.find("a(\"") != text.npos)
+    return refuse("`a(\"…\")` names an attribute of points; take it out"), "";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    char c = text[i];
+    out += c;
+    std::size_t open = i + 1;
+    while (open < text.size() && text[open] == ' ') ++open;
+    if (c == ' ' || open >= text.size() || text[open] != '(') {
+      if (c != ' ') add(used, c), add(bare, c);
+      continue;
+    }
+    add(used, c);
+    std::size_t close = closing(text, open);
+    if (close == text.size()) return refuse(fmt::format("a `)` is missing in `{}`", text)), "";
+    out += parameters_of(c, text.substr(open + 1, close - open - 1), parameters);
+    i = close;
+  }
+  return out;
+}
+
+}  // namespace frond
