@@ -43,7 +43,7 @@ function names(value: unknown, path: Path): boolean {
 export type Scope = "own" | "species" | "all" | "unset";
 
 /** What an organism has of its own, however it may be told by a species: how many stand where. */
-const NEVER_OF_SPECIES = { own: ["count", "sown", "species"], place: ["at", "on", "center", "inner", "radius"] };
+const NEVER_OF_SPECIES = { own: ["count", "group", "sown", "species"], place: ["at", "on", "center", "inner", "radius"] };
 
 /** What the preset of a species says of those that name it: all of its first organism but where that stands. */
 export function speciesIn(preset: Preset): Json | null {
