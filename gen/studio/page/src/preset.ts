@@ -117,6 +117,16 @@ export class Preset {
     return typeof name === "string" ? name : "";
   }
 
+  /** The name that it is listed under with others; empty: none. */
+  groupOf(entry: number): string {
+    const name = this.organisms[entry]?.group;
+    return typeof name === "string" ? name : "";
+  }
+
+  inGroup(name: string): number[] {
+    return [...this.organisms.keys()].filter((i) => this.groupOf(i) === name);
+  }
+
   /** What its species says; empty where it has none, or that is not known yet. */
   ofSpecies(entry: number): Json {
     const name = this.speciesName(entry);
