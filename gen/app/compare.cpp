@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "app/bar.h"
@@ -8,6 +9,7 @@
 #include "app/messages.h"
 #include "app/streams.h"
 #include "core/work_folder.h"
+#include "jobs/jobs.h"
 #include "render/label.h"
 #include "render/place.h"
 #include "render/process.h"
@@ -31,14 +33,16 @@ struct Side {
 Result<fs::path> found(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    for (const char* name : {"film.mp4", "film.mov", "film.webm", "film.gif", "still.png"})
-      if (fs::is_regular_file(fs::path(path) / name, error)) return fs::path(path) / name;
+    for (const std::string& name : result_files())
+      if (name != "contact.png" && fs::is_regular_file(fs::path(path) / name, error))
+        return fs::path(path) / name;
     return Error{"", path + ": a folder without film or still"};
   }
   if (!fs::is_regular_file(path, error)) return Error{"", path + ": no such film or picture"};
   std::string type = fs::path(path).extension();
-  if (type != ".png" && type != ".mp4" && type != ".webm" && type != ".gif")
-    return Error{"", path + ": expected .png, .mp4, .webm or .gif"};
+  auto is_its = [&](std::string_view format) { return type == "." + std::string(format); };
+  if (type != ".png" && std::ranges::none_of(kFilmFormats, is_its))
+    return Error{"", path + ": expected .png, .mp4, .mov, .webm or .gif"};
   return fs::path(path);
 }
 

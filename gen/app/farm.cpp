@@ -89,8 +89,7 @@ int show_status(const fs::path& farm) {
     if (fs::is_regular_file(note, error))
       put(printable(fmt::format("{} failed: {}", note.filename().string(), first_words_of(note))) + "\n");
   for (const fs::path& result : results_of(farm))
-    if (result.extension() == ".mp4" || result.stem() == "still")
-      put(result.filename().string() + " is there\n");
+    if (result.stem() == "film" || result.stem() == "still") put(result.filename().string() + " is there\n");
   return kDone;
 }
 

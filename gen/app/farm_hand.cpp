@@ -14,6 +14,7 @@
 #include "core/files.h"
 #include "jobs/escape.h"
 #include "jobs/farm.h"
+#include "jobs/jobs.h"
 #include "render/process.h"
 #include "render/slurm.h"
 
@@ -72,7 +73,7 @@ std::vector<fs::path> results_of(const fs::path& farm) {
   std::error_code error;
   auto handed = fs::last_write_time(farm / "latest" / "manifest.json", error);
   if (error) return results;
-  for (const char* name : {"film.mp4", "film.mov", "contact.png", "still.png"}) {
+  for (const std::string& name : result_files()) {
     fs::path file = farm.parent_path() / name;
     auto made = fs::last_write_time(file, error);
     if (!error && made > handed) results.push_back(file);

@@ -292,7 +292,7 @@ int FarmTask::join(int bands, std::array<int, 2> size) {
 int FarmTask::film() {
   if (!manifest_) return fail_run(manifest_.errors(), kCouldNot);
   const Manifest& manifest = *manifest_;
-  std::vector<std::string> results{manifest.transparent ? "film.mov" : "film.mp4", "contact.png"};
+  std::vector<std::string> results{film_file(film_format(manifest.transparent)), "contact.png"};
   std::error_code error;
   if (manifest.still) {
     results = {"still.png"};

@@ -20,6 +20,7 @@
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
+#include "jobs/jobs.h"
 #include "preset/json.h"
 #include "render/place.h"
 
@@ -48,11 +49,9 @@ int list_presets() {
   return kDone;
 }
 
-constexpr std::string_view kFormats[] = {"", "mp4", "webm", "gif", "mov"};
-
 /// What is wrong with the words of a call; empty where nothing is.
 std::string wrong_words(const RenderArguments& a) {
-  if (std::ranges::find(kFormats, a.format) == std::end(kFormats))
+  if (!a.format.empty() && std::ranges::find(kFilmFormats, a.format) == std::end(kFilmFormats))
     return fmt::format("--format needs mp4, webm, gif or mov, not '{}'", a.format);
   if (a.plot && !a.plot->ends_with(".svg"))
     return fmt::format("--plot needs a name that ends in .svg, not '{}'", *a.plot);

@@ -55,7 +55,7 @@ RenderRun::RenderRun(RenderSettings settings, std::vector<std::string> environme
 
 std::vector<std::string> RenderRun::results() const {
   if (manifest_.still) return {"still.png"};
-  return {"film." + settings_.format, "contact.png"};
+  return {film_file(settings_.format), "contact.png"};
 }
 
 int RenderRun::run() {
@@ -71,7 +71,7 @@ Errors RenderRun::prepare() {
   Result<Manifest> manifest = manifest_in(settings_.out);
   if (!manifest) return manifest.errors();
   manifest_ = std::move(*manifest);
-  if (settings_.format.empty()) settings_.format = manifest_.transparent ? "mov" : "mp4";
+  if (settings_.format.empty()) settings_.format = film_format(manifest_.transparent);
   std::error_code error;
   for (const std::string& result : results())
     if (fs::is_directory(settings_.out / result, error))
@@ -90,7 +90,7 @@ void RenderRun::remove_old_results() {
   // What others of the kind there are is no longer of these frames, unless ninja knows it to be.
   std::vector<std::string> wanted = results();
   std::error_code error;
-  for (const char* name : {"film.mp4", "film.mov", "film.webm", "film.gif", "contact.png", "still.png"}) {
+  for (const std::string& name : result_files()) {
     fs::path path = settings_.out / name;
     if (std::ranges::find(wanted, name) != wanted.end() || !fs::is_regular_file(path, error)) continue;
     if (ninja_.answer({"-n", name}).find("no work to do") == std::string::npos) fs::remove(path, error);
@@ -220,9 +220,9 @@ int RenderRun::end() {
   for (const char* folder : {"frames", "raw"})
     for (const fs::path& path : files_in(settings_.out / folder))
       if (path.filename().string().starts_with(".frame_")) fs::remove_all(path, error);
+  for (const std::string& name : result_files()) fs::remove(part_of(settings_.out / name), error);
   for (const char* name :
-       {"preview.mp4", "watch.png", ".watch.png.part", ".film.mp4.part", ".film.mov.part", ".film.webm.part",
-        ".film.gif.part", ".film.gif.part.png", ".contact.png.part", ".still.png.part", ".preview.mp4.part"})
+       {"preview.mp4", "watch.png", ".watch.png.part", ".film.gif.part.png", ".preview.mp4.part"})
     fs::remove(settings_.out / name, error);
   return kDone;
 }

@@ -88,6 +88,21 @@ Animated<T>::Animated(std::vector<Key> keys) : keys_(std::move(keys)), slopes_(k
 }
 
 template <class T>
+T Animated<T>::shaped(std::size_t i, double share) const {
+  using Scalar = std::conditional_t<std::is_same_v<T, double>, double, float>;
+  const Key &a = keys_[i], &d = keys_[i + 1];
+  auto handle = [&](const Key& key, const T& slope, bool on) -> T {
+    if (key.handled())
+      return on ? key.out.value_or(key.in ? -*key.in : T{}) : key.in.value_or(key.out ? -*key.out : T{});
+    T third = (a.ease ? d.value - a.value : static_cast<Scalar>(d.time - a.time) * slope) / Scalar{3};
+    return on ? third : -third;
+  };
+  T b = a.value + handle(a, slopes_[i], true), c = d.value + handle(d, slopes_[i + 1], false);
+  auto t = static_cast<Scalar>(a.ease ? eased(*a.ease, share) : share), s = 1 - t;
+  return s * s * s * a.value + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d.value;
+}
+
+template <class T>
 T Animated<T>::at(double time) const {
   if (time <= keys_.front().time) return keys_.front().value;
   if (time >= keys_.back().time) return keys_.back().value;
@@ -95,6 +110,8 @@ T Animated<T>::at(double time) const {
                                 [](double v, const Key& key) { return v < key.time; });
   auto before = std::prev(after);
   double width = after->time - before->time;
+  if (before->ease || before->handled() || after->handled())
+    return shaped(static_cast<std::size_t>(before - keys_.begin()), (time - before->time) / width);
   Hermite w = hermite((time - before->time) / width);
   const T& slope_before = slopes_[static_cast<std::size_t>(before - keys_.begin())];
   const T& slope_after = slopes_[static_cast<std::size_t>(after - keys_.begin())];

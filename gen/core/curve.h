@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/ease.h"
 #include "core/vec.h"
 
 namespace frond {
@@ -33,13 +35,20 @@ class Curve {
 };
 
 /// A value that may change over the film: a constant, or keyframes at increasing times (seconds), joined by
-/// curves with continuous speed that rest at the first and the last key. `T` is `double` or `Vec3`.
+/// curves with continuous speed that rest at the first and the last key. Between two keys that is a cubic
+/// Bézier curve, whose handles may be given in place of those of that speed. A key with an ease sets the pace
+/// of the way to the next one, which is straight where it has no handles. `T` is `double` or `Vec3`.
 template <class T>
 class Animated {
  public:
   struct Key {
     double time;
     T value;
+    std::optional<Ease> ease = {};  ///< of the way to the next key
+    std::optional<T> in = {},
+                     out = {};  ///< handles, from the value; one that is missing is opposite to the other
+
+    bool handled() const { return in || out; }
     bool operator==(const Key&) const = default;
   };
 
@@ -52,6 +61,9 @@ class Animated {
   const std::vector<Key>& keys() const { return keys_; }
 
  private:
+  /// From key `i` on, when a share of the time to the next has passed.
+  T shaped(std::size_t i, double share) const;
+
   std::vector<Key> keys_;
   std::vector<T> slopes_;
 };

@@ -67,6 +67,38 @@ Errors set_parents(std::vector<GuidePoint>& points, const std::vector<int>& pare
   return {};
 }
 
+/// The curves between points with handles as points of their own. Points stay in their order.
+std::vector<GuidePoint> bent(const std::vector<GuidePoint>& points) {
+  constexpr int kPieces = 12;
+  auto handled = [](const GuidePoint& p) { return p.in || p.out; };
+  auto is_bent = [&](const GuidePoint& p) {
+    return p.parent != GuidePoint::kRoot &&
+           (handled(p) || handled(points[static_cast<std::size_t>(p.parent)]));
+  };
+  std::vector<std::int32_t> number;  // of each point among all
+  for (std::int32_t next = 0; const GuidePoint& p : points) {
+    next += is_bent(p) ? kPieces : 1;
+    number.push_back(next - 1);
+  }
+  std::vector<GuidePoint> all;
+  for (const GuidePoint& p : points) {
+    std::int32_t before = p.parent;
+    if (before != GuidePoint::kRoot) before = number[static_cast<std::size_t>(p.parent)];
+    if (is_bent(p)) {
+      const GuidePoint& from = points[static_cast<std::size_t>(p.parent)];
+      DVec3 control[] = {from.at, from.at + from.out.value_or(from.in ? -*from.in : DVec3(0)),
+                         p.at + p.in.value_or(p.out ? -*p.out : DVec3(0)), p.at};
+      for (int k = 1; k < kPieces; ++k) {
+        all.push_back({bezier_point(control, static_cast<double>(k) / kPieces), before});
+        before = static_cast<std::int32_t>(all.size()) - 1;
+      }
+    }
+    all.push_back(p);
+    all.back().parent = before;
+  }
+  return all;
+}
+
 void take_on(const GuidePoint& point, std::int32_t index, TurtleState& turtle) {
   if (point.radius) turtle.width = 2 * *point.radius;
   if (point.angle) turtle.angle = *point.angle;
@@ -146,6 +178,7 @@ Result<Guide> guide_of(const GuideText& text) {
       guide.points.push_back({bezier_point(text.bezier, static_cast<double>(i) / text.samples), i - 1});
   if (!text.parent.empty())
     if (Errors errors = set_parents(guide.points, text.parent); !errors.empty()) return errors;
+  guide.points = bent(guide.points);
   if (guide.points.size() > kMostPoints) return mistake("more than 1000000 points");
   for (const GuidePoint& point : guide.points)
     if (!std::isfinite(glm::dot(point.at, point.at))) return mistake("a point is not finite");

@@ -22,6 +22,8 @@ struct GuidePoint {
 
   DVec3 at{0};
   std::int32_t parent = kRoot;  ///< the point before it
+  /// Handles of Bézier curves, from the point; one that is missing is opposite to the other.
+  std::optional<DVec3> in = {}, out = {};
   /// The turtle's drawing values from here on. The radius is approached gradually.
   std::optional<double> radius = {};
   std::optional<double> angle = {};  ///< degrees, of turns without a parameter
@@ -66,7 +68,7 @@ struct Guide {
   std::size_t leaves() const;
 };
 
-/// Sorts the points of a guide, samples its curve, connects its lines. Missing parents, cycles of points and
+/// Sorts the points of a guide, samples its curves, connects its lines. Missing parents, cycles of points and
 /// curves of one point are errors.
 Result<Guide> guide_of(const GuideText& text);
 

@@ -120,6 +120,15 @@ std::string_view povray_flags(std::string_view quality, bool lens) {
   return {};
 }
 
+std::string film_file(std::string_view format) { return "film." + std::string(format); }
+
+std::vector<std::string> result_files() {
+  std::vector<std::string> files;
+  for (std::string_view format : kFilmFormats) files.push_back(film_file(format));
+  files.insert(files.end(), {"contact.png", "still.png"});
+  return files;
+}
+
 std::string ninja_text(const JobList& jobs) {
   assert(!jobs.frames.empty() && !povray_flags(jobs.quality, jobs.lens).empty());
   std::string text =
@@ -151,15 +160,15 @@ std::string ninja_text(const JobList& jobs) {
                    std::string("exec $frond film $out.list $out --fps $fps $title $comment") +
                        (jobs.transparent ? " --alpha" : ""),
                    "$out");
-  std::string_view first = jobs.transparent ? "film.mov" : "film.mp4";
-  for (std::string_view film : {first, std::string_view("film.webm"), std::string_view("film.gif")})
+  std::string first = film_file(film_format(jobs.transparent));
+  for (const std::string& film : {first, film_file("webm"), film_file("gif")})
     append_build(text, film, "film", jobs.frames);
 
   std::vector<int> sheet = sheet_frames(jobs.frames);
   append_variable(text += '\n', "columns", std::to_string(sheet_columns(sheet.size())));
   append_list_rule(text, "contact", "exec $frond film $out.list $out --columns $columns", "contact.png");
   append_build(text, "contact.png", "contact", sheet);
-  text += "\ndefault " + std::string(first) + " contact.png\n";
+  text += "\ndefault " + first + " contact.png\n";
   return text;
 }
 

@@ -44,6 +44,17 @@ inline constexpr std::string_view kRawFlags = "-A -J";
 /// POV-Ray's flags for a quality; empty for an unknown name.
 std::string_view povray_flags(std::string_view quality, bool lens);
 
+/// What a film may be; one of frames without opacity is the first of these unless it is asked for otherwise,
+/// one with opacity the second.
+inline constexpr std::string_view kFilmFormats[] = {"mp4", "mov", "webm", "gif"};
+inline constexpr std::string_view film_format(bool transparent) { return kFilmFormats[transparent ? 1 : 0]; }
+
+/// The name of a film in the folder of its frames.
+std::string film_file(std::string_view format);
+
+/// All that may be made of finished frames: films of each format, the sheet, the still.
+std::vector<std::string> result_files();
+
 /// What to render. A change of size or quality renders all frames again, as both are in the commands; a frame
 /// is also rendered again if its scene or one of the includes is newer than its picture.
 struct JobList {

@@ -163,6 +163,9 @@ void describe(Visitor& v, Organism& o) {
       "Another preset, named as seen from this one's folder: the kind of its first organism and all that it "
       "says of how that grows and looks stand wherever this one has nothing of its own");
   v.text("name", o.name, "Your name for it, by which messages and ivy's `on` call it");
+  if constexpr (!std::is_same_v<Visitor, KeyWriter>)
+    v.text("group", o.group,
+           "A name under which the studio lists it with others; it grows and looks the same");
   v.integer("count", o.count, {.min = 0, .max = 1000000},
             "How many there are, those at given places included");
   v.object("place", o.place, "Where they stand");

@@ -68,6 +68,10 @@ template <class Visitor>
 void describe(Visitor& v, GuidePoint& p) {
   v.vector("at", p.at, "Where the point is");
   v.required("at");
+  v.vector("in", p.in,
+           "Handle on the side that the line comes from, from the point; not given: opposite to out");
+  v.vector("out", p.out,
+           "Handle on the side that the line goes on to, from the point; not given: opposite to in");
   v.number("radius", p.radius, {.min = 1e-6, .max = 1e6}, "Radius of the branch from this point on");
   v.number("angle", p.angle, {.min = -360, .max = 360, .unit = "degrees"},
            "Angle of turns without a parameter from this point on");
@@ -96,6 +100,10 @@ inline constexpr std::string_view kGuideLineSchema = R"json({
         "properties": {
           "at": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
                  "description": "Where the point is"},
+          "in": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
+                 "description": "Handle on the side that the line comes from, from the point; not given: opposite to out"},
+          "out": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
+                  "description": "Handle on the side that the line goes on to, from the point; not given: opposite to in"},
           "radius": {"type": "number", "description": "Radius of the branch from this point on"},
           "angle": {"type": "number", "description": "Angle of turns without a parameter from this point on, degrees"},
           "elasticity": {"type": "number", "description": "How readily branches bend from this point on"},
@@ -123,10 +131,10 @@ void describe_line(Visitor& v, GuideText& g) {
 
 template <class Visitor>
 void describe(Visitor& v, GuideText& g) {
-  v.custom(
-      "points", g.points, read_guide_line, kGuideLineSchema,
-      "A line of points, each [x, y, z] or {at, radius, angle, elasticity, tropism, children}; children are "
-      "points or lines of points that start there");
+  v.custom("points", g.points, read_guide_line, kGuideLineSchema,
+           "A line of points, each [x, y, z] or {at, in, out, radius, angle, elasticity, tropism, children}; "
+           "in and out "
+           "are handles of Bézier curves, children are points or lines of points that start there");
   v.list("parent", g.parent,
          "Number of the point that comes before each point, -1 for none; without it each follows the one "
          "before it");

@@ -45,6 +45,7 @@ struct Place {
 struct Organism {
   std::string species;  ///< preset whose first organism is its base; already merged when read
   std::string name;     ///< the user's name for it, for messages and comments
+  std::string group;    ///< under which lists show it; nothing grows otherwise for it
   int count = 1;        ///< number, including given places; never fewer than those
   Place place;
   std::vector<Edit> edits;     ///< of its branches by hand

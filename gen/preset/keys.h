@@ -147,7 +147,12 @@ void KeyWriter::append(Texts& texts, T& x) {
   } else if constexpr (std::is_same_v<Plain, Curve>) {
     for (const Vec2& point : x.points()) append(texts, point);
   } else if constexpr (requires { x.keys(); }) {
-    for (const auto& key : x.keys()) append(texts, key.time), append(texts, key.value);
+    for (const auto& key : x.keys()) {
+      append(texts, key.time), append(texts, key.value);
+      if (key.ease) append_value(own, "ease"), append_value(own, static_cast<double>(*key.ease));
+      if (key.in) append_value(own, "in"), append(texts, *key.in);
+      if (key.out) append_value(own, "out"), append(texts, *key.out);
+    }
   } else if constexpr (requires { Plain::length(); }) {
     for (int i = 0; i < Plain::length(); ++i) append(texts, x[i]);
   } else if constexpr (requires {

@@ -139,8 +139,8 @@ std::optional<Animated<T>> Reader::keys_at(const Value& value, bool constant, Re
   for (std::size_t i = 0; i < value.items.size(); ++i) {
     const Value& item = value.items[i];
     inside(std::to_string(i), [&] {
-      if (!item.is(Value::Type::list) || item.items.size() != 2) {
-        fault(item, "a keyframe [seconds, value]");
+      if (!item.is(Value::Type::list) || item.items.size() < 2 || item.items.size() > 3) {
+        fault(item, "a keyframe [seconds, value] or [seconds, value, ease]");
         good = false;
         return;
       }
@@ -150,8 +150,10 @@ std::optional<Animated<T>> Reader::keys_at(const Value& value, bool constant, Re
         inside("0", [&] { fault(item.items[0], order_text("a time", keys.back().time)); });
         good = false;
       }
+      KeyShape<T> shape;
+      if (item.items.size() > 2) good &= inside("2", [&] { return object_at(item.items[2], shape); });
       good = good && time && key;
-      if (time) keys.push_back({*time, key ? *key : T{}});
+      if (time) keys.push_back({*time, key ? *key : T{}, shape.ease, shape.in, shape.out});
     });
   }
   return good ? std::optional(Animated<T>(std::move(keys))) : std::nullopt;

@@ -11,6 +11,7 @@
 #include "core/curve.h"
 #include "core/vec.h"
 #include "preset/describe.h"
+#include "preset/eases.h"
 #include "preset/json.h"
 #include "preset/schema_parts.h"
 
@@ -107,7 +108,8 @@ class SchemaWriter {
   }
   template <class T>
   void animated(std::string_view name, const T& a, const Range& range, std::string_view doc) {
-    add(name, animated_schema(key_schema(range, Held<T>{})), doc, range.unit, initial(a, [](const auto& v) {
+    add(name, animated_schema(key_schema(range, Held<T>{}), key_shape(Held<T>{})), doc, range.unit,
+        initial(a, [](const auto& v) {
           return animated_default(v, [](const auto& x) { return key_default(x); });
         }));
   }
@@ -173,6 +175,10 @@ class SchemaWriter {
   static Value key_schema(const Range& range, const Animated<double>&) { return number_schema(range); }
   static Value key_schema(const Range& range, const Animated<Vec3>&) {
     return vector_schema(number_schema(range), 3);
+  }
+  template <class T>
+  static Value key_shape(const Animated<T>&) {
+    return of<KeyShape<T>>();
   }
   static Value key_default(double x) { return tidy_number(x); }
   static Value key_default(Vec3 x) { return vector_default(x); }

@@ -77,10 +77,10 @@ Value color_schema() {
 
 Value curve_schema() { return list_schema(vector_schema(number_schema({}), 2), {.min = 2}); }
 
-Value animated_schema(const Value& value) {
+Value animated_schema(const Value& value, const Value& shape) {
   Value key = typed("array");
-  key.set("items", make_list({number_schema({}), value}));
-  key.set("minItems", make_number(2)).set("maxItems", make_number(2));
+  key.set("items", make_list({number_schema({}), value, shape}));
+  key.set("minItems", make_number(2)).set("maxItems", make_number(3));
   return make_object().set("anyOf", make_list({value, list_schema(key, {.min = 1})}));
 }
 

@@ -20,8 +20,8 @@ Value vector_schema(const Value& component, std::size_t length);
 Value direction_schema(Across across);
 Value color_schema();
 Value curve_schema();
-/// A value or keyframes of it.
-Value animated_schema(const Value& value);
+/// A value or keyframes of it, and of what else these may say.
+Value animated_schema(const Value& value, const Value& shape);
 Value list_schema(const Value& element, const Count& count);
 Value pairs_schema();
 Value choice_schema(std::span<const std::string_view> names);

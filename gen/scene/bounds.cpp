@@ -44,8 +44,11 @@ double reach_of(const Preset& preset) {
 
 double reach_of(const Camera& camera) {
   double reach = 0;
+  // A curve stays within the polygon of its keys and their handles.
   for (const auto& key : camera.location.keys())
-    reach = std::max<double>(reach, glm::length(Vec2(key.value.x, key.value.z)));
+    for (Vec3 by : {Vec3(0), key.in.value_or(key.out ? -*key.out : Vec3(0)),
+                    key.out.value_or(key.in ? -*key.in : Vec3(0))})
+      reach = std::max<double>(reach, glm::length(Vec2(key.value.x + by.x, key.value.z + by.z)));
   return reach;
 }
 

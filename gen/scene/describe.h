@@ -38,9 +38,10 @@ void describe(Visitor& v, Film& f) {
 
 inline constexpr std::string_view kFocusSchema = R"({"anyOf": [
   {"type": "array", "items": {"type": "number", "minimum": -1000, "maximum": 1000}, "minItems": 3, "maxItems": 3},
-  {"type": "array", "minItems": 1, "items": {"type": "array", "minItems": 2, "maxItems": 2, "items": [
+  {"type": "array", "minItems": 1, "items": {"type": "array", "minItems": 2, "maxItems": 3, "items": [
     {"type": "number"},
-    {"type": "array", "items": {"type": "number", "minimum": -1000, "maximum": 1000}, "minItems": 3, "maxItems": 3}]}},
+    {"type": "array", "items": {"type": "number", "minimum": -1000, "maximum": 1000}, "minItems": 3, "maxItems": 3},
+    {}]}},
   {"type": "string"}]})";
 
 inline bool read_focus(Reader& reader, const Value& value, Focus& focus) {

@@ -264,7 +264,7 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
       continue;
     }
     Value kind = merged_organism(other->root, 0);
-    for (std::string_view own : {"count", "sown", "species"}) kind.remove(own);
+    for (std::string_view own : {"count", "group", "sown", "species"}) kind.remove(own);
     if (Value* place = kind.find("place"))
       for (std::string_view own : {"at", "in", "along", "on", "center", "inner", "radius"})
         place->remove(own);

@@ -30,7 +30,10 @@ constexpr const char* kPreset = "preset.json";
 constexpr const char* kRun = "frond.log";
 constexpr int kMostFilms = 1000;
 constexpr int kRoughWide = 240, kRoughFrames = 12;
-constexpr int kWell = 0;  // the exit code
+constexpr int kWell = 0;                                  // the exit code
+constexpr std::string_view kTransparent = "transparent";  // of what is told of a preset
+/// What browsers play that keeps opacity; a .mov is for programs that cut films.
+constexpr std::string_view kPlayedClear = "webm";
 
 Json order_json(const FilmOrder& order) {
   return {{"size", order.size},
@@ -70,6 +73,14 @@ std::vector<int> frames_there(const fs::path& folder) {
   return numbers;
 }
 
+/// The finished film in a folder, without opacity or with it; empty where there is none.
+std::string film_in(const fs::path& folder) {
+  std::error_code error;
+  for (bool transparent : {false, true})
+    if (std::string name = film_file(film_format(transparent)); fs::exists(folder / name, error)) return name;
+  return {};
+}
+
 /// What a run has said last.
 std::string last_line(const fs::path& log) {
   Result<std::string> text = read_file(log);
@@ -97,6 +108,10 @@ struct Films::Job {
 
   fs::path preset() const { return folder / kPreset; }
   fs::path frames() const { return order.farm ? folder / "farm/latest/frames" : folder / "frames"; }
+  /// The format of the film that the page plays, and of the rough one.
+  std::string_view played() const {
+    return told.value(kTransparent, false) ? kPlayedClear : film_format(false);
+  }
   bool at_work() const { return state == "waiting" || state == "rendering"; }
 };
 
@@ -131,7 +146,7 @@ void Films::find_earlier() {
     }
     job->id = folder.filename(), job->folder = folder;
     std::error_code error;
-    if (fs::exists(folder / "film.mp4", error)) job->state = "done";
+    if (!film_in(folder).empty()) job->state = "done";
     found.emplace_back(fs::last_write_time(folder / kOrder, error), std::move(job));
   }
   std::ranges::sort(found, std::greater<>(), [](const auto& one) { return one.first; });
@@ -165,7 +180,11 @@ Result<std::string> Films::begin(const Doc& doc, const FilmOrder& order) {
   if (!folder) return folder.errors();
   auto job = std::make_shared<Job>();
   job->id = folder->filename(), job->folder = *folder, job->order = order;
-  job->told = {{"title", preset->title}, {"seed", preset->seed}, {"fps", film.fps}, {"frames", film.frames}};
+  job->told = {{"title", preset->title},
+               {"seed", preset->seed},
+               {"fps", film.fps},
+               {"frames", film.frames},
+               {kTransparent, film.transparent()}};
   job->rough_sets = rough_sets(film);
   Json kept{{"order", order_json(order)}, {"told", job->told}, {"rough", job->rough_sets}};
   for (const auto& [file, content] : {std::pair(kOrder, kept.dump(2)), std::pair(kPreset, *text)})
@@ -208,13 +227,21 @@ void Films::work(Job& job) {
       code = run(job, run_words);
       lock.lock();
     };
-    if (job.order.rough && !fs::exists(job.folder / "rough/film.mp4", error))
-      step("rough", words("render", "rough", job.rough_sets));
+    std::string format = "--format=" + std::string(job.played());
+    if (job.order.rough && !fs::exists(job.folder / "rough" / film_file(job.played()), error)) {
+      std::vector<std::string> rough = words("render", "rough", job.rough_sets);
+      rough.push_back(format);
+      step("rough", rough);
+    }
     std::vector<std::string> whole =
         words(job.order.farm ? "farm" : "render", "", sets_of(job.order.size, job.order.quality));
     if (!job.order.farm) whole.push_back("--watch");
     if (!job.order.frames.empty()) whole.push_back("--frames=" + job.order.frames);
     step("frames", whole);
+    if (code == kWell && job.played() == kPlayedClear && !job.order.farm) {
+      step("frames", {"ninja", "-C", job.folder.string(), film_file(kPlayedClear)});
+      code = kWell;  // the film itself is there; what cannot be played is told
+    }
     busy_ = false;
   }
   bool failed = code != kWell && !job.stop;
@@ -257,18 +284,24 @@ Json Films::told(const Job& job) const {
     if (Result<Manifest> manifest = read_manifest(*text, kPreset))
       of = static_cast<int>(manifest->frames.size());
   std::error_code error;
-  bool film = fs::exists(job.folder / "film.mp4", error);
+  std::string film = film_in(job.folder), plays;
+  bool done_with = !film.empty() && !job.at_work();
+  std::string played = film_file(job.played());
+  if (done_with && fs::exists(job.folder / played, error))
+    plays = played;
+  else if (fs::exists(job.folder / "rough" / played, error))
+    plays = "rough." + std::string(job.played());
   Json answer{{"id", job.id},
               {"folder", job.folder.string()},
-              {"state", job.state == "farm" && film ? "done" : job.state},
+              {"state", job.state == "farm" && done_with ? "done" : job.state},
               {"phase", job.phase},
               {"message", job.message},
               {"said", job.at_work() ? last_line(job.folder / kRun) : ""},
               {"done", std::min<std::size_t>(frames.size(), static_cast<std::size_t>(of))},
               {"of", of},
               {"there", frames},
-              {"film", film && !job.at_work()},
-              {"rough", fs::exists(job.folder / "rough/film.mp4", error)},
+              {"film", done_with ? film : ""},
+              {"plays", plays},
               {"watch", job.at_work() && fs::exists(job.folder / "watch.png", error)},
               {"order", order_json(job.order)}};
   answer.update(job.told);
@@ -331,10 +364,13 @@ std::optional<fs::path> Films::file(const std::string& id, const std::string& na
   std::shared_ptr<Job> job = find(id);
   if (!job) return std::nullopt;
   std::vector<fs::path> places;
-  if (name == "film.mp4" || name == "watch.png")
+  for (std::string_view format : kFilmFormats)
+    if (name == film_file(format))
+      places = {job->folder / name};
+    else if (name == "rough." + std::string(format))
+      places = {job->folder / "rough" / film_file(format)};
+  if (name == "watch.png")
     places = {job->folder / name};
-  else if (name == "rough.mp4")
-    places = {job->folder / "rough/film.mp4"};
   else if (int number = counting_number(name))
     for (const fs::path& folder : {job->frames(), job->folder / "raw"})
       places.push_back(folder / (frame_name(number) + ".png"));

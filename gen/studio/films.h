@@ -43,8 +43,8 @@ class Films {
   bool resume(const std::string& id);
   /// Ends it and removes its folder.
   bool remove(const std::string& id);
-  /// A file of it that the page may have: `film.mp4`, `rough.mp4`, `watch.png`, or the picture of a frame by
-  /// its number. Nothing where it is not there.
+  /// A file of it that the page may have: `film.mp4`, `rough.mp4` or these of another format, `watch.png`, or
+  /// the picture of a frame by its number. Nothing where it is not there.
   std::optional<std::filesystem::path> file(const std::string& id, const std::string& name);
 
  private:

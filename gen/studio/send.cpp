@@ -28,7 +28,12 @@ void send_picture(httplib::Response& response, const Result<std::string>& pictur
   response.set_content(*picture, type);
 }
 
-void send_file(httplib::Response& response, const std::filesystem::path& path, const char* type) {
+void send_file(httplib::Response& response, const std::filesystem::path& path) {
+  std::string ending = path.extension();
+  const char* type = ending == ".png"    ? "image/png"
+                     : ending == ".mov"  ? "video/quicktime"
+                     : ending == ".webm" ? "video/webm"
+                                         : "video/mp4";
   std::error_code error;
   auto size = std::filesystem::file_size(path, error);
   auto file = std::make_shared<std::ifstream>(path, std::ios::binary);

@@ -369,8 +369,7 @@ class Server {
           std::optional<std::filesystem::path> file = films_.file(request.matches[1], request.matches[2]);
           if (!file && request.matches[2] == "watch.png")
             return void(response.status = 204);  // it comes and goes
-          file ? send_file(response, *file, file->extension() == ".mp4" ? "video/mp4" : "image/png")
-               : nothing(response);
+          file ? send_file(response, *file) : nothing(response);
         });
     using Act = bool (Films::*)(const std::string&);
     for (auto [name, act] : {std::pair<const char*, Act>("pause", &Films::pause), {"resume", &Films::resume}})

@@ -21,6 +21,8 @@ namespace frond {
 
 namespace {
 
+constexpr int kWayPieces = 240;
+
 Json light_json(const Daylight& light) {
   Json backdrop = Json::array();
   constexpr float kLitWall = 1.55f;  // what lamps throw on a wall, as POV-Ray's pictures have it
@@ -47,6 +49,16 @@ Json camera_json(const Camera& camera, double time) {
   return {{"at", json_of(camera.location.at(time))},
           {"to", json_of(camera.look_at.at(time))},
           {"angle", camera.angle.at(time)}};
+}
+
+/// Where a camera that moves stands at moments of the film; none of one that does not.
+Json way_json(const Camera& camera, const Film& film) {
+  Json way = Json::array();
+  int pieces = camera.location.constant() ? 0 : std::min(film.frames - 1, kWayPieces);
+  double end = film.time(film.frames);
+  for (int i = 0; pieces > 0 && i <= pieces; ++i)
+    way.push_back(json_of(camera.location.at(end * i / pieces)));
+  return way;
 }
 
 Vec3 foot_of(const Specimen& specimen, const Bounds& box) {
@@ -272,6 +284,7 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
   header["nodes"] = scene.nodes();
   header["copies"] = copies;
   header["camera"] = camera_json(scene.stage.camera, request.time);
+  header["camera"]["way"] = way_json(scene.stage.camera, scene.film);
   header["light"] = light_json(light);
   header["setting"] = setting.name;
   header["land"] = setting.answers.extent(scene.stage).sown;

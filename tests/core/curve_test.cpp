@@ -42,6 +42,36 @@ TEST(Animated, IsSmoothAndRestsAtItsEnds) {
   }
 }
 
+TEST(Animated, AKeyMaySayHowItGoesOn) {
+  using Key = Animated<double>::Key;
+  for (Ease ease : {Ease::none, Ease::in, Ease::out, Ease::both}) {
+    Animated<double> value(std::vector<Key>{{0, 0}, {1, 2, ease}, {3, 6}, {4, 0}});
+    for (double share : {0.0, 0.25, 0.6, 1.0})
+      EXPECT_NEAR(value.at(1 + 2 * share), 2 + 4 * eased(ease, share), 1e-12);
+    Animated<double> plain(std::vector<Key>{{0, 0}, {1, 2}, {3, 6}, {4, 0}});
+    EXPECT_EQ(value.at(0.4), plain.at(0.4)) << "the ways beside it are as they were";
+    EXPECT_EQ(value.at(3.4), plain.at(3.4));
+    EXPECT_FALSE(value == plain);
+  }
+}
+
+TEST(Animated, HandlesBendTheWay) {
+  using Key = Animated<Vec3>::Key;
+  Vec3 up(0, 3, 0);
+  Animated<Vec3> path(std::vector<Key>{{0, Vec3(0), {}, {}, up}, {2, Vec3(6, 0, 0), {}, up, {}}});
+  EXPECT_NEAR(path.at(1).y, 2.25, 1e-6) << "three quarters of the way to the control points";
+  EXPECT_NEAR(path.at(1).x, 3, 1e-6);
+  EXPECT_EQ(path.at(2), Vec3(6, 0, 0));
+  // The handle that is missing is opposite, so that the way goes on in the same direction.
+  Animated<Vec3> through(std::vector<Key>{{0, Vec3(0)}, {1, Vec3(1, 0, 0), {}, {}, up}, {2, Vec3(2, 0, 0)}});
+  Vec3 before = through.at(1) - through.at(0.999), after = through.at(1.001) - through.at(1);
+  EXPECT_GT(after.y, 0.005);
+  EXPECT_NEAR(before.y, after.y, 1e-4);
+  // With an ease it goes the same way at another pace.
+  Animated<Vec3> late(std::vector<Key>{{0, Vec3(0), Ease::in, {}, up}, {2, Vec3(6, 0, 0), {}, up, {}}});
+  EXPECT_NEAR(late.at(std::sqrt(2)).y, 2.25, 1e-5);
+}
+
 TEST(Animated, MovesVectors) {
   Animated<Vec3> path(std::vector<Animated<Vec3>::Key>{{0, Vec3(0)}, {2, Vec3(2, 4, -6)}});
   Vec3 middle = path.at(1);

@@ -81,6 +81,24 @@ TEST(Guide, BezierOfAnyDegree) {
   EXPECT_LT(glm::distance(bezier_point(seventh, 0.4), DVec3(1, 2, 3)), 1e-12);
 }
 
+TEST(Guide, HandlesBendTheWayBetweenPoints) {
+  GuideText text;
+  text.points = {{{0, 0, 0}}, {{4, 0, 0}, 0}, {{4, 4, 0}, 1}, {{8, 0, 0}, 1}};
+  std::size_t straight = guide_of(text)->points.size();
+  EXPECT_EQ(straight, 4u);
+  text.points[1].out = DVec3(3, 0, 0);  // of both its ways on; the handle before it is opposite
+  Guide guide = *guide_of(text);
+  std::vector<DVec3> places;
+  for (std::size_t i = 0; i < guide.points.size(); ++i) {
+    places.push_back(guide.points[i].at);
+    EXPECT_LT(guide.points[i].parent, static_cast<std::int32_t>(i));
+  }
+  for (const GuidePoint& point : text.points) EXPECT_EQ(nearest(places, point.at), 0);
+  std::vector<DVec3> control{{4, 0, 0}, {7, 0, 0}, {4, 4, 0}, {4, 4, 0}};
+  EXPECT_LT(nearest(places, bezier_point(control, 0.5)), 1e-12);
+  EXPECT_EQ(guide.leaves(), 2u) << "it forks where it did";
+}
+
 TEST(Guide, TrunkPassesEachPointOfTheCurve) {
   for (double leniency : {0.5, 0.8, 1.0}) {
     GrammarText palm;

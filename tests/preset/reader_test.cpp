@@ -78,6 +78,27 @@ TEST(Reader, SaysWhatIsWrongAndWhere) {
   }
 }
 
+TEST(Reader, AKeyMayHaveAnEaseAndHandles) {
+  auto with = [](const std::string& keys) { return read(R"({"title": "a", )" + keys + "}"); };
+  Result<Preset> p = with(R"("zoom": [[0, 1, "in"], [1, 2, {"ease": "none"}], [2, 3]],
+    "location": [[0, [0, 0, 0], {"ease": "both", "out": [1, 0, 0]}], [1, [2, 0, 0], {"in": [0, 1, 0]}]])");
+  ASSERT_TRUE(p) << p.errors()[0].text();
+  EXPECT_EQ(p->zoom.keys()[0].ease, Ease::in);
+  EXPECT_EQ(p->zoom.keys()[1].ease, Ease::none);
+  EXPECT_FALSE(p->zoom.keys()[2].ease);
+  EXPECT_EQ(p->location.keys()[0].ease, Ease::both);
+  EXPECT_EQ(p->location.keys()[0].out, Vec3(1, 0, 0));
+  EXPECT_EQ(p->location.keys()[1].in, Vec3(0, 1, 0));
+  std::string all;
+  for (const char* keys : {R"("zoom": [[0, 1, "inn"]])", R"("zoom": [[0, 1, {"out": [1, 2, 3]}]])",
+                           R"("zoom": [[0, 1, "in", 3]])", R"("location": [[0, [0, 0, 0], {"in": 2}]])"}) {
+    Result<Preset> wrong = with(keys);
+    ASSERT_FALSE(wrong) << keys;
+    for (const Error& error : wrong.errors()) all += error.text() + "\n";
+  }
+  EXPECT_EQ(all, "");
+}
+
 TEST(Reader, CollectsAllFaults) {
   Result<Preset> preset = read(R"({
     "seed": -1,

@@ -68,6 +68,14 @@ TEST(SpecimenCache, GrowsOnlyWhatWasChanged) {
           .grown.empty());
 }
 
+TEST(SpecimenCache, AnotherGroupGrowsNothing) {
+  SpecimenCache cache;
+  grown_with(preset_with("presets/thicket.json"), &cache);
+  Preset grouped = preset_with("presets/thicket.json", {"/organisms/0/group=\"behind\""});
+  EXPECT_EQ(grouped.organisms[0].group, "behind");
+  EXPECT_TRUE(grown_with(grouped, &cache).grown.empty());
+}
+
 TEST(SpecimenCache, IvyGrowsAnewWhereItsHostDoes) {
   SpecimenCache cache;
   grown_with(preset_with("presets/ivy/column.json"), &cache);

@@ -248,7 +248,8 @@ const WrongPreset kWrongValues[] = {
      {},
      {"1:40: /scene/camera/location/0/1: found a list of 2; expected a list of 3 numbers from -1000 to 1000 "
       "m",
-      "1:49: /scene/camera/location/1: found a list of 1; expected a keyframe [seconds, value]",
+      "1:49: /scene/camera/location/1: found a list of 1; expected a keyframe [seconds, value] or [seconds, "
+      "value, ease]",
       "1:64: /scene/camera/angle: found an empty list; expected a number from 1 to 160 degrees, or keyframes "
       "[[seconds, value], ...]"}},
     {"Bad curves",

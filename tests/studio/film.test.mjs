@@ -152,6 +152,36 @@ test('a part of a film is asked for, and what is removed is gone', async () => {
   assert.deepEqual(page.faults, []);
 });
 
+test('a film with a transparent background plays, and is saved as what it is', async () => {
+  await page.getByTestId('tab:text').click();
+  const text = page.getByTestId('text');
+  await text.fill(TEXT.replace('"frames": 24,', '"frames": 3, "background": "transparent",'));
+  await shown(page);
+  await page.getByTestId('tab:film').click();
+  await page.getByTestId('film-rough').check();
+  for (const name of ['film-first', 'film-last']) await page.getByTestId(name).fill('');
+  await page.getByTestId('film-start').press('Enter');
+  await page.getByTestId('save-film:coral-2').waitFor();
+  const {film, plays, folder} = await until('coral-2', 'done');
+  assert.deepEqual([film, plays], ['film.mov', 'film.webm']);
+  assert.ok(fs.existsSync(path.join(folder, 'rough/film.webm')));
+  await page.waitForFunction(() => {
+    const video = document.querySelector('[data-testid="film-video"]');
+    return video.src.includes('film.webm') && video.readyState >= 2;
+  });
+  // What is behind it shows through.
+  const alpha = await page.getByTestId('film-video').evaluate(video => {
+    const canvas = new OffscreenCanvas(video.videoWidth, video.videoHeight).getContext('2d');
+    canvas.drawImage(video, 0, 0);
+    return canvas.getImageData(1, 1, 1, 1).data[3];
+  });
+  assert.equal(alpha, 0);
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByTestId('save-film:coral-2').click()]);
+  assert.equal(saved.suggestedFilename(), 'coral-2.mov');
+  assert.deepEqual(fs.readFileSync(await saved.path()), fs.readFileSync(path.join(folder, 'film.mov')));
+  assert.deepEqual(page.faults, []);
+});
+
 test('a player may ask for any part of a film', async () => {
   const whole = await fetch(`${studio.base}api/film/coral-1/film.mp4?token=${studio.token}`).then(a => a.arrayBuffer());
   const part = await fetch(`${studio.base}api/film/coral-1/film.mp4?token=${studio.token}`, {headers: {Range: 'bytes=100-299'}});

@@ -21,10 +21,11 @@ class FilmsTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   /// A film that an earlier studio has left.
-  fs::path earlier(const std::string& name) const {
+  fs::path earlier(const std::string& name, const std::string& told = "") const {
     fs::path film = folder_ / "out/films" / name;
     (void)write_file(film / "film.json", R"({"order": {"size": [16, 16], "quality": "draft", "range": "",
-        "rough": true, "farm": false}, "told": {"title": "A", "seed": 1, "fps": 24, "frames": 9}, "rough": []})");
+        "rough": true, "farm": false}, "told": {"title": "A", "seed": 1, "fps": 24, "frames": 9)" +
+                                             told + R"(}, "rough": []})");
     return film;
   }
 
@@ -48,18 +49,34 @@ TEST_F(FilmsTest, TellsWhatCannotBeAFilm) {
 TEST_F(FilmsTest, FindsWhatEarlierStudiosLeft) {
   fs::path paused = earlier("a-1"), done = earlier("a-2");
   (void)write_file(done / "film.mp4", "film");
+  fs::path clear = earlier("a-3", R"(, "transparent": true)");
+  (void)write_file(clear / "rough/film.webm", "rough");
   (void)write_file(folder_ / "out/films/b-1/film.json", R"({"order": 3})");
   for (int frame : {1, 3}) (void)write_file(paused / fmt::format("frames/frame_000{}.png", frame), "png");
   Documents documents({.home = FROND_ROOT, .preset = folder_ / "a.json", .assets = {}, .ready = {}});
   Films films(documents, FROND_ROOT);
-  EXPECT_EQ(films.list().size(), 2u) << "what is no film is left out";
+  EXPECT_EQ(films.list().size(), 3u) << "what is no film is left out";
   Json state = *films.state("a-1");
   EXPECT_EQ(state["state"], "paused");
   EXPECT_EQ(state["there"], Json({1, 3}));
   EXPECT_EQ(state["done"], 2);
   EXPECT_EQ(state["of"], 9);
   EXPECT_EQ((*films.state("a-2"))["state"], "done");
+  EXPECT_EQ((*films.state("a-2"))["film"], "film.mp4");
+  EXPECT_EQ((*films.state("a-2"))["plays"], "film.mp4");
   EXPECT_FALSE(films.state("b-1"));
+
+  // One with opacity is a .mov, and plays as another.
+  EXPECT_EQ((*films.state("a-3"))["plays"], "rough.webm");
+  EXPECT_EQ(films.file("a-3", "rough.webm"), clear / "rough/film.webm");
+  (void)write_file(clear / "film.mov", "film");
+  Films later(documents, FROND_ROOT);
+  EXPECT_EQ((*later.state("a-3"))["state"], "done");
+  EXPECT_EQ((*later.state("a-3"))["film"], "film.mov");
+  EXPECT_EQ((*later.state("a-3"))["plays"], "rough.webm") << "the whole one cannot be played";
+  (void)write_file(clear / "film.webm", "film");
+  EXPECT_EQ((*later.state("a-3"))["plays"], "film.webm");
+  EXPECT_EQ(later.file("a-3", "film.mov"), clear / "film.mov");
   EXPECT_EQ(films.file("a-1", "3"), paused / "frames/frame_0003.png");
   EXPECT_EQ(films.file("a-2", "film.mp4"), done / "film.mp4");
   for (const char* name : {"2", "film.mp4", "film.json", "..", "frames/frame_0001.png", "-1"})

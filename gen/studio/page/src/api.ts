@@ -93,9 +93,11 @@ export interface FilmState {
   of: number;
   /** The numbers of the frames that are finished. */
   there: number[];
-  /** Which of its files there are. */
-  film: boolean;
-  rough: boolean;
+  /** The name of the finished film, and of the file that browsers play: that one, or a rough one; empty: none. */
+  film: string;
+  plays: string;
+  /** Whether its pictures have opacity; not told of old ones. */
+  transparent?: boolean;
   watch: boolean;
   order: FilmOrder;
   title: string;
@@ -303,7 +305,7 @@ export async function film(doc: Doc, order: FilmOrder): Promise<{ id: string } |
 export const pauseFilm = (id: string): Promise<unknown> => json("POST", `/api/film/${id}/pause`, {});
 export const resumeFilm = (id: string): Promise<unknown> => json("POST", `/api/film/${id}/resume`, {});
 export const removeFilm = (id: string): Promise<unknown> => json("DELETE", `/api/film/${id}`);
-/** Of a file of a film: "film.mp4", "rough.mp4", "watch.png", or the number of a frame. */
+/** Of a file of a film: "film.mp4", "film.mov", "rough.mp4", "watch.png", or the number of a frame. */
 export const filmFile = (id: string, name: string | number): string => withToken(`/api/film/${id}/${name}`);
 /** A small quick look at a time; null where the scene has not been grown. */
 export async function moment(doc: Doc, time: number): Promise<Blob | null> {

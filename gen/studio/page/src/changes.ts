@@ -14,9 +14,12 @@ const SILENT = new Set(["organisms", "defaults", "force", "title", "$schema", "b
 /** More at a time are as good as all. */
 const FEW = 4;
 
+/** The name of its group is of no picture either. */
+const counting = ({ group, ...rest }: Record<string, unknown>): unknown => rest;
+
 export function grownFrom(preset: Preset): GrownFrom {
   const rest = Object.entries(preset.whole).filter(([name]) => !SILENT.has(name));
-  return { rest: JSON.stringify(rest), organisms: preset.organisms.map((_, i) => JSON.stringify([preset.ownOf(i), preset.speciesName(i)])) };
+  return { rest: JSON.stringify(rest), organisms: preset.organisms.map((_, i) => JSON.stringify([counting(preset.ownOf(i)), preset.speciesName(i)])) };
 }
 
 /** None where all may be another. */

@@ -42,6 +42,7 @@ import { el } from "./dom";
 import { nameTab } from "./drafts";
 import { addOrganism, takeDrops } from "./panels/add_organism";
 import { ask, say } from "./panels/dialogs";
+import { curvesPanel } from "./panels/curves";
 import { drawer } from "./panels/drawer";
 import { exportMenu } from "./panels/exports";
 import { filmPanel } from "./panels/film";
@@ -115,11 +116,13 @@ function build(): void {
     },
     showControl,
   });
+  const curves = curvesPanel(store);
   const below = drawer(
     [
       { name: "problems", label: "Problems", element: faults.element },
       { name: "grammar", label: "Grammar", element: grammar.element, opened: grammar.opened, closed: grammar.closed },
       { name: "text", label: "Text", element: text.element, opened: text.opened, closed: text.closed },
+      { name: "curves", label: "Curves", element: curves.element, opened: curves.opened, closed: curves.closed },
       { name: "library", label: "Library", element: shelf.element, opened: shelf.opened, closed: shelf.closed },
       { name: "film", label: "Film", element: film.element, opened: film.opened, closed: film.closed },
       { name: "renders", label: "Renders", element: made.element, opened: () => void made.reload().catch(() => undefined) },

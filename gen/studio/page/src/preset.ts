@@ -43,7 +43,7 @@ function names(value: unknown, path: Path): boolean {
 export type Scope = "own" | "species" | "all" | "unset";
 
 /** What an organism has of its own, however it may be told by a species: how many stand where. */
-const NEVER_OF_SPECIES = { own: ["count", "sown", "species"], place: ["at", "on", "center", "inner", "radius"] };
+const NEVER_OF_SPECIES = { own: ["count", "group", "sown", "species"], place: ["at", "on", "center", "inner", "radius"] };
 
 /** What the preset of a species says of those that name it: all of its first organism but where that stands. */
 export function speciesIn(preset: Preset): Json | null {
@@ -115,6 +115,16 @@ export class Preset {
   speciesName(entry: number): string {
     const name = this.organisms[entry]?.species;
     return typeof name === "string" ? name : "";
+  }
+
+  /** The name that it is listed under with others; empty: none. */
+  groupOf(entry: number): string {
+    const name = this.organisms[entry]?.group;
+    return typeof name === "string" ? name : "";
+  }
+
+  inGroup(name: string): number[] {
+    return [...this.organisms.keys()].filter((i) => this.groupOf(i) === name);
   }
 
   /** What its species says; empty where it has none, or that is not known yet. */

@@ -75,7 +75,7 @@ const isColor = (options: Schema[]): boolean => options.length === 2 && String(o
 /** A list of [time, value]: what may change over the film. */
 function isKeys(schema: Schema): boolean {
   const items = (schema.items as Schema | undefined)?.items;
-  return schema.type === "array" && Array.isArray(items) && items.length === 2;
+  return schema.type === "array" && Array.isArray(items) && items.length >= 2;
 }
 
 function numberOf(schema: Schema, common = commonOf(schema)): NumberField {

@@ -340,17 +340,42 @@ export class Store {
     this.emit("selected");
   }
 
-  /** Puts an organism before or after its neighbour. What is drawn by lot may be another then: lots follow the order. */
-  moveOrganism(entry: number, by: 1 | -1): void {
-    const to = entry + by;
-    const text = this.writtenOut(this.text, ["organisms", entry]);
-    const written = sliceAt(text, ["organisms", entry]);
-    if (!written || to < 0 || to >= this.preset.organisms.length) return;
-    const swapped = (set: Set<number>): Set<number> => new Set([...set].map((i) => (i === entry ? to : i === to ? entry : i)));
-    this.solo = swapped(this.solo);
-    this.hidden = swapped(this.hidden);
-    this.change(insertAt(removeAt(text, ["organisms", entry]), ["organisms"], to, written, true));
-    this.select(to);
+  /**
+   * Puts organisms, one after the other, before or after what is listed beside the first of them. What is drawn by lot may be
+   * another then: lots follow the order.
+   */
+  moveOrganisms(entries: number[], by: 1 | -1): void {
+    const { preset } = this;
+    const others = [...preset.organisms.keys()].filter((i) => !entries.includes(i));
+    const own = preset.groupOf(entries[0]!);
+    let to = others.filter((i) => i < entries[0]!).length + by;
+    // A group is passed as a whole, but by one of its own.
+    const within = (): string => (to > 0 && to < others.length && preset.groupOf(others[to]!) === preset.groupOf(others[to - 1]!) ? preset.groupOf(others[to]!) : "");
+    while (within() && (within() !== own || entries.length === preset.inGroup(own).length)) to += by;
+    if (to < 0 || to > others.length) return;
+    const order = others.toSpliced(to, 0, ...entries);
+    const text = this.writtenOut(this.text, ["organisms", 0]);
+    const written = entries.map((i) => sliceAt(text, ["organisms", i])!);
+    const without = entries.toReversed().reduce((out, i) => removeAt(out, ["organisms", i]), text);
+    const moved = (set: ReadonlySet<number>): Set<number> => new Set([...set].map((i) => order.indexOf(i)));
+    this.solo = moved(this.solo);
+    this.hidden = moved(this.hidden);
+    this.change(written.reduce((out, one, k) => insertAt(out, ["organisms"], to + k, one, true), without));
+    this.selectAll(entries.map((_, k) => to + k));
+  }
+
+  /** Lists them under one name, or, where that is empty, each by itself. */
+  group(entries: number[], name: string): void {
+    this.batch((text) =>
+      entries.reduce((out, i) => {
+        const path = ["organisms", i, "group"];
+        return name ? this.edited(out, path, name) : removeAt(this.writtenOut(out, path), path);
+      }, text));
+  }
+
+  /** A name that no group has yet. */
+  freeGroup(): string {
+    for (let i = 1; ; i++) if (!this.preset.inGroup(`group ${i}`).length) return `group ${i}`;
   }
 
   /** A name that no organism has yet. */
@@ -377,6 +402,13 @@ export class Store {
     this.also = new Set();
     this.picked = true;
     this.keep();
+    this.emit("selected");
+  }
+
+  /** Selects organisms, of which the first is shown. */
+  selectAll(entries: number[]): void {
+    this.select(entries[0]!);
+    this.also = new Set(entries.slice(1));
     this.emit("selected");
   }
 

@@ -8,7 +8,7 @@ import { changedOrganisms, grownFrom } from "../src/changes";
 import { reckon } from "../src/controls/reckon";
 import { scaleOf, usualScale, valueAt } from "../src/controls/scale";
 import { insertAt, removeAt, setAt } from "../src/edits";
-import { valueAtTime, withKey } from "../src/keyframes";
+import { handleAt, keyLists, keysOf, valueAtTime, wayOf, withKey } from "../src/keyframes";
 import { balanced, boundsOf, colorAt, flooded, largestPiece, upright, type Pixels } from "../src/photographs/pixels";
 import { getAt, isObject, type Path } from "../src/pointer";
 import { beside, Preset, speciesIn } from "../src/preset";
@@ -129,6 +129,19 @@ test("between keys a value goes smoothly, and rests at the ends", () => {
   assert.equal(valueAtTime(7, 2), 7);
   assert.deepEqual(valueAtTime([[0, [0, 4]], [2, [2, 4]]], 1), [1, 4]);
   assert.deepEqual(withKey(keys, 1.01, 8), [[0, 0], [1.01, 8], [3, 10]]);
+});
+
+test("a key says how the way to the next one goes", () => {
+  assert.equal(valueAtTime([[0, 0, "in"], [2, 8]], 1), 2);
+  assert.equal(valueAtTime([[0, 0, { ease: "none" }], [2, 8], [3, 0]], 0.5), 2);
+  // A handle bends the way, and the one that is missing is opposite to it.
+  const bent = [[0, [0, 0, 0], { out: [0, 3, 0] }], [2, [6, 0, 0], { in: [0, 3, 0] }]];
+  assert.deepEqual(valueAtTime(bent, 1), [3, 2.25, 0]);
+  const way = wayOf(keysOf(bent)!, 4);
+  assert.deepEqual([...way.slice(6, 9)], [3, 2.25, 0]);
+  assert.deepEqual(handleAt(keysOf([[0, [0, 0, 0]], [1, [1, 1, 1], { out: [0, 1, 0] }], [2, [4, 4, 4]]])!, 1, "in"), [-0, -1, -0]);
+  assert.deepEqual(withKey([[0, 1, "both"], [2, 3]], 0, 5), [[0, 5, "both"], [2, 3]]);
+  assert.equal(keyLists({ angle: [[0, 1, "in"], [2, 3]], ends: [[0, 1, 2], [3, 4, 5]] }).length, 1);
 });
 
 test("the schema of presets is read whole", () => {

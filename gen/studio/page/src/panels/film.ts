@@ -119,7 +119,7 @@ export function filmPanel(store: Store, view: View): FilmPanel {
     const button = (label: string, testid: string, act: () => Promise<unknown>): HTMLButtonElement => el<HTMLButtonElement>("button.small", { type: "button", "data-testid": `${testid}:${id}`, click: () => void tried(() => act().then(reload)) }, label);
     const pause = button("Pause", "pause-film", () => api.pauseFilm(id));
     const resume = button("Resume", "resume-film", () => api.resumeFilm(id));
-    const save = el<HTMLAnchorElement>("a.button.small", { href: api.filmFile(id, "film.mp4"), download: `${id}.mp4`, "data-testid": `save-film:${id}` }, "Save the file");
+    const save = el<HTMLAnchorElement>("a.button.small", { "data-testid": `save-film:${id}` }, "Save the file");
     const gone = el("button.small", { type: "button", "data-testid": `remove-film:${id}`, click: () => void remove(film) }, "Remove");
     const place = el("small", {});
     return {
@@ -134,6 +134,8 @@ export function filmPanel(store: Store, view: View): FilmPanel {
         pause.hidden = !atWork(film);
         resume.hidden = film.state !== "paused" && film.state !== "failed";
         save.hidden = !film.film;
+        save.href = api.filmFile(id, film.film);
+        save.download = film.film.replace(/^film/, id);
         place.textContent = film.folder;
       },
     };

@@ -39,18 +39,20 @@ export function filmPlayer(): FilmPlayer {
       element.hidden = false;
       current = film.id;
       title.textContent = nameOf(film);
-      const file = film.film ? "film.mp4" : film.rough ? "rough.mp4" : "";
+      const file = film.plays;
+      const whole = file !== "" && file === film.film.replace(/mov$/, "webm");
       video.hidden = !file;
+      video.classList.toggle("clear", film.transparent === true);
       if (file && playing !== `${film.id} ${file}`) {
         playing = `${film.id} ${file}`;
         video.src = api.filmFile(film.id, file);
-        video.setAttribute("aria-label", file === "film.mp4" ? "The film" : "A rough film of a few frames");
+        video.setAttribute("aria-label", whole ? "The film" : "A rough film of a few frames");
         void video.play().catch(() => undefined);  // where it may not begin by itself its button does
       }
       work.hidden = !film.watch;
       // A picture that is being written anew shows itself once it has come, so that nothing flickers.
       if (film.watch) watch.src = `${api.filmFile(film.id, "watch.png")}&v=${++version}`;
-      said.textContent = film.film ? "" : file ? "A rough film of a few frames, until the whole one is there." : "Nothing of it is there to play yet.";
+      said.textContent = whole ? "" : film.film ? `${film.film} is finished, but browsers cannot play it: save the file, or look at its frames in the storyboard.` : file ? "A rough film of a few frames, until the whole one is there." : "Nothing of it is there to play yet.";
     },
   };
 }

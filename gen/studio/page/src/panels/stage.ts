@@ -4,8 +4,8 @@ import { Binding } from "../controls/binding";
 import { keysOf } from "../keyframes";
 import { vectorOf } from "../controls/vector";
 import { bytes, el, grouped, icon, spoken } from "../dom";
-import { fromPointer, getAt, toPointer, type Path } from "../pointer";
-import { round, rounded } from "../rounding";
+import { fromPointer, getAt, isObject, toPointer, type Path } from "../pointer";
+import { rounded } from "../rounding";
 import { SceneLoop } from "../scene_loop";
 import type { Store } from "../store";
 import type { Vec3 } from "../view/header";
@@ -14,6 +14,7 @@ import { ask } from "./dialogs";
 import { secondViews } from "./second_view";
 import { setCamera } from "./set_camera";
 import { onTheme } from "./theme";
+import { together } from "./together";
 import { tools, type Tools } from "./tools";
 
 type StageLooks = Record<"frame" | "front" | "side" | "top" | "home", () => void>;
@@ -24,6 +25,9 @@ const VIEWS: [keyof StageLooks, string, string][] = [
   ["top", "Top", "From above (7)"],
   ["home", "Home", "Back to where the preset's camera stands (Home)"],
 ];
+
+/** Metres that a key moves what is selected. */
+const NUDGE = 0.1;
 
 export interface Stage {
   element: HTMLElement;
@@ -55,12 +59,10 @@ export function stage(store: Store): Stage {
   const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, ...views, two, keep, look, set), over, figures);
   let through = false;
 
+  const moving = together(store);
   const view = new View(host, {
     picked: (entry, also) => entry !== null && (also ? store.selectAlso(entry) : store.select(entry)),
-    placed: (entry, index, x, z, done) => {
-      const place = new Binding(store, entry, ["place", "at"]).item(index);
-      place.set([round(x), round(z)], done);
-    },
+    placed: moving.to,
     key: (_what, pointer, at, done) => {
       store.set(fromPointer(pointer), rounded(at), pointer);
       if (done) store.endGesture();
@@ -77,6 +79,13 @@ export function stage(store: Store): Stage {
   const loop = new SceneLoop(store, view);
   const hands = tools(store, view);
   element.append(hands.element);
+  view.onKey((event) => {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (!step || !event.altKey || !store.chosen.length) return false;
+    const far = event.shiftKey ? 1 : NUDGE;
+    moving.by(far * step[0]!, far * step[1]!);
+    return true;
+  });
 
   function toggleCamera(): void {
     view.lookThrough(!through);
@@ -130,8 +139,9 @@ export function stage(store: Store): Stage {
   let drawn = "[]";
   const drawPaths = (): void => {
     const paths = pathsOf(store);
-    const now = JSON.stringify(paths);
-    if (now !== drawn) view.paths(paths);
+    const way = store.selected === "scene" && movesOf(store);
+    const now = JSON.stringify([paths, way]);
+    if (now !== drawn) view.paths(paths, way);
     drawn = now;
   };
   store.on(["text", "selected", "opened"], () => {
@@ -142,12 +152,20 @@ export function stage(store: Store): Stage {
   return { element, beside: others.beside, looks, loop, view, tools: hands, toggleCamera };
 }
 
+/** Is the camera's way another than that through its keys? */
+function movesOf(store: Store): boolean {
+  const camera = getAt(store.preset.whole, ["scene", "camera"]);
+  return isObject(camera) && (camera.follow === true || camera.fit !== undefined || (isObject(camera.move) && (camera.move.orbit !== undefined || camera.move.rail !== undefined)));
+}
+
+const CAMERA_PATHS: Path[] = [["location"], ["look_at"], ["move", "rail", "to"], ["move", "orbit", "center"]];
+
 /** What can be dragged along its way: the food of what is selected, and with the scene the camera. */
 function pathsOf(store: Store): DragPath[] {
   const { selected } = store;
   if (selected === "scene") {
     if (getAt(store.preset.whole, ["scene", "camera", "follow"]) === true) return [];
-    return [pathAt(store, "camera", ["scene", "camera", "location"]), pathAt(store, "camera", ["scene", "camera", "look_at"])].filter((p) => p !== null);
+    return CAMERA_PATHS.map((path) => pathAt(store, "camera", ["scene", "camera", ...path])).filter((p) => p !== null);
   }
   const entry = typeof selected === "number" && store.schema.kind(store.preset.kindOf(selected)).fields.has("food") ? selected : null;
   const path: Path = entry === null ? ["defaults", "food", "position"] : new Binding(store, entry, ["food", "position"]).path;
@@ -158,6 +176,6 @@ function pathAt(store: Store, what: "food" | "camera", path: Path): DragPath | n
   const value = getAt(store.preset.whole, path);
   const keys = keysOf(value);
   const pointer = toPointer(path);
-  if (keys) return { what, pointer, keys: keys.map(([t, at], i) => ({ t, at: vectorOf(at, 3) as Vec3, pointer: `${pointer}/${i}/1` })) };
+  if (keys) return { what, pointer, keys: keys.map(([t, at, shape], i) => ({ t, at: vectorOf(at, 3) as Vec3, shape, pointer: `${pointer}/${i}/1` })) };
   return Array.isArray(value) ? { what, pointer, keys: [{ t: 0, at: vectorOf(value, 3) as Vec3, pointer }] } : null;
 }

@@ -11,7 +11,7 @@ import type { Store } from "../store";
 import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
 import { bent } from "./beam";
-import { Marks, touches } from "./marks";
+import { Marks, touches } from "../view/marks";
 
 const COLORS = { hangs: 0xffa63d, axis: 0xffffff, handle: 0x59c36a };
 const FAR = 1e4; // metres

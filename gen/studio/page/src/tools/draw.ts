@@ -4,13 +4,14 @@ import { Plane, Raycaster, Vector3, type PerspectiveCamera } from "three";
 import * as api from "../api";
 import { reckon } from "../controls/reckon";
 import { el } from "../dom";
+import { handleAt, shapeOf, wayOf, type Key } from "../keyframes";
 import { toPointer } from "../pointer";
 import { round } from "../rounding";
 import type { Store } from "../store";
 import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
 import { copied } from "./copied";
-import { Marks, touches } from "./marks";
+import { Marks, touches } from "../view/marks";
 import { thinned } from "./thinned";
 import { handleOf, slope, splinePlaces } from "./spline";
 import { strokesFor, type Stroke, type StrokeLine, type StrokePoint } from "./strokes";
@@ -18,6 +19,12 @@ import { strokesFor, type Stroke, type StrokeLine, type StrokePoint } from "./st
 const COLORS = { drawn: 0xffa63d, line: 0x6aa5ff, handle: 0x6aa5ff, chosen: 0xffffff, tangent: 0x59c36a };
 /** How far ahead of the eye a stroke is shown whose depth is not known yet. */
 const AHEAD = 1;
+const PIECES = 16; // of a way from key to key
+/** By how many metres keys move the chosen point, with Alt. */
+const NUDGES: Record<string, Vector3> = {
+  ArrowLeft: new Vector3(-0.1, 0, 0), ArrowRight: new Vector3(0.1, 0, 0), ArrowUp: new Vector3(0, 0, -0.1), ArrowDown: new Vector3(0, 0, 0.1),
+  PageUp: new Vector3(0, 0.1, 0), PageDown: new Vector3(0, -0.1, 0),
+};
 const SMOOTH = 0.012; // of its length, that a stroke loses of its trembling
 
 /** The end of a tangent. */
@@ -47,7 +54,14 @@ export class Draw implements Tool {
     private store: Store,
     private view: View,
   ) {
-    this.options = el("div.tool-options", { "data-testid": "draw" }, el("div.cluster", {}, this.what, this.wide, this.pulls, this.finish), this.told);
+    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => el("button.small", { type: "button", "data-testid": `draw:${name}`, "data-tip": tip, click }, label);
+    this.options = el("div.tool-options", { "data-testid": "draw" }, el("div.cluster", {}, this.what, this.wide, this.pulls, this.finish),
+      el("div.cluster", {},
+        button("before", "◂", "The point before", () => this.chooseNext(-1)),
+        button("after", "▸", "The point after", () => this.chooseNext(1)),
+        button("smooth", "Smooth", "Gives the point handles, as a smooth line has them", () => this.smooth()),
+        button("straight", "Straight", "Takes its handles away (Delete)", () => this.straighten())),
+      this.told);
   }
 
   /** What can be drawn may be another now. */
@@ -115,6 +129,7 @@ export class Draw implements Tool {
       this.clicked.pop();
       this.show();
     } else if (event.key === "Delete" && this.chosen) this.straighten();
+    else if (event.altKey && event.key in NUDGES) this.nudge(NUDGES[event.key]!);
     else return false;
     return true;
   }
@@ -136,7 +151,7 @@ export class Draw implements Tool {
 
   /** The line of the chosen point, and its number there. */
   private chosenIn(stroke: Stroke): { line: StrokeLine; index: number } | null {
-    for (const line of stroke.curved ? stroke.lines() : []) {
+    for (const line of stroke.lines()) {
       const index = line.points.findIndex((p) => toPointer(p.path) === this.chosen);
       if (index >= 0) return { line, index };
     }
@@ -147,12 +162,49 @@ export class Draw implements Tool {
   private handles(stroke: Stroke): Handle[] {
     const found = this.chosenIn(stroke);
     if (!found) return [];
-    const { points, smooth, closed } = found.line;
+    const { points, smooth, closed, keys } = found.line;
     const point = points[found.index]!;
+    if (keys) return this.keyHandles(keys, point, found.index);
     return (["in", "out"] as const).map((way) => {
       const offset = handleOf(points, found.index, way, smooth, closed) ?? slope(points, found.index, closed).multiplyScalar(way === "out" ? 1 : -1);
       return { point, way, at: point.at.clone().add(offset) };
     });
+  }
+
+  /** Where the way rests it has no tangent: there they are a third of the way to the next key. */
+  private keyHandles(keys: Key[], point: StrokePoint, index: number): Handle[] {
+    return (["in", "out"] as const).flatMap((way) => {
+      const found = handleAt(keys, index, way);
+      if (!found) return [];
+      const offset = new Vector3(...(found as [number, number, number]));
+      if (offset.length() < 1e-6) offset.fromArray(keys[index + (way === "out" ? 1 : -1)]![1] as number[]).sub(point.at).divideScalar(3);
+      return [{ point, way, at: point.at.clone().add(offset) }];
+    });
+  }
+
+  /** The point after or before the chosen one. */
+  private chooseNext(by: number): void {
+    const points = this.stroke?.lines().flatMap((line) => line.points) ?? [];
+    const at = points.findIndex((p) => toPointer(p.path) === this.chosen);
+    const next = points[at < 0 ? 0 : (at + by + points.length) % points.length];
+    if (next) this.choose(next);
+  }
+
+  private nudge(by: Vector3): void {
+    const found = this.stroke && this.chosenIn(this.stroke);
+    if (!found || !this.stroke) return;
+    const point = found.line.points[found.index]!;
+    this.store.set(point.path, this.written(this.stroke, { ...point, at: point.at.clone().add(by) }));
+    this.show();
+  }
+
+  /** The chosen point has the handles that it would have if the line were smooth there. */
+  private smooth(): void {
+    const handles = this.stroke ? this.handles(this.stroke) : [];
+    const one = handles.at(-1);
+    if (!one || !this.stroke) return;
+    this.store.set(one.point.path, this.written(this.stroke, { ...one.point, [one.way]: one.at.clone().sub(one.point.at) }));
+    this.show();
   }
 
   /** The chosen point is without handles again. */
@@ -160,13 +212,13 @@ export class Draw implements Tool {
     const found = this.stroke && this.chosenIn(this.stroke);
     if (!found || !this.stroke) return;
     const point = found.line.points[found.index]!;
-    this.store.set(point.path, this.stroke.spelled(point.at));
+    this.store.set(point.path, this.written(this.stroke, { ...point, in: undefined, out: undefined }));
     this.show();
   }
 
   private pointDrag(stroke: Stroke, point: StrokePoint): Drag {
     this.choose(point);
-    return this.dragging(stroke, point.at, (at) => {
+    return this.dragging(stroke, point, point.at, (at) => {
       this.store.set(point.path, this.written(stroke, { ...point, at }), toPointer(point.path));
     });
   }
@@ -175,15 +227,16 @@ export class Draw implements Tool {
   private handleDrag(stroke: Stroke, { point, way, at }: Handle): Drag {
     const gesture = `${toPointer(point.path)} ${way}`;
     const other = way === "in" ? "out" : "in";
-    return this.dragging(stroke, at, (now, shift) => {
+    return this.dragging(stroke, point, at, (now, shift) => {
       const offset = now.clone().sub(point.at);
       const stays = point[other] ?? (shift && point[way] ? point[way].clone().negate() : undefined);
       this.store.set(point.path, this.written(stroke, { ...point, [way]: offset, [other]: stays }), gesture);
     });
   }
 
-  private dragging(stroke: Stroke, from: Vector3, set: (at: Vector3, shift: boolean) => void): Drag {
-    const plane = stroke.on === "ground" ? new Plane(new Vector3(0, 1, 0), -from.y) : null;
+  /** What lies on the ground stays level; all else is dragged in the plane that faces the eye. */
+  private dragging(stroke: Stroke, { key }: StrokePoint, from: Vector3, set: (at: Vector3, shift: boolean) => void): Drag {
+    const plane = stroke.on === "ground" && !key ? new Plane(new Vector3(0, 1, 0), -from.y) : null;
     return {
       move: (ray, shift) => {
         const facing = plane ?? new Plane().setFromNormalAndCoplanarPoint(ray.ray.direction, from);
@@ -197,11 +250,16 @@ export class Draw implements Tool {
   }
 
   /** A point as the preset has it: the place alone, or with its handles. */
-  private written(stroke: Stroke, { at, in: back, out }: StrokePoint): unknown {
+  private written(stroke: Stroke, { at, in: back, out, rest, key }: StrokePoint): unknown {
     const place = stroke.spelled(at);
     const offset = (by: Vector3): number[] => stroke.spelled(at.clone().add(by)).map((x, k) => round(x - place[k]!));
-    if (!back && !out) return place;
-    return { at: place, ...(back ? { in: offset(back) } : {}), ...(out ? { out: offset(out) } : {}) };
+    const handles = { ...(back ? { in: offset(back) } : {}), ...(out ? { out: offset(out) } : {}) };
+    if (key) {
+      const { ease } = shapeOf(key);
+      const shape = back || out ? { ...(ease ? { ease } : {}), ...handles } : ease;
+      return [key[0], place, ...(shape ? [shape] : [])];
+    }
+    return back || out || Object.keys(rest).length ? { at: place, ...handles, ...rest } : place;
   }
 
   private async put(stroke: Stroke, rays: Raycaster[], smooth: boolean): Promise<void> {
@@ -231,8 +289,8 @@ export class Draw implements Tool {
 
   private show(rays: Raycaster[] = this.clicked): void {
     this.drawn.clear();
-    for (const { points, smooth, closed } of this.stroke?.lines() ?? []) {
-      this.drawn.line(splinePlaces(points, smooth, closed).flatMap((p) => p.toArray()), COLORS.line);
+    for (const { points, smooth, closed, keys } of this.stroke?.lines() ?? []) {
+      this.drawn.line(keys ? wayOf(keys, PIECES) : splinePlaces(points, smooth, closed).flatMap((p) => p.toArray()), COLORS.line);
       for (const point of points) this.drawn.handle(point.at, toPointer(point.path) === this.chosen ? COLORS.chosen : COLORS.handle);
     }
     for (const { point, at } of this.stroke ? this.handles(this.stroke) : []) {

@@ -6,7 +6,7 @@ import { el } from "../dom";
 import type { Store } from "../store";
 import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
-import { Marks } from "./marks";
+import { Marks } from "../view/marks";
 
 const COLOR = 0xffe14d;
 

@@ -9,7 +9,7 @@ import type { Store } from "../store";
 import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
 import { copied } from "./copied";
-import { Marks } from "./marks";
+import { Marks } from "../view/marks";
 import { maskables, newProjection, onPicture, pictureMatrix, projectionOf, written, type Maskable, type Projection } from "./masks";
 
 const PIXELS = 512; // of the longer side of a picture

@@ -7,7 +7,7 @@ import { round } from "../rounding";
 import type { Store } from "../store";
 import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
-import { Marks, touches } from "./marks";
+import { Marks, touches } from "../view/marks";
 
 const COLORS = { foot: 0xffffff, chosen: 0xffa63d, turn: 0x6aa5ff, size: 0x59c36a };
 const SNAP = { metres: 0.25, degrees: 15 };

@@ -1,6 +1,7 @@
 /** What a stroke in the view may become: lines of points in the preset, each with its way between the preset and the world. */
 
 import { Quaternion, Vector3 } from "three";
+import { keysOf, shapeOf, type Key } from "../keyframes";
 import { getAt, isObject, type Path } from "../pointer";
 import { round, rounded } from "../rounding";
 import type { Store } from "../store";
@@ -11,12 +12,18 @@ import { hostsOf } from "./masks";
 /** A point of a line with its handles, in the world, and where it stands in the preset. */
 export interface StrokePoint extends Knot {
   path: Path;
+  /** What else the preset says of it. */
+  rest: Record<string, unknown>;
+  /** Of a way in time: the key that it is. */
+  key?: Key;
 }
 
 export interface StrokeLine {
   points: StrokePoint[];
   smooth: boolean;
   closed: boolean;
+  /** Of a way in time: all of its keys. */
+  keys?: Key[];
 }
 
 export interface Stroke {
@@ -28,8 +35,6 @@ export interface Stroke {
   width?: number;
   /** How strongly it leads what follows it, 0..1, if that is asked for. */
   pull?: number;
-  /** Whether its points may have handles. */
-  curved: boolean;
   lines(): StrokeLine[];
   /** A new line. */
   draw(points: Vector3[], width: number, pull: number): void;
@@ -54,11 +59,11 @@ export function strokesFor(store: Store, view: View): Stroke[] {
 function lineAt(store: Store, path: Path, place: (value: number[]) => Vector3, n: number, smooth = false, closed = false): StrokeLine {
   const value = getAt(store.preset.whole, path);
   const points = (Array.isArray(value) ? (value as unknown[]) : []).flatMap((item, i): StrokePoint[] => {
-    const { at, in: back, out } = isObject(item) ? item : { at: item };
+    const { at, in: back, out, ...rest } = isObject(item) ? item : { at: item };
     if (!numbers(at, n)) return [];
     const here = place(at);
     const handle = (way: unknown): Vector3 | undefined => (numbers(way, n) ? place(at.map((x, k) => x + way[k]!)).sub(here) : undefined);
-    return [{ at: here, in: handle(back), out: handle(out), path: [...path, i] }];
+    return [{ at: here, in: handle(back), out: handle(out), path: [...path, i], rest }];
   });
   return { points, smooth, closed };
 }
@@ -79,7 +84,6 @@ function guideOf(store: Store, view: View, entry: number): Stroke | null {
     value: "guide",
     label: `a guide of ${store.preset.nameOf(entry)}`,
     on: { plane: foot },
-    curved: false,
     lines: () => [lineAt(store, path, (v) => new Vector3(...(v as [number, number, number])).multiplyScalar(stands.size).applyQuaternion(turn).add(foot), 3)],
     // It begins above the foot, which is its own first place.
     draw: (points) => store.set(path, points.filter((p) => p.distanceTo(foot) > 0.02).map(spelled)),
@@ -102,7 +106,6 @@ function strandOf(store: Store, view: View, entry: number): Stroke | null {
     on: hostsOf(store, view, entry),
     width: 0.1,
     pull: 1,
-    curved: true,
     lines: () => given().map((guide, i) => lineAt(store, [...path, i, "points"], (v) => new Vector3(...(v as [number, number, number])), 3, isObject(guide) && guide.curve === true)),
     draw: (points, width, pull) => store.set([...path, given().length], { width, ...(pull < 1 ? { pull } : {}), curve: true, points: points.map(spot) }),
     spelled: spot,
@@ -124,7 +127,6 @@ function pathOf(store: Store, view: View): Stroke | null {
     label: "the garden's path",
     on: "ground",
     width: 1.2,
-    curved: true,
     lines: () => [lineAt(store, path, (v) => onGround(view, v), 2, true)],
     draw: (points, width) =>
       store.batch((text) => store.edited(store.edited(text, path, points.map(flat)), ["scene", "garden", "path", "width"], width)),
@@ -143,7 +145,6 @@ function bedOf(store: Store, view: View): Stroke | null {
     value: "bed",
     label: "the outline of a bed",
     on: "ground",
-    curved: true,
     lines: () => given().map((area, i) => lineAt(store, [...path, i, "outline"], (v) => onGround(view, v), 2, isObject(area) && area.curve === true, true)),
     draw: (points) => points.length > 2 && store.set([...path, given().length], { kind: "earth", outline: points.map(flat) }),
     spelled: flat,
@@ -158,8 +159,13 @@ function wayOf(store: Store, view: View): Stroke {
     value: "way",
     label: "the camera's way",
     on: "ground",
-    curved: false,
-    lines: () => [],
+    lines: () => {
+      const keys = keysOf(getAt(store.preset.whole, path));
+      if (!keys || follows || !keys.every(([, at]) => numbers(at, 3))) return [];
+      const vector = (v: number[] | undefined): Vector3 | undefined => v && new Vector3(...(v as [number, number, number]));
+      const points = keys.map((key, i): StrokePoint => ({ at: vector(key[1] as number[])!, in: vector(shapeOf(key).in), out: vector(shapeOf(key).out), path: [...path, i], rest: {}, key }));
+      return [{ points, smooth: false, closed: false, keys }];
+    },
     draw: (points) => {
       const far = points.map((p, i) => (i ? p.distanceTo(points[i - 1]!) : 0));
       const whole = far.reduce((sum, d) => sum + d, 0);

@@ -14,7 +14,7 @@ export class Eye {
   through = false;
   /** Whether a person has moved it since it stood where the preset's camera does. */
   moved = false;
-  private film: Header["camera"] = { at: [0, 1, 5], to: [0, 0, 0], angle: 50 };
+  private film: Header["camera"] = { at: [0, 1, 5], to: [0, 0, 0], angle: 50, way: [] };
   private filmAspect = 1.6;
   private width = 1;
   private height = 1;

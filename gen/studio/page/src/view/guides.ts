@@ -1,12 +1,13 @@
-import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type PerspectiveCamera } from "three";
-import { points } from "./curve";
+import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Vector3, type PerspectiveCamera } from "three";
+import { wayOf } from "../keyframes";
 import type { Header, Vec3 } from "./header";
+import { Marks, type ToPixel } from "./marks";
 
 /** A path that can be dragged: its keys, each with the JSON pointer of its vector. */
 export interface Path {
   what: "food" | "camera";
   pointer: string;
-  keys: { t: number; at: Vec3; pointer: string }[];
+  keys: { t: number; at: Vec3; shape?: unknown; pointer: string }[];
 }
 
 /** A key that one can take hold of. */
@@ -17,7 +18,6 @@ export interface Handle {
 }
 
 const COLORS = { food: 0xffa63d, camera: 0x6aa5ff, foot: 0xffffff };
-const HANDLE = 6; // pixels
 const PIECES = 16;
 /** More feet than these are a carpet that hides what stands on them. */
 const MOST_FEET = 200;
@@ -27,15 +27,10 @@ const lines = (color: number, opacity: number): LineBasicMaterial => new LineBas
 /** Lines and handles that are no part of the picture: paths with their keys, the preset's camera, the ring under what is
  *  dragged. */
 export class Guides extends Group {
-  private handles: { handle: Handle; ball: Mesh }[] = [];
-  private ball = new SphereGeometry(1, 12, 8);
-  private paints = {
-    food: new MeshBasicMaterial({ color: COLORS.food, depthTest: false, transparent: true }),
-    camera: new MeshBasicMaterial({ color: COLORS.camera, depthTest: false, transparent: true }),
-    foot: new MeshBasicMaterial({ color: COLORS.foot, depthTest: false, transparent: true }),
-  };
-  private drawnPaths = new Group();
-  private feet = new Group();
+  private handles: Handle[] = [];
+  private paths = new Marks();
+  private way = new Marks();
+  private feet = new Marks();
   private film: LineSegments;
   private ring: Line;
   private list: Path[] = [];
@@ -49,36 +44,37 @@ export class Guides extends Group {
     this.ring = new Line(new BufferGeometry().setAttribute("position", new BufferAttribute(circle, 3)), lines(0xffffff, 0.9));
     this.ring.visible = false;
     for (const one of [this.film, this.ring]) one.frustumCulled = false;
-    this.add(this.film, this.drawnPaths, this.feet, this.ring);
+    this.add(this.film, this.way, this.paths, this.feet, this.ring);
   }
 
   setPaths(list: Path[]): void {
     this.list = list;
-    this.clearPaths();
-    for (const path of list) {
-      const curve = new Line(new BufferGeometry(), lines(COLORS[path.what], 0.8));
-      curve.geometry.setAttribute("position", new BufferAttribute(points(path.keys, PIECES), 3));
-      curve.frustumCulled = false;
-      this.drawnPaths.add(curve);
-      for (const key of path.keys) {
-        const ball = new Mesh(this.ball, this.paints[path.what]);
-        ball.position.set(...key.at);
-        this.drawnPaths.add(ball);
-        this.handles.push({ handle: { what: path.what, pointer: key.pointer, at: ball.position }, ball });
+    this.paths.clear();
+    this.handles = [];
+    for (const { what, keys } of list) {
+      this.paths.line(wayOf(keys.map(({ t, at, shape }) => [t, at, shape]), PIECES), COLORS[what], 0.8);
+      for (const { at, pointer } of keys) {
+        this.handles.push({ what, pointer, at: new Vector3(...at) });
+        this.paths.handle(this.handles.at(-1)!.at, COLORS[what]);
       }
     }
+  }
+
+  /** The way of the preset's camera over the film; empty: none is shown. */
+  setWay(places: Vec3[]): void {
+    this.way.clear();
+    if (places.length) this.way.line(places.flat(), COLORS.camera, 0.8);
   }
 
   /** What can be moved over the ground is taken hold of at its foot. */
   setFeet(list: Vec3[]): void {
     this.feet.clear();
-    if (list.length) this.feet.add(...list.slice(0, MOST_FEET).map(() => new Mesh(this.ball, this.paints.foot)));
-    this.feet.children.forEach((ball, i) => ball.position.set(...list[i]!));
+    for (const at of list.slice(0, MOST_FEET)) this.feet.handle(new Vector3(...at), COLORS.foot);
   }
 
   /** The foot that is drawn nearest to a pixel, as its number in the list; -1: none is near. */
   footAt(x: number, y: number, toPixel: ToPixel): number {
-    return nearest(this.feet.children.map((ball) => ball.position), x, y, toPixel);
+    return this.feet.nearest(x, y, toPixel);
   }
 
   /** Moves one key until the paths are set anew. */
@@ -129,7 +125,7 @@ export class Guides extends Group {
 
   /** The key that is drawn nearest to a pixel, if any is near. */
   handleAt(x: number, y: number, toPixel: ToPixel): Handle | null {
-    return this.handles[nearest(this.handles.map(({ handle }) => handle.at), x, y, toPixel)]?.handle ?? null;
+    return this.handles[this.paths.nearest(x, y, toPixel)] ?? null;
   }
 
   /** Handles are of one size on the screen; the preset's camera is not seen from where it stands itself. `pixel`: metres
@@ -138,47 +134,18 @@ export class Guides extends Group {
     const position = this.film.geometry.getAttribute("position") as BufferAttribute;
     const away = camera.position.distanceTo(apex.fromBufferAttribute(position, 0));
     this.film.visible = this.cameraShown && away > 1.5 * apex.distanceTo(base.fromBufferAttribute(position, 1));
-    for (const ball of [...this.handles.map((h) => h.ball), ...this.feet.children]) ball.scale.setScalar(HANDLE * pixel * ball.position.distanceTo(camera.position));
+    this.paths.scaleTo(camera, pixel);
+    this.feet.scaleTo(camera, pixel);
     this.updateMatrixWorld();
   }
 
   dispose(): void {
-    this.clearPaths();
-    this.ball.dispose();
-    this.paints.food.dispose();
-    this.paints.camera.dispose();
-    this.paints.foot.dispose();
+    for (const marks of [this.paths, this.way, this.feet]) marks.clear();
     for (const one of [this.film, this.ring]) {
       one.geometry.dispose();
       (one.material as LineBasicMaterial).dispose();
     }
   }
-
-  private clearPaths(): void {
-    for (const one of this.drawnPaths.children)
-      if (one instanceof Line) {
-        one.geometry.dispose();
-        (one.material as LineBasicMaterial).dispose();
-      }
-    this.drawnPaths.clear();
-    this.handles = [];
-  }
-}
-
-type ToPixel = (at: Vector3) => { x: number; y: number; near: boolean };
-
-/** Which of some points is drawn nearest to a pixel; -1: none is near enough to be meant. */
-function nearest(points: Vector3[], x: number, y: number, toPixel: ToPixel): number {
-  let best = -1;
-  let least = HANDLE + 5;
-  points.forEach((point, i) => {
-    const p = toPixel(point);
-    const away = Math.hypot(p.x - x, p.y - y);
-    if (!p.near || away >= least) return;
-    least = away;
-    best = i;
-  });
-  return best;
 }
 
 const apex = new Vector3();

@@ -100,7 +100,8 @@ export interface Header {
   missing: number[];
   coarse: boolean;
   notes: string[];
-  camera: { at: Vec3; to: Vec3; angle: number };
+  /** `way`: where it stands at moments over the film; empty where it does not move. */
+  camera: { at: Vec3; to: Vec3; angle: number; way: Vec3[] };
   light: Light;
   /** A picture of the sky all around, of its upper half, north in the middle; empty: none. */
   sky: string;

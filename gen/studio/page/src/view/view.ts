@@ -64,8 +64,9 @@ export class View implements PointerTarget {
   private selected: number | null = null;
   /** What is marked beside it. */
   private also: ReadonlySet<number> = NOBODY;
-  /** Those of the selected organism whose places the preset gives. */
+  /** Those of the selected organisms whose places the preset gives. */
   private movable: Header["specimens"] = [];
+  private wayShown = false;
   private coming = 0;
   private sky = "";
   /** Whether the model was on the screen yet. */
@@ -117,6 +118,7 @@ export class View implements PointerTarget {
     this.lay(this.header.sky);
     this.eyes.follow(this.header, first);
     this.guides.setCamera(this.header);
+    this.showWay();
     this.painter.setThings(
       this.shown.map(({ thing }) => thing),
       boundsOf(this.header),
@@ -147,9 +149,16 @@ export class View implements PointerTarget {
     this.changed();
   }
 
-  paths(list: Path[]): void {
+  /** `way`: the camera's way over the film is shown, too. */
+  paths(list: Path[], way = false): void {
     this.guides.setPaths(list);
+    this.wayShown = way;
+    this.showWay();
     this.changed();
+  }
+
+  private showWay(): void {
+    this.guides.setWay((this.wayShown && this.header?.camera.way) || []);
   }
 
   /** Works with a tool, or selects again. */
@@ -446,7 +455,7 @@ export class View implements PointerTarget {
   private markSelected(): void {
     const marked = this.selected === null ? [] : this.shown.filter(({ part }) => part.entry === this.selected || this.also.has(part.entry));
     this.painter.marked = new Set(marked.flatMap(({ thing }) => (thing instanceof Stand ? thing.drawn() : [thing])));
-    this.movable = this.header?.specimens.filter((s) => s.entry === this.selected && s.placed !== null) ?? [];
+    this.movable = this.header?.specimens.filter((s) => (s.entry === this.selected || this.also.has(s.entry)) && s.placed !== null) ?? [];
     this.guides.setFeet(this.movable.map((s) => s.foot));
   }
 

@@ -1,11 +1,21 @@
-/** Lines and handles that tools draw over the picture. */
+/** Lines and handles that are drawn over the picture. */
 
-import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry, type PerspectiveCamera, type Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type PerspectiveCamera } from "three";
 
 const HANDLE = 6; // pixels
 const ball = new SphereGeometry(1, 12, 8);
 
 const over = { depthTest: false, transparent: true };
+const paints = new Map<number, MeshBasicMaterial>();
+
+function paintOf(color: number): MeshBasicMaterial {
+  const paint = paints.get(color) ?? new MeshBasicMaterial({ color, ...over });
+  paints.set(color, paint);
+  return paint;
+}
+
+/** Where a place is in the window; `near`: before the eye. */
+export type ToPixel = (at: Vector3) => { x: number; y: number; near: boolean };
 
 /** Handles, lines and loose segments of one colour each. */
 export class Marks extends Group {
@@ -16,7 +26,7 @@ export class Marks extends Group {
       if (one instanceof Line) {
         one.geometry.dispose();
         (one.material as LineBasicMaterial).dispose();
-      } else if (one instanceof Mesh) (one.material as MeshBasicMaterial).dispose();
+      }
     this.handles = [];
     return super.clear();
   }
@@ -32,10 +42,24 @@ export class Marks extends Group {
   }
 
   handle(at: Vector3, color: number): void {
-    const one = new Mesh(ball, new MeshBasicMaterial({ color, ...over }));
+    const one = new Mesh(ball, paintOf(color));
     one.position.copy(at);
     this.handles.push(one);
     this.put(one);
+  }
+
+  /** The number of the handle that is drawn nearest to a pixel; -1: none is near enough to be meant. */
+  nearest(x: number, y: number, toPixel: ToPixel): number {
+    let best = -1;
+    let least = HANDLE + 5;
+    this.handles.forEach(({ position }, i) => {
+      const p = toPixel(position);
+      const away = Math.hypot(p.x - x, p.y - y);
+      if (!p.near || away >= least) return;
+      least = away;
+      best = i;
+    });
+    return best;
   }
 
   scaleTo(camera: PerspectiveCamera, pixel: number): void {
