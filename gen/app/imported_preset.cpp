@@ -27,7 +27,8 @@ Value zeros(int count) {
 
 /// How far from the middle of a box an eye on a side of it sees the whole box with a rim of a tenth.
 double distance_to_see(DVec3 size, DVec3 side) {
-  DVec3 right = glm::normalize(glm::cross(DVec3{0, 1, 0}, side)), up = glm::cross(side, right);
+  DVec3 upward = side.y > 0.999 ? DVec3{0, 0, -1} : DVec3{0, 1, 0};
+  DVec3 right = glm::normalize(glm::cross(upward, side)), up = glm::cross(side, right);
   double slope = 0.9 * std::tan(radians(kAngle / 2)), distance = 0;
   for (int corner = 0; corner < 8; ++corner) {
     DVec3 at = size * DVec3{corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5};
