@@ -102,13 +102,12 @@ int import_rules(const ImportArguments& arguments) {
   grammar->seed = arguments.seed.value_or(grammar->seed);
   grammar->mutations += arguments.mutations;
   *grammar = mutated(std::move(*grammar));
+  for (char leaf : kLeaves) grammar->organs.emplace_back(1, leaf);
   Result<Grammar> compiled = compile(*grammar);
   if (!compiled) return fail(in_file(compiled.errors(), path), kWrongInput);
   tell_notes(in_file(compiled->warnings, path));
-  std::vector<std::string> leaves;
-  for (char leaf : kLeaves) leaves.emplace_back(1, leaf);
   Result<Figure> figure =
-      figure_of(*compiled, grammar->growth(), Seed{grammar->seed}, grammar->limits, leaves);
+      figure_of(*compiled, grammar->growth(), Seed{grammar->seed}, grammar->limits, grammar->organs);
   if (!figure) return fail(in_file(figure.errors(), path), kWrongInput);
   ImportedPlant plant{
       .side = {0.35, 0.12, 1}, .grammar = properties_of(*grammar), .looks = looks_of(*grammar, *figure)};

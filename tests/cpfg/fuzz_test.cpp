@@ -64,7 +64,7 @@ const std::vector<std::pair<const char*, std::string>> kFiles{
      "F --> F\nendlsystem\n"},
     {"m.v",
      "angle increment: 30\ninitial color: 1 2\ninitial line width: 0.2 cylinders\nsurface: a one.s 0.5\n"
-     "tsurface: b two.tri 1\ncontour: c.con\nfunction: f.func\ntropism: T: 0,1,0 A: 20 I: 1 E: 0.1 S: 0.1\n"
+     "tsurface: b two.tri 1\ncontour: 1 c.con\nfunction: f.func\ntropism: T: 0,1,0 A: 20 I: 1 E: 0.1 S: 0.1\n"
      "viewpoint: 0,3,10\n"},
     {"m.a", "first frame: 0\nlast frame: 4\nstep: 1\n"},
     {"m.map", std::string(768, 'x')},
