@@ -96,7 +96,14 @@ TEST(Reader, AKeyMayHaveAnEaseAndHandles) {
     ASSERT_FALSE(wrong) << keys;
     for (const Error& error : wrong.errors()) all += error.text() + "\n";
   }
-  EXPECT_EQ(all, "");
+  EXPECT_EQ(
+      all,
+      "p.json:1:32: /zoom/0/2: found the text \"inn\"; expected one of none, in, out, both; did you mean "
+      "\"in\"?\n"
+      "p.json:1:33: /zoom/0/2/out: unknown property \"out\"; expected ease\n"
+      "p.json:1:25: /zoom/0: found a list of 4; expected a keyframe [seconds, value] or [seconds, value, "
+      "ease]\n"
+      "p.json:1:51: /location/0/2/in: found 2; expected a list of 3 numbers\n");
 }
 
 TEST(Reader, CollectsAllFaults) {
