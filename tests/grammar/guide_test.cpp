@@ -174,7 +174,9 @@ TEST(Guide, PointsSetWhatTheTurtleDrawsWith) {
   text.steps = 0;
   text.width = 0.2;
   text.tropism = {0, -1, 0};
-  text.guide.points = {{{0, 1, 0}, -1, 0.03, 30.0, 0.5, DVec3(1, 0, 0)}, {{0, 2, 0}, 0}};
+  text.guide.points = {
+      {.at = {0, 1, 0}, .radius = 0.03, .angle = 30.0, .elasticity = 0.5, .tropism = DVec3(1, 0, 0)},
+      {{0, 2, 0}, 0}};
   text.guide.leniency = 1;
   struct Widths {
     std::vector<double> width;
