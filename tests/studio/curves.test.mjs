@@ -132,8 +132,7 @@ test("the camera's way has points and handles that are dragged", async () => {
   await undo();
   assert.equal(await text(), TEXT);
 
-  // By the keyboard.
-  await page.getByTestId('draw:after').press('Enter');
+  // By the keyboard the next one is chosen.
   await page.getByTestId('draw:after').press('Enter');
   await page.getByTestId('draw:smooth').press('Enter');
   assert.ok((await location())[1][2].in);

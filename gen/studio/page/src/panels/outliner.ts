@@ -101,7 +101,7 @@ export function outliner(store: Store, addOrganism: () => void): HTMLElement {
       select: () => store.selectAll(entries),
     }, ...tools(group, `group:${group}`, entries, () => entries));
     item.prepend(iconButton("open", `${group}: its organisms`, () => fold(group, !shut), { "aria-expanded": String(!shut), "data-testid": `fold:${group}` }));
-    item.classList.add("group");
+    item.classList.add("heading");
     item.classList.toggle("off", entries.every(isOff));
     return item;
   };
