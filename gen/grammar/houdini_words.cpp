@@ -13,7 +13,7 @@ namespace {
 
 using import_text::trim;
 
-constexpr std::string_view kLeaves = "JKM", kColors = "'#";
+constexpr std::string_view kLeaves = "JKM", kColorSigns = "'#";
 
 struct Missing {
   std::string_view name, what;
@@ -116,7 +116,7 @@ std::string HoudiniWords::formula(std::string_view text, const std::vector<std::
 std::string HoudiniWords::parameters_of(char symbol, std::string_view inside,
                                         const std::vector<std::string>& parameters) {
   std::vector<std::string_view> parts = parts_of(inside);
-  if (kColors.find(symbol) != kColors.npos) return colors = true, "";
+  if (kColorSigns.find(symbol) != kColorSigns.npos) return colors = true, "";
   if (kLeaves.find(symbol) != kLeaves.npos) {
     stamps |= parts.size() > 1;
     return parts[0].empty() ? "" : fmt::format("({})", formula(parts[0], parameters));
