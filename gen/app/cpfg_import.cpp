@@ -50,7 +50,7 @@ int import_model(const ImportArguments& arguments) {
   if (!derived) return fail(derived.errors(), kWrongInput);
   Result<CpfgFigure> figure = draw(*model, derived->drawing);
   if (!figure) return fail(figure.errors(), kWrongInput);
-  ImportedPlant plant{figure->low, figure->high, side_of(*model)};
+  ImportedPlant plant{{Vec3(figure->low), Vec3(figure->high)}, side_of(*model)};
   fs::path folder = fs::path(preset_path(arguments)).parent_path();
   std::error_code error;
   fs::path file = fs::proximate(arguments.path, folder.empty() ? "." : folder, error);

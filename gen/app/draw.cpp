@@ -4,16 +4,14 @@
 #include <filesystem>
 
 #include "app/commands.h"
-#include "app/inputs.h"
 #include "app/messages.h"
 #include "app/streams.h"
+#include "app/traced_run.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
-#include "core/work_folder.h"
 #include "drawing/ink.h"
 #include "images/png_samples.h"
-#include "scene/scene.h"
 
 // Ink drawings of frames: draw.
 
@@ -43,30 +41,21 @@ int draw_ink(const DrawArguments& arguments) {
   if (preset->film.crop || preset->film.depth != 8)
     return fail({{preset->film.crop ? "--crop" : "--depth", "drawings are whole pictures of 8 bits"}},
                 kWrongInput);
-  const int last = preset->film.frames;
-  Result<FrameRange> range = read_frames(arguments.frames, last, {last, last});
-  if (!range) return fail(range.errors(), kWrongInput);
-  bool paper = !preset->film.transparent();
-  fs::path out = arguments.out.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem() / "drawn"
-                                       : fs::path(arguments.out);
-  now_doing("growing what stands in the scene");
-  Result<Scene> scene = build_scene(*preset);
-  if (!scene) return fail(scene.errors(), kWrongInput);
-  WorkFolder models;
-  if (models.path().empty()) return fail({{"", "no folder can be made for models"}}, kCouldNot);
-  Result<TracedFilm> film = traced_film(*scene, models.path() / "frames");
-  if (!film) return fail(film.errors(), kCouldNot);
-  const std::array<int, 2>& size = scene->film.size;
+  TracedRun run;
+  if (int code = run.begin(*preset, arguments, "drawn"); code != kDone) return code;
+  const Film& film = run.scene->film;
+  bool paper = !film.transparent();
+  const std::array<int, 2>& size = film.size;
   InkStyle style{pen_for(size, arguments.pen), static_cast<float>(arguments.hatch), paper};
   now_doing("drawing frames");
-  for (int frame = range->first; frame <= range->last; ++frame) {
-    Result<TracedFrame> traced = film->at(scene->film.time(frame));
+  for (int frame = run.range.first; frame <= run.range.last; ++frame) {
+    Result<TracedFrame> traced = run.film->at(film.time(frame));
     if (!traced) return fail(traced.errors(), kCouldNot);
     Grid ink = ink_drawing(ink_samples(*traced, size[0], size[1], fine_for(size)), style);
     Result<std::string> png = png_text(ink_picture(ink, paper));
     if (!png) return fail(png.errors(), kCouldNot);
-    if (scene->film.dpi > 0) png = with_density(*png, scene->film.dpi);
-    fs::path file = out / (frame_name(frame) + ".png");
+    if (film.dpi > 0) png = with_density(*png, film.dpi);
+    fs::path file = run.out / (frame_name(frame) + ".png");
     Result<bool> written = write_file(file, *png);
     if (!written) return fail(written.errors(), kCouldNot);
     put(file.string() + "\n");

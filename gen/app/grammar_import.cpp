@@ -73,16 +73,10 @@ Value looks_of(const GrammarText& g, const Figure& figure) {
   return looks;
 }
 
-void take_bounds(const Figure& figure, ImportedPlant& plant) {
-  bool first = true;
-  auto add = [&](Vec3 p) {
-    plant.low = first ? DVec3(p) : glm::min(plant.low, DVec3(p));
-    plant.high = first ? DVec3(p) : glm::max(plant.high, DVec3(p));
-    first = false;
-  };
-  for (Vec3 p : figure.skeleton.position) add(p);
-  for (const Outline& outline : figure.outlines)
-    for (Vec3 p : outline.points) add(p);
+Bounds box_of(const Figure& figure) {
+  Bounds box = bounds_of(figure.skeleton.position);
+  for (const Outline& outline : figure.outlines) box.take(bounds_of(outline.points));
+  return box;
 }
 
 }  // namespace
@@ -109,9 +103,7 @@ int import_rules(const ImportArguments& arguments) {
   Result<Figure> figure =
       figure_of(*compiled, grammar->growth(), Seed{grammar->seed}, grammar->limits, grammar->organs);
   if (!figure) return fail(in_file(figure.errors(), path), kWrongInput);
-  ImportedPlant plant{
-      .side = {0.35, 0.12, 1}, .grammar = properties_of(*grammar), .looks = looks_of(*grammar, *figure)};
-  take_bounds(*figure, plant);
+  ImportedPlant plant{box_of(*figure), {0.35, 0.12, 1}, properties_of(*grammar), looks_of(*grammar, *figure)};
   return write_imported(arguments, plant);
 }
 

@@ -30,8 +30,9 @@ double distance_to_see(DVec3 size, DVec3 side) {
   DVec3 upward = side.y > 0.999 ? DVec3{0, 0, -1} : DVec3{0, 1, 0};
   DVec3 right = glm::normalize(glm::cross(upward, side)), up = glm::cross(side, right);
   double slope = 0.9 * std::tan(radians(kAngle / 2)), distance = 0;
+  const Bounds box{Vec3(-0.5 * size), Vec3(0.5 * size)};
   for (int corner = 0; corner < 8; ++corner) {
-    DVec3 at = size * DVec3{corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5};
+    DVec3 at(box.corner(corner));
     double across = std::max(std::abs(glm::dot(at, right)), std::abs(glm::dot(at, up)));
     distance = std::max(distance, glm::dot(at, side) + across / slope);
   }
@@ -59,8 +60,8 @@ std::string preset_path(const ImportArguments& arguments) {
 }
 
 int write_imported(const ImportArguments& arguments, const ImportedPlant& plant) {
-  DVec3 size = plant.high - plant.low;
-  if (!(glm::length(size) > 0))
+  DVec3 size(plant.box.size());
+  if (plant.box.empty() || !(glm::length(size) > 0))
     return fail({{arguments.path, "its turtle draws nothing; does it need more steps? --steps sets them"}},
                 kWrongInput);
   size *= kLongest / std::max({size.x, size.y, size.z});

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "app/commands.h"
-#include "core/vec.h"
+#include "core/bounds.h"
 #include "preset/value.h"
 
 namespace frond {
 
 /// A plant as another program's file draws it, for a preset that a person goes on with.
 struct ImportedPlant {
-  DVec3 low{0}, high{0};  ///< in its own units; of some size
-  DVec3 side{0, 0, 1};    ///< from where it is seen
+  Bounds box;           ///< in its own units
+  DVec3 side{0, 0, 1};  ///< from where it is seen
   Value grammar = make_object();
   Value looks = make_object();  ///< further properties of the plant
 };

@@ -8,14 +8,13 @@
 
 #include "app/albedo.h"
 #include "app/commands.h"
-#include "app/inputs.h"
 #include "app/messages.h"
 #include "app/pass_views.h"
 #include "app/streams.h"
+#include "app/traced_run.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
-#include "core/work_folder.h"
 #include "images/cryptomatte.h"
 #include "images/exr.h"
 
@@ -106,36 +105,25 @@ int passes(const PassesArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
-  const int last = preset->film.frames;
-  Result<FrameRange> range = read_frames(arguments.frames, last, {last, last});
-  if (!range) return fail(range.errors(), kWrongInput);
-  fs::path out = arguments.out.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem() / "passes"
-                                       : fs::path(arguments.out);
-  now_doing("growing what stands in the scene");
-  Result<Scene> scene = build_scene(*preset);
-  if (!scene) return fail(scene.errors(), kWrongInput);
-  WorkFolder models;
-  if (models.path().empty()) return fail({{"", "no folder can be made for models"}}, kCouldNot);
-  fs::path frames = models.path() / "frames";
-  Result<TracedFilm> film = traced_film(*scene, frames);
-  if (!film) return fail(film.errors(), kCouldNot);
+  TracedRun run;
+  if (int code = run.begin(*preset, arguments, "passes"); code != kDone) return code;
   std::optional<Albedo> albedo;
   if (arguments.albedo) {
-    Result<Albedo> made = Albedo::of(*scene, frames);
+    Result<Albedo> made = Albedo::of(*run.scene, run.models.path() / "frames");
     if (!made) return fail(made.errors(), kCouldNot);
     albedo.emplace(std::move(*made));
   }
-  const Camera& camera = scene->stage.camera;
+  const Camera& camera = run.scene->stage.camera;
   float middle = std::max(glm::distance(camera.location.at(0), camera.look_at.at(0)), 1e-3f);
   now_doing("tracing frames");
-  for (int frame = range->first; frame <= range->last; ++frame) {
-    Result<FramePasses> made = frame_passes(*scene, *film, frame, arguments.side);
+  for (int frame = run.range.first; frame <= run.range.last; ++frame) {
+    Result<FramePasses> made = frame_passes(*run.scene, *run.film, frame, arguments.side);
     if (!made) return fail(made.errors(), kCouldNot);
     if (Errors errors = albedo ? albedo->add_to(*made, frame) : Errors{}; !errors.empty())
       return fail(errors, kCouldNot);
-    Result<std::string> picture = picture_of(*scene, *made);
+    Result<std::string> picture = picture_of(*run.scene, *made);
     if (!picture) return fail(picture.errors(), kCouldNot);
-    fs::path file = out / (frame_name(frame) + ".exr");
+    fs::path file = run.out / (frame_name(frame) + ".exr");
     Result<bool> written = write_file(file, *picture);
     if (!written) return fail(written.errors(), kCouldNot);
     put(file.string() + "\n");
@@ -143,7 +131,8 @@ int passes(const PassesArguments& arguments) {
     for (const PassView& view : pass_views(*made, middle)) {
       Result<std::string> png = png_text(view.picture);
       if (!png) return fail(png.errors(), kCouldNot);
-      if (written = write_file(out / fmt::format("{}_{}.png", frame_name(frame), view.name), *png); !written)
+      if (written = write_file(run.out / fmt::format("{}_{}.png", frame_name(frame), view.name), *png);
+          !written)
         return fail(written.errors(), kCouldNot);
     }
   }
