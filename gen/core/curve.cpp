@@ -4,6 +4,8 @@
 #include <cassert>
 #include <iterator>
 
+#include "core/spline.h"
+
 namespace frond {
 
 Hermite hermite(double t) {
@@ -92,14 +94,12 @@ T Animated<T>::shaped(std::size_t i, double share) const {
   using Scalar = std::conditional_t<std::is_same_v<T, double>, double, float>;
   const Key &a = keys_[i], &d = keys_[i + 1];
   auto handle = [&](const Key& key, const T& slope, bool on) -> T {
-    if (key.handled())
-      return on ? key.out.value_or(key.in ? -*key.in : T{}) : key.in.value_or(key.out ? -*key.out : T{});
+    if (key.handled()) return on ? handle_of(key.out, key.in) : handle_of(key.in, key.out);
     T third = (a.ease ? d.value - a.value : static_cast<Scalar>(d.time - a.time) * slope) / Scalar{3};
     return on ? third : -third;
   };
   T b = a.value + handle(a, slopes_[i], true), c = d.value + handle(d, slopes_[i + 1], false);
-  auto t = static_cast<Scalar>(a.ease ? eased(*a.ease, share) : share), s = 1 - t;
-  return s * s * s * a.value + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d.value;
+  return cubic_place(a.value, b, c, d.value, static_cast<Scalar>(a.ease ? eased(*a.ease, share) : share));
 }
 
 template <class T>

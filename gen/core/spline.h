@@ -11,6 +11,19 @@
 
 namespace frond {
 
+/// The handle on one side of a point, which is opposite to that on the other side where only that is given.
+template <class V>
+V handle_of(const std::optional<V>& own, const std::optional<V>& other) {
+  return own ? *own : other ? -*other : V{};
+}
+
+/// A place on the cubic Bézier curve of four control points, `t` of 0..1 along it.
+template <class V, class Scalar>
+V cubic_place(const V& a, const V& b, const V& c, const V& d, Scalar t) {
+  Scalar s = 1 - t;
+  return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
+}
+
 /// A point of a line. Its handles lead from it to the control points of the cubic Bézier curves that end and
 /// begin there; where only one is given the other is opposite to it, and without any the line has a corner
 /// there or, where it is smooth, the slope of Catmull and Rom (1974): from the point before to the one after.
@@ -45,7 +58,7 @@ std::vector<V> spline_places(std::span<const SplinePoint<V>> points, const Splin
   };
   auto handle = [&](std::size_t i, bool on) -> V {
     const SplinePoint<V>& p = points[i];
-    if (p.handled()) return on ? p.out.value_or(p.in ? -*p.in : V(0)) : p.in.value_or(p.out ? -*p.out : V(0));
+    if (p.handled()) return on ? handle_of(p.out, p.in) : handle_of(p.in, p.out);
     if (!shape.smooth) return V(0);
     return (near(i, 1) - near(i, -1)) * static_cast<Scalar>(on ? 1.0 / 6 : -1.0 / 6);
   };
@@ -57,8 +70,8 @@ std::vector<V> spline_places(std::span<const SplinePoint<V>> points, const Splin
     if (!shape.smooth && !points[i].handled() && !points[j].handled()) continue;
     V b = a + handle(i, true), c = d + handle(j, false);
     for (int k = 1; k < shape.pieces; ++k) {
-      Scalar t = static_cast<Scalar>(k) / static_cast<Scalar>(shape.pieces), s = 1 - t;
-      places.push_back(a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t));
+      Scalar t = static_cast<Scalar>(k) / static_cast<Scalar>(shape.pieces);
+      places.push_back(cubic_place(a, b, c, d, t));
     }
   }
   if (count > 0 && !shape.closed) places.push_back(points.back().at);

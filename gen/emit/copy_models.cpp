@@ -29,11 +29,6 @@ void append_colors(std::string& text, const std::vector<Color>& colors) {
   text += '}';
 }
 
-/// The colour that a place on a leaf tells.
-std::size_t color_of(Vec2 uv, std::size_t colors) {
-  return color_index(static_cast<std::int32_t>(std::floor(uv.x)), colors);
-}
-
 std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
                       const std::optional<Luster>& luster) {
   std::string text = "#local C = ";
@@ -58,7 +53,7 @@ std::vector<std::size_t> worn_colors(const Surface& surface, std::size_t colors)
   constexpr std::size_t kFew = 24, kMost = 100;
   std::set<std::size_t> worn;
   if (colors > kFew)
-    for (Vec2 uv : surface.uv) worn.insert(color_of(uv, colors));
+    for (Vec2 uv : surface.uv) worn.insert(color_index(uv, colors));
   if (worn.empty())
     for (std::size_t i = 0; i < colors; ++i) worn.insert(i);
   std::vector<std::size_t> list(worn.begin(), worn.end());
@@ -73,7 +68,7 @@ Surface with_worn(Surface surface, const std::vector<std::size_t>& worn, std::si
   if (worn.size() == colors) return surface;
   for (Vec2& uv : surface.uv) {
     float place = std::floor(uv.x);
-    auto at = std::ranges::upper_bound(worn, color_of(uv, colors)) - worn.begin();
+    auto at = std::ranges::upper_bound(worn, color_index(uv, colors)) - worn.begin();
     auto own = static_cast<double>(worn.size()) * std::floor(place / static_cast<double>(colors));
     uv.x += static_cast<float>(own + static_cast<double>(std::max<std::ptrdiff_t>(at - 1, 0))) - place;
   }

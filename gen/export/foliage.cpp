@@ -22,7 +22,7 @@ Surface of_color(const Surface& leaves, std::size_t color, std::size_t colors) {
   if (leaves.uv.empty()) return color == 0 ? leaves : out;
   std::vector<std::uint32_t> index(leaves.position.size(), UINT32_MAX);
   for (const auto& t : leaves.triangle) {
-    if (color_index(static_cast<std::int32_t>(std::floor(leaves.uv[t[0]].x)), colors) != color) continue;
+    if (color_index(leaves.uv[t[0]], colors) != color) continue;
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t c = 0; c < 3; ++c) {
       std::uint32_t& at = index[t[c]];

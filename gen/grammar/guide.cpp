@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/spline.h"
 #include "grammar/turtle_state.h"
 
 namespace frond {
@@ -86,8 +87,8 @@ std::vector<GuidePoint> bent(const std::vector<GuidePoint>& points) {
     if (before != GuidePoint::kRoot) before = number[static_cast<std::size_t>(p.parent)];
     if (is_bent(p)) {
       const GuidePoint& from = points[static_cast<std::size_t>(p.parent)];
-      DVec3 control[] = {from.at, from.at + from.out.value_or(from.in ? -*from.in : DVec3(0)),
-                         p.at + p.in.value_or(p.out ? -*p.out : DVec3(0)), p.at};
+      DVec3 control[] = {from.at, from.at + handle_of(from.out, from.in), p.at + handle_of(p.in, p.out),
+                         p.at};
       for (int k = 1; k < kPieces; ++k) {
         all.push_back({bezier_point(control, static_cast<double>(k) / kPieces), before});
         before = static_cast<std::int32_t>(all.size()) - 1;

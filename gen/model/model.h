@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "model/skeleton.h"
@@ -47,6 +48,11 @@ struct Prototype {
 inline std::size_t color_index(std::int32_t color, std::size_t count) {
   auto n = static_cast<std::int32_t>(count);
   return static_cast<std::size_t>(((color % n) + n) % n);
+}
+
+/// The same of a place on merged leaves, the whole part of whose `u` tells the colour.
+inline std::size_t color_index(Vec2 uv, std::size_t count) {
+  return color_index(static_cast<std::int32_t>(std::floor(uv.x)), count);
 }
 
 /// Leaves, flowers, berries: one entry per organ. Metres.

@@ -18,8 +18,7 @@ inline constexpr Choice<Dialect> kDialects[] = {
     {"houdini", Dialect::houdini, "as in Houdini's L-system node"},
     {"lparser", Dialect::lparser,
      "as in LParser: rolls are < and >, widths are shares of a segment's length, and a parameter stays "
-     "behind "
-     "what its letter becomes"}};
+     "behind what its letter becomes"}};
 
 template <class Visitor>
 void describe(Visitor& v, GrammarText::Rule& r) {
@@ -131,10 +130,10 @@ void describe_line(Visitor& v, GuideText& g) {
 
 template <class Visitor>
 void describe(Visitor& v, GuideText& g) {
-  v.custom("points", g.points, read_guide_line, kGuideLineSchema,
-           "A line of points, each [x, y, z] or {at, in, out, radius, angle, elasticity, tropism, children}; "
-           "in and out "
-           "are handles of Bézier curves, children are points or lines of points that start there");
+  v.custom(
+      "points", g.points, read_guide_line, kGuideLineSchema,
+      "A line of points, each [x, y, z] or {at, in, out, radius, angle, elasticity, tropism, children}; "
+      "in and out are handles of Bézier curves, children are points or lines of points that start there");
   v.list("parent", g.parent,
          "Number of the point that comes before each point, -1 for none; without it each follows the one "
          "before it");

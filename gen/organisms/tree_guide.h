@@ -12,8 +12,7 @@ template <class Visitor>
 void describe(Visitor& v, TreeGuide& g) {
   v.custom("points", g.points, read_guide_line, kGuideLineSchema,
            "A line of points [x, y, z] in metres from the foot, y up; {at, in, out} has handles of a Bézier "
-           "curve, "
-           "and one that forks is {at, children}, children being lines of points that start there");
+           "curve, and one that forks is {at, children}, children being lines of points that start there");
   describe_line(v, g);
 }
 

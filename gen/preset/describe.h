@@ -43,9 +43,8 @@ namespace frond {
 //     color(name, c, doc)                  Color as CSS writes it, or [r, g, b], each 0 to 1 (sRGB)
 //     curve(name, c, doc)                  Curve from [[x, y], ...], two or more points, x increasing
 //     animated(name, a, range, doc)        Animated<double>: a number, or keyframes [[seconds, number], ...]
-//     animated(name, a, [range,] doc)      Animated<Vec3>: [x, y, z] or keyframes [[seconds, [x, y, z]],
-//     ...],
-//                                          of which each may end with a KeyShape (eases.h)
+//     animated(name, a, [range,] doc)      Animated<Vec3>: [x, y, z] or keyframes of these; each keyframe
+//                                          may end with a KeyShape (eases.h)
 //     object(name, o, doc)                 a struct with a describe() of its own
 //     list(name, l, [count,] doc)          std::vector of described structs, texts, numbers, vectors, Color
 //     pairs(name, p, doc)                  std::vector<std::pair<std::string, std::string>>, in the order

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/spline.h"
 #include "organisms/kinds.h"
 #include "settings/settings.h"
 
@@ -46,8 +47,7 @@ double reach_of(const Camera& camera) {
   double reach = 0;
   // A curve stays within the polygon of its keys and their handles.
   for (const auto& key : camera.location.keys())
-    for (Vec3 by : {Vec3(0), key.in.value_or(key.out ? -*key.out : Vec3(0)),
-                    key.out.value_or(key.in ? -*key.in : Vec3(0))})
+    for (Vec3 by : {Vec3(0), handle_of(key.in, key.out), handle_of(key.out, key.in)})
       reach = std::max<double>(reach, glm::length(Vec2(key.value.x + by.x, key.value.z + by.z)));
   return reach;
 }

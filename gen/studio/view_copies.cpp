@@ -17,7 +17,7 @@ std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<C
   std::vector<std::uint8_t> painted;
   painted.reserve(4 * leaves.uv.size());
   for (Vec2 uv : leaves.uv) {
-    const Color& c = colors[color_index(static_cast<std::int32_t>(std::floor(uv.x)), colors.size())];
+    const Color& c = colors[color_index(uv, colors.size())];
     for (float x : {c.red, c.green, c.blue})
       painted.push_back(static_cast<std::uint8_t>(std::lround(255 * x)));
     painted.push_back(255);
