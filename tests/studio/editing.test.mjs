@@ -69,6 +69,7 @@ test('numbers are reckoned, and what is none stays and is told of', async () => 
 
 test('a number is changed by a drag to the side in its box, as one step to undo', async () => {
   const box = number(page, 'height');
+  await box.hover();  // it stands still
   const {x, y, width, height} = await box.boundingBox();
   await page.mouse.move(x + width / 2, y + height / 2);
   await page.mouse.down();
