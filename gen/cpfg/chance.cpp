@@ -5,8 +5,8 @@
 
 namespace frond::cpfg {
 
-void seed_chance(FormulaChance& chance, std::int64_t n) {
-  chance.stream = Congruential48(static_cast<std::uint64_t>(n) * 65536 + 0x330E);
+void seed_chance(FormulaChance& chance, std::int64_t n, std::uint64_t variation) {
+  chance.stream = Congruential48((static_cast<std::uint64_t>(n) * 65536 + 0x330E) ^ variation);
   chance.has_kept = false;
 }
 

@@ -21,9 +21,10 @@ class Congruential48 {
   std::uint64_t state_;
 };
 
-/// The generator by which a stochastic L-system draws lots among its productions.
-inline Congruential48 lots_of(std::int64_t seed) {
-  return Congruential48(static_cast<std::uint64_t>(seed) + (155ULL << 32));
+/// The generator by which a stochastic L-system draws lots among its productions. `variation`: 0 as cpfg
+/// begins it, here and below.
+inline Congruential48 lots_of(std::int64_t seed, std::uint64_t variation = 0) {
+  return Congruential48((static_cast<std::uint64_t>(seed) + (155ULL << 32)) ^ variation);
 }
 
 /// The chance of formulas: one stream for all functions.
@@ -34,7 +35,7 @@ struct FormulaChance {
 };
 
 /// srand(n).
-void seed_chance(FormulaChance& chance, std::int64_t n);
+void seed_chance(FormulaChance& chance, std::int64_t n, std::uint64_t variation = 0);
 /// nran: a normal number of mean 0 and deviation 1, by the polar method.
 double normal_number(FormulaChance& chance);
 /// bran: a beta number, by rejection (Cheng 1978, algorithm BA). Parameters of 0 or less give 0.

@@ -147,8 +147,9 @@ struct CpfgLimits {
 };
 
 struct CpfgRequest {
-  std::optional<int> steps;  ///< nothing: the model's derivation length
-  bool drawing = false;      ///< whether CpfgDerived::drawing is asked for
+  std::optional<int> steps;     ///< nothing: the model's derivation length
+  bool drawing = false;         ///< whether CpfgDerived::drawing is asked for
+  std::uint64_t variation = 0;  ///< any other number: another plant of the model, whose chances are its own
   CpfgLimits limits;
 };
 

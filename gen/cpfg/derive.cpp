@@ -49,7 +49,7 @@ class Deriver {
   Deriver(const CpfgModel& model, const CpfgRequest& request)
       : model_(model),
         request_(request),
-        run_(begin_run(*model.code, request.limits)),
+        run_(begin_run(*model.code, request.limits, request.variation)),
         turtle_(turtle_settings(model)) {}
 
   Result<CpfgDerived> derive() {
@@ -144,11 +144,12 @@ void append_number(std::string& text, float value) {
 
 }  // namespace
 
-Run begin_run(const Code& code, const CpfgLimits& limits) {
-  Run run{code, limits, {}, 0, {}, {}, {}, {}, 0, 0, false, {}, {}};
+Run begin_run(const Code& code, const CpfgLimits& limits, std::uint64_t variation) {
+  Run run{code, limits, variation, {}, 0, {}, {}, {}, {}, 0, 0, false, {}, {}};
   run.formals.resize(static_cast<std::size_t>(code.formals));
   run.locals.resize(static_cast<std::size_t>(code.locals));
-  for (const CpfgSystem& system : code.systems) run.lots.push_back(lots_of(system.rules.seed));
+  if (variation != 0) run.chance = {Congruential48(variation), false, 0};
+  for (const CpfgSystem& system : code.systems) run.lots.push_back(lots_of(system.rules.seed, variation));
   return run;
 }
 

@@ -117,7 +117,7 @@ double call(Run& run, const FormulaNode& node) {
     case Function::biran:
       return binomial_number(run.chance, a, b);
     case Function::srand:
-      return seed_chance(run.chance, whole(a)), 0;
+      return seed_chance(run.chance, whole(a), run.variation), 0;
     case Function::func:
     case Function::curve_x:
     case Function::curve_y:

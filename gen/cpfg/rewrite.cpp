@@ -188,7 +188,8 @@ CpfgDrawing draw_word(Run& run, const CpfgWord& word) {
   CpfgDrawing drawing;
   Enclosing enclosing(run);
   std::vector<Congruential48> lots;
-  for (const CpfgSystem& system : run.code.systems) lots.push_back(lots_of(system.homomorphism.seed));
+  for (const CpfgSystem& system : run.code.systems)
+    lots.push_back(lots_of(system.homomorphism.seed, run.variation));
   for (std::size_t at = 0; at < word.modules.size() && run.goes_on();) {
     auto keep = [&](const CpfgWord& from, std::size_t i) {
       append_copy(from, i, drawing.word);

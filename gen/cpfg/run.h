@@ -25,6 +25,7 @@ struct SystemInstance {
 struct Run {
   const Code& code;
   CpfgLimits limits;
+  std::uint64_t variation = 0;  ///< CpfgRequest::variation
   std::vector<SystemInstance> instances;
   int instance = 0;             ///< the one whose rules and variables count now
   std::vector<double> locals;   ///< of all productions
@@ -44,7 +45,7 @@ struct Run {
 };
 
 /// A run with nothing in it.
-Run begin_run(const Code& code, const CpfgLimits& limits);
+Run begin_run(const Code& code, const CpfgLimits& limits, std::uint64_t variation = 0);
 
 /// The value of a formula.
 double evaluate(Run& run, int formula);

@@ -95,5 +95,21 @@ TEST(CpfgChance, ProductionsDrawOneNumberAPlace) {
   EXPECT_EQ(word_of("derivation length: 1\nAxiom: AA\nA --> B : 1\nA --> C : 1000"), "BB");
 }
 
+TEST(CpfgChance, VariationsAreOtherPlantsOfOneModel) {
+  auto varied = [](const char* lines, std::uint64_t variation) {
+    CpfgRequest request;
+    request.variation = variation;
+    return word_of(lines, request);
+  };
+  for (const char* lines : {"Axiom: A(ran(1))\nA --> A", "Axiom: A(nran(0,1))\nA --> A",
+                            "Start: {srand(4);}\nAxiom: A(ran(1))\nA --> A",
+                            "Seed: 3\nderivation length: 1\nAxiom: AAAAAAAAAAAAAAAA\nA --> B\nA --> C"}) {
+    EXPECT_EQ(varied(lines, 0), word_of(lines));
+    EXPECT_EQ(varied(lines, 77), varied(lines, 77)) << lines;
+    EXPECT_NE(varied(lines, 77), varied(lines, 0)) << lines;
+    EXPECT_NE(varied(lines, 77), varied(lines, 78)) << lines;
+  }
+}
+
 }  // namespace
 }  // namespace frond

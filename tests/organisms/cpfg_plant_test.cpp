@@ -116,14 +116,27 @@ TEST_F(CpfgPlant, WhatTheModelSaysItselfIsRefused) {
   PlantParams params = plant();
   params.grammar.angle = 30;
   ASSERT_EQ(cpfg_faults(params).size(), 1U);
-  EXPECT_EQ(
-      cpfg_faults(params)[0].text(),
-      "/grammar: a model of cpfg has all else in its own files; expected `file`, `steps` and `limits` alone");
+  EXPECT_EQ(cpfg_faults(params)[0].text(),
+            "/grammar: a model of cpfg has all else in its own files; expected `file`, `steps`, `limits` and "
+            "`vary` alone");
   params = plant();
   params.grammar.limits.modules = 10;
   ASSERT_EQ(cpfg_faults(params).size(), 1U);
   EXPECT_EQ(cpfg_faults(params)[0].text(),
             "/grammar/steps: step 1: the word has more than 10 modules and parameters");
+}
+
+TEST_F(CpfgPlant, EachPlantHasItsOwnChancesWhereItVaries) {
+  grammar("Axiom: F(1+ran(1))[+F(ran(2))]F(ran(3))\nA --> A\n");
+  PlantParams params = plant();
+  auto branch = [&](Seed seed) {
+    Result<Model> model = grow_plant(params, seed, 1);
+    return model.ok() ? model->skeleton.position.at(2) : Vec3(0);
+  };
+  EXPECT_EQ(branch(Seed{1}), branch(Seed{2}));
+  params.grammar.vary = true;
+  EXPECT_NE(branch(Seed{1}), branch(Seed{2}));
+  EXPECT_EQ(branch(Seed{1}), branch(Seed{1}));
 }
 
 TEST_F(CpfgPlant, GrowsBySteps) {

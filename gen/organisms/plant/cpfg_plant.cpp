@@ -13,11 +13,13 @@ namespace {
 constexpr std::uint64_t kMostModules = 40'000'000;
 constexpr Color kFootOfSurfaces{0.75f, 0.8f, 0.5f};
 
-Result<CpfgFigure> figure_after(const PlantParams& params, int steps) {
+/// `variation`: 0 for the plant that cpfg grows.
+Result<CpfgFigure> figure_after(const PlantParams& params, int steps, std::uint64_t variation = 0) {
   const CpfgModel& model = *params.grammar.cpfg;
   CpfgRequest request;
   request.steps = steps;
   request.drawing = true;
+  request.variation = variation;
   request.limits.modules =
       static_cast<std::size_t>(std::min<std::uint64_t>(params.grammar.limits.modules, kMostModules));
   Result<CpfgDerived> derived = derive(model, request);
@@ -25,14 +27,15 @@ Result<CpfgFigure> figure_after(const PlantParams& params, int steps) {
 }
 
 /// The figure at a share of the film.
-Result<CpfgFigure> figure_at(const PlantParams& params, double share) {
+Result<CpfgFigure> figure_at(const PlantParams& params, double share, std::uint64_t variation) {
   int last = params.grammar.steps;
   CpfgFilm film = film_of(*params.grammar.cpfg, last);
   double at = film.first + std::clamp(share, 0.0, 1.0) * (last - film.first);
-  if (share >= 1 || film.first >= last) return figure_after(params, last);
+  if (share >= 1 || film.first >= last) return figure_after(params, last, variation);
   int before = film.first + film.step * static_cast<int>(std::floor((at - film.first) / film.step));
   int after = std::min(before + film.step, last);
-  Result<CpfgFigure> figure = figure_after(params, before), next = figure_after(params, after);
+  Result<CpfgFigure> figure = figure_after(params, before, variation);
+  Result<CpfgFigure> next = figure_after(params, after, variation);
   if (!figure || !next) return figure ? next : figure;
   return between(*figure, *next, (at - before) / (after - before));
 }
@@ -153,7 +156,8 @@ Errors cpfg_faults(const PlantParams& params) {
   GrammarText given = params.grammar;
   if (!(keys_of(plain) == keys_of(given)))
     return {{"/grammar",
-             "a model of cpfg has all else in its own files; expected `file`, `steps` and `limits` alone"}};
+             "a model of cpfg has all else in its own files; expected `file`, `steps`, `limits` and `vary` "
+             "alone"}};
   std::map<char, Surface> surfaces = surfaces_of(*params.grammar.cpfg);
   for (std::size_t i = 0; i < params.organs.size(); ++i) {
     const std::string& symbol = params.organs[i].symbol;
@@ -166,8 +170,8 @@ Errors cpfg_faults(const PlantParams& params) {
   return {};
 }
 
-Result<DrawnPlant> draw_cpfg(const PlantParams& params, double share) {
-  Result<CpfgFigure> drawn = figure_at(params, share);
+Result<DrawnPlant> draw_cpfg(const PlantParams& params, Seed seed, double share) {
+  Result<CpfgFigure> drawn = figure_at(params, share, params.grammar.vary ? seed.bits() : 0);
   if (!drawn) return drawn.errors();
   DrawnPlant plant;
   Figure& figure = plant.figure;

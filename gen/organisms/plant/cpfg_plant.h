@@ -37,7 +37,7 @@ Errors cpfg_faults(const PlantParams& params);
 
 /// What the model draws at a share of its film, 0..1: from the animation's first frame to the last step, on
 /// the way from one frame to the next.
-Result<DrawnPlant> draw_cpfg(const PlantParams& params, double share);
+Result<DrawnPlant> draw_cpfg(const PlantParams& params, Seed seed, double share);
 
 /// How large that is at the end.
 Result<SizeEstimate> cpfg_size(const PlantParams& params);

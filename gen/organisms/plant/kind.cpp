@@ -113,9 +113,11 @@ void describe(Visitor& v, PlantGrammar& g) {
         return file.path.extension() == ".l" ? load_cpfg(file, g) : load_grammar(file, g);
       },
       "A grammar of LParser (.ls) or Houdini (.txt), named as seen from this file's folder, where what else "
-      "is "
-      "given here counts in place of what stands there; or a model of cpfg (.l), which takes only steps and "
-      "limits from here");
+      "is given here counts in place of what stands there; or a model of cpfg (.l), which takes only steps, "
+      "limits and vary from here");
+  v.boolean("vary", g.vary,
+            "Whether each plant of a model of cpfg has chances of its own; without it all are the one plant "
+            "that cpfg grows");
 }
 
 template <class Visitor>
@@ -190,6 +192,9 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
  public:
   Errors check() const override {
     if (params.grammar.cpfg) return cpfg_faults(params);
+    if (params.grammar.vary)
+      return {
+          {"/grammar/vary", "is for models of cpfg (.l); the chances of other grammars vary by themselves"}};
     Result<Grammar> grammar = plant_grammar(params);
     if (!grammar) return pointed(params.grammar, grammar.errors());
     for (std::size_t i = 0; i < params.organs.size(); ++i) {

@@ -195,7 +195,7 @@ namespace {
 /// What a plant's grammar draws at a share of its steps.
 Result<DrawnPlant> drawn_plant(const PlantParams& params, Seed seed, double share,
                                const Environment& environment) {
-  if (params.grammar.cpfg) return draw_cpfg(params, share);
+  if (params.grammar.cpfg) return draw_cpfg(params, seed.child("derive"), share);
   Result<Grammar> grammar = plant_grammar(params);
   if (!grammar) return grammar.errors();
   grammar->environment = environment;

@@ -58,6 +58,7 @@ enum class Stand {
 /// here.
 struct PlantGrammar : GrammarText {
   std::shared_ptr<const CpfgModel> cpfg;
+  bool vary = false;  ///< each plant of a model of cpfg has chances of its own
 };
 
 /// Anything drawn by an L-system: herbs, trees, curves.
