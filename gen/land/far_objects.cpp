@@ -17,6 +17,7 @@ constexpr double kCrown = 8, kHedgeHeight = 2.4;     // metres
 constexpr double kFewestPixels = 3;                  // across a crown
 constexpr double kPixelsEach = 45;                   // of the picture for each copy
 constexpr double kWoodEdge = 26;                     // metres into a wood that trees stand before its canopy
+constexpr double kMantle = 7;                        // metres into a wood that shrubs stand below those
 constexpr int kHouseShapes = 4;
 constexpr int kMostCells = 100'000;  // more than there are on one side of the middle
 
@@ -76,13 +77,33 @@ void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& 
   each_cell(all, land, view, kTreeCell, reach, seed, plant);
 }
 
-/// Hedges stand on the borders of parcels, a piece in each square that one crosses.
+/// A shrub at the edge of a wood.
+FarObject far_shrub(const FarLand& land, Vec2 at, Seed own) {
+  FarObject shrub{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};
+  shrub.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
+  shrub.turn = static_cast<float>(own.child("turn").range(0, 2 * kPi));
+  double height = own.child("height").range(2.0, 5.5);
+  shrub.size = Vec3(own.child("wide").range(3, 6.5), height, height);
+  shrub.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
+  return shrub;
+}
+
+/// Hedges stand on the borders of parcels, a piece in each square that one crosses; shrubs at the edges of
+/// woods, which close what is below their crowns.
 void add_hedges(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach,
                 Seed seed) {
   each_cell(all, land, view, kHedgeCell, reach, seed, [&](auto& list, Seed own, Vec2 at) {
     Parcel parcel = land.parcel(at);
+    if (land.wooded(parcel)) {
+      bool edge = land.edge().outside(at) < kMantle ||
+                  (parcel.edge < kMantle && !land.wooded(land.parcel(parcel.next)));
+      if (edge && own.child("there").unit() < 0.95 &&
+          land.cover(at, parcel, land.height(at), land.slope(at, 20)) == FarCover::wood)
+        list.push_back(far_shrub(land, at, own));
+      return;
+    }
     if (parcel.edge > 0.5 * kHedgeCell || parcel.border.child("hedge").unit() >= land.shape().hedges) return;
-    if (land.wooded(parcel) || land.edge().outside(at) < 12) return;
+    if (land.edge().outside(at) < 12) return;
     Vec2 toward = glm::normalize(parcel.next - parcel.site);
     at += toward * static_cast<float>(parcel.edge);
     FarObject hedge{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};

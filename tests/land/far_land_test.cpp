@@ -210,6 +210,32 @@ TEST(FarObjects, StandOnTheLandAndKeepToTheirNumber) {
   EXPECT_GT(kinds[2], 20);
 }
 
+TEST(FarObjects, ShrubsCloseTheEdgesOfWoods) {
+  FarLandShape shape;
+  shape.woods = 0.8;
+  FarLand land(shape, disc(60), Seed{4});
+  // Along the near ground, in pieces of 12 m: whether it is wooded, and how many shrubs stand in its edge.
+  constexpr int kPieces = 34;
+  std::array<int, kPieces> shrubs{}, wooded{};
+  auto piece = [](Vec2 at) {
+    return static_cast<std::size_t>((std::atan2(at.y, at.x) / (2 * kPi) + 0.5) * (kPieces - 1e-3));
+  };
+  for (const FarObject& o : far_objects(land, view_of(1e6, 0.0005), Seed{1})) {
+    Vec2 at(o.foot.x, o.foot.z);
+    Parcel parcel = land.parcel(at);
+    if (o.kind != FarKind::hedge || !land.wooded(parcel)) continue;
+    double out = land.edge().outside(at);
+    EXPECT_TRUE(out < 8 || parcel.edge < 8) << out << " " << parcel.edge;
+    if (out < 8) ++shrubs[piece(at)];
+  }
+  for (float turn = 0; turn < 360; ++turn) {
+    Vec2 at = 65.0f * Vec2(std::cos(radians(turn)), std::sin(radians(turn)));
+    wooded[piece(at)] += land.wooded(land.parcel(at));
+  }
+  for (std::size_t i = 0; i < kPieces; ++i)
+    EXPECT_TRUE(wooded[i] < 10 || shrubs[i] >= 2) << i;
+}
+
 TEST(FarObjects, OfSmallPicturesAreFew) {
   FarLand land(FarLandShape{}, disc(150), Seed{1});
   EXPECT_LE(far_objects(land, view_of(64 * 48, 0.8 / 64), Seed{1}).size(), 70u);
