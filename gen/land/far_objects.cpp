@@ -17,7 +17,7 @@ constexpr double kCrown = 8, kHedgeHeight = 2.4;     // metres
 constexpr double kFewestPixels = 3;                  // across a crown
 constexpr double kPixelsEach = 45;                   // of the picture for each copy
 constexpr double kWoodEdge = 26;                     // metres into a wood that trees stand before its canopy
-constexpr double kMantle = 7;                        // metres into a wood that shrubs stand below those
+constexpr double kMantle = 9;                        // metres into a wood that shrubs stand below those
 constexpr int kHouseShapes = 4;
 constexpr int kMostCells = 100'000;  // more than there are on one side of the middle
 

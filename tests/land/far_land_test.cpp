@@ -220,13 +220,15 @@ TEST(FarObjects, ShrubsCloseTheEdgesOfWoods) {
   auto piece = [](Vec2 at) {
     return static_cast<std::size_t>((std::atan2(at.y, at.x) / (2 * kPi) + 0.5) * (kPieces - 1e-3));
   };
-  for (const FarObject& o : far_objects(land, view_of(1e6, 0.0005), Seed{1})) {
+  FarView view;
+  view.pixels = 1e6;
+  for (const FarObject& o : far_objects(land, view, Seed{1})) {
     Vec2 at(o.foot.x, o.foot.z);
     Parcel parcel = land.parcel(at);
     if (o.kind != FarKind::hedge || !land.wooded(parcel)) continue;
     double out = land.edge().outside(at);
-    EXPECT_TRUE(out < 8 || parcel.edge < 8) << out << " " << parcel.edge;
-    if (out < 8) ++shrubs[piece(at)];
+    EXPECT_TRUE(out < 9 || parcel.edge < 9) << out << " " << parcel.edge;
+    if (out < 9) ++shrubs[piece(at)];
   }
   for (float turn = 0; turn < 360; ++turn) {
     Vec2 at = 65.0f * Vec2(std::cos(radians(turn)), std::sin(radians(turn)));
