@@ -24,6 +24,7 @@ struct FarVertex {
   Vec2 uv{0.5f, 0};  // as on a mountain: how hollow it is, its cover
   FarCover cover = FarCover::meadow;
   bool across = false, hidden = false;
+  bool canopy = false;  // raised to the crowns of a wood
 };
 
 /// Directions of rays and distances of rows.
@@ -116,7 +117,9 @@ FarVertex far_vertex(const FarLand& land, const MountainPlace& place, double spa
     double size = 1 - smooth_step(land.shape().tree_line - 400, land.shape().tree_line + 100, height);
     Vec3 bumps = noise3(Vec3(at.x, 0, at.y) / 9.0f);
     v.normal = glm::normalize(v.normal + static_cast<float>(0.45 * canopy) * Vec3(bumps.x, 0, bumps.z));
-    height += canopy * size * canopy_height(at, inside, spacing, seed);
+    double crowns = canopy * size * canopy_height(at, inside, spacing, seed);
+    v.canopy = v.cover == FarCover::wood && crowns > 1;
+    height += crowns;
   }
   v.at = Vec3(at.x, static_cast<float>(height), at.y);
   return v;
@@ -141,9 +144,10 @@ class FarParts {
     for (int i = 0; i < 2 * kFarCovers; ++i) parts_.push_back({static_cast<FarCover>(i / 2), i % 2 == 1, {}});
   }
 
-  /// A triangle with the cover of one of the vertices.
+  /// A triangle with the cover of one of the vertices, or of a canopy that it comes down from.
   void add(const std::vector<FarVertex>& all, std::size_t of, std::array<std::size_t, 3> corners) {
-    const FarVertex& first = all[of];
+    auto raised = std::ranges::find_if(corners, [&](std::size_t corner) { return all[corner].canopy; });
+    const FarVertex& first = all[raised == corners.end() ? of : *raised];
     auto which = static_cast<std::size_t>(2 * static_cast<int>(first.cover) + first.across);
     Surface& s = parts_[which].surface;
     std::array<std::uint32_t, 3> triangle{};

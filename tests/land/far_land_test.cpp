@@ -180,6 +180,18 @@ TEST(FarMesh, WoodsAtTheNearGroundReachDownToIt) {
   }
 }
 
+TEST(FarMesh, OnlyWoodsRiseAboveTheLand) {
+  // A field beside a wood does not climb its canopy.
+  FarView view = view_of(480 * 270, 0.8 / 480);
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    FarLand land(FarLandShape{}, disc(60), Seed{seed});
+    for (const FarPart& part : far_mesh(land, view, Seed{seed})) {
+      if (part.cover == FarCover::wood || part.cover == FarCover::mountain) continue;
+      for (const Vec3& p : part.surface.position) EXPECT_LT(p.y - land.height(Vec2(p.x, p.z)), 1.2);
+    }
+  }
+}
+
 TEST(FarMesh, LeavesOutOnlyWhatTheLandHides) {
   // What is left of each ray, against one whose camera stands so high that nothing is hidden.
   FarLand land(FarLandShape{}, disc(150), Seed{4});
