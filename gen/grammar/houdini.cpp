@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
 #include "grammar/houdini_words.h"
 #include "grammar/import.h"
@@ -16,8 +18,9 @@ using namespace import_text;
 /// A rule in our words, in parts.
 struct HoudiniRule {
   std::string head, predecessor, condition, weight, successor;
+  std::string kept;  ///< what the predecessor becomes where probabilities leave it as it is
   int line = 0;
-  bool position = false;  ///< it uses the turtle's position
+  bool position = false, age = false;  ///< it uses the turtle's position, the age of its symbol
 };
 
 /// The numbers of the node under its labels and its internal names.
@@ -133,7 +136,8 @@ class HoudiniReader {
     std::optional<double> number = import_text::number(value);
     if (name == "premise" || name == "axiom") {
       g_.axiom = words_.word(value, {});
-      if (words_.takes_position) fail(line, "the premise cannot use x, y and z, which are 0 there");
+      if (words_.takes_position || words_.takes_age)
+        fail(line, "the premise cannot use x, y, z and g, which are 0 there");
       return fail_words(line), true;
     }
     if (name == "ignore" || name == "contextignore") return g_.ignore = value, true;
@@ -178,11 +182,12 @@ class HoudiniReader {
     std::size_t begin = less == rule.head.npos ? 0 : less + 1;
     rule.predecessor = trim(std::string_view(rule.head).substr(begin, greater - begin));
     std::vector<std::string> names = parameters_in(rule.head);
-    words_.takes_position = false;
+    words_.takes_position = words_.takes_age = false;
     if (colon != head.npos) rule.condition = words_.formula(trim(head.substr(colon + 1)), names);
     if (last != successor.npos) rule.weight = words_.formula(trim(successor.substr(last + 1)), names);
     rule.successor = words_.word(trim(successor.substr(0, last)), names);
-    rule.position = words_.takes_position;
+    rule.position = words_.takes_position, rule.age = words_.takes_age;
+    rule.kept = rule.predecessor;
     if (rule.predecessor.empty()) fail(line, "there is no symbol before the `=`");
     fail_words(line);
     rules_.push_back(std::move(rule));
@@ -221,15 +226,18 @@ class HoudiniReader {
   void finish() {
     g_.length_jitter = random_scale_;
     g_.angle_jitter = random_scale_ * std::abs(g_.angle);
-    if (std::ranges::any_of(rules_, [](const HoudiniRule& rule) { return rule.position; })) ask_position();
+    fill_parameters();
+    if (std::ranges::any_of(rules_, &HoudiniRule::age)) keep_ages();
+    if (std::ranges::any_of(rules_, &HoudiniRule::position)) ask_position();
     for (std::size_t i = 0; i < rules_.size(); ++i) {
       const HoudiniRule& rule = rules_[i];
       std::string head = rule.head + condition_of(rule), weight = rule.weight;
       if (!weight.empty()) weight = fmt::format("({})", weight);
       add(fmt::format("{} ->{} {}", head, weight, rule.successor), rule.line);
       if (std::string rest = rest_after(i); !rest.empty())
-        add(fmt::format("{} ->({}) {}", head, rest, rule.predecessor), rule.line);
+        add(fmt::format("{} ->({}) {}", head, rest, rule.kept), rule.line);
     }
+    for (std::string& rule : ages_) g_.rules.push_back({std::move(rule), GrammarText::kUnlimited, "ages"});
     for (std::string& rule : answers_)
       g_.rules.push_back({std::move(rule), GrammarText::kUnlimited, "the turtle's position"});
   }
@@ -263,6 +271,59 @@ class HoudiniReader {
     return total && *total > 1 - 1e-9 ? "" : fmt::format("max(0,1{})", sum);
   }
 
+  /// Changes the modules of the premise and of all successors.
+  void change_words(const std::function<std::string(char symbol, std::string_view inside)>& change) {
+    g_.axiom = each_module(g_.axiom, change);
+    for (HoudiniRule& rule : rules_) rule.successor = each_module(rule.successor, change);
+  }
+
+  /// Parameters that a word leaves out at the end are 0, where the rules of its symbol have them.
+  void fill_parameters() {
+    std::map<char, std::set<std::size_t>> counts;
+    for (const HoudiniRule& rule : rules_)
+      if (!rule.predecessor.empty() && draws_nothing(rule.predecessor[0]))
+        counts[rule.predecessor[0]].insert(parameters_in(rule.predecessor).size());
+    change_words([&](char symbol, std::string_view inside) {
+      auto known = counts.find(symbol);
+      std::size_t given = inside.empty() ? 0 : parts_of(inside).size();
+      std::string filled(inside);
+      if (known != counts.end() && !known->second.contains(given))
+        for (std::size_t most = *known->second.rbegin(); given < most; ++given)
+          filled += filled.empty() ? "0" : ",0";
+      return filled.empty() ? std::string(1, symbol) : fmt::format("{}({})", symbol, filled);
+    });
+  }
+
+  /// Symbols whose rules use `g` have their age, in steps, as a last parameter.
+  void keep_ages() {
+    note("`g` is the age of a symbol: the steps since it appeared, 0 in the first that could rewrite it");
+    std::string symbols;
+    for (const HoudiniRule& rule : rules_)
+      if (rule.age) symbols += rule.predecessor[0];
+    auto aged = [&](std::string_view module, std::string_view age) {
+      return each_module(module, [&](char symbol, std::string_view inside) {
+        std::string_view comma = inside.empty() ? "" : ",";
+        return fmt::format("{}({}{}{})", symbol, inside, comma, age);
+      });
+    };
+    std::map<std::string, bool> kept;  // rules by which a symbol grows older, and whether any comes to that
+    for (HoudiniRule& rule : rules_) {
+      if (rule.head.find_first_of(symbols) == rule.head.npos) continue;
+      if (rule.head != rule.predecessor) fail({{}, rule.line}, "g cannot be had in a grammar with contexts");
+      rule.kept = aged(rule.predecessor, "g_+1");
+      rule.head = rule.predecessor = aged(rule.predecessor, "g_");
+      bool& stays =
+          kept.try_emplace(fmt::format("{} -> {}", rule.predecessor, rule.kept), true).first->second;
+      stays = stays && !rule.condition.empty();
+    }
+    change_words([&](char symbol, std::string_view inside) {
+      std::string module = inside.empty() ? std::string(1, symbol) : fmt::format("{}({})", symbol, inside);
+      return symbols.find(symbol) == symbols.npos ? module : aged(module, "0");
+    });
+    for (const auto& [rule, stays] : kept)
+      if (stays) ages_.push_back(rule);
+  }
+
   /// The turtle answers questions where symbols stand whose rules use its position.
   void ask_position() {
     std::vector<std::string> kept;
@@ -280,22 +341,12 @@ class HoudiniReader {
       std::string keep = fmt::format("?P(x_,y_,z_) > {} -> ?P(x_,y_,z_)", symbol);
       if (std::ranges::find(kept, keep) == kept.end()) kept.push_back(keep);
     }
-    auto ask = [&](const std::string& word) {
-      std::string out;
-      int depth = 0;
-      for (char c : word) {
-        if (depth == 0 && symbols.find(c) != symbols.npos) out += "?P(0,0,0)";
-        if (c == '(') ++depth;
-        if (c == ')') --depth;
-        out += c;
-      }
-      return out;
-    };
-    g_.axiom = ask(g_.axiom);
-    for (HoudiniRule& rule : rules_) {
-      rule.successor = ask(rule.successor);
+    change_words([&](char symbol, std::string_view inside) {
+      std::string module = inside.empty() ? std::string(1, symbol) : fmt::format("{}({})", symbol, inside);
+      return (symbols.find(symbol) == symbols.npos ? "" : "?P(0,0,0)") + module;
+    });
+    for (HoudiniRule& rule : rules_)
       if (rule.position) rule.head = "?P(x_,y_,z_) < " + rule.head;
-    }
     kept.emplace_back("?P(x_,y_,z_) -> *");
     answers_ = std::move(kept);
     g_.symbols.emplace_back("?P");
@@ -304,8 +355,8 @@ class HoudiniReader {
   GrammarText g_;
   HoudiniWords words_;
   std::vector<HoudiniRule> rules_;
-  std::vector<std::string> given_;    ///< internal names of what the list gives
-  std::vector<std::string> answers_;  ///< rules of the questions for the position
+  std::vector<std::string> given_;           ///< internal names of what the list gives
+  std::vector<std::string> ages_, answers_;  ///< rules that count ages; of the questions for the position
   std::optional<double> gravity_;
   double random_scale_ = 0;
   Errors errors_;

@@ -23,6 +23,9 @@ constexpr Missing kMissing[] = {
     {"in", "asks a metaball of its node; ?E in a grammar of Frond asks the bodies of a scene"},
     {"chan", "reads a channel of its node; give the node's value in its place"}};
 
+/// Symbols that the turtle knows; all other letters only have rules.
+constexpr std::string_view kTurtleLetters = "FGHJKMTfgh";
+
 bool in(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -32,6 +35,11 @@ void add(std::string& set, char c) {
 }
 
 }  // namespace
+
+bool draws_nothing(char symbol) {
+  bool letter = (symbol >= 'A' && symbol <= 'Z') || (symbol >= 'a' && symbol <= 'z');
+  return letter && kTurtleLetters.find(symbol) == kTurtleLetters.npos;
+}
 
 std::size_t closing(std::string_view text, std::size_t open) {
   int depth = 0;
@@ -66,6 +74,22 @@ std::vector<std::string> parameters_in(std::string_view head) {
   return names;
 }
 
+std::string each_module(std::string_view word,
+                        const std::function<std::string(char symbol, std::string_view inside)>& change) {
+  std::string out;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    char symbol = word[i];
+    std::string_view inside;
+    if (i + 1 < word.size() && word[i + 1] == '(') {
+      std::size_t open = i + 1;
+      i = closing(word, open);
+      inside = word.substr(open + 1, i - open - 1);
+    }
+    out += change(symbol, inside);
+  }
+  return out;
+}
+
 std::string HoudiniWords::name(std::string_view found, const std::vector<std::string>& parameters,
                                bool call) {
   for (const Missing& missing : kMissing)
@@ -76,8 +100,8 @@ std::string HoudiniWords::name(std::string_view found, const std::vector<std::st
     case 't':
       return "step";
     case 'g':
-      refuse("`g`, the age of a symbol, is not kept here; count it in a parameter: A(n)=…A(n+1)");
-      break;
+      takes_age = true;
+      return "g_";
     case 'x':
     case 'y':
     case 'z':
@@ -123,8 +147,10 @@ std::string HoudiniWords::parameters_of(char symbol, std::string_view inside,
   }
   std::string out;
   for (std::string_view part : parts) {
-    if (part.empty()) refuse(fmt::format("`{}({})` leaves out a parameter; give its value", symbol, inside));
-    out += (out.empty() ? "(" : ",") + formula(part, parameters);
+    bool drawn = !draws_nothing(symbol);
+    if (part.empty() && drawn)
+      refuse(fmt::format("`{}({})` leaves out a parameter; give its value", symbol, inside));
+    out += (out.empty() ? "(" : ",") + (part.empty() ? "0" : formula(part, parameters));
   }
   return out + ")";
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,7 +23,7 @@ class HoudiniWords {
   std::string used, bare;               ///< symbols that occurred; those that did without a parameter
   std::string names;                    ///< variables of the node that occurred
   bool colors = false, stamps = false;  ///< parameters were left out
-  bool takes_position = false;          ///< since the caller has reset it
+  bool takes_position = false, takes_age = false;  ///< since the caller has reset them
 
  private:
   std::string name(std::string_view found, const std::vector<std::string>& parameters, bool call);
@@ -32,8 +33,15 @@ class HoudiniWords {
   std::vector<std::string> faults_;
 };
 
+/// Whether it is a letter that draws nothing.
+bool draws_nothing(char symbol);
+
 /// The names of the parameters in the head of a rule: `A(i,j)<B(k)`.
 std::vector<std::string> parameters_in(std::string_view head);
+
+/// A word of which each module is replaced; `change` takes its symbol and what stands in its parentheses.
+std::string each_module(std::string_view word,
+                        const std::function<std::string(char symbol, std::string_view inside)>& change);
 
 /// Where the parenthesis that opens at `open` closes; the end of the text where it does not.
 std::size_t closing(std::string_view text, std::size_t open);

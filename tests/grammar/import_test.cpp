@@ -276,6 +276,24 @@ TEST(Houdini, RulesSeeWhereTheTurtleIs) {
             std::string::npos);
 }
 
+TEST(Houdini, SymbolsHaveAnAge) {
+  EXPECT_EQ(derived(import_houdini("premise: A\ngenerations: 3\nA:g>=2=B\n")), "B");
+  EXPECT_EQ(derived(import_houdini("premise: A\ngenerations: 2\nA:g>=2=B\n")), "A(2)");
+  // What is replaced is young again; what stays by chance grows older; parameters come before the age.
+  EXPECT_EQ(derived(import_houdini("premise: A\ngenerations: 2\nA=F(g+1)A\n")), "F(1)F(1)A(0)");
+  EXPECT_EQ(derived(import_houdini("premise: A(5)\ngenerations: 3\nA(i):g<2=A(i):0\nA(i):g==2=F(i)\n")),
+            "F(5)");
+  EXPECT_NE(said(import_houdini("premise: AB\nA<B:g>1=F\n")).find("line 2: g cannot"), std::string::npos);
+  EXPECT_NE(said(import_houdini("premise: F(g)A\nA=F\n")).find("the premise cannot use"), std::string::npos);
+}
+
+TEST(Houdini, ParametersThatAreLeftOutAreZero) {
+  EXPECT_EQ(derived(import_houdini("premise: A\nA(i,j)=F(i+1)B(j)\n")), "F(1)B(0)");
+  EXPECT_EQ(derived(import_houdini("premise: A(,2)A(3)\nA(i,j)=F(i)F(j)\n")), "F(0)F(2)F(3)F(0)");
+  // Not where a rule is for what is given, nor for symbols of the turtle.
+  EXPECT_EQ(derived(import_houdini("premise: A(1)FF(1)\nA(i)=B\nA(i,j)=C\nF(i,j)=D\n")), "BFF(1)");
+}
+
 TEST(Houdini, ValuesOfTheNode) {
   Result<GrammarText> import = import_houdini(
       "premise: A\nGenerations: 2.25\nstepinit: 2\nStep Size Scale: 0.8\nthickinit: 0.3\nthickscale: 0.6\n"
@@ -306,7 +324,6 @@ TEST(Houdini, WhatCannotBeHadIsRefused) {
       {"premise: A\nA:in(1,2,3)=F\n", "line 2: `in` asks a metaball"},
       {"premise: A\nA=F(pic(0,0,1))\n", "line 2: `pic` reads a picture"},
       {"premise: A\nA=F(chan(2))\n", "line 2: `chan` reads a channel"},
-      {"premise: A\nA=F(g)\n", "line 2: `g`, the age of a symbol"},
       {"premise: A\nA=F(,2)\n", "line 2: `F(,2)` leaves out a parameter"},
       {"premise: A\nA=a(\"Cd\",1,0,0)F\n", "line 2: `a(\"…\")` names an attribute"},
       {"premise: A\nA=`strdup(\"F\")`\n", "line 2: what stands in backquotes"},

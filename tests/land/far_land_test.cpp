@@ -246,8 +246,7 @@ TEST(FarObjects, ShrubsCloseTheEdgesOfWoods) {
     Vec2 at = 65.0f * Vec2(std::cos(radians(turn)), std::sin(radians(turn)));
     wooded[piece(at)] += land.wooded(land.parcel(at));
   }
-  for (std::size_t i = 0; i < kPieces; ++i)
-    EXPECT_TRUE(wooded[i] < 10 || shrubs[i] >= 2) << i;
+  for (std::size_t i = 0; i < kPieces; ++i) EXPECT_TRUE(wooded[i] < 10 || shrubs[i] >= 2) << i;
 }
 
 TEST(FarObjects, OfSmallPicturesAreFew) {
