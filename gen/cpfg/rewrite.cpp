@@ -80,14 +80,15 @@ class Enclosing {
   std::vector<std::pair<int, float>> outer_;
 };
 
-/// Where a cut that begins at a `%` ends: at the branch's `]`, a `$`, a `%(…)` or the end.
+/// Where a cut that begins at a `%` ends: at the branch's `]`, the `$` of the part that it lies in, a `%(…)`
+/// or the end.
 std::size_t cut_end(const CpfgWord& word, std::size_t at) {
-  int depth = 0;
+  int branches = 1, parts = 1;
   for (; at < word.modules.size(); ++at) {
     const CpfgModule& module = word.modules[at];
-    depth += (module.symbol == '[') - (module.symbol == ']');
-    bool mark = (module.symbol == '$' && module.count == 0) || (module.symbol == '%' && module.count > 0);
-    if (depth < 0 || (mark && depth == 0)) return at;
+    branches += (module.symbol == '[') - (module.symbol == ']');
+    parts += (module.symbol == '?' && module.count > 0) - (module.symbol == '$');
+    if (branches == 0 || parts == 0 || (module.symbol == '%' && module.count > 0)) return at;
   }
   return at;
 }
@@ -118,9 +119,11 @@ std::size_t rewrite_at(Run& run, const CpfgWord& word, std::size_t at, CpfgWord&
   const CpfgModule& module = word.modules[at];
   const CpfgProduction* production =
       find_production(run, system.rules, lots, word, at, word.modules.size(), nullptr);
-  if (!production && module.symbol == '%') {
+  bool cuts = !production && module.symbol == '%' && module.count < 2;
+  WordAround here{word, at, at + 1};
+  if (cuts && !find_production(run, system.decomposition, nullptr, word, at, at + 1, &here)) {
     if (module.count == 0) return cut_end(word, at + 1);
-    run.fail("", "`%(x)` makes a string of its own of what follows it, which is not done here");
+    run.fail("", "`%(x)` hands what it cuts to a program of the environment, which is not there");
   }
   auto keep = [&](const CpfgWord& from, std::size_t i) {
     append_copy(from, i, out);

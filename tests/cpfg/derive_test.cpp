@@ -133,6 +133,8 @@ TEST(CpfgDerive, Cut) {
       {"derivation length: 1\nAxiom: A%AA\nA --> C", "C"},
       {"derivation length: 1\nAxiom: A%A\nA --> C\n% --> %", "C%C"},
       {"derivation length: 2\nAxiom: A%A\nA --> C\n% --> *", "CC"},
+      {"derivation length: 1\nAxiom: A%A[A%(1,2)A]A\nA --> C", "C%(1,2)C]C"},
+      {"derivation length: 1\nAxiom: A%A\nA --> C\ndecomposition\n% --> D", "CDC"},
   });
 }
 
