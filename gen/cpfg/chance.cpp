@@ -6,7 +6,7 @@
 namespace frond::cpfg {
 
 void seed_chance(FormulaChance& chance, std::int64_t n, std::uint64_t variation) {
-  chance.stream = Congruential48((static_cast<std::uint64_t>(n) * 65536 + 0x330E) ^ variation);
+  chance.stream = seeded_stream(n, variation);
   chance.has_kept = false;
 }
 

@@ -34,6 +34,11 @@ struct FormulaChance {
   double kept = 0;
 };
 
+/// The stream that srand(n) begins.
+inline Congruential48 seeded_stream(std::int64_t n, std::uint64_t variation = 0) {
+  return Congruential48((static_cast<std::uint64_t>(n) * 65536 + 0x330E) ^ variation);
+}
+
 /// srand(n).
 void seed_chance(FormulaChance& chance, std::int64_t n, std::uint64_t variation = 0);
 /// nran: a normal number of mean 0 and deviation 1, by the polar method.

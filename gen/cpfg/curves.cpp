@@ -204,10 +204,19 @@ Result<std::vector<NamedFunction>> read_function_set(std::string_view text) {
   return functions;
 }
 
-Result<ContourFile> read_contour(std::string_view text) {
+Result<ContourFile> read_contour(std::string_view text, bool of_cylinder) {
   LabelReader file(text);
   ContourFile contour;
-  bool is_new = file.peek().starts_with("cver");
+  bool is_new = file.peek().starts_with("cver"), first = of_cylinder && file.peek().starts_with("cver 1 1");
+  // The oldest form: how many points, of how many numbers, `closed` or `open`.
+  if (std::vector<float> numbers = numbers_of(file.peek()); of_cylinder && numbers.size() >= 2) {
+    contour.closed = file.take().find("closed") != std::string_view::npos;
+    int count = static_cast<int>(std::clamp(numbers[0], 0.0F, static_cast<float>(kMostPoints)));
+    Result<std::vector<ControlPoint>> points = read_points(file, count, numbers[1] > 2 ? 3 : 2);
+    if (!points) return points.errors();
+    contour.points = std::move(*points);
+    return contour;
+  }
   bool ends = false;
   int lines = 0;
   while (!file.is_empty()) {
@@ -218,7 +227,10 @@ Result<ContourFile> read_contour(std::string_view text) {
     if (line.starts_with("name:")) contour.name = std::string(value);
     if (line.starts_with("points:")) lines = whole_after_colon(line, kMostPoints);
     if (!line.starts_with("type:")) continue;
-    contour.closed = is_new ? value.starts_with('c') : value == "bspline-closed";
+    if (first)
+      contour.closed = !value.starts_with("open");
+    else
+      contour.closed = is_new ? value.starts_with('c') : value == "bspline-closed";
     ends = !is_new && value == "bspline-endpoint";
   }
   Result<std::vector<ControlPoint>> points = read_points(file, lines, 3);

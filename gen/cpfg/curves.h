@@ -50,8 +50,9 @@ struct NamedFunction {
 /// Reads a `.fset` file.
 Result<std::vector<NamedFunction>> read_function_set(std::string_view text);
 
-/// Reads a `.con` file of either form.
-Result<ContourFile> read_contour(std::string_view text);
+/// Reads a `.con` file of any form. Of cylinders' contours those of version 1.1 are closed unless they say
+/// `open`.
+Result<ContourFile> read_contour(std::string_view text, bool of_cylinder = false);
 
 /// The point of a curve at a parameter 0..1: x, y, z.
 std::array<double, 3> point_at(const CurveTable& curve, double parameter);

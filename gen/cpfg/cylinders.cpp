@@ -45,19 +45,48 @@ CylinderRing first_ring(const ControlPlace& place) {
           place.contour,  place.contour, 0,          place.color};
 }
 
-/// The points of a contour in its plane: x along up, y against left, z along the heading.
+/// How the radius changes from a place to the next: a Hermite curve of its own, of the share of the way and
+/// the radius.
+class RadiusCurve {
+ public:
+  RadiusCurve(const ControlPlace& from, const ControlPlace& to, double distance)
+      : from_(from.radius), change_(to.radius - from.radius) {
+    double factor = to.rises_by_length ? distance : 1;
+    auto tangent = [&](std::array<double, 2> rise) {
+      bool none = rise[0] == 0 && rise[1] == 0;
+      return none ? std::array{1.0, change_} : std::array{rise[0], rise[1] * factor};
+    };
+    start_ = tangent(from.rise_leaving), end_ = tangent(to.rise_arriving);
+  }
+  double share(double r) const { return hermite(r, 0.0, start_[0], 1.0, end_[0]); }
+  double radius(double r) const { return hermite(r, from_, start_[1], from_ + change_, end_[1]); }
+
+ private:
+  double from_, change_;
+  std::array<double, 2> start_, end_;
+};
+
+/// The points of a contour in its plane, evenly along it: x along up, y against left, z along the heading.
 std::vector<DVec3> contour_points(int number, const std::map<int, CurveTable>& contours, int count,
                                   bool closed) {
   std::vector<DVec3> points;
   auto found = contours.find(number);
+  double x = 1, y = 0, whole = 1;
+  if (found != contours.end()) {
+    const CurveTable& curve = found->second;
+    // Closed ones are turned until they begin along up; of open ones cpfg leaves out the last tenth of a
+    // span.
+    std::array<double, 3> first = curve(0);
+    double length = std::hypot(first[0], first[1]);
+    if (curve.closed && length > 3e-5) x = first[0] / length, y = first[1] / length;
+    if (!curve.closed && curve.length.size() > 2 && curve.length.back() > 0)
+      whole = curve.length[curve.length.size() - 2] / curve.length.back();
+  }
   for (int i = 0; i < count; ++i) {
     double t = static_cast<double>(i) / (closed ? count : count - 1);
-    if (found == contours.end()) {
-      points.push_back({std::cos(2 * kPi * t), std::sin(2 * kPi * t), 0});
-    } else {
-      auto [x, y, z] = point_at(found->second, t);
-      points.push_back({x, y, z});
-    }
+    std::array<double, 3> p{std::cos(2 * kPi * t), std::sin(2 * kPi * t), 0};
+    if (found != contours.end()) p = found->second(t * whole);
+    points.push_back({p[0] * x + p[1] * y, p[1] * x - p[0] * y, p[2]});
   }
   return points;
 }
@@ -81,28 +110,24 @@ std::vector<CylinderRing> piece_rings(const ControlPlace& from, const ControlPla
                                       bool twisted) {
   double distance = glm::length(to.position - from.position);
   DVec3 out = from.heading * (from.leaving * distance), in = to.heading * (to.arriving * distance);
-  double even = to.radius - from.radius;
-  auto rise = [&](std::optional<double> given, bool by_length) {
-    return given ? *given * (by_length ? distance : 1) : even;
-  };
-  double rise_from = rise(from.rise_leaving, from.rises_by_length),
-         rise_to = rise(to.rise_arriving, to.rises_by_length);
+  RadiusCurve curve(from, to, distance);
   std::vector<CylinderRing> rings{first_ring(from)};
   for (int i = 1; i <= strips; ++i) {
-    double t = static_cast<double>(i) / strips;
-    CylinderRing ring = rings.back();
+    double r = static_cast<double>(i) / strips, t = curve.share(r);
+    CylinderRing ring = rings.front();
     ring.position = hermite(t, from.position, out, to.position, in);
-    ring.heading = direction(hermite_slope(t, from.position, out, to.position, in), ring.heading);
-    ring.radius = std::max(hermite(t, from.radius, rise_from, to.radius, rise_to), 0.0);
-    ring.to = to.contour, ring.share = t, ring.color = to.color;
-    carry_frame(rings.back(), ring);
+    ring.heading = direction(hermite_slope(t, from.position, out, to.position, in), rings.back().heading);
+    ring.radius = std::max(curve.radius(r), 0.0);
+    ring.to = to.contour, ring.share = t;
+    ring.color = i == 1 ? from.color : to.color;
+    carry_frame(rings.front(), ring);
     rings.push_back(ring);
   }
   rings.front().to = to.contour;
   CylinderRing& last = rings.back();
   double roll = std::atan2(glm::dot(last.up, to.left), glm::dot(last.left, to.left));
   for (std::size_t i = 0; twisted && i < rings.size(); ++i) {
-    double angle = roll * static_cast<double>(i) / static_cast<double>(strips);
+    double angle = roll * rings[i].share;
     DVec3 left = rings[i].left;
     rings[i].left = left * std::cos(angle) + rings[i].up * std::sin(angle);
     rings[i].up = rings[i].up * std::cos(angle) - left * std::sin(angle);
@@ -112,37 +137,31 @@ std::vector<CylinderRing> piece_rings(const ControlPlace& from, const ControlPla
 
 std::vector<CylinderRing> spline_rings(std::span<const ControlPlace> places, bool closed, int strips) {
   std::vector<CylinderRing> rings;
-  auto count = static_cast<int>(places.size());
-  auto place = [&](int i) -> const ControlPlace& {
-    int at = closed ? ((i % count) + count) % count : std::clamp(i, 0, count - 1);
-    return places[static_cast<std::size_t>(at)];
-  };
-  // An open one repeats its ends, so that it comes to them.
-  int first = closed ? 0 : -2, spans = closed ? count : count + 1;
-  for (int k = 0; k <= spans * strips; ++k) {
-    int span = first + std::min(k / strips, spans - 1);
-    double t = static_cast<double>(k) / strips - (span - first), s = 1 - t;
-    double weight[] = {s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
-                       (-3 * t * t * t + 3 * t * t + 3 * t + 1) / 6, t * t * t / 6};
-    double slope[] = {-s * s / 2, (3 * t * t - 4 * t) / 2, (-3 * t * t + 2 * t + 1) / 2, t * t / 2};
-    CylinderRing ring = first_ring(place(span + 1));
-    DVec3 position{0}, heading{0};
-    double radius = 0;
-    for (int i = 0; i < 4; ++i) {
-      position += place(span + i).position * weight[i];
-      heading += place(span + i).position * slope[i];
-      radius += place(span + i).radius * weight[i];
+  std::size_t count = places.size();
+  if (count < (closed ? 3u : 4u)) return rings;
+  auto place = [&](std::size_t i) -> const ControlPlace& { return places[i % count]; };
+  for (std::size_t span = 0, spans = closed ? count : count - 3; span < spans; ++span) {
+    const ControlPlace &from = place(span + 1), &to = place(span + 2);
+    RadiusCurve curve(from, to, glm::length(to.position - from.position));
+    int own = place(span + 3).strips > 0 ? place(span + 3).strips : strips;
+    for (int i = span == 0 ? 0 : 1; i <= own; ++i) {
+      double r = static_cast<double>(i) / own, t = curve.share(r), s = 1 - t;
+      double weight[] = {s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
+                         (-3 * t * t * t + 3 * t * t + 3 * t + 1) / 6, t * t * t / 6};
+      double slope[] = {-s * s / 2, (3 * t * t - 4 * t) / 2, (-3 * t * t + 2 * t + 1) / 2, t * t / 2};
+      CylinderRing ring = first_ring(from);
+      DVec3 position{0}, heading{0};
+      for (std::size_t k = 0; k < 4; ++k) {
+        position += place(span + k).position * weight[k];
+        heading += place(span + k).position * slope[k];
+      }
+      ring.position = position, ring.radius = std::max(curve.radius(r), 0.0);
+      ring.heading = direction(heading, rings.empty() ? ring.heading : rings.back().heading);
+      ring.to = to.contour, ring.share = t;
+      ring.color = i <= 1 ? from.color : to.color;
+      carry_frame(rings.empty() ? first_ring(from) : rings.back(), ring);
+      rings.push_back(ring);
     }
-    ring.position = position, ring.radius = radius;
-    ring.heading = direction(heading, rings.empty() ? ring.heading : rings.back().heading);
-    ring.to = place(span + 2).contour, ring.share = t;
-    if (rings.empty()) {
-      ring.left = direction(ring.left - ring.heading * glm::dot(ring.left, ring.heading), ring.left);
-      ring.up = glm::cross(ring.left, ring.heading);
-    } else {
-      carry_frame(rings.back(), ring);
-    }
-    rings.push_back(ring);
   }
   return rings;
 }

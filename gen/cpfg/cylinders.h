@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,9 +20,12 @@ struct ControlPlace {
   double radius = 0.5;
   int contour = 0;  ///< 0: a circle
   int sides = 8;
-  double arriving = 1.2, leaving = 1.2;               ///< tangents as shares of the distance
-  std::optional<double> rise_arriving, rise_leaving;  ///< of the radius; none: evenly
-  bool rises_by_length = false;                       ///< multiplied with the distance
+  double arriving = 1.2, leaving = 1.2;  ///< tangents as shares of the distance
+  /// Tangents of the radius's own curve, along and out; both 0: the radius changes evenly.
+  std::array<double, 2> rise_arriving{}, rise_leaving{};
+  bool rises_by_length =
+      false;       ///< what is out is multiplied with the distance, for the piece that ends here
+  int strips = 0;  ///< of the piece that ends here; 0: as many as others
   int color = 0;
   std::int32_t segment = -1;
 };
@@ -41,8 +44,8 @@ struct CylinderRing {
 std::vector<CylinderRing> piece_rings(const ControlPlace& from, const ControlPlace& to, int strips,
                                       bool twisted);
 
-/// The rings along an even cubic B-spline through whose neighbourhood the places lead it. Open ones begin and
-/// end at the first and the last place.
+/// The rings along an even cubic B-spline that the places lead. An open one begins near the second place and
+/// ends near the last but one. Empty where there are too few places: 4, or 3 of a closed one.
 std::vector<CylinderRing> spline_rings(std::span<const ControlPlace> places, bool closed, int strips);
 
 /// Whether all rings are circles, so that a cylinder is a branch.

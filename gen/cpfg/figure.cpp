@@ -11,14 +11,21 @@ namespace frond::cpfg {
 namespace {
 
 constexpr double kPixelsAcross = 600;  ///< of the window that widths in pixels are meant for
+constexpr double kShortest = 1e-5;     ///< of a piece of a cylinder
 constexpr int kStrips = 4, kMostStrips = 64, kRingCorners = 24;
+
+int held_strips(float n) { return static_cast<int>(std::clamp(n, 1.0f, float{kMostStrips})); }
+
 constexpr std::size_t kMostParts = 40'000'000;
 
 /// A polygon or a cylinder between `{` and `}`.
 struct OpenOutline {
   int kind = 0;  ///< 0: a polygon; 1, 2: Hermite's curve open and closed; 3, 4: a B-spline open and closed
+  int strips = kStrips;
   std::vector<DVec3> points;
   std::vector<ControlPlace> places;
+  int color = 0;            ///< of a polygon: that at its first point
+  std::int32_t first = -1;  ///< of Hermite's curves: the place that they begin at
   std::int32_t segment = -1;
 };
 
@@ -33,9 +40,7 @@ struct SkinRow {
 class FigureBuilder {
  public:
   FigureBuilder(const CpfgModel& model, const CpfgDrawing& drawing)
-      : shapes_(*model.shapes), settings_(turtle_settings(model)), turtle_(settings_, drawing) {
-    twisted_ = shapes_.twisted;
-  }
+      : shapes_(*model.shapes), settings_(turtle_settings(model)), turtle_(settings_, drawing) {}
 
   Result<CpfgFigure> draw() {
     for (std::size_t at = 0; at < turtle_.modules().size();) {
@@ -55,36 +60,35 @@ class FigureBuilder {
  private:
   const CpfgTurtleState& state() const { return turtle_.state; }
   std::span<const float> values(std::size_t at) const { return turtle_.parameters(at); }
-  double radius(std::size_t at) const { return std::abs(state().width * turtle_.scale(at)) / 2; }
+  double radius() const { return state().width / 2; }
 
   std::size_t step(std::size_t at) {
     char symbol = turtle_.symbol(at);
-    if (std::string_view("FGfg[]{}.~").find(symbol) != std::string_view::npos) taper(at);
+    bool polygon = values(at).empty() || values(at)[0] == 0;
+    if (std::string_view("FGfg[]{~@").find(symbol) != std::string_view::npos || (symbol == '}' && polygon))
+      taper();
     DVec3 from = state().position;
     if (symbol == '~') place_surface(at + 1);
     if (symbol == '@') draw_special(at + 1);
     std::size_t next = turtle_.step(at);
-    if (symbol == 'F' || symbol == 'G') add_line(from, at);
+    if (symbol == 'F' || symbol == 'G') add_line(from);
     if (symbol == 'F' || symbol == 'f' || symbol == '.') add_vertex(at);
     if (symbol == '{') open_outline(at);
-    if (symbol == '}') close_outline(at);
+    if (symbol == '}') close_outline();
     figure_.max_stack_depth = std::max(figure_.max_stack_depth, state().depth);
     return next;
   }
 
   /// Gives the last line the width that has been set since.
-  void taper(std::size_t at) {
+  void taper() {
     if (tapering_ < 0) return;
-    if (shapes_.tapered && tapering_ == state().segment)
-      figure_.segments[static_cast<std::size_t>(tapering_)].radius_to = radius(at);
+    if (shapes_.tapered && shapes_.lines != LineStyle::pixel && tapering_ == state().segment)
+      figure_.segments[static_cast<std::size_t>(tapering_)].radius_to = radius();
     tapering_ = -1;
   }
-  void taper() {
-    if (!turtle_.modules().empty()) taper(turtle_.modules().size() - 1);
-  }
 
-  void add_line(DVec3 from, std::size_t at) {
-    add_segment(from, state().position, radius(at), radius(at), state().color);
+  void add_line(DVec3 from) {
+    add_segment(from, state().position, radius(), radius(), state().color);
     tapering_ = state().segment;
   }
 
@@ -99,8 +103,10 @@ class FigureBuilder {
 
   void open_outline(std::size_t at) {
     OpenOutline outline;
-    if (std::span<const float> n = values(at); !n.empty() && n[0] >= 1 && n[0] <= 4)
+    if (std::span<const float> n = values(at); !n.empty() && n[0] >= 1 && n[0] <= 4) {
       outline.kind = static_cast<int>(n[0]);
+      if (n.size() > 1 && n[1] >= 1) outline.strips = held_strips(n[1]);
+    }
     outline.segment = state().segment;
     outlines_.push_back(std::move(outline));
   }
@@ -109,36 +115,41 @@ class FigureBuilder {
     if (outlines_.empty()) return;
     OpenOutline& outline = outlines_.back();
     ++parts_;
+    bool point = turtle_.symbol(at) == '.';
+    int strips = point && !values(at).empty() ? held_strips(values(at)[0]) : outline.strips;
     if (outline.kind == 0) {
+      if (outline.points.empty()) outline.color = state().color;
       if (outline.points.empty() || outline.points.back() != state().position)
         outline.points.push_back(state().position);
-    } else if (outline.places.empty() || outline.places.back().position != state().position) {
-      outline.places.push_back(control_place(at));
+    } else if (outline.kind <= 2) {
+      control(outline.first < 0 ? 's' : 'c', strips);
+      if (outline.first < 0) outline.first = state().place;
+    } else {
+      outline.places.push_back(control_place());
+      outline.places.back().strips = strips;
     }
   }
 
-  void close_outline(std::size_t at) {
+  void close_outline() {
     if (outlines_.empty()) return;
     OpenOutline outline = std::move(outlines_.back());
     outlines_.pop_back();
-    if (outline.kind > 0) return add_cylinder(outline, strips(values(at)));
+    if (outline.kind > 0) return close_cylinder(outline);
     if (outline.points.size() > 3 && outline.points.front() == outline.points.back())
       outline.points.pop_back();
     if (outline.points.size() >= 3)
-      figure_.polygons.push_back({std::move(outline.points), state().color, outline.segment});
+      figure_.polygons.push_back({std::move(outline.points), outline.color, outline.segment});
   }
 
-  static int strips(std::span<const float> n) {
-    return n.empty() || !(n[0] >= 1) ? kStrips : static_cast<int>(std::min(n[0], float{kMostStrips}));
-  }
+  static int strips(std::span<const float> n) { return n.empty() ? kStrips : held_strips(n[0]); }
 
-  ControlPlace control_place(std::size_t at) const {
+  ControlPlace control_place() const {
     const CpfgTurtleState& s = state();
     return {s.position,
             s.heading,
             s.left,
             s.up,
-            radius(at),
+            radius(),
             s.contour,
             s.sides.value_or(shapes_.sides),
             s.arriving,
@@ -146,38 +157,41 @@ class FigureBuilder {
             s.rise_arriving,
             s.rise_leaving,
             s.rises_by_length,
+            0,
             s.color,
             s.segment};
   }
 
-  /// A cylinder between `{(n)` and `}(n)`.
-  void add_cylinder(OpenOutline& outline, int strips) {
-    std::vector<ControlPlace>& places = outline.places;
-    if (places.size() < 2) return;
-    finish_row();
-    std::int32_t segment = outline.segment;
-    if (outline.kind >= 3) {
-      add_rings(spline_rings(places, outline.kind == 4, strips), segment, places.front().sides);
-    } else {
-      if (outline.kind == 2) places.push_back(places.front());
-      for (std::size_t i = 1; i < places.size(); ++i)
-        segment = add_piece(places[i - 1], places[i], strips, segment);
+  /// The end of a cylinder between `{(n)` and `}(n)`.
+  void close_cylinder(const OpenOutline& outline) {
+    if (outline.kind == 2 && outline.first >= 0 && state().place >= 0) {
+      const ControlPlace& from = places_[static_cast<std::size_t>(state().place)];
+      ControlPlace to = places_[static_cast<std::size_t>(outline.first)];
+      if (glm::distance(from.position, to.position) >= kShortest)
+        add_piece(from, to, outline.strips, from.segment);
     }
+    if (outline.kind <= 2) turtle_.state.place = -1;
+    finish_row();
+    if (outline.kind < 3 || outline.places.empty()) return;
+    add_rings(spline_rings(outline.places, outline.kind == 4, outline.strips), outline.segment,
+              outline.places.front().sides);
     finish_row();
   }
 
   /// Adds a piece that goes on from a segment; its end takes the frame that was carried there. Gives the
   /// segment that it ends with.
   std::int32_t add_piece(const ControlPlace& from, ControlPlace& to, int strips, std::int32_t segment) {
-    std::vector<CylinderRing> rings = piece_rings(from, to, strips, twisted_);
-    if (!twisted_) to.left = rings.back().left, to.up = rings.back().up;
+    std::vector<CylinderRing> rings = piece_rings(from, to, strips, shapes_.twisted);
+    if (!shapes_.twisted) to.left = rings.back().left, to.up = rings.back().up;
     return add_rings(rings, segment, from.sides);
   }
 
   /// Adds rings: circles as segments, others to the row of a skin.
   std::int32_t add_rings(const std::vector<CylinderRing>& rings, std::int32_t segment, int sides) {
+    if (rings.empty()) return segment;
     parts_ += rings.size() * static_cast<std::size_t>(sides);
-    if (is_round(rings, shapes_.contours)) return add_stem(rings, segment);
+    if (shapes_.lines == LineStyle::pixel || is_round(rings, shapes_.contours))
+      return add_stem(rings, segment);
     if (row_.rings.empty()) row_.segment = segment, row_.sides = sides;
     row_.rings.insert(row_.rings.end(), rings.begin() + (row_.rings.empty() ? 0 : 1), rings.end());
     return segment;
@@ -192,13 +206,15 @@ class FigureBuilder {
   }
 
   /// `@Gs`, `@Gc` and `@Ge`: the cylinder comes here from the control place before.
-  void control(char kind, std::size_t at) {
+  void control(char kind, int strips) {
     std::int32_t before = kind == 's' ? -1 : state().place;
-    ControlPlace here = control_place(at);
+    ControlPlace here = control_place();
     if (before < 0 || row_.end != before) finish_row();
     if (before >= 0) {
       ControlPlace from = places_[static_cast<std::size_t>(before)];
-      here.segment = turtle_.state.segment = add_piece(from, here, strips(values(at)), from.segment);
+      bool drawn = glm::distance(from.position, here.position) >= kShortest;
+      here.segment = turtle_.state.segment =
+          drawn ? add_piece(from, here, strips, from.segment) : from.segment;
       row_.end = static_cast<std::int32_t>(places_.size());
     }
     turtle_.state.place = kind == 'e' ? -1 : static_cast<std::int32_t>(places_.size());
@@ -238,11 +254,11 @@ class FigureBuilder {
     auto found = shapes_.surfaces.find(symbol);
     if (found == shapes_.surfaces.end()) return;
     std::span<const float> n = values(at);
-    DVec3 factors(n.size() == 1 ? n[0] : 1);
+    DVec3 factors(n.empty() ? 1 : n[0]);
     if (n.size() >= 3) factors = {n[0], n[1], n[2]};
     const CpfgTurtleState& s = state();
     figure_.placed.push_back(
-        {symbol, s.position, s.heading, s.left, s.up, factors * turtle_.scale(at), s.color, s.segment});
+        {symbol, s.position, s.heading, s.left, s.up, factors * state().scale, s.color, s.segment});
     figure_.surfaces.try_emplace(symbol, found->second.mesh);
     ++parts_;
   }
@@ -255,17 +271,16 @@ class FigureBuilder {
     if (pair) second = turtle_.symbol(at + 1);
     if (pair && second == '\0') return;
     std::span<const float> n = values(at + (pair ? 1 : 0));
-    double size = n.empty() ? radius(at) : std::abs(n[0]) * turtle_.scale(at) / 2;
+    double size = n.empty() ? radius() : std::abs(n[0]) * state().scale / 2;
     const CpfgTurtleState& s = state();
     DVec3 flat{s.position.x, s.position.y, 0}, forward{0, 0, 1};
-    if (first == 'G' && (second == 's' || second == 'c' || second == 'e')) control(second, at + 1);
+    if (first == 'G' && (second == 's' || second == 'c' || second == 'e'))
+      control(second, strips(values(at + 1)));
     if (first == 'O') figure_.spheres.push_back({s.position, DVec3(0), size, s.color, s.segment});
     if (first == 'o') figure_.discs.push_back({flat, forward, size, s.color, s.segment});
     if (first == 'c') figure_.discs.push_back({s.position, s.up, size, s.color, s.segment});
-    if (first == 'b' && second == 'o') add_ring(flat, {1, 0, 0}, {0, 1, 0}, size, radius(at));
-    if (first == 'b' && second == 'c') add_ring(s.position, s.heading, s.left, size, radius(at));
-    if (first == 'T' && values(at).empty())
-      twisted_ = turtle_.symbol(at + 1) == 'f' || (twisted_ && turtle_.symbol(at + 1) != 'p');
+    if (first == 'b' && second == 'o') add_ring(flat, {1, 0, 0}, {0, 1, 0}, size, radius());
+    if (first == 'b' && second == 'c') add_ring(s.position, s.heading, s.left, size, radius());
     ++parts_;
   }
 
@@ -328,7 +343,6 @@ class FigureBuilder {
   std::vector<OpenOutline> outlines_;
   std::vector<ControlPlace> places_;
   SkinRow row_;
-  bool twisted_ = false;
   std::int32_t tapering_ = -1;  ///< the line whose width at its end is not known yet
   std::size_t parts_ = 0;
 };

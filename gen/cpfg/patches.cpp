@@ -17,16 +17,24 @@ namespace {
 
 constexpr std::size_t kMostPatches = 2000;
 
+int held_pieces(double n) { return std::clamp(static_cast<int>(n), 1, 10); }
+
+DVec3 unit(DVec3 v) {
+  double length = glm::length(v);
+  return length > 0 ? v / length : DVec3{0};
+}
+
 /// The head of a `.s` file.
 struct PatchHead {
   DVec3 contact{0}, end{0}, heading{0, 1, 0}, up{0, 0, 1};
   double size = 1;
-  int along = 7, across = 7;  ///< pieces of each patch
+  int along = 5, across = 5;  ///< pieces of each patch, down its rows and along them
 
   /// A point of the file at the turtle's axes.
   DVec3 placed(DVec3 point, double scale) const {
     DVec3 p = (point - contact) * (scale / size);
-    return {glm::dot(p, glm::cross(heading, up)), glm::dot(p, heading), glm::dot(p, up)};
+    DVec3 forward = unit(heading), left = unit(glm::cross(forward, up));
+    return left * p.x + forward * p.y + glm::cross(left, forward) * p.z;
   }
 };
 
@@ -38,9 +46,8 @@ bool is_number_line(std::string_view line) {
 void read_head_line(std::string_view line, PatchHead& head) {
   std::vector<double> numbers = numbers_in(line);
   auto vector = [&] { return DVec3{numbers[0], numbers[1], numbers[2]}; };
-  auto pieces = [](double n) { return std::clamp(static_cast<int>(std::clamp(n, 0.0, 1e6)), 2, 20); };
-  if (line.starts_with("PRECISION") && numbers.size() >= 2)
-    head.across = pieces(numbers[0]), head.along = pieces(numbers[1]);
+  if (line.starts_with("PRECISION") && !numbers.empty())
+    head.along = head.across = held_pieces(std::clamp(numbers[0], 0.0, 1e6));
   if (line.starts_with("SIZE") && !numbers.empty() && numbers[0] > 0) head.size = numbers[0];
   if (numbers.size() < 3) return;
   if (line.starts_with("CONTACT")) head.contact = vector();
@@ -127,7 +134,7 @@ std::vector<std::string_view> filled_lines(std::string_view text) {
 
 }  // namespace
 
-Result<TurtleSurface> read_patches(std::string_view text, double scale) {
+Result<TurtleSurface> read_patches(std::string_view text, double scale, std::array<int, 2> pieces) {
   PatchHead head;
   std::vector<double> numbers;
   for (std::string_view line : filled_lines(text)) {
@@ -144,6 +151,8 @@ Result<TurtleSurface> read_patches(std::string_view text, double scale) {
                  fmt::format("found {} numbers; expected 6 bounds, and 48 for each patch", numbers.size())};
   std::size_t patches = (numbers.size() - 6) / 48;
   if (patches > kMostPatches) return Error{"", "more than 2,000 patches"};
+  if (pieces[0] > 0) head.along = held_pieces(pieces[0]);
+  if (pieces[1] > 0) head.across = held_pieces(pieces[1]);
   TurtleSurface surface;
   Weld weld(surface.mesh);
   for (std::size_t patch = 0; patch < patches; ++patch) {
@@ -158,7 +167,7 @@ Result<TurtleSurface> read_patches(std::string_view text, double scale) {
   return finished(std::move(surface));
 }
 
-Result<TurtleSurface> read_triangles(std::string_view text, double scale) {
+Result<TurtleSurface> read_triangles(std::string_view text, double scale, std::array<int, 2> /*pieces*/) {
   TurtleSurface surface;
   Weld weld(surface.mesh);
   std::vector<std::uint32_t> corners;

@@ -50,8 +50,6 @@ std::vector<ModuleText> GrammarReader::read_word(bool is_axiom) {
       fail(
           "`?E` asks a program for the environment, which cpfg starts beside it (-e); without it the model "
           "cannot be derived");
-    if (module.symbol == 'Q' && !word.empty() && word.back().symbol == '?' && word.back().count == 0)
-      fail("`?Q` asks for the turtle's quaternion, which is not known here; `?H`, `?L` and `?U` are");
     word.push_back(module);
   }
   if (!failed() && word.empty()) fail_at(from, "there is no word; the empty one is written `*`");

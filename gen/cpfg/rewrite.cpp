@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cpfg/run.h"
+#include "cpfg/turtle.h"
 
 namespace frond::cpfg {
 
@@ -63,7 +64,7 @@ class Enclosing {
     if (!is_part_mark(run_.code, module)) return false;
     if (module.instance >= 0) {
       outer_.push_back({run_.instance, scale});
-      scale *= word.parameters[module.first + 1];
+      if (module.count > 1) scale *= word.parameters[module.first + 1];
       run_.instance = module.instance;
     } else if (!outer_.empty()) {
       run_.instance = outer_.back().first;
@@ -79,19 +80,6 @@ class Enclosing {
   Run& run_;
   std::vector<std::pair<int, float>> outer_;
 };
-
-/// Where a cut that begins at a `%` ends: at the branch's `]`, the `$` of the part that it lies in, a `%(…)`
-/// or the end.
-std::size_t cut_end(const CpfgWord& word, std::size_t at) {
-  int branches = 1, parts = 1;
-  for (; at < word.modules.size(); ++at) {
-    const CpfgModule& module = word.modules[at];
-    branches += (module.symbol == '[') - (module.symbol == ']');
-    parts += (module.symbol == '?' && module.count > 0) - (module.symbol == '$');
-    if (branches == 0 || parts == 0 || (module.symbol == '%' && module.count > 0)) return at;
-  }
-  return at;
-}
 
 /// Makes the instance of a part that begins.
 int new_instance(Run& run, float number) {
@@ -168,7 +156,7 @@ void append_module(Run& run, const ModuleText& text, CpfgWord& word, bool living
     double value = evaluate(run, run.code.lists[static_cast<std::size_t>(text.first + i)]);
     word.parameters.push_back(static_cast<float>(value));
   }
-  if (living && text.symbol == '?' && text.count == 2 && run.code.systems.size() > 1)
+  if (living && text.symbol == '?' && text.count > 0 && run.code.systems.size() > 1)
     module.instance = new_instance(run, word.parameters[module.first]);
   word.modules.push_back(module);
 }
@@ -190,9 +178,9 @@ CpfgWord rewrite(Run& run, const CpfgWord& word) {
 CpfgDrawing draw_word(Run& run, const CpfgWord& word) {
   CpfgDrawing drawing;
   Enclosing enclosing(run);
-  std::vector<Congruential48> lots;
+  std::vector<Congruential48> streams;  // of formulas in homomorphisms that have a seed
   for (const CpfgSystem& system : run.code.systems)
-    lots.push_back(lots_of(system.homomorphism.seed, run.variation));
+    streams.push_back(seeded_stream(system.homomorphism.seed, run.variation));
   for (std::size_t at = 0; at < word.modules.size() && run.goes_on();) {
     auto keep = [&](const CpfgWord& from, std::size_t i) {
       append_copy(from, i, drawing.word);
@@ -202,10 +190,9 @@ CpfgDrawing draw_word(Run& run, const CpfgWord& word) {
     };
     const ProductionSet& set = run.system().homomorphism;
     auto system = static_cast<std::size_t>(run.instances[static_cast<std::size_t>(run.instance)].system);
-    Congruential48* stream = set.has_seed ? &lots[system] : nullptr;
     const CpfgProduction* production = nullptr;
     if (!enclosing.passes(word, at) && set.depth > 0)
-      production = find_production(run, set, stream, word, at, word.modules.size(), nullptr);
+      production = find_production(run, set, nullptr, word, at, word.modules.size(), nullptr);
     if (!production) {
       keep(word, at);
       ++at;
@@ -213,8 +200,10 @@ CpfgDrawing draw_word(Run& run, const CpfgWord& word) {
     }
     std::size_t after = at + production->predecessor.size();
     CpfgWord scratch;
+    if (set.has_seed) std::swap(run.chance.stream, streams[system]);
     append_successor(run, *production, scratch, false);
-    expand(run, set, stream, scratch, WordAround{word, at, after}, 1, false, keep);
+    expand(run, set, nullptr, scratch, WordAround{word, at, after}, 1, false, keep);
+    if (set.has_seed) std::swap(run.chance.stream, streams[system]);
     at = after;
   }
   return drawing;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -28,12 +29,11 @@ class ShapeReader {
     if (line.key == "surface") return add(line, read_patches);
     if (line.key == "tsurface") return add(line, read_triangles);
     if (line.key == "contour") return add_contour(line);
-    if (line.key == "tapered lines") shapes_.tapered = line.value != "off";
-    if (line.key == "twist of cylinders") shapes_.twisted = line.value == "on";
+    if (line.key == "tapered lines") shapes_.tapered = !words_.empty() && words_[0] == "on";
+    if (line.key == "twist of cylinders") shapes_.twisted = line.value.starts_with("on");
     if (line.key == "line style" && !words_.empty()) shapes_.lines = style_of(words_[0]);
-    if (line.key == "initial line width" && words_.size() > 1 && !styled_)
-      shapes_.lines = style_of(words_[1]);
-    styled_ |= line.key == "line style";
+    if (line.key == "initial line width" && !words_.empty())
+      shapes_.lines = words_.size() > 1 ? style_of(words_[1]) : LineStyle::polygon;
     if (numbers.empty()) return;
     if (line.key == "contour sides") sides(numbers[0]);
     if (line.key == "polygonization level") sides(std::exp2(numbers[0] + 1));
@@ -41,9 +41,17 @@ class ShapeReader {
 
  private:
   static LineStyle style_of(const std::string& word) {
-    return word.starts_with("pixel")                         ? LineStyle::pixel
-           : word.starts_with('s') || word.starts_with("cy") ? LineStyle::cylinder
-                                                             : LineStyle::polygon;
+    std::string_view first(word.data(), 1);
+    if (word.starts_with("po")) return LineStyle::polygon;
+    return first == "p" || first == "1"                   ? LineStyle::pixel
+           : first == "s" || first == "c" || first == "3" ? LineStyle::cylinder
+                                                          : LineStyle::polygon;
+  }
+
+  /// Ten a span, with both ends.
+  static int samples_of_contour(const ContourFile& contour) {
+    auto points = static_cast<int>(contour.points.size());
+    return 10 * std::max(contour.closed ? points : points - 3, 1) + 1;
   }
 
   void fail(const CpfgViewLine& line, std::string what) {
@@ -59,11 +67,15 @@ class ShapeReader {
     return std::nullopt;
   }
 
-  void add(const CpfgViewLine& line, Result<TurtleSurface> (*read_file)(std::string_view, double)) {
+  /// The first surface of a symbol counts.
+  void add(const CpfgViewLine& line,
+           Result<TurtleSurface> (*read_file)(std::string_view, double, std::array<int, 2>)) {
     std::optional<std::string> text = file(line);
-    if (!text) return;
+    if (!text || shapes_.surfaces.contains(words_[0][0])) return;
     double scale = words_.size() > 2 ? std::atof(words_[2].c_str()) : 1;
-    Result<TurtleSurface> surface = read_file(*text, std::isfinite(scale) ? scale : 1);
+    std::array<int, 2> pieces{};
+    if (words_.size() > 4) pieces = {std::atoi(words_[3].c_str()), std::atoi(words_[4].c_str())};
+    Result<TurtleSurface> surface = read_file(*text, std::isfinite(scale) && scale > 0 ? scale : 1, pieces);
     if (!surface) return fail(line, fmt::format("{}: {}", words_[1], surface.errors()[0].what));
     shapes_.surfaces[words_[0][0]] = std::move(*surface);
   }
@@ -71,15 +83,15 @@ class ShapeReader {
   void add_contour(const CpfgViewLine& line) {
     std::optional<std::string> text = file(line);
     if (!text) return;
-    Result<ContourFile> contour = read_contour(*text);
+    Result<ContourFile> contour = read_contour(*text, true);
     if (!contour) return fail(line, fmt::format("{}: {}", words_[1], contour.errors()[0].what));
-    shapes_.contours[std::atoi(words_[0].c_str())] = measure(*contour, 2);
+    if (int number = std::atoi(words_[0].c_str()); number != 0)
+      shapes_.contours[number] = measure(*contour, samples_of_contour(*contour));
   }
 
   ModelFolder& folder_;
   Shapes& shapes_;
   std::vector<std::string> words_;
-  bool styled_ = false;
 };
 
 std::vector<Color> read_colors(ModelFolder& folder, const std::vector<std::filesystem::path>& files,

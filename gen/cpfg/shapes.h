@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -30,7 +31,7 @@ struct Shapes {
   std::map<char, TurtleSurface> surfaces;
   std::map<int, CurveTable> contours;  ///< of generalized cylinders, by number
   std::vector<Color> colors;           ///< 256, or as many more as there are maps
-  LineStyle lines = LineStyle::polygon;
+  LineStyle lines = LineStyle::pixel;
   bool tapered = true;           ///< lines end with the width that is set after them
   bool twisted = false;          ///< cylinders follow the turtle where it rolls
   int sides = 8;                 ///< of cylinders
@@ -40,11 +41,12 @@ struct Shapes {
 Shapes read_shapes(ModelFolder& folder, const std::vector<CpfgViewLine>& view,
                    const std::vector<std::filesystem::path>& colors);
 
-/// A `.s` file: bicubic Bézier patches, `scale` times as large as the file's SIZE says.
-Result<TurtleSurface> read_patches(std::string_view text, double scale);
+/// A `.s` file: bicubic Bézier patches, `scale` times as large as the file's SIZE says. `pieces`: how many
+/// each patch has down its rows and along them; 0: as the file says.
+Result<TurtleSurface> read_patches(std::string_view text, double scale, std::array<int, 2> pieces = {});
 
 /// A file of triangles: `triangle`, and three lines of x y z.
-Result<TurtleSurface> read_triangles(std::string_view text, double scale);
+Result<TurtleSurface> read_triangles(std::string_view text, double scale, std::array<int, 2> pieces = {});
 
 /// A `.map`: 256 colours of three bytes.
 Result<std::vector<Color>> read_color_map(std::string_view bytes);

@@ -31,7 +31,8 @@ void turn_in_plane(DVec3& a, DVec3& b, double angle) {
   b = b * c - before * s;
 }
 
-CpfgTropism read_tropism(std::string_view value, bool is_torque) {
+/// A line of a tropism or torque; nothing where it has no direction or no intensity.
+std::optional<CpfgTropism> read_tropism(std::string_view value, bool is_torque) {
   CpfgTropism tropism;
   tropism.is_torque = is_torque;
   auto after = [&](std::string_view label) {
@@ -40,12 +41,22 @@ CpfgTropism read_tropism(std::string_view value, bool is_torque) {
     std::string_view rest = value.substr(at + label.size());
     return numbers_in(rest.substr(0, rest.find(':')));
   };
-  if (std::vector<double> t = after("T:"); t.size() >= 3) tropism.direction = {t[0], t[1], t[2]};
-  for (auto [label, into] : {std::pair("A:", &tropism.angle), std::pair("I:", &tropism.intensity),
-                             std::pair("E:", &tropism.elasticity), std::pair("S:", &tropism.step)})
+  std::vector<double> direction = after("T:"), intensity = after("I:");
+  if (direction.size() < 3) return {};
+  DVec3 toward{direction[0], direction[1], direction[2]};
+  double length = std::sqrt(glm::dot(toward, toward));
+  if (!(length > 0)) return {};
+  double factor = intensity.empty() ? 1 / length : std::clamp(intensity[0] / length, -1.0, 1.0);
+  if (factor == 0) return {};
+  tropism.direction = toward * factor;
+  for (auto [label, into] : {std::pair("A:", &tropism.angle), std::pair("E:", &tropism.elasticity),
+                             std::pair("S:", &tropism.step)})
     if (std::vector<double> numbers = after(label); !numbers.empty()) *into = numbers[0];
   return tropism;
 }
+
+/// The angle that cpfg turns by about an axis of a length, which it means to hold to 1.
+double held_angle(double length) { return length <= 1 ? length : 2 * std::atan(std::tan(0.5) * length); }
 
 int cut(double number) { return number == number ? static_cast<int>(std::clamp(number, -1e9, 1e9)) : 0; }
 
@@ -68,9 +79,10 @@ TurtleSettings turtle_settings(const CpfgModel& model) {
   settings.colors = static_cast<int>(model.shapes->colors.size());
   for (const CpfgViewLine& line : model.view) {
     if (line.key == "tropism" || line.key == "torque")
-      settings.tropisms.push_back(read_tropism(line.value, line.key == "torque"));
-    if (line.key == "environment display") settings.answers_after = line.value == "before";
-    if (line.key == "interpretation past %") settings.draws_past_cut = line.value != "off";
+      if (std::optional<CpfgTropism> tropism = read_tropism(line.value, line.key == "torque"))
+        settings.tropisms.push_back(*tropism);
+    if (line.key == "environment display") settings.answers_after = line.value.starts_with("before");
+    if (line.key == "interpretation past %") settings.draws_past_cut = !line.value.starts_with("off");
     std::vector<double> numbers = numbers_in(line.value);
     if (numbers.empty()) continue;
     for (auto [key, into] :
@@ -92,12 +104,11 @@ TurtleSettings turtle_settings(const CpfgModel& model) {
 
 CpfgTurtle::CpfgTurtle(const TurtleSettings& settings, const CpfgDrawing& drawing)
     : settings_(settings), drawing_(drawing) {
-  state.scale = settings.scale;
+  if (settings.scale != 0) state.scale = part_scale_ = settings.scale;
   state.width = std::max(settings.width, kThinnest);
   state.color = state.back = color_of(settings.color);
   state.elasticity = settings.old_elasticity;
   for (const CpfgTropism& tropism : settings.tropisms) state.elasticities.push_back(tropism.elasticity);
-  last_ = state;
 }
 
 std::span<const float> CpfgTurtle::parameters(std::size_t at) const {
@@ -117,8 +128,8 @@ std::size_t CpfgTurtle::step(std::size_t at) {
     case 'G':
     case 'f':
     case 'g':
-      move(at, values.empty() ? 1 : values[0]);
-      last_ = state;
+      move(values.empty() ? 1 : values[0]);
+      if (symbol == 'F' || symbol == 'G') keep_frame();
       break;
     case '[':
       stack_.push_back(state);
@@ -130,8 +141,18 @@ std::size_t CpfgTurtle::step(std::size_t at) {
         stack_.pop_back();
       }
       break;
+    case '?':
+      if (modules()[at].instance < 0) break;
+      parts_.push_back(part_scale_);
+      set_part_scale((settings_.scale != 0 ? settings_.scale : 1) * drawing_.scale[at]);
+      break;
+    case '$':
+      if (parts_.empty()) break;
+      set_part_scale(parts_.back());
+      parts_.pop_back();
+      break;
     case '%':
-      if (!settings_.draws_past_cut) return branch_end(at + 1);
+      if (!settings_.draws_past_cut && values.empty()) return cut_end(drawing_.word, at + 1);
       break;
     case '~':
       if (at + 1 < modules().size()) place_surface(at + 1);
@@ -173,7 +194,7 @@ bool CpfgTurtle::step_value(char symbol, std::span<const float> values) {
     case '!':
     case '#': {
       double step = symbol == '!' ? -settings_.width_step : settings_.width_step;
-      double width = bare ? state.width + step : double{values[0]};
+      double width = bare ? state.width + step * state.scale : values[0] * state.scale;
       state.width = width > kThinnest ? width : kThinnest;
       return true;
     }
@@ -191,17 +212,22 @@ bool CpfgTurtle::step_value(char symbol, std::span<const float> values) {
   }
 }
 
-/// What follows `@`.
+/// The scale of another L-system: widths follow it, what `@D` had set is gone.
+void CpfgTurtle::set_part_scale(double scale) {
+  if (part_scale_ != 0) state.width *= scale / part_scale_;
+  state.scale = part_scale_ = scale;
+}
+
+/// What follows `@`. A symbol that means nothing there is read for itself.
 std::size_t CpfgTurtle::step_special(std::size_t at) {
   if (at >= modules().size()) return at;
   std::span<const float> values = parameters(at);
-  auto vector = [&](std::size_t from) { return DVec3{values[from], values[from + 1], values[from + 2]}; };
   switch (symbol(at)) {
     case 'M':
       if (values.size() >= 2) state.position = {values[0], values[1], values.size() > 2 ? values[2] : 0};
       break;
     case 'R':
-      if (values.size() >= 3) aim(vector(0), values.size() >= 6 ? vector(3) : DVec3{0, 0, 0});
+      if (values.size() >= 2) aim(values);
       break;
     case 'v':
       level();
@@ -210,7 +236,7 @@ std::size_t CpfgTurtle::step_special(std::size_t at) {
       state.contour = values.empty() ? 0 : cut(values[0]);
       break;
     case '!':
-      if (!values.empty()) state.sides = std::clamp(cut(values[0]), 3, 1000);
+      state.sides = values.empty() ? 8 : std::clamp(cut(values[0]), 3, 1000);
       break;
     case ';':
     case ',': {
@@ -218,6 +244,14 @@ std::size_t CpfgTurtle::step_special(std::size_t at) {
       state.back = color_of(values.empty() ? state.back + step : double{values[0]});
       break;
     }
+    case 'o':
+    case 'c':
+    case 'O':
+    case 'L':
+    case 'S':
+    case 'I':
+    case 'J':
+      break;
     default:
       return step_pair(at);
   }
@@ -228,67 +262,82 @@ std::size_t CpfgTurtle::step_special(std::size_t at) {
 std::size_t CpfgTurtle::step_pair(std::size_t at) {
   std::span<const float> own = parameters(at);
   char first = symbol(at), second = own.empty() ? symbol(at + 1) : '\0';
-  std::span<const float> values = second ? parameters(at + 1) : own;
-  if (first == 'D' && (second == 'i' || second == 'd')) {
+  if (first == 'D' && !own.empty()) return state.scale = own[0], at + 1;
+  constexpr std::pair<char, std::string_view> kPairs[] = {
+      {'P', "SCD"}, {'T', "xidspf"}, {'G', "scetr"}, {'m', "oc"}, {'D', "id"}};
+  auto known = std::ranges::find(kPairs, first, &std::pair<char, std::string_view>::first);
+  bool ring = first == 'b' && second;
+  if (!ring && (known == std::end(kPairs) || !second || known->second.find(second) == std::string_view::npos))
+    return at;
+  std::span<const float> values = parameters(at + 1);
+  if (first == 'D') {
     double factor = values.empty() ? settings_.scale_multiplier : double{values[0]};
     if (factor != 0) state.scale *= second == 'i' ? factor : 1 / factor;
-    return at + 2;
   }
-  if (first == 'D' && !own.empty()) state.scale = own[0];
-  if (std::string_view("TGbmP").find(first) == std::string_view::npos || !second) return at + 1;
+  if (first == 'T' && second == 'p') carry_frame();
+  if (first == 'T' && second == 'f') keep_frame();
+  if (first == 'T' && second == 'x') state.texture = values.empty() ? 0 : cut(values[0]);
   if (first == 'T') set_elasticity(second, values);
-  if (first == 'T' && second == 'x' && !values.empty()) state.texture = cut(values[0]);
-  if (first == 'G' && second == 't' && values.size() >= 2)
-    state.arriving = values[0], state.leaving = values[1];
+  if (first == 'G' && second == 't') set_tangents(values);
   if (first == 'G' && second == 'r') set_rises(values);
-  if (first == 'm' && second == 'c' && !values.empty() && values[0] == 1) return branch_end(at + 2);
+  if (first == 'm' && second == 'c' && !values.empty() && values[0] == 1)
+    return cut_end(drawing_.word, at + 2);
   return at + 2;
 }
 
-/// The `]` of the branch that a place lies in, or the end.
-std::size_t CpfgTurtle::branch_end(std::size_t at) const {
-  for (int depth = 0; at < modules().size(); ++at) {
-    depth += (symbol(at) == '[') - (symbol(at) == ']');
-    if (depth < 0) break;
-  }
-  return at;
-}
-
 void CpfgTurtle::set_elasticity(char how, std::span<const float> values) {
-  double number = values.empty() ? 1 : values[0];
-  if (!(number >= 1 && number <= static_cast<double>(state.elasticities.size()))) return;
+  double number = values.empty() ? 0 : values[0];
+  if (!(number >= 1 && number < static_cast<double>(state.elasticities.size()) + 1)) return;
   auto index = static_cast<std::size_t>(number) - 1;
   double& elasticity = state.elasticities[index];
   double step = values.size() > 1 ? values[1] : settings_.tropisms[index].step;
-  if (how == 's' && values.size() > 1) elasticity = values[1];
+  if (how == 's') elasticity = values.size() > 1 ? values[1] : 0;
   if (how == 'i') elasticity += step;
   if (how == 'd') elasticity -= step;
+}
+
+/// `@Gt`: shares for both sides of a place, or for each.
+void CpfgTurtle::set_tangents(std::span<const float> values) {
+  if (values.empty()) return;
+  state.arriving = values[0];
+  state.leaving = values[values.size() > 1 ? 1 : 0];
 }
 
 /// `@Gr`: angle and length for both sides of a place, or for each.
 void CpfgTurtle::set_rises(std::span<const float> values) {
   if (values.size() == 1) state.rises_by_length = values[0] != 0;
   if (values.size() < 2) return;
-  auto rise = [&](std::size_t from) {
-    return std::tan(radians(std::clamp(double{values[from]}, -89.0, 89.0))) * values[from + 1];
+  auto rise = [&](std::size_t from) -> std::array<double, 2> {
+    double angle = radians(double{values[from]}), length = values[from + 1];
+    return {std::cos(angle) * length, std::sin(angle) * length};
   };
   state.rise_arriving = rise(0);
   state.rise_leaving = rise(values.size() >= 4 ? 2 : 0);
 }
 
-/// `@R`: without an up vector that of the last segment is carried along without twist.
-void CpfgTurtle::aim(DVec3 heading, DVec3 up) {
-  heading = unit(heading);
-  if (heading == DVec3{0, 0, 0}) return;
-  if (std::abs(glm::dot(unit(up), heading)) > 1e-3 || unit(up) == DVec3{0, 0, 0}) {
-    DVec3 axis = glm::cross(last_.heading, heading);
-    double sine = std::sqrt(glm::dot(axis, axis)), cosine = glm::dot(last_.heading, heading);
-    up = sine > 1e-9 ? turned(last_.up, axis / sine, std::atan2(sine, cosine)) : last_.up;
-  }
-  state.heading = heading;
-  state.left = unit(glm::cross(heading, up));
-  state.up = glm::cross(state.left, heading);
+/// `@R`: without an up vector at right angles that of the last segment is carried along without twist.
+void CpfgTurtle::aim(std::span<const float> values) {
+  DVec3 heading = unit({values[0], values[1], values.size() > 2 ? values[2] : 0});
+  state.heading = heading == DVec3{0, 0, 0} ? DVec3{0, 1, 0} : heading;
+  DVec3 up = values.size() >= 6 ? DVec3{values[3], values[4], values[5]} : DVec3{0, 0, 0};
+  if (values.size() >= 6) state.up = up;
+  if (up == DVec3{0, 0, 0} || glm::dot(up, state.heading) != 0) return carry_frame();
+  state.up = unit(up);
+  state.left = glm::cross(state.heading, state.up);
 }
+
+/// Turns up and left so that there is no twist since the last segment.
+void CpfgTurtle::carry_frame() {
+  DVec3 axis = glm::cross(state.last_heading, state.heading);
+  double sine = std::sqrt(glm::dot(axis, axis));
+  if (sine > 1e-6)
+    state.up =
+        turned(state.last_up, axis / sine, std::atan2(sine, glm::dot(state.last_heading, state.heading)));
+  state.left = glm::cross(state.heading, state.up);
+}
+
+/// The twist until here is wanted.
+void CpfgTurtle::keep_frame() { state.last_heading = state.heading, state.last_up = state.up; }
 
 /// `@v`: rolls until left is horizontal and up's opposite looks up.
 void CpfgTurtle::level() {
@@ -303,13 +352,13 @@ void CpfgTurtle::place_surface(std::size_t at) {
   auto found = settings_.surfaces.find(symbol(at));
   if (found == settings_.surfaces.end()) return;
   std::span<const float> values = parameters(at);
-  DVec3 end = found->second * ((values.empty() ? 1 : values[0]) * scale(at));
+  DVec3 end = found->second * ((values.empty() ? 1 : values[0]) * state.scale);
   state.position += state.left * end.x + state.heading * end.y + state.up * end.z;
 }
 
-void CpfgTurtle::move(std::size_t at, double length) {
+void CpfgTurtle::move(double length) {
   bend_before();
-  state.position += state.heading * (length * scale(at));
+  state.position += state.heading * (length * state.scale);
   if (state.elasticity == 0 || settings_.old_direction == DVec3{0, 0, 0}) return;
   auto bend = [&](DVec3& from, DVec3& toward) {
     double sine = std::clamp(state.elasticity * glm::dot(settings_.old_direction, toward), -1.0, 1.0);
@@ -321,23 +370,59 @@ void CpfgTurtle::move(std::size_t at, double length) {
 
 /// The tropisms and torques of the view's newer lines.
 void CpfgTurtle::bend_before() {
-  DVec3 pull{0, 0, 0}, roll{0, 0, 0};
+  if (settings_.tropisms.empty()) return;
+  pull_heading();
+  roll_up();
+}
+
+/// Tropisms turn the heading; up and left follow without twist since the last segment.
+void CpfgTurtle::pull_heading() {
+  DVec3 pull{0, 0, 0};
   for (std::size_t i = 0; i < settings_.tropisms.size(); ++i) {
     const CpfgTropism& tropism = settings_.tropisms[i];
-    DVec3 toward = unit(tropism.direction);
-    if (tropism.angle != 0) {  // aims beside it, in the plane of both
-      DVec3 axis = unit(glm::cross(toward, state.heading));
-      if (axis != DVec3{0, 0, 0}) toward = turned(toward, axis, radians(tropism.angle));
-    }
-    (tropism.is_torque ? roll : pull) += toward * (state.elasticities[i] * tropism.intensity);
+    if (tropism.is_torque) continue;
+    double angle = radians(tropism.angle);
+    pull += tropism.direction * (std::cos(angle) * state.elasticities[i]);
+    if (tropism.angle == 0) continue;
+    // It aims beside its direction, on the heading's side of it.
+    DVec3 across = glm::cross(state.heading, tropism.direction);
+    double length = std::sqrt(glm::dot(across, across));
+    if (length < 1e-7) across = state.left, length = 1;
+    pull += glm::cross(tropism.direction, across) * (std::sin(angle) * state.elasticities[i] / length);
   }
   DVec3 axis = glm::cross(state.heading, pull);
-  double angle = std::min(std::sqrt(glm::dot(axis, axis)), 1.0);
-  if (angle > 0)
-    for (DVec3* v : {&state.heading, &state.left, &state.up}) *v = turned(*v, unit(axis), angle);
-  double sine = glm::dot(glm::cross(state.up, roll), state.heading);
-  if (sine != 0)
-    for (DVec3* v : {&state.left, &state.up}) *v = turned(*v, state.heading, std::clamp(sine, -1.0, 1.0));
+  double length = std::sqrt(glm::dot(axis, axis));
+  if (!(length >= 1e-6)) return;
+  state.heading = turned(state.heading, axis / length, held_angle(length));
+  carry_frame();
+}
+
+/// Torques turn up away from their direction: cpfg's up looks out of the underside of what it draws.
+void CpfgTurtle::roll_up() {
+  DVec3 roll{0, 0, 0};
+  for (std::size_t i = 0; i < settings_.tropisms.size(); ++i)
+    if (settings_.tropisms[i].is_torque) roll += settings_.tropisms[i].direction * state.elasticities[i];
+  DVec3 across = glm::cross(state.heading, unit(roll));
+  if (!(glm::dot(across, across) > 1e-8)) return;
+  DVec3 toward = glm::cross(across, state.heading) * std::sqrt(glm::dot(roll, roll));
+  DVec3 axis = glm::cross(state.up, toward);
+  double length = std::sqrt(glm::dot(axis, axis));
+  if (length >= 1e-7) {
+    state.up = turned(state.up, axis / length, -held_angle(length));
+    state.left = glm::cross(state.heading, state.up);
+  }
+  keep_frame();
+}
+
+std::size_t cut_end(const CpfgWord& word, std::size_t at) {
+  int branches = 1, parts = 1;
+  for (; at < word.modules.size(); ++at) {
+    const CpfgModule& module = word.modules[at];
+    branches += (module.symbol == '[') - (module.symbol == ']');
+    parts += (module.symbol == '?' && module.count > 0) - (module.symbol == '$');
+    if (branches == 0 || parts == 0 || (module.symbol == '%' && module.count > 0)) return at;
+  }
+  return at;
 }
 
 }  // namespace frond::cpfg

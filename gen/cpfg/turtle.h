@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -16,8 +17,8 @@ namespace frond::cpfg {
 
 /// A `tropism:` or `torque:` line of a view: what the turtle turns toward, and how strongly.
 struct CpfgTropism {
-  DVec3 direction{0, 1, 0};
-  double angle = 0, intensity = 1, elasticity = 0, step = 0;
+  DVec3 direction{0, 0, 0};  ///< of the length of its intensity
+  double angle = 0, elasticity = 0, step = 0;
   bool is_torque = false;
 };
 
@@ -28,7 +29,7 @@ struct TurtleSettings {
   double width = 1, width_step = 0;  ///< a diameter
   int color = 128, color_step = 1;
   int colors = 256;              ///< how many there are; numbers beyond go round
-  DVec3 old_direction{0, 0, 0};  ///< `tropism direction`, of length 1 or 0
+  DVec3 old_direction{0, 1, 0};  ///< `tropism direction`, of length 1 or 0
   double old_elasticity = 0, elasticity_increment = 0;
   std::vector<CpfgTropism> tropisms;
   bool answers_after = false;      ///< `environment display: before`: queries are answered after a step
@@ -44,7 +45,9 @@ std::vector<double> numbers_in(std::string_view text);
 /// All that brackets keep.
 struct CpfgTurtleState {
   DVec3 position{0, 0, 0}, heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, -1};
-  double scale = 1, width = 1, elasticity = 0;
+  DVec3 last_heading{0, 1, 0}, last_up{0, 0, -1};  ///< of the last segment, which twist is reckoned from
+  double scale = 1;                                ///< of lengths, and of widths that are set
+  double width = 1, elasticity = 0;
   std::vector<double> elasticities;
   int color = 128, back = 128;  ///< of the front and of the back side
   int texture = 0;
@@ -52,8 +55,8 @@ struct CpfgTurtleState {
   int contour = 0;                       ///< its number; 0: a circle
   std::optional<int> sides;              ///< `@!`
   double arriving = 1.2, leaving = 1.2;  ///< `@Gt`: lengths of tangents, as shares of the distance
-  std::optional<double> rise_arriving, rise_leaving;  ///< `@Gr`: change of the radius; none: evenly
-  bool rises_by_length = false;                       ///< multiplied with the distance
+  std::array<double, 2> rise_arriving{}, rise_leaving{};  ///< `@Gr`: see ControlPlace
+  bool rises_by_length = false;                           ///< multiplied with the distance
   std::int32_t place = -1;    ///< the control place that the cylinder comes from, see figure.cpp
   std::int32_t segment = -1;  ///< the segment that ends here, see figure.cpp
   int depth = 0;              ///< of brackets
@@ -72,31 +75,39 @@ class CpfgTurtle {
   std::span<const float> parameters(std::size_t at) const;
   /// The module at a place if it has no more places before it: `\0` beyond the end.
   char symbol(std::size_t at) const { return at < modules().size() ? modules()[at].symbol : '\0'; }
-  /// By what lengths and widths are multiplied at a place.
-  double scale(std::size_t at) const { return state.scale * drawing_.scale[at]; }
 
  private:
   void turn(char symbol, double angle);
   bool step_value(char symbol, std::span<const float> values);
   std::size_t step_special(std::size_t at);
   std::size_t step_pair(std::size_t at);
-  std::size_t branch_end(std::size_t at) const;
   int color_of(double number) const;
   void set_elasticity(char how, std::span<const float> values);
   void set_rises(std::span<const float> values);
-  void aim(DVec3 heading, DVec3 up);
+  void set_tangents(std::span<const float> values);
+  void set_part_scale(double scale);
+  void aim(std::span<const float> values);
+  void carry_frame();
+  void keep_frame();
   void level();
   void place_surface(std::size_t at);
-  void move(std::size_t at, double length);
+  void move(double length);
   void bend_before();
+  void pull_heading();
+  void roll_up();
 
   const TurtleSettings& settings_;
   const CpfgDrawing& drawing_;
-  CpfgTurtleState last_;  ///< after the last move
   std::vector<CpfgTurtleState> stack_;
+  double part_scale_ = 1;      ///< of the L-system that the turtle is within
+  std::vector<double> parts_;  ///< of those around it
 };
 
-/// Whether a word asks for the turtle: `?P`, `?H`, `?L`, `?U`.
+/// Where a cut that begins behind a `%` ends: at the branch's `]`, the `$` of the part that it lies in, a
+/// `%(…)` or the end.
+std::size_t cut_end(const CpfgWord& word, std::size_t at);
+
+/// Whether a word asks for the turtle: `?P`, `?H`, `?L`, `?U`, `?Q`.
 bool has_queries(const CpfgWord& word);
 
 /// Walks along the drawing of a word and writes position, heading, left or up into the parameters of its

@@ -227,8 +227,8 @@ class HoudiniReader {
     g_.length_jitter = random_scale_;
     g_.angle_jitter = random_scale_ * std::abs(g_.angle);
     fill_parameters();
-    if (std::ranges::any_of(rules_, &HoudiniRule::age)) keep_ages();
-    if (std::ranges::any_of(rules_, &HoudiniRule::position)) ask_position();
+    if (std::ranges::any_of(rules_, [](const HoudiniRule& rule) { return rule.age; })) keep_ages();
+    if (std::ranges::any_of(rules_, [](const HoudiniRule& rule) { return rule.position; })) ask_position();
     for (std::size_t i = 0; i < rules_.size(); ++i) {
       const HoudiniRule& rule = rules_[i];
       std::string head = rule.head + condition_of(rule), weight = rule.weight;

@@ -26,7 +26,9 @@ TEST(CpfgBetween, BeginsAndEndsWithTheFigures) {
 }
 
 TEST(CpfgBetween, WhatIsNewUnfoldsFromWhatBearsIt) {
-  Result<CpfgModel> model = read_cpfg("m.l", grammar_of("Axiom: A\nA --> F(2)[+(90)F@O(1)]A\n"));
+  ModelFiles files(
+      {{"m.l", grammar_of("Axiom: A\nA --> F(2)[+(90)F@O(1)]A\n")}, {"m.v", "initial line width: 1\n"}});
+  Result<CpfgModel> model = read_cpfg(files.path());
   CpfgFigure half = between(figure_after(*model, 1), figure_after(*model, 2), 0.25);
   ASSERT_EQ(half.segments.size(), 4U);
   EXPECT_NEAR(half.segments[2].to.y, 2.5, 1e-9);

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "core/seed.h"
@@ -58,6 +59,9 @@ TEST(CpfgFigure, WidthsAreDiametersAndTaper) {
   EXPECT_EQ(figure.segments[2].radius_from, 0.5);
   EXPECT_EQ(figure.segments[3].radius_from, 1);
   EXPECT_EQ(drawn("!(4)F!(2)F", "tapered lines: off\n").segments[0].radius_to, 2);
+  // A line ends at an @ and not at a point.
+  EXPECT_EQ(drawn("!(2)F@Tx(0)!(0.1)f").segments[0].radius_to, 1);
+  EXPECT_NEAR(drawn("!(2)F.!(0.1)F").segments[0].radius_to, 0.05, 1e-6);
 }
 
 TEST(CpfgFigure, WidthSteps) {
@@ -65,8 +69,12 @@ TEST(CpfgFigure, WidthSteps) {
   EXPECT_NEAR(drawn("!F", view).segments[0].radius_from, 0.075, 1e-9);
   EXPECT_NEAR(drawn("##F", view).segments[0].radius_from, 0.15, 1e-9);
   EXPECT_NEAR(drawn("!!!!!!!!F", view).segments[0].radius_from, 0.5e-7, 1e-12);
-  EXPECT_NEAR(drawn("@D(3)F").segments[0].radius_from, 0.3, 1e-9);
-  // In pixels of a window of 600 that the figure fills.
+  // A width is scaled when it is set; @D changes those that come after it.
+  EXPECT_NEAR(drawn("@D(3)F!(1)F").segments[0].radius_from, 0.1, 1e-9);
+  EXPECT_NEAR(drawn("@D(3)F!(1)F").segments[1].radius_from, 1.5, 1e-9);
+  EXPECT_NEAR(drawn("F", "initial scale: 4\n").segments[0].radius_from, 0.1, 1e-9);
+  // In pixels of a window of 600 that the figure fills, also where the view says nothing.
+  EXPECT_NEAR(drawn("F(300)", "initial line width: 0.2 p\n").segments[0].radius_from, 0.05, 1e-9);
   EXPECT_NEAR(drawn("F(300)", "line style: pixel\n").segments[0].radius_from, 0.05, 1e-9);
 }
 
@@ -96,7 +104,7 @@ TEST(CpfgFigure, PolygonsNest) {
   ASSERT_EQ(outer.points.size(), 4U);  // G makes none
   expect_at(outer.points[2], {1, 1, 0});
   expect_at(outer.points[3], {3, 3, 0});
-  EXPECT_EQ(outer.color, 3);
+  EXPECT_EQ(outer.color, 128);  // that at its first point
   EXPECT_EQ(figure.segments.size(), 3U);
   EXPECT_TRUE(drawn("{F}F}").polygons.empty());
 }
@@ -138,27 +146,45 @@ TEST(CpfgFigure, TangentsAndSlopes) {
   double tangent = 1.2 * std::sqrt(8.0);
   expect_at(figure.segments[0].to, {1 - tangent / 8, 1 + tangent / 8, 0});
   expect_at(drawn("@Gt(0,0)@Gsf(2)-f(2)@Ge(2)").segments[0].to, {1, 1, 0});
-  // The radius rises by 1 at the beginning and not at the end: 0.1 + 1/8 in the middle.
-  EXPECT_NEAR(drawn("@Gr(0,0,45,1)@Gsf(4)@Ge(2)").segments[0].radius_to, 0.225, 1e-6);
-  EXPECT_NEAR(drawn("@Gr(0,0,45,1)@Gr(1)@Gsf(4)@Ge(2)").segments[0].radius_to, 0.6, 1e-6);
+  EXPECT_EQ(drawn("@Gt(0)@Gsf(2)-f(2)@Ge(2)").segments[0].to,
+            drawn("@Gt(0,0)@Gsf(2)-f(2)@Ge(2)").segments[0].to);
+  // A tangent (cos 45, sin 45) of share and radius at the beginning, and an even one at the end: at 1/2 the
+  // share is 1/2 + (cos 45 - 1) / 8 and the radius 0.1 + sin 45 / 8.
+  CpfgFigure rising = drawn("@Gr(0,0,45,1)@Gsf(4)@Ge(2)");
+  EXPECT_NEAR(rising.segments[0].radius_to, 0.1 + std::sqrt(0.5) / 8, 1e-6);
+  EXPECT_NEAR(rising.segments[0].to.y, 1.8681, 1e-4);
+  EXPECT_NEAR(drawn("@Gr(0,0,45,1)@Gr(1)@Gsf(4)@Ge(2)").segments[0].radius_to, 0.1 + std::sqrt(0.5) / 2,
+              1e-6);
 }
 
 TEST(CpfgFigure, CurvesBetweenBraces) {
-  EXPECT_EQ(drawn("{(1).f(2)f(2)}(3)").segments.size(), 6U);
-  EXPECT_EQ(drawn("{(2).f(2)-f(2)}(3)").segments.size(), 9U);
-  CpfgFigure open = drawn("{(3).f(2)-f(2)}(4)");
-  expect_at(open.segments.front().from, {0, 0, 0});
-  expect_at(open.segments.back().to, {2, 2, 0});
+  // What stands behind } says only that it is no polygon; strips are told behind { or by a point.
+  EXPECT_EQ(drawn("{(1).f(2)f(2)}(1)").segments.size(), 8U);
+  EXPECT_EQ(drawn("{(1,6).f(2)f(2)}(1)").segments.size(), 12U);
+  EXPECT_EQ(drawn("{(1).f(2)g(2).(3)}(1)").segments.size(), 7U);
+  EXPECT_EQ(drawn("{(2,3).f(2)-f(2)}(2)").segments.size(), 9U);
+  // Branches go on from where the curve was, and so does it after them.
+  CpfgFigure branched = drawn("{(1,1).f(2)[+f(2)]f(2)}(1)");
+  ASSERT_EQ(branched.segments.size(), 3U);
+  expect_at(branched.segments[1].to, {-2, 2, 0});
+  expect_at(branched.segments[2].from, {0, 2, 0});
+  // An open B-spline has a span for each point after the third, from (P0 + 4 P1 + P2) / 6 on.
+  EXPECT_TRUE(drawn("{(3).f(2)f(2)}(3)").segments.empty());
+  CpfgFigure open = drawn("{(3).f(2)f(2)f(2)}(3)");
+  ASSERT_EQ(open.segments.size(), 4U);
+  expect_at(open.segments.front().from, {0, 2, 0});
+  expect_at(open.segments.back().to, {0, 4, 0});
   CpfgFigure closed = drawn("{(4).f(2)-f(2)-f(2)}(4)");
+  EXPECT_EQ(closed.segments.size(), 16U);
   expect_at(closed.segments.front().from, closed.segments.back().to);
 }
 
 const char* const kStrip =
-    "cver 1 1\nname: strip\npoints: 4 4\ntype: or\n-1 -1 0 1\n-1 0 0 1\n-1 1 0 1\n-1 2 0 1\n";
+    "cver 1 2\nname: strip\npoints: 4 4\ntype: or\n-1 -1 0 1\n-1 0 0 1\n-1 1 0 1\n-1 2 0 1\n";
 
 TEST(CpfgFigure, ContoursBecomeSkins) {
   ModelFiles files({{"m.l", grammar_of("Axiom: @#(2)!(2)@Gsf(4);(5)@Gc(4)f(4)@Ge(4)\nq --> q")},
-                    {"m.v", "contour: 2 c.con\ncontour sides: 6\ninitial color: 5\n"},
+                    {"m.v", "contour: 2 c.con\ncontour sides: 6\ninitial color: 5\nline style: cylinder\n"},
                     {"c.con", kStrip}});
   CpfgFigure figure = figure_of(files);
   EXPECT_TRUE(figure.segments.empty());
@@ -172,7 +198,8 @@ TEST(CpfgFigure, ContoursBecomeSkins) {
     EXPECT_LE(std::abs(p.x), 1.001);
   }
   EXPECT_NEAR(mesh.position[0].x, 0, 1e-6);  // y = 0 at the beginning of the open spline
-  EXPECT_NEAR(mesh.position[6].x, 1, 1e-6);  // y = 1, against left
+  EXPECT_NEAR(mesh.position[6].x, 0.9,
+              1e-6);  // against left; of an open one the last tenth of a span is missing
   files.write("m.l", grammar_of("Axiom: @#(2)@Gsf(4)@Gc(4)f(4);@Ge(4)\nq --> q"));
   EXPECT_EQ(figure_of(files).skins.size(), 2U);
 }
@@ -201,6 +228,53 @@ TEST(CpfgFigure, SurfacesAreLaidOnTheTurtle) {
   expect_at(DVec3(leaf.position.back()), {6, 6, 2});  // x along left, y along heading, z along up
   // Left is -x and up is -z at the start.
   expect_at(figure.low, {-12, 1, -6});
+}
+
+TEST(CpfgFigure, ContoursBeginAlongUpAndAreEven) {
+  // Round a triangle-like curve whose beginning, (0, 1.667), is turned onto up.
+  ModelFiles files(
+      {{"m.l", grammar_of("Axiom: @#(1)!(2)@Gsf(4)@Ge(1)\nq --> q")},
+       {"m.v", "contour: 1 c.con\nline style: cylinder\n"},
+       {"c.con", "cver 1 2\nname: c\npoints: 4 4\ntype: cr\n-3 -1 0 1\n0 3 0 1\n3 -1 0 1\n0 -1 0 1\n"}});
+  CpfgFigure figure = figure_of(files);
+  ASSERT_EQ(figure.skins.size(), 1U);
+  const Surface& mesh = figure.skins[0].mesh;
+  ASSERT_EQ(mesh.position.size(), 16U);
+  // Along up, which is -z, and against left, which is x.
+  const std::array<Vec2, 5> expected{
+      {{1.667, 0}, {1.111, -1.184}, {0.014, -1.933}, {-0.925, -1.334}, {-1, 0}}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(-mesh.position[i].z, expected[i].x, 0.02) << i;
+    EXPECT_NEAR(mesh.position[i].x, expected[i].y, 0.02) << i;
+  }
+}
+
+TEST(CpfgFigure, ContoursOfTheOldestForm) {
+  ModelFiles files({{"m.l", grammar_of("Axiom: @#(1)!(2)@Gsf(4)@Ge(1)\nq --> q")},
+                    {"m.v", "contour: 1 c.con\nline style: cylinder\n"},
+                    {"c.con", "4 2 closed\n1 0\n0 1\n-1 0\n0 -1\n"}});
+  CpfgFigure figure = figure_of(files);
+  ASSERT_EQ(figure.skins.size(), 1U);
+  EXPECT_EQ(figure.skins[0].mesh.position.size(), 16U);
+}
+
+TEST(CpfgFigure, SurfacesHaveAxesOfTheirOwn) {
+  std::string turned = kPatch;
+  turned.replace(turned.find("HEADING X: 0 Y: 1"), 17, "HEADING X: 1 Y: 0");
+  ModelFiles files({{"m.l", grammar_of("Axiom: ~l(1,9)\nq --> q")},
+                    {"m.v", "surface: l leaf.s 3 1 2\nsurface: l other.s 1\n"},
+                    {"leaf.s", turned},
+                    {"other.s", kPatch}});
+  CpfgFigure figure = figure_of(files);
+  expect_at(figure.placed[0].factors, {1, 1, 1});
+  EXPECT_EQ(figure.surfaces.at('l').triangle.size(), 4U);  // one piece down the rows, two along them
+  expect_at({figure.low.x, figure.low.y, 0}, {-3, -3, 0});
+  expect_at({figure.high.x, figure.high.y, 0}, {0, 0, 0});
+}
+
+TEST(CpfgFigure, WhatMeansNothingBehindAnAtIsReadForItself) {
+  EXPECT_EQ(drawn("@FF@XF").segments.size(), 3U);
+  EXPECT_EQ(drawn("F?(7)$F", "line width increment: 1\n").segments.size(), 2U);
 }
 
 TEST(CpfgFigure, TrianglesAndWhatIsMissing) {
