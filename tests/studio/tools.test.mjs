@@ -81,6 +81,7 @@ test('a path and a bed are drawn on the ground, their points dragged, and undone
   ({json} = await after(() => dragOver([...points[0].slice(0, 1), 0, points[0][1]], [-3.5, 0, 1])));
   near(json.scene.garden.path.points[0], [-3.5, 1], 0.1);
 
+  await shown(page);
   await page.getByTestId('draw-what').selectOption('bed');
   ({json} = await after(() => dragOver([-1, 0, 1], [1, 0, 1], [1, 0, 2], [-1, 0, 2])));
   const [{kind, outline}] = json.scene.garden.areas;
