@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpfg/directions.h"
+
 namespace frond::cpfg {
 
 namespace {
@@ -12,17 +14,12 @@ DVec3 direction(DVec3 v, DVec3 otherwise) {
   return length > 1e-12 && std::isfinite(length) ? v / length : otherwise;
 }
 
-DVec3 rolled(DVec3 v, DVec3 axis, double angle) {
-  double c = std::cos(angle), s = std::sin(angle);
-  return v * c + glm::cross(axis, v) * s + axis * (glm::dot(axis, v) * (1 - c));
-}
-
 /// Takes the frame of a ring over to another heading by the shortest turn.
 void carry_frame(const CylinderRing& from, CylinderRing& to) {
   DVec3 axis = glm::cross(from.heading, to.heading);
   double sine = std::sqrt(glm::dot(axis, axis));
   DVec3 left = from.left;
-  if (sine > 1e-12) left = rolled(left, axis / sine, std::atan2(sine, glm::dot(from.heading, to.heading)));
+  if (sine > 1e-12) left = turned(left, axis / sine, std::atan2(sine, glm::dot(from.heading, to.heading)));
   to.left = direction(left - to.heading * glm::dot(left, to.heading), from.left);
   to.up = glm::cross(to.left, to.heading);
 }

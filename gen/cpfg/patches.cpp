@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/bounds.h"
+#include "cpfg/directions.h"
 #include "cpfg/macros.h"
 #include "cpfg/shapes.h"
 #include "cpfg/turtle.h"
@@ -18,11 +19,6 @@ namespace {
 constexpr std::size_t kMostPatches = 2000;
 
 int held_pieces(double n) { return std::clamp(static_cast<int>(n), 1, 10); }
-
-DVec3 unit(DVec3 v) {
-  double length = glm::length(v);
-  return length > 0 ? v / length : DVec3{0};
-}
 
 /// The head of a `.s` file.
 struct PatchHead {
