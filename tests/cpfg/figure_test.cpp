@@ -354,11 +354,12 @@ std::string random_word(Seed seed) {
 }
 
 TEST(CpfgFuzz, AnyWordIsDrawnOrRefused) {
-  ModelFiles files({{"m.v",
-                     "line style: cylinder\ncontour: 1 c.con\nsurface: l leaf.s 2\ntropism: T: 1,1,0 I: 1 E: 0.3\n"
-                     "torque: T: 0,0,1 I: 1 E: 0.2\ntwist of cylinders: on\n"},
-                    {"c.con", kStrip},
-                    {"leaf.s", kPatch}});
+  ModelFiles files(
+      {{"m.v",
+        "line style: cylinder\ncontour: 1 c.con\nsurface: l leaf.s 2\ntropism: T: 1,1,0 I: 1 E: 0.3\n"
+        "torque: T: 0,0,1 I: 1 E: 0.2\ntwist of cylinders: on\n"},
+       {"c.con", kStrip},
+       {"leaf.s", kPatch}});
   int right = 0;
   for (std::uint64_t i = 0; i < 1500; ++i) {
     Result<CpfgModel> model =
