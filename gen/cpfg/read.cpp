@@ -62,6 +62,7 @@ Result<CpfgModel> read_cpfg(const std::filesystem::path& path, std::string_view 
   Result<cpfg::ViewCurves> curves = cpfg::read_curves(folder, model.view);
   if (!curves) return curves.errors();
   model.shapes = std::make_shared<const cpfg::Shapes>(cpfg::read_shapes(folder, model.view, files->colours));
+  for (const std::string& note : model.shapes->notes) model.notes.push_back(note);
   auto include = [&](const std::string& name) { return folder.read(name); };
   Result<cpfg::PlainText> plain = cpfg::preprocess(path.string(), text, curves->names, include);
   if (!plain) return plain.errors();

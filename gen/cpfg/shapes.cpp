@@ -70,8 +70,16 @@ class ShapeReader {
   /// The first surface of a symbol counts.
   void add(const CpfgViewLine& line,
            Result<TurtleSurface> (*read_file)(std::string_view, double, std::array<int, 2>)) {
-    std::optional<std::string> text = file(line);
-    if (!text || shapes_.surfaces.contains(words_[0][0])) return;
+    if (words_.size() < 2) return fail(line, "expected a name and a file");
+    Result<std::string> text = folder_.read(words_[1]);
+    if (!text) {
+      std::string what = text.errors()[0].what;
+      if (!what.starts_with("there is no file")) return fail(line, std::move(what));
+      shapes_.notes.push_back(
+          fmt::format("{}: {}; ~{} draws nothing, as in cpfg", line.where, what, words_[0][0]));
+      return;
+    }
+    if (shapes_.surfaces.contains(words_[0][0])) return;
     double scale = words_.size() > 2 ? std::atof(words_[2].c_str()) : 1;
     std::array<int, 2> pieces{};
     if (words_.size() > 4) pieces = {std::atoi(words_[3].c_str()), std::atoi(words_[4].c_str())};

@@ -32,10 +32,11 @@ struct Shapes {
   std::map<int, CurveTable> contours;  ///< of generalized cylinders, by number
   std::vector<Color> colors;           ///< 256, or as many more as there are maps
   LineStyle lines = LineStyle::pixel;
-  bool tapered = true;           ///< lines end with the width that is set after them
-  bool twisted = false;          ///< cylinders follow the turtle where it rolls
-  int sides = 8;                 ///< of cylinders
-  std::optional<Error> missing;  ///< the first of its files that could not be read: it cannot be drawn then
+  bool tapered = true;             ///< lines end with the width that is set after them
+  bool twisted = false;            ///< cylinders follow the turtle where it rolls
+  int sides = 8;                   ///< of cylinders
+  std::vector<std::string> notes;  ///< surfaces that are not there
+  std::optional<Error> missing;    ///< the first of its files that could not be read: it cannot be drawn then
 };
 
 Shapes read_shapes(ModelFolder& folder, const std::vector<CpfgViewLine>& view,
