@@ -86,8 +86,12 @@ setup() {
   grep -q '<polygon' lines.svg
   printf 'surface: l none.s\n' > lines.v
   run "$frond" turtle lines.l
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'there is no file "none.s" in the model'*'~l draws nothing, as in cpfg'* ]]
+  printf 'contour: 1 none.con\n' > lines.v
+  run "$frond" turtle lines.l
   [ "$status" -eq 2 ]
-  [[ "$output" == *'lines.v: line 1: there is no file "none.s" in the model'* ]]
+  [[ "$output" == *'lines.v: line 1: there is no file "none.con" in the model'* ]]
 }
 
 @test "grammars of LParser and Houdini become presets" {
