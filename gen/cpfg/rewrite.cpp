@@ -20,6 +20,17 @@ void append_successor(Run& run, const CpfgProduction& production, CpfgWord& word
   for (const ModuleText& module : production.successor) append_module(run, module, word, living);
 }
 
+/// How many modules behind one the turtle reads with it, as they are: homomorphisms do not replace them.
+std::size_t read_with(const CpfgWord& word, std::size_t at, std::size_t end) {
+  auto symbol = [&](std::size_t i) { return i < end ? word.modules[i].symbol : '\0'; };
+  std::size_t next = at + 1;
+  if (symbol(at) == '~' || (symbol(at) == '?' && word.modules[at].count == 0)) return next < end ? 1 : 0;
+  constexpr std::string_view kKnown = ",;ocbOvRMPLSTGm#!IJD", kPairs = "PTGmDb";
+  if (symbol(at) != '@' || next >= end || kKnown.find(symbol(next)) == kKnown.npos) return 0;
+  bool pair = word.modules[next].count == 0 && kPairs.find(symbol(next)) != kPairs.npos;
+  return pair && next + 1 < end ? 2 : 1;
+}
+
 /// Replaces modules of a word by those of their productions again and again, depth first, and hands out what
 /// stays. `used` levels of the set's depth have been made already.
 template <class Sink>
@@ -41,7 +52,8 @@ void expand(Run& run, const ProductionSet& set, Congruential48* lots, CpfgWord& 
       bool left = deep && !set.of_symbol[static_cast<unsigned char>(scratch.modules[top.at].symbol)].empty();
       if (left && &set == &run.system().decomposition)
         run.notes.insert(fmt::format("the decomposition came to its maximum depth {}", set.depth));
-      sink(scratch, top.at++);
+      std::size_t more = &set == &run.system().homomorphism ? read_with(scratch, top.at, top.end) : 0;
+      for (std::size_t i = 0; i <= more; ++i) sink(scratch, top.at++);
       continue;
     }
     top.at += production->predecessor.size();
@@ -194,8 +206,8 @@ CpfgDrawing draw_word(Run& run, const CpfgWord& word) {
     if (!enclosing.passes(word, at) && set.depth > 0)
       production = find_production(run, set, nullptr, word, at, word.modules.size(), nullptr);
     if (!production) {
-      keep(word, at);
-      ++at;
+      std::size_t end = at + 1 + read_with(word, at, word.modules.size());
+      while (at < end) keep(word, at), ++at;
       continue;
     }
     std::size_t after = at + production->predecessor.size();

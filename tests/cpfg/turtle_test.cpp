@@ -136,6 +136,17 @@ TEST(CpfgTurtle, AHomomorphismWithASeedHasItsOwnStream) {
   EXPECT_NE(word("").substr(0, 18), "X?P(0,0.041630346)");
 }
 
+TEST(CpfgTurtle, HomomorphismsLeaveWhatIsReadWithAnother) {
+  EXPECT_EQ(answers("F?P(9,9,9)", "angle factor: 4\n", "homomorphism\nP(x,y,z) --> G"), "?P(0,1,0)");
+  auto drawing = [](const std::string& axiom) {
+    return drawing_of(ModelFiles({{"m.l", grammar_of("Axiom: " + axiom +
+                                                     "\nq --> q\nhomomorphism\nl --> F\nc --> "
+                                                     "F\nG --> F\nX --> ~ll")}}));
+  };
+  EXPECT_EQ(drawing("~ll@cc@GcG"), "~lF@cF@GcF");
+  EXPECT_EQ(drawing("X@X"), "~ll@~ll");
+}
+
 TEST(CpfgTurtle, HomomorphismMovesIt) {
   EXPECT_EQ(answers("X?P(0,0)", "angle factor: 4\n", "homomorphism\nX --> F(5)"), "?P(0,5)");
 }
