@@ -43,15 +43,15 @@ int element_slot(Run& run, const FormulaNode& node) {
   return array.slot + offset;
 }
 
-/// The entry of a table by its number from 1; nothing where there is none, which is an error.
+/// The entry of a table by its number from 1; nothing where there is none, which counts as 0.
 template <class Table>
 const Table* table_of(Run& run, const std::vector<Table>& tables, double number, const FormulaNode& node,
                       std::string_view what) {
   std::int64_t index = whole(number);
   if (index >= 1 && index <= static_cast<std::int64_t>(tables.size()))
     return &tables[static_cast<std::size_t>(index - 1)];
-  run.fail(run.code.places[static_cast<std::size_t>(node.line)],
-           fmt::format("{} {} is asked for; the view has {}", what, index, tables.size()));
+  run.notes.insert(fmt::format("{}: {} that is asked for counts as 0, as in cpfg; the view has {}",
+                               run.code.places[static_cast<std::size_t>(node.line)], what, tables.size()));
   return nullptr;
 }
 
@@ -125,7 +125,7 @@ double call(Run& run, const FormulaNode& node) {
     case Function::curve_length:
       return look_up(run, node, function, a, b);
     case Function::print:
-      return 1;
+      return 0;
     case Function::stop:
       return run.stopped = run.stopped || a != 1, 0;  // 1 only pauses
     case Function::get_length:

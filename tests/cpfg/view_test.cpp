@@ -42,7 +42,7 @@ TEST(CpfgView, NumbersOfFunctions) {
   EXPECT_EQ(word_of(files), "B(0.5,4,4)");
   files.write("m.v", "function: line.func\n");
   files.write("m.l", grammar_of("derivation length: 1\nAxiom: A\nA --> B(func(2,0.5))"));
-  EXPECT_EQ(word_of(files), "step 1: the function 2 is asked for; the view has 1");
+  EXPECT_EQ(word_of(files), "B(0)");
   files.write("m.v", "function: none.func\n");
   EXPECT_EQ(word_of(files), "there is no file \"none.func\" in the model's folder");
 }
