@@ -242,10 +242,6 @@ Result<ContourFile> read_contour(std::string_view text, bool of_cylinder) {
   return contour;
 }
 
-std::array<double, 3> point_at(const CurveTable& curve, double parameter) {
-  return uniform_spline(curve, parameter);
-}
-
 CurveTable measure(const ContourFile& contour, int samples) {
   CurveTable curve{contour.points, contour.closed, {0}};
   samples = std::clamp(samples, 2, kMostSamples);

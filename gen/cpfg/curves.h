@@ -54,9 +54,6 @@ Result<std::vector<NamedFunction>> read_function_set(std::string_view text);
 /// `open`.
 Result<ContourFile> read_contour(std::string_view text, bool of_cylinder = false);
 
-/// The point of a curve at a parameter 0..1: x, y, z.
-std::array<double, 3> point_at(const CurveTable& curve, double parameter);
-
 /// A contour measured by so many points.
 CurveTable measure(const ContourFile& contour, int samples);
 

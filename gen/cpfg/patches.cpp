@@ -163,7 +163,7 @@ Result<TurtleSurface> read_patches(std::string_view text, double scale, std::arr
   return finished(std::move(surface));
 }
 
-Result<TurtleSurface> read_triangles(std::string_view text, double scale, std::array<int, 2> /*pieces*/) {
+Result<TurtleSurface> read_triangles(std::string_view text, double scale) {
   TurtleSurface surface;
   Weld weld(surface.mesh);
   std::vector<std::uint32_t> corners;

@@ -20,17 +20,6 @@ void append_successor(Run& run, const CpfgProduction& production, CpfgWord& word
   for (const ModuleText& module : production.successor) append_module(run, module, word, living);
 }
 
-/// How many modules behind one the turtle reads with it, as they are: homomorphisms do not replace them.
-std::size_t read_with(const CpfgWord& word, std::size_t at, std::size_t end) {
-  auto symbol = [&](std::size_t i) { return i < end ? word.modules[i].symbol : '\0'; };
-  std::size_t next = at + 1;
-  if (symbol(at) == '~' || (symbol(at) == '?' && word.modules[at].count == 0)) return next < end ? 1 : 0;
-  constexpr std::string_view kKnown = ",;ocbOvRMPLSTGm#!IJD", kPairs = "PTGmDb";
-  if (symbol(at) != '@' || next >= end || kKnown.find(symbol(next)) == kKnown.npos) return 0;
-  bool pair = word.modules[next].count == 0 && kPairs.find(symbol(next)) != kPairs.npos;
-  return pair && next + 1 < end ? 2 : 1;
-}
-
 /// Replaces modules of a word by those of their productions again and again, depth first, and hands out what
 /// stays. `used` levels of the set's depth have been made already.
 template <class Sink>

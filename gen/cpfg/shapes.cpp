@@ -27,7 +27,10 @@ class ShapeReader {
     std::vector<double> numbers = numbers_in(line.value);
     auto sides = [&](double n) { shapes_.sides = static_cast<int>(std::clamp(n, 3.0, 256.0)); };
     if (line.key == "surface") return add(line, read_patches);
-    if (line.key == "tsurface") return add(line, read_triangles);
+    if (line.key == "tsurface")
+      return add(line, [](std::string_view text, double scale, std::array<int, 2>) {
+        return read_triangles(text, scale);
+      });
     if (line.key == "contour") return add_contour(line);
     if (line.key == "tapered lines") shapes_.tapered = !words_.empty() && words_[0] == "on";
     if (line.key == "twist of cylinders") shapes_.twisted = line.value.starts_with("on");
@@ -58,20 +61,15 @@ class ShapeReader {
     if (!shapes_.missing) shapes_.missing = Error{line.where, std::move(what)};
   }
 
-  /// The file that a line names; nothing where it cannot be read.
-  std::optional<std::string> file(const CpfgViewLine& line) {
-    Result<std::string> text =
-        words_.size() < 2 ? Error{"", "expected a name and a file"} : folder_.read(words_[1]);
-    if (text) return std::move(*text);
-    fail(line, text.errors()[0].what);
-    return std::nullopt;
+  /// The file that a line names.
+  Result<std::string> file() {
+    return words_.size() < 2 ? Error{"", "expected a name and a file"} : folder_.read(words_[1]);
   }
 
   /// The first surface of a symbol counts.
   void add(const CpfgViewLine& line,
            Result<TurtleSurface> (*read_file)(std::string_view, double, std::array<int, 2>)) {
-    if (words_.size() < 2) return fail(line, "expected a name and a file");
-    Result<std::string> text = folder_.read(words_[1]);
+    Result<std::string> text = file();
     if (!text) {
       std::string what = text.errors()[0].what;
       if (!what.starts_with("there is no file")) return fail(line, std::move(what));
@@ -89,8 +87,8 @@ class ShapeReader {
   }
 
   void add_contour(const CpfgViewLine& line) {
-    std::optional<std::string> text = file(line);
-    if (!text) return;
+    Result<std::string> text = file();
+    if (!text) return fail(line, text.errors()[0].what);
     Result<ContourFile> contour = read_contour(*text, true);
     if (!contour) return fail(line, fmt::format("{}: {}", words_[1], contour.errors()[0].what));
     if (int number = std::atoi(words_[0].c_str()); number != 0)

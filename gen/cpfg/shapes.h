@@ -47,7 +47,7 @@ Shapes read_shapes(ModelFolder& folder, const std::vector<CpfgViewLine>& view,
 Result<TurtleSurface> read_patches(std::string_view text, double scale, std::array<int, 2> pieces = {});
 
 /// A file of triangles: `triangle`, and three lines of x y z.
-Result<TurtleSurface> read_triangles(std::string_view text, double scale, std::array<int, 2> pieces = {});
+Result<TurtleSurface> read_triangles(std::string_view text, double scale);
 
 /// A `.map`: 256 colours of three bytes.
 Result<std::vector<Color>> read_color_map(std::string_view bytes);

@@ -86,12 +86,13 @@ TurtleSettings turtle_settings(const CpfgModel& model) {
     if (line.key == "tropism direction" && numbers.size() >= 3)
       settings.old_direction = unit({numbers[0], numbers[1], numbers[2]});
   }
+  if (settings.scale == 0) settings.scale = 1;
   return settings;
 }
 
 CpfgTurtle::CpfgTurtle(const TurtleSettings& settings, const CpfgDrawing& drawing)
     : settings_(settings), drawing_(drawing) {
-  if (settings.scale != 0) state.scale = part_scale_ = settings.scale;
+  state.scale = part_scale_ = settings.scale;
   state.width = std::max(settings.width, kThinnest);
   state.color = state.back = color_of(settings.color);
   state.elasticity = settings.old_elasticity;
@@ -131,7 +132,7 @@ std::size_t CpfgTurtle::step(std::size_t at) {
     case '?':
       if (modules()[at].instance < 0) break;
       parts_.push_back(part_scale_);
-      set_part_scale((settings_.scale != 0 ? settings_.scale : 1) * drawing_.scale[at]);
+      set_part_scale(settings_.scale * drawing_.scale[at]);
       break;
     case '$':
       if (parts_.empty()) break;
@@ -145,7 +146,15 @@ std::size_t CpfgTurtle::step(std::size_t at) {
       if (at + 1 < modules().size()) place_surface(at + 1);
       return at + 2;
     case '@':
-      return step_special(at + 1);
+      switch (std::size_t letters = read_with(drawing_.word, at, modules().size())) {
+        case 1:
+          step_special(at + 1);
+          return at + 2;
+        case 2:
+          return step_pair(at + 1);
+        default:
+          return at + 1 + letters;
+      }
     default:
       if (!step_value(symbol, values))
         turn(symbol, radians(values.empty() ? settings_.angle : double{values[0]}));
@@ -205,9 +214,8 @@ void CpfgTurtle::set_part_scale(double scale) {
   state.scale = part_scale_ = scale;
 }
 
-/// What follows `@`. A symbol that means nothing there is read for itself.
-std::size_t CpfgTurtle::step_special(std::size_t at) {
-  if (at >= modules().size()) return at;
+/// What has one letter after its `@`.
+void CpfgTurtle::step_special(std::size_t at) {
   std::span<const float> values = parameters(at);
   switch (symbol(at)) {
     case 'M':
@@ -231,31 +239,17 @@ std::size_t CpfgTurtle::step_special(std::size_t at) {
       state.back = color_of(values.empty() ? state.back + step : double{values[0]});
       break;
     }
-    case 'o':
-    case 'c':
-    case 'O':
-    case 'L':
-    case 'S':
-    case 'I':
-    case 'J':
+    case 'D':
+      state.scale = values[0];
       break;
     default:
-      return step_pair(at);
+      break;
   }
-  return at + 1;
 }
 
 /// What has two letters after its `@`.
 std::size_t CpfgTurtle::step_pair(std::size_t at) {
-  std::span<const float> own = parameters(at);
-  char first = symbol(at), second = own.empty() ? symbol(at + 1) : '\0';
-  if (first == 'D' && !own.empty()) return state.scale = own[0], at + 1;
-  constexpr std::pair<char, std::string_view> kPairs[] = {
-      {'P', "SCD"}, {'T', "xidspf"}, {'G', "scetr"}, {'m', "oc"}, {'D', "id"}};
-  auto known = std::ranges::find(kPairs, first, &std::pair<char, std::string_view>::first);
-  bool ring = first == 'b' && second;
-  if (!ring && (known == std::end(kPairs) || !second || known->second.find(second) == std::string_view::npos))
-    return at;
+  char first = symbol(at), second = symbol(at + 1);
   std::span<const float> values = parameters(at + 1);
   if (first == 'D') {
     double factor = values.empty() ? settings_.scale_multiplier : double{values[0]};
@@ -321,6 +315,23 @@ void CpfgTurtle::move(double length) {
   };
   bend(state.heading, state.up);
   bend(state.heading, state.left);
+}
+
+std::size_t read_with(const CpfgWord& word, std::size_t at, std::size_t end) {
+  const std::vector<CpfgModule>& modules = word.modules;
+  if (at + 1 >= end) return 0;
+  if (modules[at].symbol == '~' || (modules[at].symbol == '?' && modules[at].count == 0)) return 1;
+  if (modules[at].symbol != '@') return 0;
+  const CpfgModule& first = modules[at + 1];
+  bool single = std::string_view(",;ocOvRMLS#!IJ").find(first.symbol) != std::string_view::npos;
+  if (single || (first.symbol == 'D' && first.count > 0)) return 1;
+  if (first.count > 0 || at + 2 >= end) return 0;
+  if (first.symbol == 'b') return 2;
+  constexpr std::pair<char, std::string_view> kPairs[] = {
+      {'P', "SCD"}, {'T', "xidspf"}, {'G', "scetr"}, {'m', "oc"}, {'D', "id"}};
+  for (auto [letter, second] : kPairs)
+    if (letter == first.symbol && second.find(modules[at + 2].symbol) != second.npos) return 2;
+  return 0;
 }
 
 std::size_t cut_end(const CpfgWord& word, std::size_t at) {

@@ -79,7 +79,7 @@ class CpfgTurtle {
  private:
   void turn(char symbol, double angle);
   bool step_value(char symbol, std::span<const float> values);
-  std::size_t step_special(std::size_t at);
+  void step_special(std::size_t at);
   std::size_t step_pair(std::size_t at);
   int color_of(double number) const;
   void set_elasticity(char how, std::span<const float> values);
@@ -106,6 +106,10 @@ class CpfgTurtle {
 /// Where a cut that begins behind a `%` ends: at the branch's `]`, the `$` of the part that it lies in, a
 /// `%(…)` or the end.
 std::size_t cut_end(const CpfgWord& word, std::size_t at);
+
+/// How many modules behind one, before `end`, the turtle reads with it: the surface of a `~`, what a `?`
+/// asks, the letters of an `@`. 0 where they mean nothing there and are read for themselves.
+std::size_t read_with(const CpfgWord& word, std::size_t at, std::size_t end);
 
 /// Whether a word asks for the turtle: `?P`, `?H`, `?L`, `?U`, `?Q`.
 bool has_queries(const CpfgWord& word);

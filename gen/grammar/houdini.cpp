@@ -100,6 +100,10 @@ std::size_t last_equals(std::string_view line) {
   return equals;
 }
 
+std::string module_text(char symbol, std::string_view inside) {
+  return inside.empty() ? std::string(1, symbol) : fmt::format("{}({})", symbol, inside);
+}
+
 class HoudiniReader {
  public:
   Result<GrammarText> read(std::string_view text) {
@@ -290,7 +294,7 @@ class HoudiniReader {
       if (known != counts.end() && !known->second.contains(given))
         for (std::size_t most = *known->second.rbegin(); given < most; ++given)
           filled += filled.empty() ? "0" : ",0";
-      return filled.empty() ? std::string(1, symbol) : fmt::format("{}({})", symbol, filled);
+      return module_text(symbol, filled);
     });
   }
 
@@ -317,7 +321,7 @@ class HoudiniReader {
       stays = stays && !rule.condition.empty();
     }
     change_words([&](char symbol, std::string_view inside) {
-      std::string module = inside.empty() ? std::string(1, symbol) : fmt::format("{}({})", symbol, inside);
+      std::string module = module_text(symbol, inside);
       return symbols.find(symbol) == symbols.npos ? module : aged(module, "0");
     });
     for (const auto& [rule, stays] : kept)
@@ -342,7 +346,7 @@ class HoudiniReader {
       if (std::ranges::find(kept, keep) == kept.end()) kept.push_back(keep);
     }
     change_words([&](char symbol, std::string_view inside) {
-      std::string module = inside.empty() ? std::string(1, symbol) : fmt::format("{}({})", symbol, inside);
+      std::string module = module_text(symbol, inside);
       return (symbols.find(symbol) == symbols.npos ? "" : "?P(0,0,0)") + module;
     });
     for (HoudiniRule& rule : rules_)
