@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/wanted.h"
 #include "grammar/fast.h"
 #include "grammar/forecast.h"
 #include "grammar/rewrite.h"
@@ -110,6 +111,7 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
   if (!plainly) table.emplace(grammar);
   Word next;
   for (int i = 0; i < steps; ++i) {
+    stay_wanted();
     if (grammar.cuts) cut(grammar, state.word);
     std::optional<Errors> done;
     if (table && table->fits())

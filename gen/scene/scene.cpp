@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "core/wanted.h"
 #include "dress/mask_drawing.h"
 #include "organisms/kinds.h"
 #include "preset/json.h"
@@ -145,13 +146,16 @@ Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vecto
   return grow_stages(preset, beds, ground.floor(), watch, cache, only, world);
 }
 
+Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+                        const EntryFilter& only);
+
 /// The scene once more, for a camera that has stepped back. `before`: entries that grew the first time.
 Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::size_t> before,
                           const Watch& watch, SpecimenCache* cache, const EntryFilter& only) {
   Preset wider = preset;
   wider.stage.camera = std::move(camera);
   wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
-  Result<Scene> scene = build_scene(wider, watch, cache, only);
+  Result<Scene> scene = build_all(wider, watch, cache, only);
   if (!scene) return scene;
   for (std::size_t entry : scene->grown)
     if (std::ranges::find(before, entry) == before.end()) before.push_back(entry);
@@ -219,10 +223,13 @@ std::string Scene::check() const {
   return ground ? ground->floor().check() : "there is no ground";
 }
 
-Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCache* cache,
-                          const EntryFilter& only) {
+namespace {
+
+Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+                        const EntryFilter& only) {
   // What has grown may be needed once more, see below.
-  if (SpecimenCache own; !cache && !preset.stage.camera.fit.empty()) return build_scene(preset, watch, &own);
+  if (SpecimenCache own; !cache && !preset.stage.camera.fit.empty())
+    return build_all(preset, watch, &own, {});
   Seed seed{preset.seed};
   Scene scene;
   scene.film = preset.film;
@@ -273,17 +280,23 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
     }
     scene.stage.camera = std::move(moved);
   }
+  watch.begin("surround", 5);
   ground->lay_litter(scene.stage.camera);
+  watch.step();
   if (is_snowy(scene.stage) || is_rainy(scene.stage))
     scene.overhead = std::make_shared<const Overhead>(bodies_overhead(scene));
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
+  watch.step();
   if (is_snowy(scene.stage)) load_boughs(scene, seed.child("boughs"));
+  watch.step();
   std::optional<Specimen> water = standing_water(scene, *ground);
+  watch.step();
   scene.ground = std::move(ground);
   if (std::optional<FarCountry> far = far_land_round(scene, seed.child("far"))) {
     plant_far_trees(scene, preset, *far, seed.child("far trees"));
     scene.far = std::make_shared<const FarCountry>(std::move(*far));
   }
+  watch.step();
   note_camera(scene, preset);
   note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
@@ -297,6 +310,18 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   if (snow) scene.specimens.push_back(std::move(*snow));
   if (water) scene.specimens.push_back(std::move(*water));
   assert(scene.check().empty());
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+                          const EntryFilter& only) {
+  Result<Scene> scene = Error{"", "given up"};
+  try {
+    while_wanted(watch.given_up, [&] { scene = build_all(preset, watch, cache, only); });
+  } catch (const GivenUp&) {
+  }
   return scene;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/content.h"
 #include "core/parallel.h"
+#include "core/wanted.h"
 #include "organisms/describe.h"
 #include "organisms/describe_events.h"
 #include "organisms/kinds.h"
@@ -140,7 +141,7 @@ class SceneBuilder {
   /// Grows beds and edits them by hand; both are kept, so that another edit grows nothing anew.
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
               const std::string& unedited, std::vector<Specimen>& specimens) {
-    if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
+    stay_wanted();
     if (unedited.empty() || !take_grown(unedited, world, specimens)) {
       std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
       for (std::size_t i = 0; i < all.size(); ++i) {

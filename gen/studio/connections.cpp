@@ -92,6 +92,7 @@ bool Connections::serve(int ends) {
     std::lock_guard lock(in_work_);
     ending_ = true;
   }
+  if (leaves) leaves();
   for (Crew* crew : {&known_, &unknown_}) {
     crew->some.notify_all();
     for (std::thread& thread : crew->threads) thread.join();

@@ -50,6 +50,8 @@ class Connections : public httplib::Server {
   std::function<Caller(std::string_view head)> caller;
   /// Whether a request is refused by its head: the connection ends with the answer, and no body is read.
   std::function<bool(const httplib::Request&)> refuses;
+  /// Called once when serving ends, before what is being answered is waited for. May be empty.
+  std::function<void()> leaves;
   Limits limits;
 
   /// Serves what was bound until `ends`, a file, can be read. False where it cannot.

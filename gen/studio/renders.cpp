@@ -17,6 +17,7 @@
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
+#include "core/wanted.h"
 #include "film/film_files.h"
 #include "jobs/jobs.h"
 #include "render/traced_view.h"
@@ -128,15 +129,21 @@ Renders::Renders(const Documents& documents, Scenes& scenes, fs::path home)
   if (mkdtemp(name.data())) folder_ = name;
 }
 
+void Renders::end() {
+  {
+    std::lock_guard lock(in_work_);
+    for (auto& job : jobs_) job->cancelled = true;
+  }
+  turn_.notify_all();
+}
+
 Renders::~Renders() {
+  end();
   std::vector<std::shared_ptr<Job>> all;
   {
     std::lock_guard lock(in_work_);
-    ending_ = true;
     all.assign(jobs_.begin(), jobs_.end());
-    for (auto& job : all) job->cancelled = true;
   }
-  turn_.notify_all();
   for (auto& job : all)
     if (job->thread.joinable()) job->thread.join();
   std::error_code error;
@@ -204,7 +211,11 @@ Errors Renders::make(Job& job) {
     change();
   };
   Result<bool> kept = write_file(job.folder / kText, job.doc.text);
-  Errors errors = kept ? write(job) : kept.errors();
+  Errors errors = kept ? Errors{} : kept.errors();
+  try {
+    if (kept) while_wanted([&] { return job.cancelled.load(); }, [&] { errors = write(job); });
+  } catch (const GivenUp&) {
+  }
   if (kept) set([&] { job.doc.text = {}; });
   scenes_.tidy();
   fs::path picture = job.folder / "picture.png";

@@ -31,6 +31,8 @@ class Renders {
   /// The picture as it is: a small one, over which what is traced is laid, and then the whole.
   Result<std::string> picture(const std::string& id);
   bool cancel(const std::string& id);
+  /// Cancels all of them.
+  void end();
 
  private:
   struct Job;
@@ -46,7 +48,7 @@ class Renders {
   std::filesystem::path home_, folder_;
   std::mutex in_work_;            // guards the jobs
   std::condition_variable turn_;  // one renders at a time
-  bool busy_ = false, ending_ = false;
+  bool busy_ = false;
   std::list<std::shared_ptr<Job>> jobs_;
   int count_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "core/content.h"
 #include "core/machine.h"
+#include "core/wanted.h"
 #include "estimate/estimate_cost.h"
 #include "export/materials.h"
 #include "grammar/forecast.h"
@@ -216,7 +217,7 @@ Result<std::string> Scenes::look(const std::string& file) {
   Result<CostEstimate> estimate = estimate_cost(*preset, 1);
   if (!estimate) return estimate.errors();
   if (estimate->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
-  auto given_up = [this, views = views_.load()] { return views_ != views; };
+  auto given_up = [this, views = views_.load()] { return ending_ || views_ != views; };
   Result<Scene> scene = build_scene(*preset, {[](auto, auto) {}, [] {}, given_up});
   Result<std::string> png = scene ? png_text(quick_look(*scene, film.time(film.frames))) : scene.errors();
   if (png) pictures_.put(name, std::make_shared<const std::string>(*png), png->size());
@@ -246,7 +247,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   std::shared_ptr<Session> tab = session(name);
   tab->ask(number);
   ++views_;
-  auto given_up = [&] { return tab->newest > number; };
+  auto given_up = [&] { return ending_ || tab->newest > number; };
   std::lock_guard lock(tab->in_work);
   if (given_up()) return stale();
 
@@ -277,8 +278,13 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
               {"coarse", built->coarse},     {"sky", built->sky}, {"notes", Json::array()}};
   for (const Error& note : notes) header["notes"].push_back(note.text());
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
-  Result<std::string> packet =
-      view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
+  Result<std::string> packet = Error{"", "given up"};
+  try {
+    while_wanted(given_up, [&] {
+      packet = view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
+    });
+  } catch (const GivenUp&) {
+  }
   if (packet) tidy_at_times(packet->size());
   if (given_up()) return stale();
   if (!packet) return wrong(packet.errors(), notes);

@@ -50,6 +50,8 @@ class Scenes {
   Json progress(const std::string& session);
   /// Nobody waits for the answer to that question of a session any more.
   void leave(const std::string& session, std::uint64_t number);
+  /// Nobody waits for anything any more: what grows ends soon.
+  void end() { ending_ = true; }
 
   /// The word of an organism's grammar and what becomes of it.
   Answer derive(const Doc& doc, const Json& question) const;
@@ -117,6 +119,7 @@ class Scenes {
   std::atomic<std::size_t> sent_{0}, tidied_at_{0};  // bytes, see tidy_at_times()
   std::mutex looking_;                               // one at a time
   std::atomic<std::uint64_t> views_{0};              // scenes that were asked for
+  std::atomic<bool> ending_{false};
   std::mutex in_work_;
   std::map<std::string, std::shared_ptr<Session>> sessions_;
   std::set<std::string> known_;  // organisms that were grown once

@@ -74,6 +74,7 @@ class Server {
     server_.set_keep_alive_max_count(10'000);
     server_.set_keep_alive_timeout(server_.limits.idle.count());
     server_.caller = [this](std::string_view head) { return caller(head); };
+    server_.leaves = [this] { scenes_.end(), renders_.end(); };
     server_.refuses = [this](const Request& request) { return refusal(request).has_value(); };
     // Another program's port is not to be shared.
     server_.set_socket_options([](socket_t socket) {

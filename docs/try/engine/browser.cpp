@@ -1,4 +1,5 @@
 #include "core/parallel.h"
+#include "core/wanted.h"
 #include "geometry/obj.h"
 #include "images/raster.h"
 
@@ -14,6 +15,8 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 }
 
 int thread_count() { return 1; }
+
+void stay_wanted() {}  // the page ends its worker
 
 Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
   return Error{name, "no files are read here"};
