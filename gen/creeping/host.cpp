@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/wanted.h"
 #include "creeping/soup.h"
 
 namespace frond {
@@ -154,7 +155,7 @@ struct Host::Tree {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
+    isolated([&] { rtcCommitScene(scene); });
     return rtcGetDeviceError(device) == RTC_ERROR_NONE;
   }
 

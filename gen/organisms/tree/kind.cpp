@@ -140,10 +140,13 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     }
     std::vector<Surface> bodies = world.bodies();
     Detour detour;
-    if (!bodies.empty())
-      detour = [obstacles = world.obstacles()](Vec3 from, Vec3 to, float clearance) {
-        return obstacles->way(from, to, clearance);
+    if (!bodies.empty()) {
+      Result<std::shared_ptr<const Obstacles>> obstacles = world.obstacles();
+      if (!obstacles) return std::vector<Result<Specimen>>(all.size(), obstacles.errors());
+      detour = [round = *obstacles](Vec3 from, Vec3 to, float clearance) {
+        return round->way(from, to, clearance);
       };
+    }
     Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies, detour, world.events(),
                              world.storms_toward());
 
