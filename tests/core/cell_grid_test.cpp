@@ -60,6 +60,26 @@ TEST(CellGrid, FindsBoxesAndForgetsWhatWasAddedLast) {
   EXPECT_TRUE(found_near(grid, Vec3(0, 9, 0)).empty());
 }
 
+TEST(CellGrid, FindsTheSameInTheSameOrderHoweverManyThereAre) {
+  constexpr std::uint32_t kMany = 700'000;  // more than it has slots at first
+  auto at = [](std::uint32_t i) { return Vec3(i % 977, i % 311, i % 89) * 0.7f; };
+  CellGrid grid(1);
+  for (std::uint32_t i = 0; i < kMany; ++i) grid.add(at(i), i);
+  for (std::uint32_t asked : {0u, 1u, 54'321u, 699'999u}) {
+    std::vector<std::uint32_t> here, wanted;
+    Vec3 cell = glm::floor(at(asked)) + 0.5f;
+    grid.each(cell, cell, [&](std::uint32_t who) { here.push_back(who); });
+    for (std::uint32_t i = kMany; i-- > 0;)
+      if (glm::floor(at(i)) == glm::floor(at(asked))) wanted.push_back(i);
+    EXPECT_EQ(here, wanted);
+  }
+  grid.shrink(10);
+  std::size_t left = 0;
+  for (std::uint32_t i = 0; i < 12; ++i)
+    grid.each(at(i), at(i), [&](std::uint32_t who) { left += who == i; });
+  EXPECT_EQ(left, 10u);
+}
+
 TEST(Darts, KeepApartAndFillTheRoom) {
   Darts darts(0.4f);
   std::vector<Vec3> taken;
