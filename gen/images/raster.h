@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -56,9 +57,14 @@ std::uint8_t to_byte(double value);
 /// The bytes of a PNG file. Equal pictures give equal bytes.
 Result<std::string> png_text(const Raster& raster);
 
-/// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels a side.
+/// Width and height of a PNG file, as its head says.
+Result<std::array<int, 2>> png_size(std::string_view bytes);
+
+/// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels
+/// a side and 100 million in all, as it is held whole.
 Result<Raster> read_png(std::string_view bytes);
-/// `opacity`: with that of the file, where it has one; else what is behind it is black.
+/// The same as light; of up to 16384 pixels a side, or as many in all. `opacity`: with that of the file,
+/// where it has one; else what is behind it is black.
 Result<LinearRaster> read_linear_png(std::string_view bytes, bool opacity = false);
 
 }  // namespace frond
