@@ -1,19 +1,18 @@
 #include "estimate/estimate_cost.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
 
-#include "core/figures.h"
 #include "draw/eyes.h"
 #include "draw/levels.h"
 #include "draw/solids.h"
+#include "dress/mask_drawing.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
 #include "estimate/estimate_ground_cost.h"
+#include "estimate/estimate_pictures.h"
 #include "field/volume.h"
 #include "film/soft_light.h"
 #include "organisms/organism.h"
@@ -21,6 +20,7 @@
 #include "scene/copies.h"
 #include "scene/style.h"
 #include "scene/wind.h"
+#include "settings/meadow.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -214,6 +214,7 @@ struct Sums {
   // Names of pictures and models that are counted: several entries may share them.
   std::set<std::string> drawn, grown;
 
+  void add_drawing(const Drawing& drawing, double& memory);
   void add_pictures(const Look& look);
   void add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
                 double made, double grows);
@@ -221,13 +222,19 @@ struct Sums {
                     double made, double held, double grows, Seed seed);
 };
 
+void Sums::add_drawing(const Drawing& drawing, double& memory) {
+  if (!drawn.insert(drawing.names.at(0)).second) return;
+  f.shared_bytes += kDrawnBytes * drawing.pixels;
+  f.growth_seconds += drawing.seconds;
+  memory += kHeldPixel * drawing.pixels;
+}
+
 void Sums::add_pictures(const Look& look) {
   double memory = 0;
   for (const Drawing& drawing : drawings(look)) {
-    if (!drawn.insert(drawing.names.at(0)).second) continue;
-    f.shared_bytes += kDrawnBytes * drawing.pixels;
-    f.growth_seconds += drawing.seconds;
-    memory += kHeldPixel * drawing.pixels;
+    // A mask is held from when the preset is read, each by itself.
+    if (drawing.names.at(0).starts_with("mask_")) f.scene_memory += kMaskHeld * drawing.pixels;
+    add_drawing(drawing, memory);
   }
   growing = std::max(growing, memory);
 }
@@ -287,6 +294,11 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
 
 Result<Sums> sums_of(const Preset& preset) {
   Sums sums;
+  MaskCostEstimate masks = estimate_masks(preset);
+  sums.f.scene_memory = masks.held;
+  sums.growing = masks.read;
+  if (const Mask& grass = preset.stage.block<Meadow>().lawn.map; !grass.empty())
+    sums.add_drawing(mask_drawing(grass), sums.growing);
   double shaded = left_in_shade(preset);
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
@@ -318,13 +330,6 @@ Result<Sums> sums_of(const Preset& preset) {
   return sums;
 }
 
-Errors refuse_memory(double memory, std::size_t largest, const Machine& machine) {
-  if (memory <= machine.memory) return {};
-  return {{"", fmt::format("the run would take about {} of memory, and {} can be had; /organisms/{} takes "
-                           "most of it: fewer or smaller ones, or fewer steps or years",
-                           bytes_text(memory), bytes_text(machine.memory), largest)}};
-}
-
 }  // namespace
 
 int CostEstimate::at_once(const Machine& machine) const {
@@ -345,6 +350,7 @@ Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
   CostEstimate& f = sums->f;
   GroundCostEstimate ground = estimate_ground_cost(preset, tallest_of(preset), f.copies > kCrowdedLight);
   f.frames = frames;
+  f.resolve_memory = estimate_resolving(preset);
   f.exposures = exposures(preset.film, preset.stage.camera);
   f.scene_memory += kProgram + ground.memory;
   f.growth_seconds += kStart + ground.seconds;
@@ -379,22 +385,6 @@ Result<ViewCostEstimate> estimate_view_cost(const Preset& preset) {
   view.memory = kProgram + sums->f.scene_memory + sums->growing;
   view.largest = sums->f.largest;
   return view;
-}
-
-Errors refuse(const CostEstimate& f, const Machine& machine) {
-  Errors errors = refuse_memory(f.memory(1), f.largest, machine);
-  if (f.disk() > machine.disk)
-    errors.push_back(
-        {"", fmt::format("the run would write about {}, {} frames of {} and {} beside them, and "
-                         "{} of the disk are free; fewer frames (film.frames, --frames), or "
-                         "another --out; /organisms/{} takes most of it",
-                         bytes_text(f.disk()), f.frames, bytes_text(f.frame_bytes + f.picture_bytes),
-                         bytes_text(f.shared_bytes), bytes_text(machine.disk), f.largest)});
-  return errors;
-}
-
-Errors refuse(const ViewCostEstimate& view, const Machine& machine) {
-  return refuse_memory(view.memory, view.largest, machine);
 }
 
 }  // namespace frond

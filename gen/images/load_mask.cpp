@@ -12,6 +12,7 @@ Errors load_mask(const NamedFile& file, Mask& mask) {
   if (!picture) return {{file.path.string(), picture.errors().front().what + "; expected a PNG file"}};
   mask.width = picture->width, mask.height = picture->height;
   std::vector<float> grey;
+  grey.reserve(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
       auto part = [&](int channel) { return static_cast<float>(picture->at(x, y, channel)) / 255; };

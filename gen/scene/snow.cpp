@@ -19,6 +19,12 @@ constexpr int kRings[] = {180, 260, 340};  // of the mesh on the ground, of each
 constexpr float kAround = 20;   // metres from its middle within which bodies shelter and trunks have hollows
 constexpr double kRadius = 45;  // metres beyond the camera's way
 
+}  // namespace
+
+int snow_rings(Quality quality) { return kRings[static_cast<std::size_t>(quality)]; }
+
+namespace {
+
 Vec2 level(Vec3 p) { return {p.x, p.z}; }
 
 /// Metres of a pixel where the camera comes nearest to a box.
@@ -149,11 +155,7 @@ std::optional<Specimen> lying_snow(const Scene& scene, Grounds& ground, Seed see
   double sown = ground.land({}).size;
   auto kept = [&](Vec2 at) { return snow.depth_map.on_land(at, sown); };
   auto seat = [&](Vec2 at) { return static_cast<double>(ground.seat(at, 0, seed)); };
-  SnowLand land{seat,
-                middle,
-                kRadius + reach,
-                kRings[static_cast<std::size_t>(scene.film.quality)],
-                trunks_of(scene, middle),
+  SnowLand land{seat, middle, kRadius + reach, snow_rings(scene.film.quality), trunks_of(scene, middle),
                 kept};
   SnowWind wind{-Vec2(std::sin(snow.wind), std::cos(snow.wind)), snow.drift};
   std::vector<SnowSheet> sheets{snow_on_ground(land, bodies, wind, seed)};

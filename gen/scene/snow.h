@@ -4,6 +4,9 @@
 
 namespace frond {
 
+/// Rings of the mesh of the snow on the ground, as of a GroundDisc.
+int snow_rings(Quality quality);
+
 /// The bodies of a scene near its camera, as falling snow meets them.
 Overhead bodies_overhead(const Scene& scene);
 

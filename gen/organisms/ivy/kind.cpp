@@ -258,12 +258,16 @@ class IvyGrower final : public Described<IvyParams, Grower> {
   Result<SizeEstimate> estimate_size(Seed) const override {
     const Crawl& crawl = params.crawl;
     double length = std::min(crawl.max_age * crawl.speed, crawl.max_length);
+    constexpr double kMaskPixel = 4;  // bytes that are held, of what paints its host
+    double painted = 0;
+    if (crawl.mask && !crawl.mask->picture.empty())
+      painted = 2 * kMaskPixel * static_cast<double>(crawl.mask->picture.grey->size());
     double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
     SizeEstimate ivy;
     if (!crawl.trace) {
       ivy.organs = ivy.parts = 1;
       ivy.shapes = 9000;
-      ivy.held = 80 * steps;
+      ivy.held = painted + 80 * steps;
       return ivy;
     }
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
@@ -271,6 +275,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     ivy.shapes = 9000;
     ivy.riding = true;
     ivy.nodes_a_second = 1.5e4;
+    ivy.held = painted;
     return ivy;
   }
   double tallest() const override { return 0; }
