@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
 #include "app/pace.h"
 #include "app/streams.h"
@@ -83,6 +84,7 @@ int check(const std::vector<std::string>& paths, const std::optional<std::string
 
 int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes) {
   if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
+  Heartbeat heartbeat;
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
   tell_notes(preset->notes);
@@ -90,6 +92,7 @@ int info(const PresetArguments& arguments, const std::optional<std::string>& fra
   if (!asked) return fail(asked.errors(), kWrongInput);
   preset->film.raw = is_resolved(preset->film, std::nullopt);
   FrameRange range = drawn_frames(preset->film, *asked);
+  now_doing("estimating how much there will be");
   Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
   if (!estimate) return fail(estimate.errors(), kWrongInput);
   const CostEstimate& f = *estimate;

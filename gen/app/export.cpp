@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
 #include "app/streams.h"
 #include "core/figures.h"
@@ -59,6 +60,7 @@ Errors unfit(const Format& format, const ExportArguments& to) {
 }  // namespace
 
 int export_scene(const ExportArguments& arguments) {
+  Heartbeat heartbeat(arguments.quiet);
   if (arguments.out.ends_with(".inc")) return export_include(arguments);
   Result<const Format*> format = format_of(arguments.out);
   if (!format) return fail(format.errors(), kWrongInput);

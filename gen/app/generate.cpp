@@ -8,6 +8,7 @@
 
 #include "app/budgets.h"
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
 #include "app/out_folder.h"
 #include "app/pace.h"
@@ -279,6 +280,7 @@ Result<Preset> load_counted(PresetArguments& arguments, const fs::path& out,
 
 int generate(GenerateArguments arguments) {
   limit_threads(arguments.threads);
+  Heartbeat heartbeat(arguments.quiet);
   std::string name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
   std::vector<Manifest::Budget> budgets;

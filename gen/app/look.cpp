@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
 #include "app/messages.h"
 #include "app/streams.h"
@@ -15,6 +16,7 @@
 namespace frond {
 
 int look(const LookArguments& arguments) {
+  Heartbeat heartbeat;
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
   const Film& film = preset->film;
