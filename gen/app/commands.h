@@ -15,6 +15,7 @@ enum ExitCode {
   kCouldNot = 1,
   kWrongInput = 2,
   kNoLandlock = 3,
+  kNothingGrown = 4,
   kInterrupted = 130,
   kStopped = 143
 };

@@ -90,8 +90,12 @@ int export_scene(const ExportArguments& arguments) {
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
 
-  auto estimate_cost = [&](double bytes) {
-    if (!arguments.quiet) tell(fmt::format("{}: about {}", arguments.out, bytes_text(bytes)));
+  auto estimate_cost = [&](const ExportTold& told) {
+    if (arguments.quiet) return;
+    std::string levels;
+    for (double triangles : told.triangles)
+      levels += fmt::format("{}{:.0f}", levels.empty() ? "" : ", ", triangles);
+    tell(fmt::format("{}: about {}; triangles: {}", arguments.out, bytes_text(told.bytes), levels));
   };
   now_doing("writing the mesh or the volume");
   auto written = write_scene(**format, *scene, film.time(frame), options, arguments.out, estimate_cost);
@@ -105,7 +109,8 @@ int export_scene(const ExportArguments& arguments) {
   Errors errors = written.errors();
   bool wrong = errors.front().where.empty();
   if (wrong) errors.front().where = arguments.out;
-  return fail(errors, wrong ? kWrongInput : kCouldNot);
+  bool early = wrong && errors.front().what.starts_with(kNothingYet);
+  return fail(errors, early ? kNothingGrown : wrong ? kWrongInput : kCouldNot);
 }
 
 }  // namespace frond

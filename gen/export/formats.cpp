@@ -97,7 +97,7 @@ Result<const Format*> format_of(const fs::path& path) {
 
 Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,
                                              const ExportOptions& options, const fs::path& path,
-                                             const std::function<void(double)>& tell) {
+                                             const std::function<void(const ExportTold&)>& tell) {
   if (!format.write) {
     Result<Volume> volume = export_volume(scene, time, options);
     if (!volume) return volume.errors();
@@ -114,7 +114,7 @@ Result<std::vector<std::string>> write_scene(const Format& format, const Scene& 
   Result<ExportScene> exported = export_scene(scene, time, own);
   if (!exported) return exported.errors();
   double bytes = format.bytes(size_of(*exported));
-  tell(bytes);
+  tell({bytes, level_triangles(*exported)});
   if (Errors errors = refuse_bytes(format, bytes); !errors.empty()) return errors;
   Result<bool> written = format.write(*exported, own, path);
   if (!written) return written.errors();
