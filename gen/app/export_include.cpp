@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "estimate/estimate_cost.h"
+#include "export/formats.h"
 #include "export/include.h"
 #include "film/film_files.h"
 #include "settings/settings.h"
@@ -79,6 +80,12 @@ Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
 
 int export_include(const ExportArguments& arguments) {
   fs::path out = arguments.out;
+  if (std::ranges::any_of(out.filename().string(),
+                          [](char c) { return static_cast<unsigned char>(c) > 126; }))
+    return fail({Error{arguments.out,
+                       "POV-Ray opens no include whose name has other letters than those of "
+                       "English; expected such a name, as in oak.inc"}},
+                kWrongInput);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
   if (!arguments.quiet) tell_notes(preset->notes);
@@ -115,8 +122,9 @@ int export_include(const ExportArguments& arguments) {
   Result<std::string> written = include_text(text, variants);
   if (!written) {
     Errors errors = written.errors();
+    bool early = errors.front().what.starts_with(kNothingYet);
     if (errors.front().where.empty()) errors.front().where = arguments.out;
-    return fail(errors, kWrongInput);
+    return fail(errors, early ? kNothingGrown : kWrongInput);
   }
   if (Result<bool> done = write_file(out, *written); !done) return fail(done.errors(), kCouldNot);
   if (!arguments.quiet)
