@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "crown/aside.h"
-#include "geometry/obj.h"
+#include "geometry/mesh_file.h"
 #include "geometry/smooth.h"
 #include "organisms/crown_leaves.h"
 

@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "dress/describe.h"
+#include "geometry/mesh_file.h"
 #include "geometry/obj.h"
 #include "images/describe_mask.h"
 #include "organisms/ivy/ivy.h"

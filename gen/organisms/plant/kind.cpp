@@ -4,7 +4,7 @@
 
 #include "dress/describe.h"
 #include "dress/picture_bounds.h"
-#include "geometry/obj.h"
+#include "geometry/mesh_file.h"
 #include "grammar/figure.h"
 #include "organisms/asking.h"
 #include "organisms/describe_grammar.h"
