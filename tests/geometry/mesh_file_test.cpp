@@ -153,7 +153,7 @@ TEST(MeshFile, FilesThatAreCutShortAreToldNotRead) {
       if (mesh) (void)parted_surface(*mesh, {}, "body");
     }
   EXPECT_EQ(mesh_of(ply_cube(true).substr(0, 500)).errors()[0].what,
-            "its header promises 8 of \"vertex\", but the numbers of 6 alone can be read");
+            "its header promises 8 of \"vertex\", but the numbers of 7 alone can be read");
 }
 
 TEST(MeshFile, ObjTextsOfOtherProgramsAreRead) {

@@ -170,7 +170,7 @@ void describe(Visitor& v, Walkers& w) {
   v.aspect(Aspect::look);
   v.file(
       "file", w.file, [&](const NamedFile& file) { return load_unit_mesh(file, w.mesh); },
-      "A Wavefront OBJ file of the body, named as seen from the preset's folder: y is up, it walks toward z; "
+      "A mesh (OBJ, PLY, STL, GLB) of the body, named as seen from the preset's folder: y is up, it walks toward z; "
       "without it a beetle walks");
   v.number("size", w.size, {.min = 0.0005, .max = 10, .unit = "m"}, "Length of the body");
   v.number("size_variation", w.size_variation, {.min = 0, .max = 0.9},

@@ -52,7 +52,7 @@ void describe(Visitor& v, OrganParams& o) {
   v.choice("shape", o.shape, kOrganShapes, "What the organ is");
   v.file(
       "file", o.file, [&](const NamedFile& file) { return load_unit_mesh(file, o.mesh); },
-      "A Wavefront OBJ file, named as seen from the preset's folder: y is up, the middle of its underside is "
+      "A mesh (OBJ, PLY, STL, GLB), named as seen from the preset's folder: y is up, the middle of its underside is "
       "its foot, its longest side becomes size. Needs \"shape\": \"obj\"",
       o.shape == OrganShape::obj);
   v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
