@@ -17,7 +17,7 @@ namespace {
 
 /// All texts of a preset that look like names of files.
 void find_names(const Value& value, std::vector<const Value*>& names) {
-  constexpr std::string_view kTypes[] = {".obj", ".svg", ".png", ".xml", ".json"};
+  constexpr std::string_view kTypes[] = {".obj", ".ply", ".stl", ".glb", ".svg", ".png", ".xml", ".json"};
   auto ends = [&](std::string_view type) { return value.text.ends_with(type); };
   if (value.is(Value::Type::text) && std::ranges::any_of(kTypes, ends)) names.push_back(&value);
   for (const Value& item : value.items) find_names(item, names);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scene/camera.h"
 #include "scene/sizes.h"
 #include "scene_at.h"
@@ -58,6 +60,29 @@ TEST(QuickLook, SizesAreThoseOfWhatGrew) {
   EXPECT_NEAR(sizes[1].height, 4, 0.25);
   EXPECT_NEAR(sizes[1].stem, 0.2, 0.02);
   EXPECT_EQ(sizes_lines(sizes)[1].substr(0, 7), "pole: 4");
+}
+
+TEST(QuickLook, FlatWallsHaveNoDarkDots) {
+  // Light that comes along a wall at all hours.
+  for (const char* hour : {"9", "12", "14", "15.5", "17"}) {
+    SCOPED_TRACE(hour);
+    Result<Preset> preset = read_preset(
+        R"({"film": {"frames": 1, "size": [320, 200]}, "scene": {"setting": "garden", "garden": {"hour": )" +
+            std::string(hour) + R"(}, "camera": {"location": [-4, 2, 10], "look_at": [0, 1.6, 0], "angle": 42}},
+            "organisms": [{"kind": "mesh", "file": "summerhouse_plain.obj", "size": 4, "color": "#e0d8c8",
+              "place": {"at": [[0, 0]], "turn_variation": 0, "lean": 0, "size_variation": 0}}]})",
+        "tests/cases/16-rhino-obj/test.json", {});
+    ASSERT_TRUE(preset) << preset.errors()[0].text();
+    Raster look = quick_look(*build_scene(*preset), 0);
+    int dots = 0;
+    for (int y = 1; y + 1 < look.height; ++y)
+      for (int x = 1; x + 1 < look.width; ++x) {
+        int around = std::min({brightness(look, x - 1, y), brightness(look, x + 1, y), brightness(look, x, y - 1),
+                               brightness(look, x, y + 1)});
+        dots += brightness(look, x, y) < around - 90;
+      }
+    EXPECT_LT(dots, 3);
+  }
 }
 
 }  // namespace
