@@ -91,8 +91,11 @@ void read_materials(const fs::path& obj, PolygonMesh& mesh, std::vector<fs::path
     std::vector<std::string> names{library};
     if (!found_below(obj.parent_path(), library) && library.find(' ') != library.npos) {
       TextLines words(library);
-      words.next(), names.clear();
-      for (std::string_view word = words.word(); !word.empty(); word = words.word()) names.emplace_back(word);
+      words.next();
+      std::vector<std::string> parts;
+      for (std::string_view word = words.word(); !word.empty(); word = words.word()) parts.emplace_back(word);
+      auto is_there = [&](const std::string& name) { return found_below(obj.parent_path(), name).has_value(); };
+      if (std::ranges::any_of(parts, is_there)) names = std::move(parts);
     }
     for (const std::string& name : names) {
       if (std::optional<std::string> text = read(name))

@@ -42,7 +42,10 @@ TEST(MeshCases, IvyFollowsTheEdgesOfLargeFaces) {
     lower += p.x > wide + 0.1f && p.y > step - 0.01f;
     between += std::abs(p.x - wide) < 0.02f && p.y < step - 0.05f && std::abs(p.z) < 1.9f;
   }
-  EXPECT_GT(up, 20), EXPECT_GT(roof, 20), EXPECT_GT(down, 5), EXPECT_GT(lower, 5);
+  EXPECT_GT(up, 20);
+  EXPECT_GT(roof, 20);
+  EXPECT_GT(down, 5);
+  EXPECT_GT(lower, 5);
   EXPECT_EQ(between, 0) << "on the face that the two blocks share";
   // Leaves look as what is below them does: up on roofs, outward on walls.
   std::array<Vec3, 3> sum{};
@@ -91,7 +94,8 @@ TEST(MeshCases, IvyLeavesTheDoorAndTheWindowOpen) {
     door += within(p, -1, -0.1f, 0.2f, 2.2f, kLeaf);
     window += within(p, 1.2f, 1, 2.2f, 2, kLeaf);
   }
-  EXPECT_EQ(door, 0u), EXPECT_EQ(window, 0u);
+  EXPECT_EQ(door, 0u);
+  EXPECT_EQ(window, 0u);
   EXPECT_GT(grown.ivy().model.skeleton.size(), 1000u);
 }
 
