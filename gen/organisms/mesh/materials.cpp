@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -40,6 +41,21 @@ std::string picture_of(const MeshMaterial& m) {
   Color c = m.color.value_or(Color{});
   std::string key = fmt::format("mesh {} {} {} {} ", c.red, c.green, c.blue, m.opacity);
   return fmt::format("mesh_{}.png", content_id(key + (is_png(m) ? *m.picture : "")));
+}
+
+/// The colour of a picture on average, times that of its material.
+Color mean_of(const MeshMaterial& m) {
+  Color tint = m.color.value_or(Color{});
+  Result<Raster> read = read_png(*m.picture);
+  if (!read || read->data.empty()) return tint;
+  std::array<double, 3> sum{};
+  auto channels = static_cast<std::size_t>(read->channels);
+  std::size_t pixels = read->data.size() / channels, step = 1 + pixels / 65536;
+  double count = 0;
+  for (std::size_t i = 0; i < pixels; i += step, ++count)
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += read->data[i * channels + (channels == 1 ? 0 : c)];
+  auto channel = [&](std::size_t c) { return static_cast<float>(sum[c] / (255 * count)); };
+  return {tint.red * channel(0), tint.green * channel(1), tint.blue * channel(2)};
 }
 
 /// Whether the file's own materials are drawn at all.
@@ -167,6 +183,7 @@ Result<Model> build_mesh_model(const MeshParams& params) {
     if (!dressing.picture.empty()) {
       material.matter = Matter::shell, material.picture = dressing.picture;
       material.second = Color{1, 1, 1}, material.gloss = 0;
+      if (dressing.spread) material.color = mean_of(body.material[static_cast<std::size_t>(which)]);
     }
     place(part_of(body, taken, dressing), material);
   }
