@@ -121,13 +121,14 @@ struct ToSun {
   /// comes along it sees in steps: then the pixels round it must be nearer as well, which those farther along
   /// the surface are not.
   bool shaded(Vec3 at) const {
-    constexpr float kRoom = 2.5f, kSurely = 16;  // texels
+    constexpr float kRoom = 2.5f, kSurely = 40;  // texels
+    constexpr int kRound = 2;  // of which one is what bits are seen off their places
     Vec3 to = seen(at);
     int x = static_cast<int>(std::floor(to.x)), y = static_cast<int>(std::floor(to.y));
     if (!nearer(x, y, to.z - kRoom * texel())) return false;
     if (nearer(x, y, to.z - kSurely * texel())) return true;
-    for (int row = -1; row <= 1; ++row)
-      for (int column = -1; column <= 1; ++column)
+    for (int row = -kRound; row <= kRound; ++row)
+      for (int column = -kRound; column <= kRound; ++column)
         if (!nearer(x + column, y + row, to.z - kRoom * texel())) return false;
     return true;
   }
