@@ -7,8 +7,8 @@
 
 namespace frond {
 
-/// A character that looks like one of ASCII, as pages, word processors and keyboards of other alphabets put it
-/// in its place: a minus sign, a full-width bracket, a curly quote, a blank that does not break.
+/// A character that looks like one of ASCII, as pages, word processors and keyboards of other alphabets put
+/// it in its place: a minus sign, a full-width bracket, a curly quote, a blank that does not break.
 struct Lookalike {
   std::size_t at = 0, size = 0;  ///< in the text, bytes
   std::string name;              ///< "`−` (U+2212)"; of a blank its code alone

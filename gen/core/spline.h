@@ -25,17 +25,17 @@ V cubic_place(const V& a, const V& b, const V& c, const V& d, Scalar t) {
   return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
 
-/// The slopes of a smooth line at a point, of the way that comes to it and of the one that goes on, each for the
-/// whole of its way.
+/// The slopes of a smooth line at a point, of the way that comes to it and of the one that goes on, each for
+/// the whole of its way.
 template <class V>
 struct SplineSlopes {
   V in, out;
 };
 
-/// Where both ways are about as long, the slope of Catmull and Rom (1974): half the way from the point before to
-/// the one after. Where one is much longer, this would carry the line past the point and back; there the slopes
-/// are those of their centripetal curve, which go with the length of each way (Yuksel, Schaefer and Keyser
-/// 2011), and in between they pass from the one to the other.
+/// Where both ways are about as long, the slope of Catmull and Rom (1974): half the way from the point before
+/// to the one after. Where one is much longer, this would carry the line past the point and back; there the
+/// slopes are those of their centripetal curve, which go with the length of each way (Yuksel, Schaefer and
+/// Keyser 2011), and in between they pass from the one to the other.
 template <class V>
 SplineSlopes<V> spline_slopes(const V& before, const V& at, const V& after) {
   using Scalar = typename V::value_type;

@@ -209,8 +209,9 @@ class Preprocessor {
     if (length < 3) return fail(place, fmt::format("`#include {}`: expected a file's name in quotes", rest));
     std::string name(named.substr(1, length - 2));
     if (++includes_ > kMostIncludes || read_ > kMostRead)
-      return fail(place, "more than 2,000 files or 50 MB are included in all; expected fewer, as where files "
-                         "do not include each other again and again");
+      return fail(place,
+                  "more than 2,000 files or 50 MB are included in all; expected fewer, as where files "
+                  "do not include each other again and again");
     Result<std::string> text = include_(name);
     if (!text) return fail(place, fmt::format("#include \"{}\": {}", name, text.errors()[0].what));
     read_ += text->size();

@@ -41,16 +41,19 @@ std::optional<Error> other_language(const std::filesystem::path& path, std::stri
         path.string(),
         "this is a model of lpfg (L+C), a program in C++, which cannot be read; write its productions as "
         "`A(x) : condition --> …` of cpfg, or as rules of a preset"};
-  bool python = has_line(text, "from ", [](std::string_view rest) { return rest.find(" import ") != rest.npos; }) ||
-                has_line(text, "import ", [](std::string_view) { return true; }) ||
-                has_line(text, "def ", ends(':')) || has_line(text, "nproduce", [](std::string_view) { return true; });
+  bool python =
+      has_line(text, "from ", [](std::string_view rest) { return rest.find(" import ") != rest.npos; }) ||
+      has_line(text, "import ", [](std::string_view) { return true; }) || has_line(text, "def ", ends(':')) ||
+      has_line(text, "nproduce", [](std::string_view) { return true; });
   if (has_ending(path.string(), ".lpy") || python || has_line(text, "production", colon) ||
-      has_line(text, "interpretation", colon) || has_line(text, "module ", [](std::string_view) { return true; }))
-    return Error{
-        path.string(),
-        "this is a model of L-Py, a program in Python, which cannot be read; write each of its productions as "
-        "`A(t) : t%4 == 0 --> …` of cpfg, or as a rule `A(t) : t%4 == 0 -> …` of a preset, its `interpretation` as "
-        "the preset's, and what a loop produces as the modules that it makes"};
+      has_line(text, "interpretation", colon) ||
+      has_line(text, "module ", [](std::string_view) { return true; }))
+    return Error{path.string(),
+                 "this is a model of L-Py, a program in Python, which cannot be read; write each of its "
+                 "productions as "
+                 "`A(t) : t%4 == 0 --> …` of cpfg, or as a rule `A(t) : t%4 == 0 -> …` of a preset, its "
+                 "`interpretation` as "
+                 "the preset's, and what a loop produces as the modules that it makes"};
   return std::nullopt;
 }
 

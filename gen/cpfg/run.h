@@ -33,9 +33,9 @@ struct Run {
   FormulaChance chance;
   std::vector<Congruential48> lots;  ///< of each L-system
   std::uint64_t work = 0;
-  int loops = 0;              ///< loops of blocks that stand in each other now
-  std::uint64_t turns = 0;    ///< turns of the outermost of them and all within it
-  double length = 0;  ///< the derivation length
+  int loops = 0;            ///< loops of blocks that stand in each other now
+  std::uint64_t turns = 0;  ///< turns of the outermost of them and all within it
+  double length = 0;        ///< the derivation length
   bool stopped = false;
   std::optional<Error> error;
   std::set<std::string> notes;

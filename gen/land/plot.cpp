@@ -27,7 +27,8 @@ Vec2 path_point(const std::vector<Vec2>& points, std::size_t i, float t) {
   Vec2 from_even = (c - a) * 0.5f, to_even = (d - b) * 0.5f;
   Vec2 leave = i > 0 ? spline_slopes(a, b, c).out : from_even;
   Vec2 arrive = i + 2 < points.size() ? spline_slopes(b, c, d).in : to_even;
-  if (leave != from_even || arrive != to_even) return cubic_place(b, b + leave / 3.0f, c - arrive / 3.0f, c, t);
+  if (leave != from_even || arrive != to_even)
+    return cubic_place(b, b + leave / 3.0f, c - arrive / 3.0f, c, t);
   return 0.5f * (2.0f * b + (c - a) * t + (2.0f * a - 5.0f * b + 4.0f * c - d) * (t * t) +
                  (3.0f * b - a - 3.0f * c + d) * (t * t * t));
 }

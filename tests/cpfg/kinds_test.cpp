@@ -25,7 +25,8 @@ TEST(CpfgKinds, FormulasMayBeginWithSeveralSigns) {
 
 TEST(CpfgKinds, CallsMayBeSpreadOverTabsAndLines) {
   const std::string macro = "#define L(a,b) F(a)[+(b)]\nLsystem: 1\nderivation length: 1\nAxiom: A\n";
-  for (const char* call : {"A --> L(1,2)", "A --> L\n\t(1,\n\t2)", "A --> L\t\n\n\t\t(\t1\n,\n\t2\t)", "A --> L\n(1,2)"}) {
+  for (const char* call :
+       {"A --> L(1,2)", "A --> L\n\t(1,\n\t2)", "A --> L\t\n\n\t\t(\t1\n,\n\t2\t)", "A --> L\n(1,2)"}) {
     ModelFiles files({{"m.l", macro + call + "\nendlsystem\n"}});
     EXPECT_EQ(word_of(files), "F(1)[+(2)]") << call;
   }
@@ -66,8 +67,9 @@ TEST(CpfgKinds, IncludeBombsEndInSeconds) {
 }
 
 TEST(CpfgKinds, LoopsWithoutEndEndInSecondsWithTheirLine) {
-  for (const char* loop : {"while (1) {x = 1;}", "do {x = 1;} while (1);", "while (1) {while (1) {x = x + 1;}}",
-                           "y = 1; while (y) {x = 0; while (x < 3) {x = x + 1;}}"}) {
+  for (const char* loop :
+       {"while (1) {x = 1;}", "do {x = 1;} while (1);", "while (1) {while (1) {x = x + 1;}}",
+        "y = 1; while (y) {x = 0; while (x < 3) {x = x + 1;}}"}) {
     ModelFiles files(
         {{"m.l", grammar_of(std::string("derivation length: 1\nAxiom: A\nA : {\n") + loop + "\n} 1 --> A")}});
     Result<CpfgModel> model = read_cpfg(files.path());
@@ -95,7 +97,8 @@ TEST(CpfgKinds, FilesOfOtherSystemsAreReadAlike) {
   const std::string plain = grammar_of("derivation length: 1\nAxiom: A\nA --> F\n\t[+A]");
   std::string dos;
   for (char c : plain) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  for (const std::string& text : {plain, dos, "\xef\xbb\xbf" + plain, dos + "\x1a", plain + "\x1a" + "left over"}) {
+  for (const std::string& text :
+       {plain, dos, "\xef\xbb\xbf" + plain, dos + "\x1a", plain + "\x1a" + "left over"}) {
     ModelFiles files({{"m.l", text}});
     EXPECT_EQ(word_of(files), "F[+A]");
   }
@@ -105,7 +108,8 @@ TEST(CpfgKinds, SignsThatOnlyLookLikeOthersAreNamed) {
   ModelFiles files({{"m.l", grammar_of("Axiom: A /* \u2212 */\nA --> F\u2212(30)A")}});
   Result<CpfgModel> model = read_cpfg(files.path());
   ASSERT_FALSE(model.ok());
-  EXPECT_NE(model.errors()[0].text().find("line 3: column 8: `\u2212` (U+2212) is not `-`"), std::string::npos)
+  EXPECT_NE(model.errors()[0].text().find("line 3: column 8: `\u2212` (U+2212) is not `-`"),
+            std::string::npos)
       << model.errors()[0].text();
 }
 
@@ -117,8 +121,9 @@ TEST(CpfgKinds, NumbersOfAViewDoNotFollowTheLocale) {
 }
 
 TEST(CpfgKinds, ModelsOfLPyAreKnownByWhatIsInThem) {
-  for (const char* text : {"module A\nAxiom: A\nderivation length: 2\nproduction:\nA :\n  produce A\n",
-                           "from random import randint\nAxiom: A\n", "Axiom: A\ninterpretation:\nA --> F\n"}) {
+  for (const char* text :
+       {"module A\nAxiom: A\nderivation length: 2\nproduction:\nA :\n  produce A\n",
+        "from random import randint\nAxiom: A\n", "Axiom: A\ninterpretation:\nA --> F\n"}) {
     ModelFiles files({{"m.l", text}});
     Result<CpfgModel> model = read_cpfg(files.path());
     ASSERT_FALSE(model.ok());
