@@ -112,6 +112,7 @@ struct GrammarArguments {
   std::optional<std::uint64_t> seed;   ///< the same
   std::optional<double> angle;         ///< degrees, of turns without a parameter
   int mutations = 0;                   ///< of a grammar of LParser
+  std::string system = {};             ///< which of several L-systems in a file of Fractint
   bool counts = false;                 ///< how often each symbol occurs, instead of the word
   std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws
   std::optional<std::string> assets;   ///< as of a preset
@@ -222,6 +223,8 @@ struct ImportArguments {
   std::optional<int> steps;           ///< none: as many as the file says
   std::optional<std::uint64_t> seed;  ///< instead of the grammar's
   int mutations = 0;                  ///< of a grammar of LParser
+  std::string system = {};            ///< which of several L-systems in a file of Fractint
+  bool z_up = false;                  ///< of a skeleton: its z is up
 };
 
 struct StudioArguments {

@@ -25,13 +25,14 @@ struct Loaded {
 };
 
 /// The grammar of a file: a grammar itself, or that of a preset's plan or of its first organism that has one.
-Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets) {
+Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets,
+                             std::string_view system) {
   if (is_grammar(path)) {
     Result<std::string> text = read_file(path);
     if (!text) return text.errors();
     Result<Assets> files = assets_of(path, assets);
     if (!files) return files.errors();
-    Result<GrammarText> file = read_grammar(*text, path, *files);
+    Result<GrammarText> file = read_grammar(*text, path, *files, system);
     if (!file) return file.errors();
     return compile(*file);
   }
@@ -64,7 +65,7 @@ Result<Grammar> changed(const Grammar& grammar, const GrammarArguments& argument
 }
 
 Result<Loaded> load(const GrammarArguments& arguments) {
-  Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets);
+  Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets, arguments.system);
   if (grammar && (arguments.angle || arguments.mutations > 0)) grammar = changed(*grammar, arguments);
   if (!grammar) return in_file(grammar.errors(), arguments.path);
   // Those of a preset have been told with it.

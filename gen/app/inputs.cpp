@@ -13,6 +13,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "film/film_files.h"
+#include "grammar/kind.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
 #include "resolve/resolve.h"
@@ -173,8 +174,8 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
 }
 
 bool is_grammar(const std::string& path) {
-  if (!path.ends_with(".json")) return true;
   Result<std::string> text = read_file(path);
+  if (!text ? !path.ends_with(".json") : grammar_kind(path, *text) != GrammarKind::preset) return true;
   Result<Document> document = text ? parse_json(*text, path) : text.errors();
   return document && document->root.find("axiom") && !document->root.find("organisms");
 }

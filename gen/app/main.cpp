@@ -286,13 +286,17 @@ void add_import(CLI::App& app, int& result) {
   auto* command = app.add_subcommand("import", "Writes a preset of another program's grammar, which renders");
   command
       ->add_option("grammar", to->path,
-                   "A model of cpfg (.l), or a grammar of LParser (.ls) or Houdini (.txt)")
+                   "A model of cpfg (.l), a grammar of LParser (.ls), Houdini (.txt) or Fractint, or a "
+                   "skeleton (.swc)")
       ->required();
   command->add_option("-o,--out", to->out, "FILE.json (beside the grammar, with its name)");
   command->add_option("--steps", to->steps, "N: derivation steps (as the file says)")
       ->check(CLI::Range(0, 1'000'000));
   command->add_option("--seed", to->seed, "For random choices, instead of the grammar's");
   add_mutations(command, to->mutations);
+  add_system(command, to->system);
+  command->add_flag_callback(
+      "--z-up", [to] { to->z_up = true; }, "Of a skeleton: its z is up, not its y");
   command->footer("Example:\n  frond import plants/rose.l -o rose.json");
   command->callback([&result, to] { result = import_model(*to); });
 }

@@ -32,6 +32,10 @@ void add_mutations(CLI::App* command, int& mutations) {
       ->check(CLI::Range(0, 10'000));
 }
 
+void add_system(CLI::App* command, std::string& system) {
+  command->add_option("--system", system, "NAME: which L-system of a file of Fractint that holds several");
+}
+
 CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar) {
   command
       ->add_option(
@@ -42,6 +46,7 @@ CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar) {
   command->add_option("--angle", grammar.angle, "Degrees of turns that give none, instead of the grammar's")
       ->check(CLI::Range(-360.0, 360.0));
   add_mutations(command, grammar.mutations);
+  add_system(command, grammar.system);
   add_assets(command, grammar.assets);
   return command->add_option("--steps", grammar.steps, "Derivation steps, instead of the grammar's")
       ->check(CLI::Range(0.0, 1e6));

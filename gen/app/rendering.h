@@ -15,6 +15,7 @@ void add_preset(CLI::App* command, PresetArguments& preset);
 /// Options of a grammar; returns that of the steps, which may take a further check.
 CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar);
 void add_mutations(CLI::App* command, int& mutations);
+void add_system(CLI::App* command, std::string& system);
 /// `--resolve` and `--no-resolve`; none where neither is given.
 void add_resolving(CLI::App* command, std::optional<bool>& resolve);
 

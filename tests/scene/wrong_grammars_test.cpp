@@ -109,7 +109,8 @@ const WrongPreset kWrongGrammars[] = {
    "grammar": {"rules": ["F -> FF",
      "F -> F[+F]F"]}}]})",
      {},
-     {"4:6: /organisms/0/grammar/rules/1: `F -> F[+F]F` can never be used: `F -> FF` (reef.json:3:26: "
+     {"4:6: /organisms/0/grammar/rules/1: column 1: `F -> F[+F]F` can never be used: `F -> FF` "
+      "(reef.json:3:26: "
       "/organisms/0/grammar/rules/0) comes first and always matches; put it before, give both a weight, or "
       "remove it"}},
     {"Bad rules of every list",

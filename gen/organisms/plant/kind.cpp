@@ -6,6 +6,7 @@
 #include "dress/picture_bounds.h"
 #include "geometry/obj.h"
 #include "grammar/figure.h"
+#include "grammar/kind.h"
 #include "organisms/asking.h"
 #include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
@@ -110,9 +111,11 @@ void describe(Visitor& v, PlantGrammar& g) {
   describe_grammar(
       v, g,
       [&](const NamedFile& file) {
-        return file.path.extension() == ".l" ? load_cpfg(file, g) : load_grammar(file, g);
+        return grammar_kind(file.path.string(), file.text) == GrammarKind::cpfg ? load_cpfg(file, g)
+                                                                                : load_grammar(file, g);
       },
-      "A grammar of LParser (.ls) or Houdini (.txt), named as seen from this file's folder, where what else "
+      "A grammar of LParser, Houdini or Fractint or a skeleton as SWC, named as seen from this file's "
+      "folder, where what else "
       "is given here counts in place of what stands there; or a model of cpfg (.l), which takes only steps, "
       "limits and vary from here");
   v.boolean("vary", g.vary,
