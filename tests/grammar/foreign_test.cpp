@@ -98,7 +98,7 @@ TEST(Foreign, FractintsSystemsAreRead) {
   EXPECT_EQ(word("Odd", 0), "F+(144)\"(0.5)F\"(0.5)F\"(2)f");
   EXPECT_EQ(word("Free", 0), "F+(60)F-(30)f");
   EXPECT_NE(word("Both", 0).find("each with a heading of their own"), std::string::npos);
-  EXPECT_NE(word("Turned", 0).find("line 19: column 8: `!` exchanges left and right"), std::string::npos)
+  EXPECT_NE(word("Turned", 0).find("line 25: column 8: `!` exchanges left and right"), std::string::npos)
       << word("Turned", 0);
   EXPECT_NE(word("", 0).find("holds 6 L-systems; expected the name of one: Koch, Twig, Odd"),
             std::string::npos);
@@ -200,7 +200,7 @@ TEST(Foreign, NumbersOfParametersThatNothingRewritesAreToldWithTheirPlaces) {
   text.rules = {{"B(a,b,c) -> F(a)"}, {"B(a) -> f(a)"}};
   EXPECT_NE(
       refused(text).find("axiom: column 2: `B` has 2 parameters here and is rewritten with 3 (rule 1, column "
-                         "1) or 1 (rule 2, column 1) only"),
+                         "1) or with 1 (rule 2, column 1) only"),
       std::string::npos)
       << refused(text);
   text.axiom = "a";

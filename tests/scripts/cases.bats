@@ -53,7 +53,7 @@ setup() {
   run --separate-stderr "$frond" derive "$cases/04-arity-and-pairs/bare_axiom.json"
   [[ "$stderr" == *'axiom: column 1: `A` has 0 parameters here and is rewritten with 1 (rule 1, column 1) only'* ]]
   run --separate-stderr "$frond" derive "$cases/04-arity-and-pairs/two_and_three.json"
-  [[ "$stderr" == *'`B` has 2 parameters here and is rewritten with 3 (rule 1, column 1) or 1 (rule 2, column 1) only'* ]]
+  [[ "$stderr" == *'`B` has 2 parameters here and is rewritten with 3 (rule 1, column 1) or with 1 (rule 2, column 1) only'* ]]
   run "$frond" derive "$cases/04-arity-and-pairs/pair.json"
   [ "$status" -eq 2 ]
   [[ "$output" == *"contexts"*"cpfg"* ]]
