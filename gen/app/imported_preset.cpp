@@ -9,6 +9,7 @@
 #include "app/messages.h"
 #include "core/files.h"
 #include "preset/json.h"
+#include "scene/preset.h"
 
 namespace frond {
 
@@ -74,7 +75,9 @@ int write_imported(const ImportArguments& arguments, const ImportedPlant& plant)
   one.set("height", figure(size.y)).set("stand", make_text("middle")).set("smoothing", make_number(1));
   one.set("thickness", make_object({{"least", {}, make_number(0.0002)}})).set("grammar", plant.grammar);
   for (const Member& look : plant.looks.members) one.set(look.name, look.value);
-  preset.set("title", title).set("film", film.set("quality", make_text("good")));
+  preset.set("title", title)
+      .set("version", make_number(kPresetVersion))
+      .set("film", film.set("quality", make_text("good")));
   preset.set("scene", scene_of(size, plant.side)).set("organisms", make_list({one}));
   Result<bool> written = write_file(preset_path(arguments), serialize_pretty(preset));
   return written ? kDone : fail(written.errors(), kCouldNot);

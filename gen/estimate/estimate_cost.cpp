@@ -19,6 +19,7 @@
 #include "organisms/organism.h"
 #include "scene/bounds.h"
 #include "scene/copies.h"
+#include "scene/entry_seeds.h"
 #include "scene/style.h"
 #include "scene/wind.h"
 #include "settings/settings.h"
@@ -287,18 +288,17 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
 
 Result<Sums> sums_of(const Preset& preset) {
   Sums sums;
-  double shaded = left_in_shade(preset);
+  const double shaded = left_in_shade(preset);
+  const std::vector<Seed> seeds = entry_seeds(preset, "organism");
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
-    if (organism.count == 0 && trees_of_stand(preset, organism) == 0) continue;
     const Grower& grower = *organism.grower;
-    Seed seed = Seed{preset.seed}.child("organism", o);
-    Result<SizeEstimate> sized = grower.estimate_size(seed);
+    if (organism.count == 0 && trees_of_stand(preset, organism) == 0) continue;
+    Result<SizeEstimate> sized = grower.estimate_size(seeds[o]);
     if (!sized) return sized.errors();
     SizeEstimate& size = *sized;
-    if (!organism.sown && grower.shares_light()) {
+    if (!organism.sown && grower.shares_light())
       size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
-    }
     Dress dress = grower.dress();
     double held = kHeldNode * size.nodes + kHeldOrgan * size.organs + kCorner * size.corners +
                   kHeldTriangle * size.triangles + 100 * size.blocks + size.held / 2;
@@ -313,7 +313,7 @@ Result<Sums> sums_of(const Preset& preset) {
     if (organism.sown)
       sums.add_sown(preset, o, size, dress, made, grows);
     else
-      sums.add_standing(preset, o, size, dress, made, held, grows, seed);
+      sums.add_standing(preset, o, size, dress, made, held, grows, seeds[o]);
   }
   return sums;
 }

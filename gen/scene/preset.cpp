@@ -18,6 +18,7 @@
 #include "scene/edit_checks.h"
 #include "scene/furnish.h"
 #include "scene/idle.h"
+#include "scene/named_preset.h"
 
 namespace frond {
 namespace {
@@ -216,7 +217,7 @@ Errors lay_on_base(Value& root, const std::string& file_name, const Assets& asse
     return depth == 0 ? Errors{} : fault(fmt::format("found {}; expected a text", found_text(*base)));
   if (base->text.empty()) return {};
   if (depth == kMostBases) return fault("more than 8 bases on each other; is one its own?");
-  Result<NamedFile> file = assets.read(base->text, std::filesystem::path(file_name).parent_path());
+  Result<NamedFile> file = read_named_preset(assets, base->text, file_name);
   if (!file) return fault(file.errors().front().what);
   Result<Document> below = read_base(*file);
   if (!below) return below.errors();
@@ -249,7 +250,7 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
       fault("an XML file is no preset; species of Arbaro are named by \"arbaro\", of the kind weber_penn");
       continue;
     }
-    Result<NamedFile> file = assets.read(species->text, std::filesystem::path(file_name).parent_path());
+    Result<NamedFile> file = read_named_preset(assets, species->text, file_name);
     if (!file) {
       fault(file.errors().front().what);
       continue;
@@ -363,6 +364,8 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets);
   if (!preset) return preset;
   preset->stage.camera = keyed_move(preset->stage.camera, preset->film);
+  for (Event& event : preset->events)
+    if (event.cut) event.cut->by_own = preset->version >= 2;
   preset->text = serialize(document->root);
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));

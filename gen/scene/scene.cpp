@@ -14,6 +14,7 @@
 #include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/entry_seeds.h"
 #include "scene/far.h"
 #include "scene/feeding.h"
 #include "scene/fit.h"
@@ -48,12 +49,13 @@ struct PlacedEntry {
 std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent, TakenSpots& taken,
                                      std::vector<std::string>& notes) {
   std::vector<PlacedEntry> plots;
+  std::vector<Seed> seeds = entry_seeds(preset, "organism");
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
     const Place& place = organism.place;
     if (organism.count == 0 || organism.sown) continue;
     PlacedEntry& plot = plots.emplace_back();
-    plot.bed = {&organism, o, Seed{preset.seed}.child("organism", o), {}};
+    plot.bed = {&organism, o, seeds[o], {}};
     if (finds_own_place(organism.grower->stage())) continue;
     auto room = static_cast<float>(room_of(place, extent));
     for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.take(plot.spots.back());
@@ -71,13 +73,15 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
 }
 
 /// Gives each planting its foot.
-std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
+std::vector<Bed> set_feet(const Preset& preset, std::vector<PlacedEntry> plots, Grounds& ground) {
   std::vector<Bed> beds;
   for (PlacedEntry& plot : plots) {
     const Organism& organism = *plot.bed.organism;
     double rock = organism.grower->stands_on_rock() && organism.place.on.empty() ? organism.place.rock : 0;
     for (std::size_t i = 0; i < plot.spots.size(); ++i) {
-      Seed seed = plot.bed.seed.child("instance", i);
+      bool given = i < organism.place.at.size();
+      Seed seed = given ? plot.bed.seed.child("instance", i)
+                        : planting_seed(preset, plot.bed.seed, "scattered", i, plot.spots[i].attempt);
       Vec2 at = plot.spots[i].at;
       float foot = ground.seat(at, rock, seed) + static_cast<float>(organism.place.raise);
       plot.bed.plantings.push_back({seed, Vec3(at.x, foot, at.y)});
@@ -240,8 +244,8 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   ground->strew(taken);
   sow_stands(scene, preset, *ground, taken.list());
   if (preset.stand) draw_stand(scene, preset, *ground, stand_history(preset, *ground));
-  come_and_go(scene);
-  std::vector<Bed> beds = set_feet(std::move(plots), *ground);
+  come_and_go(scene, preset);
+  std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
   watch.step();
 
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
@@ -277,7 +281,7 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   if (is_snowy(scene.stage) || is_rainy(scene.stage))
     scene.overhead = std::make_shared<const Overhead>(bodies_overhead(scene));
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
-  if (is_snowy(scene.stage)) load_boughs(scene, seed.child("boughs"));
+  if (is_snowy(scene.stage)) load_boughs(scene, preset);
   std::optional<Specimen> water = standing_water(scene, *ground);
   scene.ground = std::move(ground);
   if (std::optional<FarCountry> far = far_land_round(scene, seed.child("far"))) {

@@ -22,7 +22,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
     el("div.gallery-head", {}, el("div", {}, el("h1", {}, "Begin with a preset"), el("p.hint", {}, "What is shipped opens as a copy to play with and stays as it is; your own files open as they are.")), el("span.search", {}, icon("search"), search), empty), body);
 
   const begin = (): void =>
-    store.open({ file: store.folder + "untitled.json", disk: null, copy: true, text: '{\n  "title": "Untitled",\n  "seed": 1,\n  "film": {"frames": 1},\n  "scene": {"setting": "studio"},\n  "organisms": []\n}\n' });
+    store.open({ file: store.folder + "untitled.json", disk: null, copy: true, text: '{\n  "version": 2,\n  "title": "Untitled",\n  "seed": 1,\n  "film": {"frames": 1},\n  "scene": {"setting": "studio"},\n  "organisms": []\n}\n' });
 
   /** What is one's own is opened as it is, what is shipped as a copy. */
   async function open(file: string, isOwn: boolean): Promise<void> {
