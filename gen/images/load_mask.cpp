@@ -3,13 +3,13 @@
 #include <utility>
 
 #include "images/describe_mask.h"
-#include "images/raster.h"
+#include "images/read_picture.h"
 
 namespace frond {
 
 Errors load_mask(const NamedFile& file, Mask& mask) {
-  Result<Raster> picture = read_png(file.text);
-  if (!picture) return {{file.path.string(), picture.errors().front().what + "; expected a PNG file"}};
+  Result<Raster> picture = read_picture(file.text);
+  if (!picture) return {{file.path.string(), picture.errors().front().what}};
   mask.width = picture->width, mask.height = picture->height;
   std::vector<float> grey;
   for (int y = 0; y < mask.height; ++y)

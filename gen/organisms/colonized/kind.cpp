@@ -29,7 +29,7 @@ void describe(Visitor& v, EnvelopeParams& e) {
            "Width of a cone's top as a share of its foot. Needs \"shape\": \"cone\"");
   v.file(
       "file", e.file, [&](const NamedFile& file) { return load_envelope(file, e); },
-      "An OBJ file for a mesh, an SVG or PNG for an outline, named as seen from the preset's folder",
+      "An OBJ file for a mesh, an SVG or a picture for an outline, named as seen from the preset's folder",
       e.kind == EnvelopeKind::mesh || e.kind == EnvelopeKind::outline);
   v.text("path", e.path, "SVG path data of the silhouette. Needs \"shape\": \"outline\"");
 }

@@ -78,7 +78,8 @@ template <class Visitor>
 void describe(Visitor& v, CrawlMask& m) {
   v.file(
       "file", m.picture.file, [&](const NamedFile& file) { return load_mask(file, m.picture); },
-      "A PNG file, laid on by the texture coordinates of a mesh (`vt`) or over the face of a wall unless "
+      "A picture (PNG, JPEG or WebP), laid on by the texture coordinates of a mesh (`vt`) or over the face "
+      "of a wall unless "
       "along is given; its brightness counts. Without it, the grey of a mesh's vertex colours (`v x y z r g "
       "b`)");
   describe_projection(v, m.picture);
