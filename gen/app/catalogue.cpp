@@ -65,12 +65,15 @@ std::string sizes_json(const std::vector<GrownSize>& sizes) {
 
 }  // namespace
 
-int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets) {
+int check(const std::vector<std::string>& paths, const PresetArguments& common) {
   int result = kDone;
   for (const std::string& path : paths) {
-    PresetArguments named;
+    PresetArguments named = common;
     named.path = path;
-    named.assets = assets;
+    if (holds_grammar(path)) {
+      if (int code = check_grammar(named); code != kDone) result = code;
+      continue;
+    }
     Result<Preset> preset = load_preset(named);
     if (preset) {
       tell_notes(preset->notes);
@@ -102,7 +105,7 @@ int info(const PresetArguments& arguments, const std::optional<std::string>& fra
     if (!scene) return fail(scene.errors(), kWrongInput);
     grown = sizes_of(*scene, *preset);
   }
-  Pace pace = pace_of(fs::path(arguments.path).stem().string());
+  Pace pace = pace_of(pace_key(arguments.path));
   double render = pace.factor * f.frames * f.render_seconds;
   if (json)
     put(

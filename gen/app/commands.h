@@ -26,6 +26,8 @@ struct PresetArguments {
   std::optional<std::string> size;     ///< WxH
   std::optional<double> scale;         ///< multiplies the size, 1..16
   std::optional<std::string> quality;  ///< draft, good or best
+  std::optional<double> fps;           ///< frames a second
+  std::optional<double> seconds;       ///< how long the film is
   std::optional<std::string> assets;   ///< the only folder to read from besides the preset's own
   std::optional<std::string> print;    ///< size on paper: 20cm, 20x15cm, 8in
   std::optional<double> dpi;           ///< pixels an inch
@@ -242,12 +244,15 @@ int draw_ink(const DrawArguments& arguments);
 int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
-int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
+/// `common` is what is set of all of them; its path is empty.
+int check(const std::vector<std::string>& paths, const PresetArguments& common);
 /// `frames` as in `--frames`.
 int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes);
 int list_files(const PresetArguments& arguments);
 int farm(const FarmArguments& arguments);
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);
+/// Checks a grammar; says that it is one, and what it is for.
+int check_grammar(const PresetArguments& arguments);
 int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int draw_plans(const PlanArguments& arguments);

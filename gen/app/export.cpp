@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/streams.h"
 #include "core/figures.h"
 #include "export/formats.h"
@@ -47,12 +48,9 @@ Errors unfit(const Format& format, const ExportArguments& to) {
   if (!format.films && to.levels > 1)
     return wrong("--lods", "of these formats only .glb holds levels of detail");
   if (to.seeds > 1) return wrong("--seeds", "of these formats only .inc holds several shapes");
-  if (to.frames && to.frame > 0)
-    return wrong("--frames", "does not go with --frame: the last of them is written");
-  if (to.frames && to.levels > 1) return wrong("--frames", "does not go with --lods: only one mesh can move");
-  if (to.instances && (to.frames || to.levels > 1))
-    return wrong("--instances",
-                 "does not go with --frames and --lods, whose meshes are one for each organism");
+  if (to.voxel > 0 && format.write) return wrong("--voxel", "of these formats only .vdb is made of voxels");
+  if (to.sides != ExportArguments{}.sides && !format.write)
+    return wrong("--sides", "a .vdb is a volume, in which branches have no sides");
   return {};
 }
 
@@ -84,6 +82,7 @@ int export_scene(const ExportArguments& arguments) {
     return fail(
         {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
         kWrongInput);
+  if (Errors errors = refuse_file(arguments.out); !errors.empty()) return fail(errors, kCouldNot);
   if (Result<std::filesystem::path> folder = home())
     options.bake = {.home = *folder, .cache = cache_folder() / "materials"};
   now_doing("growing what stands in the scene");

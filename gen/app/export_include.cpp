@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/streams.h"
 #include "core/figures.h"
 #include "core/files.h"
@@ -75,10 +76,22 @@ Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
   return variant;
 }
 
+/// Options of meshes and volumes, of which an include holds none: POV-Ray has the curves themselves.
+Errors unfit_for_include(const ExportArguments& to) {
+  const ExportArguments usual;
+  for (auto [given, name] :
+       {std::pair(to.keys != usual.keys, "--keys"), std::pair(to.levels != usual.levels, "--lods"),
+        std::pair(to.voxel != usual.voxel, "--voxel"), std::pair(to.instances, "--instances")})
+    if (given) return {{name, "is nothing that an .inc has; expected a .glb or .vdb, or none of it"}};
+  return {};
+}
+
 }  // namespace
 
 int export_include(const ExportArguments& arguments) {
   fs::path out = arguments.out;
+  if (Errors errors = unfit_for_include(arguments); !errors.empty()) return fail(errors, kWrongInput);
+  if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
   if (!arguments.quiet) tell_notes(preset->notes);

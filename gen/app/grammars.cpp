@@ -7,6 +7,7 @@
 #include "app/inputs.h"
 #include "app/streams.h"
 #include "core/files.h"
+#include "cpfg/cpfg.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
 #include "grammar/picture.h"
@@ -103,6 +104,26 @@ int info_grammar(const std::string& path, const std::optional<std::string>& asse
                   size.bytes));
   Errors errors = refuse(size, grammar.text.limits);
   return errors.empty() ? kDone : fail_derivation(errors, grammar, path);
+}
+
+int check_grammar(const PresetArguments& arguments) {
+  const std::string& path = arguments.path;
+  if (!arguments.sets.empty())
+    return fail({{path, "is a grammar, of which --set sets nothing; expected a preset"}}, kWrongInput);
+  if (is_cpfg_model(path)) {
+    Result<CpfgModel> model = read_cpfg(path);
+    if (!model) return fail(model.errors(), kWrongInput);
+    for (const std::string& note : model->notes) tell("note: " + note);
+  } else {
+    Result<Grammar> grammar = load_grammar(path, arguments.assets);
+    if (!grammar) return fail(in_file(grammar.errors(), path), kWrongInput);
+    tell_notes(in_file(grammar->warnings, path));
+  }
+  tell(fmt::format(
+      "{0}: a grammar, no preset, and without a fault; `frond turtle {0} --svg FILE.svg` draws it, "
+      "`frond derive {0}` derives it, `frond import {0}` writes a preset of one of another program",
+      path));
+  return kDone;
 }
 
 int derive_word(const GrammarArguments& arguments) {

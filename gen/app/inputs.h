@@ -43,6 +43,9 @@ Result<Assets> assets_of(const std::string& path, const std::optional<std::strin
 /// Whether a file holds a grammar rather than a preset: one of another tool, or JSON without organisms.
 bool is_grammar(const std::string& path);
 
+/// The same by what the file holds: a preset may have any name.
+bool holds_grammar(const std::string& path);
+
 /// What the manifest says of the film in a folder.
 Result<Manifest> manifest_in(const std::filesystem::path& folder);
 

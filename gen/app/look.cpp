@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/messages.h"
 #include "app/streams.h"
 #include "core/files.h"
@@ -28,6 +29,7 @@ int look(const LookArguments& arguments) {
                         : arguments.out;
   if (!out.ends_with(".png"))
     return fail({Error{"--out", fmt::format("{} has no known extension; expected .png", out)}}, kWrongInput);
+  if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
   tell_notes(preset->notes);
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);

@@ -9,7 +9,9 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/messages.h"
+#include "app/named.h"
 #include "app/rendering.h"
 #include "app/streams.h"
 #include "app/words.h"
@@ -165,11 +167,16 @@ void add_export(CLI::App& app, int& result) {
 void add_check(CLI::App& app, int& result) {
   auto paths = std::make_shared<std::vector<std::string>>();
   auto* command = app.add_subcommand("check", "Tells what is wrong in presets");
-  auto assets = std::make_shared<std::optional<std::string>>();
-  command->add_option("presets", *paths, "JSON files")->required();
-  add_assets(command, *assets);
-  command->footer("Example:\n  frond check presets/*.json");
-  command->callback([&result, paths, assets] { result = check(*paths, *assets); });
+  auto common = std::make_shared<PresetArguments>();
+  command->add_option("presets", *paths, "JSON files, or names of Frond's presets")
+      ->required()
+      ->transform(named_by(&preset_named));
+  add_sets(command, common->sets);
+  add_assets(command, common->assets);
+  command->footer(
+      "A grammar is checked as one.\n\nExamples:\n  frond check presets/*.json\n"
+      "  frond check presets/reef.json --set /film/fps=12");
+  command->callback([&result, paths, common] { result = check(*paths, *common); });
 }
 
 void add_info(CLI::App& app, int& result) {
@@ -300,7 +307,8 @@ void add_import(CLI::App& app, int& result) {
 void add_studio(CLI::App& app, int& result) {
   auto to = std::make_shared<StudioArguments>();
   auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
-  command->add_option("preset", to->preset, "The preset to open, a JSON file; none: the gallery");
+  command->add_option("preset", to->preset, "The preset to open, a JSON file or a name; none: the gallery")
+      ->transform(named_by(&preset_named));
   command->add_option("--port", to->port, "Of the address (8417, or any that is free)")
       ->check(CLI::Range(1, 65535));
   command->add_flag("--open", to->open, "Opens the page in the desktop's browser");
@@ -328,6 +336,7 @@ int run(int count, char** words) {
                    add_compare, add_task,     add_farm,      add_gallery, add_derive,   add_turtle,
                    add_plan,    add_stand,    add_catalogue, add_import,  add_studio})
     add(app, result);
+  judge_options(app);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);
     return kWrongInput;

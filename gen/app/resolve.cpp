@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/messages.h"
 #include "app/streams.h"
 #include "core/files.h"
@@ -51,6 +52,16 @@ Result<LightPicture> read_raw(const fs::path& file, const Film& film) {
   for (std::size_t i = 0; i < light.size(); ++i)
     for (int c = 0; c < 3; ++c) light[i][c] = exact[raster->data[3 * i + static_cast<std::size_t>(c)]];
   return light;
+}
+
+/// Raw frames that are not there.
+Errors missing_raws(const fs::path& folder, FrameRange range) {
+  Errors errors;
+  std::error_code error;
+  for (int frame = range.first; frame <= range.last; ++frame)
+    if (fs::path file = folder / (frame_name(frame) + ".png"); !fs::exists(file, error))
+      errors.push_back({file.string(), "is not there; `frond generate --resolve` and POV-Ray make it"});
+  return errors;
 }
 
 /// The bytes of a picture as people see it.
@@ -100,6 +111,8 @@ int resolve(const ResolveArguments& arguments) {
   fs::path film = arguments.folder.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem()
                                            : fs::path(arguments.folder);
   fs::path raws = film / "raw", out = arguments.out.empty() ? film / "frames" : fs::path(arguments.out);
+  if (Errors errors = missing_raws(raws, *range); !errors.empty()) return fail(errors, kCouldNot);
+  if (Errors errors = refuse_folder(out); !errors.empty()) return fail(errors, kCouldNot);
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
