@@ -150,7 +150,7 @@ def judge(command, options, top, number):
 def main():
     commands = sys.argv[3:] or ["render", "generate", "look", "passes", "draw", "export", "info", "check", "derive",
                                 "turtle", "film"]
-    wrong, count = [], 0
+    wrong = count = 0
     with tempfile.TemporaryDirectory() as top:
         for command in commands:
             options = options_of(command)
@@ -158,9 +158,10 @@ def main():
             calls += [list(pair) for pair in itertools.combinations(options, 2) if pair[0][0] != pair[1][0]]
             for options in calls:
                 count += 1
-                wrong += judge(command, options, pathlib.Path(top), count)
-    print("\n".join(wrong))
-    print(f"{count} calls, {len(wrong)} of them other than expected")
+                for said in judge(command, options, pathlib.Path(top), count):
+                    wrong += 1
+                    print(said, flush=True)
+    print(f"{count} calls, {wrong} of them other than expected")
     return 1 if wrong else 0
 
 
