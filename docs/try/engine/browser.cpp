@@ -1,6 +1,6 @@
 #include "core/parallel.h"
 #include "geometry/obj.h"
-#include "images/raster.h"
+#include "images/read_picture.h"
 
 // What the engine uses of other modules, as it is in a browser: one thread and no files.
 
@@ -19,6 +19,6 @@ Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
   return Error{name, "no files are read here"};
 }
 
-Result<Raster> read_png(std::string_view) { return Error{"", "no files are read here"}; }
+Result<Raster> read_picture(std::string_view) { return Error{"", "no files are read here"}; }
 
 }  // namespace frond
