@@ -15,6 +15,8 @@ import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
 import { sizeFor } from "../src/film_size";
+import { lostEdits } from "../src/lost_edits";
+import { suggested } from "../src/panels/saving";
 import { frameNear, timesOver } from "../src/panels/storyboard";
 import { viewsOf } from "../src/panels/views";
 import type { Header, Part } from "../src/view/header";
@@ -335,4 +337,16 @@ test("what is said to be grey is grey after it", () => {
   const data = balanced(picture.data, grey);
   const at = 4 * (20 * 24 + 20);
   assert.ok(Math.abs(data[at]! - data[at + 2]!) <= 1 && data[at]! > 120 && data[at]! < 140 && data[at + 3] === 255);
+});
+
+test("a new preset is saved as itself, one that is shipped as a copy", () => {
+  assert.equal(suggested({ copy: true, disk: null, file: "/mine/untitled.json" }), "/mine/untitled.json");
+  assert.equal(suggested({ copy: true, disk: "1f", file: "/frond/presets/reef.json" }), "reef_copy.json");
+  assert.equal(suggested({ copy: false, disk: "1f", file: "/mine/reef.json" }), "/mine/reef.json");
+});
+
+test("edits that find no branch are told apart from those that do", () => {
+  const preset = new Preset('{"organisms": [{"kind": "rock"}, {"kind": "tree", "edits": [{"at": "3", "cut": true}, {"at": "9:0.8", "bend": [0, 1, 0]}, {"at": "40", "cut": 7}]}]}');
+  const notes = ["a.json:1:2: /organisms/1/edits/2/at: finds no branch: the stem has 14 branches", "a.json:1:2: /organisms/1/edits/1/at: finds no branch: the stem has 3 branches", "no water here"];
+  assert.deepEqual(lostEdits({ preset }, notes).map(({ entry, index, what }) => [entry, index, what]), [[1, 2, "40, cut in year 7"], [1, 1, "9:0.8, bent"]]);
 });

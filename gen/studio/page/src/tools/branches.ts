@@ -4,7 +4,9 @@ import { Plane, Quaternion, Raycaster, Vector3, type PerspectiveCamera } from "t
 import * as api from "../api";
 import type { Picked } from "../api";
 import { el } from "../dom";
+import { removeAt } from "../edits";
 import { say } from "../panels/dialogs";
+import { lostEdits, type LostEdit } from "../lost_edits";
 import { getAt } from "../pointer";
 import { round } from "../rounding";
 import type { Store } from "../store";
@@ -36,6 +38,8 @@ export class Branches implements Tool {
   private told = el("p", { role: "status", "data-testid": "branch" }, "Click a branch.");
   private address = el<HTMLInputElement>("input", { type: "text", size: 12, "aria-label": "Address of the branch", "data-tip": "Numbers of branches counted from the foot, with slashes, and the share of its length: 3/1:0.4", "data-testid": "branch-address" });
   private year = el<HTMLInputElement>("input.number", { type: "number", min: "1", step: "1", size: 5, "aria-label": "Year in which it is cut", "data-testid": "cut-year" });
+  private lost = el("details.lost-edits", { hidden: true, "data-testid": "lost-edits" }) as HTMLDetailsElement;
+  private lostShown = "";
   private byYear: HTMLElement;
   private acts: HTMLElement;
 
@@ -64,7 +68,9 @@ export class Branches implements Tool {
         go("parent", "▾", "What it grows on", (axis, step) => (axis.length && step === 1 ? axis.slice(0, -1) : null)),
         go("child", "▴", "The first that grows on it", (axis, step) => [...axis, step])),
       this.acts,
+      this.lost,
     );
+    this.store.on("scene", () => this.tellLost());
     this.address.addEventListener("keydown", (event) => event.key === "Enter" && void this.find(this.address.value));
   }
 
@@ -94,6 +100,33 @@ export class Branches implements Tool {
   scaleTo(camera: PerspectiveCamera, pixel: number): void {
     this.pixel = pixel;
     this.drawn.scaleTo(camera, pixel);
+  }
+
+  /** Says which edits find no branch, where these are others than before. */
+  private tellLost(): void {
+    const { header, notes } = this.store.scene;
+    if (!header || header.missing.length || header.coarse) return;
+    const lost = lostEdits(this.store, notes);
+    const now = JSON.stringify([this.store.file, lost]);
+    if (now === this.lostShown) return;
+    this.lostShown = now;
+    this.lost.hidden = !lost.length;
+    this.lost.replaceChildren(
+      el("summary", {}, `${lost.length === 1 ? "1 edit finds" : `${lost.length} edits find`} no branch`),
+      el("p.hint", {}, "They stay in the preset and count again where there is such a branch, as with the seed that they were made for."),
+      el("ul", {}, ...lost.map((one) => el("li", {}, `${this.store.preset.nameOf(one.entry)}: ${one.what}. ${one.why}`))),
+      el("button.small", { type: "button", "data-testid": "forget-lost", click: () => this.forgetLost(lost) }, "Take them out"),
+    );
+    if (lost.length) say(`${lost.length === 1 ? "1 edit of branches finds none" : `${lost.length} edits of branches find none`}: ${lost.map((one) => one.what).slice(0, 5).join("; ")}${lost.length > 5 ? " …" : ""}`);
+  }
+
+  private forgetLost(lost: LostEdit[]): void {
+    const { store } = this;
+    const last = [...lost].sort((a, b) => b.index - a.index);
+    store.batch((text) => last.reduce((out, { entry, index }) => {
+      const path = ["organisms", entry, "edits", index];
+      return removeAt(store.writtenOut(out, path), path);
+    }, text));
   }
 
   /** What was picked may be another now. */
