@@ -12,6 +12,10 @@ const SLOW = /swiftshader|llvmpipe|software|basic render/i;
 /** Triangles of a picture while something moves, and of one at rest. */
 const BUDGET = { quick: 8e6, fine: 16e6 };
 const SLOW_BUDGET = { quick: 2e4, fine: 1.5e6 };
+/** Triangles at rest grow by so much from one picture to the next, until one takes as long as a person may have to wait
+ *  for what is done next, ms. */
+const FINER = 4;
+const LONGEST = 1500;
 /** Pixels that may be lost where there is time enough, and where there is not; and what share is drawn at least. */
 const LOST = 4;
 const MOST_LOST = 60;
@@ -42,6 +46,12 @@ export class Painter {
   /** What is behind nothing. */
   backdrop = 0x16181a;
   private fence: WebGLSync | null = null;
+  /** When the last picture was begun, and how long it took to draw, ms. */
+  private began = 0;
+  private took = 0;
+  /** Triangles of a picture at rest, as many as this machine has drawn in time, and whether these are all that it would take. */
+  private atRest = 0;
+  private inFull = false;
 
   constructor(canvas: HTMLCanvasElement) {
     const probe = document.createElement("canvas").getContext("webgl2");
@@ -80,8 +90,7 @@ export class Painter {
 
   /** Makes all as coarse as the mode's budget asks for; where that is not enough, some stand for all, if they are parts of
    *  an organism. */
-  private plan(camera: PerspectiveCamera, mode: "quick" | "fine"): void {
-    const budget = (this.slow ? SLOW_BUDGET : BUDGET)[mode];
+  private plan(camera: PerspectiveCamera, mode: "quick" | "fine", budget = this.budget[mode]): void {
     const { x, y, z } = camera.position;
     const pixel = this.pixelOf(camera, this.size.y);
     const cost = (): number => {
@@ -97,12 +106,27 @@ export class Painter {
     for (; sum > budget && this.lost[mode] < MOST_LOST; sum = cost()) this.lost[mode] *= 1.6;
     const whole = this.stands.reduce((sum, stand) => sum + stand.triangles, 0);
     const share = Math.min(1, Math.max(LEAST_SHARE, (budget - whole) / Math.max(1, sum - whole)));
+    this.inFull = share === 1 && this.lost[mode] <= LOST;
     for (const one of this.things) one.thin(one.parent === this.world ? share : 1);
   }
 
-  /** How many pictures make a settled one. */
+  private get budget(): typeof BUDGET {
+    return this.slow ? SLOW_BUDGET : BUDGET;
+  }
+
+  /** How many pictures make a settled one: where each takes long, few. */
   private get enough(): number {
-    return this.slow ? 8 : 16;
+    const most = this.slow ? 8 : 16;
+    return this.took > LONGEST ? 2 : most;
+  }
+
+  /** After the first picture at rest: whether there is time for another that is finer, and for how fine a one. */
+  private finer(): boolean {
+    const { fine } = this.budget;
+    if (this.took > LONGEST) this.atRest = Math.max(this.budget.quick, (this.atRest * LONGEST) / this.took);
+    if (this.inFull || this.atRest >= fine || FINER * this.took > LONGEST) return false;
+    this.atRest = Math.min(fine, FINER * this.atRest);
+    return true;
   }
 
   /** Draws at once. */
@@ -118,7 +142,22 @@ export class Painter {
 
   /** Makes the picture at rest finer; whether there is more to come. */
   refine(camera: PerspectiveCamera): boolean {
-    if (this.settle.count === 0) this.plan(camera, "fine");
+    if (this.settle.count === 1 && this.finer()) this.settle.count = 0;
+    if (this.settle.count === 0) this.plan(camera, "fine", (this.atRest ||= this.slow ? FINER * this.budget.quick : this.budget.quick));
+    return this.add(camera);
+  }
+
+  /** Draws the picture at rest at once, however long that takes. */
+  finely(camera: PerspectiveCamera, pictures: number): void {
+    this.settle.count = 0;
+    this.plan(camera, "fine");
+    while (this.add(camera) && this.settle.count < pictures) {
+      // One more.
+    }
+  }
+
+  /** Adds a picture to the one at rest; whether there is more to come. */
+  private add(camera: PerspectiveCamera): boolean {
     if (this.shadowIsOld) {
       this.shade();
       this.mark();
@@ -240,6 +279,7 @@ export class Painter {
     if (this.fence && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) === gl.SIGNALED) {
       gl.deleteSync(this.fence);
       this.fence = null;
+      this.took = performance.now() - this.began;
     }
     return this.fence !== null;
   }
@@ -247,6 +287,7 @@ export class Painter {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;
     if (this.fence) gl.deleteSync(this.fence);
     this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.began = performance.now();
     gl.flush();
   }
 

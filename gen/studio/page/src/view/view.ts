@@ -206,6 +206,11 @@ export class View implements PointerTarget {
     return pngOf(this.canvas);
   }
 
+  /** Draws what is shown at once as finely as at rest, as the mean of so many pictures. */
+  finely(pictures: number): void {
+    this.painter.finely(this.camera, pictures);
+  }
+
   /** What was shown last. */
   get head(): Header | null {
     return this.header;
