@@ -21,6 +21,7 @@ import { frameNear, timesOver } from "../src/panels/storyboard";
 import { viewsOf } from "../src/panels/views";
 import type { Header, Part } from "../src/view/header";
 import { merged } from "../src/view/merge";
+import { LONGEST, Pace } from "../src/view/pace";
 import { enlarged, everyOf, firstOf, LARGEST } from "../src/view/thinning";
 
 const TEXT = `{
@@ -349,4 +350,19 @@ test("edits that find no branch are told apart from those that do", () => {
   const preset = new Preset('{"organisms": [{"kind": "rock"}, {"kind": "tree", "edits": [{"at": "3", "cut": true}, {"at": "9:0.8", "bend": [0, 1, 0]}, {"at": "40", "cut": 7}]}]}');
   const notes = ["a.json:1:2: /organisms/1/edits/2/at: finds no branch: the stem has 14 branches", "a.json:1:2: /organisms/1/edits/1/at: finds no branch: the stem has 3 branches", "no water here"];
   assert.deepEqual(lostEdits({ preset }, notes).map(({ entry, index, what }) => [entry, index, what]), [[1, 2, "40, cut in year 7"], [1, 1, "9:0.8, bent"]]);
+});
+
+test("pictures at rest grow finer, and none takes much longer than one may wait", () => {
+  // Machines of several speeds, triangles a ms, and scenes of several sizes.
+  for (const speed of [5, 100, 5000]) {
+    for (const scene of [1e4, 3e5, 1e8]) {
+      const pace = new Pace(2e4, 1.5e6);
+      const took: number[] = [];
+      do took.push(Math.min(scene, pace.triangles) / speed);
+      while (pace.finer(took.at(-1)!, Math.min(scene, pace.triangles), scene <= pace.triangles));
+      for (const ms of took.slice(1)) assert.ok(ms <= LONGEST, `${speed} ${scene}: ${took.join()}`);
+      assert.ok(pace.triangles >= 2e4 && (pace.triangles / speed <= LONGEST || pace.triangles === 2e4));
+      if (scene / speed < LONGEST / 4) assert.ok(pace.triangles >= Math.min(scene, 1.5e6), "there was time for all");
+    }
+  }
 });

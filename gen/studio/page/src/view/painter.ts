@@ -2,6 +2,7 @@ import { Box3, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderTarget, We
 import { Stand } from "./copies";
 import { Drawn } from "./drawn";
 import { Outline } from "./outline";
+import { LONGEST, Pace } from "./pace";
 import { shared, type Shared } from "./shared";
 import { Settle } from "./settle";
 import { Shadow } from "./shadow";
@@ -12,10 +13,6 @@ const SLOW = /swiftshader|llvmpipe|software|basic render/i;
 /** Triangles of a picture while something moves, and of one at rest. */
 const BUDGET = { quick: 8e6, fine: 16e6 };
 const SLOW_BUDGET = { quick: 2e4, fine: 1.5e6 };
-/** Triangles at rest grow by so much from one picture to the next, until one takes as long as a person may have to wait
- *  for what is done next, ms. */
-const FINER = 4;
-const LONGEST = 1500;
 /** Pixels that may be lost where there is time enough, and where there is not; and what share is drawn at least. */
 const LOST = 4;
 const MOST_LOST = 60;
@@ -49,9 +46,10 @@ export class Painter {
   /** When the last picture was begun, and how long it took to draw, ms. */
   private began = 0;
   private took = 0;
-  /** Triangles of a picture at rest, as many as this machine has drawn in time, and whether these are all that it would take. */
-  private atRest = 0;
-  private inFull = false;
+  private pace: Pace;
+  /** Triangles of the last plan, and whether it leaves nothing out. */
+  private planned = 0;
+  private whole = false;
 
   constructor(canvas: HTMLCanvasElement) {
     const probe = document.createElement("canvas").getContext("webgl2");
@@ -59,6 +57,7 @@ export class Painter {
     const info = probe.getExtension("WEBGL_debug_renderer_info");
     this.slow = SLOW.test(String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER)));
     probe.getExtension("WEBGL_lose_context")?.loseContext();
+    this.pace = new Pace(this.budget.quick, this.budget.fine);
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.slow, preserveDrawingBuffer: true, powerPreference: "high-performance" });
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false;
@@ -106,7 +105,8 @@ export class Painter {
     for (; sum > budget && this.lost[mode] < MOST_LOST; sum = cost()) this.lost[mode] *= 1.6;
     const whole = this.stands.reduce((sum, stand) => sum + stand.triangles, 0);
     const share = Math.min(1, Math.max(LEAST_SHARE, (budget - whole) / Math.max(1, sum - whole)));
-    this.inFull = share === 1 && this.lost[mode] <= LOST;
+    this.planned = Math.min(sum, budget);
+    this.whole = share === 1 && this.lost[mode] <= LOST;
     for (const one of this.things) one.thin(one.parent === this.world ? share : 1);
   }
 
@@ -120,14 +120,6 @@ export class Painter {
     return this.took > LONGEST ? 2 : most;
   }
 
-  /** After the first picture at rest: whether there is time for another that is finer, and for how fine a one. */
-  private finer(): boolean {
-    const { fine } = this.budget;
-    if (this.took > LONGEST) this.atRest = Math.max(this.budget.quick, (this.atRest * LONGEST) / this.took);
-    if (this.inFull || this.atRest >= fine || FINER * this.took > LONGEST) return false;
-    this.atRest = Math.min(fine, FINER * this.atRest);
-    return true;
-  }
 
   /** Draws at once. */
   draw(camera: PerspectiveCamera): void {
@@ -142,8 +134,8 @@ export class Painter {
 
   /** Makes the picture at rest finer; whether there is more to come. */
   refine(camera: PerspectiveCamera): boolean {
-    if (this.settle.count === 1 && this.finer()) this.settle.count = 0;
-    if (this.settle.count === 0) this.plan(camera, "fine", (this.atRest ||= this.slow ? FINER * this.budget.quick : this.budget.quick));
+    if (this.settle.count === 1 && this.pace.finer(this.took, this.planned, this.whole)) this.settle.count = 0;
+    if (this.settle.count === 0) this.plan(camera, "fine", this.pace.triangles);
     return this.add(camera);
   }
 
